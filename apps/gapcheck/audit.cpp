@@ -1,0 +1,159 @@
+#include "audit/audit.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "audit/registry.hpp"
+#include "base/parallel.hpp"
+#include "commands.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "report/writers.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+struct Arguments {
+  std::string deck;
+  std::string format = "text", output, fail_on = "error", missing_includes = "error";
+  audit::AuditOptions audit;
+  report::TextOptions text;
+  std::size_t jobs = 0;
+};
+
+/// A finite number that is not negative; CLI11's own ranges let NaN pass.
+std::string check_amount(const std::string& text) {
+  double value = -1;
+  if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0) return "";
+  return "'" + text + "' is not a number of 0 or more";
+}
+
+/// Every entry of --select and --ignore must pick a rule: a misspelt one would hide findings in silence.
+std::string check_rule(const std::string& text) {
+  for (const auto& rule : audit::rules())
+    if (audit::selected(rule, {text}, {})) return "";
+  return "'" + text + "' is no rule; gapcheck rules lists them";
+}
+
+void add_selection(CLI::App& command, Arguments& arguments) {
+  audit::AuditOptions& audit = arguments.audit;
+  command.add_option("--select", audit.select, "Only these rules: ids, names or prefixes of them")
+      ->delimiter(',')
+      ->check(CLI::Validator(check_rule, "RULE"))
+      ->group("Selection");
+  command.add_option("--ignore", audit.ignore, "Not these rules")
+      ->delimiter(',')
+      ->check(CLI::Validator(check_rule, "RULE"))
+      ->group("Selection");
+  command.add_option("--contact", audit.contacts, "Only these contacts, by id")->delimiter(',')->group("Selection");
+  command.add_option("--part", audit.parts, "Only nodes of these parts, by id")->delimiter(',')->group("Selection");
+  const CLI::Validator amount(check_amount, "X");
+  command.add_option("--ptol", audit.ptol, "Only penetrations deeper than X")->check(amount)->group("Selection");
+  command.add_option("--rtol", audit.rtol, "Only nodes with a remaining distance below X")
+      ->check(amount)
+      ->group("Selection");
+  command.add_option("--ratio", audit.ratio, "Only penetrations deeper than X times the contact distance")
+      ->check(amount)
+      ->group("Selection");
+}
+
+void add_output(CLI::App& command, Arguments& arguments) {
+  command.add_option("--format", arguments.format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str()
+      ->group("Output");
+  command.add_option("--output", arguments.output, "File for the results instead of standard output")->group("Output");
+  command.add_option("--top", arguments.text.top, "Deepest nodes to show per contact")
+      ->capture_default_str()
+      ->group("Output");
+  command.add_flag("--list", arguments.text.list, "Show every node and finding")->group("Output");
+  command.add_option("--fail-on", arguments.fail_on, "Least severity that gives exit code 1")
+      ->check(CLI::IsMember({"error", "warning", "note", "never"}))
+      ->capture_default_str()
+      ->group("Output");
+  command.add_flag("--stats", arguments.text.stats, "Show counters and times")->group("Output");
+  command.add_flag("--quiet", arguments.text.quiet, "Only the last line, and no warnings")->group("Output");
+}
+
+void add_reading(CLI::App& command, Arguments& arguments) {
+  command.add_option("-I", arguments.audit.read.include_directories, "Further directory for *INCLUDE; may be repeated")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->group("Reading");
+  command.add_option("--missing-includes", arguments.missing_includes, "What a missing include file is: error or skip")
+      ->check(CLI::IsMember({"error", "skip"}))
+      ->capture_default_str()
+      ->group("Reading");
+  command.add_flag("--exact", arguments.audit.exact, "Decide everything in exact arithmetic (slow, same results)")
+      ->group("Work");
+  command.add_option("--jobs", arguments.jobs, "Threads; 0: as many as the machine has")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str()
+      ->group("Work");
+}
+
+bool write(const Report& report, const Arguments& arguments) {
+  Output output(arguments.output);
+  if (arguments.format == "json") {
+    report::json(report, [&output](std::string_view piece) { return output.write(piece); });
+    if (arguments.text.stats) std::fputs(report::statistics(report).c_str(), stderr);
+  } else {
+    report::TextOptions options = arguments.text;
+    options.color = output.color();
+    output.write(report::text(report, options));
+  }
+  return output.close();
+}
+
+int exit_code(const Report& report, const std::string& fail_on) {
+  const report::Totals totals = report::totals(report);
+  std::size_t counted = 0;
+  if (fail_on != "never") counted += totals.errors;
+  if (fail_on == "warning" || fail_on == "note") counted += totals.warnings;
+  if (fail_on == "note") counted += totals.notes;
+  return counted > 0 ? findings : clean;
+}
+
+int audit_deck(const Arguments& arguments) {
+  const JobLimit limit(arguments.jobs);
+  Diagnostics diagnostics;
+  const auto result = [&] {
+    const Progress progress("auditing " + arguments.deck, !arguments.text.quiet);
+    return audit::audit_deck(arguments.deck, arguments.audit, diagnostics);
+  }();
+  print(diagnostics, arguments.text.quiet);
+  if (!result) {
+    print(result.error());
+    return failed;
+  }
+  const bool written = write(result.value(), arguments);
+  if (!written || diagnostics.has_errors()) return failed;
+  return exit_code(result.value(), arguments.fail_on);
+}
+
+}  // namespace
+
+void add_audit(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("audit", "Check the contacts of a keyword deck and its includes");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("DECK", arguments->deck, "Keyword file")->required();
+  add_selection(*command, *arguments);
+  add_output(*command, *arguments);
+  add_reading(*command, *arguments);
+  command->callback([&action, arguments] {
+    action = [arguments] {
+      arguments->audit.read.skip_missing_includes = arguments->missing_includes == "skip";
+      return audit_deck(*arguments);
+    };
+  });
+}
+
+}  // namespace gapcheck::app

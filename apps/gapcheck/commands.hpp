@@ -1,0 +1,22 @@
+#pragma once
+#include <CLI/App.hpp>
+#include <functional>
+
+namespace gapcheck::app {
+
+/// What every command returns.
+enum Exit : int {
+  clean = 0,     ///< nothing at or above --fail-on
+  findings = 1,  ///< something was found
+  failed = 2,    ///< the tool could not do its job
+};
+
+/// What the chosen command will do once all arguments are read; returns the exit code.
+using Action = std::function<int()>;
+
+// Each adds its subcommand; when it is chosen, it sets `action`.
+void add_audit(CLI::App& app, Action& action);
+void add_rules(CLI::App& app, Action& action);
+void add_explain(CLI::App& app, Action& action);
+
+}  // namespace gapcheck::app

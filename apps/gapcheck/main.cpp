@@ -1,0 +1,58 @@
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+
+#include "commands.hpp"
+#include "output.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+/// Commands that later versions will have: their names are taken, and say so.
+constexpr std::array<std::string_view, 4> later_commands{"messag", "compare", "run", "fix"};
+
+int run(int argc, char** argv) {
+  if (argc > 1 && std::find(later_commands.begin(), later_commands.end(), argv[1]) != later_commands.end()) {
+    print_error("'" + std::string(argv[1]) + "' is not part of this version; see gapcheck --help");
+    return failed;
+  }
+  CLI::App app("Finds the contact problems of LS-DYNA keyword decks before the first run.", "gapcheck");
+  app.set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
+  app.require_subcommand(1);
+  Action action;
+  add_audit(app, action);
+  add_rules(app, action);
+  add_explain(app, action);
+  app.footer("Exit codes: 0 nothing at or above --fail-on, 1 findings, 2 the tool could not do its job.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+      return app.exit(error) == 0 ? clean : failed;
+    print_error(std::string(error.what()) + "; see gapcheck --help");
+    return failed;
+  }
+  return action ? action() : failed;
+}
+
+}  // namespace
+}  // namespace gapcheck::app
+
+int main(int argc, char** argv) {
+  // Nothing here may allocate any more.
+  try {
+    return gapcheck::app::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("gapcheck: error: not enough memory\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "gapcheck: error: %s\n", error.what());
+  }
+  return gapcheck::app::failed;
+}

@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostic.hpp"
+
+namespace gapcheck::app {
+
+/// Where results go: standard output or a file. Remembers the first failure.
+class Output {
+ public:
+  /// Empty path: standard output.
+  explicit Output(std::string path);
+  ~Output();
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  /// False from the first failure on.
+  bool write(std::string_view text);
+  /// Ends the writing; reports a failure on standard error and returns false then.
+  [[nodiscard]] bool close();
+  /// ANSI colours are welcome: a terminal, and NO_COLOR is not set.
+  [[nodiscard]] bool color() const;
+
+ private:
+  std::string path_;
+  std::FILE* file_ = nullptr;
+  int error_ = 0;
+};
+
+/// "gapcheck: error: FILE:LINE: message" on standard error; empty file and line 0 are left out.
+void print(const Diagnostic& diagnostic);
+void print_error(std::string_view message);
+
+/// All diagnostics, errors first; with `quiet` only the errors.
+void print(const Diagnostics& diagnostics, bool quiet);
+
+}  // namespace gapcheck::app

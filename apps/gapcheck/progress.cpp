@@ -1,0 +1,33 @@
+#include "progress.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+namespace gapcheck::app {
+
+Progress::Progress(std::string what, bool wanted) {
+  if (wanted && ::isatty(STDERR_FILENO) != 0) thread_ = std::thread([this, what = std::move(what)] { run(what); });
+}
+
+Progress::~Progress() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void Progress::run(const std::string& what) {
+  std::unique_lock lock(mutex_);
+  int seconds = 0;
+  while (!changed_.wait_for(lock, std::chrono::seconds(1), [this] { return done_; }))
+    std::fprintf(stderr, "\rgapcheck: %s: %d s", what.c_str(), ++seconds);
+  if (seconds > 0) std::fputs("\r\x1b[K", stderr);
+}
+
+}  // namespace gapcheck::app

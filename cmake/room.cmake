@@ -1,0 +1,17 @@
+# gapcheck_room(NAME SOURCES file… DEPENDS target…): one folder of lib/ as one static library gapcheck_NAME.
+function(gapcheck_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  add_library(gapcheck_${name} STATIC ${ROOM_SOURCES})
+  target_link_libraries(gapcheck_${name} PUBLIC ${ROOM_DEPENDS} PRIVATE gapcheck_flags ${ROOM_PRIVATE_DEPENDS})
+  target_include_directories(gapcheck_${name} PUBLIC ${PROJECT_SOURCE_DIR}/lib)
+endfunction()
+
+# gapcheck_test(NAME SOURCES file… DEPENDS target…): one test program gapcheck_test_NAME, run by ctest.
+function(gapcheck_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(gapcheck_test_${name} ${TEST_SOURCES})
+  target_link_libraries(gapcheck_test_${name} PRIVATE gapcheck_flags ${TEST_DEPENDS} GTest::gtest_main)
+  target_compile_definitions(gapcheck_test_${name} PRIVATE GAPCHECK_ROOT="${PROJECT_SOURCE_DIR}")
+  add_test(NAME ${name} COMMAND gapcheck_test_${name})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 900)
+endfunction()

@@ -1,0 +1,162 @@
+#include "audit/audit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "audit/run_rules.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+ModelCounts counts(const model::Model& model) {
+  ModelCounts c;
+  c.nodes = model.mesh.nodes.size();
+  c.shells = model.mesh.shells.size();
+  c.solids = model.mesh.solids.size();
+  c.beams = model.mesh.beams.size();
+  c.thick_shells = model.mesh.thick_shells.size();
+  c.discrete = model.mesh.discrete.size();
+  c.masses = model.mesh.masses.size();
+  c.particles = model.mesh.particles.size();
+  c.parts = model.parts.size();
+  c.contacts = model.contacts.size();
+  return c;
+}
+
+/// Contacts as they stand in the deck, when no rule asked for their initialisation.
+std::vector<ContactSummary> contacts_alone(const model::Model& model) {
+  std::vector<ContactSummary> list;
+  for (const model::Contact& contact : model.contacts) {
+    ContactSummary s;
+    s.id = contact.id.value;
+    s.order = contact.order;
+    s.title = contact.title;
+    s.keyword = contact.keyword;
+    s.type = contact::classify(contact).code;
+    s.not_checked = "no selected rule asks for it";
+    s.line = contact.place.line;
+    list.push_back(std::move(s));
+  }
+  return list;
+}
+
+bool keep(const Penetration& p, const Context& context) {
+  const AuditOptions& o = context.options();
+  if (!context.wanted(p.kind)) return false;
+  if (o.rtol >= 0 && !(p.remaining() < o.rtol)) return false;
+  if (o.ratio >= 0 && !(p.depth > o.ratio * p.contact_distance)) return false;
+  const auto chosen = [&](std::int64_t part) { return std::find(o.parts.begin(), o.parts.end(), part) != o.parts.end(); };
+  return o.parts.empty() || chosen(p.part) || chosen(p.element_part);
+}
+
+/// Numbers of a contact's block after the filters, so that totals and list agree.
+void recount(Report& report) {
+  for (ContactSummary& c : report.contacts) c.penetrations = c.released = c.edge_zone = 0, c.max_penetration = 0;
+  for (const Penetration& p : report.penetrations) {
+    ContactSummary& c = report.contacts[p.contact];
+    switch (p.kind) {
+      case PenetrationKind::initial:
+        ++c.penetrations;
+        c.max_penetration = std::max(c.max_penetration, p.depth);
+        break;
+      case PenetrationKind::released: ++c.released; break;
+      case PenetrationKind::edge_zone: ++c.edge_zone; break;
+    }
+  }
+}
+
+void add_statistics(Report& report, const keyword::Deck& deck, const model::Model& model, Context& context) {
+  const auto add = [&](std::string name, std::uint64_t value) {
+    report.statistics.emplace_back(std::move(name), fmt::format("{}", value));
+  };
+  add("files read", deck.counters().files);
+  add("bytes read", deck.counters().bytes);
+  add("bytes skipped unparsed", model.skipped_bytes);
+  add("encrypted blocks skipped", deck.counters().encrypted_blocks);
+  add("includes missing", deck.counters().missing_includes);
+  const auto& c = context.counters();
+  add("contact surfaces built", c.surfaces_built);
+  add("searches", c.searches);
+  add("nodes culled by boxes", c.sweep.points_culled);
+  add("segments culled by boxes", c.sweep.segments_culled);
+  add("candidate pairs", c.sweep.candidate_pairs);
+  add("decided by the filter", c.decisions.filter);
+  add("decided by intervals", c.decisions.interval);
+  add("decided exactly", c.decisions.exact);
+  add("decided on the triangulation", c.decisions.triangulated);
+  add("nodes tied", c.tied_nodes);
+  add("penetrating pairs of tied nodes not reported", c.tied_pairs);
+  add("penetrating pairs excluded by the deck", c.excluded_pairs);
+  if (context.initialised())
+    for (const std::string& note : context.initial().notes) report.statistics.emplace_back("note", note);
+  for (const auto& [keyword, blocks] : model.skipped_keywords)
+    report.statistics.emplace_back("keyword skipped: " + keyword, fmt::format("{}", blocks));
+}
+
+Report make_report(const std::string& input, const keyword::Deck& deck, const model::Model& model,
+                   const AuditOptions& options) {
+  Report report;
+  report.source = "deck";
+  report.input = input;
+  for (const keyword::SourceFile& file : deck.files()) report.files.push_back(file.path);
+  report.model = counts(model);
+  Context context(deck, model, options);
+  run_rules(context, report);
+  const bool any = context.wanted(PenetrationKind::initial) || context.wanted(PenetrationKind::released) ||
+                   context.wanted(PenetrationKind::edge_zone);
+  if (any || context.initialised()) {
+    contact::InitialState& initial = context.initial();
+    report.contacts = std::move(initial.contacts);
+    report.penetrations = std::move(initial.penetrations);
+    std::erase_if(report.penetrations, [&](const Penetration& p) { return !keep(p, context); });
+    recount(report);
+  } else {
+    report.contacts = contacts_alone(model);
+  }
+  for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);
+  std::stable_sort(report.findings.begin(), report.findings.end(), [](const Finding& a, const Finding& b) {
+    return std::tie(a.id, a.file, a.line) < std::tie(b.id, b.file, b.line);
+  });
+  report.timing.surface_s = context.counters().surface_s;
+  report.timing.search_s = context.counters().search_s;
+  add_statistics(report, deck, model, context);
+  return report;
+}
+
+Result<Report> audit(Result<keyword::Deck> deck, Clock::time_point start, const std::string& input,
+                     const AuditOptions& options, Diagnostics& diagnostics) {
+  if (!deck) return deck.error();
+  const double read_s = since(start);
+  const auto model_start = Clock::now();
+  auto model = model::read_model(deck.value(), diagnostics);
+  if (!model) return model.error();
+  const double model_s = since(model_start);
+  Report report = make_report(input, deck.value(), model.value(), options);
+  report.timing.read_s = read_s;
+  report.timing.model_s = model_s;
+  report.timing.total_s = since(start);
+  return report;
+}
+
+}  // namespace
+
+Result<Report> audit_deck(const std::string& path, const AuditOptions& options, Diagnostics& diagnostics) {
+  const auto start = Clock::now();
+  return audit(keyword::read_deck(path, options.read, diagnostics), start, path, options, diagnostics);
+}
+
+Result<Report> audit_text(std::string text, const std::string& name, const AuditOptions& options,
+                          Diagnostics& diagnostics) {
+  const auto start = Clock::now();
+  return audit(keyword::read_deck_text(std::move(text), name, options.read, diagnostics), start, name, options,
+               diagnostics);
+}
+
+}  // namespace gapcheck::audit

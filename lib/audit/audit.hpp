@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/result.hpp"
+#include "keyword/deck.hpp"
+#include "records/report.hpp"
+
+namespace gapcheck::audit {
+
+struct AuditOptions {
+  keyword::ReadOptions read;
+  std::vector<std::string> select, ignore;  ///< rule ids, names or prefixes; empty select = all
+  std::vector<std::int64_t> contacts;       ///< --contact; empty = all
+  std::vector<std::int64_t> parts;          ///< --part: only findings of nodes of these parts; empty = all
+  double ptol = -1;     ///< --ptol: replaces the default tolerance; negative = not given
+  double rtol = -1;     ///< --rtol: only findings with a remaining distance below it; negative = not given
+  double ratio = -1;    ///< --ratio: only findings with depth / contact distance above it; negative = not given
+  bool exact = false;        ///< --exact: no floating-point filter
+  bool brute_force = false;  ///< the slow search, for tests
+};
+
+/// Reads a deck and reports everything that the selected rules find. Errors: the deck cannot be read at all; other
+/// input errors are in `diagnostics` (then exit code 2, though what could be audited is in the report).
+Result<Report> audit_deck(const std::string& path, const AuditOptions& options, Diagnostics& diagnostics);
+
+/// The same for a deck in memory.
+Result<Report> audit_text(std::string text, const std::string& name, const AuditOptions& options,
+                          Diagnostics& diagnostics);
+
+}  // namespace gapcheck::audit

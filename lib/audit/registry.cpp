@@ -1,0 +1,70 @@
+#include "audit/registry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "audit/rules/rules.hpp"
+#include "audit/run_rules.hpp"
+#include "base/embedded.hpp"
+
+namespace gapcheck::embedded {
+extern const std::span<const Text> rule_pages;
+}
+
+namespace gapcheck::audit {
+namespace {
+
+/// Ascending by id.
+constexpr std::array all_rules{&initial_penetration, &released_node, &edge_zone_penetration,
+                               &duplicate_id,        &unknown_reference, &empty_surface};
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char l, unsigned char r) {
+    return std::tolower(l) == std::tolower(r);
+  });
+}
+
+bool matches(const RuleInfo& rule, std::string_view pattern) {
+  const auto begins = [&](std::string_view text) {
+    return text.size() >= pattern.size() && equal_ignoring_case(text.substr(0, pattern.size()), pattern);
+  };
+  return !pattern.empty() && (begins(rule.id) || begins(rule.name));
+}
+
+}  // namespace
+
+std::span<const RuleInfo> rules() {
+  static const std::vector<RuleInfo> infos = [] {
+    std::vector<RuleInfo> list;
+    for (const Rule* rule : all_rules) list.push_back(rule->info);
+    return list;
+  }();
+  return infos;
+}
+
+const RuleInfo* find_rule(std::string_view id_or_name) {
+  for (const RuleInfo& rule : rules())
+    if (equal_ignoring_case(rule.id, id_or_name) || equal_ignoring_case(rule.name, id_or_name)) return &rule;
+  return nullptr;
+}
+
+bool selected(const RuleInfo& rule, const std::vector<std::string>& select, const std::vector<std::string>& ignore) {
+  const auto any = [&](const std::vector<std::string>& patterns) {
+    return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return matches(rule, p); });
+  };
+  return (select.empty() || any(select)) && !any(ignore);
+}
+
+std::string_view page(const RuleInfo& rule) {
+  for (const auto& text : embedded::rule_pages)
+    if (text.name == rule.name) return text.content;
+  return {};
+}
+
+void run_rules(Context& context, Report& report) {
+  for (const Rule* rule : all_rules)
+    if (selected(rule->info, context.options().select, context.options().ignore)) rule->run(rule->info, context, report);
+}
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,58 @@
+#include "audit/rule.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace gapcheck::audit {
+namespace {
+
+constexpr std::size_t in_full = 10;
+
+/// "node 12 is defined again" → "node": faults about the same kind of thing are grouped.
+std::string thing(const std::string& message) { return message.substr(0, message.find(' ')); }
+
+}  // namespace
+
+const std::string& Context::path(FileIndex file) const {
+  static const std::string empty;
+  return file.value < deck_.files().size() ? deck_.file(file).path : empty;
+}
+
+contact::InitialState& Context::initial() {
+  if (!initial_) {
+    contact::InitialOptions options;
+    options.contacts = options_.contacts;
+    options.tolerance = options_.ptol;
+    options.mode = options_.exact ? geometry::Mode::exact : geometry::Mode::filtered;
+    options.brute_force = options_.brute_force;
+    initial_ = contact::initialise_contacts(model_, options, counters_);
+  }
+  return *initial_;
+}
+
+Finding finding(const RuleInfo& rule, std::string message, std::string file, std::uint32_t line) {
+  Finding f;
+  f.id = rule.id;
+  f.rule = rule.name;
+  f.severity = rule.severity;
+  f.message = std::move(message);
+  f.file = std::move(file);
+  f.line = line;
+  return f;
+}
+
+void add_faults(const RuleInfo& rule, Context& context, Report& report, model::Fault::Kind kind) {
+  std::map<std::string, std::size_t> count;
+  for (const model::Fault& fault : context.model().faults) {
+    if (fault.kind != kind) continue;
+    if (++count[thing(fault.message)] <= in_full)
+      report.findings.push_back(finding(rule, fault.message, context.path(fault.place.file), fault.place.line));
+  }
+  for (const auto& [what, n] : count) {
+    if (n > in_full)
+      report.findings.push_back(finding(rule, fmt::format("{}: {} more findings of this kind", what, n - in_full), "", 0));
+  }
+}
+
+}  // namespace gapcheck::audit

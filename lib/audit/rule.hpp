@@ -1,0 +1,53 @@
+#pragma once
+#include <bitset>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "audit/audit.hpp"
+#include "audit/registry.hpp"
+#include "contact/initial.hpp"
+#include "model/model.hpp"
+
+namespace gapcheck::audit {
+
+/// What the rules of one audit share. What several rules need is computed when the first of them asks.
+class Context {
+ public:
+  Context(const keyword::Deck& deck, const model::Model& model, const AuditOptions& options)
+      : deck_(deck), model_(model), options_(options) {}
+
+  [[nodiscard]] const model::Model& model() const { return model_; }
+  [[nodiscard]] const AuditOptions& options() const { return options_; }
+  /// Path of an include; empty for none.
+  [[nodiscard]] const std::string& path(FileIndex file) const;
+  /// The initialisation of all contacts.
+  [[nodiscard]] contact::InitialState& initial();
+  [[nodiscard]] const contact::InitialCounters& counters() const { return counters_; }
+  [[nodiscard]] bool initialised() const { return initial_.has_value(); }
+  /// Asks for the records of one kind in the report.
+  void want(PenetrationKind kind) { wanted_.set(static_cast<std::size_t>(kind)); }
+  [[nodiscard]] bool wanted(PenetrationKind kind) const { return wanted_.test(static_cast<std::size_t>(kind)); }
+
+ private:
+  const keyword::Deck& deck_;
+  const model::Model& model_;
+  const AuditOptions& options_;
+  std::optional<contact::InitialState> initial_;
+  contact::InitialCounters counters_;
+  std::bitset<3> wanted_;
+};
+
+/// One rule: what it is, and what it adds to a report.
+struct Rule {
+  RuleInfo info;
+  void (*run)(const RuleInfo& info, Context& context, Report& report);
+};
+
+/// A finding with the rule's id, name and severity filled in.
+[[nodiscard]] Finding finding(const RuleInfo& rule, std::string message, std::string file, std::uint32_t line);
+
+/// Adds the faults of one kind, the first ten of each kind of thing in full and then one finding that counts the rest.
+void add_faults(const RuleInfo& rule, Context& context, Report& report, model::Fault::Kind kind);
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,10 @@
+#include "audit/rules/rules.hpp"
+
+namespace gapcheck::audit {
+
+const Rule unknown_reference{{"GC502", "unknown-reference", Severity::error, "something refers to an id that does not exist"},
+                             [](const RuleInfo& rule, Context& context, Report& report) {
+                               add_faults(rule, context, report, model::Fault::Kind::unknown_reference);
+                             }};
+
+}  // namespace gapcheck::audit

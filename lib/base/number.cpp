@@ -1,0 +1,77 @@
+#include "base/number.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+namespace gapcheck {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Plain form accepted by from_chars, and the whole text used.
+std::optional<double> plain_real(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    // from_chars leaves the value alone here: too small is zero for every deck, too large is no number.
+    const auto e = text.find_first_of("eE");
+    if (e != std::string_view::npos && e + 1 < text.size() && text[e + 1] == '-') return 0.0;
+    return std::nullopt;
+  }
+  if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  text = trimmed(text);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.empty() || text.front() == '+') return std::nullopt;
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc{} && end == text.data() + text.size()) return value;
+  const auto real = parse_real(text);
+  if (!real || *real != std::floor(*real) || std::abs(*real) > 9.0e15) return std::nullopt;
+  return static_cast<std::int64_t>(*real);
+}
+
+std::optional<double> parse_real(std::string_view text) {
+  text = trimmed(text);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.empty()) return std::nullopt;
+  const std::string_view unsigned_part = text.front() == '-' ? text.substr(1) : text;
+  // Keeps out "nan", "inf" and a second sign.
+  if (unsigned_part.empty() || !(is_digit(unsigned_part.front()) || unsigned_part.front() == '.')) return std::nullopt;
+  std::array<char, 64> buffer{};
+  std::size_t length = 0;
+  bool rewritten = false, exponent = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (length + 2 >= buffer.size()) return plain_real(text);
+    char c = text[i];
+    if (c == 'd' || c == 'D') {
+      c = 'e';
+      rewritten = true;
+    }
+    const bool sign = c == '+' || c == '-';
+    if (sign && i > 0 && !exponent) {
+      buffer[length++] = 'e';
+      exponent = rewritten = true;
+    }
+    if (c == 'e' || c == 'E') exponent = true;
+    buffer[length++] = c;
+  }
+  if (!rewritten) return plain_real(text);
+  return plain_real({buffer.data(), length});
+}
+
+}  // namespace gapcheck

@@ -1,0 +1,9 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace gapcheck {
+
+/// A point or direction in space, in the deck's length unit.
+using Vector = Eigen::Vector3d;
+
+}  // namespace gapcheck

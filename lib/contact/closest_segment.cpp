@@ -1,0 +1,134 @@
+#include "contact/closest_segment.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+/// Segments count as equally near within this share of the distance.
+constexpr double equally_near = 1e-9;
+constexpr std::size_t grain = 4096;
+
+/// Grows by `reach` and one more rounding step on either side, so that no rounding can lose a pair.
+Bounds grown(Bounds box, double reach) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = std::nextafter(box.low[i] - reach, -inf);
+    box.high[i] = std::nextafter(box.high[i] + reach, inf);
+  }
+  return box;
+}
+
+bool is_corner(const model::SegmentNodes& n, NodeIndex node) {
+  return n[0] == node || n[1] == node || n[2] == node || n[3] == node;
+}
+
+/// The best hit of every tracked node.
+std::vector<Hit> best_hits(const std::vector<Hit>& all, std::size_t slots) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+  struct Nearest {
+    double in_band = infinity, outside = infinity;
+    std::uint32_t hit = nothing;
+  };
+  std::vector<Nearest> nearest(slots);
+  for (const Hit& hit : all) {
+    double& distance = hit.in_band ? nearest[hit.slot].in_band : nearest[hit.slot].outside;
+    distance = std::min(distance, std::abs(hit.distance));
+  }
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    Nearest& n = nearest[all[i].slot];
+    const bool any_in_band = n.in_band < infinity;
+    if (any_in_band && !all[i].in_band) continue;
+    if (std::abs(all[i].distance) > (any_in_band ? n.in_band : n.outside) * (1 + equally_near)) continue;
+    if (n.hit == nothing || all[i].segment < all[n.hit].segment) n.hit = i;
+  }
+  std::vector<Hit> chosen;
+  for (const Nearest& n : nearest)
+    if (n.hit != nothing) chosen.push_back(all[n.hit]);
+  return chosen;
+}
+
+}  // namespace
+
+void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
+                        const std::function<double(std::uint32_t)>& reach, SweepCounters& counters,
+                        const std::function<void(std::uint32_t, std::span<const std::uint32_t>)>& visit) {
+  const Segments& s = scene.segments;
+  std::vector<Bounds> boxes(s.size());
+  parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto segment = static_cast<std::uint32_t>(i);
+      Bounds box;
+      for (const NodeIndex n : s.nodes[i]) box.add(scene.x[n.value]);
+      boxes[i] = grown(box, reach(segment));
+    }
+  });
+  // Cull by the boxes of the two sides before anything is sorted.
+  Bounds all_boxes, all_points;
+  for (const Bounds& b : boxes) {
+    all_boxes.low = all_boxes.low.cwiseMin(b.low);
+    all_boxes.high = all_boxes.high.cwiseMax(b.high);
+  }
+  std::vector<Vector> points;
+  std::vector<std::uint32_t> slots;
+  points.reserve(scene.nodes.size());
+  slots.reserve(scene.nodes.size());
+  for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+    const Vector& p = scene.x[scene.nodes.node[i].value];
+    if (!(p.array() >= all_boxes.low.array()).all() || !(p.array() <= all_boxes.high.array()).all()) continue;
+    points.push_back(p);
+    slots.push_back(i);
+    all_points.add(p);
+  }
+  counters.points_culled += scene.nodes.size() - points.size();
+  std::uint64_t culled = 0;
+  for (Bounds& b : boxes) {
+    if (points.empty() || !b.meets(all_points)) {
+      b = Bounds{};
+      ++culled;
+    }
+  }
+  counters.segments_culled += culled;
+  if (points.empty()) return;
+  std::atomic<std::uint64_t> pairs{0};
+  search.run(points, boxes, [&](std::uint32_t segment, std::span<const std::uint32_t> inside) {
+    static thread_local std::vector<std::uint32_t> local;
+    local.clear();
+    const auto& corners = s.nodes[segment];
+    for (const std::uint32_t p : inside)
+      if (!is_corner(corners, scene.nodes.node[slots[p]])) local.push_back(slots[p]);
+    pairs.fetch_add(local.size(), std::memory_order_relaxed);
+    if (!local.empty()) visit(segment, local);
+  });
+  counters.candidate_pairs += pairs;
+}
+
+std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
+                                  const std::function<bool(std::uint32_t, std::uint32_t)>& pair_allowed,
+                                  SweepCounters& counters) {
+  double largest_half = 0;
+  for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);
+  tbb::enumerable_thread_specific<std::vector<Hit>> found;
+  for_each_candidate(
+      scene, search, [&](std::uint32_t s) { return scene.reach(s, largest_half); }, counters,
+      [&](std::uint32_t segment, std::span<const std::uint32_t> slots) {
+        std::vector<Hit>& mine = found.local();
+        for (const std::uint32_t slot : slots) {
+          const PairResult pair = decide_pair(scene, slot, segment);
+          if (pair.penetrates && pair_allowed(slot, segment)) mine.push_back({slot, segment, pair.distance, pair.in_band});
+        }
+      });
+  std::vector<Hit> all;
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  return best_hits(all, scene.nodes.size());
+}
+
+}  // namespace gapcheck::contact

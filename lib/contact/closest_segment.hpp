@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "contact/pair.hpp"
+#include "contact/search.hpp"
+
+namespace gapcheck::contact {
+
+/// The segment that a tracked node is closest to, of those that it penetrates.
+struct Hit {
+  std::uint32_t slot = 0;     ///< position in TrackedNodes
+  std::uint32_t segment = 0;
+  double distance = 0;        ///< negative behind an oriented segment
+  bool in_band = false;       ///< false: only outside every segment's band
+};
+
+/// What a sweep left out and how much it looked at.
+struct SweepCounters {
+  std::uint64_t candidate_pairs = 0, points_culled = 0, segments_culled = 0;
+};
+
+/// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node, ascending by
+/// slot: in-band hits go before others, then the smallest distance; of segments equally near (relative 1e-9) the first.
+/// `pair_allowed(slot, segment)` is asked only for pairs that penetrate; it may be called from any thread.
+[[nodiscard]] std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
+                                                const std::function<bool(std::uint32_t, std::uint32_t)>& pair_allowed,
+                                                SweepCounters& counters);
+
+/// Calls visit(slot, segment) for all pairs whose node lies within `reach(segment)` of the segment's box; concurrently.
+void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
+                        const std::function<double(std::uint32_t)>& reach, SweepCounters& counters,
+                        const std::function<void(std::uint32_t, std::span<const std::uint32_t>)>& visit);
+
+}  // namespace gapcheck::contact

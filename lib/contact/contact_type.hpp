@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "model/model.hpp"
+
+namespace gapcheck::contact {
+
+/// Which nodes meet which segments (contact rules, section 1).
+enum class Treatment : std::uint8_t { one_way, two_way, single_surface, none };
+
+/// What the surfaces mean: `old` types are oriented and may ignore thickness, `automatic` ones are two-sided.
+enum class Family : std::uint8_t { old, automatic, forming, constraint, tied, mortar, other };
+
+/// How a contact definition is treated at t = 0.
+struct ContactType {
+  std::string code;  ///< the solver's: "13", "a3"; with an added "m" suffix nothing: mortar types print "*"
+  Treatment treatment = Treatment::none;
+  Family family = Family::other;
+  bool edges = false;  ///< types 26: beams are reference lines too
+  /// Why no penetrations are decided node against segment; empty: they are.
+  std::string not_checked;
+  [[nodiscard]] bool checked() const { return not_checked.empty(); }
+};
+
+/// Type of a contact definition. SOFT = 2 counts only for types that have it; the solver switches others to SOFT = 1.
+[[nodiscard]] ContactType classify(const model::Contact& contact);
+
+/// The values that decide, after contact card, MPP card and *CONTROL_CONTACT have been merged.
+struct ContactSettings {
+  std::int64_t ignore = 0;  ///< MPP card, else card C, else *CONTROL_CONTACT
+  std::int64_t snlog = 0;
+  std::int64_t shlthk = 0;  ///< 0 none, 1 deformable only, 2 all; automatic, single-surface and constraint types: 2
+  bool thickness_limit = false;  ///< single-surface types with SSTHK = 0
+};
+[[nodiscard]] ContactSettings settings(const model::Contact& contact, const ContactType& type,
+                                       const model::Controls& controls);
+
+}  // namespace gapcheck::contact

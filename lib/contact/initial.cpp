@@ -1,0 +1,308 @@
+#include "contact/initial.hpp"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <unordered_set>
+
+#include "base/parallel.hpp"
+#include "contact/exclusions.hpp"
+#include "contact/faces.hpp"
+#include "contact/orientation.hpp"
+#include "contact/outcome.hpp"
+#include "contact/release.hpp"
+#include "contact/ties.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& total) : total_(total) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  double& total_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double min_diagonal(const geometry::Facet& f) {
+  return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
+}
+
+/// One side of a contact with thickness: what a node meets, and the nodes.
+struct Side {
+  Selection selection;
+  TrackedNodes nodes;
+};
+
+class Initialiser {
+ public:
+  Initialiser(const model::Model& model, const InitialOptions& options, InitialCounters& counters, InitialState& state)
+      : model_(model),
+        options_(options),
+        counters_(counters),
+        state_(state),
+        search_(options.brute_force ? make_brute_force() : make_bucket_grid()) {}
+
+  void run() {
+    state_.x = model_.mesh.nodes.x;
+    for (std::uint32_t c = 0; c < model_.contacts.size(); ++c) {
+      const model::Contact& contact = model_.contacts[c];
+      const ContactType type = classify(contact);
+      state_.contacts.push_back(summary(contact, type));
+      if (!chosen(contact))
+        state_.contacts.back().not_checked = "not selected";
+      else if (type.family == Family::tied)
+        tie(c, type);
+      else if (type.checked())
+        check(c, type);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool chosen(const model::Contact& contact) const {
+    return options_.contacts.empty() ||
+           std::find(options_.contacts.begin(), options_.contacts.end(), contact.id.value) != options_.contacts.end();
+  }
+
+  static ContactSummary summary(const model::Contact& contact, const ContactType& type) {
+    ContactSummary s;
+    s.id = contact.id.value;
+    s.order = contact.order;
+    s.title = contact.title;
+    s.keyword = contact.keyword;
+    s.type = type.code;
+    s.not_checked = type.not_checked;
+    s.line = contact.place.line;
+    return s;
+  }
+
+  void tie(std::uint32_t c, const ContactType& type) {
+    const Stopwatch watch(counters_.search_s);
+    const std::uint64_t tied = apply_ties(model_, model_.contacts[c], type, *search_, counters_.decisions, state_.x, ties_);
+    state_.contacts[c].ties = tied;
+    counters_.tied_nodes += tied;
+  }
+
+  void report_empty(std::uint32_t c, char side, const Selection& selection) {
+    if (!selection.empty_reason.empty()) state_.empty.push_back({c, side, selection.empty_reason});
+  }
+
+  Side build_side(std::uint32_t c, const ContactType& type, const ContactSettings& settings, bool b) {
+    const Stopwatch watch(counters_.surface_s);
+    const model::Contact& contact = model_.contacts[c];
+    Side side;
+    side.selection = select(model_, b ? contact.b : contact.a, type, state_.x);
+    report_empty(c, b ? 'B' : 'A', side.selection);
+    const ThicknessSide thickness = thickness_side(contact, settings, model_.controls, b);
+    fill_thickness(side.selection.segments, model_, thickness, state_.x);
+    const bool track = !b || type.treatment == Treatment::two_way;
+    if (track) side.nodes = tracked_nodes(side.selection, model_, thickness, state_.x);
+    ++counters_.surfaces_built;
+    return side;
+  }
+
+  void check(std::uint32_t c, const ContactType& type) {
+    const ContactSettings s = settings(model_.contacts[c], type, model_.controls);
+    const Exclusions exclusions(model_, model_.contacts[c].id);
+    if (!exclusions.not_honoured().empty()) state_.notes.push_back(exclusions.not_honoured());
+    const std::size_t first = state_.penetrations.size();
+    ContactSummary& summary = state_.contacts[c];
+    Side a = build_side(c, type, s, false);
+    if (type.treatment == Treatment::single_surface) {
+      if (!type.edges) drop_lines(a);
+      summary.tracked_nodes = a.nodes.size();
+      summary.segments = a.selection.segments.size();
+      sweep(c, type, s, exclusions, a.nodes, a.selection.segments, first);
+    } else {
+      Side b = build_side(c, type, s, true);
+      drop_lines(a);
+      drop_lines(b);
+      summary.tracked_nodes = a.nodes.size();
+      summary.segments = b.selection.segments.size();
+      sweep(c, type, s, exclusions, a.nodes, b.selection.segments, first);
+      if (type.treatment == Treatment::two_way) {
+        summary.tracked_nodes += b.nodes.size();
+        summary.segments += a.selection.segments.size();
+        sweep(c, type, s, exclusions, b.nodes, a.selection.segments, first);
+      }
+    }
+    sort_deepest_first(first);
+  }
+
+  /// Beams are tracked by their nodes in all types, but only types 26 see them as reference lines.
+  static void drop_lines(Side& side) {
+    Segments& s = side.selection.segments;
+    const auto line = std::find(s.kind.begin(), s.kind.end(), SegmentKind::line);
+    const auto keep = static_cast<std::size_t>(line - s.kind.begin());
+    s.nodes.resize(keep);
+    s.element.resize(keep);
+    s.element_kind.resize(keep);
+    s.kind.resize(keep);
+    s.half.resize(keep);
+    s.rule.resize(keep);
+  }
+
+  std::vector<double> solid_depths(const Segments& s) const {
+    std::vector<double> depth;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (s.kind[i] != SegmentKind::solid) continue;
+      depth.resize(s.size());
+      const auto& elements = s.element_kind[i] == model::ElementKind::solid ? model_.mesh.solids : model_.mesh.thick_shells;
+      const auto& nodes = elements.nodes[s.element[i]];
+      const double a = area(s.nodes[i], state_.x);
+      depth[i] = a > 0 ? volume(nodes, state_.x) / a : 0;
+    }
+    return depth;
+  }
+
+  void sweep(std::uint32_t c, const ContactType& type, const ContactSettings& s, const Exclusions& exclusions,
+             const TrackedNodes& nodes, const Segments& segments, std::size_t first_record) {
+    if (nodes.size() == 0 || segments.size() == 0) return;
+    ++counters_.searches;
+    const model::Contact& contact = model_.contacts[c];
+    std::optional<Neighbours> neighbours;
+    std::vector<double> depths;
+    {
+      const Stopwatch watch(counters_.surface_s);
+      neighbours.emplace(segments, model_.mesh);
+      depths = solid_depths(segments);
+    }
+    PairScene scene{model_, contact,     type, s, state_.x, segments, nodes, *neighbours, std::move(depths), {},
+                    options_.tolerance, options_.mode, counters_.decisions};
+    std::unordered_set<std::int64_t> listed;
+    for (std::size_t i = first_record; i < state_.penetrations.size(); ++i) listed.insert(state_.penetrations[i].node);
+    std::vector<Hit> hits;
+    {
+      const Stopwatch watch(counters_.search_s);
+      scene.flipped = flipped_segments(scene, *search_);
+      std::atomic<std::uint64_t> tied{0}, excluded{0};
+      const bool single = type.treatment == Treatment::single_surface;
+      const auto allowed = [&](std::uint32_t slot, std::uint32_t segment) {
+        const NodeIndex node = nodes.node[slot];
+        if (single && neighbours->in_ring(node, segment)) return false;
+        const PartIndex part = part_of(model_.mesh, segments, segment);
+        if (!exclusions.empty() && exclusions.excluded(nodes.part[slot], part)) return ++excluded, false;
+        if (ties_.size() > 0 && ties_.tied(node, part)) return ++tied, false;
+        return true;
+      };
+      hits = closest_segments(scene, *search_, allowed, counters_.sweep);
+      counters_.tied_pairs += tied;
+      counters_.excluded_pairs += excluded;
+    }
+    if (!listed.empty())
+      std::erase_if(hits, [&](const Hit& hit) { return listed.contains(model_.mesh.nodes.id[nodes.node[hit.slot].value]); });
+    const std::size_t first = state_.penetrations.size();
+    state_.penetrations.resize(first + hits.size());
+    parallel_for(hits.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) state_.penetrations[first + i] = record(c, scene, hits[i]);
+    });
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const Penetration& p = state_.penetrations[first + i];
+      if (p.outcome == Outcome::moved) state_.x[nodes.node[hits[i].slot].value] = p.moved_to;
+      count(state_.contacts[c], p);
+    }
+  }
+
+  static void count(ContactSummary& summary, const Penetration& p) {
+    switch (p.kind) {
+      case PenetrationKind::initial:
+        ++summary.penetrations;
+        summary.max_penetration = std::max(summary.max_penetration, p.depth);
+        break;
+      case PenetrationKind::released: ++summary.released; break;
+      case PenetrationKind::edge_zone: ++summary.edge_zone; break;
+    }
+  }
+
+  Penetration record(std::uint32_t c, const PairScene& scene, const Hit& hit) const {
+    const Segments& s = scene.segments;
+    const model::Nodes& all = model_.mesh.nodes;
+    const NodeIndex node = scene.nodes.node[hit.slot];
+    const PairResult pair = decide_pair(scene, hit.slot, hit.segment);
+    Penetration p;
+    p.contact = c;
+    p.segment_number = hit.segment + 1;
+    p.node = all.id[node.value];
+    if (const PartIndex part = scene.nodes.part[hit.slot]; part != none<PartIndex>) p.part = model_.part(part).id.value;
+    for (std::size_t i = 0; i < 4; ++i) p.segment[i] = all.id[s.nodes[hit.segment][i].value];
+    p.element = element_id(model_.mesh, s, hit.segment);
+    if (const PartIndex part = part_of(model_.mesh, s, hit.segment); part != none<PartIndex>)
+      p.element_part = model_.part(part).id.value;
+    p.contact_distance = scene.nodes.half[hit.slot] + s.half[hit.segment];
+    p.depth = p.contact_distance - pair.distance;
+    p.s = pair.closest.s;
+    p.t = pair.closest.t;
+    p.original = scene.x[node.value];
+    p.point = pair.closest.point;
+    p.feature = pair.closest.feature;
+    p.node_rule = scene.nodes.rule[hit.slot];
+    p.segment_rule = s.rule[hit.segment];
+    p.file = all.origins.file(node.value).value;
+    p.line = all.line[node.value];
+    decide_outcome(p, scene, hit, pair);
+    return p;
+  }
+
+  void decide_outcome(Penetration& p, const PairScene& scene, const Hit& hit, const PairResult& pair) const {
+    p.moved_to = p.original;
+    if (!pair.in_band) {
+      p.kind = PenetrationKind::edge_zone;
+      p.outcome = Outcome::reported;
+      return;
+    }
+    ReleasePair release;
+    release.solid_segment = scene.segments.kind[hit.segment] == SegmentKind::solid;
+    release.node_thickness = 2 * scene.nodes.half[hit.slot];
+    release.segment_thickness = 2 * scene.segments.half[hit.segment];
+    if (!scene.depth.empty()) release.solid_depth = scene.depth[hit.segment];
+    release.min_diagonal = min_diagonal(scene.facet(hit.segment));
+    if (p.depth > release_depth(scene.contact, scene.type, scene.settings, model_.controls, release)) {
+      p.kind = PenetrationKind::released;
+      p.outcome = Outcome::released;
+      return;
+    }
+    p.outcome = outcome(scene.settings);
+    if (p.outcome == Outcome::moved) p.moved_to = p.original + shooting_move * p.depth * direction(scene, hit, pair, p);
+  }
+
+  /// From the segment to the free side.
+  static Vector direction(const PairScene& scene, const Hit& hit, const PairResult& pair, const Penetration& p) {
+    if (pair.distance > 0) return (p.original - p.point) / pair.distance;
+    if (pair.distance < 0) return (p.original - p.point) / pair.distance;  // behind: towards the surface
+    const bool flipped = !scene.flipped.empty() && scene.flipped[hit.segment];
+    return flipped ? Vector(-pair.closest.normal) : pair.closest.normal;
+  }
+
+  void sort_deepest_first(std::size_t first) {
+    auto& all = state_.penetrations;
+    const auto deeper = [](const Penetration& l, const Penetration& r) {
+      return l.depth != r.depth ? l.depth > r.depth : l.node < r.node;
+    };
+    std::sort(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), deeper);
+  }
+
+  const model::Model& model_;
+  const InitialOptions& options_;
+  InitialCounters& counters_;
+  InitialState& state_;
+  std::unique_ptr<CandidateSearch> search_;
+  Ties ties_;
+};
+
+}  // namespace
+
+InitialState initialise_contacts(const model::Model& model, const InitialOptions& options, InitialCounters& counters) {
+  InitialState state;
+  Initialiser(model, options, counters, state).run();
+  return state;
+}
+
+}  // namespace gapcheck::contact

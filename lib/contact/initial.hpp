@@ -1,0 +1,49 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "contact/closest_segment.hpp"
+#include "contact/contact_type.hpp"
+#include "geometry/decide.hpp"
+#include "model/model.hpp"
+#include "records/report.hpp"
+
+namespace gapcheck::contact {
+
+struct InitialOptions {
+  std::vector<std::int64_t> contacts;  ///< ids; empty = all. Contacts left out do not move nodes either
+  double tolerance = -1;               ///< replaces the default tolerance of a penetration; negative: default
+  geometry::Mode mode = geometry::Mode::filtered;
+  bool brute_force = false;
+};
+
+struct InitialCounters {
+  geometry::DecisionCounters decisions;
+  SweepCounters sweep;
+  std::uint64_t tied_nodes = 0, tied_pairs = 0, excluded_pairs = 0, surfaces_built = 0, searches = 0;
+  double surface_s = 0, search_s = 0;
+};
+
+/// A side of a contact that names nothing.
+struct EmptySurface {
+  std::uint32_t contact;  ///< position in Model::contacts
+  char side;              ///< 'A', 'B'
+  std::string reason;
+};
+
+struct InitialState {
+  std::vector<ContactSummary> contacts;   ///< beside Model::contacts; those not chosen have `not_checked` set
+  std::vector<Penetration> penetrations;  ///< by contact, deepest first, then node id
+  std::vector<EmptySurface> empty;
+  std::vector<std::string> notes;         ///< what could not be honoured
+  std::vector<Vector> x;                  ///< coordinates after the initialisation
+};
+
+/// What the solver finds when it initialises the contacts: one after the other in deck order, side A before side B, each
+/// on the coordinates that the earlier ones have left; within one side all nodes are judged on the same coordinates.
+/// Source: contact rules, sections 3 to 5, 7 and 12.
+[[nodiscard]] InitialState initialise_contacts(const model::Model& model, const InitialOptions& options,
+                                               InitialCounters& counters);
+
+}  // namespace gapcheck::contact

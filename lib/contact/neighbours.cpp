@@ -1,0 +1,53 @@
+#include "contact/neighbours.hpp"
+
+#include <algorithm>
+
+namespace gapcheck::contact {
+namespace {
+
+bool has(const model::SegmentNodes& nodes, NodeIndex node) {
+  return nodes[0] == node || nodes[1] == node || nodes[2] == node || nodes[3] == node;
+}
+
+/// Distinct corners: a triangle names its last one twice, a line its second one three times.
+template <class Visit>
+void each_corner(const model::SegmentNodes& n, const Visit& visit) {
+  for (std::size_t c = 0; c < 4; ++c)
+    if (c == 0 || n[c] != n[c - 1]) visit(n[c]);
+}
+
+}  // namespace
+
+Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh)
+    : segments_(&segments), mesh_(&mesh), start_(mesh.nodes.size() + 1, 0) {
+  for (const auto& nodes : segments.nodes) each_corner(nodes, [&](NodeIndex n) { ++start_[n.value + 1]; });
+  for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+  list_.resize(start_.back());
+  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+  for (std::uint32_t s = 0; s < segments.size(); ++s)
+    each_corner(segments.nodes[s], [&](NodeIndex n) { list_[next[n.value]++] = s; });
+}
+
+bool Neighbours::in_ring(NodeIndex node, std::uint32_t segment) const {
+  const auto& corners = segments_->nodes[segment];
+  for (const std::uint32_t own : at(node)) {
+    for (const NodeIndex n : segments_->nodes[own])
+      if (has(corners, n)) return true;
+    const auto kind = segments_->element_kind[own];
+    const std::uint32_t e = segments_->element[own];
+    if (e == static_cast<std::uint32_t>(-1)) continue;
+    if (kind != model::ElementKind::solid && kind != model::ElementKind::thick_shell) continue;
+    const auto& solid = (kind == model::ElementKind::solid ? mesh_->solids : mesh_->thick_shells).nodes[e];
+    if (std::any_of(solid.begin(), solid.end(), [&](NodeIndex n) { return has(corners, n); })) return true;
+  }
+  return false;
+}
+
+bool Neighbours::free_edge(std::uint32_t segment, NodeIndex a, NodeIndex b) const {
+  const auto around = at(a);
+  return std::none_of(around.begin(), around.end(), [&](std::uint32_t other) {
+    return other != segment && has(segments_->nodes[other], b);
+  });
+}
+
+}  // namespace gapcheck::contact

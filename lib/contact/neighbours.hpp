@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/surface.hpp"
+
+namespace gapcheck::contact {
+
+/// Which segments of a surface meet at each node. Built once per surface, linear in its size.
+class Neighbours {
+ public:
+  Neighbours(const Segments& segments, const model::Mesh& mesh);
+  /// Positions of the segments at a node, ascending.
+  [[nodiscard]] std::span<const std::uint32_t> at(NodeIndex node) const {
+    return {list_.data() + start_[node.value], list_.data() + start_[node.value + 1]};
+  }
+  /// True if an element of the node (in this surface) has a node in common with the segment: the ring around a segment
+  /// in which a single-surface contact looks for no penetration. Solids count with all their nodes.
+  [[nodiscard]] bool in_ring(NodeIndex node, std::uint32_t segment) const;
+  /// True if no other segment has the edge.
+  [[nodiscard]] bool free_edge(std::uint32_t segment, NodeIndex a, NodeIndex b) const;
+
+ private:
+  const Segments* segments_;
+  const model::Mesh* mesh_;
+  std::vector<std::uint32_t> start_, list_;
+};
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,124 @@
+#include "contact/pair.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gapcheck::contact {
+namespace {
+
+constexpr double relative_tolerance = 1e-9;
+constexpr double tolerance_in_ulps = 4;
+/// Parametric band of a beam axis, as of a segment.
+constexpr double band_end = 1.5 * (1 + relative_tolerance);
+/// Share of the shorter diagonal that an oriented shell segment looks behind itself.
+constexpr double shell_behind = 0.5;
+
+double largest_coordinate(const geometry::Facet& facet, const Vector& query) {
+  double largest = query.cwiseAbs().maxCoeff();
+  for (const Vector& x : facet.x) largest = std::max(largest, x.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+Vector facet_normal(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]); }
+
+double angle_at(const geometry::Facet& f, const Vector& corner) {
+  const std::size_t n = f.triangle ? 3 : 4;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (f.x[i] != corner) continue;
+    const Vector a = f.x[(i + 1) % n] - corner, b = f.x[(i + n - 1) % n] - corner;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  return 0;
+}
+
+PairResult decide_line(const PairScene& scene, const geometry::Facet& f, const Vector& q, double bound) {
+  PairResult result;
+  const auto c = geometry::closest_point_on_line(f.x[0], f.x[1], q);
+  result.in_band = std::abs(c.free_s) <= band_end;
+  result.distance = std::sqrt(c.squared_distance);
+  result.closest.point = c.point;
+  result.closest.squared_distance = c.squared_distance;
+  result.closest.s = c.s;
+  result.closest.free_s = c.free_s;
+  result.closest.feature = std::abs(c.s) < 1 ? Feature::edge : Feature::corner;
+  // A beam has no side; a node on its axis is moved across it.
+  result.closest.normal = (f.x[1] - f.x[0]).unitOrthogonal();
+  result.penetrates = geometry::closer_than(f.x[0], f.x[1], q, bound, scene.mode, scene.counters);
+  return result;
+}
+
+}  // namespace
+
+double default_tolerance(double contact_distance, double largest) {
+  const double ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  return relative_tolerance * contact_distance + tolerance_in_ulps * ulp;
+}
+
+geometry::Facet PairScene::facet(std::uint32_t s) const {
+  const auto& n = segments.nodes[s];
+  return {{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
+}
+
+bool PairScene::oriented(std::uint32_t s) const {
+  if (segments.kind[s] == SegmentKind::solid) return true;
+  return segments.kind[s] == SegmentKind::shell && (type.family == Family::old || type.family == Family::forming);
+}
+
+double PairScene::behind(std::uint32_t s) const {
+  if (!oriented(s)) return 0;
+  if (segments.kind[s] == SegmentKind::solid) return depth.empty() ? 0 : depth[s];
+  const geometry::Facet f = facet(s);
+  return shell_behind * std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
+}
+
+double PairScene::reach(std::uint32_t s, double largest_node_half) const {
+  return std::max(largest_node_half + segments.half[s], behind(s));
+}
+
+bool PairScene::in_front(std::uint32_t s, const geometry::ClosestPoint& closest, const Vector& query) const {
+  const auto sign = [&](std::uint32_t i) { return !flipped.empty() && flipped[i] ? -1.0 : 1.0; };
+  if (closest.feature == Feature::face) return sign(s) * closest.gap >= 0;
+  // On an edge or corner one facet's normal may mislead: take the sum over all that meet there.
+  const auto& corners = segments.nodes[s];
+  const std::size_t i = closest.feature_index;
+  const NodeIndex a = corners[i], b = corners[(i + 1) % 4];
+  Vector normal = Vector::Zero();
+  for (const std::uint32_t other : neighbours.at(a)) {
+    if (!oriented(other)) continue;
+    const auto& n = segments.nodes[other];
+    const bool edge = closest.feature == Feature::edge;
+    if (edge && std::find(n.begin(), n.end(), b) == n.end()) continue;
+    const geometry::Facet f = facet(other);
+    const double weight = edge ? 1 : angle_at(f, x[a.value]);
+    normal += sign(other) * weight * facet_normal(f).stableNormalized();
+  }
+  return normal.dot(query - closest.point) >= 0;
+}
+
+PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
+  const geometry::Facet facet = scene.facet(s);
+  const Vector& q = scene.x[scene.nodes.node[slot].value];
+  const double h = scene.nodes.half[slot] + scene.segments.half[s];
+  const double tolerance =
+      scene.tolerance >= 0 ? scene.tolerance : default_tolerance(h, largest_coordinate(facet, q));
+  if (scene.line(s)) return decide_line(scene, facet, q, h - tolerance);
+  PairResult result;
+  result.closest = geometry::closest_point(facet, q);
+  result.in_band = result.closest.in_band;
+  result.distance = std::sqrt(result.closest.squared_distance);
+  const auto closer = [&](double bound) {
+    return geometry::closer_than(facet, q, bound, scene.mode, scene.counters, &result.closest);
+  };
+  if (!scene.oriented(s) || scene.in_front(s, result.closest, q)) {
+    result.penetrates = closer(h - tolerance);
+    return result;
+  }
+  // Behind the surface: p = h + distance, as deep as the material goes.
+  if (result.distance <= scene.behind(s)) result.penetrates = h > tolerance || !closer(tolerance - h);
+  result.distance = -result.distance;
+  return result;
+}
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "contact/contact_type.hpp"
+#include "contact/neighbours.hpp"
+#include "contact/surface.hpp"
+#include "geometry/decide.hpp"
+
+namespace gapcheck::contact {
+
+/// Everything that deciding one tracked node against one segment needs; built once per contact and side. All references
+/// must outlive it.
+struct PairScene {
+  const model::Model& model;
+  const model::Contact& contact;
+  const ContactType& type;
+  const ContactSettings& settings;
+  const std::vector<Vector>& x;  ///< current coordinates, by node
+  const Segments& segments;
+  const TrackedNodes& nodes;
+  const Neighbours& neighbours;  ///< of the segments
+  std::vector<double> depth;     ///< by segment: V / A of solids (how thick the solid is behind the facet); empty: no solids
+  std::vector<bool> flipped;     ///< by segment: oriented against its node order; empty: none
+  double tolerance = -1;         ///< replaces the default tolerance; negative: default
+  geometry::Mode mode = geometry::Mode::filtered;
+  geometry::DecisionCounters& counters;
+
+  [[nodiscard]] geometry::Facet facet(std::uint32_t segment) const;
+  [[nodiscard]] bool line(std::uint32_t s) const { return segments.kind[s] == SegmentKind::line; }
+  /// Automatic types see both sides of a shell; solid facets and segments of old types have a front.
+  [[nodiscard]] bool oriented(std::uint32_t segment) const;
+  /// How far behind an oriented segment a node still counts: the depth of the facet's own solid; for shells half the
+  /// segment's shorter diagonal. 0 for two-sided segments.
+  [[nodiscard]] double behind(std::uint32_t segment) const;
+  /// Largest distance at which a node can penetrate the segment, given the largest half thickness of the nodes.
+  [[nodiscard]] double reach(std::uint32_t segment, double largest_node_half) const;
+  /// Sign of the front, given the closest point: false if the query lies behind the segment.
+  [[nodiscard]] bool in_front(std::uint32_t segment, const geometry::ClosestPoint& closest, const Vector& query) const;
+};
+
+/// How one tracked node lies to one segment.
+struct PairResult {
+  bool penetrates = false;  ///< p > tolerance; decided exactly
+  bool in_band = false;     ///< the projection counts for this segment
+  double distance = 0;      ///< from the reference surface, negative behind an oriented segment
+  geometry::ClosestPoint closest;
+};
+
+/// Decides tracked node number `slot` against a segment: penetration p = h - distance > tolerance.
+/// Source: contact rules, sections 3 and 4.
+[[nodiscard]] PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t segment);
+
+/// Default tolerance of a finding: 1e-9 of the contact distance plus 4 units in the last place of the largest
+/// coordinate: decks are written in decimals, and plates that touch must not penetrate.
+[[nodiscard]] double default_tolerance(double contact_distance, double largest_coordinate);
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,44 @@
+#include "contact/release.hpp"
+
+#include <limits>
+
+namespace gapcheck::contact {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+/// Contact thickness of a solid in single-surface types, as a share of V / A [workshop].
+constexpr double single_surface_solid_share = 0.4;
+/// Default PENMAX of types a3, a5, a10, 13, 15: solid segments / shell segments [workshop].
+constexpr double penmax_solid = 0.5, penmax_shell = 0.4;
+/// Default PENMAX of types 26 [manual].
+constexpr double penmax_general = 200;
+/// PENCHK = 2: share of the shorter diagonal [manual].
+constexpr double diagonal_share = 0.05;
+
+}  // namespace
+
+double release_depth(const model::Contact& contact, const ContactType& type, const ContactSettings& settings,
+                     const model::Controls& controls, const ReleasePair& pair) {
+  const bool single = type.treatment == Treatment::single_surface;
+  const double solid_t = pair.solid_depth * (single ? single_surface_solid_share : 1);
+  const double t = pair.solid_segment ? solid_t : pair.node_thickness + pair.segment_thickness;
+  switch (type.family) {
+    case Family::automatic: {
+      if (type.code == "4") return (pair.solid_segment ? penmax_solid : penmax_shell) * t;
+      double penmax = contact.penmax;
+      if (penmax <= 0) penmax = type.edges ? penmax_general : pair.solid_segment ? penmax_solid : penmax_shell;
+      return penmax * t;
+    }
+    case Family::old:
+      if (type.code == "1") return never;
+      if (settings.shlthk > 0) return controls.xpene * t;
+      if (contact.penchk == 1) return controls.xpene * t;
+      if (contact.penchk == 2) return diagonal_share * pair.min_diagonal;
+      return contact.penmax > 0 ? contact.penmax : never;
+    case Family::forming:
+    case Family::constraint: return controls.xpene * t;
+    default: return never;
+  }
+}
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,246 @@
+#include "contact/surface.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "contact/faces.hpp"
+#include "contact/segment_elements.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+using model::ElementKind;
+constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
+/// Beam formulation 6: a discrete beam has no contact surface.
+constexpr std::int64_t discrete_beam = 6;
+
+void append(Segments& s, const model::SegmentNodes& nodes, std::uint32_t element, ElementKind element_kind,
+            SegmentKind kind) {
+  s.nodes.push_back(nodes);
+  s.element.push_back(element);
+  s.element_kind.push_back(element_kind);
+  s.kind.push_back(kind);
+}
+
+bool in_box(const model::Box& box, std::span<const NodeIndex> nodes, const std::vector<Vector>& x) {
+  return std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex n) { return box.contains(x[n.value]); });
+}
+
+/// Parts that an input names, as a mask over Model::parts.
+std::vector<bool> part_mask(const model::Model& model, const model::SurfaceInput& input, bool single_surface) {
+  std::vector<bool> mask(model.parts.size(), false);
+  const auto type = static_cast<model::SurfaceType>(input.type);
+  if (type == model::SurfaceType::all || (single_surface && input.id == 0)) {
+    mask.assign(mask.size(), true);
+  } else if (type == model::SurfaceType::part) {
+    if (const auto part = model.part_of_id.find(input.id); part != model.part_of_id.end())
+      mask[part->second.value] = true;
+  } else if (const auto set = model.sets.parts.find(input.id); set != model.sets.parts.end()) {
+    for (const PartIndex part : set->second.members) mask[part.value] = true;
+    if (type == model::SurfaceType::exempted_part_set) mask.flip();
+  }
+  return mask;
+}
+
+bool beam_has_contact(const model::Model& model, PartIndex index) {
+  const model::Part& part = model.part(index);
+  if (part.material && model.materials[*part.material].spotweld) return false;
+  return !(part.section && model.sections[*part.section].elform == discrete_beam);
+}
+
+template <class ElementArray>
+std::vector<std::uint32_t> elements_of(const ElementArray& elements, const std::vector<bool>& mask) {
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t e = 0; e < elements.size(); ++e)
+    if (elements.part[e] != none<PartIndex> && mask[elements.part[e].value]) chosen.push_back(e);
+  return chosen;
+}
+
+void append_faces(Segments& s, const model::Elements<8>& elements, ElementKind kind, const std::vector<bool>& mask,
+                  const std::vector<Vector>& x) {
+  if (elements.size() == 0) return;
+  const auto chosen = elements_of(elements, mask);
+  if (chosen.empty()) return;
+  const auto covered = shell_keys(s);
+  for (const Face& face : free_faces(elements, chosen, x))
+    if (!covered.contains(segment_key(face.nodes))) append(s, face.nodes, face.element, kind, SegmentKind::solid);
+}
+
+void select_parts(Selection& selection, const model::Model& model, const std::vector<bool>& mask,
+                  const ContactType& type, const std::vector<Vector>& x) {
+  const model::Mesh& mesh = model.mesh;
+  Segments& s = selection.segments;
+  const auto shells = elements_of(mesh.shells, mask);
+  s.nodes.reserve(shells.size());
+  s.element.reserve(shells.size());
+  s.element_kind.reserve(shells.size());
+  s.kind.reserve(shells.size());
+  for (const std::uint32_t e : shells) append(s, mesh.shells.nodes[e], e, ElementKind::shell, SegmentKind::shell);
+  append_faces(s, mesh.solids, ElementKind::solid, mask, x);
+  append_faces(s, mesh.thick_shells, ElementKind::thick_shell, mask, x);
+  const bool beams = type.family == Family::automatic;
+  for (std::uint32_t e = 0; beams && e < mesh.beams.size(); ++e) {
+    const PartIndex part = mesh.beams.part[e];
+    if (part == none<PartIndex> || !mask[part.value] || !beam_has_contact(model, part)) continue;
+    const auto& n = mesh.beams.nodes[e];
+    append(s, {n[0], n[1], n[1], n[1]}, e, ElementKind::beam, SegmentKind::line);
+  }
+  for (std::uint32_t e = 0; e < mesh.particles.size(); ++e)
+    if (mesh.particles.part[e] != none<PartIndex> && mask[mesh.particles.part[e].value])
+      selection.nodes.push_back(mesh.particles.nodes[e][0]);
+}
+
+std::string missing(std::string_view what, std::int64_t id) { return fmt::format("{} {} does not exist", what, id); }
+
+void select_segments(Selection& selection, const model::Model& model, std::int64_t id, const std::vector<Vector>& x) {
+  const auto set = model.sets.segments.find(id);
+  if (set == model.sets.segments.end()) {
+    selection.empty_reason = missing("segment set", id);
+    return;
+  }
+  const auto& segments = set->second.members;
+  const std::vector<SegmentElement> owners = find_segment_elements(model.mesh, segments);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    Face face{segments[i], owners[i].element};
+    const bool found = owners[i].element != unknown;
+    const bool solid = found && owners[i].kind == ElementKind::solid;
+    const bool thick = found && owners[i].kind == ElementKind::thick_shell;
+    if (solid || thick)
+      turn_outward(face, (solid ? model.mesh.solids : model.mesh.thick_shells).nodes[face.element], x);
+    append(selection.segments, face.nodes, face.element, owners[i].kind,
+           solid || thick ? SegmentKind::solid : SegmentKind::shell);
+  }
+}
+
+void select_shells(Selection& selection, const model::Model& model, std::int64_t id) {
+  const auto set = model.sets.shells.find(id);
+  if (set == model.sets.shells.end()) {
+    selection.empty_reason = missing("shell set", id);
+    return;
+  }
+  for (const std::uint32_t e : set->second.members)
+    append(selection.segments, model.mesh.shells.nodes[e], e, ElementKind::shell, SegmentKind::shell);
+}
+
+void select_nodes(Selection& selection, const model::Model& model, std::int64_t id) {
+  const auto set = model.sets.nodes.find(id);
+  if (set == model.sets.nodes.end())
+    selection.empty_reason = missing("node set", id);
+  else
+    selection.nodes = set->second.members;
+}
+
+void keep_box(Selection& selection, const model::Box& box, const std::vector<Vector>& x) {
+  Segments kept;
+  const Segments& all = selection.segments;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (in_box(box, all.nodes[i], x)) append(kept, all.nodes[i], all.element[i], all.element_kind[i], all.kind[i]);
+  selection.segments = std::move(kept);
+  std::erase_if(selection.nodes, [&](NodeIndex n) { return !box.contains(x[n.value]); });
+}
+
+double shortest_edge(const model::SegmentNodes& n, const std::vector<Vector>& x) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const NodeIndex a = n[i], b = n[(i + 1) % 4];
+    if (a != b) shortest = std::min(shortest, (x[a.value] - x[b.value]).squaredNorm());
+  }
+  return std::sqrt(shortest);
+}
+
+}  // namespace
+
+Selection select(const model::Model& model, const model::SurfaceInput& input, const ContactType& type,
+                 const std::vector<Vector>& x) {
+  Selection selection;
+  const bool single = type.treatment == Treatment::single_surface;
+  using enum model::SurfaceType;
+  const auto kind = static_cast<model::SurfaceType>(input.type);
+  if (input.type < 0 || input.type > 7) {
+    selection.empty_reason = fmt::format("surface type {} is not one of 0 to 7", input.type);
+    return selection;
+  }
+  if (single && input.id == 0) {
+    select_parts(selection, model, part_mask(model, input, single), type, x);
+  } else {
+    switch (kind) {
+      case segment_set: select_segments(selection, model, input.id, x); break;
+      case shell_set: select_shells(selection, model, input.id); break;
+      case node_set: select_nodes(selection, model, input.id); break;
+      case part_set:
+      case exempted_part_set:
+        if (!model.sets.parts.contains(input.id)) selection.empty_reason = missing("part set", input.id);
+        select_parts(selection, model, part_mask(model, input, single), type, x);
+        break;
+      case part:
+        if (!model.part_of_id.contains(input.id)) selection.empty_reason = missing("part", input.id);
+        select_parts(selection, model, part_mask(model, input, single), type, x);
+        break;
+      case all: select_parts(selection, model, part_mask(model, input, single), type, x); break;
+      case branch: selection.empty_reason = "surface type 7 (branch) is not resolved"; return selection;
+    }
+  }
+  if (input.box != 0) {
+    if (const auto box = model.boxes.find(input.box); box != model.boxes.end()) keep_box(selection, box->second, x);
+  }
+  if (selection.segments.size() == 0 && selection.nodes.empty() && selection.empty_reason.empty())
+    selection.empty_reason = "what it names has no segments or nodes";
+  return selection;
+}
+
+void fill_thickness(Segments& s, const model::Model& model, const ThicknessSide& side, const std::vector<Vector>& x) {
+  s.half.resize(s.size());
+  s.rule.resize(s.size());
+  constexpr std::size_t grain = 8192;
+  parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const PartIndex part = part_of(model.mesh, s, i);
+      const model::PartContact* own = nullptr;
+      if (part != none<PartIndex> && model.part(part).contact) own = &*model.part(part).contact;
+      Thickness t;
+      if (s.element_kind[i] == ElementKind::solid || s.element_kind[i] == ElementKind::thick_shell) {
+        t = solid_thickness(side);
+        // A coated solid is wrapped in a dummy shell.
+        if (t.value > 0) s.kind[i] = SegmentKind::shell;
+      } else if (s.element_kind[i] == ElementKind::beam) {
+        double radius = 0;
+        if (part != none<PartIndex> && model.part(part).section) radius = model.sections[*model.part(part).section].beam_radius;
+        t = beam_thickness(radius, own, side);
+      } else {
+        const double element = s.element[i] == unknown ? 0 : element_thickness(model, s.element[i]);
+        const double edge = side.edge_limit ? shortest_edge(s.nodes[i], x) : 0;
+        t = shell_thickness(element, edge, own, part != none<PartIndex> && model.rigid(part), side);
+      }
+      s.half[i] = t.value / 2;
+      s.rule[i] = t.rule;
+    }
+  });
+}
+
+PartIndex part_of(const model::Mesh& mesh, const Segments& s, std::size_t i) {
+  if (s.element[i] == unknown) return none<PartIndex>;
+  switch (s.element_kind[i]) {
+    case ElementKind::shell: return mesh.shells.part[s.element[i]];
+    case ElementKind::solid: return mesh.solids.part[s.element[i]];
+    case ElementKind::thick_shell: return mesh.thick_shells.part[s.element[i]];
+    case ElementKind::beam: return mesh.beams.part[s.element[i]];
+    default: return none<PartIndex>;
+  }
+}
+
+std::int64_t element_id(const model::Mesh& mesh, const Segments& s, std::size_t i) {
+  if (s.element[i] == unknown) return 0;
+  switch (s.element_kind[i]) {
+    case ElementKind::shell: return mesh.shells.id[s.element[i]];
+    case ElementKind::solid: return mesh.solids.id[s.element[i]];
+    case ElementKind::thick_shell: return mesh.thick_shells.id[s.element[i]];
+    case ElementKind::beam: return mesh.beams.id[s.element[i]];
+    default: return 0;
+  }
+}
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,66 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contact/contact_type.hpp"
+#include "contact/search.hpp"
+#include "contact/thickness.hpp"
+#include "model/model.hpp"
+
+namespace gapcheck::contact {
+
+enum class SegmentKind : std::uint8_t {
+  shell,  ///< two-sided in automatic types, oriented in old ones
+  solid,  ///< facet of a solid without coating: oriented, material behind it
+  line,   ///< beam axis: nodes[0], nodes[1]
+};
+
+/// The reference side of a contact: segments with their contact thickness. Arrays of equal length, in the order in
+/// which the deck lists them (shells, solids, thick shells, beams part by part; sets as written).
+struct Segments {
+  std::vector<model::SegmentNodes> nodes;
+  std::vector<std::uint32_t> element;           ///< position in the array of its kind; max = unknown
+  std::vector<model::ElementKind> element_kind;
+  std::vector<SegmentKind> kind;
+  std::vector<double> half;                     ///< half the contact thickness
+  std::vector<ThicknessRule> rule;
+  [[nodiscard]] std::size_t size() const { return nodes.size(); }
+};
+
+/// The tracked side: nodes with their contact thickness. Arrays of equal length, ascending by node.
+struct TrackedNodes {
+  std::vector<NodeIndex> node;
+  std::vector<double> half;
+  std::vector<ThicknessRule> rule;
+  std::vector<PartIndex> part;  ///< of the element that gave the thickness; none: no element
+  [[nodiscard]] std::size_t size() const { return node.size(); }
+};
+
+/// What a side's input names, before thickness: segments in deck order, or nodes alone.
+struct Selection {
+  Segments segments;             ///< half and rule not filled
+  std::vector<NodeIndex> nodes;  ///< node sets and particles: nodes without segments
+  std::string empty_reason;      ///< why nothing was found; empty otherwise
+};
+
+/// Resolves one side of a contact. `single_surface`: id 0 means all parts; beams join where the type has them.
+[[nodiscard]] Selection select(const model::Model& model, const model::SurfaceInput& input, const ContactType& type,
+                               const std::vector<Vector>& x);
+
+/// Contact thickness of every segment of a selection.
+void fill_thickness(Segments& segments, const model::Model& model, const ThicknessSide& side,
+                    const std::vector<Vector>& x);
+
+/// The nodes of a selection; each takes the largest thickness of its segments, nodes without segments that of all
+/// elements at them.
+[[nodiscard]] TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model,
+                                         const ThicknessSide& side, const std::vector<Vector>& x);
+
+/// Part of the element of a segment; none if unknown.
+[[nodiscard]] PartIndex part_of(const model::Mesh& mesh, const Segments& segments, std::size_t segment);
+/// Id of the element of a segment; 0 if unknown.
+[[nodiscard]] std::int64_t element_id(const model::Mesh& mesh, const Segments& segments, std::size_t segment);
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,77 @@
+#include "contact/thickness.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapcheck::contact {
+namespace {
+
+/// SSTHK = 0: share of the shortest edge that a single-surface contact thickness may reach [workshop].
+constexpr double edge_share = 0.4;
+
+}  // namespace
+
+ThicknessSide thickness_side(const model::Contact& contact, const ContactSettings& settings,
+                             const model::Controls& controls, bool side_b) {
+  ThicknessSide side;
+  side.override_value = std::abs(side_b ? contact.mst : contact.sst);
+  const double scale = side_b ? contact.sfmt : contact.sfst;
+  side.scale = scale != 0 ? scale : 1;
+  side.global_value = controls.th;
+  side.global_scale = controls.th_sf != 0 ? controls.th_sf : 1;
+  side.solid_coating = contact.sldthk;
+  side.shlthk = settings.shlthk;
+  side.edge_limit = settings.thickness_limit;
+  return side;
+}
+
+Thickness shell_thickness(double element, double shortest_edge, const model::PartContact* part, bool rigid,
+                          const ThicknessSide& side) {
+  if (side.shlthk == 0 || (side.shlthk == 1 && rigid)) return {};
+  if (part != nullptr && part->optt != 0) return {std::abs(part->optt), ThicknessRule::part_contact};
+  if (side.override_value != 0) return {side.override_value, ThicknessRule::contact_card};
+  if (side.global_value != 0) return {side.global_value, ThicknessRule::global};
+  const double part_scale = part != nullptr && part->sft != 0 ? part->sft : 1;
+  const double scaled = element * part_scale * side.scale * side.global_scale;
+  const double limit = edge_share * shortest_edge;
+  if (side.edge_limit && limit < scaled) return {limit, ThicknessRule::edge_limit};
+  return {scaled, scaled > 0 ? ThicknessRule::element : ThicknessRule::none};
+}
+
+Thickness solid_thickness(const ThicknessSide& side) {
+  if (side.solid_coating > 0) return {side.solid_coating, ThicknessRule::solid_coating};
+  return {};
+}
+
+Thickness beam_thickness(double radius, const model::PartContact* part, const ThicknessSide& side) {
+  if (part != nullptr && part->optt != 0) return {std::abs(part->optt), ThicknessRule::part_contact};
+  if (side.override_value != 0) return {side.override_value, ThicknessRule::contact_card};
+  if (side.global_value != 0) return {side.global_value, ThicknessRule::global};
+  const double part_scale = part != nullptr && part->sft != 0 ? part->sft : 1;
+  const double scaled = 2 * radius * part_scale * side.scale * side.global_scale;
+  return {scaled, scaled > 0 ? ThicknessRule::beam_section : ThicknessRule::none};
+}
+
+double element_thickness(const model::Model& model, std::uint32_t shell) {
+  const auto& shells = model.mesh.shells;
+  std::array<double, 4> thickness{};
+  const PartIndex part = shells.part[shell];
+  if (part != none<PartIndex>) {
+    const model::Part& p = model.part(part);
+    if (p.composite_thickness > 0) return p.composite_thickness;
+    if (p.section) thickness = model.sections[*p.section].thickness;
+  }
+  const auto own = std::lower_bound(shells.own_thickness.begin(), shells.own_thickness.end(), shell,
+                                    [](const model::ShellThickness& t, std::uint32_t s) { return t.shell < s; });
+  if (own != shells.own_thickness.end() && own->shell == shell) {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (own->thickness[i] > 0) thickness[i] = own->thickness[i];
+  }
+  const auto& nodes = shells.nodes[shell];
+  const std::size_t corners = nodes[2] == nodes[3] ? 3 : 4;
+  double sum = 0;
+  for (std::size_t i = 0; i < corners; ++i) sum += thickness[i];
+  return sum / static_cast<double>(corners);
+}
+
+}  // namespace gapcheck::contact

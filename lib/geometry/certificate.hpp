@@ -1,0 +1,42 @@
+#pragma once
+#include <cstdint>
+
+#include "geometry/patch.hpp"
+
+namespace gapcheck::geometry {
+
+/// What is known of "the facet is nearer to the origin than the bound".
+enum class Verdict : std::uint8_t {
+  closer,  ///< proven
+  apart,   ///< proven not
+  open,    ///< a smaller piece of the facet may tell more
+  tied,    ///< a point of the facet lies at the bound up to rounding: only exact numbers can tell
+};
+
+/// Floating-point proofs about one facet or piece of a facet with the origin as the query. All of them hold for corners
+/// known to within 16 roundoffs of `size`, which bounds every coordinate. Derivation: docs/theory/decisions.md.
+class Certificate {
+ public:
+  /// Sizes outside [1e-30, 1e30] could underflow or overflow: nothing is proven then (`usable`).
+  Certificate(double size, double bound) : size_(size), bound_(bound), slack_(64 * roundoff * size) {}
+  [[nodiscard]] bool usable() const { return size_ >= 1e-30 && size_ <= 1e30; }
+
+  /// Cheap proofs that the corners' hull is apart: an axis or the mean plane separates it.
+  [[nodiscard]] bool separated_by_axis(const Corners& e) const;
+  [[nodiscard]] bool separated_by_mean_plane(const Corners& e) const;
+  /// What the point at (s, t) proves: itself, the plane through it, and on quads largest_drop().
+  [[nodiscard]] Verdict at(const Corners& e, double s, double t, bool triangle) const;
+
+ private:
+  [[nodiscard]] bool separated_by(const Corners& e, const Vector& direction) const;
+  double size_, bound_, slack_;
+};
+
+/// Upper bound of how much smaller the squared distance gets anywhere on the patch than at (s, t), where the patch's
+/// point is w. Infinity if there is no bound of the kind. Rounding is accounted for.
+[[nodiscard]] double largest_drop(const Patch& patch, double s, double t, const Vector& w, double size);
+
+/// True if (s, t) is the nearest point of the patch up to rounding; false if that is not clear.
+[[nodiscard]] bool is_nearest(const Corners& e, const Patch& patch, double s, double t);
+
+}  // namespace gapcheck::geometry

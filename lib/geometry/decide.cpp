@@ -1,0 +1,196 @@
+#include "geometry/decide.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/certificate.hpp"
+#include "geometry/exact.hpp"
+
+namespace gapcheck::geometry {
+namespace {
+
+using exact::Piece;
+
+Corners seen_from(const Facet& facet, const Vector& query) {
+  const Vector last = facet.triangle ? facet.x[2] : facet.x[3];
+  return {facet.x[0] - query, facet.x[1] - query, facet.x[2] - query, last - query};
+}
+
+bool all_finite(const Facet& facet, const Vector& query) {
+  const auto finite = [](const Vector& x) { return x.allFinite(); };
+  return std::all_of(facet.x.begin(), facet.x.end(), finite) && finite(query);
+}
+
+/// A point of the patch to try; any is right, the nearest is the best.
+struct Trial {
+  double s = 0, t = 0;
+};
+
+Trial trial_on_patch(const Corners& e) {
+  const Location at = locate_on_patch(e, Patch(e));
+  if (!std::isfinite(at.s) || !std::isfinite(at.t)) return {};
+  return {at.s, at.t};
+}
+
+/// Corners of a piece, to within 10 roundoffs of the patch's size.
+Corners piece_corners(const Corners& e, const Piece& p) {
+  const auto at = [&](double s, double t) { return blend(e, weights(2 * s - 1, 2 * t - 1)); };
+  return {at(p.s0, p.t0), at(p.s1, p.t0), at(p.s1, p.t1), at(p.s0, p.t1)};
+}
+
+struct Limits {
+  int depth, pieces;
+};
+constexpr Limits floating_limits{24, 256}, exact_limits{26, 4096};
+
+/// Proves a patch piece by piece: pieces that stay open are cut in four. Returns `closer` as soon as one piece is,
+/// `apart` if all are; otherwise `open`. `prove(piece, corners)` gives the verdict on one piece; its `tied` ends the
+/// search.
+template <class Prove>
+Verdict subdivide(const Corners& e, Limits limits, const Prove& prove) {
+  struct Task {
+    Piece piece;
+    int depth;
+  };
+  std::array<Task, 3 * exact_limits.depth + 4> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = {Piece{}, 0};
+  bool stuck = false;
+  for (int pieces = 0; waiting > 0; ++pieces) {
+    if (pieces == limits.pieces) return Verdict::open;
+    const auto [piece, depth] = stack[--waiting];
+    const Verdict verdict = prove(piece, piece_corners(e, piece));
+    if (verdict == Verdict::closer || verdict == Verdict::tied) return verdict;
+    if (verdict == Verdict::apart) continue;
+    if (depth == limits.depth) {
+      stuck = true;
+      continue;
+    }
+    const double s = 0.5 * (piece.s0 + piece.s1), t = 0.5 * (piece.t0 + piece.t1);
+    stack[waiting++] = {{piece.s0, s, piece.t0, t}, depth + 1};
+    stack[waiting++] = {{s, piece.s1, piece.t0, t}, depth + 1};
+    stack[waiting++] = {{piece.s0, s, t, piece.t1}, depth + 1};
+    stack[waiting++] = {{s, piece.s1, t, piece.t1}, depth + 1};
+  }
+  return stuck ? Verdict::open : Verdict::apart;
+}
+
+Verdict filter(const Certificate& certificate, const Corners& e, bool triangle, const ClosestPoint* hint) {
+  if (certificate.separated_by_axis(e) || certificate.separated_by_mean_plane(e)) return Verdict::apart;
+  Trial trial;
+  if (hint != nullptr && std::abs(hint->s) <= 1 && std::abs(hint->t) <= 1) {
+    trial = {hint->s, hint->t};
+  } else if (triangle) {
+    const Location at = locate_on_triangle(e);
+    trial = {at.s, at.t};
+  } else {
+    const Location at = locate_on_patch(e, Patch(e));
+    trial = {at.s, at.t};
+  }
+  return certificate.at(e, trial.s, trial.t, triangle);
+}
+
+Verdict enclose(const Certificate& certificate, const Corners& e) {
+  return subdivide(e, floating_limits, [&](const Piece&, const Corners& corners) {
+    const Trial trial = trial_on_patch(corners);
+    return certificate.at(corners, trial.s, trial.t, false);
+  });
+}
+
+Decision decide_exactly(const Facet& facet, const Vector& query, double bound, const Corners& e) {
+  if (!all_finite(facet, query)) return {false, Stage::exact};
+  if (std::isinf(bound)) return {true, Stage::exact};
+  const auto& x = facet.x;
+  if (facet.triangle) return {exact::triangle_closer(x[0], x[1], x[2], query, bound), Stage::exact};
+  if (exact::flat_and_convex(facet)) {
+    const bool closer = exact::triangle_closer(x[0], x[1], x[2], query, bound) ||
+                        exact::triangle_closer(x[0], x[2], x[3], query, bound);
+    return {closer, Stage::exact};
+  }
+  const Verdict verdict = subdivide(e, exact_limits, [&](const Piece& piece, const Corners& corners) {
+    const Trial trial = trial_on_patch(corners);
+    return exact::piece_verdict(facet, query, bound, piece, corners, trial.s, trial.t);
+  });
+  if (verdict != Verdict::open) return {verdict == Verdict::closer, Stage::exact};
+  return {exact::fan_closer(facet, query, bound), Stage::triangulated};
+}
+
+}  // namespace
+
+void count(DecisionCounters& counters, Stage stage, std::uint64_t times) {
+  std::atomic<std::uint64_t>* const counter = stage == Stage::filter     ? &counters.filter
+                                              : stage == Stage::interval ? &counters.interval
+                                              : stage == Stage::exact    ? &counters.exact
+                                                                         : &counters.triangulated;
+  counter->fetch_add(times, std::memory_order_relaxed);
+}
+
+Decision decide(const Facet& facet, const Vector& query, double bound, Mode mode, const ClosestPoint* hint) {
+  if (!(bound > 0)) return {false, Stage::filter};
+  const Corners e = seen_from(facet, query);
+  if (mode == Mode::filtered) {
+    const Certificate certificate(size_of(e), bound);
+    if (certificate.usable()) {
+      const Verdict first = filter(certificate, e, facet.triangle, hint);
+      if (first == Verdict::closer || first == Verdict::apart) return {first == Verdict::closer, Stage::filter};
+      if (!facet.triangle && first == Verdict::open) {
+        const Verdict second = enclose(certificate, e);
+        if (second == Verdict::closer || second == Verdict::apart) return {second == Verdict::closer, Stage::interval};
+      }
+    }
+  }
+  return decide_exactly(facet, query, bound, e);
+}
+
+bool closer_than(const Facet& facet, const Vector& query, double bound, Mode mode, DecisionCounters& counters,
+                 const ClosestPoint* hint) {
+  const Decision decision = decide(facet, query, bound, mode, hint);
+  count(counters, decision.stage);
+  if (decision.stage == Stage::triangulated) count(counters, Stage::exact);
+  return decision.closer;
+}
+
+bool closer_than(const Vector& a, const Vector& b, const Vector& query, double bound, Mode mode,
+                 DecisionCounters& counters) {
+  if (!(bound > 0)) {
+    count(counters, Stage::filter);
+    return false;
+  }
+  const Corners e{a - query, b - query, b - query, a - query};
+  const Certificate certificate(size_of(e), bound);
+  if (mode == Mode::filtered && certificate.usable()) {
+    const double s = closest_point_on_line(e[0], e[1], Vector::Zero()).s;
+    const Verdict verdict = certificate.separated_by_axis(e) ? Verdict::apart : certificate.at(e, s, -1, true);
+    if (verdict == Verdict::closer || verdict == Verdict::apart) {
+      count(counters, Stage::filter);
+      return verdict == Verdict::closer;
+    }
+  }
+  count(counters, Stage::exact);
+  if (!a.allFinite() || !b.allFinite() || !query.allFinite()) return false;
+  return std::isinf(bound) || exact::segment_closer(a, b, query, bound);
+}
+
+int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode,
+                  DecisionCounters& counters) {
+  if (mode == Mode::filtered) {
+    const Vector u = a - query, v = b - query, w = c - query;
+    const double size = size_of({u, v, w, w});
+    const double det = u.dot(v.cross(w));
+    const Vector au = u.cwiseAbs(), av = v.cwiseAbs(), aw = w.cwiseAbs();
+    const double terms = au.x() * (av.y() * aw.z() + av.z() * aw.y()) + au.y() * (av.z() * aw.x() + av.x() * aw.z()) +
+                         au.z() * (av.x() * aw.y() + av.y() * aw.x());
+    // Nine roundings of relative size on each product; the last term covers underflow at the sizes let in.
+    const double error = 16 * roundoff * terms + 1e-290;
+    if (size >= 1e-90 && size <= 1e90 && std::abs(det) > error) {
+      count(counters, Stage::filter);
+      return det > 0 ? 1 : -1;
+    }
+  }
+  count(counters, Stage::exact);
+  if (!a.allFinite() || !b.allFinite() || !c.allFinite() || !query.allFinite()) return 0;
+  return exact::orientation(a, b, c, query);
+}
+
+}  // namespace gapcheck::geometry

@@ -1,0 +1,187 @@
+#include "geometry/exact.hpp"
+
+#include <CGAL/Mpzf.h>
+
+#include <algorithm>
+#include <array>
+
+namespace gapcheck::geometry::exact {
+namespace {
+
+using Number = CGAL::Mpzf;  ///< binary fractions of any length: sums and products of doubles without rounding
+
+struct Point {
+  Number x, y, z;
+};
+
+Point exact(const Vector& v) { return {Number(v.x()), Number(v.y()), Number(v.z())}; }
+Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Point operator*(const Number& f, const Point& a) { return {f * a.x, f * a.y, f * a.z}; }
+Number dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Number square(const Point& a) { return dot(a, a); }
+Point cross(const Point& a, const Point& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+int sign(const Number& a) { return static_cast<int>(CGAL::sign(a)); }
+Number amount(const Number& a) { return sign(a) < 0 ? -a : a; }
+
+/// Segment a b nearer to the origin than the root of `bound`?
+bool segment_closer(const Point& a, const Point& b, const Number& bound) {
+  const Point along = b - a;
+  const Number from_a = -dot(a, along), length = square(along);
+  if (sign(from_a) <= 0) return square(a) < bound;
+  if (from_a >= length) return square(b) < bound;
+  return square(cross(a, along)) < bound * length;
+}
+
+/// The same for the triangle a b c.
+bool triangle_closer(const Point& a, const Point& b, const Point& c, const Number& bound) {
+  const Point n = cross(b - a, c - a);
+  const Number nn = square(n);
+  if (sign(nn) > 0 && sign(dot(n, cross(a, b))) >= 0 && sign(dot(n, cross(b, c))) >= 0 &&
+      sign(dot(n, cross(c, a))) >= 0) {
+    const Number height = dot(n, a);
+    return height * height < bound * nn;
+  }
+  return segment_closer(a, b, bound) || segment_closer(b, c, bound) || segment_closer(c, a, bound);
+}
+
+/// Coefficients of the piece's squared distance in Bernstein form: its values lie between the least and the greatest.
+using Coefficients = std::array<std::array<Number, 3>, 3>;  ///< [power of s][power of t]
+
+Coefficients bernstein(const std::array<Point, 4>& p) {
+  return {{{square(p[0]), dot(p[0], p[3]), square(p[3])},
+           {dot(p[0], p[1]), (dot(p[0], p[2]) + dot(p[1], p[3])) * Number(0.5), dot(p[3], p[2])},
+           {square(p[1]), dot(p[1], p[2]), square(p[2])}}};
+}
+
+/// 1 if the distance nowhere falls with s, -1 if it nowhere rises, 0 if that is not clear.
+int monotone_in_s(const Coefficients& k) {
+  bool rises = true, falls = true;
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      rises = rises && k[i + 1][j] >= k[i][j];
+      falls = falls && k[i + 1][j] <= k[i][j];
+    }
+  }
+  return rises ? 1 : falls ? -1 : 0;
+}
+
+Coefficients transposed(const Coefficients& k) {
+  Coefficients out;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) out[i][j] = k[j][i];
+  }
+  return out;
+}
+
+/// Amount of a slope along one parameter that can lower the value inside [-1, 1].
+Number usable_slope(const Number& slope, double parameter) {
+  if ((parameter >= 1 && sign(slope) <= 0) || (parameter <= -1 && sign(slope) >= 0)) return Number(0);
+  return amount(slope);
+}
+
+/// Lower bound of q0 + q1 x + q2 x² on [-1, 1], q2 >= 0.
+Number least_on_range(const Number& q0, const Number& q1, const Number& q2) {
+  const Number swing = amount(q1);
+  return swing >= Number(2) * q2 ? q0 + q2 - swing : q0 - Number(0.5) * swing;
+}
+
+/// The proof of largest_drop() without rounding: does the distance never fall below the bound on the piece?
+bool drop_stays_above(const std::array<Point, 4>& p, double s, double t, const Number& bound) {
+  const Number quarter(0.25), two(2);
+  const Point m = quarter * (p[0] + p[1] + p[2] + p[3]), a = quarter * (p[1] + p[2] - p[0] - p[3]);
+  const Point b = quarter * (p[2] + p[3] - p[0] - p[1]), c = quarter * (p[0] + p[2] - p[1] - p[3]);
+  const Point along_s = a + Number(t) * c, along_t = b + Number(s) * c, w = m + Number(t) * b + Number(s) * along_s;
+  const Number aa = square(a), ac = dot(a, c), cc = square(c), tt = square(along_t), turn = dot(c, along_t);
+  const Number mixed = dot(a, along_t) + dot(w, c);
+  const Number least =
+      least_on_range(tt * aa - mixed * mixed, two * (tt * ac - mixed * turn), tt * cc - turn * turn);
+  if (sign(least) <= 0) return false;
+  const Number gs = usable_slope(dot(w, along_s), s), gt = usable_slope(dot(w, along_t), t);
+  return (square(w) - bound) * least >= two * (tt * gs * gs + (aa + two * amount(ac) + cc) * gt * gt);
+}
+
+bool separated(const std::array<Point, 4>& p, const Point& direction, const Number& bound) {
+  const Number reach = bound * square(direction);
+  return std::all_of(p.begin(), p.end(), [&](const Point& corner) {
+    const Number height = dot(direction, corner);
+    return sign(height) >= 0 && height * height >= reach;
+  });
+}
+
+std::array<Point, 4> piece_corners(const Facet& facet, const Vector& query, const Piece& piece) {
+  const Point q = exact(query), e0 = exact(facet.x[0]) - q, e1 = exact(facet.x[1]) - q, e2 = exact(facet.x[2]) - q,
+              e3 = exact(facet.x[3]) - q;
+  const Point right = e1 - e0, up = e3 - e0, twist = e2 - e1 - up;
+  const auto at = [&](double s, double t) {
+    return e0 + Number(s) * right + Number(t) * up + (Number(s) * Number(t)) * twist;
+  };
+  return {at(piece.s0, piece.t0), at(piece.s1, piece.t0), at(piece.s1, piece.t1), at(piece.s0, piece.t1)};
+}
+
+}  // namespace
+
+bool segment_closer(const Vector& a, const Vector& b, const Vector& query, double bound) {
+  const Point q = exact(query);
+  return segment_closer(exact(a) - q, exact(b) - q, Number(bound) * Number(bound));
+}
+
+bool triangle_closer(const Vector& a, const Vector& b, const Vector& c, const Vector& query, double bound) {
+  const Point q = exact(query);
+  return triangle_closer(exact(a) - q, exact(b) - q, exact(c) - q, Number(bound) * Number(bound));
+}
+
+bool fan_closer(const Facet& facet, const Vector& query, double bound) {
+  const std::array<Point, 4> p = piece_corners(facet, query, Piece{});
+  const Point centre = Number(0.25) * (p[0] + p[1] + p[2] + p[3]);
+  const Number squared_bound = Number(bound) * Number(bound);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (triangle_closer(p[i], p[(i + 1) % 4], centre, squared_bound)) return true;
+  }
+  return false;
+}
+
+bool flat_and_convex(const Facet& facet) {
+  const Point x0 = exact(facet.x[0]), x1 = exact(facet.x[1]), x2 = exact(facet.x[2]), x3 = exact(facet.x[3]);
+  const std::array<Point, 4> edge{x1 - x0, x2 - x1, x3 - x2, x0 - x3};
+  const Point n = cross(x2 - x0, x3 - x1);
+  if (sign(dot(n, edge[0])) != 0) return false;
+  const bool no_area = sign(square(n)) == 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point turn = cross(edge[i], edge[(i + 1) % 4]);
+    if (no_area ? sign(square(turn)) != 0 : sign(dot(turn, n)) < 0) return false;
+  }
+  return true;
+}
+
+Verdict piece_verdict(const Facet& facet, const Vector& query, double bound, const Piece& piece, const Corners& e,
+                      double s, double t) {
+  const std::array<Point, 4> p = piece_corners(facet, query, piece);
+  const Number squared_bound = Number(bound) * Number(bound), one(1);
+  const Number s1 = one + Number(s), s0 = one - Number(s), t1 = one + Number(t), t0 = one - Number(t);
+  const Point w = Number(0.25) * ((s0 * t0) * p[0] + (s1 * t0) * p[1] + (s1 * t1) * p[2] + (s0 * t1) * p[3]);
+  if (square(w) < squared_bound) return Verdict::closer;
+  const Vector direction = blend(e, weights(s, t));
+  if (direction.allFinite() && separated(p, exact(direction), squared_bound)) return Verdict::apart;
+
+  const Coefficients k = bernstein(p);
+  const bool all_apart = std::all_of(k.begin(), k.end(), [&](const auto& row) {
+    return std::all_of(row.begin(), row.end(), [&](const Number& value) { return value >= squared_bound; });
+  });
+  if (all_apart) return Verdict::apart;
+  const auto edge = [&](std::size_t i) {
+    return segment_closer(p[i], p[(i + 1) % 4], squared_bound) ? Verdict::closer : Verdict::apart;
+  };
+  if (const int trend = monotone_in_s(k); trend != 0) return edge(trend > 0 ? 3 : 1);
+  if (const int trend = monotone_in_s(transposed(k)); trend != 0) return edge(trend > 0 ? 0 : 2);
+  return drop_stays_above(p, s, t, squared_bound) ? Verdict::apart : Verdict::open;
+}
+
+int orientation(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
+  const Point q = exact(d);
+  return sign(dot(exact(a) - q, cross(exact(b) - q, exact(c) - q)));
+}
+
+}  // namespace gapcheck::geometry::exact

@@ -1,0 +1,223 @@
+#include "keyword/deck.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "base/number.hpp"
+#include "keyword/deck_reader.hpp"
+
+namespace gapcheck::keyword {
+namespace {
+
+/// Far beyond any real deck; keeps a file of nothing but stars from filling the memory.
+constexpr std::size_t max_blocks = 5'000'000;
+
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  for (char& c : upper)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return upper;
+}
+
+/// What keeps a file from being a keyword file; empty: nothing.
+std::string unreadable(std::string_view bytes) {
+  if (bytes.empty()) return "is empty; give a keyword file";
+  if (bytes.substr(0, 4096).find('\0') != std::string_view::npos)
+    return "is not a keyword file (it is binary or in a wide encoding); give the text file with the keywords";
+  return {};
+}
+
+/// The letter behind `NAME=` among the options of *KEYWORD; NUL if it is not there.
+char option_letter(std::string_view options, std::string_view name) {
+  for (auto at = options.find(name); at != std::string_view::npos; at = options.find(name, at + 1)) {
+    if (at > 0 && options[at - 1] != ' ' && options[at - 1] != ',') continue;
+    const auto rest = trimmed(options.substr(at + name.size()));
+    const auto value = rest.starts_with('=') ? trimmed(rest.substr(1)) : std::string_view{};
+    if (!value.empty()) return value.front();
+  }
+  return '\0';
+}
+
+Format format_of(std::string_view options, Format inherited) {
+  const std::string upper = upper_case(options);
+  const char long_fields = option_letter(upper, "LONG"), i10 = option_letter(upper, "I10");
+  Format format = inherited;
+  if (i10 == 'Y') format = Format::i10;
+  if (i10 == 'N' && format == Format::i10) format = Format::standard;
+  if (long_fields == 'Y') format = Format::long_fields;
+  // K: long output, standard input.
+  if ((long_fields == 'S' || long_fields == 'K') && format == Format::long_fields) format = Format::standard;
+  return format;
+}
+
+bool is_data(std::string_view line) { return !line.starts_with('$') && !trimmed(line).empty(); }
+
+}  // namespace
+
+Result<Deck> DeckReader::read_path(const std::string& path) {
+  auto mapped = MappedFile::open(path);
+  if (!mapped) return mapped.error();
+  if (const auto problem = unreadable(mapped.value().bytes()); !problem.empty())
+    return Diagnostic{Severity::error, path, 0, problem};
+  deck_.mappings_.push_back(std::move(mapped).value());
+  std::error_code error;
+  canonical_.push_back(std::filesystem::canonical(path, error).string());
+  if (!canonical_.back().empty()) mapped_[canonical_.back()] = 0;
+  FileContext context;
+  context.file = add_file(path, deck_.mappings_.back().bytes(), nullptr, 0);
+  context.scope = deck_.parameters_.add_scope(Parameters::global);
+  read_file(context);
+  return finish();
+}
+
+Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
+  if (const auto problem = unreadable(text); !problem.empty()) return Diagnostic{Severity::error, name, 0, problem};
+  deck_.texts_.push_back(std::move(text));
+  canonical_.emplace_back();
+  FileContext context;
+  context.file = add_file(name, deck_.texts_.back(), nullptr, 0);
+  context.scope = deck_.parameters_.add_scope(Parameters::global);
+  read_file(context);
+  return finish();
+}
+
+Result<Deck> DeckReader::finish() {
+  resolve_transforms();
+  return std::move(deck_);
+}
+
+FileIndex DeckReader::add_file(const std::string& path, std::string_view bytes, const FileContext* includer,
+                               std::uint32_t line) {
+  SourceFile file;
+  file.path = path;
+  file.bytes = bytes;
+  if (includer != nullptr) file.includer = includer->file;
+  file.include_line = line;
+  deck_.files_.push_back(std::move(file));
+  deck_.counters_.bytes += bytes.size();
+  ++deck_.counters_.files;
+  return FileIndex(static_cast<std::uint32_t>(deck_.files_.size() - 1));
+}
+
+void DeckReader::read_file(FileContext context) {
+  const std::string_view bytes = deck_.files_[context.file.value].bytes;
+  const std::size_t begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  auto marks = find_marks(bytes.substr(begin));
+  for (Mark& mark : marks) mark.offset += begin;
+  check_before_keywords(context, begin, marks.empty() ? bytes.size() : marks.front().offset);
+  for (std::size_t at = 0; at < marks.size() && !stopped_;) {
+    const Mark& mark = marks[at];
+    if (mark.kind == Mark::Kind::encrypted_begin) {
+      at = pass_encrypted(context, marks, at);
+      continue;
+    }
+    ++at;
+    if (mark.kind != Mark::Kind::keyword) continue;
+    // The end of an encrypted block that never began is an ordinary line.
+    std::size_t next = at;
+    while (next < marks.size() && marks[next].kind == Mark::Kind::encrypted_end) ++next;
+    const std::size_t end = next < marks.size() ? marks[next].offset : bytes.size();
+    std::size_t body = 0;
+    const auto line = line_at(bytes, mark.offset, body);
+    if (!add_block(context, line, mark.line, bytes.substr(body, std::max(end, body) - body))) return;
+  }
+}
+
+void DeckReader::check_before_keywords(const FileContext& context, std::size_t begin, std::size_t end) {
+  const std::string_view bytes = deck_.files_[context.file.value].bytes;
+  std::uint32_t number = 0;
+  for (std::size_t offset = begin; offset < end;) {
+    ++number;
+    if (!is_data(line_at(bytes, offset, offset))) continue;
+    diagnostics_.error(path_of(context.file), number,
+                       "data before the first keyword; start the file with *KEYWORD or remove the line");
+    return;
+  }
+}
+
+/// Passes over one encrypted block; gives the position of the mark behind it.
+std::size_t DeckReader::pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at) {
+  const std::string_view bytes = deck_.files_[context.file.value].bytes;
+  const Mark begin = marks[at];
+  ++deck_.counters_.encrypted_blocks;
+  while (at < marks.size() && marks[at].kind != Mark::Kind::encrypted_end) ++at;
+  if (at == marks.size()) {
+    diagnostics_.warning(path_of(context.file), begin.line,
+                         "an encrypted block without end: the rest of the file was not read");
+    return at;
+  }
+  diagnostics_.warning(path_of(context.file), begin.line,
+                       "an encrypted block was passed over; what it holds is unknown");
+  std::uint32_t number = marks[at].line;
+  std::size_t offset = 0;
+  line_at(bytes, marks[at].offset, offset);
+  ++at;
+  for (const std::size_t end = at < marks.size() ? marks[at].offset : bytes.size(); offset < end;) {
+    ++number;
+    if (!is_data(line_at(bytes, offset, offset))) continue;
+    diagnostics_.warning(path_of(context.file), number,
+                         "the lines between the encrypted block and the next keyword were passed over: their keyword "
+                         "is encrypted");
+    break;
+  }
+  return at;
+}
+
+/// Adds the block of a keyword line and follows it; false at *END.
+bool DeckReader::add_block(FileContext& context, std::string_view line, std::uint32_t number, std::string_view body) {
+  const auto name_end = std::min(line.find_first_of(" \t"), line.size());
+  auto name = line.substr(1, std::max<std::size_t>(name_end, 1) - 1);
+  Block block;
+  if (name == "KEYWORD" || upper_case(name) == "KEYWORD")
+    context.format = format_of(line.substr(name_end), context.format);
+  block.format = context.format;
+  if (name.ends_with('+')) block.format = Format::long_fields;
+  if (name.ends_with('-')) block.format = Format::standard;
+  if (name.ends_with('%')) block.format = Format::i10;
+  if (name.ends_with('+') || name.ends_with('-') || name.ends_with('%')) name.remove_suffix(1);
+  block.name = upper_case(name);
+  block.body = body;
+  block.file = context.file;
+  block.line = number;
+  block.transform = context.transform;
+  block.scope = context.scope;
+  block.order = static_cast<std::uint32_t>(deck_.blocks_.size());
+  if (block.name.empty())
+    diagnostics_.error(path_of(context.file), number, "a keyword line without a name; give the keyword or remove it");
+  if (deck_.blocks_.size() == max_blocks) {
+    diagnostics_.error(path_of(context.file), number,
+                       "more than " + std::to_string(max_blocks) + " keywords; the rest was not read");
+    stopped_ = true;
+    return false;
+  }
+  deck_.blocks_.push_back(block);
+  dispatch(context, block);
+  return block.name != "END" && !stopped_;
+}
+
+void DeckReader::dispatch(const FileContext& context, const Block& block) {
+  const std::string_view name = block.name;
+  if (name.starts_with("INCLUDE")) {
+    read_include(context, block);
+  } else if (name.starts_with("PARAMETER")) {
+    read_parameters(block);
+  } else if (name == "DEFINE_TRANSFORMATION" || name == "DEFINE_TRANSFORMATION_TITLE") {
+    transformations_.push_back(block.order);
+  } else if (name.starts_with("CASE_BEGIN") && !warned_of_cases_) {
+    warned_of_cases_ = true;
+    diagnostics_.warning(path_of(block.file), block.line,
+                         "*CASE: the keywords of all cases are read as one model; split the deck to check one case");
+  }
+}
+
+Result<Deck> read_deck(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics) {
+  return DeckReader(options, diagnostics).read_path(path);
+}
+
+Result<Deck> read_deck_text(std::string text, const std::string& name, const ReadOptions& options,
+                            Diagnostics& diagnostics) {
+  return DeckReader(options, diagnostics).read_text(std::move(text), name);
+}
+
+}  // namespace gapcheck::keyword

@@ -1,0 +1,82 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/ids.hpp"
+#include "base/mapped_file.hpp"
+#include "base/result.hpp"
+#include "keyword/parameters.hpp"
+#include "keyword/transform.hpp"
+
+namespace gapcheck::keyword {
+
+/// Field widths: as in the manual, 8-wide fields as 10, or 20 columns each.
+enum class Format : std::uint8_t { standard, i10, long_fields };
+
+/// One keyword file, once per time that it is included.
+struct SourceFile {
+  std::string path;         ///< as opened
+  std::string_view bytes;   ///< owned by the deck
+  FileIndex includer = none<FileIndex>;
+  std::uint32_t include_line = 0;  ///< in the includer
+};
+
+/// One keyword with its data lines, untouched. Views stay valid as long as the deck.
+struct Block {
+  std::string name;        ///< upper case, without `*` and format suffix: "ELEMENT_SHELL_THICKNESS"
+  std::string_view body;   ///< from the line after the keyword to the next keyword, comments included
+  FileIndex file;
+  std::uint32_t line = 0;  ///< of the keyword; the body starts at line + 1
+  Format format = Format::standard;
+  TransformIndex transform{0};   ///< of the *INCLUDE_TRANSFORM that brought it; 0 = none
+  std::uint32_t scope = 0;       ///< parameter scope (chain of files)
+  std::uint32_t order = 0;       ///< place in the input; parameters are visible from their definition on
+};
+
+struct ReadOptions {
+  std::vector<std::string> include_directories;  ///< -I
+  bool skip_missing_includes = false;            ///< then each is a warning
+  std::uint32_t max_include_depth = 64;
+  std::uint32_t max_files = 10000;
+};
+
+/// What was passed over on purpose, for --stats.
+struct DeckCounters {
+  std::uint64_t bytes = 0, files = 0, missing_includes = 0, encrypted_blocks = 0;
+};
+
+/// A deck with all its includes as a list of blocks in input order. Nothing is parsed but what the structure needs:
+/// includes, parameters, transformations.
+class Deck {
+ public:
+  [[nodiscard]] std::span<const SourceFile> files() const { return files_; }
+  [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
+  [[nodiscard]] const SourceFile& file(FileIndex index) const { return files_[index.value]; }
+  [[nodiscard]] const Parameters& parameters() const { return parameters_; }
+  [[nodiscard]] const Transform& transform(TransformIndex index) const { return transforms_[index.value]; }
+  [[nodiscard]] const DeckCounters& counters() const { return counters_; }
+
+ private:
+  friend class DeckReader;
+  std::vector<MappedFile> mappings_;
+  std::vector<std::string> texts_;  ///< bytes of decks given as text
+  std::vector<SourceFile> files_;
+  std::vector<Block> blocks_;
+  Parameters parameters_;
+  std::vector<Transform> transforms_{Transform{}};
+  DeckCounters counters_;
+};
+
+/// Reads a deck with its includes. Errors that stop it (main file missing, binary, empty) come as the result's error;
+/// all others go to `diagnostics` with file and line, and reading goes on, so that all of them are seen at once.
+Result<Deck> read_deck(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics);
+
+/// The same for a deck in memory; `name` stands for the file name; includes are looked up beside the working directory.
+Result<Deck> read_deck_text(std::string text, const std::string& name, const ReadOptions& options,
+                            Diagnostics& diagnostics);
+
+}  // namespace gapcheck::keyword

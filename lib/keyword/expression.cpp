@@ -1,0 +1,232 @@
+#include "keyword/expression.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/number.hpp"
+
+namespace gapcheck::keyword {
+namespace {
+
+constexpr int max_depth = 100;
+constexpr std::size_t max_length = 10000;
+constexpr std::size_t max_arguments = 100;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+struct Function {
+  std::string_view name;
+  double (*value)(double);
+};
+
+struct BinaryFunction {
+  std::string_view name;
+  double (*value)(double, double);
+};
+
+constexpr std::array functions{
+    Function{"sin", [](double x) { return std::sin(x); }},
+    Function{"cos", [](double x) { return std::cos(x); }},
+    Function{"tan", [](double x) { return std::tan(x); }},
+    Function{"csc", [](double x) { return 1 / std::sin(x); }},
+    Function{"sec", [](double x) { return 1 / std::cos(x); }},
+    Function{"ctn", [](double x) { return 1 / std::tan(x); }},
+    Function{"asin", [](double x) { return std::asin(x); }},
+    Function{"acos", [](double x) { return std::acos(x); }},
+    Function{"atan", [](double x) { return std::atan(x); }},
+    Function{"sinh", [](double x) { return std::sinh(x); }},
+    Function{"cosh", [](double x) { return std::cosh(x); }},
+    Function{"tanh", [](double x) { return std::tanh(x); }},
+    Function{"asinh", [](double x) { return std::asinh(x); }},
+    Function{"acosh", [](double x) { return std::acosh(x); }},
+    Function{"atanh", [](double x) { return std::atanh(x); }},
+    Function{"sqrt", [](double x) { return std::sqrt(x); }},
+    Function{"abs", [](double x) { return std::abs(x); }},
+    Function{"exp", [](double x) { return std::exp(x); }},
+    Function{"log", [](double x) { return std::log(x); }},
+    Function{"log10", [](double x) { return std::log10(x); }},
+    Function{"int", [](double x) { return std::trunc(x); }},
+    Function{"aint", [](double x) { return std::trunc(x); }},
+    Function{"nint", [](double x) { return std::round(x); }},
+    Function{"anint", [](double x) { return std::round(x); }},
+    Function{"float", [](double x) { return x; }},
+};
+
+constexpr std::array binary_functions{
+    BinaryFunction{"atan2", [](double y, double x) { return std::atan2(y, x); }},
+    BinaryFunction{"sign", [](double x, double s) { return std::copysign(std::abs(x), s); }},
+    BinaryFunction{"mod", [](double x, double y) { return std::fmod(x, y); }},
+};
+
+/// Recursive descent. The first problem stops everything: afterwards every step returns zero at once.
+class Evaluator {
+ public:
+  Evaluator(std::string_view text, const std::function<Result<double>(std::string_view)>& value_of)
+      : text_(text), value_of_(value_of) {}
+
+  Result<double> run() {
+    if (text_.size() > max_length) fail("is longer than " + std::to_string(max_length) + " characters");
+    const double value = sum(0);
+    if (peek(); !problem_ && at_ < text_.size()) fail("unexpected \"" + std::string(1, text_[at_]) + "\"");
+    if (!problem_ && !std::isfinite(value)) fail("has no finite value");
+    if (problem_)
+      return Diagnostic{
+          Severity::error, {}, 0, "expression \"" + std::string(text_.substr(0, 80)) + "\": " + *problem_};
+    return value;
+  }
+
+ private:
+  double fail(std::string problem) {
+    if (!problem_) problem_ = std::move(problem);
+    at_ = text_.size();
+    return 0;
+  }
+
+  char peek() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+
+  bool accept(std::string_view token) {
+    if (peek() == '\0' || !text_.substr(at_).starts_with(token)) return false;
+    at_ += token.size();
+    return true;
+  }
+
+  double sum(int depth) {
+    if (depth > max_depth) return fail("is nested too deeply");
+    double value = product(depth);
+    while (!problem_) {
+      if (accept("+"))
+        value += product(depth);
+      else if (accept("-"))
+        value -= product(depth);
+      else
+        break;
+    }
+    return value;
+  }
+
+  double product(int depth) {
+    double value = signed_power(depth);
+    while (!problem_) {
+      // A power would have been taken by signed_power.
+      const char operation = peek();
+      if (operation != '*' && operation != '/' && operation != '%') break;
+      ++at_;
+      const double right = signed_power(depth);
+      if (operation == '*')
+        value *= right;
+      else if (right == 0)
+        return fail("divides by zero");
+      else
+        value = operation == '/' ? value / right : std::fmod(value, right);
+    }
+    return value;
+  }
+
+  double signed_power(int depth) {
+    if (depth > max_depth) return fail("is nested too deeply");
+    if (accept("-")) return -signed_power(depth + 1);
+    if (accept("+")) return signed_power(depth + 1);
+    const double base = primary(depth);
+    return accept("**") ? std::pow(base, signed_power(depth + 1)) : base;
+  }
+
+  double primary(int depth) {
+    const char c = peek();
+    if (accept("(")) {
+      const double value = sum(depth + 1);
+      return accept(")") ? value : fail("lacks a \")\"");
+    }
+    if (is_digit(c) || c == '.') return number();
+    if (c == '&') ++at_;
+    if (at_ < text_.size() && is_letter(text_[at_])) return name_or_call(depth, c == '&');
+    return c == '\0' ? fail("ends too early") : fail("unexpected \"" + std::string(1, c) + "\"");
+  }
+
+  void take_digits() {
+    while (at_ < text_.size() && is_digit(text_[at_])) ++at_;
+  }
+
+  double number() {
+    const auto begin = at_;
+    take_digits();
+    if (at_ < text_.size() && text_[at_] == '.') ++at_;
+    take_digits();
+    if (at_ < text_.size() && std::string_view("eEdD").find(text_[at_]) != std::string_view::npos) {
+      const auto mantissa_end = at_++;
+      if (at_ < text_.size() && (text_[at_] == '+' || text_[at_] == '-')) ++at_;
+      if (at_ < text_.size() && is_digit(text_[at_]))
+        take_digits();
+      else
+        at_ = mantissa_end;
+    }
+    const auto word = text_.substr(begin, at_ - begin);
+    const auto value = parse_real(word);
+    return value ? *value : fail("\"" + std::string(word) + "\" is not a number");
+  }
+
+  double name_or_call(int depth, bool is_parameter) {
+    const auto begin = at_;
+    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    const auto name = text_.substr(begin, at_ - begin);
+    if (!is_parameter && accept("(")) return call(name, depth);
+    const auto value = value_of_(name);
+    if (value) return value.value();
+    if (!is_parameter && lower_case(name) == "pi") return std::numbers::pi;
+    return fail(value.error().message);
+  }
+
+  static std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+  }
+
+  double call(std::string_view written, int depth) {
+    std::vector<double> arguments;
+    do {
+      if (arguments.size() == max_arguments) return fail("has too many arguments");
+      arguments.push_back(sum(depth + 1));
+    } while (accept(","));
+    if (!accept(")")) return fail("lacks a \")\"");
+    if (problem_) return 0;
+    const std::string name = lower_case(written);
+    if (name == "min") return *std::min_element(arguments.begin(), arguments.end());
+    if (name == "max") return *std::max_element(arguments.begin(), arguments.end());
+    for (const auto& function : functions)
+      if (function.name == name)
+        return arguments.size() == 1 ? checked(function.value(arguments[0]), name) : fail(name + " takes one argument");
+    for (const auto& function : binary_functions)
+      if (function.name == name)
+        return arguments.size() == 2 ? checked(function.value(arguments[0], arguments[1]), name)
+                                     : fail(name + " takes two arguments");
+    return fail("unknown function \"" + std::string(written) + "\"");
+  }
+
+  double checked(double value, const std::string& name) {
+    return std::isfinite(value) ? value : fail(name + " has no finite value there");
+  }
+
+  std::string_view text_;
+  const std::function<Result<double>(std::string_view)>& value_of_;
+  std::size_t at_ = 0;
+  std::optional<std::string> problem_;
+};
+
+}  // namespace
+
+Result<double> evaluate_expression(std::string_view text,
+                                   const std::function<Result<double>(std::string_view)>& value_of) {
+  return Evaluator(text, value_of).run();
+}
+
+}  // namespace gapcheck::keyword

@@ -1,0 +1,79 @@
+#include "keyword/scan.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+#include "base/parallel.hpp"
+
+namespace gapcheck::keyword {
+namespace {
+
+constexpr std::size_t piece_size = std::size_t{1} << 21;
+
+struct Piece {
+  std::vector<Mark> marks;  // lines counted from the start of the piece
+  std::uint32_t lines = 0;
+};
+
+std::optional<Mark::Kind> kind_of(std::string_view from_line_start) {
+  if (from_line_start.front() == '*') return Mark::Kind::keyword;
+  if (from_line_start.starts_with("-----BEGIN PGP MESSAGE-----")) return Mark::Kind::encrypted_begin;
+  if (from_line_start.starts_with("-----END PGP MESSAGE-----")) return Mark::Kind::encrypted_end;
+  return std::nullopt;
+}
+
+/// The first line start at or behind `offset`.
+std::size_t line_start(std::string_view bytes, std::size_t offset) {
+  if (offset == 0) return 0;
+  const auto end = bytes.find('\n', offset - 1);
+  return end == std::string_view::npos ? bytes.size() : end + 1;
+}
+
+Piece scan_piece(std::string_view bytes, std::size_t begin, std::size_t end) {
+  Piece piece;
+  std::size_t offset = begin;
+  while (offset < end) {
+    const char first = bytes[offset];
+    if (first == '*' || first == '-')
+      if (const auto kind = kind_of(bytes.substr(offset))) piece.marks.push_back({*kind, piece.lines, offset});
+    ++piece.lines;
+    const void* newline = std::memchr(bytes.data() + offset, '\n', bytes.size() - offset);
+    if (newline == nullptr) break;
+    offset = static_cast<std::size_t>(static_cast<const char*>(newline) - bytes.data()) + 1;
+  }
+  return piece;
+}
+
+}  // namespace
+
+std::vector<Mark> find_marks(std::string_view bytes) {
+  const std::size_t count = (bytes.size() + piece_size - 1) / piece_size;
+  std::vector<Piece> pieces(count);
+  parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      pieces[i] = scan_piece(bytes, line_start(bytes, i * piece_size),
+                             i + 1 == count ? bytes.size() : line_start(bytes, (i + 1) * piece_size));
+  });
+  std::vector<Mark> marks;
+  std::uint32_t line = 1;
+  for (Piece& piece : pieces) {
+    for (Mark mark : piece.marks) {
+      mark.line += line;
+      marks.push_back(mark);
+    }
+    line += piece.lines;
+    piece = {};
+  }
+  return marks;
+}
+
+std::string_view line_at(std::string_view bytes, std::size_t offset, std::size_t& next) {
+  const auto end = std::min(bytes.find('\n', offset), bytes.size());
+  next = std::min(end + 1, bytes.size());
+  auto line = bytes.substr(offset, end - offset);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+}  // namespace gapcheck::keyword

@@ -1,0 +1,121 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "base/vector.hpp"
+
+namespace gapcheck::model {
+
+/// File of each row range of an array: entities were read block by block.
+class Origins {
+ public:
+  /// Entities from `first` on (until the next call's `first`) come from `file`. Calls with rising `first`.
+  void add(std::uint32_t first, FileIndex file) { ranges_.emplace_back(first, file); }
+  [[nodiscard]] FileIndex file(std::uint32_t index) const;
+
+ private:
+  std::vector<std::pair<std::uint32_t, FileIndex>> ranges_;
+};
+
+/// From an id of the deck to a position in an array: a direct table where ids are dense, a sorted list otherwise.
+class IdLookup {
+ public:
+  /// Builds from ids in array order; of equal ids the first wins. Returns the positions of all later duplicates,
+  /// ascending.
+  std::vector<std::uint32_t> build(const std::vector<std::int64_t>& ids);
+  [[nodiscard]] std::optional<std::uint32_t> find(std::int64_t id) const {
+    if (!table_.empty()) {
+      const std::uint64_t place = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(lowest_);
+      if (place >= table_.size() || table_[place] == missing) return std::nullopt;
+      return table_[place];
+    }
+    const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{id, std::uint32_t{0}});
+    if (found == sorted_.end() || found->first != id) return std::nullopt;
+    return found->second;
+  }
+  /// Calls visit(id, position) for all ids in [first, last], ascending, until it returns false. The cost is bounded by
+  /// the number of entities, however long the range is.
+  template <class Visit>
+  void for_each_in(std::int64_t first, std::int64_t last, const Visit& visit) const {
+    if (!table_.empty()) {
+      const std::int64_t highest = lowest_ + static_cast<std::int64_t>(table_.size()) - 1;
+      if (first > highest || last < lowest_) return;
+      const auto begin = static_cast<std::size_t>(std::max(first, lowest_) - lowest_);
+      const auto end = static_cast<std::size_t>(std::min(last, highest) - lowest_);
+      for (std::size_t i = begin; i <= end; ++i)
+        if (table_[i] != missing && !visit(lowest_ + static_cast<std::int64_t>(i), table_[i])) return;
+      return;
+    }
+    auto entry = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{first, std::uint32_t{0}});
+    for (; entry != sorted_.end() && entry->first <= last; ++entry)
+      if (!visit(entry->first, entry->second)) return;
+  }
+
+ private:
+  static constexpr std::uint32_t missing = std::numeric_limits<std::uint32_t>::max();
+  std::int64_t lowest_ = 0;
+  std::vector<std::uint32_t> table_;  ///< by id - lowest_; max = none
+  std::vector<std::pair<std::int64_t, std::uint32_t>> sorted_;
+};
+
+/// All nodes, in input order. Every array has the same length.
+struct Nodes {
+  std::vector<std::int64_t> id;
+  std::vector<Vector> x;
+  std::vector<std::uint32_t> line;
+  Origins origins;
+  IdLookup lookup;
+  [[nodiscard]] std::size_t size() const { return id.size(); }
+};
+
+enum class ElementKind : std::uint8_t { shell, solid, thick_shell, beam, discrete, mass, particle };
+
+/// Elements of one kind with N nodes each, in input order; every array has the same length. Unused node slots repeat
+/// the last node used (triangle: n3 = n4; tetrahedron: n4 … n8 equal; wedge and pyramid as in the deck).
+template <std::size_t N>
+struct Elements {
+  std::vector<std::int64_t> id;
+  std::vector<std::array<NodeIndex, N>> nodes;
+  std::vector<PartIndex> part;
+  std::vector<std::uint32_t> line;
+  Origins origins;
+  IdLookup lookup;
+  [[nodiscard]] std::size_t size() const { return id.size(); }
+};
+
+/// Thickness at the four nodes of one shell (0 = take the section's) from *ELEMENT_SHELL_THICKNESS and relatives.
+struct ShellThickness {
+  std::uint32_t shell;
+  std::array<double, 4> thickness;
+};
+
+/// Normal offset of one shell's mid-surface from *ELEMENT_SHELL_OFFSET.
+struct ShellOffset {
+  std::uint32_t shell;
+  double offset;
+};
+
+struct Shells : Elements<4> {
+  std::vector<ShellThickness> own_thickness;  ///< ascending by shell, only shells that have one
+  std::vector<ShellOffset> own_offset;        ///< ascending by shell
+};
+
+struct Mesh {
+  Nodes nodes;
+  Shells shells;
+  Elements<8> solids;
+  Elements<8> thick_shells;
+  Elements<2> beams;      ///< the two end nodes
+  Elements<2> discrete;   ///< springs and dampers; the second node may be none
+  Elements<1> masses;     ///< *ELEMENT_MASS; part may be none
+  std::vector<double> mass_values;  ///< beside masses
+  Elements<1> particles;  ///< *ELEMENT_SPH
+};
+
+}  // namespace gapcheck::model

@@ -1,0 +1,58 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/result.hpp"
+#include "keyword/deck.hpp"
+#include "model/contact.hpp"
+#include "model/mesh.hpp"
+#include "model/part.hpp"
+#include "model/sets.hpp"
+
+namespace gapcheck::model {
+
+/// Something in the deck that contradicts itself; the audit makes findings of it and goes on with the rest.
+struct Fault {
+  enum class Kind : std::uint8_t { duplicate_id, unknown_reference } kind;
+  std::string message;  ///< "element 12 is defined again (first in line 40 of a.k)"
+  Place place;
+};
+
+/// Nodes that one rigid link holds together: *CONSTRAINED_NODAL_RIGID_BODY, _EXTRA_NODES, _RIGID_BODIES.
+struct RigidGroup {
+  enum class Kind : std::uint8_t { nodal_rigid_body, extra_nodes, merged_parts } kind;
+  std::int64_t id = 0;
+  std::vector<NodeIndex> nodes;  ///< nodal_rigid_body, extra_nodes
+  std::vector<PartIndex> parts;  ///< extra_nodes: the one part; merged_parts: both
+  Place place;
+};
+
+struct Model {
+  Mesh mesh;
+  std::vector<Part> parts;  ///< in input order
+  std::map<std::int64_t, PartIndex> part_of_id;
+  std::vector<Section> sections;
+  std::vector<Material> materials;
+  Sets sets;
+  std::map<std::int64_t, Box> boxes;
+  std::vector<Contact> contacts;  ///< every *CONTACT_ that is an interface, in input order
+  std::vector<ContactExclusion> exclusions;
+  std::vector<RigidGroup> rigid_groups;
+  Controls controls;
+  std::vector<Fault> faults;  ///< by kind and place; complete (the report groups them)
+  std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for
+  std::uint64_t skipped_bytes = 0;
+
+  [[nodiscard]] const Part& part(PartIndex index) const { return parts[index.value]; }
+  [[nodiscard]] bool rigid(PartIndex index) const;
+};
+
+/// Builds the model from a deck's blocks. What cannot be read goes to `diagnostics` (an error there means exit code 2),
+/// what contradicts itself to Model::faults. The result is an error only when nothing can be said at all.
+Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics);
+
+}  // namespace gapcheck::model

@@ -1,0 +1,62 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/ids.hpp"
+
+namespace gapcheck::model {
+
+/// Where an entity stands in the deck. Line 0: unknown.
+struct Place {
+  FileIndex file = none<FileIndex>;
+  std::uint32_t line = 0;
+};
+
+/// Contact data of *PART_CONTACT; zero = not given.
+struct PartContact {
+  double fs = 0, fd = 0, dc = 0, vc = 0;
+  double optt = 0;  ///< contact thickness, replaces all others
+  double sft = 0;   ///< scale on the element thickness
+  double ssf = 0;   ///< scale on the penalty stiffness
+};
+
+struct Part {
+  PartId id;
+  std::string title;
+  std::int64_t section_id = 0, material_id = 0;
+  std::optional<std::uint32_t> section;   ///< position in Model::sections
+  std::optional<std::uint32_t> material;  ///< position in Model::materials
+  std::optional<PartContact> contact;
+  double composite_thickness = 0;  ///< sum of the plies of *PART_COMPOSITE; 0 = not composite
+  Place place;
+};
+
+enum class SectionKind : std::uint8_t { shell, solid, thick_shell, beam, discrete, particle, other };
+
+struct Section {
+  std::int64_t id = 0;
+  SectionKind kind = SectionKind::other;
+  std::int64_t elform = 0;
+  std::array<double, 4> thickness{};  ///< shells: T1 … T4; where T2 … T4 are blank they repeat T1
+  double nloc = 0;                    ///< shells: NLOC
+  double beam_radius = 0;             ///< beams: outer diameter / 2 of a tube, otherwise √(A/π)
+  double beam_area = 0;
+  Place place;
+};
+
+struct Material {
+  std::int64_t id = 0;
+  std::string keyword;  ///< "MAT_ELASTIC"; numbers are resolved to names where the manual has both (MAT_001)
+  double density = 0, young = 0, poisson = 0;
+  double bulk = 0;      ///< given, or E / (3 (1 - 2 ν))
+  bool rigid = false;   ///< MAT_RIGID (020)
+  bool null_material = false;  ///< MAT_NULL (009)
+  bool spotweld = false;       ///< MAT_SPOTWELD (100)
+  bool fabric = false;         ///< MAT_FABRIC (034)
+  Place place;
+};
+
+}  // namespace gapcheck::model

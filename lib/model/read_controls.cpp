@@ -1,0 +1,58 @@
+#include "model/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+/// The solver takes zero and blank for its default.
+double or_default(double value, double default_value) { return value == 0 ? default_value : value; }
+std::int64_t or_default(std::int64_t value, std::int64_t default_value) { return value == 0 ? default_value : value; }
+
+/// The next card, or one of blanks where the block has ended.
+Card next_card(CardReader& reader, std::string_view keyword, std::string_view card) {
+  return reader.next(keyword::card_layout(keyword, card));
+}
+
+}  // namespace
+
+void read_control_contact(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  Controls& controls = context.model.controls;
+  controls.contact_given = true;
+  controls.contact_place = Context::place(block, block.line);
+  const Card card1 = next_card(reader, "CONTROL_CONTACT", "card1");
+  controls.slsfac = or_default(card1.real("slsfac"), 0.1);
+  controls.shlthk = card1.integer("shlthk");
+  controls.penopt = or_default(card1.integer("penopt"), 1);
+  controls.orien = or_default(card1.integer("orien"), 1);
+  const Card card2 = next_card(reader, "CONTROL_CONTACT", "card2");
+  controls.xpene = or_default(card2.real("xpene"), 4);
+  controls.ssthk = card2.integer("ssthk");
+  controls.ecdt = card2.integer("ecdt");
+  const Card card3 = next_card(reader, "CONTROL_CONTACT", "card3");
+  controls.th = context.length(block, card3.real("th"));
+  controls.th_sf = card3.real("th_sf");
+  const Card card4 = next_card(reader, "CONTROL_CONTACT", "card4");
+  controls.ignore = card4.integer("ignore");
+  reader.skip();
+  const Card card6 = next_card(reader, "CONTROL_CONTACT", "card6");
+  controls.shledg = card6.integer("shledg");
+  controls.ftall = card6.integer("ftall");
+}
+
+void read_control_shell(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  Controls& controls = context.model.controls;
+  controls.shell_given = true;
+  controls.shell_place = Context::place(block, block.line);
+  controls.istupd = next_card(reader, "CONTROL_SHELL", "card1").integer("istupd");
+  reader.skip();
+  controls.cntco = next_card(reader, "CONTROL_SHELL", "card3").integer("cntco");
+}
+
+void read_control_timestep(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_TIMESTEP", "card1");
+  context.model.controls.tssfac = or_default(card.real("tssfac"), 0.9);
+}
+
+}  // namespace gapcheck::model

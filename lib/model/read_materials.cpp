@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/number.hpp"
+#include "model/cards.hpp"
+#include "model/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+/// Where a material's first card holds its elastic constants: fields of ten columns from 0 (the id); 0 = not there.
+struct ElasticFields {
+  std::string_view name;    ///< without MAT_
+  std::string_view number;  ///< empty: none
+  std::size_t young = 0, poisson = 0, bulk = 0;
+};
+
+constexpr ElasticFields materials[] = {
+    {"ELASTIC", "001", 2, 3, 0},
+    {"ELASTIC_FLUID", "001_FLUID", 2, 3, 6},
+    {"ELASTIC_PERI", "", 0, 0, 0},
+    {"ELASTIC_PHASE_CHANGE", "", 2, 3, 0},
+    {"ELASTIC_PLASTIC_HYDRO", "010", 0, 0, 0},
+    {"ELASTIC_SPRING_DISCRETE_BEAM", "074", 0, 0, 0},
+    {"ELASTIC_6DOF_SPRING_DISCRETE_BEAM", "093", 0, 0, 0},
+    {"ELASTIC_VISCOPLASTIC_THERMAL", "106", 2, 3, 0},
+    {"ELASTIC_WITH_VISCOSITY", "060", 0, 0, 0},
+    {"ORTHOTROPIC_ELASTIC", "002", 2, 5, 0},
+    {"ANISOTROPIC_ELASTIC", "002_ANIS", 0, 0, 0},
+    {"PLASTIC_KINEMATIC", "003", 2, 3, 0},
+    {"ELASTIC_PLASTIC_THERMAL", "004", 0, 0, 0},
+    {"SOIL_AND_FOAM", "005", 0, 0, 3},
+    {"VISCOELASTIC", "006", 0, 0, 2},
+    {"BLATZ-KO_RUBBER", "007", 0, 0, 0},
+    {"HIGH_EXPLOSIVE_BURN", "008", 0, 0, 0},
+    {"NULL", "009", 6, 7, 0},
+    {"POWER_LAW_PLASTICITY", "018", 2, 3, 0},
+    {"STRAIN_RATE_DEPENDENT_PLASTICITY", "019", 0, 0, 0},
+    {"RIGID", "020", 2, 3, 0},
+    {"ORTHOTROPIC_THERMAL", "021", 2, 5, 0},
+    {"COMPOSITE_DAMAGE", "022", 2, 5, 0},
+    {"PIECEWISE_LINEAR_PLASTICITY", "024", 2, 3, 0},
+    {"HONEYCOMB", "026", 2, 3, 0},
+    {"MOONEY-RIVLIN_RUBBER", "027", 0, 2, 0},
+    {"RESULTANT_PLASTICITY", "028", 2, 3, 0},
+    {"FABRIC", "034", 2, 5, 0},
+    {"FABRIC_MAP", "034M", 0, 0, 0},
+    {"3-PARAMETER_BARLAT", "036", 2, 3, 0},
+    {"TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC", "037", 2, 3, 0},
+    {"ENHANCED_COMPOSITE_DAMAGE", "054", 2, 5, 0},
+    {"ENHANCED_COMPOSITE_DAMAGE", "055", 2, 5, 0},
+    {"LOW_DENSITY_FOAM", "057", 2, 0, 0},
+    {"CRUSHABLE_FOAM", "063", 2, 3, 0},
+    {"OGDEN_RUBBER", "077_O", 0, 2, 0},
+    {"PLASTICITY_WITH_DAMAGE", "081", 2, 3, 0},
+    {"FU_CHANG_FOAM", "083", 2, 0, 0},
+    {"SIMPLIFIED_JOHNSON_COOK", "098", 2, 3, 0},
+    {"SPOTWELD", "100", 2, 3, 0},
+    {"ORTHOTROPIC_SIMPLIFIED_DAMAGE", "221", 2, 5, 0},
+    {"MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "123", 2, 3, 0},
+    {"ARUP_ADHESIVE", "169", 2, 3, 0},
+    {"SIMPLIFIED_RUBBER", "181", 0, 0, 2},
+};
+
+/// `name` is `prefix`, or goes on with an option behind it.
+bool is_or_extends(std::string_view name, std::string_view prefix) {
+  return !prefix.empty() && name.starts_with(prefix) &&
+         (name.size() == prefix.size() || name[prefix.size()] == '_' || name[prefix.size()] == '/');
+}
+
+/// The entry with the longest match by name or number; nullptr where the material is not in the table.
+const ElasticFields* find_material(std::string_view name) {
+  const ElasticFields* best = nullptr;
+  std::size_t length = 0;
+  for (const ElasticFields& entry : materials)
+    for (const std::string_view key : {entry.name, entry.number})
+      if (key.size() > length && is_or_extends(name, key)) {
+        best = &entry;
+        length = key.size();
+      }
+  return best;
+}
+
+/// Bulk modulus from Young's modulus and Poisson's ratio; incompressible materials get that of ν = 0.4999.
+double bulk_modulus(double young, double poisson) {
+  constexpr double nearly_incompressible = 0.4999;
+  return young / (3 * (1 - 2 * std::min(poisson, nearly_incompressible)));
+}
+
+/// "24" is the same material as "024".
+std::string padded_number(std::string_view name) {
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  if (digits == 0 || digits >= 3) return std::string(name);
+  return std::string(3 - digits, '0') + std::string(name);
+}
+
+}  // namespace
+
+void read_material(Context& context, const Block& block, const Options& options) {
+  static const CardLayout first_card = id_and_reals(IdKind::material, 7);
+  CardReader reader(context.deck, block, context.diagnostics);
+  if (options.has("TITLE")) reader.skip();
+  const Place start = Context::place(block, block.line);
+  if (reader.at_end()) {
+    context.error(start, fmt::format("*{} has no card", block.name));
+    return;
+  }
+  const Card card = reader.next(first_card);
+  const std::string bare = padded_number(std::string_view(block.name).substr(std::string_view("MAT_").size()));
+  const ElasticFields* known = find_material(bare);
+  Material material;
+  material.id = card.integer(std::size_t{0});
+  material.place = Context::place(block, card.line());
+  material.keyword = "MAT_" + (known != nullptr ? std::string(known->name) : bare);
+  if (known == nullptr && material.keyword.ends_with("_TITLE")) material.keyword.resize(material.keyword.size() - 6);
+  if (material.id <= 0) {
+    context.error(material.place, fmt::format("material id {} is not positive; the material is left out", material.id));
+    return;
+  }
+  const keyword::Transform& units = context.transform(block);
+  const double length = units.length_factor;
+  const double stress = units.mass_factor / (length * units.time_factor * units.time_factor);
+  const auto field = [&](std::size_t index) { return index == 0 ? 0.0 : card.real(index); };
+  material.density = card.real(1) * units.mass_factor / (length * length * length);
+  if (known != nullptr) {
+    material.young = field(known->young) * stress;
+    material.poisson = field(known->poisson);
+    material.bulk = field(known->bulk) * stress;
+    if (material.bulk == 0) material.bulk = bulk_modulus(material.young, material.poisson);
+    material.rigid = known->name == "RIGID";
+    material.null_material = known->name == "NULL";
+    material.spotweld = known->name == "SPOTWELD";
+    material.fabric = known->name.starts_with("FABRIC");
+  }
+  Model& model = context.model;
+  const auto [entry, is_new] =
+      context.material_of_id.try_emplace(material.id, static_cast<std::uint32_t>(model.materials.size()));
+  if (is_new)
+    model.materials.push_back(std::move(material));
+  else
+    context.duplicate("material", material.id, model.materials[entry->second].place, material.place);
+}
+
+}  // namespace gapcheck::model

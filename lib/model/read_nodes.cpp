@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include "base/parallel.hpp"
+#include "keyword/rows.hpp"
+#include "model/cards.hpp"
+#include "model/context.hpp"
+#include "model/erase.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+/// `nid x y z` of *NODE; what follows them on the line is of no concern here.
+CardLayout node_line() {
+  CardLayout layout = keyword::card_layout("NODE", "card1");
+  layout.fields.resize(4);
+  return layout;
+}
+
+}  // namespace
+
+void read_nodes(Context& context, const Block& block, const Options&) {
+  static const CardLayout layout = node_line();
+  const keyword::Rows rows = keyword::read_rows(context.deck, block, layout, context.diagnostics);
+  if (rows.count == 0) return;
+  Nodes& nodes = context.model.mesh.nodes;
+  const std::size_t first = nodes.size();
+  nodes.id.insert(nodes.id.end(), rows.integers.begin(), rows.integers.end());
+  nodes.line.insert(nodes.line.end(), rows.lines.begin(), rows.lines.end());
+  nodes.x.resize(first + rows.count);
+  nodes.origins.add(static_cast<std::uint32_t>(first), block.file);
+  const keyword::Transform& transform = context.transform(block);
+  parallel_for(rows.count, 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double* x = &rows.reals[3 * i];
+      nodes.x[first + i] = transform.apply(transform.length_factor * Vector(x[0], x[1], x[2]));
+    }
+  });
+}
+
+void finish_nodes(Context& context) {
+  Nodes& nodes = context.model.mesh.nodes;
+  const auto place = [&](std::uint32_t i) { return Place{nodes.origins.file(i), nodes.line[i]}; };
+  std::vector<std::uint32_t> dropped;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (nodes.id[i] > 0) continue;
+    context.error(place(i), fmt::format("node id {} is not positive; the node is left out", nodes.id[i]));
+    dropped.push_back(i);
+  }
+  erase_positions(dropped, nodes.origins, nodes.id, nodes.x, nodes.line);
+  const std::vector<std::uint32_t> again = nodes.lookup.build(nodes.id);
+  for (const std::uint32_t i : again)
+    context.duplicate("node", nodes.id[i], place(*nodes.lookup.find(nodes.id[i])), place(i));
+  if (again.empty()) return;
+  erase_positions(again, nodes.origins, nodes.id, nodes.x, nodes.line);
+  nodes.lookup.build(nodes.id);
+}
+
+}  // namespace gapcheck::model

@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/number.hpp"
+#include "model/cards.hpp"
+#include "model/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+constexpr std::int64_t first_user_form = 101, last_user_form = 105;
+
+bool user_defined(std::int64_t elform) { return elform >= first_user_form && elform <= last_user_form; }
+
+/// How many lines a list of `count` numbers takes, eight in each; safe for any count.
+std::int64_t lines_of_eight(std::int64_t count) { return count <= 0 ? 0 : (count - 1) / 8 + 1; }
+
+void add_section(Context& context, Section section) {
+  if (section.id <= 0) {
+    context.error(section.place, fmt::format("section id {} is not positive; the section is left out", section.id));
+    return;
+  }
+  Model& model = context.model;
+  const auto [entry, is_new] =
+      context.section_of_id.try_emplace(section.id, static_cast<std::uint32_t>(model.sections.size()));
+  if (is_new)
+    model.sections.push_back(section);
+  else
+    context.duplicate("section", section.id, model.sections[entry->second].place, section.place);
+}
+
+Section begin_section(const Block& block, const Card& card, SectionKind kind) {
+  Section section;
+  section.id = card.integer("secid");
+  section.kind = kind;
+  section.elform = card.integer("elform");
+  section.place = Context::place(block, card.line());
+  return section;
+}
+
+/// The card looks like numbers only, so it is none of the titles that may stand before the second section on.
+bool is_section_card(const CardReader& reader, const CardLayout& layout) {
+  const Card card = reader.peek(layout);
+  for (std::size_t i = 0; i < card.size(); ++i) {
+    const std::string_view text = card.text(i);
+    if (!text.empty() && !text.starts_with('&') && !parse_real(text)) return false;
+  }
+  return !card.text(std::size_t{0}).empty();
+}
+
+/// Calls read(reader) for every section of a block and passes over titles and blank lines between them.
+template <class Read>
+void for_each_section(Context& context, const Block& block, const Options& options, const CardLayout& card1,
+                      const Read& read) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  bool title = options.has("TITLE");
+  while (!reader.at_end()) {
+    if (title) {
+      reader.skip();
+      if (reader.at_end()) context.error(Context::place(block, block.line), "the section's card is missing");
+    }
+    if (!reader.at_end() && !skip_blank(reader)) read(reader);
+    while (!reader.at_end() && skip_blank(reader)) continue;
+    title = options.has("TITLE") && !reader.at_end() && !is_section_card(reader, card1);
+  }
+}
+
+/// Cross-section of a beam in its own lengths.
+struct Profile {
+  double radius = 0, area = 0;
+};
+
+Profile equal_area(double area) { return {area > 0 ? std::sqrt(area / std::numbers::pi) : 0, area}; }
+
+Profile tube(double outer_diameter, double inner_diameter) {
+  return {outer_diameter / 2,
+          std::numbers::pi / 4 * (outer_diameter * outer_diameter - inner_diameter * inner_diameter)};
+}
+
+/// SECTION_nn: the named shapes whose area is plain; nothing for the others.
+std::optional<Profile> named_profile(std::string_view name, double d1, double d2) {
+  if (name.ends_with("08")) return tube(2 * d1, 0);
+  if (name.ends_with("09")) return tube(2 * d1, 2 * d2);
+  if (name.ends_with("11")) return equal_area(d1 * d2);
+  return std::nullopt;
+}
+
+Profile read_named_profile(Context& context, CardReader& reader) {
+  static const CardLayout layout = [] {
+    CardLayout card = id_and_reals(IdKind::plain, 6);
+    card.fields[0].type = FieldType::text;
+    return card;
+  }();
+  const Card card = reader.next(layout);
+  if (const auto profile = named_profile(card.text(std::size_t{0}), card.real(1), card.real(2))) return *profile;
+  context.warning(Context::place(reader.block(), card.line()),
+                  fmt::format("the area of the beam section {} is not computed; its contact radius is taken as 0",
+                              card.text(std::size_t{0})));
+  return {};
+}
+
+Profile read_profile(Context& context, CardReader& reader, std::int64_t elform, std::int64_t cst) {
+  if (trimmed(reader.peek()).starts_with("SECTION_")) return read_named_profile(context, reader);
+  switch (elform) {
+    case 2:
+    case 3:
+    case 12:
+    case 13:
+      return equal_area(reader.next(keyword::card_layout("SECTION_BEAM", "card3")).real("a"));
+    case 6:
+      reader.skip();
+      return {};
+    default:
+      break;
+  }
+  const Card card = reader.next(keyword::card_layout("SECTION_BEAM", "card2"));
+  const double width = card.real("ts1"), height = card.real("tt1");
+  const bool plane_or_tube = cst == 1 || elform == 4 || elform == 5;
+  return plane_or_tube ? tube(width, height) : equal_area(width * height);
+}
+
+}  // namespace
+
+void read_section_shell(Context& context, const Block& block, const Options& options) {
+  const CardLayout& card1 = keyword::card_layout("SECTION_SHELL", "card1");
+  const CardLayout& card2 = keyword::card_layout("SECTION_SHELL", "card2");
+  const CardLayout& user = keyword::card_layout("SECTION_SHELL", "card4");
+  const bool one_only = options.any({"EFG", "THERMAL", "XFEM"});
+  for_each_section(context, block, options, card1, [&](CardReader& reader) {
+    const Card card = reader.next(card1);
+    Section section = begin_section(block, card, SectionKind::shell);
+    const Card values = reader.next(card2);
+    if (!values.present())
+      context.error(section.place, fmt::format("section {} has no card with thicknesses", section.id));
+    for (std::size_t i = 0; i < 4; ++i) section.thickness[i] = context.length(block, values.real(i));
+    for (std::size_t i = 1; i < 4; ++i)
+      if (section.thickness[i] == 0) section.thickness[i] = section.thickness[0];
+    section.nloc = values.real("nloc");
+    if (options.has("MISC")) reader.skip();
+    if (card.integer("icomp") == 1) {
+      const std::int64_t points = card.integer("nip");
+      skip_lines(reader, lines_of_eight(points == 0 ? 2 : points));
+    }
+    if (user_defined(section.elform)) {
+      const Card sizes = reader.next(user);
+      skip_lines(reader, sizes.integer("nipp"));
+      skip_lines(reader, lines_of_eight(sizes.integer("lmc")));
+    }
+    if (one_only) skip_lines(reader, std::numeric_limits<std::int64_t>::max());
+    add_section(context, section);
+  });
+}
+
+void read_section_solid(Context& context, const Block& block, const Options& options) {
+  const CardLayout& card1 = keyword::card_layout("SECTION_SOLID", "card1");
+  const CardLayout& user = keyword::card_layout("SECTION_SOLID", "card2");
+  const bool one_only = options.any({"EFG", "MISC", "PERI", "SPG"});
+  for_each_section(context, block, options, card1, [&](CardReader& reader) {
+    const Section section = begin_section(block, reader.next(card1), SectionKind::solid);
+    if (user_defined(section.elform)) {
+      const Card sizes = reader.next(user);
+      skip_lines(reader, sizes.integer("nip"));
+      skip_lines(reader, lines_of_eight(sizes.integer("lmc")));
+    }
+    if (one_only) skip_lines(reader, std::numeric_limits<std::int64_t>::max());
+    add_section(context, section);
+  });
+}
+
+void read_section_thick_shell(Context& context, const Block& block, const Options& options) {
+  const CardLayout& card1 = keyword::card_layout("SECTION_TSHELL", "card1");
+  for_each_section(context, block, options, card1, [&](CardReader& reader) {
+    const Card card = reader.next(card1);
+    if (card.integer("icomp") == 1) skip_lines(reader, lines_of_eight(card.integer("nip")));
+    add_section(context, begin_section(block, card, SectionKind::thick_shell));
+  });
+}
+
+void read_section_beam(Context& context, const Block& block, const Options& options) {
+  const CardLayout& card1 = keyword::card_layout("SECTION_BEAM", "card1");
+  for_each_section(context, block, options, card1, [&](CardReader& reader) {
+    const Card card = reader.next(card1);
+    Section section = begin_section(block, card, SectionKind::beam);
+    if (section.elform == 0) section.elform = 1;
+    const Profile profile = read_profile(context, reader, section.elform, card.integer("cst"));
+    section.beam_radius = context.length(block, profile.radius);
+    section.beam_area = context.length(block, context.length(block, profile.area));
+    add_section(context, section);
+  });
+}
+
+void read_section_discrete(Context& context, const Block& block, const Options& options) {
+  const CardLayout& card1 = keyword::card_layout("SECTION_DISCRETE", "card1");
+  for_each_section(context, block, options, card1, [&](CardReader& reader) {
+    const Section section = begin_section(block, reader.next(card1), SectionKind::discrete);
+    reader.skip();
+    add_section(context, section);
+  });
+}
+
+void read_section_particle(Context& context, const Block& block, const Options& options) {
+  static const CardLayout card1 = [] {
+    CardLayout layout = id_and_reals(IdKind::other, 7);
+    layout.fields[0].name = "secid";
+    return layout;
+  }();
+  for_each_section(context, block, options, card1, [&](CardReader& reader) {
+    const Section section = begin_section(block, reader.next(card1), SectionKind::particle);
+    if (options.any({"ELLIPSE", "USER"})) reader.skip();
+    add_section(context, section);
+  });
+}
+
+void read_section_other(Context& context, const Block& block, const Options& options) {
+  static const CardLayout card1 = [] {
+    CardLayout layout = id_and_reals(IdKind::other, 0);
+    layout.fields[0].name = "secid";
+    return layout;
+  }();
+  // Only the id is of use: parts refer to it. Just the seatbelts' section is known to be one line that repeats.
+  const bool repeats = options.has("SEATBELT");
+  for_each_section(context, block, options, card1, [&](CardReader& reader) {
+    add_section(context, begin_section(block, reader.next(card1), SectionKind::other));
+    if (!repeats) skip_lines(reader, std::numeric_limits<std::int64_t>::max());
+  });
+}
+
+}  // namespace gapcheck::model

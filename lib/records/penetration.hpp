@@ -1,0 +1,60 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "base/ids.hpp"
+#include "base/vector.hpp"
+
+namespace gapcheck {
+
+/// The part of a segment that is closest to a node.
+enum class Feature : std::uint8_t { face, edge, corner };
+
+/// What the solver does with a node that it finds penetrating (contact rules, section 7).
+enum class Outcome : std::uint8_t { moved, kept, forced, released, reported };
+
+/// Which of the three node findings a record is: GC101, GC102, GC106.
+enum class PenetrationKind : std::uint8_t { initial, released, edge_zone };
+
+/// The rule that gave a contact thickness (contact rules, section 4).
+enum class ThicknessRule : std::uint8_t {
+  none,           ///< no thickness: solid facet, SPH node, old type with SHLTHK = 0
+  element,        ///< section or *ELEMENT_SHELL_THICKNESS, scaled
+  edge_limit,     ///< SSTHK = 0: 0.4 of the shortest edge
+  contact_card,   ///< SST, MST (SAST, SBST)
+  global,         ///< TH of *CONTROL_CONTACT
+  part_contact,   ///< OPTT of *PART_CONTACT
+  solid_coating,  ///< SLDTHK
+  beam_section,   ///< radius of a beam's section
+};
+
+[[nodiscard]] std::string_view name(Feature feature);
+[[nodiscard]] std::string_view name(Outcome outcome);
+[[nodiscard]] std::string_view name(ThicknessRule rule);
+
+/// One tracked node that is nearer to its closest segment than the contact distance, in one contact.
+/// Lengths in deck units. The same record whether predicted, computed or read from the solver's files.
+struct Penetration {
+  std::uint32_t contact = 0;           ///< position in Report::contacts
+  std::uint32_t segment_number = 0;    ///< position in the contact's reference surface, from 1
+  std::int64_t node = 0;               ///< id of the tracked node
+  std::int64_t part = 0;               ///< id of the node's part; 0: unknown
+  std::array<std::int64_t, 4> segment{};  ///< node ids; a triangle repeats its last node
+  std::int64_t element = 0;            ///< id of the element that the segment belongs to; 0: unknown
+  std::int64_t element_part = 0;       ///< id of that element's part; 0: unknown
+  double depth = 0;                    ///< penetration, positive
+  double contact_distance = 0;         ///< h; the remaining distance is h - depth
+  double s = 0, t = 0;                 ///< coordinates on the segment, -1 to 1
+  Vector original = Vector::Zero();    ///< the node before the contact was initialised
+  Vector point = Vector::Zero();       ///< closest point of the segment
+  Vector moved_to = Vector::Zero();    ///< where the solver puts the node; as `original` where it does not move it
+  std::uint32_t file = 0, line = 0;    ///< of the node; file is a position in Report::files, line 0 = unknown
+  PenetrationKind kind = PenetrationKind::initial;
+  Outcome outcome = Outcome::reported;
+  Feature feature = Feature::face;
+  ThicknessRule node_rule = ThicknessRule::none, segment_rule = ThicknessRule::none;
+  [[nodiscard]] double remaining() const { return contact_distance - depth; }
+};
+
+}  // namespace gapcheck

@@ -1,0 +1,61 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "records/penetration.hpp"
+
+namespace gapcheck {
+
+/// One finding that is not a penetration record (references, definitions, input).
+struct Finding {
+  std::string id;    ///< "GC501"
+  std::string rule;  ///< "duplicate-id"
+  Severity severity = Severity::warning;
+  std::string message;
+  std::int64_t contact = 0;  ///< contact id; 0: none
+  std::string file;          ///< empty: none
+  std::uint32_t line = 0;
+};
+
+/// One contact definition and what was found in it.
+struct ContactSummary {
+  std::int64_t id = 0;
+  std::uint32_t order = 0;  ///< place in the deck, from 1
+  std::string title;        ///< empty: none
+  std::string keyword;      ///< "CONTACT_AUTOMATIC_SINGLE_SURFACE"
+  std::string type;         ///< solver's code: "13", "a3"
+  std::uint64_t tracked_nodes = 0, segments = 0;
+  std::uint64_t penetrations = 0, released = 0, edge_zone = 0;
+  double max_penetration = 0;
+  std::uint64_t ties = 0, untied = 0;
+  std::string not_checked;  ///< why GC101 was not decided; empty: it was
+  std::string file;
+  std::uint32_t line = 0;
+};
+
+struct ModelCounts {
+  std::uint64_t nodes = 0, shells = 0, solids = 0, beams = 0, thick_shells = 0, discrete = 0, masses = 0, particles = 0,
+                parts = 0, contacts = 0;
+};
+
+struct Timing {
+  double read_s = 0, model_s = 0, surface_s = 0, search_s = 0, report_s = 0, total_s = 0;
+};
+
+/// Everything that one source (deck, messag, run) has to say; all views and writers work on it.
+struct Report {
+  std::string source;  ///< "deck"
+  std::string input;   ///< as given by the user
+  std::vector<std::string> files;  ///< what Penetration::file points into
+  ModelCounts model;
+  std::vector<ContactSummary> contacts;    ///< in deck order
+  std::vector<Penetration> penetrations;   ///< by contact, deepest first, then node id
+  std::vector<Finding> findings;           ///< by id, file, line
+  std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
+  Timing timing;
+};
+
+}  // namespace gapcheck

@@ -1,0 +1,104 @@
+#include "report/describe.hpp"
+
+#include <fmt/compile.h>
+
+namespace gapcheck::report {
+namespace {
+
+using Out = fmt::memory_buffer;
+
+void append(std::string_view text, Out& out) { out.append(text); }
+
+/// "element 500 (part 2)", or the nodes of the segment where the element is not known.
+void append_segment(const Penetration& record, Out& out) {
+  auto end = fmt::appender(out);
+  if (record.element != 0)
+    fmt::format_to(end, FMT_COMPILE("element {}"), record.element);
+  else
+    fmt::format_to(end, FMT_COMPILE("segment {}-{}-{}-{}"), record.segment[0], record.segment[1], record.segment[2],
+                   record.segment[3]);
+  if (record.element_part != 0) fmt::format_to(end, FMT_COMPILE(" (part {})"), record.element_part);
+}
+
+}  // namespace
+
+RecordRule rule_of(PenetrationKind kind) {
+  switch (kind) {
+    case PenetrationKind::initial:
+      return {"GC101", "initial-penetration", Severity::warning};
+    case PenetrationKind::released:
+      return {"GC102", "released-node", Severity::error};
+    case PenetrationKind::edge_zone:
+      return {"GC106", "edge-zone-penetration", Severity::note};
+  }
+  return {"GC101", "initial-penetration", Severity::warning};
+}
+
+std::string_view name(Severity severity) {
+  switch (severity) {
+    case Severity::note:
+      return "note";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      return "error";
+  }
+  return "error";
+}
+
+std::string_view thickness_source(ThicknessRule rule) {
+  switch (rule) {
+    case ThicknessRule::none:
+      return "no thickness";
+    case ThicknessRule::element:
+      return "element thickness";
+    case ThicknessRule::edge_limit:
+      return "0.4 edge limit";
+    case ThicknessRule::contact_card:
+      return "SST/MST";
+    case ThicknessRule::global:
+      return "TH of *CONTROL_CONTACT";
+    case ThicknessRule::part_contact:
+      return "OPTT of *PART_CONTACT";
+    case ThicknessRule::solid_coating:
+      return "SLDTHK";
+    case ThicknessRule::beam_section:
+      return "beam section";
+  }
+  return "no thickness";
+}
+
+void append_cause(const Penetration& record, Out& out) {
+  const ThicknessRule node = record.node_rule, segment = record.segment_rule;
+  if (node == ThicknessRule::none && segment == ThicknessRule::none) return;
+  if (node == segment) return append(thickness_source(node), out);
+  append("node: ", out);
+  append(thickness_source(node), out);
+  append(", segment: ", out);
+  append(thickness_source(segment), out);
+}
+
+void append_message(const Penetration& record, Out& out) {
+  auto end = fmt::appender(out);
+  fmt::format_to(end, FMT_COMPILE("node {}"), record.node);
+  if (record.part != 0) fmt::format_to(end, FMT_COMPILE(" (part {})"), record.part);
+  fmt::format_to(end, FMT_COMPILE(" is {:.6g} inside the contact distance {:.6g} of "), record.depth,
+                 record.contact_distance);
+  if (record.kind == PenetrationKind::edge_zone)
+    append(record.feature == Feature::corner ? "a corner of " : "an edge of ", out);
+  append_segment(record, out);
+  if (record.kind == PenetrationKind::released) append(", too deep: the contact lets go of it", out);
+  if (record.kind == PenetrationKind::edge_zone) append(", but beside every segment's search band", out);
+  if (record.node_rule == ThicknessRule::none && record.segment_rule == ThicknessRule::none) return;
+  append(record.kind == PenetrationKind::initial ? ": thickness from " : "; thickness from ", out);
+  append_cause(record, out);
+}
+
+std::string printable(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return result;
+}
+
+}  // namespace gapcheck::report

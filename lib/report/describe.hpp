@@ -1,0 +1,33 @@
+#pragma once
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "records/report.hpp"
+
+namespace gapcheck::report {
+
+/// The rule that a penetration record is a finding of.
+struct RecordRule {
+  std::string_view id, name;
+  Severity severity;
+};
+[[nodiscard]] RecordRule rule_of(PenetrationKind kind);
+
+[[nodiscard]] std::string_view name(Severity severity);
+
+/// The deck's input that gave a thickness, in the manual's words: "SST/MST".
+[[nodiscard]] std::string_view thickness_source(ThicknessRule rule);
+
+/// Where the contact distance of a record comes from: "SST/MST", or "node: …, segment: …" where the sides differ.
+/// Appends nothing where neither side is known. Plain ASCII without quotes and backslashes.
+void append_cause(const Penetration& record, fmt::memory_buffer& out);
+
+/// One sentence on a record that a person understands. Plain ASCII without quotes and backslashes.
+void append_message(const Penetration& record, fmt::memory_buffer& out);
+
+/// Text of a deck made safe for a terminal: control characters become '?'.
+[[nodiscard]] std::string printable(std::string_view text);
+
+}  // namespace gapcheck::report

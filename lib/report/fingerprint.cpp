@@ -1,0 +1,69 @@
+#include "report/fingerprint.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/describe.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+/// FNV-1a, 64 bits, fed byte by byte in a fixed order.
+class Hash {
+ public:
+  void byte(unsigned char value) { state_ = (state_ ^ value) * 0x100000001b3ULL; }
+  void text(std::string_view text) {
+    for (const char c : text) byte(static_cast<unsigned char>(c));
+    byte(0);
+  }
+  void integer(std::int64_t value) {
+    auto bits = static_cast<std::uint64_t>(value);
+    for (int i = 0; i < 8; ++i, bits >>= 8) byte(static_cast<unsigned char>(bits & 0xff));
+  }
+  [[nodiscard]] std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325ULL;
+};
+
+/// Decimal exponent of a positive finite number: 10^e <= x < 10^(e+1), but for rounding in the last place.
+int decimal_exponent(double x) { return static_cast<int>(std::floor(std::log10(x))); }
+
+void add_position(const Vector& x, Hash& hash) {
+  const double largest = x.cwiseAbs().maxCoeff();
+  if (!(largest > 0) || !std::isfinite(largest)) return hash.integer(0);
+  const int exponent = std::clamp(decimal_exponent(largest), -290, 300);
+  const double grid = std::pow(10.0, 5 - exponent);
+  hash.integer(exponent);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double steps = std::isfinite(x[axis]) ? std::round(x[axis] * grid) : 0.0;
+    hash.integer(static_cast<std::int64_t>(std::clamp(steps, -1e15, 1e15)));
+  }
+}
+
+}  // namespace
+
+std::uint64_t fingerprint(const Penetration& record, std::int64_t contact_id) {
+  Hash hash;
+  hash.integer(contact_id);
+  hash.text(rule_of(record.kind).id);
+  add_position(record.original, hash);
+  return hash.value();
+}
+
+std::uint64_t fingerprint(const Finding& finding) {
+  constexpr std::string_view mark = "line ";
+  Hash hash;
+  hash.integer(finding.contact);
+  hash.text(finding.id);
+  std::string_view rest = finding.message;
+  for (auto at = rest.find(mark); at != rest.npos; at = rest.find(mark)) {
+    hash.text(rest.substr(0, at));
+    rest.remove_prefix(at + mark.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of("0123456789"), rest.size()));
+  }
+  hash.text(rest);
+  return hash.value();
+}
+
+}  // namespace gapcheck::report

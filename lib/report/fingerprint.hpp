@@ -1,0 +1,18 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+#include "records/report.hpp"
+
+namespace gapcheck::report {
+
+/// A number that names a finding from one version of a deck to the next: FNV-1a (64 bits) of the contact id, the rule
+/// and the node's position. Ids and line numbers do not enter, so renumbering and edits elsewhere keep it. The position
+/// is rounded on a decimal grid, common to the three coordinates, that leaves the largest of them six significant
+/// digits. Limit: coincident nodes in one contact share it. The same on every machine.
+[[nodiscard]] std::uint64_t fingerprint(const Penetration& record, std::int64_t contact_id);
+
+/// The same for findings without a position: the message takes its place, numbers after "line " left out.
+[[nodiscard]] std::uint64_t fingerprint(const Finding& finding);
+
+}  // namespace gapcheck::report

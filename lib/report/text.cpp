@@ -1,0 +1,299 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "report/describe.hpp"
+#include "report/sums.hpp"
+#include "report/table.hpp"
+#include "report/writers.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+constexpr std::size_t findings_in_full = 10;
+constexpr std::size_t pairs_in_full = 20;
+
+/// ANSI colours, or nothing.
+struct Paint {
+  bool on;
+  [[nodiscard]] std::string operator()(std::string_view code, std::string_view text) const {
+    return on ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
+  }
+  [[nodiscard]] std::string bold(std::string_view text) const { return (*this)("1", text); }
+  [[nodiscard]] std::string severity(Severity severity, std::string_view text) const {
+    return (*this)(severity == Severity::error ? "31" : severity == Severity::warning ? "33" : "36", text);
+  }
+};
+
+std::string count(std::uint64_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+std::string id_or_dash(std::int64_t id) { return id == 0 ? "-" : fmt::format("{}", id); }
+
+/// "12 nodes, 3 shells": kinds that the model has none of are left out, but for nodes and contacts.
+std::string model_line(const ModelCounts& model) {
+  std::string line = count(model.nodes, "node");
+  const auto add = [&](std::uint64_t number, std::string_view noun) {
+    if (number > 0) line += ", " + count(number, noun);
+  };
+  add(model.shells, "shell");
+  add(model.solids, "solid");
+  add(model.thick_shells, "thick shell");
+  add(model.beams, "beam");
+  add(model.discrete, "discrete element");
+  add(model.masses, "mass element");
+  add(model.particles, "particle");
+  add(model.parts, "part");
+  return line + ", " + count(model.contacts, "contact");
+}
+
+constexpr std::array node_columns{
+    Column{"node"},
+    Column{"part"},
+    Column{"element"},
+    Column{"part"},
+    Column{"penetration"},
+    Column{"remaining"},
+    Column{"distance"},
+    Column{"ratio"},
+    Column{"s"},
+    Column{"t"},
+    Column{"feature", Align::left},
+    Column{"outcome", Align::left},
+    Column{"moved to", Align::left},
+};
+
+constexpr std::array pair_columns{
+    Column{"part of node"}, Column{"part of segment"}, Column{"nodes"},
+    Column{"deepest"},      Column{"distance"},        Column{"thickness from", Align::left},
+};
+
+void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
+  const auto real = [](double value) { return fmt::format("{:.6g}", value); };
+  const auto& n = record.segment;
+  row[0] = fmt::format("{}", record.node);
+  row[1] = id_or_dash(record.part);
+  row[2] = record.element != 0 ? fmt::format("{}", record.element) : fmt::format("{}-{}-{}-{}", n[0], n[1], n[2], n[3]);
+  row[3] = id_or_dash(record.element_part);
+  row[4] = real(record.depth);
+  row[5] = real(record.remaining());
+  row[6] = real(record.contact_distance);
+  row[7] = record.contact_distance > 0 ? fmt::format("{:.3f}", record.depth / record.contact_distance) : "-";
+  row[8] = fmt::format("{:.3f}", record.s);
+  row[9] = fmt::format("{:.3f}", record.t);
+  row[10] = name(record.feature);
+  row[11] = record.kind == PenetrationKind::edge_zone ? "not listed" : std::string(name(record.outcome));
+  const Vector& x = record.moved_to;
+  row[12] = record.outcome == Outcome::moved || x != record.original
+                ? fmt::format("{:.6g} {:.6g} {:.6g}", x[0], x[1], x[2])
+                : "";
+}
+
+/// The first `limit` records that are (or are not) of the edge zone, deepest first as they stand.
+std::vector<const Penetration*> deepest(std::span<const Penetration> records, bool edge_zone, std::size_t limit) {
+  std::vector<const Penetration*> picked;
+  for (const Penetration& record : records) {
+    if (picked.size() >= limit) break;
+    if ((record.kind == PenetrationKind::edge_zone) == edge_zone) picked.push_back(&record);
+  }
+  return picked;
+}
+
+void append_nodes(std::span<const Penetration> records, bool edge_zone, std::size_t total, std::string_view what,
+                  const TextOptions& options, std::string& out) {
+  const std::size_t limit = options.list ? total : std::min(total, options.top);
+  if (limit == 0) return;
+  const auto picked = deepest(records, edge_zone, limit);
+  out += picked.size() < total ? fmt::format("\n  {}, deepest {} of {}\n", what, picked.size(), total)
+                               : fmt::format("\n  {}\n", what);
+  append_table(
+      node_columns, picked.size(), [&](std::size_t i, auto& row) { fill_node(*picked[i], row); }, "    ", out);
+}
+
+void fill_pair(const PartPair& pair, Row<pair_columns.size()>& row) {
+  fmt::memory_buffer cause;
+  append_cause(*pair.deepest, cause);
+  row = {id_or_dash(pair.part),
+         id_or_dash(pair.element_part),
+         fmt::format("{}", pair.nodes),
+         fmt::format("{:.6g}", pair.deepest->depth),
+         fmt::format("{:.6g}", pair.deepest->contact_distance),
+         fmt::to_string(cause)};
+}
+
+void append_pairs(const std::vector<PartPair>& pairs, const TextOptions& options, std::string& out) {
+  const std::size_t shown = options.list ? pairs.size() : std::min(pairs.size(), pairs_in_full);
+  out += "\n  by part\n";
+  append_table(
+      pair_columns, shown, [&](std::size_t i, auto& row) { fill_pair(pairs[i], row); }, "    ", out);
+  if (shown < pairs.size()) out += fmt::format("    … and {} more\n", pairs.size() - shown);
+}
+
+std::string contact_title(const ContactSummary& contact, const Paint& paint) {
+  std::string line = paint.bold(fmt::format("contact {}", contact.id));
+  if (!contact.title.empty()) line += fmt::format(" \"{}\"", printable(contact.title));
+  if (!contact.type.empty()) line += fmt::format("  type {}", printable(contact.type));
+  line += "  " + printable(contact.keyword);
+  if (!contact.file.empty()) line += "  " + printable(contact.file);
+  if (!contact.file.empty() && contact.line != 0) line += fmt::format(":{}", contact.line);
+  return line + '\n';
+}
+
+std::string result_line(const Sums& sum, const Paint& paint) {
+  if (sum.penetrations() == 0 && sum.edge_zone == 0) return "no penetrations";
+  std::string line = sum.penetrations() == 0 ? "no penetrations" : "";
+  if (sum.initial > 0) line = paint.severity(Severity::warning, count(sum.initial, "penetration"));
+  if (sum.released > 0)
+    line += (line.empty() ? "" : ", ") + paint.severity(Severity::error, count(sum.released, "released node"));
+  if (sum.deepest != nullptr) line += fmt::format(", deepest {:.6g} at node {}", sum.deepest->depth, sum.deepest->node);
+  if (sum.edge_zone > 0)
+    line += ", " + paint.severity(Severity::note, count(sum.edge_zone, "node") + " in the edge zone");
+  return line;
+}
+
+/// Returns what the records of the contact amount to.
+Sums append_contact(const Report& report, std::uint32_t position, const TextOptions& options, const Paint& paint,
+                    std::string& out) {
+  const ContactSummary& contact = report.contacts[position];
+  const auto records = records_of(report, position);
+  Sums sum = sums(records);
+  out += '\n' + contact_title(contact, paint);
+  out += fmt::format("  {}, {}", count(contact.tracked_nodes, "tracked node"), count(contact.segments, "segment"));
+  if (contact.not_checked.empty() || !records.empty())
+    out += ": " + result_line(sum, paint) + '\n';
+  else
+    out += '\n';
+  if (contact.ties + contact.untied > 0)
+    out += fmt::format("  {}, {} untied\n", count(contact.ties, "tie"), contact.untied);
+  if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';
+  append_nodes(records, false, sum.penetrations(), "penetrating nodes", options, out);
+  if (!sum.pairs.empty()) append_pairs(sum.pairs, options, out);
+  append_nodes(records, true, sum.edge_zone, "nodes in the edge zone", options, out);
+  return sum;
+}
+
+std::string place(const Finding& finding) {
+  if (finding.file.empty()) return "";
+  if (finding.line == 0) return printable(finding.file) + ": ";
+  return fmt::format("{}:{}: ", printable(finding.file), finding.line);
+}
+
+/// The findings of one rule, which stand together.
+void append_rule(std::span<const Finding> findings, const TextOptions& options, const Paint& paint, std::string& out) {
+  const Finding& first = findings.front();
+  const std::size_t shown = options.list ? findings.size() : std::min(findings.size(), findings_in_full);
+  out += fmt::format("\n{} {}\n", paint.bold(printable(first.id) + ' ' + printable(first.rule)),
+                     paint.severity(first.severity, count(findings.size(), name(first.severity))));
+  for (const Finding& finding : findings.first(shown)) {
+    out += "  " + place(finding);
+    if (finding.contact != 0) out += fmt::format("contact {}: ", finding.contact);
+    out += printable(finding.message) + '\n';
+  }
+  if (shown < findings.size()) out += fmt::format("  … and {} more\n", findings.size() - shown);
+}
+
+void append_findings(std::span<const Finding> findings, const TextOptions& options, const Paint& paint,
+                     std::string& out) {
+  while (!findings.empty()) {
+    const auto end = std::find_if(findings.begin(), findings.end(),
+                                  [&](const Finding& finding) { return finding.id != findings.front().id; });
+    const auto length = static_cast<std::size_t>(end - findings.begin());
+    append_rule(findings.first(length), options, paint, out);
+    findings = findings.subspan(length);
+  }
+}
+
+/// The line that --quiet leaves.
+std::string verdict(const Report& report, const Paint& paint) {
+  const Totals sum = totals(report);
+  std::string line = printable(report.input) + ": ";
+  if (sum.errors + sum.warnings + sum.notes == 0) {
+    line += paint("32", "nothing found");
+  } else {
+    line += paint.severity(sum.errors > 0     ? Severity::error
+                           : sum.warnings > 0 ? Severity::warning
+                                              : Severity::note,
+                           fmt::format("{}, {}, {}", count(sum.errors, "error"), count(sum.warnings, "warning"),
+                                       count(sum.notes, "note")));
+  }
+  line += " in " + count(report.contacts.size(), "contact");
+  const auto open =
+      static_cast<std::size_t>(std::count_if(report.contacts.begin(), report.contacts.end(),
+                                             [](const auto& contact) { return !contact.not_checked.empty(); }));
+  if (open > 0) line += fmt::format(", {} not checked", open);
+  return line + '\n';
+}
+
+void append_total(const Sums& total, std::string& out) {
+  out += fmt::format("\ntotal  {}, {}, {} in the edge zone", count(total.initial, "penetration"),
+                     count(total.released, "released node"), count(total.edge_zone, "node"));
+  if (total.deepest != nullptr) out += fmt::format("; deepest {:.6g}", total.deepest->depth);
+  out += '\n';
+}
+
+}  // namespace
+
+Totals totals(const Report& report) {
+  Totals sum;
+  const auto add = [&sum](Severity severity) {
+    switch (severity) {
+      case Severity::error:
+        ++sum.errors;
+        break;
+      case Severity::warning:
+        ++sum.warnings;
+        break;
+      case Severity::note:
+        ++sum.notes;
+        break;
+    }
+  };
+  for (const Penetration& record : report.penetrations) add(rule_of(record.kind).severity);
+  for (const Finding& finding : report.findings) add(finding.severity);
+  return sum;
+}
+
+std::string statistics(const Report& report) {
+  std::vector<std::pair<std::string, std::string>> lines = report.statistics;
+  const auto time = [&](std::string_view what, double seconds) {
+    lines.emplace_back(what, fmt::format("{:.3f} s", seconds));
+  };
+  time("time: reading", report.timing.read_s);
+  time("time: model", report.timing.model_s);
+  time("time: surfaces", report.timing.surface_s);
+  time("time: search", report.timing.search_s);
+  time("time: report", report.timing.report_s);
+  time("time: total", report.timing.total_s);
+  std::size_t width = 0;
+  for (const auto& line : lines) width = std::max(width, line.first.size());
+  std::string out;
+  for (const auto& [what, value] : lines)
+    out += fmt::format("  {:<{}}  {}\n", printable(what), width, printable(value));
+  return out;
+}
+
+std::string text(const Report& report, const TextOptions& options) {
+  const Paint paint{options.color};
+  if (options.quiet) return verdict(report, paint);
+  std::string out = paint.bold(printable(report.input)) + '\n';
+  out += "  " + model_line(report.model) + '\n';
+  Sums total;
+  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) {
+    const Sums sum = append_contact(report, i, options, paint, out);
+    total.initial += sum.initial;
+    total.released += sum.released;
+    total.edge_zone += sum.edge_zone;
+    if (sum.deepest != nullptr && (total.deepest == nullptr || sum.deepest->depth > total.deepest->depth))
+      total.deepest = sum.deepest;
+  }
+  append_findings(report.findings, options, paint, out);
+  if (report.contacts.size() > 1) append_total(total, out);
+  if (options.stats) out += "\nstatistics\n" + statistics(report);
+  out += '\n' + verdict(report, paint);
+  return out;
+}
+
+}  // namespace gapcheck::report

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "records/report.hpp"
+
+namespace gapcheck::report {
+
+struct TextOptions {
+  std::size_t top = 5;  ///< deepest nodes per contact
+  bool list = false;    ///< every node instead
+  bool stats = false;   ///< counters at the end
+  bool color = false;   ///< ANSI colours
+  bool quiet = false;   ///< only the last line
+};
+
+/// The report for a person: one block per contact, deepest nodes, part-pair sums, totals. Deterministic.
+[[nodiscard]] std::string text(const Report& report, const TextOptions& options);
+
+/// The counters and times alone, as `text` prints them with `stats`.
+[[nodiscard]] std::string statistics(const Report& report);
+
+/// Schema gapcheck/1. Appends to no stream, throws nothing. Deterministic but for "timing".
+[[nodiscard]] std::string json(const Report& report);
+
+/// Takes the output piece by piece; false ends the writing.
+using Sink = std::function<bool(std::string_view piece)>;
+
+/// The same in pieces of about a megabyte, for reports of which the whole text should not stand in memory.
+void json(const Report& report, const Sink& sink);
+
+/// Number of findings by severity, penetration records included.
+struct Totals {
+  std::size_t errors = 0, warnings = 0, notes = 0;
+};
+[[nodiscard]] Totals totals(const Report& report);
+
+}  // namespace gapcheck::report

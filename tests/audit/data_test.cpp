@@ -1,0 +1,117 @@
+// Every deck of data/ gives exactly the findings beside it, which were computed in closed form.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "audit/run.hpp"
+
+namespace gapcheck::audit_test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Key = std::pair<std::int64_t, std::int64_t>;  ///< contact, node
+
+const fs::path data_folder = fs::path(GAPCHECK_ROOT) / "data";
+constexpr const char* suffix = ".expected.json";
+
+std::vector<std::string> deck_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(data_folder)) {
+    const std::string file = entry.path().filename().string();
+    if (file.ends_with(suffix)) names.push_back(file.substr(0, file.size() - std::string(suffix).size()));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string rule_of(const Penetration& p) {
+  switch (p.kind) {
+    case PenetrationKind::initial: return "initial-penetration";
+    case PenetrationKind::released: return "released-node";
+    case PenetrationKind::edge_zone: return "edge-zone-penetration";
+  }
+  return "?";
+}
+
+void expect_same_point(const Vector& got, const json& expected, double scale) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(got[i], expected[static_cast<std::size_t>(i)].get<double>(), 1e-9 * scale);
+}
+
+void expect_same(const Penetration& p, const json& expected) {
+  EXPECT_EQ(rule_of(p), expected["rule"]);
+  EXPECT_EQ(std::string(name(p.outcome)), expected["outcome"]);
+  EXPECT_EQ(std::string(name(p.feature)), expected["feature"]);
+  const double depth = expected["penetration"], h = expected["contact_distance"];
+  EXPECT_NEAR(p.depth, depth, 1e-9 * depth);
+  EXPECT_NEAR(p.contact_distance, h, 1e-9 * h);
+  // A depth inside a solid is known to the digits of its coordinates only.
+  const double scale = std::max(1.0, p.original.cwiseAbs().maxCoeff());
+  if (expected.contains("moved_to"))
+    expect_same_point(p.moved_to, expected["moved_to"], scale);
+  else
+    EXPECT_EQ(p.moved_to, p.original);
+}
+
+class Data : public testing::TestWithParam<std::string> {};
+
+TEST_P(Data, GivesTheExpectedFindings) {
+  const fs::path deck = data_folder / (GetParam() + ".k");
+  std::ifstream file(data_folder / (GetParam() + suffix));
+  const json expected = json::parse(file);
+  const AuditRun run = run_file(deck.string());
+  ASSERT_TRUE(clean(run));
+  EXPECT_TRUE(run.diagnostics.empty()) << describe(run.diagnostics);
+  for (const auto& finding : run.report.findings) ADD_FAILURE() << finding.id << " " << finding.message;
+
+  std::map<Key, const Penetration*> found;
+  for (const auto& p : run.report.penetrations) {
+    const bool first = found.emplace(Key{run.report.contacts.at(p.contact).id, p.node}, &p).second;
+    EXPECT_TRUE(first) << "node " << p.node << " twice in one contact";
+  }
+  for (const json& entry : expected["findings"]) {
+    SCOPED_TRACE("contact " + entry["contact"].dump() + " node " + entry["node"].dump());
+    const auto match = found.find({entry["contact"], entry["node"]});
+    if (match == found.end()) {
+      ADD_FAILURE() << "not found; expected " << entry.dump();
+      continue;
+    }
+    expect_same(*match->second, entry);
+    found.erase(match);
+  }
+  for (const auto& [key, p] : found)
+    ADD_FAILURE() << "unexpected: contact " << key.first << " node " << key.second << " " << rule_of(*p) << " depth "
+                  << p->depth << " of " << p->contact_distance;
+}
+
+TEST_P(Data, SaysWhatWasNotChecked) {
+  std::ifstream file(data_folder / (GetParam() + suffix));
+  const std::vector<std::int64_t> not_checked = json::parse(file)["not_checked"];
+  const AuditRun run = run_file((data_folder / (GetParam() + ".k")).string());
+  ASSERT_TRUE(clean(run));
+  for (const auto& contact : run.report.contacts) {
+    if (contact.keyword.starts_with("CONTACT_TIED")) continue;
+    const bool expected = std::find(not_checked.begin(), not_checked.end(), contact.id) != not_checked.end();
+    EXPECT_EQ(!contact.not_checked.empty(), expected) << "contact " << contact.id << ": " << contact.not_checked;
+  }
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& instance) { return instance.param; }
+
+INSTANTIATE_TEST_SUITE_P(AllDecks, Data, testing::ValuesIn(deck_names()), test_name);
+
+TEST(DataFolder, HasADeckForEveryExpectation) {
+  const auto names = deck_names();
+  EXPECT_GE(names.size(), 37u);
+  for (const auto& name : names) EXPECT_TRUE(fs::exists(data_folder / (name + ".k"))) << name;
+}
+
+}  // namespace
+}  // namespace gapcheck::audit_test

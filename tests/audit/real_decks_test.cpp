@@ -1,0 +1,144 @@
+// Decks by other authors, where they are at hand: everything in them is read, and all ways to search agree.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "audit/naive_count.hpp"
+#include "audit/run.hpp"
+#include "base/parallel.hpp"
+
+namespace gapcheck::audit_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path folder = fs::path(GAPCHECK_ROOT) / ".." / "shared" / "decks";
+constexpr std::uint64_t small = 20000;  ///< nodes that the slow search can deal with
+
+#define NEED_REAL_DECKS() \
+  if (!fs::exists(folder)) GTEST_SKIP() << "no decks in " << folder << "; put them there to run this test"
+
+const std::vector<std::string> whole_decks = {
+    "ball_plate/ball_plate.k",
+    "bird_on_panel/bird.k",
+    "bird_strike_composite/input.k",
+    "birdball_eroding/birdball.k",
+    "car5/car5.k",
+    "car6/car6_crash.k",
+    "car6_refined/lsopt_car6/main_v22.k",
+    "car6_refined/lsopt_car6/main_v222.k",
+    "roll_forming/model.k",
+    "small_decks/tests/testfiles/run/case-keywords/projectile.k",
+    "tied_plate_with_run/main.k",
+    "two_body_impact/main.k",
+};
+
+class RealDeck : public testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] static std::string path() { return (folder / GetParam()).lexically_normal().string(); }
+};
+
+TEST_P(RealDeck, IsReadWhole) {
+  NEED_REAL_DECKS();
+  const AuditRun run = run_file(path());
+  ASSERT_TRUE(clean(run));
+  const NaiveCount count = naive_count(path());
+  EXPECT_EQ(run.report.model.nodes, count.nodes);
+  EXPECT_EQ(run.report.model.shells, count.shells);
+  EXPECT_EQ(run.report.model.solids, count.solids);
+  EXPECT_EQ(run.report.model.beams, count.beams);
+  EXPECT_EQ(run.report.model.particles, count.particles);
+  EXPECT_EQ(run.report.model.parts, count.parts);
+}
+
+TEST_P(RealDeck, ReportsEveryContact) {
+  NEED_REAL_DECKS();
+  const AuditRun run = run_file(path());
+  ASSERT_TRUE(clean(run));
+  const NaiveCount count = naive_count(path());
+  ASSERT_EQ(run.report.contacts.size(), count.contacts.size());
+  for (std::size_t i = 0; i < count.contacts.size(); ++i) {
+    const auto& contact = run.report.contacts[i];
+    EXPECT_TRUE(count.contacts[i].starts_with(contact.keyword)) << count.contacts[i] << " as " << contact.keyword;
+    EXPECT_EQ(contact.order, i + 1);
+    EXPECT_FALSE(contact.file.empty());
+    EXPECT_GT(contact.line, 0u);
+  }
+}
+
+TEST_P(RealDeck, AllSearchesAgree) {
+  NEED_REAL_DECKS();
+  const AuditRun fast = run_file(path());
+  ASSERT_TRUE(clean(fast));
+  if (fast.report.model.nodes > small) GTEST_SKIP() << "too large for the slow search";
+  audit::AuditOptions slow, exact;
+  slow.brute_force = true;
+  exact.exact = true;
+  EXPECT_EQ(dump(fast.report), dump(run_file(path(), slow).report));
+  EXPECT_EQ(dump(fast.report), dump(run_file(path(), exact).report));
+  const JobLimit one(1);
+  EXPECT_EQ(dump(fast.report), dump(run_file(path()).report));
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& instance) {
+  std::string name = instance.param;
+  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, RealDeck, testing::ValuesIn(whole_decks), test_name);
+
+struct Incomplete {
+  std::string deck, first_missing;
+};
+
+class IncompleteDeck : public testing::TestWithParam<Incomplete> {};
+
+TEST_P(IncompleteDeck, NamesTheMissingFileAndWorksWithoutIt) {
+  NEED_REAL_DECKS();
+  const std::string path = (folder / GetParam().deck).lexically_normal().string();
+  const AuditRun strict = run_file(path);
+  EXPECT_GT(strict.errors(), 0u);
+  const auto& all = strict.diagnostics;
+  const auto named = std::find_if(all.begin(), all.end(), [](const Diagnostic& d) {
+    return d.severity == Severity::error && d.message.find(GetParam().first_missing) != std::string::npos;
+  });
+  ASSERT_NE(named, all.end()) << describe(all);
+  EXPECT_EQ(fs::path(named->file).filename(), fs::path(path).filename());
+  EXPECT_GT(named->line, 0u);
+
+  audit::AuditOptions lenient;
+  lenient.read.skip_missing_includes = true;
+  const AuditRun run = run_file(path, lenient);
+  EXPECT_TRUE(clean(run));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Decks, IncompleteDeck,
+    testing::Values(Incomplete{"body_contacts_no_mesh/model/50F-seated/vivaplus-50F.key", "vivaplus"},
+                    Incomplete{"shoes/model/50F-standing/vivaplus-50F-standing.key", "vivaplus_50F-standing_nodes.k"},
+                    Incomplete{"l_bracket/tests/testfiles/run/case-keywords/run_xload.key", "case1.dynain.lsda"},
+                    Incomplete{"l_bracket/tests/testfiles/run/case-keywords/L_bracket_allin1.key",
+                               "control_cards_nonlin.key"}));
+
+/// Fragments, templates and decks of other solvers' physics: no crash, and a report or a reason.
+TEST(AnyDeck, GivesAReportOrAReason) {
+  NEED_REAL_DECKS();
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    const bool deck = extension == ".k" || extension == ".key" || extension == ".dyn" || extension == ".asc";
+    if (!deck || !entry.is_regular_file()) continue;
+    const AuditRun run = run_file(entry.path().string());
+    EXPECT_TRUE(run.ok || run.errors() > 0) << entry.path();
+    for (const auto& d : run.diagnostics) EXPECT_FALSE(d.message.empty()) << entry.path();
+    ++files;
+  }
+  EXPECT_GT(files, 100u);
+}
+
+}  // namespace
+}  // namespace gapcheck::audit_test

@@ -1,0 +1,37 @@
+#include "base/ids.hpp"
+
+#include <gtest/gtest.h>
+
+#include <type_traits>
+#include <unordered_set>
+
+namespace gapcheck {
+namespace {
+
+template <class A, class B>
+concept Comparable = requires(A a, B b) {
+  a == b;
+};
+
+TEST(Ids, KindsDoNotMix) {
+  static_assert(Comparable<NodeId, NodeId>);
+  static_assert(!Comparable<NodeId, ElementId>);
+  static_assert(!Comparable<NodeId, std::int64_t>);
+  static_assert(!std::is_convertible_v<std::int64_t, NodeId>);
+  static_assert(!std::is_convertible_v<NodeIndex, PartIndex>);
+  static_assert(sizeof(NodeIndex) == 4 && sizeof(NodeId) == 8);
+}
+
+TEST(Ids, OrderAndHash) {
+  EXPECT_LT(NodeId(1), NodeId(2));
+  std::unordered_set<PartId> set{PartId(1), PartId(2), PartId(1)};
+  EXPECT_EQ(set.size(), 2u);
+}
+
+TEST(Ids, NoneIsNoOrdinaryIndex) {
+  EXPECT_EQ(none<NodeIndex>.value, 0xffffffffu);
+  EXPECT_NE(none<PartIndex>, PartIndex(0));
+}
+
+}  // namespace
+}  // namespace gapcheck

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <mutex>
+#include <random>
+#include <set>
+
+#include "contact/search.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+Pairs pairs(const CandidateSearch& search, const std::vector<Vector>& points, const std::vector<Bounds>& boxes) {
+  Pairs found;
+  std::mutex mutex;
+  search.run(points, boxes, [&](std::uint32_t box, std::span<const std::uint32_t> inside) {
+    const std::lock_guard lock(mutex);
+    for (const std::uint32_t p : inside) EXPECT_TRUE(found.emplace(box, p).second) << "pair reported twice";
+  });
+  return found;
+}
+
+Bounds around(const Vector& centre, double half) {
+  return {centre - Vector::Constant(half), centre + Vector::Constant(half)};
+}
+
+void expect_same(const std::vector<Vector>& points, const std::vector<Bounds>& boxes) {
+  EXPECT_EQ(pairs(*make_bucket_grid(), points, boxes), pairs(*make_brute_force(), points, boxes));
+}
+
+TEST(BucketGrid, AgreesWithBruteForceOnRandomScenes) {
+  std::mt19937_64 random(7);
+  for (int scene = 0; scene < 60; ++scene) {
+    // Positions and sizes over several decades: mixed meshes, thin slabs, clusters.
+    std::uniform_real_distribution<double> unit(-1, 1), decade(-4, 3);
+    const double spread = std::pow(10, decade(random));
+    std::vector<Vector> points;
+    for (int i = 0; i < 400; ++i) {
+      const double cluster = i % 3 == 0 ? 1e-3 : 1;
+      points.push_back(spread * cluster * Vector(unit(random), unit(random), scene % 4 == 0 ? 0 : unit(random)));
+    }
+    std::vector<Bounds> boxes;
+    for (int i = 0; i < 200; ++i) {
+      const Vector centre = spread * Vector(unit(random), unit(random), unit(random));
+      boxes.push_back(around(i % 2 == 0 ? centre : points[static_cast<std::size_t>(i)], spread * std::pow(10, decade(random) - 2)));
+    }
+    expect_same(points, boxes);
+  }
+}
+
+TEST(BucketGrid, CornersOfBoxesCount) {
+  const std::vector<Vector> points{{1, 1, 1}, {2, 2, 2}, {3, 3, 3}};
+  expect_same(points, {Bounds{{1, 1, 1}, {2, 2, 2}}, Bounds{{2, 2, 2}, {2, 2, 2}}});
+  EXPECT_EQ(pairs(*make_bucket_grid(), points, {Bounds{{1, 1, 1}, {2, 2, 2}}}).size(), 2U);
+}
+
+TEST(BucketGrid, HandlesOnePointManyEqualPointsAndNothing) {
+  expect_same({{5, 5, 5}}, {around({5, 5, 5}, 1), around({9, 9, 9}, 1)});
+  expect_same(std::vector<Vector>(300, Vector(1, 2, 3)), {around({1, 2, 3}, 0), around({1, 2, 3.5}, 0.4)});
+  EXPECT_TRUE(pairs(*make_bucket_grid(), {}, {around({0, 0, 0}, 1)}).empty());
+  EXPECT_TRUE(pairs(*make_bucket_grid(), {{0, 0, 0}}, {Bounds{}}).empty());
+}
+
+TEST(BucketGrid, StrayPointAndHugeBox) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> unit(0, 100);
+  std::vector<Vector> points{{150000, 0, 0}};
+  for (int i = 0; i < 2000; ++i) points.emplace_back(unit(random), unit(random), 0.01 * unit(random));
+  std::vector<Bounds> boxes{around({50, 50, 0}, 1000), around({150000, 0, 0}, 1), around({0, 0, 0}, 1e9)};
+  for (int i = 0; i < 300; ++i) boxes.push_back(around({unit(random), unit(random), 0}, 2));
+  expect_same(points, boxes);
+}
+
+}  // namespace
+}  // namespace gapcheck::contact

@@ -1,0 +1,81 @@
+#include "contact/contact_type.hpp"
+
+#include <gtest/gtest.h>
+
+namespace gapcheck::contact {
+namespace {
+
+model::Contact named(std::string keyword) {
+  model::Contact c;
+  c.keyword = c.written = "CONTACT_" + std::move(keyword);
+  return c;
+}
+
+std::string code(const std::string& keyword) { return classify(named(keyword)).code; }
+
+TEST(ContactType, CodesOfTheWorkshopTable) {
+  EXPECT_EQ(code("AUTOMATIC_SINGLE_SURFACE"), "13");
+  EXPECT_EQ(code("AIRBAG_SINGLE_SURFACE"), "a13");
+  EXPECT_EQ(code("SURFACE_TO_SURFACE"), "3");
+  EXPECT_EQ(code("AUTOMATIC_SURFACE_TO_SURFACE"), "a3");
+  EXPECT_EQ(code("FORMING_ONE_WAY_SURFACE_TO_SURFACE"), "m10");
+  EXPECT_EQ(code("ERODING_NODES_TO_SURFACE"), "16");
+  EXPECT_EQ(code("CONSTRAINT_SURFACE_TO_SURFACE"), "17");
+  EXPECT_EQ(code("TIED_SURFACE_TO_SURFACE_OFFSET"), "o2");
+  EXPECT_EQ(code("TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET"), "c6");
+  EXPECT_EQ(code("TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET"), "b7");
+  EXPECT_EQ(code("SPOTWELD_WITH_TORSION"), "7");
+  EXPECT_EQ(code("AUTOMATIC_GENERAL_INTERIOR"), "i26");
+  EXPECT_EQ(code("FORCE_TRANSDUCER_PENALTY"), "25");
+  EXPECT_EQ(code("SURFACE_TO_SURFACE_INTERFERENCE"), "3");
+  EXPECT_EQ(code("AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_SMOOTH"), "a10");
+}
+
+TEST(ContactType, EveryUncheckedTypeSaysWhy) {
+  for (const char* keyword :
+       {"TIED_SURFACE_TO_SURFACE", "AUTOMATIC_SINGLE_SURFACE_MORTAR", "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK",
+        "TIEBREAK_NODES_TO_SURFACE", "FORCE_TRANSDUCER_PENALTY", "DRAWBEAD", "RIGID_NODES_TO_RIGID_BODY", "SINGLE_EDGE",
+        "SOMETHING_ELSE"})
+    EXPECT_FALSE(classify(named(keyword)).checked()) << keyword;
+  for (const char* keyword : {"AUTOMATIC_SINGLE_SURFACE", "SINGLE_SURFACE", "NODES_TO_SURFACE", "AUTOMATIC_GENERAL"})
+    EXPECT_TRUE(classify(named(keyword)).checked()) << keyword;
+}
+
+TEST(ContactType, Soft2CountsOnlyWhereTheTypeHasIt) {
+  model::Contact single = named("AUTOMATIC_SINGLE_SURFACE");
+  single.soft = 2;
+  EXPECT_FALSE(classify(single).checked());
+  // The solver switches these to SOFT = 1 and lists their penetrations.
+  for (const char* keyword : {"AUTOMATIC_NODES_TO_SURFACE", "AUTOMATIC_GENERAL", "FORMING_SURFACE_TO_SURFACE"}) {
+    model::Contact other = named(keyword);
+    other.soft = 2;
+    EXPECT_TRUE(classify(other).checked()) << keyword;
+  }
+}
+
+TEST(ContactType, IgnoreComesFromMppThenCardCThenControl) {
+  model::Contact c = named("AUTOMATIC_SINGLE_SURFACE");
+  model::Controls controls;
+  controls.ignore = 2;
+  const ContactType type = classify(c);
+  EXPECT_EQ(settings(c, type, controls).ignore, 2);
+  c.ignore = 0;
+  EXPECT_EQ(settings(c, type, controls).ignore, 0);
+  c.mpp_ignore = 1;
+  EXPECT_EQ(settings(c, type, controls).ignore, 1);
+}
+
+TEST(ContactType, OldTypesIgnoreThicknessUnlessAskedTo) {
+  model::Contact c = named("SURFACE_TO_SURFACE");
+  model::Controls controls;
+  const ContactType type = classify(c);
+  EXPECT_EQ(settings(c, type, controls).shlthk, 0);
+  controls.shlthk = 1;
+  EXPECT_EQ(settings(c, type, controls).shlthk, 1);
+  c.thkopt = 2;
+  EXPECT_EQ(settings(c, type, controls).shlthk, 0);
+  EXPECT_EQ(settings(named("AUTOMATIC_SURFACE_TO_SURFACE"), classify(named("AUTOMATIC_SURFACE_TO_SURFACE")), {}).shlthk, 2);
+}
+
+}  // namespace
+}  // namespace gapcheck::contact

@@ -1,0 +1,174 @@
+#include "contact/initial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+const Vector ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
+
+/// Two 2 × 2 plates of 10 × 10 elements, thickness 1, `gap` apart.
+Scene two_plates(double gap) {
+  Scene scene;
+  scene.plate(scene.part(1, 1), {0, 0, 0}, 10 * ex, 10 * ey, 2, 2);
+  scene.plate(scene.part(2, 1), {3, 4, gap}, 10 * ex, 10 * ey, 2, 2);
+  return scene;
+}
+
+TEST(Initial, ParallelPlatesPenetrateByThicknessLessGap) {
+  Scene scene = two_plates(0.7);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  const InitialState state = scene.run();
+  // Upper plate's nodes with x <= 20 and y <= 20 lie over the lower plate: 2 × 2 of 9; the lower plate's likewise.
+  ASSERT_EQ(state.contacts[0].penetrations, 8U);
+  for (const Penetration& p : state.penetrations) {
+    EXPECT_NEAR(p.depth, 0.3, 1e-12);
+    EXPECT_DOUBLE_EQ(p.contact_distance, 1);
+    EXPECT_EQ(p.outcome, Outcome::moved);
+    EXPECT_NEAR(std::abs(p.moved_to.z() - p.original.z()), 1.002 * 0.3, 1e-12);
+  }
+}
+
+TEST(Initial, TouchingPlatesDoNotPenetrate) {
+  Scene scene = two_plates(1.0);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  EXPECT_TRUE(scene.run().penetrations.empty());
+}
+
+TEST(Initial, SideAIsMovedBeforeSideBLooks) {
+  Scene scene = two_plates(0.7);
+  auto& c = scene.contact("AUTOMATIC_SURFACE_TO_SURFACE");
+  c.a = {2, 3, 0, true};
+  c.b = {1, 3, 0, true};
+  const InitialState state = scene.run();
+  ASSERT_EQ(state.penetrations.size(), 4U);
+  for (const Penetration& p : state.penetrations) EXPECT_EQ(p.part, 2);
+  // Kept where they are, both sides are listed.
+  scene.model.contacts[0].ignore = 1;
+  EXPECT_EQ(scene.run().penetrations.size(), 8U);
+}
+
+TEST(Initial, LaterContactsSeeMovedCoordinates) {
+  Scene scene = two_plates(0.7);
+  for (int i = 0; i < 2; ++i) {
+    auto& c = scene.contact("AUTOMATIC_NODES_TO_SURFACE");
+    c.a = {2, 3, 0, true};
+    c.b = {1, 3, 0, true};
+  }
+  InitialState state = scene.run();
+  EXPECT_EQ(state.contacts[0].penetrations, 4U);
+  EXPECT_EQ(state.contacts[1].penetrations, 0U);
+  scene.model.contacts[0].snlog = 1;
+  state = scene.run();
+  EXPECT_EQ(state.contacts[1].penetrations, 4U);
+  EXPECT_EQ(state.penetrations[0].outcome, Outcome::forced);
+}
+
+TEST(Initial, TooDeepIsReleased) {
+  Scene scene = two_plates(0.19);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  const InitialState state = scene.run();
+  EXPECT_EQ(state.contacts[0].penetrations, 0U);
+  EXPECT_EQ(state.contacts[0].released, 8U);
+  EXPECT_EQ(state.penetrations[0].moved_to, state.penetrations[0].original);
+}
+
+TEST(Initial, BandBeyondTheEdge) {
+  // One 10 × 10 segment and a node 2.4 (s = 1.48) or 2.6 (s = 1.52) beyond its edge, h = 3.
+  for (const double beyond : {2.4, 2.6}) {
+    Scene scene;
+    scene.plate(scene.part(1, 6), {0, 0, 0}, 10 * ex, 10 * ey, 1, 1);
+    scene.model.sets.nodes[5].members = {scene.node({10 + beyond, 5, 0})};
+    auto& c = scene.contact("AUTOMATIC_NODES_TO_SURFACE");
+    c.a = {5, 4, 0, true};
+    c.b = {1, 3, 0, true};
+    const InitialState state = scene.run();
+    ASSERT_EQ(state.penetrations.size(), 1U);
+    EXPECT_EQ(state.penetrations[0].kind, beyond < 2.5 ? PenetrationKind::initial : PenetrationKind::edge_zone);
+    EXPECT_NEAR(state.penetrations[0].depth, 3 - beyond, 1e-12);
+    EXPECT_EQ(state.penetrations[0].feature, Feature::edge);
+  }
+}
+
+TEST(Initial, TJointWithThickShellsIsClean) {
+  Scene scene;
+  const PartIndex flange = scene.part(1, 8), web = scene.part(2, 8);
+  const auto nodes = scene.plate(flange, {0, 0, 0}, 10 * ex, 10 * ey, 4, 2);
+  // The web stands on the middle line of the flange and shares its nodes.
+  std::vector<NodeIndex> top;
+  for (int j = 0; j <= 2; ++j) top.push_back(scene.node({20, 10.0 * j, 10}));
+  for (std::size_t j = 0; j < 2; ++j) scene.shell(web, {nodes[2 + 5 * j], nodes[7 + 5 * j], top[j + 1], top[j]});
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  scene.model.controls.ssthk = 1;
+  EXPECT_TRUE(scene.run().penetrations.empty());
+}
+
+TEST(Initial, NodeInsideASolid) {
+  for (const double inside : {0.3, 1.5}) {
+    Scene scene;
+    scene.brick(scene.part(1, 0), {0, 0, 0}, {10, 10, 10});
+    scene.model.sets.nodes[5].members = {scene.node({5, 5, 10 - inside}), scene.node({5, 5, 10.1})};
+    auto& c = scene.contact("ERODING_NODES_TO_SURFACE");
+    c.a = {5, 4, 0, true};
+    c.b = {1, 3, 0, true};
+    const InitialState state = scene.run();
+    ASSERT_EQ(state.penetrations.size(), 1U);
+    EXPECT_NEAR(state.penetrations[0].depth, inside, 1e-12);
+    EXPECT_NEAR(state.penetrations[0].moved_to.z(), 10 + 0.002 * inside, 1e-12);
+  }
+}
+
+TEST(Initial, NodeBesideAConvexEdgeOfASolidIsOutside) {
+  Scene scene;
+  scene.brick(scene.part(1, 0), {0, 0, 0}, {10, 10, 10});
+  // Below the top plane but beside the block; nearest to the edge from the top face's view.
+  scene.model.sets.nodes[5].members = {scene.node({10.2, 5, 9.9}), scene.node({10.1, 5, 10.1})};
+  auto& c = scene.contact("AUTOMATIC_NODES_TO_SURFACE");
+  c.a = {5, 4, 0, true};
+  c.b = {1, 3, 0, true};
+  EXPECT_TRUE(scene.run().penetrations.empty());
+}
+
+TEST(Initial, TiedNodesAreNotReportedAgainstTheirPart) {
+  Scene scene = two_plates(0.7);
+  auto& tie = scene.contact("TIED_NODES_TO_SURFACE_OFFSET");
+  tie.a = {2, 3, 0, true};
+  tie.b = {1, 3, 0, true};
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  const InitialState state = scene.run();
+  EXPECT_EQ(state.contacts[0].ties, 4U);
+  for (const Penetration& p : state.penetrations) EXPECT_EQ(p.part, 1);  // the lower plate's nodes are not tied
+  EXPECT_EQ(state.contacts[1].penetrations, 4U);
+}
+
+TEST(Initial, ExcludedPartsDoNotMeet) {
+  Scene scene = two_plates(0.7);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  model::ContactExclusion e;
+  e.pairs.push_back({1, 2, 3, 3});
+  scene.model.exclusions.push_back(e);
+  EXPECT_TRUE(scene.run().penetrations.empty());
+}
+
+TEST(Initial, OrientedSurfaceTurnsTowardsTheOtherSide) {
+  // Old type without thickness: the plate's normal points away from the nodes above it; one node has slipped through.
+  Scene scene;
+  const auto lower = scene.plate(scene.part(1, 1), {0, 0, 0}, 10 * ey, 10 * ex, 2, 2);
+  std::vector<NodeIndex> nodes;
+  for (const double z : {2.0, 3.0, 1.0, -0.25}) nodes.push_back(scene.node({7 + z, 8, z}));
+  scene.model.sets.nodes[5].members = nodes;
+  auto& c = scene.contact("NODES_TO_SURFACE");
+  c.a = {5, 4, 0, true};
+  c.b = {1, 3, 0, true};
+  const InitialState state = scene.run();
+  ASSERT_EQ(state.penetrations.size(), 1U);
+  EXPECT_NEAR(state.penetrations[0].depth, 0.25, 1e-12);
+  EXPECT_NEAR(state.penetrations[0].moved_to.z(), 0.25 * 0.002, 1e-12);
+}
+
+}  // namespace
+}  // namespace gapcheck::contact

@@ -1,0 +1,40 @@
+#include "records/penetration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace gapcheck {
+namespace {
+
+template <class Enum>
+std::set<std::string_view> names(int count) {
+  std::set<std::string_view> result;
+  for (int i = 0; i < count; ++i) result.insert(name(static_cast<Enum>(i)));
+  return result;
+}
+
+TEST(Penetration, EveryValueHasItsOwnName) {
+  EXPECT_EQ(names<Feature>(3), (std::set<std::string_view>{"face", "edge", "corner"}));
+  EXPECT_EQ(names<Outcome>(5), (std::set<std::string_view>{"moved", "kept", "forced", "released", "reported"}));
+  EXPECT_EQ(names<ThicknessRule>(8).size(), 8u);
+  EXPECT_FALSE(names<ThicknessRule>(8).contains("?"));
+}
+
+TEST(Penetration, ValuesOutOfRangeHaveAName) {
+  EXPECT_EQ(name(static_cast<Feature>(200)), "?");
+  EXPECT_EQ(name(static_cast<Outcome>(200)), "?");
+  EXPECT_EQ(name(static_cast<ThicknessRule>(200)), "?");
+}
+
+TEST(Penetration, RemainingIsWhatIsLeftOfTheContactDistance) {
+  Penetration record;
+  record.contact_distance = 1;
+  record.depth = 0.25;
+  EXPECT_EQ(record.remaining(), 0.75);
+  record.depth = 1.5;  // beyond the mid-surface of an oriented segment
+  EXPECT_EQ(record.remaining(), -0.5);
+}
+
+}  // namespace
+}  // namespace gapcheck

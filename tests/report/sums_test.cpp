@@ -1,0 +1,68 @@
+#include "report/sums.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sample.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+/// The slow twin: every pair of parts asks all records.
+void expect_like_plain_count(std::span<const Penetration> records, const Sums& result) {
+  std::size_t edge_zone = 0, released = 0, in_pairs = 0;
+  for (const Penetration& record : records) {
+    edge_zone += record.kind == PenetrationKind::edge_zone;
+    released += record.kind == PenetrationKind::released;
+  }
+  EXPECT_EQ(result.edge_zone, edge_zone);
+  EXPECT_EQ(result.released, released);
+  EXPECT_EQ(result.penetrations(), records.size() - edge_zone);
+  for (const PartPair& pair : result.pairs) {
+    std::size_t nodes = 0;
+    double deepest = 0;
+    for (const Penetration& record : records) {
+      if (record.kind == PenetrationKind::edge_zone || record.part != pair.part ||
+          record.element_part != pair.element_part)
+        continue;
+      ++nodes;
+      deepest = std::max(deepest, record.depth);
+    }
+    EXPECT_EQ(pair.nodes, nodes);
+    EXPECT_EQ(pair.deepest->depth, deepest);
+    in_pairs += nodes;
+  }
+  EXPECT_EQ(in_pairs, result.penetrations());
+}
+
+TEST(Sums, EqualThePlainCount) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{7}, std::size_t{3000}}) {
+    const Report report = random_report(count, 1, static_cast<unsigned>(count));
+    const Sums result = sums(report.penetrations);
+    expect_like_plain_count(report.penetrations, result);
+    EXPECT_TRUE(std::is_sorted(result.pairs.begin(), result.pairs.end(), [](const PartPair& a, const PartPair& b) {
+      return a.deepest->depth > b.deepest->depth;
+    }));
+    if (result.deepest != nullptr) {
+      EXPECT_EQ(result.deepest->depth, result.pairs.front().deepest->depth);
+    }
+  }
+}
+
+TEST(Sums, RecordsOfAContactAreAllOfThem) {
+  const Report report = random_report(1000, 7, 3);
+  std::size_t total = 0;
+  for (std::uint32_t contact = 0; contact < 9; ++contact) {
+    const auto records = records_of(report, contact);
+    const auto expected = std::count_if(report.penetrations.begin(), report.penetrations.end(),
+                                        [&](const Penetration& record) { return record.contact == contact; });
+    EXPECT_EQ(records.size(), static_cast<std::size_t>(expected));
+    for (const Penetration& record : records) EXPECT_EQ(record.contact, contact);
+    total += records.size();
+  }
+  EXPECT_EQ(total, 1000u);
+}
+
+}  // namespace
+}  // namespace gapcheck::report
