@@ -68,7 +68,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
       const auto segment = static_cast<std::uint32_t>(i);
       Bounds box;
       for (const NodeIndex n : s.nodes[i]) box.add(scene.x[n.value]);
-      boxes[i] = grown(box, reach(segment));
+      boxes[i] = grown(box, reach(segment) + (s.offset.empty() ? 0 : std::abs(s.offset[i])));
     }
   });
   // Cull by the boxes of the two sides before anything is sorted.
@@ -82,7 +82,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
   points.reserve(scene.nodes.size());
   slots.reserve(scene.nodes.size());
   for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-    const Vector& p = scene.x[scene.nodes.node[i].value];
+    const Vector p = scene.position(i);
     if (!(p.array() >= all_boxes.low.array()).all() || !(p.array() <= all_boxes.high.array()).all()) continue;
     points.push_back(p);
     slots.push_back(i);

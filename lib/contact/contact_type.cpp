@@ -148,6 +148,8 @@ ContactSettings settings(const model::Contact& contact, const ContactType& type,
       break;
     default: s.shlthk = 2;
   }
+  s.square_edges = contact.shledg == 1 || contact.srnde == 1 || controls.shledg == 1;
+  s.mid_surface_offset = controls.cntco != 0;
   s.thickness_limit = type.treatment == Treatment::single_surface && controls.ssthk == 0;
   return s;
 }

@@ -32,6 +32,8 @@ struct ContactSettings {
   std::int64_t snlog = 0;
   std::int64_t shlthk = 0;  ///< 0 none, 1 deformable only, 2 all; automatic, single-surface and constraint types: 2
   bool thickness_limit = false;  ///< single-surface types with SSTHK = 0
+  bool square_edges = false;     ///< SHLEDG = 1 or SRNDE = 1: shell surfaces end at their free edges
+  bool mid_surface_offset = false;  ///< CNTCO: NLOC and *ELEMENT_SHELL_OFFSET move the contact surface
 };
 [[nodiscard]] ContactSettings settings(const model::Contact& contact, const ContactType& type,
                                        const model::Controls& controls);

@@ -1,6 +1,5 @@
 #include "contact/faces.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -103,6 +103,7 @@ class Initialiser {
     report_empty(c, b ? 'B' : 'A', side.selection);
     const ThicknessSide thickness = thickness_side(contact, settings, model_.controls, b);
     fill_thickness(side.selection.segments, model_, thickness, state_.x);
+    if (settings.mid_surface_offset) fill_offsets(side.selection.segments, model_);
     const bool track = !b || type.treatment == Treatment::two_way;
     if (track) side.nodes = tracked_nodes(side.selection, model_, thickness, state_.x);
     ++counters_.surfaces_built;
@@ -148,6 +149,7 @@ class Initialiser {
     s.kind.resize(keep);
     s.half.resize(keep);
     s.rule.resize(keep);
+    if (!s.offset.empty()) s.offset.resize(keep);
   }
 
   std::vector<double> solid_depths(const Segments& s) const {
@@ -273,10 +275,9 @@ class Initialiser {
     if (p.outcome == Outcome::moved) p.moved_to = p.original + shooting_move * p.depth * direction(scene, hit, pair, p);
   }
 
-  /// From the segment to the free side.
+  /// From the segment to the free side; the distance is negative behind the segment.
   static Vector direction(const PairScene& scene, const Hit& hit, const PairResult& pair, const Penetration& p) {
-    if (pair.distance > 0) return (p.original - p.point) / pair.distance;
-    if (pair.distance < 0) return (p.original - p.point) / pair.distance;  // behind: towards the surface
+    if (pair.distance != 0) return (scene.position(hit.slot) - p.point) / pair.distance;
     const bool flipped = !scene.flipped.empty() && scene.flipped[hit.segment];
     return flipped ? Vector(-pair.closest.normal) : pair.closest.normal;
   }

@@ -42,7 +42,7 @@ std::vector<bool> flipped_segments(const PairScene& scene, const CandidateSearch
         if (!turns(segment)) return;
         const geometry::Facet facet = scene.facet(segment);
         for (const std::uint32_t slot : slots) {
-          const auto closest = geometry::closest_point(facet, scene.x[scene.nodes.node[slot].value]);
+          const auto closest = geometry::closest_point(facet, scene.position(slot));
           if (closest.feature == Feature::face && closest.gap != 0) ballot(segment) += closest.gap > 0 ? 1 : -1;
         }
       });

@@ -1,6 +1,5 @@
 #include "contact/pair.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,16 +21,6 @@ double largest_coordinate(const geometry::Facet& facet, const Vector& query) {
 }
 
 Vector facet_normal(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]); }
-
-double angle_at(const geometry::Facet& f, const Vector& corner) {
-  const std::size_t n = f.triangle ? 3 : 4;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (f.x[i] != corner) continue;
-    const Vector a = f.x[(i + 1) % n] - corner, b = f.x[(i + n - 1) % n] - corner;
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-  }
-  return 0;
-}
 
 PairResult decide_line(const PairScene& scene, const geometry::Facet& f, const Vector& q, double bound) {
   PairResult result;
@@ -58,7 +47,11 @@ double default_tolerance(double contact_distance, double largest) {
 
 geometry::Facet PairScene::facet(std::uint32_t s) const {
   const auto& n = segments.nodes[s];
-  return {{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
+  geometry::Facet f{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
+  if (segments.offset.empty() || segments.offset[s] == 0) return f;
+  const Vector shift = segments.offset[s] * facet_normal(f).stableNormalized();
+  for (Vector& corner : f.x) corner += shift;
+  return f;
 }
 
 bool PairScene::oriented(std::uint32_t s) const {
@@ -77,29 +70,37 @@ double PairScene::reach(std::uint32_t s, double largest_node_half) const {
   return std::max(largest_node_half + segments.half[s], behind(s));
 }
 
+bool PairScene::beyond_square_edge(std::uint32_t s, const geometry::ClosestPoint& closest) const {
+  if (!settings.square_edges || segments.kind[s] != SegmentKind::shell || closest.feature == Feature::face) return false;
+  const auto& n = segments.nodes[s];
+  // Exactly on the edge is still on the surface.
+  if (closest.free_s == closest.s && closest.free_t == closest.t) return false;
+  const std::size_t i = closest.feature_index;
+  const auto free = [&](std::size_t a, std::size_t b) { return n[a] != n[b] && neighbours.free_edge(s, n[a], n[b]); };
+  if (closest.feature == Feature::edge) return free(i, (i + 1) % 4);
+  return free(i, (i + 1) % 4) || free((i + 3) % 4, i);
+}
+
 bool PairScene::in_front(std::uint32_t s, const geometry::ClosestPoint& closest, const Vector& query) const {
   const auto sign = [&](std::uint32_t i) { return !flipped.empty() && flipped[i] ? -1.0 : 1.0; };
   if (closest.feature == Feature::face) return sign(s) * closest.gap >= 0;
-  // On an edge or corner one facet's normal may mislead: take the sum over all that meet there.
+  // On an edge or corner one facet's normal misleads: beside a convex edge a node is behind one facet and in front of the
+  // other. It is inside only where it is behind all that meet there (a concave edge).
   const auto& corners = segments.nodes[s];
   const std::size_t i = closest.feature_index;
   const NodeIndex a = corners[i], b = corners[(i + 1) % 4];
-  Vector normal = Vector::Zero();
   for (const std::uint32_t other : neighbours.at(a)) {
-    if (!oriented(other)) continue;
     const auto& n = segments.nodes[other];
-    const bool edge = closest.feature == Feature::edge;
-    if (edge && std::find(n.begin(), n.end(), b) == n.end()) continue;
-    const geometry::Facet f = facet(other);
-    const double weight = edge ? 1 : angle_at(f, x[a.value]);
-    normal += sign(other) * weight * facet_normal(f).stableNormalized();
+    if (!oriented(other)) continue;
+    if (closest.feature == Feature::edge && std::find(n.begin(), n.end(), b) == n.end()) continue;
+    if (sign(other) * facet_normal(facet(other)).dot(query - closest.point) >= 0) return true;
   }
-  return normal.dot(query - closest.point) >= 0;
+  return false;
 }
 
 PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
   const geometry::Facet facet = scene.facet(s);
-  const Vector& q = scene.x[scene.nodes.node[slot].value];
+  const Vector q = scene.position(slot);
   const double h = scene.nodes.half[slot] + scene.segments.half[s];
   const double tolerance =
       scene.tolerance >= 0 ? scene.tolerance : default_tolerance(h, largest_coordinate(facet, q));
@@ -108,6 +109,7 @@ PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t
   result.closest = geometry::closest_point(facet, q);
   result.in_band = result.closest.in_band;
   result.distance = std::sqrt(result.closest.squared_distance);
+  if (scene.beyond_square_edge(s, result.closest)) return result;
   const auto closer = [&](double bound) {
     return geometry::closer_than(facet, q, bound, scene.mode, scene.counters, &result.closest);
   };

@@ -26,7 +26,13 @@ struct PairScene {
   geometry::Mode mode = geometry::Mode::filtered;
   geometry::DecisionCounters& counters;
 
+  /// Corners of the reference surface, mid-surface offsets included.
   [[nodiscard]] geometry::Facet facet(std::uint32_t segment) const;
+  /// Where a tracked node counts: its coordinates, or its mid-surface where that is offset.
+  [[nodiscard]] Vector position(std::uint32_t slot) const {
+    const Vector& at = x[nodes.node[slot].value];
+    return nodes.shift.empty() ? at : Vector(at + nodes.shift[slot]);
+  }
   [[nodiscard]] bool line(std::uint32_t s) const { return segments.kind[s] == SegmentKind::line; }
   /// Automatic types see both sides of a shell; solid facets and segments of old types have a front.
   [[nodiscard]] bool oriented(std::uint32_t segment) const;
@@ -35,7 +41,9 @@ struct PairScene {
   [[nodiscard]] double behind(std::uint32_t segment) const;
   /// Largest distance at which a node can penetrate the segment, given the largest half thickness of the nodes.
   [[nodiscard]] double reach(std::uint32_t segment, double largest_node_half) const;
-  /// Sign of the front, given the closest point: false if the query lies behind the segment.
+  /// True if the closest point lies on a free edge of a shell surface that ends there (SHLEDG, SRNDE).
+  [[nodiscard]] bool beyond_square_edge(std::uint32_t segment, const geometry::ClosestPoint& closest) const;
+  /// False if the query lies behind the segment, given its closest point.
   [[nodiscard]] bool in_front(std::uint32_t segment, const geometry::ClosestPoint& closest, const Vector& query) const;
 };
 

@@ -221,6 +221,16 @@ void fill_thickness(Segments& s, const model::Model& model, const ThicknessSide&
   });
 }
 
+void fill_offsets(Segments& s, const model::Model& model) {
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (s.element_kind[i] != ElementKind::shell || s.element[i] == unknown) continue;
+    const double offset = mid_surface_offset(model, s.element[i]);
+    if (offset == 0) continue;
+    s.offset.resize(s.size(), 0);
+    s.offset[i] = offset;
+  }
+}
+
 PartIndex part_of(const model::Mesh& mesh, const Segments& s, std::size_t i) {
   if (s.element[i] == unknown) return none<PartIndex>;
   switch (s.element_kind[i]) {

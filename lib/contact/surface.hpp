@@ -26,6 +26,7 @@ struct Segments {
   std::vector<SegmentKind> kind;
   std::vector<double> half;                     ///< half the contact thickness
   std::vector<ThicknessRule> rule;
+  std::vector<double> offset;                   ///< of the mid-surface along the normal; empty: none is offset
   [[nodiscard]] std::size_t size() const { return nodes.size(); }
 };
 
@@ -35,6 +36,7 @@ struct TrackedNodes {
   std::vector<double> half;
   std::vector<ThicknessRule> rule;
   std::vector<PartIndex> part;  ///< of the element that gave the thickness; none: no element
+  std::vector<Vector> shift;    ///< from the node to its mid-surface; empty: none is shifted
   [[nodiscard]] std::size_t size() const { return node.size(); }
 };
 
@@ -53,7 +55,10 @@ struct Selection {
 void fill_thickness(Segments& segments, const model::Model& model, const ThicknessSide& side,
                     const std::vector<Vector>& x);
 
-/// The nodes of a selection; each takes the largest thickness of its segments, nodes without segments that of all
+/// Mid-surface offsets of the shells (NLOC, *ELEMENT_SHELL_OFFSET): fills `offset` if any shell has one.
+void fill_offsets(Segments& segments, const model::Model& model);
+
+/// The nodes of a selection whose segments have their thickness; each takes the largest thickness of its segments, nodes without segments that of all
 /// elements at them.
 [[nodiscard]] TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model,
                                          const ThicknessSide& side, const std::vector<Vector>& x);

@@ -74,4 +74,15 @@ double element_thickness(const model::Model& model, std::uint32_t shell) {
   return sum / static_cast<double>(corners);
 }
 
+double mid_surface_offset(const model::Model& model, std::uint32_t shell) {
+  const auto& shells = model.mesh.shells;
+  const auto own = std::lower_bound(shells.own_offset.begin(), shells.own_offset.end(), shell,
+                                    [](const model::ShellOffset& o, std::uint32_t s) { return o.shell < s; });
+  if (own != shells.own_offset.end() && own->shell == shell) return own->offset;
+  const PartIndex part = shells.part[shell];
+  if (part == none<PartIndex> || !model.part(part).section) return 0;
+  const double nloc = model.sections[*model.part(part).section].nloc;
+  return nloc == 0 ? 0 : -nloc * element_thickness(model, shell) / 2;
+}
+
 }  // namespace gapcheck::contact

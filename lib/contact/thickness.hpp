@@ -45,4 +45,8 @@ struct ThicknessSide {
 /// *PART_COMPOSITE before both. 0 where the deck gives none.
 [[nodiscard]] double element_thickness(const model::Model& model, std::uint32_t shell);
 
+/// Where the mid-surface of a shell lies along its normal, seen from its nodes: the offset of *ELEMENT_SHELL_OFFSET, else
+/// -NLOC · t / 2 (NLOC = 1: the nodes are on the top surface).
+[[nodiscard]] double mid_surface_offset(const model::Model& model, std::uint32_t shell);
+
 }  // namespace gapcheck::contact

@@ -51,7 +51,8 @@ std::uint64_t apply_ties(const model::Model& model, const model::Contact& contac
                          Ties& ties) {
   // Ties measure from the mid-surface with the true thickness, whatever SHLTHK says.
   const ContactSettings all_thickness{.shlthk = 2};
-  const Selection a = select(model, contact.a, type, x);
+  Selection a = select(model, contact.a, type, x);
+  fill_thickness(a.segments, model, thickness_side(contact, all_thickness, model.controls, false), x);
   Selection b = select(model, contact.b, type, x);
   if (b.segments.size() == 0) return 0;
   fill_thickness(b.segments, model, thickness_side(contact, all_thickness, model.controls, true), x);

@@ -88,6 +88,25 @@ void offer_all_elements(NodeThickness& nodes, const model::Model& model, const T
   }
 }
 
+/// From each node to its mid-surface: the mean over its segments.
+std::vector<Vector> mean_shifts(const Segments& s, const TrackedNodes& nodes, const std::vector<Vector>& x) {
+  std::vector<Vector> sum(x.size(), Vector::Zero());
+  std::vector<int> count(x.size(), 0);
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const auto& n = s.nodes[i];
+    const Vector normal = (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]).stableNormalized();
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (c > 0 && n[c] == n[c - 1]) continue;
+      sum[n[c].value] += s.offset[i] * normal;
+      ++count[n[c].value];
+    }
+  }
+  std::vector<Vector> shift;
+  shift.reserve(nodes.size());
+  for (const NodeIndex n : nodes.node) shift.push_back(sum[n.value] / std::max(1, count[n.value]));
+  return shift;
+}
+
 }  // namespace
 
 TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model, const ThicknessSide& side,
@@ -97,8 +116,7 @@ TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model
     for (const NodeIndex n : selection.nodes) nodes.track(n);
     offer_all_elements(nodes, model, side, x);
   }
-  Segments s = selection.segments;
-  if (s.half.size() != s.size()) fill_thickness(s, model, side, x);
+  const Segments& s = selection.segments;
   for (std::size_t i = 0; i < s.size(); ++i) {
     const PartIndex part = part_of(model.mesh, s, i);
     for (const NodeIndex n : s.nodes[i]) {
@@ -106,7 +124,9 @@ TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model
       nodes.offer(n, s.half[i], s.rule[i], part);
     }
   }
-  return nodes.collect();
+  TrackedNodes all = nodes.collect();
+  if (!s.offset.empty()) all.shift = mean_shifts(s, all, x);
+  return all;
 }
 
 }  // namespace gapcheck::contact

@@ -110,7 +110,7 @@ Decision decide_exactly(const Facet& facet, const Vector& query, double bound, c
   }
   const Verdict verdict = subdivide(e, exact_limits, [&](const Piece& piece, const Corners& corners) {
     const Trial trial = trial_on_patch(corners);
-    return exact::piece_verdict(facet, query, bound, piece, corners, trial.s, trial.t);
+    return exact::piece_verdict(facet, query, bound, piece, trial.s, trial.t);
   });
   if (verdict != Verdict::open) return {verdict == Verdict::closer, Stage::exact};
   return {exact::fan_closer(facet, query, bound), Stage::triangulated};

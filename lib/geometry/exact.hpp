@@ -12,12 +12,12 @@ namespace gapcheck::geometry::exact {
 /// A quad whose corners lie in one plane and turn one way (or all on a line): the patch is their convex hull.
 [[nodiscard]] bool flat_and_convex(const Facet& facet);
 /// What the piece of the patch between the parameters (s0, t0) and (s1, t1), all in [0, 1] here, proves; (s, t) in
-/// [-1, 1] is a point of the piece to try, `e` the piece's corners in double precision. Never `tied`.
+/// [-1, 1] is a point of the piece to try. Never `tied`.
 struct Piece {
   double s0 = 0, s1 = 1, t0 = 0, t1 = 1;
 };
 [[nodiscard]] Verdict piece_verdict(const Facet& facet, const Vector& query, double bound, const Piece& piece,
-                                    const Corners& e, double s, double t);
+                                    double s, double t);
 /// Sign of the determinant |a - d, b - d, c - d|.
 [[nodiscard]] int orientation(const Vector& a, const Vector& b, const Vector& c, const Vector& d);
 

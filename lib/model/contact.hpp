@@ -32,7 +32,9 @@ struct SurfaceInput {
 /// optional. Old and new field names as in contact_rules: A = slave = tracked, B = master = reference.
 struct Contact {
   ContactId id;
-  std::uint32_t order = 0;  ///< place in the deck among all contacts, from 1
+  /// Place in the deck among all contacts, from 1; 0 for what only modifies others (CONTACT_INTERIOR, AUTO_MOVE,
+  /// ADD_WEAR), which then has id 0 too unless one is given.
+  std::uint32_t order = 0;
   bool default_id = false;  ///< no ID in the deck: the id is the order, or a free number where that is taken
   std::string title;
   std::string keyword;      ///< without option suffixes: "CONTACT_AUTOMATIC_SINGLE_SURFACE"

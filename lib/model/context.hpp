@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
@@ -27,6 +28,7 @@ struct Context {
   Model& model;
   RawSets sets;
   std::map<std::int64_t, std::uint32_t> section_of_id, material_of_id;
+  std::uint32_t interfaces = 0;  ///< contacts so far that count
 
   [[nodiscard]] static Place place(const keyword::Block& block, std::uint32_t line) { return {block.file, line}; }
   /// "line 40 of a.k"

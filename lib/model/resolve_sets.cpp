@@ -13,15 +13,15 @@ using Source = SetClause::Source;
 
 /// Sets of sets may be nested this deep.
 constexpr int max_depth = 100;
-/// Steps that all sets of a deck together may cost: one per member that is looked at. Sets of sets can ask for much
-/// more than a deck of their size has; the largest models stay far below.
-constexpr std::uint64_t max_steps = 1'000'000'000;
+/// Steps that all sets of a deck together may cost: one per member that is looked at, four bytes each. Sets of sets can
+/// ask for much more than a deck of their size has; the largest models stay far below.
+constexpr std::uint64_t max_steps = 300'000'000;
 
 /// Members of a set: positions in the arrays of the model, or segments.
 struct Members {
   std::vector<std::uint32_t> positions;
   std::vector<SegmentNodes> segments;
-  [[nodiscard]] std::size_t size() const { return positions.size() + segments.size(); }
+  [[nodiscard]] std::uint64_t cost() const { return positions.size() + 4 * segments.size(); }
   void append(const Members& other) {
     positions.insert(positions.end(), other.positions.begin(), other.positions.end());
     segments.insert(segments.end(), other.segments.begin(), other.segments.end());
@@ -180,22 +180,23 @@ class Resolver {
       steps_left_ -= steps;
       return true;
     }
-    if (steps_left_ > 0 || !exhausted_)
+    if (!exhausted_)
       context_.error(current_, "the sets of this deck have too many members in all; they are incomplete from here on");
     exhausted_ = true;
     steps_left_ = 0;
     return false;
   }
 
-  /// The members of a set of sets' part; nullptr where it is not there or refers to itself.
+  /// The members of a set; nullptr where it is not defined.
   const Members* resolve(SetKind kind, std::int64_t id, int depth) {
+    static const Members nothing;
     const auto raw = context_.sets.of(kind).find(id);
     if (raw == context_.sets.of(kind).end()) return nullptr;
     const auto [entry, is_new] = state(kind).try_emplace(id, State::open);
     if (!is_new) {
       if (entry->second == State::done) return &done(kind)[id];
-      context_.error(raw->second.place, fmt::format("{} {} contains itself", name(kind), id));
-      return nullptr;
+      context_.error(raw->second.place, fmt::format("{} {} contains itself; that part is taken as empty", name(kind), id));
+      return &nothing;
     }
     if (depth > max_depth) {
       context_.error(raw->second.place,
@@ -215,9 +216,9 @@ class Resolver {
     for (const SetClause& clause : raw.clauses) {
       current_ = raw.place;
       Members found = evaluate(kind, raw, clause, depth, unknown);
-      if (!spend(found.size())) break;
+      if (!spend(found.cost())) break;
       if (clause.remove) {
-        if (!spend(members.size())) break;
+        if (!spend(members.cost())) break;
         keep_unique(members, found);
         tidy = true;
       } else {
@@ -317,7 +318,7 @@ class Resolver {
       const Members* part = resolve(clause.of, id, depth + 1);
       current_ = raw.place;
       if (part == nullptr) return unknown.add(id);
-      if (spend(part->size())) members.append(*part);
+      if (spend(part->cost())) members.append(*part);
     };
     std::int64_t previous = 0;
     for (const std::int64_t id : clause.ids) {
@@ -344,7 +345,7 @@ class Resolver {
         unknown.add(id);
         continue;
       }
-      if (!spend(set->size() + members.size())) break;
+      if (!spend(set->cost() + members.cost())) break;
       if (first) {
         members = *set;
       } else {

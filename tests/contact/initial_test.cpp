@@ -40,7 +40,10 @@ TEST(Initial, TouchingPlatesDoNotPenetrate) {
 }
 
 TEST(Initial, SideAIsMovedBeforeSideBLooks) {
-  Scene scene = two_plates(0.7);
+  // The upper plate lies wholly over the lower one, so all of it moves.
+  Scene scene;
+  scene.plate(scene.part(1, 1), {0, 0, 0}, 10 * ex, 10 * ey, 4, 4);
+  scene.plate(scene.part(2, 1), {8, 8, 0.7}, 10 * ex, 10 * ey, 1, 1);
   auto& c = scene.contact("AUTOMATIC_SURFACE_TO_SURFACE");
   c.a = {2, 3, 0, true};
   c.b = {1, 3, 0, true};
@@ -49,7 +52,7 @@ TEST(Initial, SideAIsMovedBeforeSideBLooks) {
   for (const Penetration& p : state.penetrations) EXPECT_EQ(p.part, 2);
   // Kept where they are, both sides are listed.
   scene.model.contacts[0].ignore = 1;
-  EXPECT_EQ(scene.run().penetrations.size(), 8U);
+  EXPECT_EQ(scene.run().penetrations.size(), 5U);  // one node of the lower plate lies under the upper one
 }
 
 TEST(Initial, LaterContactsSeeMovedCoordinates) {

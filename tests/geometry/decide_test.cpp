@@ -27,21 +27,9 @@ std::vector<double> bounds_around(double d) {
           up(d, 2),      d * (1 + 1e-12), d * (1 + 1e-9), d * (1 + 1e-6),  2 * d};
 }
 
-bool decide_both(const Facet& facet, const Vector& query, double bound) {
-  const Decision fast = decide(facet, query, bound, Mode::filtered), slow = decide(facet, query, bound, Mode::exact);
-  EXPECT_EQ(fast.closer, slow.closer);
-  return fast.closer;
-}
-
-void print(const Pair& pair, double bound) {
-  for (const Vector& x : pair.facet.x) std::printf("  %.17g %.17g %.17g\n", x.x(), x.y(), x.z());
-  std::printf("  query %.17g %.17g %.17g, triangle %d, bound %.17g\n", pair.query.x(), pair.query.y(), pair.query.z(),
-              pair.facet.triangle, bound);
-}
-
 class Families : public testing::TestWithParam<Family> {};
 INSTANTIATE_TEST_SUITE_P(Geometry, Families, testing::ValuesIn(all_families),
-                         [](const auto& info) { return std::string(name(info.param)); });
+                         [](const auto& test) { return std::string(name(test.param)); });
 
 TEST_P(Families, EveryDecisionAgreesWithTheReference) {
   Maker maker(17);
@@ -59,12 +47,12 @@ TEST_P(Families, EveryDecisionAgreesWithTheReference) {
       const Decision slow = decide(pair.facet, pair.query, bound, Mode::exact);
       ++stages[static_cast<std::size_t>(fast.stage)];
       ++compared;
-      ASSERT_EQ(fast.closer, slow.closer) << (print(pair, bound), i);
+      ASSERT_EQ(fast.closer, slow.closer) << describe(pair, bound);
       if (fast.stage == Stage::triangulated || slow.stage == Stage::triangulated) {
         ++triangulated;
         continue;
       }
-      ASSERT_EQ(fast.closer, expected) << (print(pair, bound), i);
+      ASSERT_EQ(fast.closer, expected) << describe(pair, bound);
     }
   }
   EXPECT_GT(compared, 100000u);

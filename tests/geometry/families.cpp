@@ -1,5 +1,7 @@
 #include "families.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
@@ -129,6 +131,13 @@ Pair Maker::make(Family family) {
     }
   }
   return pair;
+}
+
+std::string describe(const Pair& pair, double bound) {
+  const auto text = [](const Vector& x) { return fmt::format("{{{:a}, {:a}, {:a}}}", x.x(), x.y(), x.z()); };
+  const auto& x = pair.facet.x;
+  return fmt::format("{} {} {} {} triangle {} query {} bound {:a}", text(x[0]), text(x[1]), text(x[2]), text(x[3]),
+                     pair.facet.triangle, text(pair.query), bound);
 }
 
 Facet rotated(const Facet& facet, std::size_t i) {

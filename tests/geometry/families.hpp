@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <random>
+#include <string>
 #include <string_view>
 
 #include "geometry/closest_point.hpp"
@@ -48,6 +49,9 @@ class Maker {
   void rotate(Pair& pair);
   std::mt19937_64 random_;
 };
+
+/// For failure messages: all digits.
+[[nodiscard]] std::string describe(const Pair& pair, double bound = 0);
 
 /// Corner i becomes corner 0 (quads).
 [[nodiscard]] Facet rotated(const Facet& facet, std::size_t i);

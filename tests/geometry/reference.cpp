@@ -93,23 +93,38 @@ mpf_class squared_distance_of_patch(const Facet& facet, const Vector& query) {
   for (std::size_t i = 1; i < 4; ++i) best = std::min<mpf_class>(best, segment(e[i], e[(i + 1) % 4]));
 
   const LongPatch patch(e);
-  const auto low = [](const Long& v) { return Vector(v.x.get_d(), v.y.get_d(), v.z.get_d()); };
-  const Vector m = low(patch.m), a = low(patch.a), b = low(patch.b), c = low(patch.c);
+  using LongVector = Eigen::Matrix<long double, 3, 1>;
+  const auto low = [](const Long& v) -> LongVector {
+    const auto value = [](const mpf_class& x) {
+      const double head = x.get_d();
+      return head + static_cast<long double>(mpf_class(x - head).get_d());
+    };
+    return {value(v.x), value(v.y), value(v.z)};
+  };
+  const LongVector m = low(patch.m), a = low(patch.a), b = low(patch.b), c = low(patch.c);
   std::vector<std::pair<double, double>> found;
   for (double s0 = -1; s0 <= 1; s0 += 0.5) {
     for (double t0 = -1; t0 <= 1; t0 += 0.5) {
-      double s = s0, t = t0;
+      long double s = s0, t = t0;
+      for (int sweep = 0; sweep < 12; ++sweep) {
+        const LongVector rs = a + t * c;
+        s = std::clamp(-(m + t * b).dot(rs) / rs.squaredNorm(), -1.0L, 1.0L);
+        const LongVector rt = b + s * c;
+        t = std::clamp(-(m + s * a).dot(rt) / rt.squaredNorm(), -1.0L, 1.0L);
+      }
       for (int step = 0; step < 30; ++step) {
-        const Vector rs = a + t * c, rt = b + s * c, r = m + s * a + t * rt;
-        const double ss = rs.squaredNorm(), tt = rt.squaredNorm(), st = rs.dot(rt) + r.dot(c), det = ss * tt - st * st;
-        const double ds = (st * r.dot(rt) - tt * r.dot(rs)) / det, dt = (st * r.dot(rs) - ss * r.dot(rt)) / det;
+        const LongVector rs = a + t * c, rt = b + s * c, r = m + s * a + t * rt;
+        const long double ss = rs.squaredNorm(), tt = rt.squaredNorm(), st = rs.dot(rt) + r.dot(c);
+        const long double gs = r.dot(rs), gt = r.dot(rt), det = ss * tt - st * st;
+        const long double ds = (st * gt - tt * gs) / det, dt = (st * gs - ss * gt) / det;
         s += ds;
         t += dt;
-        if (!(std::abs(s) < 3 && std::abs(t) < 3) || std::abs(ds) + std::abs(dt) < 1e-9) break;
+        if (!(std::abs(s) < 3 && std::abs(t) < 3) || std::abs(ds) + std::abs(dt) < 1e-9L) break;
       }
-      if (!(std::abs(s) < 1.01 && std::abs(t) < 1.01)) continue;
-      const auto same = [&](const auto& x) { return std::abs(x.first - s) + std::abs(x.second - t) < 1e-6; };
-      if (std::none_of(found.begin(), found.end(), same)) found.emplace_back(s, t);
+      if (!(std::abs(s) < 1.01L && std::abs(t) < 1.01L)) continue;
+      const std::pair at(static_cast<double>(s), static_cast<double>(t));
+      const auto same = [&](const auto& x) { return std::abs(x.first - at.first) + std::abs(x.second - at.second) < 1e-6; };
+      if (std::none_of(found.begin(), found.end(), same)) found.push_back(at);
     }
   }
   for (const auto& [s, t] : found) {

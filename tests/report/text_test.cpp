@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
+#include <regex>
 #include <sstream>
 
 #include "report/writers.hpp"
@@ -23,20 +25,54 @@ std::string last_line(const std::string& text) {
 }
 
 TEST(Text, WholeReport) {
-  const std::string expected = R"(GOLDEN)";
+  const std::string expected = R"(plates.k
+  50 nodes, 32 shells, 2 parts, 2 contacts
+
+contact 7 "plates"  type 13  CONTACT_AUTOMATIC_SINGLE_SURFACE  plates.k:34
+  50 tracked nodes, 32 segments: 1 penetration, 1 released node, deepest 0.9 at node 14, 1 node in the edge zone
+
+  penetrating nodes
+    node  part  element  part  penetration  remaining  distance  ratio       s       t  feature  outcome   moved to
+      14     1      500     2          0.9        0.1         1  0.900  -0.240  -0.080  face     released
+      16     -      500     2          0.3        0.7         1  0.300  -0.240  -0.080  face     moved     12 20 1.0006
+
+  by part
+    part of node  part of segment  nodes  deepest  distance  thickness from
+               1                2      1      0.9         1  SST/MST
+               -                2      1      0.3         1  node: SST/MST, segment: OPTT of *PART_CONTACT
+
+  nodes in the edge zone
+    node  part                  element  part  penetration  remaining  distance  ratio      s       t  feature  outcome     moved to
+      15     1  22124-22164-22165-22125     2          0.6        0.4         1  0.600  1.000  -0.080  edge     not listed
+
+contact 2  type a3  CONTACT_AUTOMATIC_SURFACE_TO_SURFACE
+  4 tracked nodes, 1 segment
+  not checked: SOFT = 2 is checked segment by segment
+
+GC501 duplicate-id 1 error
+  mesh.k:40: node 12 is defined again
+
+GC503 empty-surface 1 error
+  contact 2: SURFB has no segments
+
+total  1 penetration, 1 released node, 1 node in the edge zone; deepest 0.9
+
+plates.k: 3 errors, 1 warning, 1 note in 2 contacts, 1 not checked
+)";
   EXPECT_EQ(text(sample_report(), {}), expected);
 }
 
 TEST(Text, TopLimitsTheTablesAndListDoesNot) {
   const Report report = random_report(500, 1, 4);
+  static const std::regex row(R"( (face|edge|corner) +(moved|kept|forced|released|reported|not listed))");
   const auto listed = [&](const TextOptions& options) {
     const std::string all = text(report, options);
-    return lines_with(all, " face ") + lines_with(all, " edge ") + lines_with(all, " corner ");
+    return std::distance(std::sregex_iterator(all.begin(), all.end(), row), std::sregex_iterator());
   };
-  EXPECT_EQ(listed({.top = 5}), 10u);  // five penetrating nodes, five in the edge zone
-  EXPECT_EQ(listed({.top = 0}), 0u);
-  EXPECT_EQ(listed({.top = 1'000'000}), 500u);
-  EXPECT_EQ(listed({.list = true}), 500u);
+  EXPECT_EQ(listed({.top = 5}), 10);  // five penetrating nodes, five in the edge zone
+  EXPECT_EQ(listed({.top = 0}), 0);
+  EXPECT_EQ(listed({.top = 1'000'000}), 500);
+  EXPECT_EQ(listed({.list = true}), 500);
 }
 
 TEST(Text, QuietIsTheLastLine) {

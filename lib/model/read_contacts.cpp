@@ -1,0 +1,254 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/number.hpp"
+#include "model/contact_name.hpp"
+#include "model/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+using keyword::IdKind;
+
+const keyword::CardLayout& layout(std::string_view card) { return keyword::card_layout("CONTACT", card); }
+
+/// The solver takes zero and blank for its default.
+double or_default(double value, double default_value) { return value == 0 ? default_value : value; }
+std::int64_t or_default(std::int64_t value, std::int64_t default_value) { return value == 0 ? default_value : value; }
+
+IdKind id_kind(std::int64_t surface_type) {
+  switch (static_cast<SurfaceType>(surface_type)) {
+    case SurfaceType::part:
+      return IdKind::part;
+    case SurfaceType::all:
+      return IdKind::plain;
+    default:
+      return IdKind::set;
+  }
+}
+
+SurfaceInput read_surface(Context& context, const Block& block, const Card& card, std::string_view id,
+                          std::string_view type, std::string_view box) {
+  SurfaceInput surface;
+  surface.type = card.integer(type);
+  surface.id = context.with_offset(block, id_kind(surface.type), card.integer(id));
+  surface.box = card.integer(box);
+  surface.given = !card.blank(id) || !card.blank(type);
+  return surface;
+}
+
+void read_mpp(CardReader& reader, Contact& contact) {
+  const Card card = reader.next(layout("MPP1"));
+  if (card.present() && !card.blank("ignore")) contact.mpp_ignore = card.integer("ignore");
+  contact.parmax = card.real("parmax");
+  if (trimmed(reader.peek()).starts_with('&')) reader.skip();
+}
+
+/// Cards 1 to 3. Card 1 must be there; without the others the solver's defaults hold.
+bool read_mandatory(Context& context, CardReader& reader, const ContactName& name, Contact& contact) {
+  const Block& block = reader.block();
+  const Card card1 = reader.next(layout("card1"));
+  if (!card1.present()) {
+    context.error(contact.place, fmt::format("*{} ends before its first card; add the card with SURFA and SURFB",
+                                             contact.written));
+    return false;
+  }
+  contact.a = read_surface(context, block, card1, "surfa", "surfatyp", "saboxid");
+  contact.b = read_surface(context, block, card1, "surfb", "surfbtyp", "sbboxid");
+  const Card card2 = reader.next(layout("card2"));
+  const Card card3 = reader.next(layout("card3"));
+  if (!card3.present() && !name.transducer)
+    context.warning(contact.place, fmt::format("*{} ends before card {}; the defaults hold for what is missing",
+                                               contact.written, card2.present() ? 3 : 2));
+  contact.fs = card2.real("fs");
+  contact.fd = card2.real("fd");
+  contact.dc = card2.real("dc");
+  contact.vc = card2.real("vc");
+  contact.vdc = card2.real("vdc");
+  contact.penchk = card2.integer("penchk");
+  contact.birth = card2.real("bt");
+  contact.death = or_default(card2.real("dt"), contact.death);
+  contact.sfs = or_default(card3.real("sfsa"), 1);
+  contact.sfm = or_default(card3.real("sfsb"), 1);
+  contact.sst = context.length(block, card3.real("sast"));
+  contact.mst = context.length(block, card3.real("sbst"));
+  contact.sfst = or_default(card3.real("sfsat"), 1);
+  contact.sfmt = or_default(card3.real("sfsbt"), 1);
+  contact.fsf = or_default(card3.real("fsf"), 1);
+  contact.vsf = or_default(card3.real("vsf"), 1);
+  return true;
+}
+
+/// Cards of the type, thermal and frictional ones. The filter card (RFILTF) that new versions allow behind the cards
+/// of a tiebreak cannot be told from card A, and is taken for card A.
+void read_type_cards(CardReader& reader, const ContactName& name, Contact& contact) {
+  const auto has_cohesive_law = [&] {
+    return contact.tiebreak_option == 13 || contact.tiebreak_option == 14 || contact.tiebreak_option == -13 ||
+           contact.tiebreak_option == -14;
+  };
+  switch (name.extra) {
+    case ExtraCards::none:
+    case ExtraCards::own:
+      break;
+    case ExtraCards::one:
+      if (contact.keyword.find("_TIEBREAK_") != std::string::npos &&
+          contact.keyword.starts_with("CONTACT_AUTOMATIC_"))
+        contact.tiebreak_option = reader.next(layout("TIEBREAK")).integer("option");
+      else
+        reader.skip();
+      break;
+    case ExtraCards::tiebreak:
+    case ExtraCards::tiebreak_damping:
+      contact.tiebreak_option = reader.next(layout("TIEBREAK")).integer("option");
+      if (name.extra == ExtraCards::tiebreak_damping) reader.skip();
+      if (has_cohesive_law()) skip_lines(reader, 2);
+      break;
+    case ExtraCards::tiebreak_user:
+      contact.tiebreak_option = reader.next(layout("TIEBREAK_USER")).integer("option");
+      skip_lines(reader, 2);
+      break;
+    case ExtraCards::tied_weld: {
+      const std::int64_t parameters = reader.next(layout("TIED_WELD1")).integer("ntprm");
+      skip_lines(reader, parameters <= 0 ? 1 : (parameters - 1) / 8 + 1);
+      break;
+    }
+    case ExtraCards::drawbead:
+    case ExtraCards::drawbead_initialize:
+      skip_lines(reader, reader.next(layout("DRAWBEAD1")).integer("nbead"));
+      if (name.extra == ExtraCards::drawbead_initialize) reader.skip();
+      break;
+  }
+  if (name.thermal) reader.skip();
+  if (name.thermal_friction) reader.skip();
+  if (name.ortho_friction) skip_lines(reader, 4);
+}
+
+void read_a(const Card& card, Contact& contact) {
+  contact.soft = card.integer("soft");
+  contact.sofscl = or_default(card.real("sofscl"), contact.sofscl);
+  contact.lcidab = card.integer("lcidab");
+  contact.maxpar = card.real("maxpar");
+  contact.sbopt = or_default(card.integer("sbopt"), contact.sbopt);
+  contact.depth = or_default(card.integer("depth"), contact.depth);
+  contact.bsort = card.integer("bsort");
+}
+
+void read_b(const Card& card, double length_factor, Contact& contact) {
+  contact.penmax = card.real("penmax");
+  contact.thkopt = card.integer("thkopt");
+  contact.shlthk = card.integer("shlthk");
+  contact.snlog = card.integer("snlog");
+  contact.isym = card.integer("isym");
+  contact.sldthk = card.real("sldthk") * length_factor;
+  contact.sldstf = card.real("sldstf");
+}
+
+void read_c(const Card& card, Contact& contact) {
+  contact.igap = or_default(card.integer("igap"), contact.igap);
+  if (!card.blank("ignore")) contact.ignore = card.integer("ignore");
+  contact.dprfac = card.real("dprfac");
+  contact.dtstif = card.real("dtstif");
+}
+
+void read_d(const Card& card, Contact& contact) {
+  contact.dtpchk = card.real("dtpchk");
+  contact.tcso = card.integer("tcso");
+  contact.tiedid = card.integer("tiedid");
+  contact.shledg = card.integer("shledg");
+}
+
+void read_e(const Card& card, Contact& contact) {
+  contact.sharec = card.integer("sharec");
+  contact.ipback = card.integer("ipback");
+  contact.srnde = card.integer("srnde");
+}
+
+/// Cards A to G, as many as there are; blank lines are cards.
+void read_optional(Context& context, CardReader& reader, Contact& contact) {
+  constexpr std::string_view names[] = {"A", "B", "C", "D", "E", "F", "G"};
+  for (const std::string_view name : names) {
+    if (reader.at_end()) return;
+    ++contact.optional_cards;
+    const Card card = reader.next(layout(name));
+    switch (name.front()) {
+      case 'A':
+        read_a(card, contact);
+        break;
+      case 'B':
+        read_b(card, context.transform(reader.block()).length_factor, contact);
+        break;
+      case 'C':
+        read_c(card, contact);
+        break;
+      case 'D':
+        read_d(card, contact);
+        break;
+      case 'E':
+        read_e(card, contact);
+        break;
+      case 'G':
+        contact.shloff = card.real("shloff");
+        break;
+      default:
+        break;
+    }
+  }
+  while (!reader.at_end() && skip_blank(reader)) continue;
+  if (!reader.at_end())
+    context.warning(Context::place(reader.block(), reader.peek_line()),
+                    fmt::format("*{} has more lines than cards; what stands behind card G is not read",
+                                contact.written));
+}
+
+void read_exclusion(Context& context, const Block& block) {
+  const auto& first = keyword::card_layout("CONTACT_EXCLUDE_INTERACTION", "card1");
+  const auto& row = keyword::card_layout("CONTACT_EXCLUDE_INTERACTION", "card2");
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = reader.next(first);
+  ContactExclusion exclusion;
+  exclusion.place = Context::place(block, card.present() ? card.line() : block.line);
+  exclusion.contact = card.integer("cid");
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card pair = reader.next(row);
+    ContactExclusion::Pair sides;
+    sides.type_a = pair.integer("typea");
+    sides.type_b = pair.integer("typeb");
+    sides.a = context.with_offset(block, id_kind(sides.type_a), pair.integer("sida"));
+    sides.b = context.with_offset(block, id_kind(sides.type_b), pair.integer("sidb"));
+    exclusion.pairs.push_back(sides);
+  }
+  context.model.exclusions.push_back(std::move(exclusion));
+}
+
+}  // namespace
+
+void read_contact(Context& context, const Block& block, const Options&) {
+  if (block.name.starts_with("CONTACT_EXCLUDE_INTERACTION")) return read_exclusion(context, block);
+  const ContactName name = parse_contact_name(block.name);
+  Contact contact;
+  contact.written = block.name;
+  contact.keyword = name.bare;
+  contact.known = name.known;
+  contact.own_layout = name.extra == ExtraCards::own;
+  contact.place = Context::place(block, block.line);
+  if (!name.modifier) contact.order = ++context.interfaces;
+  CardReader reader(context.deck, block, context.diagnostics);
+  if (name.id) {
+    const Card card = reader.next(layout("ID"));
+    contact.id = ContactId(card.integer("cid"));
+    contact.title = card.text("heading");
+  }
+  if (name.known && !contact.own_layout) {
+    if (name.mpp) read_mpp(reader, contact);
+    if (read_mandatory(context, reader, name, contact)) {
+      read_type_cards(reader, name, contact);
+      read_optional(context, reader, contact);
+    }
+  }
+  context.model.contacts.push_back(std::move(contact));
+}
+
+}  // namespace gapcheck::model

@@ -1,0 +1,56 @@
+# Sourced by ../run and ../test: what both need before they build. Everything it says goes to standard error.
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '%s\n' "$*" >&2; }
+
+# Installs the packages of packages.txt that are missing. A stamp in build/ keeps later calls short.
+install_packages() {
+  local list=$root/scripts/packages.txt stamp=$root/build/.packages missing=() package
+  [[ $stamp -nt $list ]] && return
+  while read -r package; do
+    [[ -z $package || $package == '#'* ]] && continue
+    dpkg -s "$package" 2>/dev/null | grep -q '^Status: install ok installed' || missing+=("$package")
+  done <"$list"
+  if ((${#missing[@]})); then
+    local sudo=()
+    if ((EUID != 0)); then
+      if ! command -v sudo >/dev/null; then
+        say "These packages are missing: ${missing[*]}"
+        say "Install them as root: apt-get install ${missing[*]}"
+        exit 2
+      fi
+      sudo=(sudo)
+    fi
+    say "Installing ${missing[*]} …"
+    local log=$root/build/packages.log
+    mkdir -p "$root/build"
+    if ! { "${sudo[@]}" apt-get update -q && "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -q -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+      cat "$log" >&2
+      say "The packages could not be installed (see above): ${missing[*]}"
+      exit 2
+    fi
+  fi
+  mkdir -p "$root/build"
+  touch "$stamp"
+}
+
+# build PRESET TARGET…: configures build/PRESET once, then lets ninja decide what to do.
+build() {
+  local preset=$1 folder=$root/build/$1 log=$root/build/$1.log
+  shift
+  if [[ ! -f $folder/build.ninja ]]; then
+    say "Configuring $preset …"
+    if ! (cd "$root" && cmake --preset "$preset") >"$log" 2>&1; then
+      cat "$log" >&2
+      exit 2
+    fi
+  fi
+  # ninja prints one status line on a terminal; without one only what goes wrong is of interest.
+  if [[ -t 2 ]]; then
+    ninja -C "$folder" "$@" >&2 || exit 2
+  elif ! ninja -C "$folder" "$@" >"$log" 2>&1; then
+    grep -v '^\[' "$log" >&2
+    exit 2
+  fi
+}

@@ -1,0 +1,143 @@
+#include <filesystem>
+
+#include "support.hpp"
+
+namespace gapcheck::keyword {
+namespace {
+
+class Includes : public testing::Test {
+ protected:
+  void read(const std::string& main, const ReadOptions& options = {}) {
+    auto result = read_deck(directory.path(main), options, diagnostics);
+    ASSERT_TRUE(result.ok()) << result.error().message;
+    deck = std::move(result).value();
+  }
+  TemporaryDirectory directory;
+  Diagnostics diagnostics;
+  Deck deck;
+};
+
+TEST_F(Includes, StandWhereTheyAreIncluded) {
+  directory.write("a.k", "*NODE\n*END\n*PART\n");
+  directory.write("sub/b.k", "*INCLUDE\nc.k\n*ELEMENT_SHELL\n");
+  directory.write("sub/c.k", "*SET_NODE\n");
+  directory.write("main.k", "*KEYWORD\n*INCLUDE\na.k\n$ comment\n\nsub/b.k\n*TITLE\n");
+  read("main.k");
+  EXPECT_EQ(names(deck), (std::vector<std::string>{"KEYWORD", "INCLUDE", "NODE", "END", "INCLUDE", "SET_NODE",
+                                                   "ELEMENT_SHELL", "TITLE"}));
+  EXPECT_EQ(reports(diagnostics), "");
+  ASSERT_EQ(deck.files().size(), 4u);
+  EXPECT_EQ(deck.files()[3].includer, FileIndex(2));
+  EXPECT_EQ(deck.files()[2].include_line, 6u);
+  EXPECT_EQ(deck.files()[0].includer, none<FileIndex>);
+  for (std::size_t i = 0; i < deck.blocks().size(); ++i) EXPECT_EQ(deck.blocks()[i].order, i);
+}
+
+TEST_F(Includes, ContinuedNames) {
+  directory.write("some/deep/directory/mesh.k", "*NODE\n");
+  directory.write("main.k", "*INCLUDE\nsome/deep +\n/directory/ +\nmesh.k\n");
+  read("main.k");
+  EXPECT_EQ(names(deck).back(), "NODE") << reports(diagnostics);
+}
+
+TEST_F(Includes, SearchPaths) {
+  directory.write("x/one.k", "*NODE\n");
+  directory.write("y/two.k", "*PART\n");
+  directory.write("z/three.k", "*TITLE\n");
+  directory.write("main.k", "*INCLUDE_PATH\n" + directory.path("x") + "\n*INCLUDE\none.k\n*INCLUDE_PATH_RELATIVE\ny\n" +
+                                "*INCLUDE\ntwo.k\nthree.k\n*INCLUDE\nx\\one.k\n");
+  ReadOptions options;
+  options.include_directories = {directory.path("z")};
+  read("main.k", options);
+  EXPECT_EQ(reports(diagnostics), "");
+  EXPECT_EQ(deck.files().size(), 5u);
+}
+
+TEST_F(Includes, AllMissingOnesAreReported) {
+  directory.write("main.k", "*KEYWORD\n*INCLUDE\nno.k\nneither.k\n*NODE\n");
+  read("main.k");
+  EXPECT_EQ(count_errors(diagnostics), 2u);
+  const std::string all = reports(diagnostics);
+  EXPECT_NE(all.find("main.k:3: include \"no.k\" was not found"), std::string::npos) << all;
+  EXPECT_NE(all.find("main.k:4: include \"neither.k\""), std::string::npos) << all;
+  EXPECT_EQ(deck.counters().missing_includes, 2u);
+  EXPECT_EQ(names(deck).back(), "NODE");
+}
+
+TEST_F(Includes, MissingOnesMayBeSkipped) {
+  directory.write("main.k", "*INCLUDE\nno.k\n");
+  ReadOptions options;
+  options.skip_missing_includes = true;
+  read("main.k", options);
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_EQ(diagnostics.sorted().size(), 1u);
+  EXPECT_EQ(deck.counters().missing_includes, 1u);
+}
+
+TEST_F(Includes, BadFiles) {
+  directory.write("empty.k", "");
+  directory.write("binary.k", std::string("\0\0\0\0", 4));
+  std::filesystem::create_directories(directory.path("folder.k"));
+  directory.write("main.k", "*INCLUDE\nempty.k\nbinary.k\nfolder.k\n" + std::string(400, 'n') + "\n/dev/zero\n");
+  read("main.k");
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(count_errors(diagnostics), 4u) << all;
+  for (const char* part : {":2: include", "is empty", ":3: include", "not a keyword file", "folder.k", "236"})
+    EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
+}
+
+TEST_F(Includes, CyclesAreCut) {
+  directory.write("a.k", "*INCLUDE\nb.k\n");
+  directory.write("b.k", "*INCLUDE\n./a.k\n*NODE\n");
+  directory.write("main.k", "*INCLUDE\na.k\nmain.k\n");
+  read("main.k");
+  EXPECT_EQ(count_errors(diagnostics), 2u) << reports(diagnostics);
+  EXPECT_NE(reports(diagnostics).find("includes itself"), std::string::npos);
+}
+
+TEST_F(Includes, DepthAndNumberAreBounded) {
+  for (int i = 0; i < 40; ++i) {
+    const std::string next = std::to_string(i + 1) + ".k\n";
+    directory.write(std::to_string(i) + ".k", "*INCLUDE\n" + next + next);
+  }
+  directory.write("40.k", "*NODE\n");
+  ReadOptions options;
+  options.max_include_depth = 5;
+  read("0.k", options);
+  EXPECT_NE(reports(diagnostics).find("nested more than 5 deep"), std::string::npos);
+  EXPECT_EQ(deck.files().size(), 63u);
+  Diagnostics more;
+  options.max_include_depth = 64;
+  options.max_files = 100;
+  const auto many = read_deck(directory.path("0.k"), options, more);
+  ASSERT_TRUE(many.ok());
+  EXPECT_EQ(many.value().files().size(), 100u);
+  EXPECT_EQ(count_errors(more), 1u) << reports(more);
+}
+
+TEST_F(Includes, InheritTheFormatAndKeepTheirOwn) {
+  directory.write("plain.k", "*NODE\n");
+  directory.write("own.k", "*KEYWORD LONG=S\n*PART\n");
+  directory.write("main.k", "*KEYWORD LONG=Y\n*INCLUDE\nplain.k\nown.k\n*TITLE\n");
+  read("main.k");
+  for (const Block& block : deck.blocks()) {
+    if (block.name == "NODE" || block.name == "TITLE") {
+      EXPECT_EQ(block.format, Format::long_fields);
+    }
+    if (block.name == "PART") {
+      EXPECT_EQ(block.format, Format::standard);
+    }
+  }
+}
+
+TEST_F(Includes, AutoOffset) {
+  directory.write("mesh.k", "*NODE\n       1\n");
+  directory.write("main.k", "*INCLUDE_AUTO_OFFSET\nmesh.k\n*INCLUDE_AUTO_OFFSET_USER\nmesh.k\n       100       200\n");
+  read("main.k");
+  EXPECT_EQ(diagnostics.sorted().size(), 1u) << reports(diagnostics);
+  const Block& last = deck.blocks().back();
+  EXPECT_EQ(CardReader(deck, last, diagnostics).next(card_layout("NODE", "card1")).integer("nid"), 101);
+}
+
+}  // namespace
+}  // namespace gapcheck::keyword

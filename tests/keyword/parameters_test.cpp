@@ -1,0 +1,130 @@
+#include "keyword/parameters.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "support.hpp"
+
+namespace gapcheck::keyword {
+namespace {
+
+double number(const ParameterValue* value) {
+  if (value == nullptr) return std::nan("");
+  if (const auto* integer = std::get_if<std::int64_t>(value)) return static_cast<double>(*integer);
+  return std::get<double>(*value);
+}
+
+TEST(Parameters, AreVisibleFromTheirDefinitionOn) {
+  Parameters parameters;
+  parameters.define("thk", 1.5, Parameters::global, 3);
+  parameters.define("THK", 2.5, Parameters::global, 7);
+  EXPECT_EQ(parameters.find("thk", 0, 3), nullptr);
+  EXPECT_EQ(number(parameters.find("Thk", 0, 4)), 1.5);
+  EXPECT_EQ(number(parameters.find("thk", 0, 7)), 1.5);
+  EXPECT_EQ(number(parameters.find("thk", 0, 8)), 2.5);
+  EXPECT_EQ(parameters.find("other", 0, 8), nullptr);
+}
+
+TEST(Parameters, InnermostScopeFirst) {
+  Parameters parameters;
+  const auto main = parameters.add_scope(Parameters::global);
+  const auto inner = parameters.add_scope(main), sibling = parameters.add_scope(main);
+  parameters.define("a", 1.0, Parameters::global, 0);
+  parameters.define("a", 2.0, inner, 1);
+  parameters.define("a", 3.0, Parameters::global, 2);
+  EXPECT_EQ(number(parameters.find("a", inner, 9)), 2);
+  EXPECT_EQ(number(parameters.find("a", sibling, 9)), 3);
+  EXPECT_EQ(number(parameters.find("a", main, 2)), 1);
+}
+
+/// The same against a plain list of all definitions.
+TEST(Parameters, AgreeWithAPlainList) {
+  std::mt19937 random(7);
+  struct Entry {
+    std::string name;
+    std::uint32_t scope, order;
+    double value;
+  };
+  for (int round = 0; round < 50; ++round) {
+    Parameters parameters;
+    std::vector<std::uint32_t> parents{0};
+    for (int i = 0; i < 6; ++i) {
+      const auto parent = static_cast<std::uint32_t>(random() % parents.size());
+      parents.push_back(parent);
+      EXPECT_EQ(parameters.add_scope(parent), parents.size() - 1);
+    }
+    std::vector<Entry> entries;
+    for (std::uint32_t order = 0; order < 40; ++order) {
+      entries.push_back({std::string(1, static_cast<char>('a' + random() % 3)),
+                         static_cast<std::uint32_t>(random() % parents.size()), order, 0.5 * order});
+      parameters.define(entries.back().name, entries.back().value, entries.back().scope, order);
+    }
+    for (int query = 0; query < 100; ++query) {
+      const std::string name(1, static_cast<char>('a' + random() % 4));
+      const auto scope = static_cast<std::uint32_t>(random() % parents.size());
+      const auto order = static_cast<std::uint32_t>(random() % 41);
+      const Entry* expected = nullptr;
+      for (auto s = scope;; s = parents[s]) {
+        for (const Entry& entry : entries)
+          if (entry.name == name && entry.scope == s && entry.order < order) expected = &entry;
+        if (expected != nullptr || s == 0) break;
+      }
+      const auto* found = parameters.find(name, scope, order);
+      ASSERT_EQ(found != nullptr, expected != nullptr);
+      if (found != nullptr) EXPECT_EQ(std::get<double>(*found), expected->value);
+    }
+  }
+}
+
+TEST(Parameters, ReadFromDecks) {
+  TextDeck deck(
+      "*KEYWORD\n*PARAMETER\n$ comment\nRthk            1.5I   n             7\nr fac      1.5-3 c  text  hello\n"
+      "*PARAMETER\nR free, 2.5, I j, 3\n"
+      "*PARAMETER_EXPRESSION\nR twice   2*thk\nI m       n*3-&j\nR later   twice + sqrt(16)\n*END\n");
+  const auto& parameters = deck.deck.parameters();
+  const auto value = [&](const char* name) { return number(parameters.find(name, 0, 100)); };
+  EXPECT_EQ(value("thk"), 1.5);
+  EXPECT_EQ(value("N"), 7);
+  EXPECT_EQ(value("fac"), 1.5e-3);
+  EXPECT_EQ(value("free"), 2.5);
+  EXPECT_EQ(value("twice"), 3);
+  EXPECT_EQ(value("m"), 18);
+  EXPECT_EQ(value("later"), 7);
+  EXPECT_EQ(std::get<std::string>(*parameters.find("text", 0, 100)), "hello");
+  EXPECT_EQ(reports(deck.diagnostics), "");
+}
+
+TEST(Parameters, LocalOnesStayInTheirFileAndItsIncludes) {
+  const TemporaryDirectory directory;
+  directory.write("inner.k",
+                  "*PARAMETER_LOCAL\nR a              2\n*PARAMETER\nR shared         5\n*INCLUDE\nleaf.k\n");
+  directory.write("leaf.k", "*NODE\n*END\n");
+  const auto main = directory.write(
+      "main.k",
+      "*KEYWORD\n*PARAMETER\nR a              1\n*INCLUDE\ninner.k\n*ELEMENT_SHELL\n*INCLUDE\nleaf.k\n*END\n");
+  Diagnostics diagnostics;
+  const auto deck = read_deck(main, {}, diagnostics);
+  ASSERT_TRUE(deck.ok());
+  std::vector<double> a_at_nodes, shared;
+  for (const Block& block : deck.value().blocks())
+    if (block.name == "NODE" || block.name == "ELEMENT_SHELL") {
+      a_at_nodes.push_back(number(deck.value().parameters().find("a", block.scope, block.order)));
+      shared.push_back(number(deck.value().parameters().find("shared", block.scope, block.order)));
+    }
+  EXPECT_EQ(a_at_nodes, (std::vector<double>{2, 1, 1}));
+  EXPECT_EQ(shared, (std::vector<double>{5, 5, 5}));
+  EXPECT_EQ(reports(diagnostics), "");
+}
+
+TEST(Parameters, FaultsAreReportedWithTheirLine) {
+  TextDeck deck(
+      "*KEYWORD\n*PARAMETER\nX bad            1\nR nothing\nR text       abc\n*PARAMETER_EXPRESSION\nR e       "
+      "1/0\n*END\n");
+  const std::string all = reports(deck.diagnostics);
+  for (const char* part : {"deck.k:3: ", "R, I or C", "deck.k:4: ", "has no value", "deck.k:5: ", "\"abc\"",
+                           "deck.k:7: ", "divides by zero"})
+    EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
+}
+
+}  // namespace
+}  // namespace gapcheck::keyword
