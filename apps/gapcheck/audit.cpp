@@ -6,6 +6,7 @@
 #include <CLI/Validators.hpp>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,62 +43,67 @@ std::string check_rule(const std::string& text) {
   return "'" + text + "' is no rule; gapcheck rules lists them";
 }
 
+/// An option that takes a list: commas, or the option again. Never more than one argument, or it would take the deck.
+template <class Value>
+CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Value>& values, const std::string& text) {
+  return command.add_option(name, values, text)->delimiter(',')->take_all()->allow_extra_args(false);
+}
+
 void add_selection(CLI::App& command, Arguments& arguments) {
   audit::AuditOptions& audit = arguments.audit;
-  command.add_option("--select", audit.select, "Only these rules: ids, names or prefixes of them")
-      ->delimiter(',')
-      ->check(CLI::Validator(check_rule, "RULE"))
-      ->group("Selection");
-  command.add_option("--ignore", audit.ignore, "Not these rules")
-      ->delimiter(',')
-      ->check(CLI::Validator(check_rule, "RULE"))
-      ->group("Selection");
-  command.add_option("--contact", audit.contacts, "Only these contacts, by id")->delimiter(',')->group("Selection");
-  command.add_option("--part", audit.parts, "Only nodes of these parts, by id")->delimiter(',')->group("Selection");
-  const CLI::Validator amount(check_amount, "X");
-  command.add_option("--ptol", audit.ptol, "Only penetrations deeper than X")->check(amount)->group("Selection");
-  command.add_option("--rtol", audit.rtol, "Only nodes with a remaining distance below X")
-      ->check(amount)
-      ->group("Selection");
-  command.add_option("--ratio", audit.ratio, "Only penetrations deeper than X times the contact distance")
-      ->check(amount)
-      ->group("Selection");
+  const CLI::Validator rule(check_rule, ""), amount(check_amount, "");
+  const std::vector<CLI::Option*> options{
+      add_list(command, "--select", audit.select, "Only these rules: ids, names or beginnings of them")
+          ->check(rule)
+          ->type_name("RULES"),
+      add_list(command, "--ignore", audit.ignore, "Not these rules")->check(rule)->type_name("RULES"),
+      add_list(command, "--contact", audit.contacts, "Only these contacts")->type_name("IDS"),
+      add_list(command, "--part", audit.parts, "Only nodes of these parts")->type_name("IDS"),
+      command.add_option("--ptol", audit.ptol, "Only penetrations deeper than X")->check(amount)->type_name("X"),
+      command.add_option("--rtol", audit.rtol, "Only nodes with a remaining distance below X")
+          ->check(amount)
+          ->type_name("X"),
+      command.add_option("--ratio", audit.ratio, "Only penetrations deeper than X times the contact distance")
+          ->check(amount)
+          ->type_name("X")};
+  for (CLI::Option* option : options) option->group("Selection");
 }
 
 void add_output(CLI::App& command, Arguments& arguments) {
-  command.add_option("--format", arguments.format, "text or json")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->capture_default_str()
-      ->group("Output");
-  command.add_option("--output", arguments.output, "File for the results instead of standard output")->group("Output");
-  command.add_option("--top", arguments.text.top, "Deepest nodes to show per contact")
-      ->capture_default_str()
-      ->group("Output");
-  command.add_flag("--list", arguments.text.list, "Show every node and finding")->group("Output");
-  command.add_option("--fail-on", arguments.fail_on, "Least severity that gives exit code 1")
-      ->check(CLI::IsMember({"error", "warning", "note", "never"}))
-      ->capture_default_str()
-      ->group("Output");
-  command.add_flag("--stats", arguments.text.stats, "Show counters and times")->group("Output");
-  command.add_flag("--quiet", arguments.text.quiet, "Only the last line, and no warnings")->group("Output");
+  const std::vector<CLI::Option*> options{
+      command.add_option("--format", arguments.format, "Of the results")
+          ->check(CLI::IsMember({"text", "json"}))
+          ->capture_default_str(),
+      command.add_option("--output", arguments.output, "Write the results there instead of to standard output")
+          ->type_name("FILE"),
+      command.add_option("--top", arguments.text.top, "Deepest nodes to show per contact")
+          ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
+          ->type_name("N")
+          ->capture_default_str(),
+      command.add_flag("--list", arguments.text.list, "Show every node and finding"),
+      command.add_option("--fail-on", arguments.fail_on, "Least severity that gives exit code 1")
+          ->check(CLI::IsMember({"error", "warning", "note", "never"}))
+          ->capture_default_str(),
+      command.add_flag("--stats", arguments.text.stats, "Show counters and times"),
+      command.add_flag("--quiet", arguments.text.quiet, "Only the last line, and no warnings")};
+  for (CLI::Option* option : options) option->group("Output");
 }
 
-void add_reading(CLI::App& command, Arguments& arguments) {
-  command.add_option("-I", arguments.audit.read.include_directories, "Further directory for *INCLUDE; may be repeated")
-      ->take_all()
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->group("Reading");
-  command.add_option("--missing-includes", arguments.missing_includes, "What a missing include file is: error or skip")
-      ->check(CLI::IsMember({"error", "skip"}))
-      ->capture_default_str()
-      ->group("Reading");
-  command.add_flag("--exact", arguments.audit.exact, "Decide everything in exact arithmetic (slow, same results)")
-      ->group("Work");
-  command.add_option("--jobs", arguments.jobs, "Threads; 0: as many as the machine has")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str()
-      ->group("Work");
+void add_work(CLI::App& command, Arguments& arguments) {
+  const std::vector<CLI::Option*> options{
+      command.add_option("-I", arguments.audit.read.include_directories, "Further directory for *INCLUDE")
+          ->take_all()
+          ->allow_extra_args(false)
+          ->type_name("DIR"),
+      command.add_option("--missing-includes", arguments.missing_includes, "What to do about missing include files")
+          ->check(CLI::IsMember({"error", "skip"}))
+          ->capture_default_str(),
+      command.add_flag("--exact", arguments.audit.exact, "Decide everything in exact arithmetic (slow, same results)"),
+      command.add_option("--jobs", arguments.jobs, "Threads; 0: as many as the machine has")
+          ->check(CLI::Range(0, 4096).description(""))
+          ->type_name("N")
+          ->capture_default_str()};
+  for (CLI::Option* option : options) option->group("Reading and work");
 }
 
 bool write(const Report& report, const Arguments& arguments) {
@@ -143,11 +149,12 @@ int audit_deck(const Arguments& arguments) {
 
 void add_audit(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("audit", "Check the contacts of a keyword deck and its includes");
+  command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("DECK", arguments->deck, "Keyword file")->required();
+  command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
   add_selection(*command, *arguments);
   add_output(*command, *arguments);
-  add_reading(*command, *arguments);
+  add_work(*command, *arguments);
   command->callback([&action, arguments] {
     action = [arguments] {
       arguments->audit.read.skip_missing_includes = arguments->missing_includes == "skip";

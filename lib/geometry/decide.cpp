@@ -42,7 +42,7 @@ Corners piece_corners(const Corners& e, const Piece& p) {
 struct Limits {
   int depth, pieces;
 };
-constexpr Limits floating_limits{24, 256}, exact_limits{26, 4096};
+constexpr Limits floating_limits{24, 256}, exact_limits{48, 4096};
 
 /// Proves a patch piece by piece: pieces that stay open are cut in four. Returns `closer` as soon as one piece is,
 /// `apart` if all are; otherwise `open`. `prove(piece, corners)` gives the verdict on one piece; its `tied` ends the

@@ -30,8 +30,7 @@ CardLayout element_line(std::size_t nodes) {
 
 CardLayout id_line(std::size_t count, std::uint16_t width, IdKind kind) {
   CardLayout layout{"ids", {}};
-  for (std::size_t i = 1; i <= count; ++i)
-    add_field(layout, "id" + std::to_string(i), width, FieldType::integer, kind);
+  for (std::size_t i = 1; i <= count; ++i) add_field(layout, "id" + std::to_string(i), width, FieldType::integer, kind);
   return layout;
 }
 

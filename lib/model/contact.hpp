@@ -22,10 +22,10 @@ enum class SurfaceType : std::uint8_t {
 };
 
 struct SurfaceInput {
-  std::int64_t id = 0;       ///< set or part; 0 with type part_set or part on side A means all
-  std::int64_t type = 0;     ///< as written; see SurfaceType
-  std::int64_t box = 0;      ///< *DEFINE_BOX; 0 = none
-  bool given = false;        ///< false: both id and type are blank
+  std::int64_t id = 0;    ///< set or part; 0 with type part_set or part on side A means all
+  std::int64_t type = 0;  ///< as written; see SurfaceType
+  std::int64_t box = 0;   ///< *DEFINE_BOX; 0 = none
+  bool given = false;     ///< false: both id and type are blank
 };
 
 /// One 3D *CONTACT definition with all its cards. Defaults are the solver's; where "not given" matters, it is an
@@ -83,7 +83,7 @@ struct Contact {
 struct ContactExclusion {
   std::int64_t contact = 0;
   struct Pair {
-    std::int64_t a = 0, b = 0;        ///< set or part ids
+    std::int64_t a = 0, b = 0;  ///< set or part ids
     std::int64_t type_a = 0, type_b = 0;
   };
   std::vector<Pair> pairs;

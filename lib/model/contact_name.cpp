@@ -98,9 +98,9 @@ constexpr ContactType types[] = {
 };
 
 /// Families whose blocks have cards of their own.
-constexpr std::string_view own_families[] = {"1D",       "2D",     "ADD_WEAR", "AUTO_MOVE",    "COUPLING",
-                                             "ENTITY",   "GEBOD",  "INTERIOR", "GUIDED_CABLE", "NURBS",
-                                             "RIGID_SURFACE", "SPG"};
+constexpr std::string_view own_families[] = {"1D",           "2D",     "ADD_WEAR",      "AUTO_MOVE",
+                                             "COUPLING",     "ENTITY", "GEBOD",         "INTERIOR",
+                                             "GUIDED_CABLE", "NURBS",  "RIGID_SURFACE", "SPG"};
 constexpr std::string_view modifiers[] = {"ADD_WEAR", "AUTO_MOVE", "INTERIOR"};
 
 bool in_family(std::string_view name, std::string_view family) {

@@ -14,12 +14,12 @@ enum class ExtraCards : unsigned char {
   tied_weld,         ///< one, and the parameters that it counts
   drawbead,          ///< one, and one per bead
   drawbead_initialize,
-  own,               ///< none of the cards of a 3D contact
+  own,  ///< none of the cards of a 3D contact
 };
 
 /// What the name of a *CONTACT keyword says.
 struct ContactName {
-  std::string bare;         ///< without option words, MORTAR last: "CONTACT_AUTOMATIC_SINGLE_SURFACE_MORTAR"
+  std::string bare;  ///< without option words, MORTAR last: "CONTACT_AUTOMATIC_SINGLE_SURFACE_MORTAR"
   bool known = false;
   bool modifier = false;    ///< no interface of its own
   bool transducer = false;  ///< only the first card counts

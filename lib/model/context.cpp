@@ -41,8 +41,11 @@ void Context::unknown(std::string message, Place place) {
 std::int64_t Context::with_offset(const keyword::Block& block, keyword::IdKind kind, std::int64_t id) const {
   if (id == 0) return 0;
   const std::int64_t offset = transform(block).offset[static_cast<std::size_t>(kind)];
-  std::int64_t sum = 0;
-  return __builtin_add_overflow(id, offset, &sum) ? id : sum;
+  // Some keywords give an id a meaning of its own by a minus sign; its number moves all the same.
+  std::int64_t moved = 0;
+  const bool overflow =
+      id > 0 ? __builtin_add_overflow(id, offset, &moved) : __builtin_sub_overflow(id, offset, &moved);
+  return overflow ? id : moved;
 }
 
 PartIndex Context::part(std::int64_t id) const {

@@ -122,9 +122,9 @@ std::vector<std::uint32_t> append_elements(Context& context, const Block& block,
     if (row[0] <= 0)
       context.error(place, fmt::format("{} id {} is not positive; the element is left out", traits.what, row[0]));
     else if (std::array<NodeIndex, N> unused; !find_nodes(nodes, traits, row + 2, rows.nodes, unused, bad))
-      context.unknown(fmt::format("{} {} names node {}, which is not defined; the element is left out", traits.what,
-                                  row[0], bad),
-                      place);
+      context.unknown(
+          fmt::format("{} {} names node {}, which is not defined; the element is left out", traits.what, row[0], bad),
+          place);
     else
       continue;
     dropped.push_back(static_cast<std::uint32_t>(i));

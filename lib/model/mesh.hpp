@@ -111,11 +111,11 @@ struct Mesh {
   Shells shells;
   Elements<8> solids;
   Elements<8> thick_shells;
-  Elements<2> beams;      ///< the two end nodes
-  Elements<2> discrete;   ///< springs and dampers; the second node may be none
-  Elements<1> masses;     ///< *ELEMENT_MASS; part may be none
+  Elements<2> beams;                ///< the two end nodes
+  Elements<2> discrete;             ///< springs and dampers; the second node may be none
+  Elements<1> masses;               ///< *ELEMENT_MASS; part may be none
   std::vector<double> mass_values;  ///< beside masses
-  Elements<1> particles;  ///< *ELEMENT_SPH
+  Elements<1> particles;            ///< *ELEMENT_SPH
 };
 
 }  // namespace gapcheck::model

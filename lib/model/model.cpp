@@ -28,7 +28,7 @@ struct Family {
   std::string_view name;
   Phase phase;
   Read read;
-  std::string_view options = "";  ///< words that may follow the name; "*": any
+  std::string_view options = "";   ///< words that may follow the name; "*": any
   bool warn_about_others = false;  ///< whether the name with any other word is worth a warning
 };
 
@@ -45,8 +45,8 @@ constexpr Family families[] = {
     {"ELEMENT_SOLID", Phase::elements, read_solids,
      "ORTHO DOF FORMAT2 H20 H27 H64 T15 T20 H8TOH20 H8TOH27 H8TOH64 T4TOT10 T4TOT15 TET4TOTET10", true},
     {"ELEMENT_TSHELL", Phase::elements, read_thick_shells, "BETA COMPOSITE", true},
-    {"ELEMENT_BEAM", Phase::elements, read_beams,
-     "THICKNESS SECTION PID OFFSET ORIENTATION SCALAR SCALR WARPAGE ELBOW", true},
+    {"ELEMENT_BEAM", Phase::elements, read_beams, "THICKNESS SECTION PID OFFSET ORIENTATION SCALAR SCALR WARPAGE ELBOW",
+     true},
     {"ELEMENT_BEAM_PULLEY", Phase::rest, nullptr},
     {"ELEMENT_BEAM_SOURCE", Phase::rest, nullptr},
     {"ELEMENT_DISCRETE", Phase::elements, read_discrete, "LCO"},
@@ -55,7 +55,8 @@ constexpr Family families[] = {
     {"ELEMENT_MASS", Phase::elements, read_masses},
     {"ELEMENT_INERTIA", Phase::elements, read_inertias, "OFFSET"},
     {"ELEMENT_SPH", Phase::elements, read_particles, "VOLUME"},
-    {"PART", Phase::parts, read_parts, "INERTIA REPOSITION CONTACT PRINT AVERAGED ATTACHMENT NODES FIELD COMPOSITE TSHELL LONG"},
+    {"PART", Phase::parts, read_parts,
+     "INERTIA REPOSITION CONTACT PRINT AVERAGED ATTACHMENT NODES FIELD COMPOSITE TSHELL LONG"},
     {"PART_COMPOSITE_IGA_SHELL", Phase::rest, warn_unread, "*"},
     {"PART_DUPLICATE", Phase::rest, warn_unread, "*"},
     {"PART_MOVE", Phase::rest, warn_unread, "*"},

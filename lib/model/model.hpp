@@ -43,7 +43,7 @@ struct Model {
   std::vector<ContactExclusion> exclusions;
   std::vector<RigidGroup> rigid_groups;
   Controls controls;
-  std::vector<Fault> faults;  ///< by kind and place; complete (the report groups them)
+  std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
   std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for
   std::uint64_t skipped_bytes = 0;
 

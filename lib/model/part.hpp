@@ -51,8 +51,8 @@ struct Material {
   std::int64_t id = 0;
   std::string keyword;  ///< "MAT_ELASTIC"; numbers are resolved to names where the manual has both (MAT_001)
   double density = 0, young = 0, poisson = 0;
-  double bulk = 0;      ///< given, or E / (3 (1 - 2 ν))
-  bool rigid = false;   ///< MAT_RIGID (020)
+  double bulk = 0;             ///< given, or E / (3 (1 - 2 ν))
+  bool rigid = false;          ///< MAT_RIGID (020)
   bool null_material = false;  ///< MAT_NULL (009)
   bool spotweld = false;       ///< MAT_SPOTWELD (100)
   bool fabric = false;         ///< MAT_FABRIC (034)

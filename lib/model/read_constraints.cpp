@@ -80,9 +80,9 @@ void read_extra_nodes(Context& context, const Block& block, const Options& optio
     } else if (const auto node = nodes.lookup.find(card.integer("nid"))) {
       group.nodes.emplace_back(*node);
     } else {
-      context.unknown(fmt::format("*{} of part {} names node {}, which is not defined", block.name, part,
-                                  card.integer("nid")),
-                      place);
+      context.unknown(
+          fmt::format("*{} of part {} names node {}, which is not defined", block.name, part, card.integer("nid")),
+          place);
     }
   }
 }

@@ -51,8 +51,8 @@ bool read_mandatory(Context& context, CardReader& reader, const ContactName& nam
   const Block& block = reader.block();
   const Card card1 = reader.next(layout("card1"));
   if (!card1.present()) {
-    context.error(contact.place, fmt::format("*{} ends before its first card; add the card with SURFA and SURFB",
-                                             contact.written));
+    context.error(contact.place,
+                  fmt::format("*{} ends before its first card; add the card with SURFA and SURFB", contact.written));
     return false;
   }
   contact.a = read_surface(context, block, card1, "surfa", "surfatyp", "saboxid");
@@ -93,8 +93,7 @@ void read_type_cards(CardReader& reader, const ContactName& name, Contact& conta
     case ExtraCards::own:
       break;
     case ExtraCards::one:
-      if (contact.keyword.find("_TIEBREAK_") != std::string::npos &&
-          contact.keyword.starts_with("CONTACT_AUTOMATIC_"))
+      if (contact.keyword.find("_TIEBREAK_") != std::string::npos && contact.keyword.starts_with("CONTACT_AUTOMATIC_"))
         contact.tiebreak_option = reader.next(layout("TIEBREAK")).integer("option");
       else
         reader.skip();
@@ -197,9 +196,9 @@ void read_optional(Context& context, CardReader& reader, Contact& contact) {
   }
   while (!reader.at_end() && skip_blank(reader)) continue;
   if (!reader.at_end())
-    context.warning(Context::place(reader.block(), reader.peek_line()),
-                    fmt::format("*{} has more lines than cards; what stands behind card G is not read",
-                                contact.written));
+    context.warning(
+        Context::place(reader.block(), reader.peek_line()),
+        fmt::format("*{} has more lines than cards; what stands behind card G is not read", contact.written));
 }
 
 void read_exclusion(Context& context, const Block& block) {

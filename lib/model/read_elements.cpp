@@ -110,8 +110,8 @@ void read_beams(Context& context, const Block& block, const Options& options) {
   if (options.any({"THICKNESS", "SECTION"}))
     context.warning(Context::place(block, block.line),
                     fmt::format("*{}: the beams' own section data is not used; the part's section is", block.name));
-  const std::size_t extra = options.count(
-      {"THICKNESS", "SECTION", "PID", "OFFSET", "ORIENTATION", "SCALAR", "SCALR", "WARPAGE", "ELBOW"});
+  const std::size_t extra =
+      options.count({"THICKNESS", "SECTION", "PID", "OFFSET", "ORIENTATION", "SCALAR", "SCALR", "WARPAGE", "ELBOW"});
   append_elements(context, block, {"beam", 2}, read_rows_with(context, block, 2, extra), context.model.mesh.beams);
 }
 

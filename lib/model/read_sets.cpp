@@ -71,7 +71,7 @@ CardLayout increment_line(IdKind kind) {
 
 /// Pairs of set id and kind of set.
 void read_advanced(Context& context, CardReader& reader, RawSet& set) {
-  constexpr SetKind types[] = {SetKind::node,  SetKind::shell,   SetKind::beam,       SetKind::solid,
+  constexpr SetKind types[] = {SetKind::node,    SetKind::shell,    SetKind::beam,       SetKind::solid,
                                SetKind::segment, SetKind::discrete, SetKind::thick_shell};
   CardLayout layout = id_line(8, 10, IdKind::set);
   for (std::size_t i = 1; i < 8; i += 2) layout.fields[i].id = IdKind::plain;
@@ -163,16 +163,14 @@ void read_general(Context& context, CardReader& reader, SetKind own, RawSet& set
     if (!word.empty()) {
       open = clause_of(word, own);
       if (!open)
-        context.warning(Context::place(reader.block(), card.line()),
-                        fmt::format("{} {}: the option {} is not supported; the set is incomplete", name(own), set.id,
-                                    word));
+        context.warning(
+            Context::place(reader.block(), card.line()),
+            fmt::format("{} {}: the option {} is not supported; the set is incomplete", name(own), set.id, word));
     }
     if (!open) continue;
     // In general segment sets the last four numbers are attributes of the new segments.
     const bool attributes = own == SetKind::segment && !open->remove && open->of != SetKind::segment;
-    const std::size_t last = open->source == Source::members && open->of == SetKind::segment ? 4
-                             : attributes                                                    ? 3
-                                                                                             : 7;
+    const std::size_t last = open->source == Source::members && open->of == SetKind::segment ? 4 : attributes ? 3 : 7;
     SetClause clause{open->source, open->of, open->remove, {}};
     for (std::size_t i = 1; i <= last; ++i) {
       const std::int64_t id = context.with_offset(reader.block(), id_kind(clause), card.integer(i));

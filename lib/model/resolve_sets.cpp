@@ -195,7 +195,8 @@ class Resolver {
     const auto [entry, is_new] = state(kind).try_emplace(id, State::open);
     if (!is_new) {
       if (entry->second == State::done) return &done(kind)[id];
-      context_.error(raw->second.place, fmt::format("{} {} contains itself; that part is taken as empty", name(kind), id));
+      context_.error(raw->second.place,
+                     fmt::format("{} {} contains itself; that part is taken as empty", name(kind), id));
       return &nothing;
     }
     if (depth > max_depth) {
@@ -235,8 +236,7 @@ class Resolver {
     if (unknown.count == 0) return;
     context_.unknown(fmt::format("{} {} names {} {} not defined ({}{})", name(kind), raw.id, unknown.count,
                                  unknown.count == 1 ? "member that is" : "members that are",
-                                 fmt::join(unknown.first, ", "),
-                                 unknown.count > unknown.first.size() ? ", …" : ""),
+                                 fmt::join(unknown.first, ", "), unknown.count > unknown.first.size() ? ", …" : ""),
                      raw.place);
   }
 
@@ -298,7 +298,8 @@ class Resolver {
   Members ranges(SetKind kind, const std::vector<std::int64_t>& ids, std::size_t stride) {
     Members members;
     for (std::size_t i = 0; i + stride <= ids.size(); i += stride) {
-      const std::int64_t first = ids[i], last = ids[i + 1], step = stride == 3 ? std::max<std::int64_t>(1, ids[i + 2]) : 1;
+      const std::int64_t first = ids[i], last = ids[i + 1],
+                         step = stride == 3 ? std::max<std::int64_t>(1, ids[i + 2]) : 1;
       if (first == 0 && last == 0) continue;
       // Every range may run over all entities, so each costs at least one step and stops when nothing is left.
       if (!spend(1)) break;
@@ -380,7 +381,9 @@ class Resolver {
       }
       const auto& x = context_.model.mesh.nodes.x;
       if (!spend(x.size())) break;
-      const auto inside = [&](NodeIndex node) { return node == none<NodeIndex> || box->second.contains(x[node.value]); };
+      const auto inside = [&](NodeIndex node) {
+        return node == none<NodeIndex> || box->second.contains(x[node.value]);
+      };
       const auto element_inside = [&](const auto& table, std::uint32_t i) {
         return std::all_of(table.nodes[i].begin(), table.nodes[i].end(), inside);
       };

@@ -48,6 +48,11 @@ struct LongPatch {
         c(number(0.25) * (e[0] + e[2] - e[1] - e[3])) {}
 };
 
+mpf_class squared_distance_at(const LongPatch& p, double s, double t) {
+  const Long r = p.m + number(s) * p.a + number(t) * p.b + mpf_class(number(s) * t) * p.c;
+  return r * r;
+}
+
 /// The stationary point near (s, t), to all digits; its squared distance if it lies on the patch.
 std::optional<mpf_class> polish(const LongPatch& p, double s0, double t0) {
   mpf_class s = number(s0), t = number(t0);
@@ -108,10 +113,11 @@ mpf_class squared_distance_of_patch(const Facet& facet, const Vector& query) {
       long double s = s0, t = t0;
       for (int sweep = 0; sweep < 12; ++sweep) {
         const LongVector rs = a + t * c;
-        s = std::clamp(-(m + t * b).dot(rs) / rs.squaredNorm(), -1.0L, 1.0L);
+        if (rs.squaredNorm() > 0) s = std::clamp(-(m + t * b).dot(rs) / rs.squaredNorm(), -1.0L, 1.0L);
         const LongVector rt = b + s * c;
-        t = std::clamp(-(m + s * a).dot(rt) / rt.squaredNorm(), -1.0L, 1.0L);
+        if (rt.squaredNorm() > 0) t = std::clamp(-(m + s * a).dot(rt) / rt.squaredNorm(), -1.0L, 1.0L);
       }
+      best = std::min(best, squared_distance_at(patch, static_cast<double>(s), static_cast<double>(t)));
       for (int step = 0; step < 30; ++step) {
         const LongVector rs = a + t * c, rt = b + s * c, r = m + s * a + t * rt;
         const long double ss = rs.squaredNorm(), tt = rt.squaredNorm(), st = rs.dot(rt) + r.dot(c);

@@ -34,7 +34,7 @@ TEST(Card, FixedColumns) {
 }
 
 TEST(Card, IdsMayFillTheirFields) {
-  TextDeck deck("*ELEMENT_SHELL\n1234567800000011234567912345670123456711234567\n");
+  TextDeck deck("*ELEMENT_SHELL\n12345678       1123456791234567012345671\n");
   const Card card = deck.reader("ELEMENT_SHELL").next(card_layout("ELEMENT_SHELL", "card1"));
   EXPECT_EQ(card.integer("eid"), 12345678);
   EXPECT_EQ(card.integer("pid"), 1);
@@ -46,7 +46,7 @@ TEST(Card, LongFormat) {
   const std::string row =
       "                   1                 1.5                -2.5                 0.5                   3";
   for (const std::string head : {"*KEYWORD LONG=Y\n*NODE\n", "*keyword long=y\n*node\n", "*NODE+\n",
-                                  "*KEYWORD MEMORY=20M LONG = Y\n*NODE\n", "*KEYWORD\n*Node+  comment\n"}) {
+                                 "*KEYWORD MEMORY=20M LONG = Y\n*NODE\n", "*KEYWORD\n*Node+  comment\n"}) {
     TextDeck deck(head + row + "\n");
     const Card card = deck.reader("NODE").next(card_layout("NODE", "card1"));
     EXPECT_EQ(card.integer("nid"), 1) << head;
@@ -126,16 +126,16 @@ TEST(Card, CommasBehindTheCardAreRemarks) {
 }
 
 TEST(Card, ParametersAndExpressions) {
-  TextDeck deck(
-      "*KEYWORD\n*PARAMETER\nI n              5R x            2.5\nR whole        4.0C t        abc\n*NODE\n"
-      "      &n              &X             -&x     <x*2+sqrt(4)>  &whole\n&n,-&x,<max(x,9)>,1.0\n"
-      "     -&n\n*PART\n&t\n& others\n*END\n");
+  TextDeck deck("*KEYWORD\n*PARAMETER\n" + pair("I n", "5") + pair("R x", "2.5") + pair("R whole", "4.0") +
+                pair("C t", "abc") +
+                "\n*NODE\n"
+                "      &n              &X             -&x <x*2+sqrt(4)>   &whole\n&n,-&x,<max(x,9)>,1.0\n"
+                "     -&n\n*PART\n&t\n& others\n*END\n");
   auto reader = deck.reader("NODE");
   const Card card = reader.next(card_layout("NODE", "card1"));
   EXPECT_EQ(card.integer("nid"), 5);
   EXPECT_EQ(card.real("x"), 2.5);
   EXPECT_EQ(card.real("y"), -2.5);
-  EXPECT_EQ(card.real("z"), 7);
   EXPECT_EQ(card.integer("tc"), 4);
   const Card free = reader.next(card_layout("NODE", "card1"));
   EXPECT_EQ(free.integer("nid"), 5);
@@ -148,10 +148,19 @@ TEST(Card, ParametersAndExpressions) {
   EXPECT_EQ(reports(deck.diagnostics), "");
 }
 
+TEST(Card, ExpressionInAFixedField) {
+  TextDeck deck("*PARAMETER\n" + pair("R x", "2.5") + "\n*NODE\n       1       <2*x+2>     <x,1>\n");
+  EXPECT_EQ(deck.reader("NODE").next(card_layout("NODE", "card1")).real("x"), 0);
+  TextDeck fixed("*PARAMETER\n" + pair("R x", "2.5") + "\n*NODE\n       1         <2*x+2>     <max(x,1)>\n");
+  const Card card = fixed.reader("NODE").next(card_layout("NODE", "card1"));
+  EXPECT_EQ(card.real("x"), 7);
+  EXPECT_EQ(card.real("y"), 2.5);
+  EXPECT_EQ(reports(fixed.diagnostics), "");
+}
+
 TEST(Card, BadParametersAreReported) {
-  TextDeck deck(
-      "*PARAMETER\nC t          abcR x            2.5\n*NODE\n    &no              &t           <1/0>              "
-      "<1\n      &x\n");
+  TextDeck deck("*PARAMETER\n" + pair("C t", "abc") + pair("R x", "2.5") +
+                "\n*NODE\n     &no              &t           <1/0>              <1\n      &x\n");
   auto reader = deck.reader("NODE");
   const Card card = reader.next(card_layout("NODE", "card1"));
   EXPECT_EQ(card.integer("nid"), 0);

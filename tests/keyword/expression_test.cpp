@@ -124,7 +124,9 @@ TEST(Expression, RandomTextNeverHangsOrCrashes) {
     std::string text;
     for (auto n = random() % 30; n > 0; --n) text += alphabet[random() % alphabet.size()];
     const auto result = evaluate_expression(text, names);
-    if (result.ok()) EXPECT_TRUE(std::isfinite(result.value())) << text;
+    if (result.ok()) {
+      EXPECT_TRUE(std::isfinite(result.value())) << text;
+    }
   }
 }
 

@@ -71,16 +71,18 @@ TEST(Parameters, AgreeWithAPlainList) {
       }
       const auto* found = parameters.find(name, scope, order);
       ASSERT_EQ(found != nullptr, expected != nullptr);
-      if (found != nullptr) EXPECT_EQ(std::get<double>(*found), expected->value);
+      if (found != nullptr) {
+        EXPECT_EQ(std::get<double>(*found), expected->value);
+      }
     }
   }
 }
 
 TEST(Parameters, ReadFromDecks) {
-  TextDeck deck(
-      "*KEYWORD\n*PARAMETER\n$ comment\nRthk            1.5I   n             7\nr fac      1.5-3 c  text  hello\n"
-      "*PARAMETER\nR free, 2.5, I j, 3\n"
-      "*PARAMETER_EXPRESSION\nR twice   2*thk\nI m       n*3-&j\nR later   twice + sqrt(16)\n*END\n");
+  TextDeck deck("*KEYWORD\n*PARAMETER\n$ comment\n" + pair("Rthk", "1.5") + pair("I   n", "7") + "\n" +
+                pair("r fac", "1.5-3") + pair("c  text", "hello") +
+                "\n*PARAMETER\nR free, 2.5, I j, 3\n"
+                "*PARAMETER_EXPRESSION\nR twice   2*thk\nI m       n*3-&j\nR later   twice + sqrt(16)\n*END\n");
   const auto& parameters = deck.deck.parameters();
   const auto value = [&](const char* name) { return number(parameters.find(name, 0, 100)); };
   EXPECT_EQ(value("thk"), 1.5);
@@ -96,12 +98,11 @@ TEST(Parameters, ReadFromDecks) {
 
 TEST(Parameters, LocalOnesStayInTheirFileAndItsIncludes) {
   const TemporaryDirectory directory;
-  directory.write("inner.k",
-                  "*PARAMETER_LOCAL\nR a              2\n*PARAMETER\nR shared         5\n*INCLUDE\nleaf.k\n");
+  directory.write("inner.k", "*PARAMETER_LOCAL\n" + pair("R a", "2") + "\n*PARAMETER\n" + pair("R shared", "5") +
+                                 "\n*INCLUDE\nleaf.k\n");
   directory.write("leaf.k", "*NODE\n*END\n");
-  const auto main = directory.write(
-      "main.k",
-      "*KEYWORD\n*PARAMETER\nR a              1\n*INCLUDE\ninner.k\n*ELEMENT_SHELL\n*INCLUDE\nleaf.k\n*END\n");
+  const auto main = directory.write("main.k", "*KEYWORD\n*PARAMETER\n" + pair("R a", "1") +
+                                                  "\n*INCLUDE\ninner.k\n*ELEMENT_SHELL\n*INCLUDE\nleaf.k\n*END\n");
   Diagnostics diagnostics;
   const auto deck = read_deck(main, {}, diagnostics);
   ASSERT_TRUE(deck.ok());
@@ -117,9 +118,9 @@ TEST(Parameters, LocalOnesStayInTheirFileAndItsIncludes) {
 }
 
 TEST(Parameters, FaultsAreReportedWithTheirLine) {
-  TextDeck deck(
-      "*KEYWORD\n*PARAMETER\nX bad            1\nR nothing\nR text       abc\n*PARAMETER_EXPRESSION\nR e       "
-      "1/0\n*END\n");
+  TextDeck deck("*KEYWORD\n*PARAMETER\n" + pair("X bad", "1") + "\nR nothing\n" + pair("R text", "abc") +
+                "\n*PARAMETER_EXPRESSION\nR e       "
+                "1/0\n*END\n");
   const std::string all = reports(deck.diagnostics);
   for (const char* part : {"deck.k:3: ", "R, I or C", "deck.k:4: ", "has no value", "deck.k:5: ", "\"abc\"",
                            "deck.k:7: ", "divides by zero"})

@@ -141,7 +141,8 @@ TEST(Rows, AgreeWithCardsOnRandomBlocks) {
     const auto& [keyword, card] = cards[random() % cards.size()];
     const CardLayout& layout = card_layout(keyword, card);
     const auto format = static_cast<Format>(random() % 3);
-    std::string text = "*PARAMETER\nI p              5\n*NODE";
+    // A NUL further up would make it no keyword file.
+    std::string text = "$" + std::string(4096, ' ') + "\n*PARAMETER\n" + pair("I p", "5") + "\n*NODE";
     text += format == Format::long_fields ? "+\n" : format == Format::i10 ? "%\n" : "\n";
     for (auto rows = random() % 60; rows > 0; --rows) text += random_line(random, layout, format) + "\n";
     TextDeck deck(text);
@@ -153,7 +154,7 @@ TEST(Rows, AgreeWithCardsOnRandomBlocks) {
 TEST(Rows, ManyPiecesAndThreadsGiveTheSame) {
   std::mt19937 random(6);
   const CardLayout& layout = card_layout("NODE", "card1");
-  std::string text = "*PARAMETER\nI p              5\n*NODE\n";
+  std::string text = "$" + std::string(4096, ' ') + "\n*PARAMETER\n" + pair("I p", "5") + "\n*NODE\n";
   for (int i = 0; i < 30000; ++i) text += random_line(random, layout, Format::standard) + "\n";
   ASSERT_GT(text.size(), std::size_t{1} << 20);
   TextDeck deck(text);

@@ -58,6 +58,11 @@ inline std::vector<std::string> names(const Deck& deck) {
   return list;
 }
 
+/// One definition of *PARAMETER in its 20 columns.
+inline std::string pair(const std::string& name, const std::string& value) {
+  return name + std::string(10 - name.size(), ' ') + std::string(10 - value.size(), ' ') + value;
+}
+
 /// "line: message" of every report, for searching.
 inline std::string reports(const Diagnostics& diagnostics) {
   std::string all;

@@ -67,7 +67,7 @@ TEST_F(Transforms, RowsActFromTheFirstToTheLast) {
 TEST_F(Transforms, OffsetsAndFactors) {
   const Transform& t = with("TRANSL,1,0,0\n",
                             "       100       200       300       400       500       600       700\n       800\n"
-                            "                           25.4\n         1\n");
+                            "                          25.4\n         1\n");
   const std::vector<std::int64_t> expected{0, 100, 200, 300, 400, 500, 600, 700, 800};
   EXPECT_EQ(std::vector<std::int64_t>(t.offset.begin(), t.offset.end()), expected);
   EXPECT_EQ(t.length_factor, 25.4);
@@ -94,10 +94,10 @@ TEST_F(Transforms, FaultsAreReported) {
 TEST_F(Transforms, NestedOnesCompose) {
   directory.write("leaf.k", "*NODE\n       1\n");
   directory.write("inner.k",
-                  "*INCLUDE_TRANSFORM\nleaf.k\n        10        20\n\n                             3.0\n         2\n");
+                  "*INCLUDE_TRANSFORM\nleaf.k\n        10        20\n\n                           3.0\n         2\n");
   const auto main = directory.write(
       "main.k",
-      "*INCLUDE_TRANSFORM\ninner.k\n       100       200\n\n                             2.0\n         1\n"
+      "*INCLUDE_TRANSFORM\ninner.k\n       100       200\n\n                           2.0\n         1\n"
       "*DEFINE_TRANSFORMATION\n         1\nROTATE,0,0,1,0,0,0,30\nTRANSL,1,2,3\n"
       "*DEFINE_TRANSFORMATION_TITLE\na title, with comma\n         2\nMIRROR,0,0,1,0,1,1\nTRANSL,-4,5,6\n");
   auto result = read_deck(main, {}, diagnostics);
