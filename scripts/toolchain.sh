@@ -50,7 +50,7 @@ build() {
   if [[ -t 2 ]]; then
     ninja -C "$folder" "$@" >&2 || exit 2
   elif ! ninja -C "$folder" "$@" >"$log" 2>&1; then
-    grep -v '^\[' "$log" >&2
+    grep -v -e '^\[' -e '^ninja: Entering' "$log" >&2
     exit 2
   fi
 }

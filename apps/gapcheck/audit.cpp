@@ -4,6 +4,7 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -12,10 +13,12 @@
 #include <vector>
 
 #include "audit/registry.hpp"
+#include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "report/describe.hpp"
 #include "report/writers.hpp"
 
 namespace gapcheck::app {
@@ -36,6 +39,11 @@ std::string check_amount(const std::string& text) {
   return "'" + text + "' is not a number of 0 or more";
 }
 
+/// CLI11 alone would take the largest number there is for ids beyond it.
+std::string check_id(const std::string& text) {
+  return parse_integer(text) ? "" : "'" + text + "' is not a whole number";
+}
+
 /// Every entry of --select and --ignore must pick a rule: a misspelt one would hide findings in silence.
 std::string check_rule(const std::string& text) {
   for (const auto& rule : audit::rules())
@@ -51,14 +59,14 @@ CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Va
 
 void add_selection(CLI::App& command, Arguments& arguments) {
   audit::AuditOptions& audit = arguments.audit;
-  const CLI::Validator rule(check_rule, ""), amount(check_amount, "");
+  const CLI::Validator rule(check_rule, ""), amount(check_amount, ""), id(check_id, "");
   const std::vector<CLI::Option*> options{
       add_list(command, "--select", audit.select, "Only these rules: ids, names or beginnings of them")
           ->check(rule)
           ->type_name("RULES"),
       add_list(command, "--ignore", audit.ignore, "Not these rules")->check(rule)->type_name("RULES"),
-      add_list(command, "--contact", audit.contacts, "Only these contacts")->type_name("IDS"),
-      add_list(command, "--part", audit.parts, "Only nodes of these parts")->type_name("IDS"),
+      add_list(command, "--contact", audit.contacts, "Only these contacts")->check(id)->type_name("IDS"),
+      add_list(command, "--part", audit.parts, "Only nodes of these parts")->check(id)->type_name("IDS"),
       command.add_option("--ptol", audit.ptol, "Only penetrations deeper than X")->check(amount)->type_name("X"),
       command.add_option("--rtol", audit.rtol, "Only nodes with a remaining distance below X")
           ->check(amount)
@@ -128,11 +136,23 @@ int exit_code(const Report& report, const std::string& fail_on) {
   return counted > 0 ? findings : clean;
 }
 
+/// True if every contact of --contact is in the deck: nothing is found in a contact that does not exist.
+bool contacts_exist(const Report& report, const std::vector<std::int64_t>& wanted) {
+  bool all = true;
+  for (const std::int64_t id : wanted) {
+    const auto matches = [id](const ContactSummary& contact) { return contact.id == id; };
+    if (std::any_of(report.contacts.begin(), report.contacts.end(), matches)) continue;
+    print_error(fmt::format("--contact {}: the deck has no such contact", id));
+    all = false;
+  }
+  return all;
+}
+
 int audit_deck(const Arguments& arguments) {
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
   const auto result = [&] {
-    const Progress progress("auditing " + arguments.deck, !arguments.text.quiet);
+    const Progress progress("auditing " + report::printable(arguments.deck), !arguments.text.quiet);
     return audit::audit_deck(arguments.deck, arguments.audit, diagnostics);
   }();
   print(diagnostics, arguments.text.quiet);
@@ -141,7 +161,8 @@ int audit_deck(const Arguments& arguments) {
     return failed;
   }
   const bool written = write(result.value(), arguments);
-  if (!written || diagnostics.has_errors()) return failed;
+  const bool complete = contacts_exist(result.value(), arguments.audit.contacts) && !diagnostics.has_errors();
+  if (!written || !complete) return failed;
   return exit_code(result.value(), arguments.fail_on);
 }
 

@@ -1,6 +1,6 @@
 #include "contact/initial.hpp"
 
-#include <tbb/parallel_sort.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -92,7 +92,9 @@ class Initialiser {
   }
 
   void report_empty(std::uint32_t c, char side, const Selection& selection) {
-    if (!selection.empty_reason.empty()) state_.empty.push_back({c, side, selection.empty_reason});
+    if (selection.empty_reason.empty()) return;
+    state_.contacts[c].not_checked = fmt::format("surface {} is empty: {}", side, selection.empty_reason);
+    if (!selection.unknown_id) state_.empty.push_back({c, side, selection.empty_reason});
   }
 
   Side build_side(std::uint32_t c, const ContactType& type, const ContactSettings& settings, bool b) {

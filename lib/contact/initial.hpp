@@ -25,7 +25,7 @@ struct InitialCounters {
   double surface_s = 0, search_s = 0;
 };
 
-/// A side of a contact that names nothing.
+/// A side of a contact that names things which have no segments or nodes.
 struct EmptySurface {
   std::uint32_t contact;  ///< position in Model::contacts
   char side;              ///< 'A', 'B'

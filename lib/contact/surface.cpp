@@ -94,12 +94,15 @@ void select_parts(Selection& selection, const model::Model& model, const std::ve
       selection.nodes.push_back(mesh.particles.nodes[e][0]);
 }
 
-std::string missing(std::string_view what, std::int64_t id) { return fmt::format("{} {} does not exist", what, id); }
+void set_missing(Selection& selection, std::string_view what, std::int64_t id) {
+  selection.empty_reason = fmt::format("{} {} does not exist", what, id);
+  selection.unknown_id = true;
+}
 
 void select_segments(Selection& selection, const model::Model& model, std::int64_t id, const std::vector<Vector>& x) {
   const auto set = model.sets.segments.find(id);
   if (set == model.sets.segments.end()) {
-    selection.empty_reason = missing("segment set", id);
+    set_missing(selection, "segment set", id);
     return;
   }
   const auto& segments = set->second.members;
@@ -119,7 +122,7 @@ void select_segments(Selection& selection, const model::Model& model, std::int64
 void select_shells(Selection& selection, const model::Model& model, std::int64_t id) {
   const auto set = model.sets.shells.find(id);
   if (set == model.sets.shells.end()) {
-    selection.empty_reason = missing("shell set", id);
+    set_missing(selection, "shell set", id);
     return;
   }
   for (const std::uint32_t e : set->second.members)
@@ -129,7 +132,7 @@ void select_shells(Selection& selection, const model::Model& model, std::int64_t
 void select_nodes(Selection& selection, const model::Model& model, std::int64_t id) {
   const auto set = model.sets.nodes.find(id);
   if (set == model.sets.nodes.end())
-    selection.empty_reason = missing("node set", id);
+    set_missing(selection, "node set", id);
   else
     selection.nodes = set->second.members;
 }
@@ -173,11 +176,11 @@ Selection select(const model::Model& model, const model::SurfaceInput& input, co
       case node_set: select_nodes(selection, model, input.id); break;
       case part_set:
       case exempted_part_set:
-        if (!model.sets.parts.contains(input.id)) selection.empty_reason = missing("part set", input.id);
+        if (!model.sets.parts.contains(input.id)) set_missing(selection, "part set", input.id);
         select_parts(selection, model, part_mask(model, input, single), type, x);
         break;
       case part:
-        if (!model.part_of_id.contains(input.id)) selection.empty_reason = missing("part", input.id);
+        if (!model.part_of_id.contains(input.id)) set_missing(selection, "part", input.id);
         select_parts(selection, model, part_mask(model, input, single), type, x);
         break;
       case all: select_parts(selection, model, part_mask(model, input, single), type, x); break;

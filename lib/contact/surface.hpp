@@ -45,6 +45,7 @@ struct Selection {
   Segments segments;             ///< half and rule not filled
   std::vector<NodeIndex> nodes;  ///< node sets and particles: nodes without segments
   std::string empty_reason;      ///< why nothing was found; empty otherwise
+  bool unknown_id = false;       ///< it names a set or part that does not exist
 };
 
 /// Resolves one side of a contact. `single_surface`: id 0 means all parts; beams join where the type has them.

@@ -161,11 +161,9 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   const auto records = records_of(report, position);
   Sums sum = sums(records);
   out += '\n' + contact_title(contact, paint);
-  out += fmt::format("  {}, {}", count(contact.tracked_nodes, "tracked node"), count(contact.segments, "segment"));
   if (contact.not_checked.empty() || !records.empty())
-    out += ": " + result_line(sum, paint) + '\n';
-  else
-    out += '\n';
+    out += fmt::format("  {}, {}: {}\n", count(contact.tracked_nodes, "tracked node"),
+                       count(contact.segments, "segment"), result_line(sum, paint));
   if (contact.ties + contact.untied > 0)
     out += fmt::format("  {}, {} untied\n", count(contact.ties, "tie"), contact.untied);
   if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';

@@ -128,7 +128,7 @@ TEST(BadInput, LettersInANumber) {
   expect_error_in_block("*NODE\n      21             1.0             2.x             3.0\n", 2, 2);
   expect_error_in_block("*NODE\n      2a             1.0             2.0             3.0\n", 2, 2);
   expect_error_in_block("*ELEMENT_SHELL\n       3       1       1       2       three   4\n", 2, 2);
-  expect_error_in_block("*SECTION_SHELL\n         9         2       one         5\n       1.0\n", 2, 2);
+  expect_error_in_block("*SECTION_SHELL\n         9         2       1.0         5\n       one\n", 3, 3);
 }
 
 TEST(BadInput, IdOutOfRange) {

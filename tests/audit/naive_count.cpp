@@ -13,6 +13,7 @@ namespace {
 struct Block {
   std::string name;
   std::vector<std::string> rows;  ///< no comments, no blank lines
+  std::uint64_t lines = 0;        ///< no comments
 };
 
 std::string upper(std::string_view text) {
@@ -29,10 +30,11 @@ std::vector<Block> blocks_of(const std::string& path) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.starts_with('$')) continue;
     if (line.starts_with('*')) {
-      blocks.push_back({upper(line.substr(1, line.find_first_of(" \t,") - 1)), {}});
+      blocks.push_back({upper(line.substr(1, line.find_first_of(" \t,") - 1)), {}, 0});
       if (blocks.back().name == "END") break;
-    } else if (!blocks.empty() && !trimmed(line).empty()) {
-      blocks.back().rows.push_back(line);
+    } else if (!blocks.empty()) {
+      ++blocks.back().lines;
+      if (!trimmed(line).empty()) blocks.back().rows.push_back(line);
     }
   }
   return blocks;
@@ -53,8 +55,9 @@ std::uint64_t solid_rows(const Block& block) {
 }
 
 std::uint64_t part_rows(const Block& block) {
-  if (block.name == "PART") return block.rows.size() / 2;
-  if (block.name == "PART_CONTACT") return block.rows.size() / 3;
+  // The heading may be blank.
+  if (block.name == "PART") return block.lines / 2;
+  if (block.name == "PART_CONTACT") return block.lines / 3;
   return block.name == "PART_INERTIA" || block.name == "PART_COMPOSITE" ? 1 : 0;
 }
 

@@ -26,7 +26,6 @@ const std::vector<std::string> whole_decks = {
     "bird_on_panel/bird.k",
     "bird_strike_composite/input.k",
     "birdball_eroding/birdball.k",
-    "car5/car5.k",
     "car6/car6_crash.k",
     "car6_refined/lsopt_car6/main_v22.k",
     "car6_refined/lsopt_car6/main_v222.k",
@@ -120,9 +119,28 @@ INSTANTIATE_TEST_SUITE_P(
     Decks, IncompleteDeck,
     testing::Values(Incomplete{"body_contacts_no_mesh/model/50F-seated/vivaplus-50F.key", "vivaplus"},
                     Incomplete{"shoes/model/50F-standing/vivaplus-50F-standing.key", "vivaplus_50F-standing_nodes.k"},
-                    Incomplete{"l_bracket/tests/testfiles/run/case-keywords/run_xload.key", "case1.dynain.lsda"},
+                    Incomplete{"l_bracket/tests/testfiles/run/case-keywords/L_bracket_dynain.key", "case1.dynain.lsda"},
                     Incomplete{"l_bracket/tests/testfiles/run/case-keywords/L_bracket_allin1.key",
                                "control_cards_nonlin.key"}));
+
+/// An optimiser's template: without its parameters an error names each, with them it is whole.
+TEST(TemplateDeck, NeedsItsParameters) {
+  NEED_REAL_DECKS();
+  const std::string path = fs::canonical(folder / "car5/car5.k").string();
+  const AuditRun bare = run_file(path);
+  EXPECT_GT(bare.errors(), 0u);
+  for (const auto& d : bare.diagnostics) {
+    if (d.severity == Severity::error) {
+      EXPECT_NE(d.message.find("parameter"), std::string::npos) << describe({d});
+    }
+  }
+  const AuditRun run = run_text("*KEYWORD\n*PARAMETER\nRtbumper       3.0Rthood         1.0\n*INCLUDE\n" + path + "\n");
+  ASSERT_TRUE(clean(run));
+  const NaiveCount count = naive_count(path);
+  EXPECT_EQ(run.report.model.nodes, count.nodes);
+  EXPECT_EQ(run.report.model.shells, count.shells);
+  EXPECT_EQ(run.report.contacts.size(), count.contacts.size());
+}
 
 /// Fragments, templates and decks of other solvers' physics: no crash, and a report or a reason.
 TEST(AnyDeck, GivesAReportOrAReason) {

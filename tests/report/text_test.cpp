@@ -46,7 +46,6 @@ contact 7 "plates"  type 13  CONTACT_AUTOMATIC_SINGLE_SURFACE  plates.k:34
       15     1  22124-22164-22165-22125     2          0.6        0.4         1  0.600  1.000  -0.080  edge     not listed
 
 contact 2  type a3  CONTACT_AUTOMATIC_SURFACE_TO_SURFACE
-  4 tracked nodes, 1 segment
   not checked: SOFT = 2 is checked segment by segment
 
 GC501 duplicate-id 1 error

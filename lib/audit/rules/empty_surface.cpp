@@ -8,7 +8,7 @@ namespace {
 void add(const RuleInfo& rule, Context& context, Report& report, std::uint32_t contact, char side,
          const std::string& reason) {
   const model::Contact& c = context.model().contacts[contact];
-  Finding f = finding(rule, fmt::format("contact {} (*{}): surface {} has nothing to meet: {}", c.id.value, c.written, side, reason),
+  Finding f = finding(rule, fmt::format("surface {} of *{} is empty: {}", side, c.written, reason),
                       context.path(c.place.file), c.place.line);
   f.contact = c.id.value;
   report.findings.push_back(std::move(f));
@@ -22,7 +22,7 @@ void check_unsearched(const RuleInfo& rule, Context& context, Report& report, st
   if (type.treatment == contact::Treatment::none && type.code != "25") return;
   const auto one = [&](const model::SurfaceInput& input, char side) {
     const auto selection = contact::select(model, input, type, model.mesh.nodes.x);
-    if (!selection.empty_reason.empty()) add(rule, context, report, index, side, selection.empty_reason);
+    if (!selection.empty_reason.empty() && !selection.unknown_id) add(rule, context, report, index, side, selection.empty_reason);
   };
   one(c.a, 'A');
   const bool has_b = type.treatment == contact::Treatment::one_way || type.treatment == contact::Treatment::two_way;
@@ -35,7 +35,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   for (std::uint32_t i = 0; i < initial.contacts.size(); ++i) {
     const model::Contact& c = context.model().contacts[i];
     const bool selected = initial.contacts[i].not_checked != "not selected";
-    if (selected && c.known && !c.own_layout && !initial.contacts[i].not_checked.empty())
+    if (selected && c.known && !c.own_layout && !contact::classify(c).checked())
       check_unsearched(rule, context, report, i);
   }
 }
