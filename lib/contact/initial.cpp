@@ -1,6 +1,7 @@
 #include "contact/initial.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <chrono>
@@ -230,7 +231,7 @@ class Initialiser {
     const Segments& s = scene.segments;
     const model::Nodes& all = model_.mesh.nodes;
     const NodeIndex node = scene.nodes.node[hit.slot];
-    const PairResult pair = decide_pair(scene, hit.slot, hit.segment);
+    const PairResult pair = measure_pair(scene, hit.slot, hit.segment);
     Penetration p;
     p.contact = c;
     p.segment_number = hit.segment + 1;
@@ -289,7 +290,7 @@ class Initialiser {
     const auto deeper = [](const Penetration& l, const Penetration& r) {
       return l.depth != r.depth ? l.depth > r.depth : l.node < r.node;
     };
-    std::sort(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), deeper);
+    tbb::parallel_sort(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), deeper);
   }
 
   const model::Model& model_;

@@ -22,7 +22,7 @@ double largest_coordinate(const geometry::Facet& facet, const Vector& query) {
 
 Vector facet_normal(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]); }
 
-PairResult decide_line(const PairScene& scene, const geometry::Facet& f, const Vector& q, double bound) {
+PairResult measure_line(const geometry::Facet& f, const Vector& q) {
   PairResult result;
   const auto c = geometry::closest_point_on_line(f.x[0], f.x[1], q);
   result.in_band = std::abs(c.free_s) <= band_end;
@@ -34,7 +34,16 @@ PairResult decide_line(const PairScene& scene, const geometry::Facet& f, const V
   result.closest.feature = std::abs(c.s) < 1 ? Feature::edge : Feature::corner;
   // A beam has no side; a node on its axis is moved across it.
   result.closest.normal = (f.x[1] - f.x[0]).unitOrthogonal();
-  result.penetrates = geometry::closer_than(f.x[0], f.x[1], q, bound, scene.mode, scene.counters);
+  return result;
+}
+
+PairResult measure(const PairScene& scene, std::uint32_t s, const geometry::Facet& facet, const Vector& q) {
+  if (scene.line(s)) return measure_line(facet, q);
+  PairResult result;
+  result.closest = geometry::closest_point(facet, q);
+  result.in_band = result.closest.in_band;
+  result.distance = std::sqrt(result.closest.squared_distance);
+  if (scene.oriented(s) && !scene.in_front(s, result.closest, q)) result.distance = -result.distance;
   return result;
 }
 
@@ -98,28 +107,30 @@ bool PairScene::in_front(std::uint32_t s, const geometry::ClosestPoint& closest,
   return false;
 }
 
+PairResult measure_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
+  return measure(scene, s, scene.facet(s), scene.position(slot));
+}
+
 PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
   const geometry::Facet facet = scene.facet(s);
   const Vector q = scene.position(slot);
   const double h = scene.nodes.half[slot] + scene.segments.half[s];
   const double tolerance =
       scene.tolerance >= 0 ? scene.tolerance : default_tolerance(h, largest_coordinate(facet, q));
-  if (scene.line(s)) return decide_line(scene, facet, q, h - tolerance);
-  PairResult result;
-  result.closest = geometry::closest_point(facet, q);
-  result.in_band = result.closest.in_band;
-  result.distance = std::sqrt(result.closest.squared_distance);
+  PairResult result = measure(scene, s, facet, q);
+  if (scene.line(s)) {
+    result.penetrates = geometry::closer_than(facet.x[0], facet.x[1], q, h - tolerance, scene.mode, scene.counters);
+    return result;
+  }
   if (scene.beyond_square_edge(s, result.closest)) return result;
   const auto closer = [&](double bound) {
     return geometry::closer_than(facet, q, bound, scene.mode, scene.counters, &result.closest);
   };
-  if (!scene.oriented(s) || scene.in_front(s, result.closest, q)) {
+  const bool behind = std::signbit(result.distance);
+  if (!behind)
     result.penetrates = closer(h - tolerance);
-    return result;
-  }
-  // Behind the surface: p = h + distance, as deep as the material goes.
-  if (result.distance <= scene.behind(s)) result.penetrates = h > tolerance || !closer(tolerance - h);
-  result.distance = -result.distance;
+  else if (-result.distance <= scene.behind(s))  // p = h + distance, as deep as the material goes
+    result.penetrates = h > tolerance || !closer(tolerance - h);
   return result;
 }
 

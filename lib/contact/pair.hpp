@@ -55,6 +55,9 @@ struct PairResult {
   geometry::ClosestPoint closest;
 };
 
+/// Where a tracked node lies to a segment, in double precision; `penetrates` is left open.
+[[nodiscard]] PairResult measure_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t segment);
+
 /// Decides tracked node number `slot` against a segment: penetration p = h - distance > tolerance.
 /// Source: contact rules, sections 3 and 4.
 [[nodiscard]] PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t segment);

@@ -119,8 +119,10 @@ void DeckReader::read_file(FileContext context) {
     while (next < marks.size() && marks[next].kind == Mark::Kind::encrypted_end) ++next;
     const std::size_t end = next < marks.size() ? marks[next].offset : bytes.size();
     std::size_t body = 0;
-    const auto line = line_at(bytes, mark.offset, body);
-    if (!add_block(context, line, mark.line, bytes.substr(body, std::max(end, body) - body))) return;
+    Block block = block_of(context, line_at(bytes, mark.offset, body));
+    block.line = mark.line;
+    block.body = bytes.substr(body, std::max(end, body) - body);
+    if (!add_block(std::move(block), context)) return;
   }
 }
 
@@ -164,33 +166,35 @@ std::size_t DeckReader::pass_encrypted(const FileContext& context, const std::ve
   return at;
 }
 
-/// Adds the block of a keyword line and follows it; false at *END.
-bool DeckReader::add_block(FileContext& context, std::string_view line, std::uint32_t number, std::string_view body) {
+/// The block of a keyword line, still without its data. *KEYWORD changes the format of what follows in its file.
+Block DeckReader::block_of(FileContext& context, std::string_view line) {
   const auto name_end = std::min(line.find_first_of(" \t"), line.size());
-  auto name = line.substr(1, std::max<std::size_t>(name_end, 1) - 1);
   Block block;
-  if (name == "KEYWORD" || upper_case(name) == "KEYWORD")
-    context.format = format_of(line.substr(name_end), context.format);
+  block.name = upper_case(line.substr(1, std::max<std::size_t>(name_end, 1) - 1));
+  if (block.name == "KEYWORD") context.format = format_of(line.substr(name_end), context.format);
   block.format = context.format;
-  if (name.ends_with('+')) block.format = Format::long_fields;
-  if (name.ends_with('-')) block.format = Format::standard;
-  if (name.ends_with('%')) block.format = Format::i10;
-  if (name.ends_with('+') || name.ends_with('-') || name.ends_with('%')) name.remove_suffix(1);
-  block.name = upper_case(name);
-  block.body = body;
+  const char suffix = block.name.empty() ? '\0' : block.name.back();
+  if (suffix == '+') block.format = Format::long_fields;
+  if (suffix == '-') block.format = Format::standard;
+  if (suffix == '%') block.format = Format::i10;
+  if (suffix == '+' || suffix == '-' || suffix == '%') block.name.pop_back();
   block.file = context.file;
-  block.line = number;
   block.transform = context.transform;
   block.scope = context.scope;
-  block.order = static_cast<std::uint32_t>(deck_.blocks_.size());
+  return block;
+}
+
+/// Adds a block and follows it where it leads to other files; false if nothing is to be read behind it.
+bool DeckReader::add_block(Block block, const FileContext& context) {
   if (block.name.empty())
-    diagnostics_.error(path_of(context.file), number, "a keyword line without a name; give the keyword or remove it");
+    diagnostics_.error(path_of(block.file), block.line, "a keyword line without a name; give the keyword or remove it");
   if (deck_.blocks_.size() == max_blocks) {
-    diagnostics_.error(path_of(context.file), number,
+    diagnostics_.error(path_of(block.file), block.line,
                        "more than " + std::to_string(max_blocks) + " keywords; the rest was not read");
     stopped_ = true;
     return false;
   }
+  block.order = static_cast<std::uint32_t>(deck_.blocks_.size());
   deck_.blocks_.push_back(block);
   dispatch(context, block);
   return block.name != "END" && !stopped_;

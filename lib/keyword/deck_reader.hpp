@@ -44,7 +44,8 @@ class DeckReader {
   void read_file(FileContext context);
   void check_before_keywords(const FileContext& context, std::size_t begin, std::size_t end);
   std::size_t pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at);
-  bool add_block(FileContext& context, std::string_view line, std::uint32_t number, std::string_view body);
+  [[nodiscard]] static Block block_of(FileContext& context, std::string_view line);
+  bool add_block(Block block, const FileContext& context);
   void dispatch(const FileContext& context, const Block& block);
 
   // read_includes.cpp
@@ -77,7 +78,9 @@ class DeckReader {
   std::vector<std::string> include_paths_;      ///< *INCLUDE_PATH and *INCLUDE_PATH_RELATIVE so far
   std::vector<PendingTransform> pending_;       ///< enclosing ones first
   std::vector<std::uint32_t> transformations_;  ///< positions of *DEFINE_TRANSFORMATION blocks
-  bool warned_of_cases_ = false, stopped_ = false, too_many_files_ = false;
+  std::size_t includes_ = 0;                    ///< names of includes so far
+  bool warned_of_cases_ = false;
+  bool stopped_ = false;  ///< a limit was exceeded: nothing more is read
 };
 
 }  // namespace gapcheck::keyword

@@ -10,6 +10,7 @@ namespace gapcheck::keyword {
 namespace {
 
 constexpr std::size_t max_name = 236;
+constexpr std::size_t max_include_paths = 200;
 
 bool is_file(const std::filesystem::path& path) {
   std::error_code error;
@@ -68,8 +69,13 @@ void DeckReader::read_include_path(const Block& block, bool relative) {
   while (const auto path = next_name(reader)) {
     const auto base = relative ? directory_of(path_of(block.file)) : std::filesystem::path();
     const std::string full = (base / path->name).string();
-    if (std::find(include_paths_.begin(), include_paths_.end(), full) == include_paths_.end())
-      include_paths_.push_back(full);
+    if (std::find(include_paths_.begin(), include_paths_.end(), full) != include_paths_.end()) continue;
+    if (include_paths_.size() == max_include_paths) {
+      diagnostics_.error(path_of(block.file), path->line,
+                         "more than " + std::to_string(max_include_paths) + " include paths; this one is not used");
+      return;
+    }
+    include_paths_.push_back(full);
   }
 }
 
@@ -153,11 +159,6 @@ bool DeckReader::may_include(const FileContext& context, const std::string& cano
   };
   if (context.depth >= options_.max_include_depth)
     return refuse("includes are nested more than " + std::to_string(options_.max_include_depth) + " deep");
-  if (deck_.files_.size() >= options_.max_files) {
-    if (too_many_files_) return false;
-    too_many_files_ = true;
-    return refuse("the deck has more than " + std::to_string(options_.max_files) + " files, nor were any after it");
-  }
   for (FileIndex file = context.file; file != none<FileIndex>; file = deck_.files_[file.value].includer)
     if (!canonical.empty() && canonical_[file.value] == canonical)
       return refuse("it includes itself; remove the *INCLUDE");
@@ -190,6 +191,14 @@ std::optional<std::string_view> DeckReader::map_include(const std::string& path,
 void DeckReader::open_include(const FileContext& context, const Block& block, const IncludeName& include,
                               TransformIndex transform) {
   if (stopped_) return;
+  // The main file is one of the files. Missing ones count as well: looking for each takes time.
+  if (++includes_ >= options_.max_files) {
+    diagnostics_.error(
+        path_of(block.file), include.line,
+        "the deck has more than " + std::to_string(options_.max_files) + " files; the rest was not read");
+    stopped_ = true;
+    return;
+  }
   const bool bad_name = include.name.size() > max_name || include.name.find('\0') != std::string::npos;
   if (bad_name) {
     diagnostics_.error(path_of(block.file), include.line,

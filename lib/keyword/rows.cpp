@@ -79,10 +79,8 @@ bool plain_real(const char* at, const char* end, double& value) {
   value = 0;
   while (at != end && *at == ' ') ++at;
   if (at == end) return true;
-  const char* const first = *at == '-' ? at + 1 : at;
-  // Keeps out what from_chars takes and decks do not mean: inf, nan.
-  if (first == end || (*first != '.' && static_cast<unsigned>(*first) - '0' > 9)) return false;
   const auto [behind, error] = std::from_chars(at, end, value);
+  // The comparison is also false for inf and nan, which from_chars takes and decks do not mean.
   if (error != std::errc{} || !(std::abs(value) <= Card::max_real)) return false;
   for (at = behind; at != end; ++at)
     if (*at != ' ') return false;

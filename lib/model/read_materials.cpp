@@ -107,7 +107,8 @@ void read_material(Context& context, const Block& block, const Options& options)
     return;
   }
   const Card card = reader.next(first_card);
-  const std::string bare = padded_number(std::string_view(block.name).substr(std::string_view("MAT_").size()));
+  const std::string_view after_mat = std::string_view(block.name).substr(std::string_view("MAT").size());
+  const std::string bare = padded_number(after_mat.substr(std::min<std::size_t>(1, after_mat.size())));
   const ElasticFields* known = find_material(bare);
   Material material;
   material.id = card.integer(std::size_t{0});

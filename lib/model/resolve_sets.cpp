@@ -65,7 +65,9 @@ class Resolver {
       if constexpr (std::is_same_v<Member, SegmentNodes>)
         set.members = std::move(members.segments);
       else
-        set.members.assign(members.positions.begin(), members.positions.end());
+        set.members.reserve(members.positions.size());
+      if constexpr (!std::is_same_v<Member, SegmentNodes>)
+        for (const std::uint32_t position : members.positions) set.members.emplace_back(position);
       table.emplace(id, std::move(set));
     }
   }

@@ -1,11 +1,14 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/diagnostic.hpp"
 #include "records/penetration.hpp"
+#include "records/solver_run.hpp"
+#include "records/tie_failure.hpp"
 
 namespace gapcheck {
 
@@ -31,6 +34,8 @@ struct ContactSummary {
   std::uint64_t penetrations = 0, released = 0, edge_zone = 0;
   double max_penetration = 0;
   std::uint64_t ties = 0, untied = 0;
+  std::uint64_t reported_penetrations = 0;  ///< a count that the files give without listing the nodes (MPP); 0: none
+  double contact_time_s = -1;               ///< CPU seconds spent in it; negative: not said
   std::string not_checked;  ///< why GC101 was not decided; empty: it was
   std::string file;
   std::uint32_t line = 0;
@@ -53,7 +58,9 @@ struct Report {
   ModelCounts model;
   std::vector<ContactSummary> contacts;    ///< in deck order
   std::vector<Penetration> penetrations;   ///< by contact, deepest first, then node id
+  std::vector<TieFailure> tie_failures;    ///< by contact, reason, node id
   std::vector<Finding> findings;           ///< by id, file, line
+  std::optional<SolverRun> run;            ///< only where solver files were read
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
   Timing timing;
 };

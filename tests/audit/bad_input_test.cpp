@@ -62,9 +62,13 @@ const Diagnostic* first_error(const AuditRun& run) {
 /// Expects an error in the file, in a line of [first, last].
 void expect_error(const AuditRun& run, const std::string& file, std::uint32_t first, std::uint32_t last) {
   const auto& all = run.diagnostics;
-  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) {
-    return d.severity == Severity::error && fs::path(d.file).filename() == file && d.line >= first && d.line <= last;
-  })) << "wanted an error in " << file << " lines " << first << " to " << last << "; got\n" << describe(all);
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(),
+                          [&](const Diagnostic& d) {
+                            return d.severity == Severity::error && fs::path(d.file).filename() == file &&
+                                   d.line >= first && d.line <= last;
+                          }))
+      << "wanted an error in " << file << " lines " << first << " to " << last << "; got\n"
+      << describe(all);
 }
 
 /// Appends a block to a sound deck and expects an error in line `line` of that block (1 = its keyword).
@@ -143,10 +147,11 @@ TEST(BadInput, NotANumber) {
 }
 
 TEST(BadInput, HugeCoordinates) {
-  const std::string far = "*NODE\n      21           1e300             0.0             0.0\n"
-                          "      22           1e300           1e300             0.0\n"
-                          "      23           1e300             0.0          -1e300\n"
-                          "*ELEMENT_SHELL\n       3       1      21      22      23      23\n";
+  const std::string far =
+      "*NODE\n      21           1e300             0.0             0.0\n"
+      "      22           1e300           1e300             0.0\n"
+      "      23           1e300             0.0          -1e300\n"
+      "*ELEMENT_SHELL\n       3       1      21      22      23      23\n";
   const AuditRun run = run_text(head + mesh + far + contact + "*END\n");
   ASSERT_TRUE(run.ok);
   // Either refused with a reason or taken; the rest of the model is judged as before.
@@ -197,8 +202,10 @@ TEST(BadInput, UndefinedParameter) {
 }
 
 TEST(BadInput, ParameterOfTheWrongType) {
-  expect_error_in_block("*PARAMETER\nC    word      text\n*SECTION_SHELL\n         9         2       1.0         5\n"
-                        "     &word\n", 5, 5);
+  expect_error_in_block(
+      "*PARAMETER\nC    word      text\n*SECTION_SHELL\n         9         2       1.0         5\n"
+      "     &word\n",
+      5, 5);
   expect_error_in_block("*PARAMETER\nR      x       1.x\n", 1, 2);
 }
 
@@ -249,14 +256,18 @@ TEST(Contradiction, UnknownPart) {
 }
 
 TEST(Contradiction, UnknownSet) {
-  expect_finding("*CONTACT_AUTOMATIC_NODES_TO_SURFACE_ID\n         3\n        77         1         2         3\n"
-                 "       0.0\n       1.0\n", "GC502", 1, 3);
+  expect_finding(
+      "*CONTACT_AUTOMATIC_NODES_TO_SURFACE_ID\n         3\n        77         1         2         3\n"
+      "       0.0\n       1.0\n",
+      "GC502", 1, 3);
 }
 
 TEST(Contradiction, EmptySurface) {
-  expect_finding("*PART\nno elements\n         3         1         1\n"
-                 "*CONTACT_AUTOMATIC_NODES_TO_SURFACE_ID\n         3\n         3         1         3         3\n"
-                 "       0.0\n       1.0\n", "GC503", 4, 6);
+  expect_finding(
+      "*PART\nno elements\n         3         1         1\n"
+      "*CONTACT_AUTOMATIC_NODES_TO_SURFACE_ID\n         3\n         3         1         3         3\n"
+      "       0.0\n       1.0\n",
+      "GC503", 4, 6);
 }
 
 TEST(Contradiction, ThousandsOfThem) {

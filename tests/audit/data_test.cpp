@@ -34,9 +34,12 @@ std::vector<std::string> deck_names() {
 
 std::string rule_of(const Penetration& p) {
   switch (p.kind) {
-    case PenetrationKind::initial: return "initial-penetration";
-    case PenetrationKind::released: return "released-node";
-    case PenetrationKind::edge_zone: return "edge-zone-penetration";
+    case PenetrationKind::initial:
+      return "initial-penetration";
+    case PenetrationKind::released:
+      return "released-node";
+    case PenetrationKind::edge_zone:
+      return "edge-zone-penetration";
   }
   return "?";
 }

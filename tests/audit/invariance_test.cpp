@@ -29,15 +29,16 @@ Records records_of(const Scene& scene, const IdMap& original_id) {
   EXPECT_TRUE(clean(run));
   Records records;
   for (const auto& p : run.report.penetrations) {
-    records[{run.report.contacts.at(p.contact).id, original_id(p.node)}] = {static_cast<int>(p.kind), p.outcome, p.depth,
-                                                                            p.contact_distance};
+    records[{run.report.contacts.at(p.contact).id, original_id(p.node)}] = {static_cast<int>(p.kind), p.outcome,
+                                                                            p.depth, p.contact_distance};
   }
   return records;
 }
 
 /// `changed` is `scene` in another guise, with all lengths times `factor`.
-void expect_same(const Scene& scene, const Scene& changed, double factor,
-                 const IdMap& original_id = [](std::int64_t id) { return id; }) {
+void expect_same(
+    const Scene& scene, const Scene& changed, double factor,
+    const IdMap& original_id = [](std::int64_t id) { return id; }) {
   const Records before = records_of(scene, [](std::int64_t id) { return id; });
   const Records after = records_of(changed, original_id);
   for (const auto& [key, record] : before) {

@@ -42,11 +42,10 @@ std::vector<Block> blocks_of(const std::string& path) {
 
 /// Rows of whole numbers only: the connectivity of an element, not its thickness.
 std::uint64_t whole_rows(const Block& block) {
-  return static_cast<std::uint64_t>(
-      std::count_if(block.rows.begin(), block.rows.end(), [](const std::string& row) {
-        const bool many = row.find_first_of(',') != std::string::npos || trimmed(row).size() > 24;
-        return many && row.find('.') == std::string::npos;
-      }));
+  return static_cast<std::uint64_t>(std::count_if(block.rows.begin(), block.rows.end(), [](const std::string& row) {
+    const bool many = row.find_first_of(',') != std::string::npos || trimmed(row).size() > 24;
+    return many && row.find('.') == std::string::npos;
+  }));
 }
 
 std::uint64_t solid_rows(const Block& block) {

@@ -30,7 +30,7 @@ class Maker {
   Eigen::Isometry3d placement() {
     const double turn = chance(0.2) ? 3.1 : chance(0.5) ? 0.3 : 0.0;
     Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
-    height_ += uniform(-0.3, 1.3);
+    height_ += chance(0.2) ? uniform(-1.5, 0) : uniform(-0.3, 1.3);
     place.translate(Vector(uniform(-2, 2), uniform(-2, 2), height_));
     place.rotate(Eigen::AngleAxisd(uniform(-turn, turn), Vector::UnitX()));
     place.rotate(Eigen::AngleAxisd(uniform(-turn, turn), Vector::UnitY()));
@@ -61,13 +61,13 @@ class Maker {
 
   void add_body(std::int64_t part) {
     const double kind = uniform(0, 1);
-    const int nx = pick(1, 5), ny = pick(1, 5);
-    const double dx = uniform(0.6, 2.5), dy = dx * uniform(0.5, 1.6);
+    const int nx = pick(1, 6), ny = pick(1, 6);
+    const double dx = uniform(0.3, 2.5), dy = dx * uniform(0.5, 1.6);
     const Eigen::Isometry3d place = placement();
-    if (kind < 0.25)
+    if (kind < 0.3)
       add_block(part, nx, ny, dx, dy, place);
     else
-      add_plate(part, nx, ny, dx, dy, kind < 0.4, place);
+      add_plate(part, nx, ny, dx, dy, kind < 0.45, place);
   }
 
   void add_plate(std::int64_t part, int nx, int ny, double dx, double dy, bool triangles,

@@ -1,11 +1,12 @@
 // Random scenes: slow search = fast search, exact = filtered, any number of threads, and all of it = the reference.
+#include "audit/random_scene.hpp"
+
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 #include <utility>
 
-#include "audit/random_scene.hpp"
 #include "audit/run.hpp"
 #include "base/parallel.hpp"
 #include "model/model.hpp"
@@ -116,7 +117,7 @@ TEST(RandomScene, AgreesWithTheReference) {
     ASSERT_TRUE(clean(run)) << "seed " << seed;
     SCOPED_TRACE("seed " + std::to_string(seed));
     compare(run.report, reference_of(scene), tally);
-    //DBG if (HasFailure()) break;
+    // DBG if (HasFailure()) break;
   }
   // The scenes must be worth their while.
   EXPECT_GT(tally.compared, 1000u);

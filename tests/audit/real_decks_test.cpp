@@ -84,7 +84,8 @@ TEST_P(RealDeck, AllSearchesAgree) {
 
 std::string test_name(const testing::TestParamInfo<std::string>& instance) {
   std::string name = instance.param;
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name;
 }
 

@@ -56,14 +56,17 @@ std::string dump(const Report& report) {
                    bits(p.moved_to), p.file, p.line, static_cast<int>(p.kind), name(p.outcome), name(p.feature),
                    name(p.node_rule), name(p.segment_rule));
   }
-  for (const auto& f : report.findings) fmt::format_to(out, "{} {} {}:{} {}\n", f.id, f.contact, f.file, f.line, f.message);
+  for (const auto& f : report.findings)
+    fmt::format_to(out, "{} {} {}:{} {}\n", f.id, f.contact, f.file, f.line, f.message);
   return text;
 }
 
 std::string describe(const std::vector<Diagnostic>& diagnostics) {
   std::string text;
   for (const auto& d : diagnostics) {
-    const char* severity = d.severity == Severity::error ? "error" : d.severity == Severity::warning ? "warning" : "note";
+    const char* severity = d.severity == Severity::error     ? "error"
+                           : d.severity == Severity::warning ? "warning"
+                                                             : "note";
     text += fmt::format("{}:{}: {}: {}\n", d.file, d.line, severity, d.message);
   }
   return text;

@@ -30,7 +30,7 @@ struct Scene {
   };
   struct Contact {
     std::int64_t id;
-    std::string keyword;  ///< without `CONTACT_`
+    std::string keyword;                ///< without `CONTACT_`
     std::int64_t set_a = 0, set_b = 0;  ///< part sets; 0 on side A = all parts
     double sst = 0, mst = 0, sfst = 1, sfmt = 1;
     std::int64_t ignore = 0, snlog = 0;

@@ -115,6 +115,21 @@ TEST_F(Includes, DepthAndNumberAreBounded) {
   EXPECT_EQ(count_errors(more), 1u) << reports(more);
 }
 
+TEST_F(Includes, ManyMissingOnesAndPathsAreBounded) {
+  std::string text = "*INCLUDE_PATH\n";
+  for (int i = 0; i < 1000; ++i) text += "path" + std::to_string(i) + "\n";
+  text += "*INCLUDE\n";
+  for (int i = 0; i < 1000; ++i) text += "no" + std::to_string(i) + ".k\n";
+  directory.write("main.k", text + "*NODE\n");
+  ReadOptions options;
+  options.max_files = 50;
+  read("main.k", options);
+  EXPECT_EQ(deck.counters().missing_includes, 49u);
+  const std::string all = reports(diagnostics);
+  EXPECT_NE(all.find(":202: more than 200 include paths"), std::string::npos) << all;
+  EXPECT_NE(all.find("more than 50 files"), std::string::npos) << all;
+}
+
 TEST_F(Includes, InheritTheFormatAndKeepTheirOwn) {
   directory.write("plain.k", "*NODE\n");
   directory.write("own.k", "*KEYWORD LONG=S\n*PART\n");

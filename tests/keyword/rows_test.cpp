@@ -126,6 +126,7 @@ std::string random_line(std::mt19937& random, const CardLayout& layout, Format f
   }
   if (random() % 5 == 0) line = line.substr(0, random() % (line.size() + 1));
   if (random() % 20 == 0) line += "  remark, with comma";
+  if (random() % 10 == 0 && !line.empty()) line[random() % line.size()] = ",\t&(x"[random() % 5];
   if (random() % 10 == 0) line += "\r";
   for (char& c : line)
     if (c == '\n') c = ' ';
@@ -148,6 +149,25 @@ TEST(Rows, AgreeWithCardsOnRandomBlocks) {
     TextDeck deck(text);
     expect_same(deck, deck.block("NODE"), layout);
     if (HasFatalFailure()) FAIL() << text;
+  }
+}
+
+TEST(Rows, AgreeWithCardsUnderOffsets) {
+  std::mt19937 random(12);
+  const TemporaryDirectory directory;
+  for (int round = 0; round < 60; ++round) {
+    const CardLayout& layout = card_layout(random() % 2 == 0 ? "NODE" : "ELEMENT_SHELL", "card1");
+    std::string text = "$" + std::string(4096, ' ') + "\n*NODE\n";
+    for (auto rows = random() % 60; rows > 0; --rows) text += random_line(random, layout, Format::standard) + "\n";
+    directory.write("mesh.k", text);
+    const auto offsets =
+        round % 10 == 0 ? "9000000000000000000,9000000000000000000,-9000000000000000000" : "10,-2000,300";
+    const auto main = directory.write("main.k", "*INCLUDE_TRANSFORM\nmesh.k\n" + std::string(offsets) + "\n");
+    TextDeck deck("*KEYWORD\n");
+    auto result = read_deck(main, {}, deck.diagnostics);
+    ASSERT_TRUE(result.ok());
+    deck.deck = std::move(result).value();
+    expect_same(deck, deck.block("NODE"), layout);
   }
 }
 
@@ -177,7 +197,7 @@ TEST(Rows, ManyPiecesAndThreadsGiveTheSame) {
 
 TEST(Rows, IdsTakeTheOffsetsOfTheirInclude) {
   const TemporaryDirectory directory;
-  directory.write("mesh.k", "*ELEMENT_SHELL\n       1       2       3       4       5       0\n1,2,3,4,5,-6\n");
+  directory.write("mesh.k", "*ELEMENT_SHELL\n       1       2       3       4       5       0\n1,2,3,4,5,-6,0\n");
   const auto main = directory.write("main.k", "*INCLUDE_TRANSFORM\nmesh.k\n      1000      2000      3000\n");
   Diagnostics diagnostics;
   const auto deck = read_deck(main, {}, diagnostics);

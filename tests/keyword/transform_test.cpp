@@ -62,6 +62,8 @@ TEST_F(Transforms, ScaleMirrorMatrixAndPointsOfATranslation) {
 TEST_F(Transforms, RowsActFromTheFirstToTheLast) {
   expect_near(with("ROTATE,0,0,1,0,0,0,90\nTRANSL,10,0,0\n").apply({1, 0, 0}), {10, 1, 0});
   expect_near(with("TRANSL,10,0,0\nROTATE,0,0,1,0,0,0,90\n").apply({1, 0, 0}), {0, 11, 0});
+  expect_near(with("SCALE,2,1,1\nROTATE,0,0,1,0,0,0,90\n").apply({1, 0, 0}), {0, 2, 0});
+  expect_near(with("ROTATE,0,0,1,0,0,0,90\nSCALE,2,1,1\n").apply({1, 0, 0}), {0, 1, 0});
 }
 
 TEST_F(Transforms, OffsetsAndFactors) {

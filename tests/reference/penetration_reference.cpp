@@ -20,15 +20,16 @@ using Positions = std::vector<Vector>;
 struct Facet {
   std::array<NodeIndex, 4> nodes;
   bool triangle = false, solid = false;
-  double half = 0;    ///< half the contact thickness
-  double depth = 0;   ///< solids: volume / area
+  double half = 0;   ///< half the contact thickness
+  double depth = 0;  ///< solids: volume / area
+  PartIndex part = none<PartIndex>;
 };
 
 /// One side of a contact: facets to be met, nodes that are tracked (with half their thickness), bricks with an inside.
 struct Side {
   std::vector<Facet> facets;
   std::map<NodeIndex, double> nodes;
-  std::vector<std::array<NodeIndex, 8>> bricks;
+  std::vector<std::pair<std::array<NodeIndex, 8>, PartIndex>> bricks;
   std::vector<std::vector<NodeIndex>> elements;
 };
 
@@ -103,7 +104,7 @@ void add_shells(Side& side, const Model& model, const std::set<PartIndex>& parts
     if (!parts.contains(shells.part[e])) continue;
     const double half = shell_thickness(model, e, rule, x) / 2;
     const auto& n = shells.nodes[e];
-    side.facets.push_back({n, n[2] == n[3], false, half, 0});
+    side.facets.push_back({n, n[2] == n[3], false, half, 0, shells.part[e]});
     side.elements.emplace_back(n.begin(), n.end());
     for (NodeIndex node : n) side.nodes[node] = std::max(side.nodes[node], half);
   }
@@ -115,13 +116,14 @@ void add_solids(Side& side, const Model& model, const std::set<PartIndex>& parts
   for (std::uint32_t e = 0; e < solids.size(); ++e) {
     if (!parts.contains(solids.part[e])) continue;
     const auto& n = solids.nodes[e];
-    side.bricks.push_back(n);
+    side.bricks.emplace_back(n, solids.part[e]);
     side.elements.emplace_back(n.begin(), n.end());
     const double volume = brick_volume(n, x);
     for (const auto& face : brick_faces) {
       Facet facet;
       for (std::size_t i = 0; i < 4; ++i) facet.nodes[i] = n[static_cast<std::size_t>(face[i])];
       facet.solid = true;
+      facet.part = solids.part[e];
       facet.depth = volume / facet_area(corners(facet.nodes, x));
       auto key = facet.nodes;
       std::sort(key.begin(), key.end());
@@ -141,7 +143,8 @@ std::set<PartIndex> parts_of(const Model& model, const model::SurfaceInput& inpu
   if (type == model::SurfaceType::all || input.id == 0) {
     for (const auto& [id, index] : model.part_of_id) parts.insert(index);
   } else if (type == model::SurfaceType::part) {
-    if (const auto found = model.part_of_id.find(input.id); found != model.part_of_id.end()) parts.insert(found->second);
+    if (const auto found = model.part_of_id.find(input.id); found != model.part_of_id.end())
+      parts.insert(found->second);
   } else if (type == model::SurfaceType::part_set) {
     if (const auto set = model.sets.parts.find(input.id); set != model.sets.parts.end())
       parts.insert(set->second.members.begin(), set->second.members.end());
@@ -157,14 +160,25 @@ Side make_side(const Model& model, const model::SurfaceInput& input, const Thick
   return side;
 }
 
-bool inside(const std::array<NodeIndex, 8>& brick, const Vector& query, const Positions& x) {
+enum class Where { outside, unsure, inside };
+
+/// Against the mean plane of every face; within the warp of a face nothing is said.
+Where where(const std::array<NodeIndex, 8>& brick, const Vector& query, const Positions& x) {
   const Vector m = middle(brick, x);
-  return std::all_of(std::begin(brick_faces), std::end(brick_faces), [&](const auto& face) {
+  Where result = Where::inside;
+  for (const auto& face : brick_faces) {
     std::array<Vector, 4> c;
     for (std::size_t i = 0; i < 4; ++i) c[i] = x[brick[static_cast<std::size_t>(face[i])].value];
-    const Vector normal = (c[2] - c[0]).cross(c[3] - c[1]), origin = (c[0] + c[1] + c[2] + c[3]) / 4;
-    return normal.dot(query - origin) * normal.dot(m - origin) > 0;
-  });
+    const Vector origin = (c[0] + c[1] + c[2] + c[3]) / 4;
+    Vector outward = (c[2] - c[0]).cross(c[3] - c[1]).normalized();
+    if (outward.dot(m - origin) > 0) outward = -outward;
+    double warp = 1e-9 * (c[2] - c[0]).norm();
+    for (const Vector& corner : c) warp = std::max(warp, 1.01 * std::abs(outward.dot(corner - origin)));
+    const double height = outward.dot(query - origin);
+    if (height > warp) return Where::outside;
+    if (height > -warp) result = Where::unsure;
+  }
+  return result;
 }
 
 struct Verdict {
@@ -192,10 +206,15 @@ struct Pass {
     });
   }
 
-  [[nodiscard]] bool in_volume(NodeIndex node) const {
-    return std::any_of(reference.bricks.begin(), reference.bricks.end(), [&](const auto& brick) {
-      return std::find(brick.begin(), brick.end(), node) == brick.end() && inside(brick, x[node.value], x);
-    });
+  /// Where the node lies to the bricks of each part that has any near; parts that are left out: outside.
+  [[nodiscard]] std::map<PartIndex, Where> volumes(NodeIndex node) const {
+    std::map<PartIndex, Where> result;
+    for (const auto& [brick, part] : reference.bricks) {
+      if (std::find(brick.begin(), brick.end(), node) != brick.end()) continue;
+      const Where place = where(brick, x[node.value], x);
+      if (place != Where::outside) result[part] = std::max(result[part], place);
+    }
+    return result;
   }
 
   [[nodiscard]] double release_limit(const Facet& facet, double h) const {
@@ -221,7 +240,7 @@ struct Pass {
     const double limit = release_limit(facet, h);
     if (std::abs(depth - limit) <= doubt) verdict.doubtful = true;
     verdict.found = true;
-    verdict.kind = !in_band ? PenetrationKind::edge_zone
+    verdict.kind = !in_band        ? PenetrationKind::edge_zone
                    : depth > limit ? PenetrationKind::released
                                    : PenetrationKind::initial;
     verdict.depth = depth, verdict.contact_distance = h, verdict.distance = c.distance;
@@ -233,9 +252,11 @@ struct Pass {
     for (const auto& [node, half] : tracked.nodes) {
       Verdict verdict;
       verdict.node = node;
-      const bool in_solid = in_volume(node);
+      const auto places = volumes(node);
+      for (const auto& [part, place] : places) verdict.doubtful |= place == Where::unsure;
       for (const Facet& facet : reference.facets) {
-        if (!in_ring(node, facet)) consider(verdict, facet, half, in_solid);
+        if (!in_ring(node, facet))
+          consider(verdict, facet, half, places.contains(facet.part) && places.at(facet.part) == Where::inside);
       }
       if (verdict.found || verdict.doubtful) verdicts.push_back(verdict);
     }
@@ -291,9 +312,9 @@ bool judge(const Model& model, const model::Contact& contact, Findings& findings
 }  // namespace
 
 Findings find_penetrations(const Model& model) {
-  static const std::set<std::string> covered{
-      "CONTACT_AUTOMATIC_SINGLE_SURFACE", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", "CONTACT_AUTOMATIC_NODES_TO_SURFACE",
-      "CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"};
+  static const std::set<std::string> covered{"CONTACT_AUTOMATIC_SINGLE_SURFACE", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE",
+                                             "CONTACT_AUTOMATIC_NODES_TO_SURFACE",
+                                             "CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"};
   Findings findings;
   Positions x = model.mesh.nodes.x;
   for (const auto& contact : model.contacts) {

@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+
+namespace gapcheck {
+
+/// One `*** Warning` or `*** Error` block of the solver, kept whether it is understood or not.
+struct SolverMessage {
+  Severity severity = Severity::warning;
+  std::int64_t code = 0;      ///< 40565
+  std::string group;          ///< "SOL"
+  std::string kind;           ///< name in the table of message kinds; empty: not understood
+  std::string text;           ///< lines joined with one blank
+  std::uint64_t count = 1;    ///< equal kinds beyond the first ones kept are only counted
+  std::uint32_t file = 0, line = 0;
+};
+
+/// One "surface timestep" block.
+struct SurfaceTimestep {
+  std::uint32_t contact = 0;  ///< position in Report::contacts
+  char side = 'A';            ///< 'A', 'B'
+  std::string type;           ///< as printed, blanks out: "a3"
+  double timestep = 0;        ///< 1e16: no limit
+  std::int64_t node = 0, part = 0;  ///< controlling; 0: none printed
+};
+
+/// "node N (rigidwall W) init. penetration= p".
+struct RigidwallPenetration {
+  std::int64_t node = 0, wall = 0;
+  double depth = 0;
+  std::uint32_t file = 0, line = 0;
+};
+
+/// What the files say of the run as a whole. Empty or zero: not said.
+struct SolverRun {
+  std::string version, revision, precision, platform, title;
+  bool mpp = false;
+  std::uint32_t ranks = 0;
+  enum class Termination : std::uint8_t { unknown, normal, error } termination = Termination::unknown;
+  double contact_timestep = 0;  ///< "should not exceed"
+  double element_timestep = 0;  ///< smallest of the "100 smallest timesteps"
+  double problem_time = 0;
+  std::int64_t cycles = 0;
+  std::vector<SurfaceTimestep> surface_timesteps;
+  std::vector<RigidwallPenetration> rigidwalls;
+  std::vector<SolverMessage> messages;  ///< by code, then file and line
+  bool counts_may_be_cut = false;       ///< a file shows that messages were suppressed
+};
+
+}  // namespace gapcheck

@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "results/mesh_source.hpp"
+
+namespace gapcheck::results {
+
+/// Geometry of a d3plot database, as in its header and state 0. Arrays in file order.
+struct D3plot {
+  std::string title;
+  int word_bytes = 4;  ///< 4 or 8
+  std::vector<std::int64_t> node_ids;
+  std::vector<std::array<double, 3>> coordinates;  ///< beside node_ids
+  template <std::size_t N>
+  struct Elements {
+    std::vector<std::int64_t> ids;
+    std::vector<std::array<std::uint32_t, N>> nodes;  ///< positions in node_ids
+    std::vector<std::int64_t> parts;                  ///< part ids of the user
+  };
+  Elements<8> solids, thick_shells;
+  Elements<2> beams;
+  Elements<4> shells;
+};
+
+/// Reads the geometry of a d3plot (single or double precision, either byte order; a file family is found from its first
+/// file). No count of the header is trusted before it was held against the file's size. Errors name what is wrong:
+/// truncated, damaged, compressed (FEMZIP), not a d3plot.
+Result<D3plot> read_d3plot(const std::string& path);
+
+/// The same for bytes in memory.
+Result<D3plot> read_d3plot_bytes(std::string_view bytes, const std::string& name);
+
+[[nodiscard]] MeshSource mesh_source(const D3plot& plot);
+
+}  // namespace gapcheck::results

@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "records/report.hpp"
+
+namespace gapcheck::results {
+
+/// The penetration records of a report as the solver's 40565 blocks (SMP, one per node), tie failures as 40538, 40533
+/// and 40552 blocks: four decimals, slave/master words. Reading it back gives the same records to the printed digits.
+[[nodiscard]] std::string write_messag(const Report& report);
+
+}  // namespace gapcheck::results

@@ -1,0 +1,160 @@
+#include "model/part.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "read.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+const std::string shell_text = "*ELEMENT_SHELL\n1,1,1,2,3,4\n";
+
+TEST(Parts, HeadingsAndCardsRepeat) {
+  const Read read = read_text(
+      "*PART\nfirst, with a comma\n         1        10       100\n$ comment\n\n         2        11       101\n\n");
+  ASSERT_EQ(read.model.parts.size(), 2u) << read.text();
+  EXPECT_EQ(read.model.parts[0].title, "first, with a comma");
+  EXPECT_EQ(read.model.parts[1].title, "");
+  EXPECT_EQ(read.model.parts[1].id, PartId{2});
+  EXPECT_EQ(read.model.parts[1].section_id, 11);
+  EXPECT_EQ(read.model.parts[1].material_id, 101);
+  EXPECT_EQ(read.model.part_of_id.at(2), PartIndex{1});
+  EXPECT_EQ(read.text(), "");  // no elements: nothing is missing
+}
+
+TEST(Parts, ExtraCardsInAnyOrderOfOptions) {
+  const std::string inertia = "0.,0.,0.,5.,1\n1.,0.,0.,1.,0.,1.\n0.,0.,0.\n1.,0.,0.,0.,1.,0.\n";
+  for (const std::string options : {"INERTIA_CONTACT_PRINT", "PRINT_CONTACT_INERTIA"}) {
+    const Read read = read_text("*PART_" + options + "\na\n1,1,1\n" + inertia +
+                                "0.1,0.2,3.,4.,0.7,0.9,2.\n1\nb\n2,1,1\n" + inertia + ",,,,0.8\n1\n");
+    ASSERT_EQ(read.model.parts.size(), 2u) << options << read.text();
+    ASSERT_TRUE(read.model.parts[0].contact.has_value());
+    const PartContact& contact = *read.model.parts[0].contact;
+    EXPECT_EQ(contact.fs, 0.1);
+    EXPECT_EQ(contact.fd, 0.2);
+    EXPECT_EQ(contact.dc, 3.0);
+    EXPECT_EQ(contact.vc, 4.0);
+    EXPECT_EQ(contact.optt, 0.7);
+    EXPECT_EQ(contact.sft, 0.9);
+    EXPECT_EQ(contact.ssf, 2.0);
+    EXPECT_EQ(read.model.parts[1].contact->optt, 0.8);
+  }
+}
+
+TEST(Parts, CompositesAreTheirOwnSection) {
+  const Read read = read_text(nodes_text(4) +
+                              "*PART_COMPOSITE_CONTACT\nlaminate\n         1         2       0.8       1.0\n,,,,0.3\n"
+                              "         7       0.5      45.0                   7      0.25\n"
+                              "         7       0.5      45.0\n"
+                              "*MAT_ELASTIC\n7,1.,2.,0.3\n" +
+                              shell_text);
+  ASSERT_EQ(read.model.parts.size(), 1u) << read.text();
+  const Part& part = read.model.parts[0];
+  EXPECT_EQ(part.composite_thickness, 1.25);
+  EXPECT_EQ(part.material_id, 7);
+  ASSERT_TRUE(part.section && part.material);
+  EXPECT_EQ(read.model.sections[*part.section].thickness, (std::array<double, 4>{1.25, 1.25, 1.25, 1.25}));
+  EXPECT_EQ(read.model.sections[*part.section].nloc, 1.0);
+  EXPECT_EQ(part.contact->optt, 0.3);
+  EXPECT_EQ(read.text(), "");
+}
+
+TEST(Parts, DuplicatesAndMissingPropertiesAreFaults) {
+  const Read read = read_text(nodes_text(4) + "*PART\na\n1,8,9\n*PART\nb\n1,1,1\n*PART\nc\n2,8,9\n" + shell_text);
+  const std::string text = read.text();
+  EXPECT_EQ(read.faults(Fault::Kind::duplicate_id), 1u) << text;
+  EXPECT_NE(text.find("part 1 is defined again (first in line 8 of a.k)"), std::string::npos) << text;
+  EXPECT_EQ(read.faults(Fault::Kind::unknown_reference), 2u) << text;
+  EXPECT_NE(text.find("part 1 names section 8, which is not defined"), std::string::npos) << text;
+  EXPECT_NE(text.find("part 1 names material 9, which is not defined"), std::string::npos) << text;
+}
+
+TEST(Parts, TruncatedCardIsAnError) {
+  const Read read = read_text("*PART\nheading only\n*NODE\n1\n");
+  EXPECT_EQ(read.errors(), 1u) << read.text();
+  EXPECT_EQ(read.diagnostics[0].line, 2u);
+}
+
+TEST(Parts, KeywordsThatMovePartsAreNamed) {
+  const Read read = read_text("*PART_MOVE\n1,1.,0.,0.\n*PART_DUPLICATE\nPART,1\n*PART_ANNEAL\n1\n");
+  EXPECT_EQ(read.warnings(), 2u) << read.text();
+}
+
+TEST(Sections, ShellsRepeatWithAngles) {
+  const Read read = read_text(
+      "*SECTION_SHELL_TITLE\ntitle\n1,2,,10,,,1\n1.,2.\n1.,2.,3.,4.,5.,6.,7.,8.\n9.,10.\n"
+      "another title\n2,16\n3.,,,,-1.\n"
+      "3,101\n4.\n2,,,,,9\n0.,0.,1.\n0.,0.,1.\n1.,2.,3.,4.,5.,6.,7.,8.\n9.\n4,2\n5.\n");
+  ASSERT_EQ(read.model.sections.size(), 4u) << read.text();
+  EXPECT_EQ(read.model.sections[0].thickness, (std::array<double, 4>{1, 2, 1, 1}));
+  EXPECT_EQ(read.model.sections[1].elform, 16);
+  EXPECT_EQ(read.model.sections[1].nloc, -1.0);
+  EXPECT_EQ(read.model.sections[2].id, 3);
+  EXPECT_EQ(read.model.sections[3].thickness[3], 5.0);
+}
+
+TEST(Sections, BeamRadius) {
+  const Read read = read_text(
+      "*SECTION_BEAM\n1,1,,,1\n4.,4.,2.,2.\n2,1,,,0\n4.,4.,2.,2.\n3,2\n9.\n4,9,,,1\n6.,6.\n5,6\n1.,2.\n"
+      "6,3\n16.\n7,4\n8.\n8,2\nSECTION_08,1.5\n9,2\nSECTION_05,1.,1.\n10,2\nSECTION_11,2.,3.\n");
+  const auto& sections = read.model.sections;
+  ASSERT_EQ(sections.size(), 10u) << read.text();
+  constexpr double pi = std::numbers::pi;
+  EXPECT_DOUBLE_EQ(sections[0].beam_radius, 2);
+  EXPECT_DOUBLE_EQ(sections[0].beam_area, pi * (4 - 1));
+  EXPECT_DOUBLE_EQ(sections[1].beam_radius, std::sqrt(8 / pi));
+  EXPECT_DOUBLE_EQ(sections[2].beam_radius, std::sqrt(9 / pi));
+  EXPECT_DOUBLE_EQ(sections[3].beam_radius, 3);
+  EXPECT_DOUBLE_EQ(sections[4].beam_radius, 0);
+  EXPECT_DOUBLE_EQ(sections[5].beam_radius, std::sqrt(16 / pi));
+  EXPECT_DOUBLE_EQ(sections[6].beam_radius, 4);
+  EXPECT_DOUBLE_EQ(sections[7].beam_radius, 1.5);
+  EXPECT_DOUBLE_EQ(sections[8].beam_radius, 0);
+  EXPECT_DOUBLE_EQ(sections[9].beam_area, 6);
+  EXPECT_EQ(read.warnings(), 1u) << read.text();
+}
+
+TEST(Sections, OtherKinds) {
+  const Read read = read_text(
+      "*SECTION_SOLID_TITLE\nt\n1,1\nt\n2,10\n*SECTION_TSHELL\n3,1,,3,,,1\n1.,2.,3.\n4,1\n*SECTION_DISCRETE\n5\n0.,0.\n"
+      "6\n0.,0.\n*SECTION_SPH\n7,1.2\n*SECTION_SEATBELT\n8\n9\n*SECTION_POINT_SOURCE\n10,1\nanything\n");
+  std::vector<std::int64_t> ids;
+  for (const Section& section : read.model.sections) ids.push_back(section.id);
+  EXPECT_EQ(ids, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10})) << read.text();
+  EXPECT_EQ(read.model.sections[6].kind, SectionKind::particle);
+  EXPECT_EQ(read.model.sections[9].kind, SectionKind::other);
+  EXPECT_EQ(read.text(), "");
+}
+
+TEST(Materials, NamesNumbersAndOptions) {
+  const Read read = read_text(
+      "*MAT_024\n         1   7.8E-9  210000.       0.3\n"
+      "*MAT_PIECEWISE_LINEAR_PLASTICITY_LOG_INTERPOLATION_TITLE\na title\n2,7.8e-9,210000.,0.3\n"
+      "*MAT_020_TITLE\nt\n3,7.8e-9,210000.,0.3,,,,alias\n"
+      "*MAT_NULL\n4,1.e-9,,,,,2.,0.4\n*MAT_100\n5,1.,2.,0.3\n*MAT_FABRIC\n6,1.,500.,600.,,0.35\n"
+      "*MAT_ELASTIC_FLUID\n7,1.e-9,0.,0.,0.,0.,2200.\n*MAT_1\n8,1.,3.,0.5\n*MAT_NOBODY_KNOWS_TITLE\nt\n9,5.,1.,1.\n"
+      "*MAT_ADD_EROSION\n1\n*MAT_THERMAL_ISOTROPIC\n1\n");
+  const auto& materials = read.model.materials;
+  ASSERT_EQ(materials.size(), 9u) << read.text();
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(materials[0].keyword, "MAT_PIECEWISE_LINEAR_PLASTICITY");
+  EXPECT_EQ(materials[1].keyword, "MAT_PIECEWISE_LINEAR_PLASTICITY");
+  EXPECT_DOUBLE_EQ(materials[1].bulk, 210000. / (3 * 0.4));
+  EXPECT_TRUE(materials[2].rigid);
+  EXPECT_TRUE(materials[3].null_material);
+  EXPECT_EQ(materials[3].young, 2.0);
+  EXPECT_EQ(materials[3].poisson, 0.4);
+  EXPECT_TRUE(materials[4].spotweld);
+  EXPECT_TRUE(materials[5].fabric);
+  EXPECT_EQ(materials[5].poisson, 0.35);
+  EXPECT_EQ(materials[6].bulk, 2200.0);
+  EXPECT_EQ(materials[7].keyword, "MAT_ELASTIC");
+  EXPECT_TRUE(std::isfinite(materials[7].bulk));
+  EXPECT_EQ(materials[8].keyword, "MAT_NOBODY_KNOWS");
+  EXPECT_EQ(materials[8].density, 5.0);
+  EXPECT_EQ(materials[8].young, 0.0);
+}
+
+}  // namespace
+}  // namespace gapcheck::model

@@ -1,0 +1,194 @@
+// The program as scripts see it: exit codes, streams, formats.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+namespace gapcheck {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+std::string content(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Runs gapcheck in the project's folder, with arguments as a shell takes them.
+  Outcome run(const std::string& arguments) const {
+    const fs::path error_file = folder_ / "stderr";
+    const std::string command =
+        "cd '" GAPCHECK_ROOT "' && '" GAPCHECK_BINARY "' " + arguments + " 2>'" + error_file.string() + "'";
+    Outcome outcome;
+    std::FILE* pipe = ::popen(command.c_str(), "r");
+    if (pipe == nullptr) return outcome;
+    std::array<char, 4096> buffer{};
+    for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+      outcome.out.append(buffer.data(), n);
+    const int status = ::pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -2;
+    outcome.err = content(error_file);
+    return outcome;
+  }
+
+  std::string file(const std::string& name, const std::string& text) const {
+    const fs::path path = folder_ / name;
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(CommandLine, ExitCodeFollowsFailOn) {
+  EXPECT_EQ(run("audit data/clean.k --fail-on note").code, 0);
+  EXPECT_EQ(run("audit data/two_plates.k").code, 0) << "warnings alone";
+  EXPECT_EQ(run("audit data/two_plates.k --fail-on warning").code, 1);
+  EXPECT_EQ(run("audit data/deep_node_released.k").code, 1);
+  EXPECT_EQ(run("audit data/deep_node_released.k --fail-on never").code, 0);
+}
+
+TEST_F(CommandLine, BadArgumentsGiveTwoAndNothingOnStandardOutput) {
+  for (const char* arguments : {"",
+                                "audit",
+                                "frobnicate",
+                                "audit data/clean.k --no-such-option",
+                                "audit data/clean.k --html x.html",
+                                "audit data/clean.k --format xml",
+                                "audit data/clean.k --top -1",
+                                "audit data/clean.k --jobs -1",
+                                "audit data/clean.k --ptol nan",
+                                "audit data/clean.k --ptol=-1",
+                                "audit data/clean.k --contact x",
+                                "audit data/clean.k --contact 99999999999999999999",
+                                "audit data/clean.k --select no-such-rule",
+                                "audit data/clean.k data/clean.k",
+                                "explain no-such-rule",
+                                "explain",
+                                "messag x",
+                                "compare a b",
+                                "run x",
+                                "fix x"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_TRUE(outcome.err.starts_with("gapcheck: error: ")) << arguments << ": " << outcome.err;
+  }
+}
+
+TEST_F(CommandLine, InputThatCannotBeReadGivesTwo) {
+  const Outcome missing = run("audit no-such-file.k");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_TRUE(missing.err.starts_with("gapcheck: error: no-such-file.k: ")) << missing.err;
+  EXPECT_EQ(run("audit .").code, 2);
+  EXPECT_EQ(run("audit '" + file("empty.k", "") + "'").code, 2);
+}
+
+TEST_F(CommandLine, ErrorsInTheInputNameFileAndLineAndTheReportIsStillWritten) {
+  const std::string deck = file("broken.k", "*KEYWORD\n*INCLUDE\nmissing.k\n*END\n");
+  const Outcome outcome = run("audit --format json '" + deck + "'");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("gapcheck: error: " + deck + ":"), std::string::npos) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["schema"], "gapcheck/1");
+  const Outcome skipped = run("audit --missing-includes skip '" + deck + "'");
+  EXPECT_EQ(skipped.code, 0) << skipped.err;
+  EXPECT_NE(skipped.err.find("gapcheck: warning: "), std::string::npos);
+  EXPECT_EQ(run("audit --quiet --missing-includes skip '" + deck + "'").err, "");
+}
+
+TEST_F(CommandLine, AContactThatDoesNotExistIsAnError) {
+  EXPECT_EQ(run("audit data/two_plates.k --contact 1").code, 0);
+  const Outcome outcome = run("audit data/two_plates.k --contact 1,77");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("77"), std::string::npos);
+}
+
+TEST_F(CommandLine, ListsDoNotSwallowTheDeck) {
+  EXPECT_EQ(run("audit --select GC1,GC5 --ignore GC106 --contact 1 --part 1 -I . data/two_plates.k --quiet").code, 0);
+}
+
+TEST_F(CommandLine, JsonGoesToTheOutputFile) {
+  const fs::path target = folder_ / "report.json";
+  const Outcome outcome = run("audit data/two_plates.k --format json --output '" + target.string() + "'");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out, "");
+  const auto json = nlohmann::json::parse(content(target));
+  EXPECT_EQ(json["input"], "data/two_plates.k");
+  EXPECT_EQ(json["findings"].size(), json["summary"]["warnings"]);
+  EXPECT_EQ(run("audit data/two_plates.k --output '" + (folder_ / "no" / "where").string() + "'").code, 2);
+}
+
+TEST_F(CommandLine, AFullDiskIsNoticed) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
+  const Outcome outcome = run("audit data/two_plates.k >/dev/full");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("cannot be written"), std::string::npos);
+}
+
+TEST_F(CommandLine, OutputDoesNotDependOnTheNumberOfThreads) {
+  for (const char* deck : {"data/two_plates.k", "data/deep_node_released.k", "data/contact_chain.k"}) {
+    const std::string base = std::string("audit --list ") + deck;
+    const Outcome one = run(base + " --jobs 1"), two = run(base + " --jobs 2"), exact = run(base + " --exact");
+    EXPECT_EQ(one.out, two.out);
+    EXPECT_EQ(one.out, exact.out);
+    EXPECT_EQ(one.code, two.code);
+  }
+}
+
+TEST_F(CommandLine, QuietLeavesOneLine) {
+  const Outcome outcome = run("audit data/two_plates.k --quiet");
+  EXPECT_EQ(outcome.out.find('\n'), outcome.out.size() - 1) << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(CommandLine, NoColoursInAPipe) { EXPECT_EQ(run("audit data/two_plates.k").out.find('\x1b'), std::string::npos); }
+
+TEST_F(CommandLine, HelpAndVersion) {
+  for (const char* arguments : {"--version", "audit --version"}) {
+    EXPECT_EQ(run(arguments).code, 0);
+    EXPECT_TRUE(run(arguments).out.starts_with("gapcheck ")) << arguments;
+  }
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.code, 0);
+  for (const char* later : {"\n  messag ", "\n  compare ", "\n  run ", "\n  fix "}) EXPECT_EQ(help.out.find(later), std::string::npos);
+  EXPECT_EQ(run("audit --help").code, 0);
+}
+
+TEST_F(CommandLine, RulesAndTheirPages) {
+  const Outcome rules = run("rules");
+  EXPECT_EQ(rules.code, 0);
+  EXPECT_NE(rules.out.find("GC101"), std::string::npos);
+  EXPECT_EQ(run("explain GC102").out, content(fs::path(GAPCHECK_ROOT) / "docs/rules/released-node.md"));
+  EXPECT_EQ(run("explain Released-Node").out, run("explain GC102").out);
+}
+
+TEST_F(CommandLine, TheReadmeShowsWhatTheToolPrints) {
+  const std::string readme = content(fs::path(GAPCHECK_ROOT) / "README.md");
+  EXPECT_NE(readme.find("```\n$ ./run audit data/two_plates.k\n" + run("audit data/two_plates.k").out + "```\n"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace gapcheck
