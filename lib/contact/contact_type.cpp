@@ -35,6 +35,7 @@ constexpr std::array table{
     Row{"TIED_SHELL_EDGE_TO_SOLID", "7", one_way, tied},
     Row{"SPOTWELD", "7", one_way, tied},
     Row{"SPOTWELD_WITH_TORSION", "7", one_way, tied},
+    Row{"SPOTWELD_WITH_TORSION_PENALTY", "7", one_way, tied},
     Row{"TIEBREAK_NODES_TO_SURFACE", "8", one_way, tied},
     Row{"TIEBREAK_NODES_ONLY", "8", one_way, tied},
     Row{"TIEBREAK_SURFACE_TO_SURFACE", "9", one_way, tied},
@@ -135,7 +136,10 @@ ContactType classify(const model::Contact& contact) {
 
 ContactSettings settings(const model::Contact& contact, const ContactType& type, const model::Controls& controls) {
   ContactSettings s;
-  s.ignore = contact.mpp_ignore.value_or(contact.ignore.value_or(controls.ignore));
+  // Zero leaves the decision to the next place: pre-processors write zeros into every field.
+  s.ignore = contact.mpp_ignore.value_or(0);
+  if (s.ignore == 0) s.ignore = contact.ignore.value_or(0);
+  if (s.ignore == 0) s.ignore = controls.ignore;
   s.snlog = contact.snlog;
   switch (type.family) {
     case Family::old:
@@ -149,7 +153,7 @@ ContactSettings settings(const model::Contact& contact, const ContactType& type,
     default: s.shlthk = 2;
   }
   s.square_edges = contact.shledg == 1 || contact.srnde == 1 || controls.shledg == 1;
-  s.mid_surface_offset = controls.cntco != 0;
+  s.mid_surface_offset = controls.cntco != 0 || contact.shloff > 0;
   s.thickness_limit = type.treatment == Treatment::single_surface && controls.ssthk == 0;
   return s;
 }

@@ -14,7 +14,7 @@ enum class Family : std::uint8_t { old, automatic, forming, constraint, tied, mo
 
 /// How a contact definition is treated at t = 0.
 struct ContactType {
-  std::string code;  ///< the solver's: "13", "a3"; with an added "m" suffix nothing: mortar types print "*"
+  std::string code;  ///< the solver's: "13", "a3"; mortar types have that of their base type
   Treatment treatment = Treatment::none;
   Family family = Family::other;
   bool edges = false;  ///< types 26: beams are reference lines too
@@ -28,12 +28,12 @@ struct ContactType {
 
 /// The values that decide, after contact card, MPP card and *CONTROL_CONTACT have been merged.
 struct ContactSettings {
-  std::int64_t ignore = 0;  ///< MPP card, else card C, else *CONTROL_CONTACT
+  std::int64_t ignore = 0;  ///< first that is not zero: MPP card, card C, *CONTROL_CONTACT
   std::int64_t snlog = 0;
   std::int64_t shlthk = 0;  ///< 0 none, 1 deformable only, 2 all; automatic, single-surface and constraint types: 2
   bool thickness_limit = false;  ///< single-surface types with SSTHK = 0
   bool square_edges = false;     ///< SHLEDG = 1 or SRNDE = 1: shell surfaces end at their free edges
-  bool mid_surface_offset = false;  ///< CNTCO: NLOC and *ELEMENT_SHELL_OFFSET move the contact surface
+  bool mid_surface_offset = false;  ///< CNTCO or SHLOFF: NLOC and *ELEMENT_SHELL_OFFSET move the contact surface
 };
 [[nodiscard]] ContactSettings settings(const model::Contact& contact, const ContactType& type,
                                        const model::Controls& controls);

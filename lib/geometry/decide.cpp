@@ -42,18 +42,32 @@ Corners piece_corners(const Corners& e, const Piece& p) {
 struct Limits {
   int depth, pieces;
 };
-constexpr Limits floating_limits{24, 256}, exact_limits{48, 4096};
+constexpr Limits floating_limits{48, 256}, exact_limits{96, 4096};
 
-/// Proves a patch piece by piece: pieces that stay open are cut in four. Returns `closer` as soon as one piece is,
-/// `apart` if all are; otherwise `open`. `prove(piece, corners)` gives the verdict on one piece; its `tied` ends the
-/// search.
+/// The two halves of a piece of a patch, cut across its longer side; the same piece twice where doubles end.
+std::array<Piece, 2> halves(const Piece& piece, const Patch& patch) {
+  std::array<Piece, 2> out{piece, piece};
+  const double s = 0.5 * (piece.s0 + piece.s1), t = 0.5 * (piece.t0 + piece.t1);
+  if (patch.a.norm() * (piece.s1 - piece.s0) >= patch.b.norm() * (piece.t1 - piece.t0)) {
+    out[0].s1 = out[1].s0 = s;
+  } else {
+    out[0].t1 = out[1].t0 = t;
+  }
+  return out;
+}
+
+bool too_small(const Piece& piece) { return !(piece.s0 < piece.s1 && piece.t0 < piece.t1); }
+
+/// Proves a patch piece by piece: pieces that stay open are halved. Returns `closer` as soon as one piece is, `apart` if
+/// all are; otherwise `open`. `prove(piece, corners)` gives the verdict on one piece; its `tied` ends the search.
 template <class Prove>
 Verdict subdivide(const Corners& e, Limits limits, const Prove& prove) {
   struct Task {
     Piece piece;
     int depth;
   };
-  std::array<Task, 3 * exact_limits.depth + 4> stack;
+  const Patch patch(e);
+  std::array<Task, exact_limits.depth + 2> stack;
   std::size_t waiting = 0;
   stack[waiting++] = {Piece{}, 0};
   bool stuck = false;
@@ -63,15 +77,12 @@ Verdict subdivide(const Corners& e, Limits limits, const Prove& prove) {
     const Verdict verdict = prove(piece, piece_corners(e, piece));
     if (verdict == Verdict::closer || verdict == Verdict::tied) return verdict;
     if (verdict == Verdict::apart) continue;
-    if (depth == limits.depth) {
+    const std::array<Piece, 2> parts = halves(piece, patch);
+    if (depth == limits.depth || too_small(parts[0]) || too_small(parts[1])) {
       stuck = true;
       continue;
     }
-    const double s = 0.5 * (piece.s0 + piece.s1), t = 0.5 * (piece.t0 + piece.t1);
-    stack[waiting++] = {{piece.s0, s, piece.t0, t}, depth + 1};
-    stack[waiting++] = {{s, piece.s1, piece.t0, t}, depth + 1};
-    stack[waiting++] = {{piece.s0, s, t, piece.t1}, depth + 1};
-    stack[waiting++] = {{s, piece.s1, t, piece.t1}, depth + 1};
+    for (const Piece& part : parts) stack[waiting++] = {part, depth + 1};
   }
   return stuck ? Verdict::open : Verdict::apart;
 }
@@ -185,12 +196,12 @@ int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vecto
     const double error = 16 * roundoff * terms + 1e-290;
     if (size >= 1e-90 && size <= 1e90 && std::abs(det) > error) {
       count(counters, Stage::filter);
-      return det > 0 ? 1 : -1;
+      return det < 0 ? 1 : -1;
     }
   }
   count(counters, Stage::exact);
   if (!a.allFinite() || !b.allFinite() || !c.allFinite() || !query.allFinite()) return 0;
-  return exact::orientation(a, b, c, query);
+  return -exact::orientation(a, b, c, query);
 }
 
 }  // namespace gapcheck::geometry

@@ -42,7 +42,8 @@ void count(DecisionCounters& counters, Stage stage, std::uint64_t times = 1);
 [[nodiscard]] bool closer_than(const Vector& a, const Vector& b, const Vector& query, double bound, Mode mode,
                                DecisionCounters& counters);
 
-/// Sign of the side of the plane through a, b, c on which the query lies (orientation determinant): exact. -1, 0, 1.
+/// Sign of the side of the plane through a, b, c on which the query lies (orientation determinant): exact. 1 on the
+/// side to which the normal (b - a) x (c - a) points, -1 on the other, 0 on the plane or for numbers that are not finite.
 [[nodiscard]] int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode,
                                 DecisionCounters& counters);
 

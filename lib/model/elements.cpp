@@ -30,7 +30,7 @@ class PartFinder {
   PartIndex part_ = none<PartIndex>;
 };
 
-/// The nodes of one row; returns the first id that is not known, or zero... and then all is well.
+/// The nodes of one row; false with the id in `bad` where one is not known.
 template <std::size_t N>
 bool find_nodes(const Nodes& nodes, const ElementTraits& traits, const std::int64_t* ids, std::size_t given,
                 std::array<NodeIndex, N>& out, std::int64_t& bad) {
@@ -51,7 +51,6 @@ bool find_nodes(const Nodes& nodes, const ElementTraits& traits, const std::int6
   return true;
 }
 
-template <std::size_t N>
 void report_unknown_parts(Context& context, const Block& block, const ElementTraits& traits, const ElementRows& rows,
                           const std::vector<std::uint32_t>& dropped) {
   struct Use {
@@ -138,7 +137,7 @@ std::vector<std::uint32_t> append_elements(Context& context, const Block& block,
     erase_column(positions, elements.part);
     erase_column(positions, elements.line);
   }
-  if (some_partless) report_unknown_parts<N>(context, block, traits, rows, dropped);
+  if (some_partless) report_unknown_parts(context, block, traits, rows, dropped);
   return dropped;
 }
 

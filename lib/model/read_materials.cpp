@@ -91,7 +91,8 @@ double bulk_modulus(double young, double poisson) {
 /// "24" is the same material as "024".
 std::string padded_number(std::string_view name) {
   const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
-  if (digits == 0 || digits >= 3) return std::string(name);
+  const bool is_number = digits == name.size() || name[digits] == '_';
+  if (!is_number || digits == 0 || digits >= 3) return std::string(name);
   return std::string(3 - digits, '0') + std::string(name);
 }
 

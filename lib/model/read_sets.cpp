@@ -39,7 +39,7 @@ const KindTraits& traits_of(const Block& block) {
   return *std::find_if(kinds.begin(), kinds.end(), matches);
 }
 
-/// Takes eight ids per line to the end of the block; `per_line` of them count.
+/// The ids of all lines to the end of the block, `per_line` in each; zeros are left out.
 std::vector<std::int64_t> read_ids(CardReader& reader, IdKind kind, std::size_t per_line) {
   const CardLayout layout = id_line(per_line, 10, kind);
   std::vector<std::int64_t> ids;

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,8 +24,21 @@ struct CheckCOptions {
 /// True if `sel` is one of the words that -sel takes.
 [[nodiscard]] bool known_selection(const std::string& sel);
 
-/// The records that the options pick (-sid, -sel, -ptol, -rtol); views and exports work on them.
+/// The records that the options pick (-sid, -sel, -ptol, -rtol); views and exports work on them. What a file does not
+/// say cannot be judged by -ptol or -rtol and is kept. Counts of the contacts are those of the picked records.
 [[nodiscard]] Report pick(const Report& report, const CheckCOptions& options);
+
+/// Only the first `top` records of each interface, as the view shows them (-rsort).
+[[nodiscard]] Report top_only(const Report& picked, const CheckCOptions& options);
+
+/// How many nodes (and rigid walls' nodes) the report warns of; nodes that a file counts without listing them included.
+[[nodiscard]] std::uint64_t warning_count(const Report& report);
+
+/// Initial penetrations that the files count beyond those they list.
+[[nodiscard]] std::uint64_t unlisted_penetrations(const ContactSummary& contact);
+
+/// False where the file does not say how far the node still is from the surface.
+[[nodiscard]] bool knows_remaining(const Report& report, const Penetration& record);
 
 /// The text that check-c prints.
 [[nodiscard]] std::string check_c_text(const Report& picked, const CheckCOptions& options);

@@ -59,8 +59,8 @@ TEST(ContactType, IgnoreComesFromMppThenCardCThenControl) {
   controls.ignore = 2;
   const ContactType type = classify(c);
   EXPECT_EQ(settings(c, type, controls).ignore, 2);
-  c.ignore = 0;
-  EXPECT_EQ(settings(c, type, controls).ignore, 0);
+  c.ignore = 0;  // zero asks the next place
+  EXPECT_EQ(settings(c, type, controls).ignore, 2);
   c.mpp_ignore = 1;
   EXPECT_EQ(settings(c, type, controls).ignore, 1);
 }

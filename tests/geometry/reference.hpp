@@ -10,7 +10,7 @@ namespace gapcheck::geometry::test {
 [[nodiscard]] mpq_class squared_distance(const Vector& a, const Vector& b, const Vector& c, const Vector& query);
 
 /// Squared distance of a bilinear patch with 600 bits: edges as segments, the inside by Newton's method from a grid of
-/// starts. Wrong where a minimum inside is so flat that no start runs into it.
+/// starts. Too large by far more than rounding where the patch is folded onto the nearest point (singular minimum).
 [[nodiscard]] mpf_class squared_distance_of_patch(const Facet& facet, const Vector& query);
 
 /// squared_distance... of the facet, whatever it is.

@@ -46,6 +46,7 @@ std::vector<std::pair<std::string, std::uint32_t>> keywords_of(const fs::path& p
 TEST(RealDecks, BlocksAreThoseOfALineScan) {
   const auto list = decks();
   if (list.empty()) GTEST_SKIP() << "no decks in ../shared/decks beside the project";
+  const TemporaryDirectory elsewhere;
   std::size_t blocks = 0;
   for (const fs::path& path : list) {
     Diagnostics diagnostics;
@@ -66,6 +67,7 @@ TEST(RealDecks, BlocksAreThoseOfALineScan) {
 TEST(RealDecks, NodesAndShellsReadWithoutReports) {
   const auto list = decks();
   if (list.empty()) GTEST_SKIP() << "no decks in ../shared/decks beside the project";
+  const TemporaryDirectory elsewhere;
   std::size_t rows = 0;
   for (const fs::path& path : list) {
     // Templates hold question marks in place of numbers, others have mistakes on purpose.

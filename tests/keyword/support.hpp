@@ -30,14 +30,20 @@ struct TextDeck {
   [[nodiscard]] CardReader reader(const std::string& name) { return {deck, block(name), diagnostics}; }
 };
 
-/// A directory of its own that is removed at the end.
+/// A directory of its own that is removed at the end. While it lives the working directory is an empty one, since
+/// includes are looked up there first.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {
     std::string pattern = (std::filesystem::temp_directory_path() / "gapcheck-XXXXXX").string();
     path_ = ::mkdtemp(pattern.data());
+    std::filesystem::create_directory(path_ / "empty");
+    std::filesystem::current_path(path_ / "empty");
   }
-  ~TemporaryDirectory() { std::filesystem::remove_all(path_); }
+  ~TemporaryDirectory() {
+    std::filesystem::current_path(before_);
+    std::filesystem::remove_all(path_);
+  }
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
   std::string write(const std::string& name, const std::string& text) const {
@@ -49,7 +55,7 @@ class TemporaryDirectory {
   [[nodiscard]] std::string path(const std::string& name = "") const { return (path_ / name).string(); }
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_, before_ = std::filesystem::current_path();
 };
 
 inline std::vector<std::string> names(const Deck& deck) {

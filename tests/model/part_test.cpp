@@ -134,9 +134,9 @@ TEST(Materials, NamesNumbersAndOptions) {
       "*MAT_020_TITLE\nt\n3,7.8e-9,210000.,0.3,,,,alias\n"
       "*MAT_NULL\n4,1.e-9,,,,,2.,0.4\n*MAT_100\n5,1.,2.,0.3\n*MAT_FABRIC\n6,1.,500.,600.,,0.35\n"
       "*MAT_ELASTIC_FLUID\n7,1.e-9,0.,0.,0.,0.,2200.\n*MAT_1\n8,1.,3.,0.5\n*MAT_NOBODY_KNOWS_TITLE\nt\n9,5.,1.,1.\n"
-      "*MAT_ADD_EROSION\n1\n*MAT_THERMAL_ISOTROPIC\n1\n");
+      "*MAT_3-PARAMETER_BARLAT\n10,1.,2.,0.3\n*MAT\n11\n*MAT_ADD_EROSION\n1\n*MAT_THERMAL_ISOTROPIC\n1\n");
   const auto& materials = read.model.materials;
-  ASSERT_EQ(materials.size(), 9u) << read.text();
+  ASSERT_EQ(materials.size(), 11u) << read.text();
   EXPECT_EQ(read.text(), "");
   EXPECT_EQ(materials[0].keyword, "MAT_PIECEWISE_LINEAR_PLASTICITY");
   EXPECT_EQ(materials[1].keyword, "MAT_PIECEWISE_LINEAR_PLASTICITY");
@@ -154,6 +154,8 @@ TEST(Materials, NamesNumbersAndOptions) {
   EXPECT_EQ(materials[8].keyword, "MAT_NOBODY_KNOWS");
   EXPECT_EQ(materials[8].density, 5.0);
   EXPECT_EQ(materials[8].young, 0.0);
+  EXPECT_EQ(materials[9].keyword, "MAT_3-PARAMETER_BARLAT");
+  EXPECT_EQ(materials[9].young, 2.0);
 }
 
 }  // namespace

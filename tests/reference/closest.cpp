@@ -86,6 +86,7 @@ Closest closest_on_quad(const Corners& x, const Vector& query) {
   std::optional<Parameters> inside, nearest_free;
   for (std::size_t i = 0; i < 4; ++i) offer_edge(best, x[i], x[(i + 1) % 4], query);
   double nearest = 1e300;
+  bool in_band = false, out_of_band = false;
   for (double s = -1; s <= 1; s += 0.5) {
     for (double t = -1; t <= 1; t += 0.5) {
       const auto p = foot(patch, query, {s, t});
@@ -94,6 +95,7 @@ Closest closest_on_quad(const Corners& x, const Vector& query) {
         best.offer(patch.at(*p), query, Feature::face);
         inside = p;
       }
+      (beyond(*p) <= 0 ? in_band : out_of_band) = true;
       // Of several feet outside, the one nearest to the patch is meant.
       const double out = (p->cwiseAbs() - Parameters::Ones()).cwiseMax(0).norm();
       if (out < nearest) nearest = out, nearest_free = p;
@@ -103,7 +105,8 @@ Closest closest_on_quad(const Corners& x, const Vector& query) {
   const Parameters middle = inside.value_or(Parameters::Zero());
   result.normal = unit_or_zero(patch.ds(middle).cross(patch.dt(middle)));
   if (!inside) {
-    result.certain = nearest_free.has_value();
+    // A distorted quad continued beyond its edges may have feet on both sides of the band: then the rule is open.
+    result.certain = in_band != out_of_band;
     result.beyond_band = nearest_free ? beyond(*nearest_free) : 1;
   }
   return result;

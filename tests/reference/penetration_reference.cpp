@@ -233,16 +233,22 @@ struct Pass {
     if (std::abs(depth) <= doubt || std::abs(c.beyond_band) < 1e-7 || !c.certain || c.distance < 1e-12 * scale)
       verdict.doubtful = true;
     if (depth <= 1e-9 * h) return;
-    const bool in_band = c.beyond_band <= 0;
-    const bool better_kind = in_band && verdict.kind == PenetrationKind::edge_zone;
-    const bool worse_kind = !in_band && verdict.found && verdict.kind != PenetrationKind::edge_zone;
-    if (worse_kind || (!better_kind && c.distance >= verdict.distance)) return;
     const double limit = release_limit(facet, h);
+    const PenetrationKind kind = c.beyond_band > 0 ? PenetrationKind::edge_zone
+                                 : depth > limit   ? PenetrationKind::released
+                                                   : PenetrationKind::initial;
     if (std::abs(depth - limit) <= doubt) verdict.doubtful = true;
+    const bool in_band = kind != PenetrationKind::edge_zone;
+    const bool had_band = verdict.found && verdict.kind != PenetrationKind::edge_zone;
+    if (verdict.found && in_band == had_band) {
+      // Which of two segments equally near comes first is not a matter of the rules.
+      const bool tie = std::abs(c.distance - verdict.distance) <= doubt;
+      if (tie && (kind != verdict.kind || std::abs(depth - verdict.depth) > doubt)) verdict.doubtful = true;
+      if (c.distance >= verdict.distance) return;
+    }
+    if (had_band && !in_band) return;
     verdict.found = true;
-    verdict.kind = !in_band        ? PenetrationKind::edge_zone
-                   : depth > limit ? PenetrationKind::released
-                                   : PenetrationKind::initial;
+    verdict.kind = kind;
     verdict.depth = depth, verdict.contact_distance = h, verdict.distance = c.distance;
     verdict.direction = (buried ? c.point - query : query - c.point).normalized();
   }

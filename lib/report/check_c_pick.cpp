@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "report/check_c_view.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+constexpr std::array<std::string_view, 20> selections{
+    "tied",  "sep", "offset", "far", "short", "notfound", "rigslav", "rigmast", "conflict", "untied",  // tied contacts
+    "typ13", "pen", "mid",    "del", "below",                                                          // standard ones
+    "soft2", "inter", "war", "first", "last",                                                          // SOFT = 2
+};
+
+/// Nodes too deep for contact are one kind of record; the words mid, del and below all pick it.
+bool selects(std::string_view sel, const Penetration& record) {
+  if (sel.empty() || sel == "typ13") return true;
+  if (sel == "pen") return record.kind == PenetrationKind::initial;
+  return (sel == "mid" || sel == "del" || sel == "below") && record.kind == PenetrationKind::released;
+}
+
+bool selects(std::string_view sel, const TieFailure& failure) {
+  if (sel.empty() || sel == "tied") return true;
+  return sel == "untied" ? untied(failure.reason) : sel == name(failure.reason);
+}
+
+bool selects(std::string_view sel, const SolverMessage& message) {
+  if (sel.empty()) return true;
+  const bool wanted = sel == "soft2" || sel == "inter" || sel == "war" || sel == "first" || sel == "last";
+  return wanted && message.kind.starts_with(sel == "inter" ? "soft2-inter" : "soft2");
+}
+
+bool picks(const Report& report, const CheckCOptions& options, const Penetration& record) {
+  if (!selects(options.sel, record)) return false;
+  if (options.ptol > 0 && record.depth > 0 && record.depth <= options.ptol) return false;
+  return options.rtol < 0 || !knows_remaining(report, record) || record.remaining() < options.rtol;
+}
+
+bool picks(const CheckCOptions& options, const TieFailure& failure) {
+  if (!selects(options.sel, failure)) return false;
+  return options.ptol <= 0 || failure.distance < 0 || failure.distance > options.ptol;
+}
+
+constexpr std::uint32_t dropped = std::numeric_limits<std::uint32_t>::max();
+
+/// Leaves only the contacts of -sid; returns the new position of each old one.
+std::vector<std::uint32_t> keep_contacts(Report& report, const CheckCOptions& options) {
+  std::vector<std::uint32_t> place(report.contacts.size(), dropped);
+  std::vector<ContactSummary> kept;
+  for (std::size_t i = 0; i < report.contacts.size(); ++i) {
+    const auto& sid = options.sid;
+    if (!sid.empty() && std::find(sid.begin(), sid.end(), report.contacts[i].id) == sid.end()) continue;
+    place[i] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(std::move(report.contacts[i]));
+  }
+  report.contacts = std::move(kept);
+  return place;
+}
+
+/// Erases the records of dropped contacts, and of contacts that do not exist, and renumbers the rest.
+template <class Records>
+void renumber(Records& records, const std::vector<std::uint32_t>& place) {
+  const auto gone = [&](const auto& r) { return r.contact >= place.size() || place[r.contact] == dropped; };
+  std::erase_if(records, gone);
+  for (auto& record : records) record.contact = place[record.contact];
+}
+
+void keep_messages(SolverRun& run, const CheckCOptions& options) {
+  std::erase_if(run.messages, [&](const SolverMessage& message) { return !selects(options.sel, message); });
+  if (run.messages.empty() || (options.sel != "first" && options.sel != "last")) return;
+  const auto earlier = [](const SolverMessage& a, const SolverMessage& b) {
+    return std::pair(a.file, a.line) < std::pair(b.file, b.line);
+  };
+  const auto [first, last] = std::minmax_element(run.messages.begin(), run.messages.end(), earlier);
+  run.messages = {options.sel == "first" ? *first : *last};
+}
+
+/// Counts of the contacts as they follow from the records.
+void recount(Report& report) {
+  for (ContactSummary& contact : report.contacts) {
+    contact.penetrations = contact.released = contact.edge_zone = contact.untied = 0;
+    contact.max_penetration = 0;
+  }
+  for (const Penetration& record : report.penetrations) {
+    ContactSummary& contact = report.contacts[record.contact];
+    switch (record.kind) {
+      case PenetrationKind::initial:
+        ++contact.penetrations;
+        contact.max_penetration = std::max(contact.max_penetration, record.depth);
+        break;
+      case PenetrationKind::released:
+        ++contact.released;
+        break;
+      case PenetrationKind::edge_zone:
+        ++contact.edge_zone;
+        break;
+    }
+  }
+  for (const TieFailure& failure : report.tie_failures)
+    if (untied(failure.reason)) ++report.contacts[failure.contact].untied;
+}
+
+}  // namespace
+
+bool known_selection(const std::string& sel) {
+  return std::find(selections.begin(), selections.end(), sel) != selections.end();
+}
+
+std::uint64_t unlisted_penetrations(const ContactSummary& contact) {
+  const std::uint64_t listed = contact.penetrations + contact.released;
+  return contact.reported_penetrations > listed ? contact.reported_penetrations - listed : 0;
+}
+
+bool knows_remaining(const Report& report, const Penetration& record) {
+  return report.source == "deck" || record.contact_distance != 0;
+}
+
+Report pick(const Report& report, const CheckCOptions& options) {
+  Report picked = report;
+  const std::vector<std::uint32_t> place = keep_contacts(picked, options);
+  renumber(picked.penetrations, place);
+  renumber(picked.tie_failures, place);
+  // What is not in the list can be picked by no tolerance: the counts beyond the lists are kept whole.
+  for (ContactSummary& contact : picked.contacts) {
+    const bool counted = options.sel.empty() || options.sel == "typ13" || options.sel == "pen";
+    contact.reported_penetrations = counted ? unlisted_penetrations(contact) : 0;
+  }
+  std::erase_if(picked.penetrations, [&](const Penetration& p) { return !picks(report, options, p); });
+  std::erase_if(picked.tie_failures, [&](const TieFailure& t) { return !picks(options, t); });
+  recount(picked);
+  for (ContactSummary& contact : picked.contacts)
+    if (contact.reported_penetrations > 0) contact.reported_penetrations += contact.penetrations + contact.released;
+  if (!picked.run) return picked;
+  renumber(picked.run->surface_timesteps, place);
+  if (!options.sid.empty() || !options.sel.empty()) picked.run->rigidwalls.clear();
+  std::erase_if(picked.run->rigidwalls, [&](const auto& wall) { return options.ptol > 0 && wall.depth <= options.ptol; });
+  keep_messages(*picked.run, options);
+  return picked;
+}
+
+std::uint64_t warning_count(const Report& report) {
+  std::uint64_t count = report.penetrations.size() + report.tie_failures.size();
+  for (const ContactSummary& contact : report.contacts) count += unlisted_penetrations(contact);
+  return count + (report.run ? report.run->rigidwalls.size() : 0);
+}
+
+}  // namespace gapcheck::report

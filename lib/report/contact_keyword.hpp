@@ -1,0 +1,13 @@
+#pragma once
+#include <string>
+
+#include "records/report.hpp"
+
+namespace gapcheck::report {
+
+/// The contact's type as a keyword without `*CONTACT_`: from the deck where it is known, else from the solver's code
+/// ("a3" gives "AUTOMATIC_SURFACE_TO_SURFACE"). Several keywords share some codes; the most common one is given. Codes
+/// nobody knows give "?".
+[[nodiscard]] std::string contact_keyword(const ContactSummary& contact);
+
+}  // namespace gapcheck::report

@@ -1,0 +1,43 @@
+#include "report/describe_tie.hpp"
+
+#include <fmt/format.h>
+
+namespace gapcheck::report {
+
+RecordRule rule_of(TieReason reason) {
+  if (untied(reason)) return {"GC201", "untied-node", Severity::warning};
+  return {"GC202", "tie-offset", Severity::warning};
+}
+
+std::string_view what_happened(TieReason reason) {
+  switch (reason) {
+    case TieReason::sep:
+      return "separated from the segment, moved onto it";
+    case TieReason::offset:
+      return "separated from the segment, not moved, tied all the same";
+    case TieReason::too_far:
+      return "too far from the segment (untied)";
+    case TieReason::too_short:
+      return "tying would shorten a connected beam (untied)";
+    case TieReason::not_found:
+      return "on no segment (untied)";
+    case TieReason::rigslav:
+      return "rigid tracked node (untied)";
+    case TieReason::rigmast:
+      return "segment with a rigid node (untied)";
+    case TieReason::conflict:
+      return "already constrained elsewhere (untied)";
+  }
+  return "?";
+}
+
+std::string message(const TieFailure& failure) {
+  std::string text = fmt::format("node {}", failure.node);
+  if (failure.part != 0) text += fmt::format(" (part {})", failure.part);
+  text += fmt::format(": {}", what_happened(failure.reason));
+  if (failure.segment_number != 0) text += fmt::format(", segment {}", failure.segment_number);
+  if (failure.distance >= 0) text += fmt::format(", separation {:.6g}", failure.distance);
+  return text;
+}
+
+}  // namespace gapcheck::report

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "records/report.hpp"
+#include "report/describe.hpp"
+
+namespace gapcheck::report {
+
+/// GC201 for nodes that stay untied, GC202 for ties with a separation.
+[[nodiscard]] RecordRule rule_of(TieReason reason);
+
+/// What happened to the node: "on no segment (untied)".
+[[nodiscard]] std::string_view what_happened(TieReason reason);
+
+/// One sentence on a record that a person understands. Plain ASCII without quotes and backslashes.
+[[nodiscard]] std::string message(const TieFailure& failure);
+
+}  // namespace gapcheck::report
