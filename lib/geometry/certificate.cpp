@@ -43,13 +43,6 @@ bool Certificate::separated_by(const Corners& e, const Vector& direction) const 
          direction.dot(e[3]) >= reach;
 }
 
-bool Certificate::separated_by_axis(const Corners& e) const {
-  const double limit = bound_ + slack_;
-  const Vector low = e[0].cwiseMin(e[1]).cwiseMin(e[2].cwiseMin(e[3]));
-  const Vector high = e[0].cwiseMax(e[1]).cwiseMax(e[2].cwiseMax(e[3]));
-  return low.maxCoeff() > limit || high.minCoeff() < -limit;
-}
-
 bool Certificate::separated_by_mean_plane(const Corners& e) const {
   const Vector normal = (e[2] - e[0]).cross(e[3] - e[1]);
   return separated_by(e, normal.dot(e[0]) < 0 ? Vector(-normal) : normal);
@@ -57,8 +50,9 @@ bool Certificate::separated_by_mean_plane(const Corners& e) const {
 
 Verdict Certificate::at(const Corners& e, double s, double t, bool triangle) const {
   const Vector w = blend(e, weights(s, t));
-  const double distance = w.norm();
-  if (distance + slack_ < bound_) return Verdict::closer;
+  const double square = w.squaredNorm(), inside = bound_ - slack_;
+  if (inside > 0 && square < inside * inside) return Verdict::closer;
+  const double distance = std::sqrt(square);
   if (separated_by(e, w)) return Verdict::apart;
   if (distance < bound_ * (1 + 64 * roundoff) + 2 * slack_) return Verdict::tied;
   if (triangle) return Verdict::open;

@@ -13,16 +13,21 @@ enum class Verdict : std::uint8_t {
   tied,    ///< a point of the facet lies at the bound up to rounding: only exact numbers can tell
 };
 
+/// Is some coordinate of all corners beyond the bound? Exact for corners that were rounded once.
+[[nodiscard]] inline bool separated_by_axis(const Corners& e, double bound) {
+  const Vector low = e[0].cwiseMin(e[1]).cwiseMin(e[2].cwiseMin(e[3]));
+  const Vector high = e[0].cwiseMax(e[1]).cwiseMax(e[2].cwiseMax(e[3]));
+  return low.maxCoeff() > bound || high.minCoeff() < -bound;
+}
+
 /// Floating-point proofs about one facet or piece of a facet with the origin as the query. All of them hold for corners
-/// known to within 16 roundoffs of `size`, which bounds every coordinate. Derivation: docs/theory/decisions.md.
+/// known to within 16 roundoffs of `size`, which bounds every coordinate and must be usable() (view.hpp). Derivation:
+/// docs/theory/decisions.md.
 class Certificate {
  public:
-  /// Sizes outside [1e-30, 1e30] could underflow or overflow: nothing is proven then (`usable`).
   Certificate(double size, double bound) : size_(size), bound_(bound), slack_(64 * roundoff * size) {}
-  [[nodiscard]] bool usable() const { return size_ >= 1e-30 && size_ <= 1e30; }
 
-  /// Cheap proofs that the corners' hull is apart: an axis or the mean plane separates it.
-  [[nodiscard]] bool separated_by_axis(const Corners& e) const;
+  /// A cheap proof that the corners' hull is apart: the mean plane separates it.
   [[nodiscard]] bool separated_by_mean_plane(const Corners& e) const;
   /// What the point at (s, t) proves: itself, the plane through it, and on quads largest_drop().
   [[nodiscard]] Verdict at(const Corners& e, double s, double t, bool triangle) const;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/certificate.hpp"
-#include "geometry/patch.hpp"
+#include "geometry/view.hpp"
 
 namespace gapcheck::geometry {
 namespace {
@@ -28,41 +28,21 @@ Vector patch_normal(const Patch& patch, double s, double t) {
   return direction(patch.a.cross(patch.b), patch.a.squaredNorm() * patch.b.squaredNorm());
 }
 
-Corners seen_from(const Facet& facet, const Vector& query, double scale) {
-  const Vector q = scale * query;
-  const auto corner = [&](std::size_t i) -> Vector { return scale * facet.x[i] - q; };
-  return {corner(0), corner(1), corner(2), corner(facet.triangle ? 2 : 3)};
-}
-
-/// Power of two by which to multiply coordinates so that no product of differences overflows or vanishes.
-double scale_for(const Facet& facet, const Vector& query, double size) {
-  double measure = size;
-  if (!(size <= 1e300)) {
-    measure = query.lpNorm<Eigen::Infinity>();
-    for (const Vector& x : facet.x) measure = std::max(measure, x.lpNorm<Eigen::Infinity>());
-  }
-  return measure > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(measure), -1000, 1000)) : 1;
-}
-
-bool all_finite(const Facet& facet, const Vector& query) {
-  return query.allFinite() && std::all_of(facet.x.begin(), facet.x.end(), [](const Vector& x) { return x.allFinite(); });
-}
-
 }  // namespace
 
 ClosestPoint closest_point(const Facet& facet, const Vector& query, double band) {
   ClosestPoint out;
-  Corners e = seen_from(facet, query, 1);
-  double scale = 1;
-  if (const double size = size_of(e); !(size >= 1e-30 && size <= 1e30)) {
+  View seen{seen_from(facet, query), 1};
+  if (!usable(size_of(seen.corners))) {
     if (!all_finite(facet, query)) {
       out.squared_distance = std::numeric_limits<double>::infinity();
       out.in_band = false;
       return out;
     }
-    scale = scale_for(facet, query, size);
-    e = seen_from(facet, query, scale);
+    seen = scaled_view(facet, query);
   }
+  const Corners& e = seen.corners;
+  const double scale = seen.scale;
   const Patch patch(e);
   Location at = facet.triangle ? locate_on_triangle(e) : locate_on_patch(e, patch);
   if (!facet.triangle && !is_nearest(e, patch, at.s, at.t)) at = search_patch(e, patch);

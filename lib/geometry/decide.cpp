@@ -6,21 +6,12 @@
 
 #include "geometry/certificate.hpp"
 #include "geometry/exact.hpp"
+#include "geometry/view.hpp"
 
 namespace gapcheck::geometry {
 namespace {
 
 using exact::Piece;
-
-Corners seen_from(const Facet& facet, const Vector& query) {
-  const Vector last = facet.triangle ? facet.x[2] : facet.x[3];
-  return {facet.x[0] - query, facet.x[1] - query, facet.x[2] - query, last - query};
-}
-
-bool all_finite(const Facet& facet, const Vector& query) {
-  const auto finite = [](const Vector& x) { return x.allFinite(); };
-  return std::all_of(facet.x.begin(), facet.x.end(), finite) && finite(query);
-}
 
 /// A point of the patch to try; any is right, the nearest is the best.
 struct Trial {
@@ -88,18 +79,19 @@ Verdict subdivide(const Corners& e, Limits limits, const Prove& prove) {
 }
 
 Verdict filter(const Certificate& certificate, const Corners& e, bool triangle, const ClosestPoint* hint) {
-  if (certificate.separated_by_axis(e) || certificate.separated_by_mean_plane(e)) return Verdict::apart;
-  Trial trial;
+  if (certificate.separated_by_mean_plane(e)) return Verdict::apart;
   if (hint != nullptr && std::abs(hint->s) <= 1 && std::abs(hint->t) <= 1) {
-    trial = {hint->s, hint->t};
-  } else if (triangle) {
-    const Location at = locate_on_triangle(e);
-    trial = {at.s, at.t};
-  } else {
-    const Location at = locate_on_patch(e, Patch(e));
-    trial = {at.s, at.t};
+    return certificate.at(e, hint->s, hint->t, triangle);
   }
-  return certificate.at(e, trial.s, trial.t, triangle);
+  if (triangle) {
+    const Location at = locate_on_triangle(e);
+    return certificate.at(e, at.s, at.t, true);
+  }
+  const Patch patch(e);
+  const Location quick = locate_on_patch(e, patch, true);
+  if (const Verdict verdict = certificate.at(e, quick.s, quick.t, false); verdict != Verdict::open) return verdict;
+  const Location at = locate_on_patch(e, patch);
+  return certificate.at(e, at.s, at.t, false);
 }
 
 Verdict enclose(const Certificate& certificate, const Corners& e) {
@@ -109,7 +101,7 @@ Verdict enclose(const Certificate& certificate, const Corners& e) {
   });
 }
 
-Decision decide_exactly(const Facet& facet, const Vector& query, double bound, const Corners& e) {
+Decision decide_exactly(const Facet& facet, const Vector& query, double bound) {
   if (!all_finite(facet, query)) return {false, Stage::exact};
   if (std::isinf(bound)) return {true, Stage::exact};
   const auto& x = facet.x;
@@ -119,6 +111,7 @@ Decision decide_exactly(const Facet& facet, const Vector& query, double bound, c
                         exact::triangle_closer(x[0], x[2], x[3], query, bound);
     return {closer, Stage::exact};
   }
+  const Corners e = scaled_view(facet, query).corners;
   const Verdict verdict = subdivide(e, exact_limits, [&](const Piece& piece, const Corners& corners) {
     const Trial trial = trial_on_patch(corners);
     return exact::piece_verdict(facet, query, bound, piece, trial.s, trial.t);
@@ -139,10 +132,12 @@ void count(DecisionCounters& counters, Stage stage, std::uint64_t times) {
 
 Decision decide(const Facet& facet, const Vector& query, double bound, Mode mode, const ClosestPoint* hint) {
   if (!(bound > 0)) return {false, Stage::filter};
-  const Corners e = seen_from(facet, query);
   if (mode == Mode::filtered) {
-    const Certificate certificate(size_of(e), bound);
-    if (certificate.usable()) {
+    const Corners e = seen_from(facet, query);
+    if (separated_by_axis(e, bound)) return {false, Stage::filter};
+    const double size = size_of(e);
+    if (usable(size)) {
+      const Certificate certificate(size, bound);
       const Verdict first = filter(certificate, e, facet.triangle, hint);
       if (first == Verdict::closer || first == Verdict::apart) return {first == Verdict::closer, Stage::filter};
       if (!facet.triangle && first == Verdict::open) {
@@ -151,7 +146,7 @@ Decision decide(const Facet& facet, const Vector& query, double bound, Mode mode
       }
     }
   }
-  return decide_exactly(facet, query, bound, e);
+  return decide_exactly(facet, query, bound);
 }
 
 bool closer_than(const Facet& facet, const Vector& query, double bound, Mode mode, DecisionCounters& counters,
@@ -169,10 +164,11 @@ bool closer_than(const Vector& a, const Vector& b, const Vector& query, double b
     return false;
   }
   const Corners e{a - query, b - query, b - query, a - query};
-  const Certificate certificate(size_of(e), bound);
-  if (mode == Mode::filtered && certificate.usable()) {
+  const double size = size_of(e);
+  if (mode == Mode::filtered && usable(size)) {
+    const Certificate certificate(size, bound);
     const double s = closest_point_on_line(e[0], e[1], Vector::Zero()).s;
-    const Verdict verdict = certificate.separated_by_axis(e) ? Verdict::apart : certificate.at(e, s, -1, true);
+    const Verdict verdict = separated_by_axis(e, bound) ? Verdict::apart : certificate.at(e, s, -1, true);
     if (verdict == Verdict::closer || verdict == Verdict::apart) {
       count(counters, Stage::filter);
       return verdict == Verdict::closer;

@@ -72,7 +72,7 @@ Projection refine(const Patch& p, double s, double t) {
 
 /// The origin's projection on the continued patch. Starts with the closed form on the mean plane (spanned by a and b),
 /// which is exact for flat patches. Not valid if the patch has no area.
-Projection free_projection(const Patch& p) {
+Projection free_projection(const Patch& p, bool quick) {
   const Vector n = p.a.cross(p.b);
   const double nn = n.squaredNorm(), aa = p.a.squaredNorm(), bb = p.b.squaredNorm();
   if (!(nn > 1e-30 * aa * bb)) return {0, 0, false};
@@ -90,6 +90,7 @@ Projection free_projection(const Patch& p) {
       t = 2 * t0 / by_t;
     }
   }
+  if (quick) return {s, t, true};
   const double warp = std::abs(p.c.dot(n)), height = std::abs(p.m.dot(n));
   if (warp * (warp + height) <= 1e-15 * nn * std::min(aa, bb)) return {s, t, true};
   if (const Projection better = refine(p, s, t); better.valid) return better;
@@ -142,9 +143,9 @@ Location locate_on_triangle(const Corners& e) {
   return out;
 }
 
-Location locate_on_patch(const Corners& e, const Patch& patch) {
+Location locate_on_patch(const Corners& e, const Patch& patch, bool quick) {
   Location out;
-  const Projection projection = free_projection(patch);
+  const Projection projection = free_projection(patch, quick);
   const double s = projection.s, t = projection.t;
   const bool free = projection.valid;
   out.free_s = s;

@@ -61,8 +61,9 @@ struct Location {
 /// Nearest point of a triangle: exact up to rounding.
 [[nodiscard]] Location locate_on_triangle(const Corners& e);
 /// Nearest point of a patch: the stationary point if it lies inside, the best of the edges it lies beyond otherwise.
-/// On strongly warped patches that need not be the nearest of all; then use search_patch.
-[[nodiscard]] Location locate_on_patch(const Corners& e, const Patch& patch);
+/// On strongly warped patches that need not be the nearest of all; then use search_patch. `quick` leaves it at the
+/// projection by the mean plane, which is off by the square of the warp.
+[[nodiscard]] Location locate_on_patch(const Corners& e, const Patch& patch, bool quick = false);
 /// Nearest point of a patch by sampling and refinement: slow, for the cases that locate_on_patch does not settle.
 [[nodiscard]] Location search_patch(const Corners& e, const Patch& patch);
 

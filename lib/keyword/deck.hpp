@@ -19,22 +19,22 @@ enum class Format : std::uint8_t { standard, i10, long_fields };
 
 /// One keyword file, once per time that it is included.
 struct SourceFile {
-  std::string path;         ///< as opened
-  std::string_view bytes;   ///< owned by the deck
+  std::string path;        ///< as opened
+  std::string_view bytes;  ///< owned by the deck
   FileIndex includer = none<FileIndex>;
   std::uint32_t include_line = 0;  ///< in the includer
 };
 
 /// One keyword with its data lines, untouched. Views stay valid as long as the deck.
 struct Block {
-  std::string name;        ///< upper case, without `*` and format suffix: "ELEMENT_SHELL_THICKNESS"
-  std::string_view body;   ///< from the line after the keyword to the next keyword, comments included
+  std::string name;       ///< upper case, without `*` and format suffix: "ELEMENT_SHELL_THICKNESS"
+  std::string_view body;  ///< from the line after the keyword to the next keyword, comments included
   FileIndex file;
   std::uint32_t line = 0;  ///< of the keyword; the body starts at line + 1
   Format format = Format::standard;
-  TransformIndex transform{0};   ///< of the *INCLUDE_TRANSFORM that brought it; 0 = none
-  std::uint32_t scope = 0;       ///< parameter scope (chain of files)
-  std::uint32_t order = 0;       ///< place in the input; parameters are visible from their definition on
+  TransformIndex transform{0};  ///< of the *INCLUDE_TRANSFORM that brought it; 0 = none
+  std::uint32_t scope = 0;      ///< parameter scope (chain of files)
+  std::uint32_t order = 0;      ///< place in the input; parameters are visible from their definition on
 };
 
 struct ReadOptions {

@@ -13,8 +13,8 @@ enum class FieldType : std::uint8_t { integer, real, text };
 
 /// One field of a card: column and width in the standard format.
 struct Field {
-  std::string name;           ///< lower case, as in the manual; repeated fields share it
-  std::uint16_t column = 0;   ///< from 0
+  std::string name;          ///< lower case, as in the manual; repeated fields share it
+  std::uint16_t column = 0;  ///< from 0
   std::uint16_t width = 0;
   FieldType type = FieldType::integer;
   IdKind id = IdKind::plain;  ///< which offset of *INCLUDE_TRANSFORM it takes

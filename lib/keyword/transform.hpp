@@ -17,7 +17,7 @@ struct Transform {
   std::array<std::int64_t, 9> offset{};  ///< by IdKind; `plain` stays 0
   double length_factor = 1;              ///< FCTLEN; applied to coordinates before the placement
   double mass_factor = 1, time_factor = 1;
-  bool places = false;                   ///< false: matrix and shift are the identity
+  bool places = false;  ///< false: matrix and shift are the identity
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   Vector shift = Vector::Zero();
   /// Where a point of the included file lies in the model.

@@ -11,9 +11,10 @@ namespace gapcheck::report {
 namespace {
 
 constexpr std::array<std::string_view, 20> selections{
-    "tied",  "sep", "offset", "far", "short", "notfound", "rigslav", "rigmast", "conflict", "untied",  // tied contacts
-    "typ13", "pen", "mid",    "del", "below",                                                          // standard ones
-    "soft2", "inter", "war", "first", "last",                                                          // SOFT = 2
+    "tied",     "sep",     "offset",  "far",      "short",
+    "notfound", "rigslav", "rigmast", "conflict", "untied",  // tied contacts
+    "typ13",    "pen",     "mid",     "del",      "below",   // standard ones
+    "soft2",    "inter",   "war",     "first",    "last",    // SOFT = 2
 };
 
 /// Nodes too deep for contact are one kind of record; the words mid, del and below all pick it.
@@ -137,7 +138,8 @@ Report pick(const Report& report, const CheckCOptions& options) {
   if (!picked.run) return picked;
   renumber(picked.run->surface_timesteps, place);
   if (!options.sid.empty() || !options.sel.empty()) picked.run->rigidwalls.clear();
-  std::erase_if(picked.run->rigidwalls, [&](const auto& wall) { return options.ptol > 0 && wall.depth <= options.ptol; });
+  std::erase_if(picked.run->rigidwalls,
+                [&](const auto& wall) { return options.ptol > 0 && wall.depth <= options.ptol; });
   keep_messages(*picked.run, options);
   return picked;
 }

@@ -15,10 +15,10 @@ struct CheckCOptions {
   bool type_keyword = false;  ///< -type
   bool timestep = false, all = false;
   std::size_t top = 5;
-  double ptol = 0;            ///< only penetrations and separations above it
-  double rtol = -1;           ///< only penetrations with a smaller remaining distance; negative: not given
+  double ptol = 0;   ///< only penetrations and separations above it
+  double rtol = -1;  ///< only penetrations with a smaller remaining distance; negative: not given
   std::vector<std::int64_t> sid;
-  std::string sel;            ///< -sel; empty: all
+  std::string sel;  ///< -sel; empty: all
 };
 
 /// True if `sel` is one of the words that -sel takes.

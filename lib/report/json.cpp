@@ -1,93 +1,24 @@
-#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "report/check_c_view.hpp"
 #include "report/describe.hpp"
 #include "report/fingerprint.hpp"
+#include "report/json_members.hpp"
+#include "report/json_run.hpp"
 #include "report/writers.hpp"
 
 namespace gapcheck::report {
-namespace {
 
-using Buffer = fmt::memory_buffer;
-
-/// A JSON string with its quotes; bytes that are no UTF-8 become U+FFFD.
 std::string json_string(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// Appends members of objects to a buffer; every call but the first of an object writes the comma before.
-class Members {
- public:
-  explicit Members(Buffer& out) : out_(out) { out_.push_back('{'); }
-  void close() { out_.push_back('}'); }
-
-  void key(std::string_view name) {
-    if (!first_) out_.push_back(',');
-    first_ = false;
-    out_.push_back('"');
-    out_.append(name);
-    out_.append(std::string_view("\":"));
-  }
-  /// `text` needs no escapes.
-  void plain(std::string_view name, std::string_view text) {
-    key(name);
-    out_.push_back('"');
-    out_.append(text);
-    out_.push_back('"');
-  }
-  void string(std::string_view name, std::string_view text) { raw(name, json_string(text)); }
-  void raw(std::string_view name, std::string_view json) {
-    key(name);
-    out_.append(json);
-  }
-  template <class Integer>
-  void integer(std::string_view name, Integer value) {
-    key(name);
-    fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
-  }
-  void number(std::string_view name, double value) {
-    key(name);
-    append_number(value);
-  }
-  /// An array of numbers or integers.
-  template <class Range>
-  void array(std::string_view name, const Range& values) {
-    key(name);
-    char separator = '[';
-    for (const auto value : values) {
-      out_.push_back(separator);
-      if constexpr (std::is_floating_point_v<std::remove_const_t<decltype(value)>>)
-        append_number(value);
-      else
-        fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
-      separator = ',';
-    }
-    out_.push_back(']');
-  }
-  void fingerprint(std::uint64_t value) {
-    key("fingerprint");
-    fmt::format_to(fmt::appender(out_), FMT_COMPILE("\"{:016x}\""), value);
-  }
-
- private:
-  /// Shortest text that reads back as the same number; JSON has no infinity.
-  void append_number(double value) {
-    if (std::isfinite(value))
-      fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
-    else
-      out_.append(std::string_view("null"));
-  }
-
-  Buffer& out_;
-  bool first_ = true;
-};
+namespace {
 
 std::array<double, 3> coordinates(const Vector& x) { return {x[0], x[1], x[2]}; }
 
@@ -106,21 +37,24 @@ void append_model(const ModelCounts& model, Buffer& out) {
   object.close();
 }
 
-void append_contact(const ContactSummary& contact, Buffer& out) {
+/// `deck`: false for solver files, which do not know everything of a contact.
+void append_contact(const ContactSummary& contact, bool deck, Buffer& out) {
   Members object(out);
   object.integer("id", contact.id);
-  object.integer("order", contact.order);
-  object.string("title", contact.title);
-  object.string("keyword", contact.keyword);
-  object.string("type", contact.type);
-  object.integer("tracked_nodes", contact.tracked_nodes);
-  object.integer("segments", contact.segments);
+  if (deck || contact.order != 0) object.integer("order", contact.order);
+  if (deck || !contact.title.empty()) object.string("title", contact.title);
+  if (deck || !contact.keyword.empty()) object.string("keyword", contact.keyword);
+  if (deck || !contact.type.empty()) object.string("type", contact.type);
+  if (deck || contact.tracked_nodes != 0) object.integer("tracked_nodes", contact.tracked_nodes);
+  if (deck || contact.segments != 0) object.integer("segments", contact.segments);
   object.integer("penetrations", contact.penetrations);
   object.integer("released", contact.released);
   object.integer("edge_zone", contact.edge_zone);
   object.number("max_penetration", contact.max_penetration);
   object.integer("ties", contact.ties);
   object.integer("untied", contact.untied);
+  if (contact.reported_penetrations != 0) object.integer("reported_penetrations", contact.reported_penetrations);
+  if (contact.contact_time_s >= 0) object.number("contact_time_s", contact.contact_time_s);
   if (!contact.not_checked.empty()) object.string("not_checked", contact.not_checked);
   if (!contact.file.empty()) object.string("file", contact.file);
   if (contact.line != 0) object.integer("line", contact.line);
@@ -147,13 +81,19 @@ void append_penetration(const Report& report, const Penetration& record, const s
   if (record.segment[0] != 0) object.array("segment", record.segment);
   if (record.element != 0) object.integer("element", record.element);
   if (record.element_part != 0) object.integer("element_part", record.element_part);
-  object.number("penetration", record.depth);
-  object.number("remaining", record.remaining());
-  object.number("contact_distance", record.contact_distance);
-  object.array("st", std::array{record.s, record.t});
-  object.plain("feature", name(record.feature));
-  object.array("original", coordinates(record.original));
-  object.array("point", coordinates(record.point));
+  // A line of a log that names little more than the node leaves the rest at zero.
+  const bool deck = report.source == "deck", placed = deck || !record.original.isZero() || !record.moved_to.isZero();
+  if (deck || record.depth > 0) object.number("penetration", record.depth);
+  if (knows_remaining(report, record)) {
+    object.number("remaining", record.remaining());
+    object.number("contact_distance", record.contact_distance);
+  }
+  if (deck || record.segment[0] != 0) {
+    object.array("st", std::array{record.s, record.t});
+    object.plain("feature", name(record.feature));
+  }
+  if (placed) object.array("original", coordinates(record.original));
+  if (placed) object.array("point", coordinates(record.point));
   if (record.outcome == Outcome::moved || record.moved_to != record.original)
     object.array("moved_to", coordinates(record.moved_to));
   // The solver does not list nodes of the edge zone, so nothing happens to them yet.
@@ -229,6 +169,11 @@ void append_findings(const Report& report, Stream& stream) {
     stream.separator(std::exchange(first, false));
     append_penetration(report, record, files, stream.buffer);
   }
+  for (const TieFailure& failure : report.tie_failures) {
+    if (!stream.open()) return;
+    stream.separator(std::exchange(first, false));
+    append_tie_failure(report, failure, files, stream.buffer);
+  }
   for (const Finding& finding : report.findings) {
     if (!stream.open()) return;
     stream.separator(std::exchange(first, false));
@@ -244,13 +189,18 @@ void json(const Report& report, const Sink& sink) {
   stream.text(json_string(report.source));
   stream.text(",\"input\":");
   stream.text(json_string(report.input));
-  stream.text(",\n\"model\":");
-  append_model(report.model, stream.buffer);
+  if (report.run) {
+    stream.text(",\n\"run\":");
+    append_run(report, stream.buffer);
+  } else {
+    stream.text(",\n\"model\":");
+    append_model(report.model, stream.buffer);
+  }
   stream.text(",\n\"contacts\":[");
   bool first = true;
   for (const ContactSummary& contact : report.contacts) {
     stream.separator(std::exchange(first, false));
-    append_contact(contact, stream.buffer);
+    append_contact(contact, report.source == "deck", stream.buffer);
   }
   stream.text("],\n\"findings\":[");
   append_findings(report, stream);

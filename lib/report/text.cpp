@@ -4,9 +4,12 @@
 #include <array>
 #include <string>
 
+#include "report/check_c_tables.hpp"
 #include "report/describe.hpp"
+#include "report/describe_tie.hpp"
 #include "report/sums.hpp"
 #include "report/table.hpp"
+#include "report/text_run.hpp"
 #include "report/writers.hpp"
 
 namespace gapcheck::report {

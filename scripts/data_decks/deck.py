@@ -76,15 +76,18 @@ class Deck:
         self.shell(pid, feet + heads)
         return feet
 
-    def block(self, pid, cells, size, origin):
-        """A box of bricks; returns {(i, j, k): node id}."""
+    def block(self, pid, cells, size, origin, place=lambda point: point):
+        """A box of bricks with edges `size` (one number or three), each node put where `place` says; returns
+        {(i, j, k): node id}."""
+        sizes = size if isinstance(size, tuple) else (size, size, size)
         nx, ny, nz = cells
         grid = {}
         for k in range(nz + 1):
             for j in range(ny + 1):
                 for i in range(nx + 1):
                     nid = 1000 * pid + (k * (ny + 1) + j) * (nx + 1) + i + 1
-                    grid[i, j, k] = self.node(nid, *(o + size * m for o, m in zip(origin, (i, j, k))))
+                    point = [o + s * m for o, s, m in zip(origin, sizes, (i, j, k))]
+                    grid[i, j, k] = self.node(nid, *place(point))
         for k in range(nz):
             for j in range(ny):
                 for i in range(nx):

@@ -1,5 +1,7 @@
 """Solids: the contact surface is the facet itself."""
 
+import math
+
 from .deck import Deck
 
 UP, DOWN = [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]
@@ -78,4 +80,34 @@ def shell_on_solid_sldthk():
     return deck
 
 
-DECKS = [solid_on_solid, solid_single_surface, solid_deep_released, shell_on_solid, shell_on_solid_sldthk]
+def solid_tapered():
+    deck = Deck("solid_tapered", """A wedge-like brick, 4 high at one end and 1 at the other. Two nodes of a thin shell stand 0.3 above its slanted face
+        where it is 1.75 high: outside, and clear of it. They are 2.05 above the lower face, less than that face's V/A = 2.5:
+        a node counts as inside a solid only where it lies behind the nearest facet.""")
+    deck.part(1, "wedge", kind="solid")
+    deck.block(1, (1, 1, 1), 4.0, (0.0, 0.0, 0.0),
+               lambda p: (p[0], p[1], p[2] / 4.0 * (4.0 - 0.75 * p[0])))
+    deck.part(2, "fin", thickness=0.2)
+    deck.fin(2, (3.0, 1.5, 2.05), (3.0, 2.5, 2.05), 1)
+    deck.contact("AUTOMATIC_NODES_TO_SURFACE", 1, 2, 1, "fin on wedge")
+    return deck
+
+
+def solid_row():
+    deck = Deck("solid_row", """A row of flat bricks, 1 long and 4 wide and high, turned in space so that their side faces are coplanar but for the
+        last digits. In single-surface contact no node of the row lies inside it, however the rounding falls.""")
+    deck.part(1, "row", kind="solid")
+
+    def turn(point):
+        x, y, z = point
+        x, y = math.cos(0.5) * x - math.sin(0.5) * y, math.sin(0.5) * x + math.cos(0.5) * y
+        y, z = math.cos(0.7) * y - math.sin(0.7) * z, math.sin(0.7) * y + math.cos(0.7) * z
+        return x, y, z
+
+    deck.block(1, (8, 1, 1), (1.0, 4.0, 4.0), (0.3, 0.2, 0.1), turn)
+    deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5)
+    return deck
+
+
+DECKS = [solid_on_solid, solid_single_surface, solid_deep_released, shell_on_solid, shell_on_solid_sldthk,
+         solid_tapered, solid_row]

@@ -135,7 +135,8 @@ TEST(TemplateDeck, NeedsItsParameters) {
       EXPECT_NE(d.message.find("parameter"), std::string::npos) << describe({d});
     }
   }
-  const AuditRun run = run_text("*KEYWORD\n*PARAMETER\nRtbumper       3.0Rthood         1.0\n*INCLUDE\n" + path + "\n");
+  const AuditRun run =
+      run_text("*KEYWORD\n*PARAMETER\nRtbumper         3.0\nRthood           1.0\n*INCLUDE\n" + path + "\n");
   ASSERT_TRUE(clean(run));
   const NaiveCount count = naive_count(path);
   EXPECT_EQ(run.report.model.nodes, count.nodes);

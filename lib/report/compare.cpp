@@ -1,0 +1,161 @@
+#include "report/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+#include <tuple>
+
+#include "report/check_c_view.hpp"
+#include "report/sums.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+struct Node {
+  std::int64_t id;
+  double depth;
+  bool released;
+};
+
+/// A contact of one source: where it stands, and its nodes by id, one each (the deepest record).
+struct Side {
+  const ContactSummary* contact = nullptr;
+  std::vector<Node> nodes;
+};
+
+std::vector<Node> nodes_of(const Report& report, std::uint32_t position) {
+  std::vector<Node> nodes;
+  for (const Penetration& record : records_of(report, position))
+    if (record.kind != PenetrationKind::edge_zone)
+      nodes.push_back({record.node, record.depth, record.kind == PenetrationKind::released});
+  std::stable_sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
+    return std::tuple(a.id, -a.depth) < std::tuple(b.id, -b.depth);
+  });
+  const auto same = [](const Node& a, const Node& b) { return a.id == b.id; };
+  nodes.erase(std::unique(nodes.begin(), nodes.end(), same), nodes.end());
+  return nodes;
+}
+
+/// Positions of the contacts by id; of equal ids the first counts.
+std::map<std::int64_t, std::uint32_t> positions(const Report& report) {
+  std::map<std::int64_t, std::uint32_t> result;
+  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) result.emplace(report.contacts[i].id, i);
+  return result;
+}
+
+/// Half a unit in the fifth digit of `value`, a little more than the printing can take away.
+double printing_error(double value) {
+  if (!(value > 0) || !std::isfinite(value)) return 0;
+  return 0.5 * std::pow(10.0, std::floor(std::log10(value)) - 4) * (1 + 1e-6);
+}
+
+void only_one(const Node& node, bool in_first, std::int64_t contact, ContactComparison& sum,
+              std::vector<Difference>& differences) {
+  if (node.released) return;
+  ++(in_first ? sum.only_first : sum.only_second);
+  differences.push_back({contact, node.id, in_first ? node.depth : -1, in_first ? -1 : node.depth});
+}
+
+void both(const Node& a, const Node& b, double tolerance, std::int64_t contact, ContactComparison& sum,
+          std::vector<Difference>& differences) {
+  // Lines without a depth only say that the node penetrates.
+  const bool known = a.depth > 0 && b.depth > 0;
+  if (known) sum.largest_difference = std::max(sum.largest_difference, std::abs(a.depth - b.depth));
+  if (!known || same_depth(a.depth, b.depth, tolerance)) {
+    ++sum.agree;
+  } else {
+    ++sum.depth_differs;
+    differences.push_back({contact, a.id, a.depth, b.depth});
+  }
+}
+
+/// Walks both lists side by side.
+void compare_nodes(std::span<const Node> a, std::span<const Node> b, double tolerance, ContactComparison& sum,
+                   std::vector<Difference>& differences) {
+  std::size_t i = 0, k = 0;
+  while (i < a.size() || k < b.size()) {
+    if (k == b.size() || (i < a.size() && a[i].id < b[k].id)) {
+      only_one(a[i++], true, sum.id, sum, differences);
+    } else if (i == a.size() || b[k].id < a[i].id) {
+      only_one(b[k++], false, sum.id, sum, differences);
+    } else {
+      both(a[i++], b[k++], tolerance, sum.id, sum, differences);
+    }
+  }
+}
+
+/// Where nodes are counted but not listed, the numbers are all there is to compare.
+void compare_counts(const Side& first, const Side& second, ContactComparison& sum) {
+  const auto count = [](const Side& side) {
+    const std::uint64_t listed = static_cast<std::uint64_t>(
+        std::count_if(side.nodes.begin(), side.nodes.end(), [](const Node& node) { return !node.released; }));
+    return side.contact == nullptr ? 0 : std::max(listed, side.contact->reported_penetrations);
+  };
+  const std::uint64_t a = count(first), b = count(second);
+  sum.agree = std::min(a, b);
+  sum.only_first = a - sum.agree;
+  sum.only_second = b - sum.agree;
+}
+
+/// One contact of at least one source.
+ContactComparison compare_contact(const Side& first, const Side& second, double tolerance,
+                                  std::vector<Difference>& differences) {
+  const ContactSummary& named = first.contact != nullptr ? *first.contact : *second.contact;
+  ContactComparison sum;
+  sum.id = named.id;
+  sum.title = named.title.empty() && second.contact != nullptr ? second.contact->title : named.title;
+  sum.type = named.type.empty() && second.contact != nullptr ? second.contact->type : named.type;
+  sum.missing_in_first = first.contact == nullptr;
+  sum.missing_in_second = second.contact == nullptr;
+  for (const Side* side : {&first, &second}) {
+    if (side->contact == nullptr) continue;
+    sum.not_checked = sum.not_checked || !side->contact->not_checked.empty();
+    sum.counts_only = sum.counts_only || unlisted_penetrations(*side->contact) > 0;
+  }
+  if (sum.not_checked) return sum;
+  const std::size_t before = differences.size();
+  if (sum.counts_only)
+    compare_counts(first, second, sum);
+  else
+    compare_nodes(first.nodes, second.nodes, tolerance, sum, differences);
+  const auto size = [](const Difference& d) { return std::abs(std::max(d.first, 0.0) - std::max(d.second, 0.0)); };
+  std::stable_sort(differences.begin() + static_cast<std::ptrdiff_t>(before), differences.end(),
+                   [&](const Difference& a, const Difference& b) {
+                     return std::tuple(-size(a), a.node) < std::tuple(-size(b), b.node);
+                   });
+  return sum;
+}
+
+}  // namespace
+
+bool Comparison::equal() const {
+  return std::all_of(contacts.begin(), contacts.end(), [](const ContactComparison& contact) {
+    return contact.depth_differs + contact.only_first + contact.only_second == 0;
+  });
+}
+
+bool same_depth(double first, double second, double tolerance) {
+  return std::abs(first - second) <= tolerance + printing_error(std::max(first, second));
+}
+
+Comparison compare(const Report& first, const Report& second, double tolerance) {
+  Comparison result;
+  const auto in_first = positions(first), in_second = positions(second);
+  const auto side = [](const Report& report, const std::map<std::int64_t, std::uint32_t>& places, std::int64_t id) {
+    const auto found = places.find(id);
+    return found == places.end() ? Side{} : Side{&report.contacts[found->second], nodes_of(report, found->second)};
+  };
+  const auto add = [&](std::int64_t id) {
+    result.contacts.push_back(
+        compare_contact(side(first, in_first, id), side(second, in_second, id), tolerance, result.differences));
+  };
+  for (std::uint32_t i = 0; i < first.contacts.size(); ++i)
+    if (in_first.at(first.contacts[i].id) == i) add(first.contacts[i].id);
+  for (std::uint32_t i = 0; i < second.contacts.size(); ++i)
+    if (!in_first.contains(second.contacts[i].id) && in_second.at(second.contacts[i].id) == i)
+      add(second.contacts[i].id);
+  return result;
+}
+
+}  // namespace gapcheck::report

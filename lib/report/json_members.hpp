@@ -1,0 +1,85 @@
+#pragma once
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace gapcheck::report {
+
+using Buffer = fmt::memory_buffer;
+
+/// A JSON string with its quotes; bytes that are no UTF-8 become U+FFFD.
+[[nodiscard]] std::string json_string(std::string_view text);
+
+/// Appends members of objects to a buffer; every call but the first of an object writes the comma before.
+class Members {
+ public:
+  explicit Members(Buffer& out) : out_(out) { out_.push_back('{'); }
+  void close() { out_.push_back('}'); }
+
+  void key(std::string_view name) {
+    if (!first_) out_.push_back(',');
+    first_ = false;
+    out_.push_back('"');
+    out_.append(name);
+    out_.append(std::string_view("\":"));
+  }
+  /// `text` needs no escapes.
+  void plain(std::string_view name, std::string_view text) {
+    key(name);
+    out_.push_back('"');
+    out_.append(text);
+    out_.push_back('"');
+  }
+  void string(std::string_view name, std::string_view text) { raw(name, json_string(text)); }
+  void raw(std::string_view name, std::string_view json) {
+    key(name);
+    out_.append(json);
+  }
+  template <class Integer>
+  void integer(std::string_view name, Integer value) {
+    key(name);
+    fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
+  }
+  void number(std::string_view name, double value) {
+    key(name);
+    append_number(value);
+  }
+  /// An array of numbers or integers.
+  template <class Range>
+  void array(std::string_view name, const Range& values) {
+    key(name);
+    char separator = '[';
+    for (const auto value : values) {
+      out_.push_back(separator);
+      if constexpr (std::is_floating_point_v<std::remove_const_t<decltype(value)>>)
+        append_number(value);
+      else
+        fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
+      separator = ',';
+    }
+    out_.push_back(']');
+  }
+  void fingerprint(std::uint64_t value) {
+    key("fingerprint");
+    fmt::format_to(fmt::appender(out_), FMT_COMPILE("\"{:016x}\""), value);
+  }
+
+ private:
+  /// Shortest text that reads back as the same number; JSON has no infinity.
+  void append_number(double value) {
+    if (std::isfinite(value))
+      fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
+    else
+      out_.append(std::string_view("null"));
+  }
+
+  Buffer& out_;
+  bool first_ = true;
+};
+
+}  // namespace gapcheck::report

@@ -1,0 +1,103 @@
+#include "report/text_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "report/describe.hpp"
+#include "report/table.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+/// Penalty surfaces that limit nothing print this as their time step.
+constexpr double no_limit = 1e16;
+
+std::string id_or_dash(std::int64_t id) { return id == 0 ? "-" : fmt::format("{}", id); }
+
+std::string times(std::uint64_t count) { return fmt::format("{} time{}", count, count == 1 ? "" : "s"); }
+
+std::string place(const Report& report, const SolverMessage& message) {
+  if (message.line == 0 || message.file >= report.files.size()) return "";
+  return fmt::format("  {}:{}", printable(report.files[message.file]), message.line);
+}
+
+/// "Warning 60303 (IMP)".
+std::string header(const SolverMessage& message) {
+  std::string text = message.severity == Severity::error ? "Error" : "Warning";
+  if (message.code != 0) text += fmt::format(" {}", message.code);
+  if (!message.group.empty()) text += fmt::format(" ({})", printable(message.group));
+  return text;
+}
+
+}  // namespace
+
+std::string run_line(const SolverRun& run) {
+  std::string line;
+  const auto add = [&line](std::string_view text) {
+    if (!text.empty()) line += (line.empty() ? "" : ", ") + printable(text);
+  };
+  add(run.version);
+  add(run.revision);
+  add(run.precision);
+  if (run.mpp) add(run.ranks > 0 ? fmt::format("{} ranks", run.ranks) : "MPP");
+  if (run.termination == SolverRun::Termination::normal) add("normal termination");
+  if (run.termination == SolverRun::Termination::error) add("error termination");
+  return line.empty() ? "" : "  LS-DYNA " + line + '\n';
+}
+
+void append_surface_timesteps(const SolverRun& run, std::uint32_t contact, std::string& out) {
+  for (const SurfaceTimestep& step : run.surface_timesteps) {
+    if (step.contact != contact) continue;
+    out += fmt::format("  surface {}: time step ", step.side);
+    out += step.timestep >= no_limit ? "without limit" : fmt::format("{:.3E}", step.timestep);
+    out += fmt::format(", controlled by node {} of part {}\n", id_or_dash(step.node), id_or_dash(step.part));
+  }
+}
+
+void append_timestep_limits(const SolverRun& run, std::string& out) {
+  if (run.contact_timestep > 0)
+    out += fmt::format("\ncontact: the time step should not exceed {:.3E}\n", run.contact_timestep);
+  if (run.element_timestep > 0) out += fmt::format("elements: smallest time step {:.3E}\n", run.element_timestep);
+}
+
+void append_rigidwalls(const SolverRun& run, std::size_t limit, std::string& out) {
+  if (run.rigidwalls.empty()) return;
+  std::vector<RigidwallPenetration> walls = run.rigidwalls;
+  std::stable_sort(walls.begin(), walls.end(), [](const auto& a, const auto& b) { return a.depth > b.depth; });
+  const std::size_t rows = std::min(limit, walls.size());
+  out += fmt::format("\nrigid walls: {} penetrating node{}", walls.size(), walls.size() == 1 ? "" : "s");
+  out += rows < walls.size() ? fmt::format(", top {}\n", rows) : "\n";
+  constexpr std::array columns{Column{"node"}, Column{"rigid wall"}, Column{"penetration"}};
+  if (rows == 0) return;
+  append_table(
+      columns, rows,
+      [&](std::size_t i, auto& row) {
+        row = {fmt::format("{}", walls[i].node), id_or_dash(walls[i].wall), fmt::format("{:.4E}", walls[i].depth)};
+      },
+      "    ", out);
+}
+
+void append_messages(const Report& report, bool list, std::string& out) {
+  const SolverRun& run = *report.run;
+  if (!run.messages.empty()) out += "\nother messages of the solver\n";
+  for (std::size_t i = 0, next = 0; i < run.messages.size(); i = next) {
+    const SolverMessage& first = run.messages[i];
+    std::uint64_t count = 0;
+    for (; next < run.messages.size() && header(run.messages[next]) == header(first); ++next) {
+      const SolverMessage& message = run.messages[next];
+      count += message.count;
+      if (list)
+        out += fmt::format("  {}{}{}\n    {}\n", header(message), place(report, message),
+                           message.count > 1 ? ", " + times(message.count) : "", printable(message.text));
+    }
+    if (list) continue;
+    out += fmt::format("  {}: {}{}\n", header(first), times(count), first.kind.empty() ? ", not understood" : "");
+  }
+  if (!list && !run.messages.empty()) out += "  the list shows their text\n";
+  if (run.counts_may_be_cut) out += "\nThe solver left messages out: every count here is \"at least\".\n";
+}
+
+}  // namespace gapcheck::report

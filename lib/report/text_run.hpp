@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "records/report.hpp"
+
+namespace gapcheck::report {
+
+// What solver files say of the run, as lines of text. Shared by the views of check-c and gapcheck.
+
+/// "  LS-DYNA smp d R14, R14.0-515, Double precision, normal termination"; nothing where the files say nothing.
+[[nodiscard]] std::string run_line(const SolverRun& run);
+
+/// The surface time steps of one contact (position in Report::contacts).
+void append_surface_timesteps(const SolverRun& run, std::uint32_t contact, std::string& out);
+
+/// The limits for the time step of the whole model.
+void append_timestep_limits(const SolverRun& run, std::string& out);
+
+/// Nodes that start inside a rigid wall, deepest first, `limit` of them.
+void append_rigidwalls(const SolverRun& run, std::size_t limit, std::string& out);
+
+/// The solver's other messages: with `list` each with its text, else what they are and how often.
+void append_messages(const Report& report, bool list, std::string& out);
+
+}  // namespace gapcheck::report

@@ -1,0 +1,116 @@
+// What the options of an audit do, on the two plates whose 18 nodes penetrate by 0.3 of 1.
+#include "audit/audit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "audit/run.hpp"
+
+namespace gapcheck::audit_test {
+namespace {
+
+AuditRun run_data(const std::string& name, const audit::AuditOptions& options) {
+  AuditRun run = run_file(std::string(GAPCHECK_ROOT) + "/data/" + name + ".k", options);
+  EXPECT_TRUE(clean(run));
+  return run;
+}
+
+std::size_t found(const std::string& name, const audit::AuditOptions& options) {
+  return run_data(name, options).report.penetrations.size();
+}
+
+std::size_t plates(const audit::AuditOptions& options) { return found("two_plates", options); }
+
+TEST(AuditOptions, DefaultsFindEverything) { EXPECT_EQ(plates({}), 18u); }
+
+TEST(AuditOptions, PenetrationTolerance) {
+  EXPECT_EQ(plates({.ptol = 0.29}), 18u);
+  EXPECT_EQ(plates({.ptol = 0.31}), 0u);
+  // Zero is a tolerance too: touching plates penetrate by the rounding of their decimals.
+  EXPECT_EQ(found("clean", {}), 0u);
+  EXPECT_GT(found("clean", {.ptol = 0}), 0u);
+}
+
+TEST(AuditOptions, RemainingDistance) {
+  EXPECT_EQ(plates({.rtol = 0.71}), 18u);
+  EXPECT_EQ(plates({.rtol = 0.69}), 0u);
+}
+
+TEST(AuditOptions, Ratio) {
+  EXPECT_EQ(plates({.ratio = 0.29}), 18u);
+  EXPECT_EQ(plates({.ratio = 0.31}), 0u);
+}
+
+TEST(AuditOptions, Parts) {
+  const AuditRun run = run_data("two_plates", {.parts = {2}});
+  EXPECT_EQ(run.report.penetrations.size(), 9u);
+  for (const auto& p : run.report.penetrations) EXPECT_EQ(p.part, 2);
+  EXPECT_EQ(plates({.parts = {1, 2}}), 18u);
+  EXPECT_EQ(plates({.parts = {3}}), 0u);
+}
+
+TEST(AuditOptions, ContactsLeftOutMoveNothing) {
+  // Contact 20 finds its nodes only after contact 10 has moved them.
+  EXPECT_EQ(found("contact_chain", {}), 18u);
+  EXPECT_EQ(found("contact_chain", {.contacts = {10}}), 9u);
+  EXPECT_EQ(found("contact_chain", {.contacts = {20}}), 0u);
+  // All contacts stay listed.
+  EXPECT_EQ(run_data("contact_chain", {.contacts = {20}}).report.contacts.size(), 2u);
+}
+
+TEST(AuditOptions, SelectAndIgnore) {
+  const std::string deck = "free_edge_node";  // two of GC101, two of GC106
+  EXPECT_EQ(found(deck, {}), 4u);
+  EXPECT_EQ(found(deck, {.select = {"GC101"}}), 2u);
+  EXPECT_EQ(found(deck, {.select = {"edge-zone-penetration"}}), 2u);
+  EXPECT_EQ(found(deck, {.select = {"GC1"}}), 4u);
+  EXPECT_EQ(found(deck, {.select = {"GC5"}}), 0u);
+  EXPECT_EQ(found(deck, {.ignore = {"GC106"}}), 2u);
+  EXPECT_EQ(found(deck, {.select = {"GC1"}, .ignore = {"GC101"}}), 2u);
+}
+
+TEST(AuditReport, IsSortedByContactDepthAndNode) {
+  for (const char* name : {"two_plates_tilted", "two_plates_crossing", "contact_chain", "thickness_optt"}) {
+    const auto& list = run_data(name, {}).report.penetrations;
+    ASSERT_FALSE(list.empty());
+    EXPECT_TRUE(std::is_sorted(list.begin(), list.end(), [](const Penetration& a, const Penetration& b) {
+      if (a.contact != b.contact) return a.contact < b.contact;
+      return a.depth != b.depth ? a.depth > b.depth : a.node < b.node;
+    })) << name;
+  }
+}
+
+TEST(AuditReport, SummariesCountTheRecords) {
+  for (const char* name : {"two_plates", "two_plates_crossing", "free_edge_node", "contact_chain"}) {
+    const AuditRun run = run_data(name, {});
+    for (std::size_t c = 0; c < run.report.contacts.size(); ++c) {
+      const auto count = [&](PenetrationKind kind) {
+        return static_cast<std::uint64_t>(
+            std::count_if(run.report.penetrations.begin(), run.report.penetrations.end(),
+                          [&](const Penetration& p) { return p.contact == c && p.kind == kind; }));
+      };
+      const auto& contact = run.report.contacts[c];
+      EXPECT_EQ(contact.penetrations, count(PenetrationKind::initial)) << name;
+      EXPECT_EQ(contact.released, count(PenetrationKind::released)) << name;
+      EXPECT_EQ(contact.edge_zone, count(PenetrationKind::edge_zone)) << name;
+    }
+  }
+}
+
+TEST(AuditReport, KnowsFileAndLineOfNodes) {
+  const AuditRun run = run_data("include_parameter", {});
+  ASSERT_EQ(run.report.penetrations.size(), 18u);
+  for (const auto& p : run.report.penetrations) {
+    ASSERT_LT(p.file, run.report.files.size());
+    EXPECT_TRUE(run.report.files[p.file].ends_with("plates_mesh.k")) << run.report.files[p.file];
+    // Nodes stand one by one from line 4 of the include on: 16 of part 1, then 16 of part 2.
+    const std::uint32_t place =
+        p.node < 2000 ? static_cast<std::uint32_t>(p.node - 1001) : static_cast<std::uint32_t>(p.node - 2001 + 16);
+    EXPECT_EQ(p.line, 4 + place);
+  }
+}
+
+}  // namespace
+}  // namespace gapcheck::audit_test
