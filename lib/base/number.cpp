@@ -18,11 +18,19 @@ std::optional<double> plain_real(std::string_view text) {
   if (error == std::errc::result_out_of_range) {
     // from_chars leaves the value alone here: too small is zero for every deck, too large is no number.
     const auto e = text.find_first_of("eE");
-    if (e != std::string_view::npos && e + 1 < text.size() && text[e + 1] == '-') return 0.0;
-    return std::nullopt;
+    const bool small = e != std::string_view::npos ? e + 1 < text.size() && text[e + 1] == '-'
+                                                   : text.find_first_of("123456789.") == text.find('.');
+    return small ? std::optional(0.0) : std::nullopt;
   }
   if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
   return value;
+}
+
+/// Without a leading plus; empty if anything but a number follows it.
+std::string_view without_plus(std::string_view text) {
+  if (text.empty() || text.front() != '+') return text;
+  text.remove_prefix(1);
+  return !text.empty() && (is_digit(text.front()) || text.front() == '.') ? text : std::string_view();
 }
 
 }  // namespace
@@ -34,9 +42,8 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {
-  text = trimmed(text);
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  if (text.empty() || text.front() == '+') return std::nullopt;
+  text = without_plus(trimmed(text));
+  if (text.empty()) return std::nullopt;
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc{} && end == text.data() + text.size()) return value;
@@ -46,13 +53,12 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
 }
 
 std::optional<double> parse_real(std::string_view text) {
-  text = trimmed(text);
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  text = without_plus(trimmed(text));
   if (text.empty()) return std::nullopt;
   const std::string_view unsigned_part = text.front() == '-' ? text.substr(1) : text;
   // Keeps out "nan", "inf" and a second sign.
   if (unsigned_part.empty() || !(is_digit(unsigned_part.front()) || unsigned_part.front() == '.')) return std::nullopt;
-  std::array<char, 64> buffer{};
+  std::array<char, 256> buffer{};
   std::size_t length = 0;
   bool rewritten = false, exponent = false;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -39,9 +39,7 @@ SegmentNodes face_key(const SegmentNodes& face) {
 }  // namespace
 
 SolidFaces::SolidFaces(const std::array<NodeIndex, 8>& nodes) {
-  const bool is_tetrahedron =
-      std::all_of(nodes.begin() + 4, nodes.end(), [&](NodeIndex node) { return node == nodes[3]; });
-  if (is_tetrahedron) {
+  if (is_tetrahedron(nodes)) {
     for (const auto& corners : tetrahedron) {
       SegmentNodes face{nodes[corners[0]], nodes[corners[1]], nodes[corners[2]], nodes[corners[2]]};
       if (tidy(face)) faces_[count_++] = face;
@@ -54,31 +52,44 @@ SolidFaces::SolidFaces(const std::array<NodeIndex, 8>& nodes) {
   }
 }
 
-std::vector<SegmentNodes> exterior_faces(const Elements<8>& elements, const std::vector<std::uint32_t>& members) {
+bool is_tetrahedron(const std::array<NodeIndex, 8>& nodes) {
+  return std::all_of(nodes.begin() + 4, nodes.end(), [&](NodeIndex node) { return node == nodes[3]; });
+}
+
+std::vector<Face> exterior_faces(const Elements<8>& elements, const std::vector<std::uint32_t>& members) {
+  // Faces in buckets by their lowest node: two elements that share a face meet in one small bucket.
   struct Entry {
     SegmentNodes key;
-    std::uint32_t place;
+    std::uint32_t face;
   };
-  std::vector<SegmentNodes> faces;
-  std::vector<Entry> entries;
-  for (const std::uint32_t member : members)
-    for (const SegmentNodes& face : SolidFaces(elements.nodes[member])) {
-      entries.push_back({face_key(face), static_cast<std::uint32_t>(faces.size())});
-      faces.push_back(face);
+  std::vector<Face> faces;
+  std::uint32_t highest = 0;
+  for (const std::uint32_t member : members) {
+    for (const SegmentNodes& nodes : SolidFaces(elements.nodes[member])) {
+      faces.push_back({nodes, member});
+      highest = std::max(highest, face_key(nodes)[0].value);
     }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
-  std::vector<std::uint32_t> single;
-  for (std::size_t i = 0; i < entries.size();) {
-    std::size_t end = i + 1;
-    while (end < entries.size() && entries[end].key == entries[i].key) ++end;
-    if (end == i + 1) single.push_back(entries[i].place);
-    i = end;
   }
-  std::sort(single.begin(), single.end());
-  std::vector<SegmentNodes> result;
-  result.reserve(single.size());
-  for (const std::uint32_t place : single) result.push_back(faces[place]);
-  return result;
+  std::vector<std::uint32_t> start(std::size_t{highest} + 2, 0);
+  for (const Face& face : faces) ++start[face_key(face.nodes)[0].value + 1];
+  for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+  std::vector<Entry> entries(faces.size());
+  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    const SegmentNodes k = face_key(faces[f].nodes);
+    entries[next[k[0].value]++] = {k, f};
+  }
+  std::vector<bool> shared(faces.size(), false);
+  for (std::size_t n = 0; n + 1 < start.size(); ++n) {
+    const auto first = entries.begin() + start[n], last = entries.begin() + start[n + 1];
+    std::sort(first, last, [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    for (auto i = first; i != last; ++i)
+      if (i + 1 != last && (i + 1)->key == i->key) shared[i->face] = shared[(i + 1)->face] = true;
+  }
+  std::vector<Face> single;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    if (!shared[f]) single.push_back(faces[f]);
+  return single;
 }
 
 }  // namespace gapcheck::model

@@ -22,8 +22,17 @@ class SolidFaces {
   std::size_t count_ = 0;
 };
 
-/// The faces that only one of the given elements has, in the order of the elements.
-[[nodiscard]] std::vector<SegmentNodes> exterior_faces(const Elements<8>& elements,
-                                                       const std::vector<std::uint32_t>& members);
+/// True if the element is a tetrahedron (n4 = … = n8).
+[[nodiscard]] bool is_tetrahedron(const std::array<NodeIndex, 8>& nodes);
+
+/// A face and the element it was made from.
+struct Face {
+  SegmentNodes nodes;
+  std::uint32_t element = 0;  ///< position in the element array
+};
+
+/// The faces that only one of the given elements has, in the order of the elements. `members`: positions in `elements`,
+/// each once. Linear in the number of faces.
+[[nodiscard]] std::vector<Face> exterior_faces(const Elements<8>& elements, const std::vector<std::uint32_t>& members);
 
 }  // namespace gapcheck::model

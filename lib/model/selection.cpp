@@ -144,7 +144,8 @@ Members Selection::faces_of(SetKind kind, const Members& members) const {
   if (kind == SetKind::shell)
     for (const std::uint32_t i : members.positions) result.segments.push_back(mesh.shells.nodes[i]);
   else
-    result.segments = exterior_faces(kind == SetKind::solid ? mesh.solids : mesh.thick_shells, members.positions);
+    for (const Face& face : exterior_faces(kind == SetKind::solid ? mesh.solids : mesh.thick_shells, members.positions))
+      result.segments.push_back(face.nodes);
   return result;
 }
 

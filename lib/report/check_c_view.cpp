@@ -16,9 +16,6 @@
 namespace gapcheck::report {
 namespace {
 
-constexpr std::array tie_reasons{TieReason::sep,       TieReason::offset,  TieReason::too_far, TieReason::too_short,
-                                 TieReason::not_found, TieReason::rigslav, TieReason::rigmast, TieReason::conflict};
-
 std::string nodes(std::uint64_t count) { return fmt::format("{} node{}", count, count == 1 ? "" : "s"); }
 
 std::string heading(const ContactSummary& contact, const CheckCOptions& options) {

@@ -82,6 +82,11 @@ void append_message(const Penetration& record, Out& out) {
   auto end = fmt::appender(out);
   fmt::format_to(end, FMT_COMPILE("node {}"), record.node);
   if (record.part != 0) fmt::format_to(end, FMT_COMPILE(" (part {})"), record.part);
+  if (record.element == 0 && record.segment[0] == 0) {  // a log that names little more than the node
+    append(" penetrates", out);
+    if (record.depth > 0) fmt::format_to(end, FMT_COMPILE(" by {:.6g}"), record.depth);
+    return;
+  }
   fmt::format_to(end, FMT_COMPILE(" is {:.6g} inside the contact distance {:.6g} of "), record.depth,
                  record.contact_distance);
   if (record.kind == PenetrationKind::edge_zone)

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -6,6 +7,11 @@
 #include "report/describe.hpp"
 
 namespace gapcheck::report {
+
+/// All reasons, in the order of the views.
+inline constexpr std::array tie_reasons{TieReason::sep,       TieReason::offset,    TieReason::too_far,
+                                        TieReason::too_short, TieReason::not_found, TieReason::rigslav,
+                                        TieReason::rigmast,   TieReason::conflict};
 
 /// GC201 for nodes that stay untied, GC202 for ties with a separation.
 [[nodiscard]] RecordRule rule_of(TieReason reason);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "report/check_c_tables.hpp"
+#include "report/check_c_view.hpp"
 #include "report/describe.hpp"
 #include "report/describe_tie.hpp"
 #include "report/sums.hpp"
@@ -79,7 +80,9 @@ void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
   const auto& n = record.segment;
   row[0] = fmt::format("{}", record.node);
   row[1] = id_or_dash(record.part);
-  row[2] = record.element != 0 ? fmt::format("{}", record.element) : fmt::format("{}-{}-{}-{}", n[0], n[1], n[2], n[3]);
+  row[2] = record.element != 0 ? fmt::format("{}", record.element)
+           : n[0] != 0         ? fmt::format("{}-{}-{}-{}", n[0], n[1], n[2], n[3])
+                               : "-";
   row[3] = id_or_dash(record.element_part);
   row[4] = real(record.depth);
   row[5] = real(record.remaining());
@@ -93,6 +96,11 @@ void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
   row[12] = record.outcome == Outcome::moved || x != record.original
                 ? fmt::format("{:.6g} {:.6g} {:.6g}", x[0], x[1], x[2])
                 : "";
+  if (record.element != 0 || n[0] != 0) return;
+  // A line of a log that names little more than the node.
+  if (record.depth == 0) row[4] = "-";
+  if (record.contact_distance == 0) row[5] = row[6] = "-";
+  row[8] = row[9] = row[10] = "-";
 }
 
 /// The first `limit` records that are (or are not) of the edge zone, deepest first as they stand.
@@ -145,7 +153,11 @@ std::string contact_title(const ContactSummary& contact, const Paint& paint) {
   return line + '\n';
 }
 
-std::string result_line(const Sums& sum, const Paint& paint) {
+/// `unlisted`: penetrating nodes that a log counts without listing them.
+std::string result_line(const Sums& sum, std::uint64_t unlisted, const Paint& paint) {
+  if (unlisted > 0)
+    return (sum.penetrations() > 0 ? result_line(sum, 0, paint) + ", " : "") +
+           paint.severity(Severity::warning, count(unlisted, "penetration") + " without a list of nodes");
   if (sum.penetrations() == 0 && sum.edge_zone == 0) return "no penetrations";
   std::string line = sum.penetrations() == 0 ? "no penetrations" : "";
   if (sum.initial > 0) line = paint.severity(Severity::warning, count(sum.initial, "penetration"));
@@ -157,6 +169,26 @@ std::string result_line(const Sums& sum, const Paint& paint) {
   return line;
 }
 
+/// "50 tracked nodes, 32 segments: "; nothing where solver files do not say it.
+std::string size_of(const Report& report, const ContactSummary& contact) {
+  if (report.source != "deck" && contact.tracked_nodes + contact.segments == 0) return "";
+  return count(contact.tracked_nodes, "tracked node") + ", " + count(contact.segments, "segment") + ": ";
+}
+
+/// One table per reason for which nodes of a tied contact need a look.
+void append_tie_sections(std::span<const TieFailure> failures, const TextOptions& options, const Paint& paint,
+                         std::string& out) {
+  for (const TieReason reason : tie_reasons) {
+    const auto records = in_view_order(failures, reason);
+    if (records.empty()) continue;
+    const std::size_t limit = options.list ? records.size() : options.top;
+    out += fmt::format("\n  {}: {}, {}", paint.severity(rule_of(reason).severity, name(reason)),
+                       count(records.size(), "node"), what_happened(reason));
+    out += limit < records.size() ? fmt::format(", first {} of {}\n", limit, records.size()) : "\n";
+    if (limit > 0) append_ties(records, limit, true, out);
+  }
+}
+
 /// Returns what the records of the contact amount to.
 Sums append_contact(const Report& report, std::uint32_t position, const TextOptions& options, const Paint& paint,
                     std::string& out) {
@@ -165,14 +197,15 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   Sums sum = sums(records);
   out += '\n' + contact_title(contact, paint);
   if (contact.not_checked.empty() || !records.empty())
-    out += fmt::format("  {}, {}: {}\n", count(contact.tracked_nodes, "tracked node"),
-                       count(contact.segments, "segment"), result_line(sum, paint));
+    out += "  " + size_of(report, contact) + result_line(sum, unlisted_penetrations(contact), paint) + '\n';
+  if (report.run) append_surface_timesteps(*report.run, position, out);
   if (contact.ties + contact.untied > 0)
     out += fmt::format("  {}, {} untied\n", count(contact.ties, "tie"), contact.untied);
   if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';
   append_nodes(records, false, sum.penetrations(), "penetrating nodes", options, out);
   if (!sum.pairs.empty()) append_pairs(sum.pairs, options, out);
   append_nodes(records, true, sum.edge_zone, "nodes in the edge zone", options, out);
+  append_tie_sections(ties_of(report, position), options, paint, out);
   return sum;
 }
 
@@ -253,7 +286,10 @@ Totals totals(const Report& report) {
     }
   };
   for (const Penetration& record : report.penetrations) add(rule_of(record.kind).severity);
+  for (const TieFailure& failure : report.tie_failures) add(rule_of(failure.reason).severity);
   for (const Finding& finding : report.findings) add(finding.severity);
+  for (const ContactSummary& contact : report.contacts) sum.warnings += unlisted_penetrations(contact);
+  if (report.run) sum.warnings += report.run->rigidwalls.size();
   return sum;
 }
 
@@ -280,7 +316,7 @@ std::string text(const Report& report, const TextOptions& options) {
   const Paint paint{options.color};
   if (options.quiet) return verdict(report, paint);
   std::string out = paint.bold(printable(report.input)) + '\n';
-  out += "  " + model_line(report.model) + '\n';
+  out += report.run ? run_line(*report.run) : "  " + model_line(report.model) + '\n';
   Sums total;
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) {
     const Sums sum = append_contact(report, i, options, paint, out);
@@ -291,6 +327,11 @@ std::string text(const Report& report, const TextOptions& options) {
       total.deepest = sum.deepest;
   }
   append_findings(report.findings, options, paint, out);
+  if (report.run) {
+    append_rigidwalls(*report.run, options.list ? report.run->rigidwalls.size() : options.top, out);
+    append_messages(report, options.list, out);
+    append_timestep_limits(*report.run, out);
+  }
   if (report.contacts.size() > 1) append_total(total, out);
   if (options.stats) out += "\nstatistics\n" + statistics(report);
   out += '\n' + verdict(report, paint);

@@ -13,10 +13,10 @@ def on_fins(deck, thickness=2.0):
 
 
 def free_edge_node():
-    deck = Deck("free_edge_node", """Fins stand beside the free edges of a plate of elements of 4; all are 2 thick, so the contact
-        distance is 2. The band around a segment is a quarter of its length: 1. Nodes 0.6 beyond the edge and 0.8 above it
-        are in the band, 1 from the edge. Nodes 1.2 beyond and 0.5 above are 1.3 from the edge, nearer than 2, but outside
-        the band: the solver does not list them at the start.""")
+    deck = Deck("free_edge_node", """Fins stand beside the free edges of a plate of elements of 4; all are 2 thick, so
+        the contact distance is 2. The band around a segment is a quarter of its length: 1. Nodes 0.6 beyond the edge
+        and 0.8 above it are in the band, 1 from the edge. Nodes 1.2 beyond and 0.5 above are 1.3 from the edge,
+        nearer than 2, but outside the band: the solver does not list them at the start.""")
     deck.part(1, "plate", thickness=2.0)
     deck.plate(1, (2, 2), 4.0, (0.0, 0.0, 0.0))
     on_fins(deck)
@@ -28,8 +28,9 @@ def free_edge_node():
 
 
 def corner_node():
-    deck = Deck("corner_node", """As free_edge_node, with nodes beyond a corner. (0.6, 0.2, 0.3) from it: in the band in both directions, at
-        distance 0.7. (1.2, 0.4, 0.6) from it: outside the band in one direction, at distance 1.4.""")
+    deck = Deck("corner_node", """As free_edge_node, with nodes beyond a corner. (0.6, 0.2, 0.3) from it: in the band
+        in both directions, at distance 0.7. (1.2, 0.4, 0.6) from it: outside the band in one direction, at distance
+        1.4.""")
     deck.part(1, "plate", thickness=2.0)
     deck.plate(1, (2, 2), 4.0, (0.0, 0.0, 0.0))
     on_fins(deck)
@@ -41,9 +42,9 @@ def corner_node():
 
 
 def warped_quad():
-    deck = Deck("warped_quad", """One quad whose third corner is lifted by 1: the bilinear patch z = x y / 16. The nodes stand on its
-        normals (-y/16, -x/16, 1) above (2, 2) and (1, 3), at half that vector: distance 0.5 sqrt(1 + (x^2 + y^2)/256).
-        Two flat triangles in place of the patch would give other depths.""")
+    deck = Deck("warped_quad", """One quad whose third corner is lifted by 1: the bilinear patch z = x y / 16. The
+        nodes stand on its normals (-y/16, -x/16, 1) above (2, 2) and (1, 3), at half that vector: distance 0.5 sqrt(1
+        + (x^2 + y^2)/256). Two flat triangles in place of the patch would give other depths.""")
     deck.part(1, "warped quad")
     quad = [deck.node(1001 + k, *point) for k, point in enumerate(((0, 0, 0), (4, 0, 0), (4, 4, 1), (0, 4, 0)))]
     deck.shell(1, quad)
@@ -56,9 +57,9 @@ def warped_quad():
 
 
 def triangle():
-    deck = Deck("triangle", """One triangle with legs of 4; all shells are 2 thick. Over the face: 0.9. Beside an edge in the band:
-        (0, -0.6, 0.8), distance 1. Beyond a corner in the band: (-0.3, -0.6, 0.2), distance 0.7. Beside an edge beyond the
-        band: (0, -1.2, 0.5), distance 1.3.""")
+    deck = Deck("triangle", """One triangle with legs of 4; all shells are 2 thick. Over the face: 0.9. Beside an edge
+        in the band: (0, -0.6, 0.8), distance 1. Beyond a corner in the band: (-0.3, -0.6, 0.2), distance 0.7. Beside
+        an edge beyond the band: (0, -1.2, 0.5), distance 1.3.""")
     deck.part(1, "triangle", thickness=2.0)
     corners = [deck.node(1001 + k, *point) for k, point in enumerate(((0, 0, 0), (4, 0, 0), (0, 4, 0)))]
     deck.shell(1, corners + [corners[2]])
@@ -73,8 +74,9 @@ def triangle():
 
 
 def beam_on_shell():
-    deck = Deck("beam_on_shell", """Beams of a tube with outer diameter 2 run 1.2 above a plate 1 thick, in a contact that treats beams
-        too. Contact distance 1 + 0.5; the beam nodes penetrate by 0.3. The plate's nodes are 2.77 from the beam axis.""")
+    deck = Deck("beam_on_shell", """Beams of a tube with outer diameter 2 run 1.2 above a plate 1 thick, in a contact
+        that treats beams too. Contact distance 1 + 0.5; the beam nodes penetrate by 0.3. The plate's nodes are 2.77
+        from the beam axis.""")
     deck.part(1, "plate")
     deck.part(2, "beams", kind="beam", diameter=2.0)
     deck.plate(1, (3, 3), 5.0, (0.0, 0.0, 0.0))

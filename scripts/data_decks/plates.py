@@ -36,8 +36,8 @@ def expect_both(deck, contact, above, below, h, gap, outcome="moved"):
 
 def two_plates():
     deck = Deck("two_plates", """Two parallel plates, 1 thick, mid-surfaces 0.7 apart in one single-surface contact.
-        The contact distance is 0.5 + 0.5, so every node over the other plate penetrates by 0.3.
-        Both sides are judged on the coordinates of the deck and moved by 1.002 x 0.3.""")
+        The contact distance is 0.5 + 0.5, so every node over the other plate penetrates by 0.3. Both sides are judged
+        on the coordinates of the deck and moved by 1.002 x 0.3.""")
     above, below = stacked(deck, 0.7)
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5)
     expect_both(deck, 1, above, below, 1.0, 0.7)
@@ -91,8 +91,8 @@ def two_plates_crossing():
 
 
 def deep_node_released():
-    deck = Deck("deep_node_released", """Two plates, 1 thick, only 0.15 apart: the penetration 0.85 exceeds
-        0.4 x (1 + 1), so the nodes of both plates are released.""")
+    deck = Deck("deep_node_released", """Two plates, 1 thick, only 0.15 apart: the penetration 0.85 exceeds 0.4 x (1 +
+        1), so the nodes of both plates are released.""")
     above, below = stacked(deck, 0.15)
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5)
     for node in above + below:
@@ -118,8 +118,8 @@ def t_joint():
 
 
 def clean():
-    deck = Deck("clean", """Plates that touch and no more: thicknesses 0.1 and 0.2, mid-surfaces 0.15 apart. In binary the
-        distance is 1.4999999999999991e-01, below the contact distance; the tolerance keeps such a node out.""")
+    deck = Deck("clean", """Plates that touch and no more: thicknesses 0.1 and 0.2, mid-surfaces 0.15 apart. In binary
+        the distance is 1.4999999999999991e-01, below the contact distance; the tolerance keeps such a node out.""")
     deck.part(1, "lower plate", thickness=0.1)
     deck.part(2, "upper plate", thickness=0.2)
     assert 1.25 - 1.1 < 0.05 + 0.1
@@ -130,8 +130,8 @@ def clean():
 
 
 def stray_part():
-    deck = Deck("stray_part", """two_plates with a third part 150000 away in the same contact: it costs time in a naive
-        search and must not change the findings.""")
+    deck = Deck("stray_part", """two_plates with a third part 150000 away in the same contact: it costs time in a
+        naive search and must not change the findings.""")
     above, below = stacked(deck, 0.7)
     deck.part(3, "stray")
     deck.plate(3, (1, 1), 5.0, (150000.0, 0.0, 0.0))
@@ -187,8 +187,8 @@ def two_way_order():
 
 def contact_chain():
     deck = Deck("contact_chain", """Contacts start one after the other, each on the coordinates that the earlier ones
-        left. The middle plate is 0.8 above the lower one: contact 10 moves it up by 1.002 x 0.2. In the deck it is 1.1
-        below the upper plate, clear of it; after the move 0.8996, so contact 20 finds it.""")
+        left. The middle plate is 0.8 above the lower one: contact 10 moves it up by 1.002 x 0.2. In the deck it is
+        1.1 below the upper plate, clear of it; after the move 0.8996, so contact 20 finds it.""")
     for pid, title in ((1, "lower plate"), (2, "middle plate"), (3, "upper plate")):
         deck.part(pid, title)
     deck.plate(1, (3, 3), 5.0, (0.0, 0.0, 0.0))
@@ -205,8 +205,8 @@ def contact_chain():
 
 
 def soft2_not_checked():
-    deck = Deck("soft2_not_checked", """SOFT = 2: segment-based contact lists no nodes at the start, so initial-penetration
-        does not apply although the plates are 0.3 too close.""")
+    deck = Deck("soft2_not_checked", """SOFT = 2: segment-based contact lists no nodes at the start, so
+        initial-penetration does not apply although the plates are 0.3 too close.""")
     stacked(deck, 0.7)
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5, soft=2)
     deck.not_checked.append(1)
@@ -233,8 +233,9 @@ def three_plates(deck, gaps):
 
 
 def tied_then_contact():
-    deck = Deck("tied_then_contact", """The lower two plates touch and are tied with an offset; a tied contact gives no
-        initial-penetration. The upper plate is 0.3 too close to the middle one: the single-surface contact finds it.""")
+    deck = Deck("tied_then_contact", """The lower two plates touch and are tied with an offset; a tied contact gives
+        no initial-penetration. The upper plate is 0.3 too close to the middle one: the single-surface contact finds
+        it.""")
     _, (above, below) = three_plates(deck, (1.0, 0.7))
     deck.contact("TIED_SURFACE_TO_SURFACE_OFFSET", 1, 2, 1, "tie")
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 2, 0, title="all parts", a_type=5, card_c=(1, 1))

@@ -5,8 +5,8 @@ from .plates import DOWN, UP, expect_both, inside, stacked
 
 
 def thickness_sst():
-    deck = Deck("thickness_sst", """Plates 0.25 thick, 0.5 apart: no penetration with their own thickness (contact 1). SST = MST = 1 replaces
-        it (contact 2): contact distance 1, penetration 0.5.""")
+    deck = Deck("thickness_sst", """Plates 0.25 thick, 0.5 apart: no penetration with their own thickness (contact 1).
+        SST = MST = 1 replaces it (contact 2): contact distance 1, penetration 0.5.""")
     upper = inside(deck, 0.5, thickness=0.25)
     deck.contact("AUTOMATIC_SURFACE_TO_SURFACE", 1, 2, 1, "own thickness")
     deck.contact("AUTOMATIC_SURFACE_TO_SURFACE", 2, 2, 1, "SST and MST", card3=(1.0, 1.0, 1.0, 1.0))
@@ -16,8 +16,8 @@ def thickness_sst():
 
 
 def thickness_sfst():
-    deck = Deck("thickness_sfst", """Plates 0.5 thick, 0.7 apart: clear in contact 1. SFST = SFMT = 2 doubles the thickness in contact 2:
-        contact distance 1, penetration 0.3.""")
+    deck = Deck("thickness_sfst", """Plates 0.5 thick, 0.7 apart: clear in contact 1. SFST = SFMT = 2 doubles the
+        thickness in contact 2: contact distance 1, penetration 0.3.""")
     upper = inside(deck, 0.7, thickness=0.5)
     deck.contact("AUTOMATIC_SURFACE_TO_SURFACE", 1, 2, 1, "unscaled")
     deck.contact("AUTOMATIC_SURFACE_TO_SURFACE", 2, 2, 1, "scaled", card3=(1.0, 1.0, 0.0, 0.0, 2.0, 2.0))
@@ -27,8 +27,9 @@ def thickness_sfst():
 
 
 def thickness_optt():
-    deck = Deck("thickness_optt", """Plates 0.2 thick, 0.5 apart. OPTT = 1 of *PART_CONTACT replaces every other thickness of the lower one.
-        Contact 1: 0.1 + 0.5 = 0.6, penetration 0.1. Contact 2 with SST = MST = 0.1: 0.05 + 0.5, OPTT still wins: 0.05.""")
+    deck = Deck("thickness_optt", """Plates 0.2 thick, 0.5 apart. OPTT = 1 of *PART_CONTACT replaces every other
+        thickness of the lower one. Contact 1: 0.1 + 0.5 = 0.6, penetration 0.1. Contact 2 with SST = MST = 0.1: 0.05
+        + 0.5, OPTT still wins: 0.05.""")
     deck.part(1, "lower plate", thickness=0.2, optt=1.0)
     deck.part(2, "upper plate", thickness=0.2)
     deck.plate(1, (3, 3), 5.0, (0.0, 0.0, 0.0))
@@ -42,8 +43,8 @@ def thickness_optt():
 
 
 def thickness_th():
-    deck = Deck("thickness_th", """Plates 0.25 thick, 0.5 apart. TH = 1 of *CONTROL_CONTACT is the thickness of both sides: penetration
-        0.5.""")
+    deck = Deck("thickness_th", """Plates 0.25 thick, 0.5 apart. TH = 1 of *CONTROL_CONTACT is the thickness of both
+        sides: penetration 0.5.""")
     upper = inside(deck, 0.5, thickness=0.25)
     deck.control_contact(th=1.0)
     deck.contact("AUTOMATIC_SURFACE_TO_SURFACE", 1, 2, 1, "TH")
@@ -71,16 +72,16 @@ def thickness_ssthk_1():
 
 
 def thickness_shlthk_0():
-    deck = Deck("thickness_shlthk_0", """An old two-way contact ignores shell thickness unless SHLTHK asks for it: plates 1 thick, 0.7 apart, and
-        nothing is found.""")
+    deck = Deck("thickness_shlthk_0", """An old two-way contact ignores shell thickness unless SHLTHK asks for it:
+        plates 1 thick, 0.7 apart, and nothing is found.""")
     inside(deck, 0.7)
     deck.contact("SURFACE_TO_SURFACE", 1, 2, 1, "no thickness")
     return deck
 
 
 def thickness_shlthk_1():
-    deck = Deck("thickness_shlthk_1", """thickness_shlthk_0 with SHLTHK = 1 on optional card B: contact distance 1, penetration 0.3 along the normal
-        of the lower plate.""")
+    deck = Deck("thickness_shlthk_1", """thickness_shlthk_0 with SHLTHK = 1 on optional card B: contact distance 1,
+        penetration 0.3 along the normal of the lower plate.""")
     upper = inside(deck, 0.7)
     deck.contact("SURFACE_TO_SURFACE", 1, 2, 1, "with thickness", card_b=(0.0, 0, 1))
     for node in upper:
@@ -89,8 +90,8 @@ def thickness_shlthk_1():
 
 
 def element_thickness():
-    deck = Deck("element_thickness", """The section says 0.2, *ELEMENT_SHELL_THICKNESS says 1.2 for the elements of the lower plate. Contact
-        distance 0.6 + 0.1 to the upper plate, mid-surfaces 0.6 apart: penetration 0.1.""")
+    deck = Deck("element_thickness", """The section says 0.2, *ELEMENT_SHELL_THICKNESS says 1.2 for the elements of
+        the lower plate. Contact distance 0.6 + 0.1 to the upper plate, mid-surfaces 0.6 apart: penetration 0.1.""")
     above, below = stacked(deck, 0.6, thickness=0.2)
     for element, pid, _ in deck.shells:
         if pid == 1:

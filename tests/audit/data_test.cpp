@@ -55,7 +55,7 @@ void expect_same(const Penetration& p, const json& expected) {
   const double depth = expected["penetration"], h = expected["contact_distance"];
   EXPECT_NEAR(p.depth, depth, 1e-9 * depth);
   EXPECT_NEAR(p.contact_distance, h, 1e-9 * h);
-  // A depth inside a solid is known to the digits of its coordinates only.
+  // A position is known to the digits of its coordinates only.
   const double scale = std::max(1.0, p.original.cwiseAbs().maxCoeff());
   if (expected.contains("moved_to"))
     expect_same_point(p.moved_to, expected["moved_to"], scale);

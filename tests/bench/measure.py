@@ -48,7 +48,8 @@ def machine():
 
 
 def table(arguments):
-    rows = ["| shells | deck | stray shell | threads | min | median | peak memory |", "|---|---|---|---|---|---|---|"]
+    rows = ["| shells | deck | stray shell | threads | min | median | peak memory |",
+            "|---|---|---|---|---|---|---|"]
     for n in arguments.sizes:
         for stray in (False, True):
             deck = arguments.work / f"plates_{n}{'_stray' if stray else ''}.k"
@@ -74,7 +75,8 @@ def main():
     text = arguments.doc.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN, 1)
     after = rest.split(END, 1)[1]
-    body = "\n".join([machine() + f"; {arguments.runs} runs each after one to warm the file cache.", ""] + table(arguments))
+    caption = machine() + f"; {arguments.runs} runs each after one to warm the file cache."
+    body = "\n".join([caption, "", *table(arguments)])
     arguments.doc.write_text(f"{before}{BEGIN}\n{body}\n{END}{after}", encoding="utf-8")
 
 

@@ -70,7 +70,7 @@ TEST(ExteriorFaces, AgreeWithCountingEveryFace) {
   const auto exterior = exterior_faces(solids, members);
   EXPECT_EQ(exterior.size(), expected);
   EXPECT_EQ(exterior.size(), 2u * (12 + 6 + 8) + 2);  // the cut divides one face above and one below
-  for (const SegmentNodes& face : exterior)
+  for (const auto& [face, element] : exterior)
     EXPECT_EQ((counts[{face[0].value, face[1].value, face[2].value, face[3].value}]), 1);
   EXPECT_EQ(exterior_faces(solids, {0}).size(), 6u);
   EXPECT_TRUE(exterior_faces(solids, {}).empty());

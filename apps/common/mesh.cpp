@@ -1,0 +1,78 @@
+#include "common/mesh.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "keyword/deck.hpp"
+#include "model/model.hpp"
+#include "results/d3plot.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+template <std::size_t N>
+void add_elements(const model::Model& model, const model::Elements<N>& elements, results::MeshSource& mesh) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (elements.part[i] == none<PartIndex>) continue;
+    const std::int64_t part = model.part(elements.part[i]).id.value;
+    for (const NodeIndex node : elements.nodes[i])
+      if (node != none<NodeIndex>) mesh.parts.try_emplace(model.mesh.nodes.id[node.value], part);
+  }
+}
+
+}  // namespace
+
+Result<results::MeshSource> read_deck_mesh(const std::string& path, Diagnostics& diagnostics) {
+  const auto deck = keyword::read_deck(path, {}, diagnostics);
+  if (!deck) return deck.error();
+  const auto read = model::read_model(deck.value(), diagnostics);
+  if (!read) return read.error();
+  const model::Model& model = read.value();
+  results::MeshSource mesh;
+  const model::Nodes& nodes = model.mesh.nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i) mesh.coordinates.try_emplace(nodes.id[i], nodes.x[i]);
+  add_elements(model, model.mesh.shells, mesh);
+  add_elements(model, model.mesh.solids, mesh);
+  add_elements(model, model.mesh.thick_shells, mesh);
+  add_elements(model, model.mesh.beams, mesh);
+  add_elements(model, model.mesh.discrete, mesh);
+  add_elements(model, model.mesh.masses, mesh);
+  add_elements(model, model.mesh.particles, mesh);
+  return mesh;
+}
+
+Result<results::MeshSource> find_mesh(const std::string& deck, const std::string& d3plot, const std::string& beside,
+                                      Diagnostics& diagnostics) {
+  if (!deck.empty()) return read_deck_mesh(deck, diagnostics);
+  std::string path = d3plot;
+  if (path.empty()) {
+    const auto guess = std::filesystem::path(beside).replace_filename("d3plot");
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(guess, ignored)) return results::MeshSource{};
+    path = guess.string();
+  }
+  const auto plot = results::read_d3plot(path);
+  if (!plot) return plot.error();
+  return results::mesh_source(plot.value());
+}
+
+void add_parts(Report& report, const results::MeshSource& mesh) {
+  const auto fill = [&](auto& record) {
+    if (record.part != 0) return;
+    if (const auto found = mesh.parts.find(record.node); found != mesh.parts.end()) record.part = found->second;
+  };
+  for (Penetration& record : report.penetrations) fill(record);
+  for (TieFailure& failure : report.tie_failures) fill(failure);
+}
+
+report::NodePosition positions(const results::MeshSource& mesh) {
+  return [&mesh](std::int64_t node) -> std::optional<Vector> {
+    const auto found = mesh.coordinates.find(node);
+    if (found == mesh.coordinates.end()) return std::nullopt;
+    return found->second;
+  };
+}
+
+}  // namespace gapcheck::app
