@@ -89,7 +89,8 @@ Verdict filter(const Certificate& certificate, const Corners& e, bool triangle, 
   }
   const Patch patch(e);
   const Location quick = locate_on_patch(e, patch, true);
-  if (const Verdict verdict = certificate.at(e, quick.s, quick.t, false); verdict != Verdict::open) return verdict;
+  const Verdict verdict = certificate.at(e, quick.s, quick.t, false);
+  if (verdict == Verdict::closer || verdict == Verdict::apart) return verdict;
   const Location at = locate_on_patch(e, patch);
   return certificate.at(e, at.s, at.t, false);
 }

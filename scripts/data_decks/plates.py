@@ -2,7 +2,7 @@
 
 import math
 
-from .deck import Deck, SHOOT, unit
+from .deck import Deck, SHOOT, card, unit
 
 UP, DOWN = [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]
 
@@ -151,18 +151,18 @@ def outcome_deck(name, text, outcome, control_ignore=None, **contact):
 
 
 def ignore_0():
-    return outcome_deck("ignore_0", "IGNORE = 0, SNLOG = 0: penetrating nodes are moved to the contact surface.", "moved",
-                        card_b=(0.0, 0, 0, 0), card_c=(1, 0))
+    return outcome_deck("ignore_0", "IGNORE = 0, SNLOG = 0: penetrating nodes are moved to the contact surface.",
+                        "moved", card_b=(0.0, 0, 0, 0), card_c=(1, 0))
 
 
 def ignore_1():
-    return outcome_deck("ignore_1", "IGNORE = 1 on optional card C: the penetration is kept and gives no force.", "kept",
-                        card_c=(1, 1))
+    return outcome_deck("ignore_1", "IGNORE = 1 on optional card C: the penetration is kept and gives no force.",
+                        "kept", card_c=(1, 1))
 
 
 def ignore_2():
-    return outcome_deck("ignore_2", "IGNORE = 2 in *CONTROL_CONTACT, nothing in the contact: kept, with warnings.", "kept",
-                        control_ignore=2)
+    return outcome_deck("ignore_2", "IGNORE = 2 in *CONTROL_CONTACT, nothing in the contact: kept, with warnings.",
+                        "kept", control_ignore=2)
 
 
 def ignore_mpp():
@@ -228,8 +228,8 @@ def three_plates(deck, gaps):
     for pid, title in ((1, "lower plate"), (2, "middle plate"), (3, "upper plate")):
         deck.part(pid, title)
         grids.append(deck.plate(pid, (3, 3), 5.0, (1.5 * (pid - 1), 2.0 * (pid - 1), round(sum(gaps[:pid - 1]), 9))))
-    return [([n for (i, j), n in above.items() if i < 3 and j < 3], [n for (i, j), n in below.items() if i > 0 and j > 0])
-            for below, above in zip(grids, grids[1:])]
+    return [([n for (i, j), n in above.items() if i < 3 and j < 3],
+             [n for (i, j), n in below.items() if i > 0 and j > 0]) for below, above in zip(grids, grids[1:])]
 
 
 def tied_then_contact():
@@ -250,7 +250,7 @@ def excluded_interaction():
     deck.part_set(1, [1])
     deck.part_set(2, [2])
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5, card_c=(1, 1))
-    deck.contacts.append("\n".join(["*CONTACT_EXCLUDE_INTERACTION", f"{1:>10}{1:>10}", f"{1:>10}{2:>10}{2:>10}{2:>10}"]))
+    deck.contacts.append("\n".join(["*CONTACT_EXCLUDE_INTERACTION", card(1, 1), card(1, 2, 2, 2)]))
     expect_both(deck, 1, above, below, 1.0, 1.5 - 0.7, "kept")
     return deck
 

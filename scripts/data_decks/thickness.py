@@ -54,8 +54,9 @@ def thickness_th():
 
 
 def ssthk(value, h):
-    deck = Deck(f"thickness_ssthk_{value}", f"""Plates 1 thick with elements of 2, 0.7 apart, in single-surface contact with SSTHK = {value}:
-        {'the thickness is limited to 0.4 x 2 = 0.8' if value == 0 else 'the full thickness counts'}, contact distance {h:g}.""")
+    what = "the thickness is limited to 0.4 x 2 = 0.8" if value == 0 else "the full thickness counts"
+    deck = Deck(f"thickness_ssthk_{value}", f"""Plates 1 thick with elements of 2, 0.7 apart, in single-surface contact
+        with SSTHK = {value}: {what}, contact distance {h:g}.""")
     above, below = stacked(deck, 0.7, size=2.0, shift=(1.0, 1.0))
     deck.control_contact(ssthk=value)
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5)
@@ -105,7 +106,8 @@ def element_thickness():
 
 
 def include_parameter():
-    deck = Deck("include_parameter", """two_plates with the mesh in an include file and the thickness from *PARAMETER.""")
+    deck = Deck("include_parameter", """two_plates with the mesh in an include file and the thickness from
+        *PARAMETER.""")
     above, below = stacked(deck, 0.7, thickness="&thick")
     deck.mesh_file = "include/plates_mesh.k"
     deck.controls.append("*PARAMETER\nRthick           1.0")

@@ -57,8 +57,9 @@ def table(arguments):
             for jobs in (1, os.cpu_count()):
                 command = [str(arguments.gapcheck), "audit", "--fail-on", "never", "--jobs", str(jobs), str(deck)]
                 low, median, memory = measure(command, arguments.runs)
-                rows.append(f"| {2 * n * n + stray:,} | {deck.stat().st_size / 1e6:.1f} MB | {'yes' if stray else 'no'} "
-                            f"| {jobs} | {low:.3f} s | {median:.3f} s | {memory:,.0f} MB |")
+                size = deck.stat().st_size / 1e6
+                rows.append(f"| {2 * n * n + stray:,} | {size:.1f} MB | {'yes' if stray else 'no'} | {jobs} "
+                            f"| {low:.3f} s | {median:.3f} s | {memory:,.0f} MB |")
                 print(rows[-1], flush=True)
             deck.unlink()
     return rows
