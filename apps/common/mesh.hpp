@@ -9,9 +9,9 @@
 
 namespace gapcheck::app {
 
-/// Coordinates and parts of a deck's nodes. A node of several elements belongs to the part of the first one in the order
-/// shells, solids, thick shells, beams, discrete elements, masses, particles. Errors: the deck cannot be read at all;
-/// others are in `diagnostics`.
+/// Coordinates and parts of a deck's nodes. A node of several elements belongs to the part of the first one in the
+/// order shells, solids, thick shells, beams, discrete elements, masses, particles. Errors: the deck cannot be read at
+/// all; others are in `diagnostics`.
 Result<results::MeshSource> read_deck_mesh(const std::string& path, Diagnostics& diagnostics);
 
 /// The mesh of `deck`, else of the d3plot, else of a file named d3plot beside `beside` if there is one; else no mesh.

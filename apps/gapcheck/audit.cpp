@@ -5,56 +5,36 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "audit/registry.hpp"
-#include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
+#include "options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "report/describe.hpp"
-#include "report/writers.hpp"
 
 namespace gapcheck::app {
 namespace {
 
 struct Arguments {
   std::string deck;
-  std::string format = "text", output, fail_on = "error", missing_includes = "error";
+  std::string missing_includes = "error";
   audit::AuditOptions audit;
-  report::TextOptions text;
+  OutputOptions output;
+  ExportOptions exports;
   std::size_t jobs = 0;
 };
-
-/// A finite number that is not negative; CLI11's own ranges let NaN pass.
-std::string check_amount(const std::string& text) {
-  double value = -1;
-  if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0) return "";
-  return "'" + text + "' is not a number of 0 or more";
-}
-
-/// CLI11 alone would take the largest number there is for ids beyond it.
-std::string check_id(const std::string& text) {
-  return parse_integer(text) ? "" : "'" + text + "' is not a whole number";
-}
 
 /// Every entry of --select and --ignore must pick a rule: a misspelt one would hide findings in silence.
 std::string check_rule(const std::string& text) {
   for (const auto& rule : audit::rules())
     if (audit::selected(rule, {text}, {})) return "";
   return "'" + text + "' is no rule; gapcheck rules lists them";
-}
-
-/// An option that takes a list: commas, or the option again. Never more than one argument, or it would take the deck.
-template <class Value>
-CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Value>& values, const std::string& text) {
-  return command.add_option(name, values, text)->delimiter(',')->take_all()->allow_extra_args(false);
 }
 
 void add_selection(CLI::App& command, Arguments& arguments) {
@@ -77,26 +57,6 @@ void add_selection(CLI::App& command, Arguments& arguments) {
   for (CLI::Option* option : options) option->group("Selection");
 }
 
-void add_output(CLI::App& command, Arguments& arguments) {
-  const std::vector<CLI::Option*> options{
-      command.add_option("--format", arguments.format, "Of the results")
-          ->check(CLI::IsMember({"text", "json"}))
-          ->capture_default_str(),
-      command.add_option("--output", arguments.output, "Write the results there instead of to standard output")
-          ->type_name("FILE"),
-      command.add_option("--top", arguments.text.top, "Deepest nodes to show per contact")
-          ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
-          ->type_name("N")
-          ->capture_default_str(),
-      command.add_flag("--list", arguments.text.list, "Show every node and finding"),
-      command.add_option("--fail-on", arguments.fail_on, "Least severity that gives exit code 1")
-          ->check(CLI::IsMember({"error", "warning", "note", "never"}))
-          ->capture_default_str(),
-      command.add_flag("--stats", arguments.text.stats, "Show counters and times"),
-      command.add_flag("--quiet", arguments.text.quiet, "Only the last line, and no warnings")};
-  for (CLI::Option* option : options) option->group("Output");
-}
-
 void add_work(CLI::App& command, Arguments& arguments) {
   const std::vector<CLI::Option*> options{
       command.add_option("-I", arguments.audit.read.include_directories, "Further directory for *INCLUDE")
@@ -112,28 +72,6 @@ void add_work(CLI::App& command, Arguments& arguments) {
           ->type_name("N")
           ->capture_default_str()};
   for (CLI::Option* option : options) option->group("Reading and work");
-}
-
-bool write(const Report& report, const Arguments& arguments) {
-  Output output(arguments.output);
-  if (arguments.format == "json") {
-    report::json(report, [&output](std::string_view piece) { return output.write(piece); });
-    if (arguments.text.stats) std::fputs(report::statistics(report).c_str(), stderr);
-  } else {
-    report::TextOptions options = arguments.text;
-    options.color = output.color();
-    output.write(report::text(report, options));
-  }
-  return output.close();
-}
-
-int exit_code(const Report& report, const std::string& fail_on) {
-  const report::Totals totals = report::totals(report);
-  std::size_t counted = 0;
-  if (fail_on != "never") counted += totals.errors;
-  if (fail_on == "warning" || fail_on == "note") counted += totals.warnings;
-  if (fail_on == "note") counted += totals.notes;
-  return counted > 0 ? findings : clean;
 }
 
 /// True if every contact of --contact is in the deck: nothing is found in a contact that does not exist.
@@ -152,18 +90,20 @@ int audit_deck(const Arguments& arguments) {
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
   const auto result = [&] {
-    const Progress progress("auditing " + report::printable(arguments.deck), !arguments.text.quiet);
+    const Progress progress("auditing " + report::printable(arguments.deck), !arguments.output.text.quiet);
     return audit::audit_deck(arguments.deck, arguments.audit, diagnostics);
   }();
-  print(diagnostics, arguments.text.quiet);
+  print(diagnostics, arguments.output.text.quiet);
   if (!result) {
     print(result.error());
     return failed;
   }
-  const bool written = write(result.value(), arguments);
+  bool written = write(result.value(), arguments.output);
+  // Every record of a deck knows where its node is.
+  written = write(result.value(), arguments.exports, [](std::int64_t) { return std::nullopt; }) && written;
   const bool complete = contacts_exist(result.value(), arguments.audit.contacts) && !diagnostics.has_errors();
   if (!written || !complete) return failed;
-  return exit_code(result.value(), arguments.fail_on);
+  return exit_code(result.value(), arguments.output.fail_on);
 }
 
 }  // namespace
@@ -174,7 +114,8 @@ void add_audit(CLI::App& app, Action& action) {
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
   add_selection(*command, *arguments);
-  add_output(*command, *arguments);
+  add_output(*command, arguments->output);
+  add_exports(*command, arguments->exports);
   add_work(*command, *arguments);
   command->callback([&action, arguments] {
     action = [arguments] {

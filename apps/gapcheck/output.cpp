@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "report/describe.hpp"
+#include "common/files.hpp"
 
 namespace gapcheck::app {
 
@@ -39,16 +39,7 @@ bool Output::color() const {
   return file_ == stdout && ::isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
 }
 
-void print(const Diagnostic& diagnostic) {
-  std::string line = fmt::format("gapcheck: {}: ", report::name(diagnostic.severity));
-  if (!diagnostic.file.empty()) {
-    line += report::printable(diagnostic.file);
-    if (diagnostic.line != 0) line += fmt::format(":{}", diagnostic.line);
-    line += ": ";
-  }
-  line += report::printable(diagnostic.message) + '\n';
-  std::fputs(line.c_str(), stderr);
-}
+void print(const Diagnostic& diagnostic) { std::fputs(line_of("gapcheck", diagnostic).c_str(), stderr); }
 
 void print_error(std::string_view message) { print(Diagnostic{Severity::error, "", 0, std::string(message)}); }
 

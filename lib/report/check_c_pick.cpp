@@ -120,8 +120,7 @@ bool knows_remaining(const Report& report, const Penetration& record) {
   return report.source == "deck" || record.contact_distance != 0;
 }
 
-Report pick(const Report& report, const CheckCOptions& options) {
-  Report picked = report;
+Report pick(Report picked, const CheckCOptions& options) {
   const std::vector<std::uint32_t> place = keep_contacts(picked, options);
   renumber(picked.penetrations, place);
   renumber(picked.tie_failures, place);
@@ -130,7 +129,7 @@ Report pick(const Report& report, const CheckCOptions& options) {
     const bool counted = options.sel.empty() || options.sel == "typ13" || options.sel == "pen";
     contact.reported_penetrations = counted ? unlisted_penetrations(contact) : 0;
   }
-  std::erase_if(picked.penetrations, [&](const Penetration& p) { return !picks(report, options, p); });
+  std::erase_if(picked.penetrations, [&](const Penetration& p) { return !picks(picked, options, p); });
   std::erase_if(picked.tie_failures, [&](const TieFailure& t) { return !picks(options, t); });
   recount(picked);
   for (ContactSummary& contact : picked.contacts)

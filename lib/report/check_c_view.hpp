@@ -26,7 +26,7 @@ struct CheckCOptions {
 
 /// The records that the options pick (-sid, -sel, -ptol, -rtol); views and exports work on them. What a file does not
 /// say cannot be judged by -ptol or -rtol and is kept. Counts of the contacts are those of the picked records.
-[[nodiscard]] Report pick(const Report& report, const CheckCOptions& options);
+[[nodiscard]] Report pick(Report report, const CheckCOptions& options);
 
 /// Only the first `top` records of each interface, as the view shows them (-rsort).
 [[nodiscard]] Report top_only(const Report& picked, const CheckCOptions& options);

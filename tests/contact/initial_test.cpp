@@ -173,5 +173,40 @@ TEST(Initial, OrientedSurfaceTurnsTowardsTheOtherSide) {
   EXPECT_NEAR(state.penetrations[0].moved_to.z(), 0.25 * 0.002, 1e-12);
 }
 
+TEST(Initial, SquareEdgesEndTheSurface) {
+  Scene scene;
+  const auto plate = scene.plate(scene.part(1, 6), {0, 0, 0}, 10 * ex, 10 * ey, 2, 1);
+  // Beyond a free edge; over the inner edge; over the free edge itself.
+  scene.model.sets.nodes[5].members = {scene.node({22, 5, 0}), scene.node({10, 5, 1}), scene.node({20, 5, 1})};
+  auto& c = scene.contact("AUTOMATIC_NODES_TO_SURFACE");
+  c.a = {5, 4, 0, true};
+  c.b = {1, 3, 0, true};
+  EXPECT_EQ(scene.run().penetrations.size(), 3U);
+  scene.model.contacts[0].shledg = 1;
+  const InitialState state = scene.run();
+  ASSERT_EQ(state.penetrations.size(), 2U);
+  for (const Penetration& p : state.penetrations) EXPECT_NEAR(p.depth, 2, 1e-12);
+}
+
+TEST(Initial, OffsetMidSurfacesCountOnlyWhenAskedFor) {
+  // NLOC = 1: the nodes are on top, the mid-surface half a thickness below.
+  Scene scene;
+  scene.plate(scene.part(1, 1), {0, 0, 0}, 10 * ex, 10 * ey, 1, 1);
+  scene.model.sections[0].nloc = 1;
+  scene.model.sets.nodes[5].members = {scene.node({5, 5, 0.3}), scene.node({5, 6, -0.8})};
+  auto& c = scene.contact("AUTOMATIC_NODES_TO_SURFACE");
+  c.a = {5, 4, 0, true};
+  c.b = {1, 3, 0, true};
+  InitialState state = scene.run();
+  ASSERT_EQ(state.penetrations.size(), 1U);
+  EXPECT_NEAR(state.penetrations[0].depth, 0.2, 1e-12);
+  scene.model.controls.cntco = 1;
+  state = scene.run();
+  ASSERT_EQ(state.penetrations.size(), 1U);
+  EXPECT_EQ(state.penetrations[0].node, 6);
+  EXPECT_NEAR(state.penetrations[0].depth, 0.5 - 0.3, 1e-12);
+  EXPECT_NEAR(state.penetrations[0].moved_to.z(), -0.8 - 1.002 * 0.2, 1e-12);
+}
+
 }  // namespace
 }  // namespace gapcheck::contact

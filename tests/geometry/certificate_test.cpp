@@ -31,12 +31,18 @@ TEST(Certificate, NeverProvesWhatIsFalse) {
       const double bound = factor * distance;
       const bool closer = exact < mpf_class(bound, 600) * bound;
       const Certificate certificate(size, bound);
-      if (certificate.separated_by_mean_plane(e)) EXPECT_FALSE(closer) << describe(pair, bound);
+      if (certificate.separated_by_mean_plane(e)) {
+        EXPECT_FALSE(closer) << describe(pair, bound);
+      }
       for (const auto& [x, y] : {std::pair(s, t), std::pair(best.s, best.t)}) {
         const Verdict verdict = certificate.at(e, x, y, pair.facet.triangle);
         proofs += verdict == Verdict::closer || verdict == Verdict::apart ? 1 : 0;
-        if (verdict == Verdict::closer) EXPECT_TRUE(closer) << describe(pair, bound);
-        if (verdict == Verdict::apart) EXPECT_FALSE(closer) << describe(pair, bound);
+        if (verdict == Verdict::closer) {
+          EXPECT_TRUE(closer) << describe(pair, bound);
+        }
+        if (verdict == Verdict::apart) {
+          EXPECT_FALSE(closer) << describe(pair, bound);
+        }
       }
     }
   }

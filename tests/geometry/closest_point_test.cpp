@@ -26,11 +26,11 @@ Vector at(const Facet& facet, double s, double t) {
   return 0.25 * ((1 - s) * (1 - t) * x[0] + (1 + s) * (1 - t) * x[1] + (1 + s) * (1 + t) * x[2] + (1 - s) * (1 + t) * x[3]);
 }
 
-class Families : public testing::TestWithParam<Family> {};
-INSTANTIATE_TEST_SUITE_P(ClosestPoint, Families, testing::ValuesIn(all_families),
+class ClosestPointFamilies : public testing::TestWithParam<Family> {};
+INSTANTIATE_TEST_SUITE_P(Geometry, ClosestPointFamilies, testing::ValuesIn(all_families),
                          [](const auto& test) { return std::string(name(test.param)); });
 
-TEST_P(Families, DistanceAgreesWithTheReference) {
+TEST_P(ClosestPointFamilies, DistanceAgreesWithTheReference) {
   Maker maker(101);
   for (int i = 0; i < 12000; ++i) {
     const Pair pair = maker.make(GetParam());
@@ -52,7 +52,7 @@ TEST(ClosestPoint, FoldedQuadsAgreeWithTheBracket) {
   }
 }
 
-TEST_P(Families, TheFieldsBelongTogether) {
+TEST_P(ClosestPointFamilies, TheFieldsBelongTogether) {
   Maker maker(107);
   for (int i = 0; i < 5000; ++i) {
     const Pair pair = maker.make(GetParam());
@@ -79,7 +79,7 @@ TEST_P(Families, TheFieldsBelongTogether) {
   }
 }
 
-TEST_P(Families, CornerOrderTurnsOnlyWhatItMust) {
+TEST_P(ClosestPointFamilies, CornerOrderTurnsOnlyWhatItMust) {
   Maker maker(109);
   for (int i = 0; i < 3000; ++i) {
     const Pair pair = maker.make(GetParam());
@@ -118,7 +118,9 @@ TEST(ClosestPoint, FeaturesOfASquare) {
     const ClosestPoint found = closest_point(square, c.query);
     EXPECT_EQ(found.point, c.point);
     EXPECT_EQ(found.feature, c.feature);
-    if (c.feature != Feature::face) EXPECT_EQ(int{found.feature_index}, c.index);
+    if (c.feature != Feature::face) {
+      EXPECT_EQ(int{found.feature_index}, c.index);
+    }
     EXPECT_EQ(found.free_s, c.free_s);
     EXPECT_EQ(found.free_t, c.free_t);
     EXPECT_EQ(found.normal, Vector::UnitZ());
@@ -141,7 +143,9 @@ TEST(ClosestPoint, FeaturesOfATriangle) {
     const ClosestPoint found = closest_point(triangle, c.query);
     EXPECT_EQ(found.point, c.point);
     EXPECT_EQ(found.feature, c.feature);
-    if (c.feature != Feature::face) EXPECT_EQ(int{found.feature_index}, c.index);
+    if (c.feature != Feature::face) {
+      EXPECT_EQ(int{found.feature_index}, c.index);
+    }
     EXPECT_EQ(found.gap, c.query.z());
     EXPECT_LT((at(triangle, found.s, found.t) - c.point).norm(), 1e-15);
   }

@@ -33,11 +33,11 @@ bool closer(const Facet& facet, const Vector& query, double bound) {
   return fast;
 }
 
-class Families : public testing::TestWithParam<Family> {};
-INSTANTIATE_TEST_SUITE_P(Geometry, Families, testing::ValuesIn(all_families),
+class DecideFamilies : public testing::TestWithParam<Family> {};
+INSTANTIATE_TEST_SUITE_P(Geometry, DecideFamilies, testing::ValuesIn(all_families),
                          [](const auto& test) { return std::string(name(test.param)); });
 
-TEST_P(Families, EveryDecisionAgreesWithTheReference) {
+TEST_P(DecideFamilies, EveryDecisionAgreesWithTheReference) {
   Maker maker(17);
   std::size_t triangulated = 0, compared = 0, by_filter = 0;
   for (int i = 0; i < 12000; ++i) {
@@ -77,7 +77,7 @@ TEST(Decide, FoldedQuadsAgreeWithTheBracket) {
   }
 }
 
-TEST_P(Families, TheOrderOfTheCornersDoesNotMatter) {
+TEST_P(DecideFamilies, TheOrderOfTheCornersDoesNotMatter) {
   Maker maker(29);
   for (int i = 0; i < 1500; ++i) {
     const Pair pair = maker.make(GetParam());
@@ -94,7 +94,7 @@ TEST_P(Families, TheOrderOfTheCornersDoesNotMatter) {
   }
 }
 
-TEST_P(Families, QuarterTurnsAndPowersOfTwoDoNotMatter) {
+TEST_P(DecideFamilies, QuarterTurnsAndPowersOfTwoDoNotMatter) {
   Maker maker(31);
   const auto turned = [](const Vector& x) { return Vector(-x.y(), x.x(), x.z()); };
   for (int i = 0; i < 1500; ++i) {

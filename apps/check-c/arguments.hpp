@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "report/check_c_view.hpp"
+
+namespace gapcheck::check_c {
+
+/// What the command line asks for.
+struct Arguments {
+  report::CheckCOptions view;
+  bool top_given = false;  ///< exports are cut at -top only where it is given
+  std::vector<std::string> files, message_files;
+  std::string hsp, d3plot, deck;
+  bool ani = false, a4sel = false, key = false, medina = false;
+  std::int64_t medina_node = 9999999;
+  bool help = false, version = false, quiet = false, stats = false;
+  std::size_t jobs = 0;
+};
+
+/// Reads the arguments behind the program's name. Returns what is wrong with them; empty: nothing.
+[[nodiscard]] std::string parse(const std::vector<std::string>& words, Arguments& arguments);
+
+/// The usage text, made from the table of options that `parse` works with.
+[[nodiscard]] std::string usage();
+
+}  // namespace gapcheck::check_c

@@ -1,0 +1,104 @@
+#include "options.hpp"
+
+#include <CLI/Validators.hpp>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "base/number.hpp"
+#include "commands.hpp"
+#include "common/files.hpp"
+#include "output.hpp"
+
+namespace gapcheck::app {
+
+std::string check_amount(const std::string& text) {
+  double value = -1;
+  if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0) return "";
+  return "'" + text + "' is not a number of 0 or more";
+}
+
+std::string check_id(const std::string& text) {
+  return parse_integer(text) ? "" : "'" + text + "' is not a whole number";
+}
+
+void add_output(CLI::App& command, OutputOptions& options) {
+  const std::vector<CLI::Option*> added{
+      command.add_option("--format", options.format, "Of the results")
+          ->check(CLI::IsMember({"text", "json"}))
+          ->capture_default_str(),
+      command.add_option("--output", options.output, "Write the results there instead of to standard output")
+          ->type_name("FILE"),
+      command.add_option("--top", options.text.top, "Deepest nodes to show per contact")
+          ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
+          ->type_name("N")
+          ->capture_default_str(),
+      command.add_flag("--list", options.text.list, "Show every node and finding"),
+      command.add_option("--fail-on", options.fail_on, "Least severity that gives exit code 1")
+          ->check(CLI::IsMember({"error", "warning", "note", "never"}))
+          ->capture_default_str(),
+      command.add_flag("--stats", options.text.stats, "Show counters and times"),
+      command.add_flag("--quiet", options.text.quiet, "Only the last line, and no warnings")};
+  for (CLI::Option* option : added) option->group("Output");
+}
+
+bool write(const Report& report, const OutputOptions& options) {
+  Output output(options.output);
+  if (options.format == "json") {
+    report::json(report, [&output](std::string_view piece) { return output.write(piece); });
+    if (options.text.stats) std::fputs(report::statistics(report).c_str(), stderr);
+  } else {
+    report::TextOptions text = options.text;
+    text.color = output.color();
+    output.write(report::text(report, text));
+  }
+  return output.close();
+}
+
+int exit_code(const Report& report, const std::string& fail_on) {
+  const report::Totals totals = report::totals(report);
+  std::size_t counted = 0;
+  if (fail_on != "never") counted += totals.errors;
+  if (fail_on == "warning" || fail_on == "note") counted += totals.warnings;
+  if (fail_on == "note") counted += totals.notes;
+  return counted > 0 ? findings : clean;
+}
+
+void add_exports(CLI::App& command, ExportOptions& options) {
+  const std::vector<CLI::Option*> added{
+      command.add_option("--key", options.key, "Write a keyword file with one beam per penetration")->type_name("FILE"),
+      command.add_option("--ani", options.ani, "Write an Animator 3 session that shows the nodes")->type_name("FILE"),
+      command.add_option("--a4sel", options.a4sel, "Write an Animator 4 session with groups of the nodes")
+          ->type_name("FILE"),
+      command.add_option("--medina", options.medina, "Write a Medina protocol")->type_name("FILE"),
+      command.add_option("--mnode", options.medina_node, "First id of new nodes in the Medina protocol")
+          ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}).description(""))
+          ->type_name("N")
+          ->capture_default_str()};
+  for (CLI::Option* option : added) option->group("Files for post-processors");
+}
+
+bool write(const Report& report, const ExportOptions& options, const report::NodePosition& position) {
+  bool written = true;
+  const auto write = [&written](const std::string& path, const auto& text) {
+    if (path.empty()) return;
+    if (const auto error = write_file(path, text())) {
+      print(*error);
+      written = false;
+    }
+  };
+  write(options.key, [&] { return report::keyword_beams(report, position); });
+  write(options.ani, [&] { return report::animator_session(report, false); });
+  write(options.a4sel, [&] { return report::animator_session(report, true); });
+  write(options.medina, [&] { return report::medina_protocol(report, position, options.medina_node); });
+  return written;
+}
+
+void add_jobs(CLI::App& command, std::size_t& jobs) {
+  command.add_option("--jobs", jobs, "Threads; 0: as many as the machine has")
+      ->check(CLI::Range(0, 4096).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+}  // namespace gapcheck::app

@@ -1,0 +1,54 @@
+#pragma once
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "records/report.hpp"
+#include "report/exports.hpp"
+#include "report/writers.hpp"
+
+namespace gapcheck::app {
+
+// Options that several commands have, and what they do.
+
+/// A finite number that is not negative; CLI11's own ranges let NaN pass.
+[[nodiscard]] std::string check_amount(const std::string& text);
+
+/// CLI11 alone would take the largest number there is for ids beyond it.
+[[nodiscard]] std::string check_id(const std::string& text);
+
+/// An option that takes a list: commas, or the option again. Never more than one argument, or it would take the input.
+template <class Value>
+CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Value>& values, const std::string& text) {
+  return command.add_option(name, values, text)->delimiter(',')->take_all()->allow_extra_args(false);
+}
+
+/// How results are written.
+struct OutputOptions {
+  std::string format = "text", output, fail_on = "error";
+  report::TextOptions text;
+};
+void add_output(CLI::App& command, OutputOptions& options);
+
+/// Writes the report; false after a failure, which has been said.
+bool write(const Report& report, const OutputOptions& options);
+
+/// Clean or findings, as --fail-on has it.
+[[nodiscard]] int exit_code(const Report& report, const std::string& fail_on);
+
+/// Files for post-processors; empty names: not asked for.
+struct ExportOptions {
+  std::string key, ani, a4sel, medina;
+  std::int64_t medina_node = 9999999;
+};
+void add_exports(CLI::App& command, ExportOptions& options);
+
+/// Writes the files; false after a failure, which has been said.
+bool write(const Report& report, const ExportOptions& options, const report::NodePosition& position);
+
+void add_jobs(CLI::App& command, std::size_t& jobs);
+
+}  // namespace gapcheck::app
