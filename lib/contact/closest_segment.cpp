@@ -3,6 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -113,21 +114,32 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
 
 std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
                                   const std::function<bool(std::uint32_t, std::uint32_t)>& pair_allowed,
-                                  SweepCounters& counters) {
+                                  SweepCounters& counters, geometry::DecisionCounters& decisions) {
   double largest_half = 0;
   for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);
-  tbb::enumerable_thread_specific<std::vector<Hit>> found;
+  // Each thread has a tally of its own: shared counters would cost more than the decisions.
+  struct Mine {
+    std::vector<Hit> hits;
+    std::array<std::uint64_t, 4> stages{};
+  };
+  tbb::enumerable_thread_specific<Mine> found;
   for_each_candidate(
       scene, search, [&](std::uint32_t s) { return scene.reach(s, largest_half); }, counters,
       [&](std::uint32_t segment, std::span<const std::uint32_t> slots) {
-        std::vector<Hit>& mine = found.local();
+        Mine& mine = found.local();
         for (const std::uint32_t slot : slots) {
           const PairResult pair = decide_pair(scene, slot, segment);
-          if (pair.penetrates && pair_allowed(slot, segment)) mine.push_back({slot, segment, pair.distance, pair.in_band});
+          ++mine.stages[static_cast<std::size_t>(pair.stage)];
+          if (pair.penetrates && pair_allowed(slot, segment))
+            mine.hits.push_back({slot, segment, pair.distance, pair.in_band});
         }
       });
   std::vector<Hit> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  for (const Mine& mine : found) {
+    all.insert(all.end(), mine.hits.begin(), mine.hits.end());
+    for (std::size_t i = 0; i < mine.stages.size(); ++i)
+      geometry::count(decisions, static_cast<geometry::Stage>(i), mine.stages[i]);
+  }
   return best_hits(all, scene.nodes.size());
 }
 

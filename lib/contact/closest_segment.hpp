@@ -26,7 +26,7 @@ struct SweepCounters {
 /// `pair_allowed(slot, segment)` is asked only for pairs that penetrate; it may be called from any thread.
 [[nodiscard]] std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
                                                 const std::function<bool(std::uint32_t, std::uint32_t)>& pair_allowed,
-                                                SweepCounters& counters);
+                                                SweepCounters& counters, geometry::DecisionCounters& decisions);
 
 /// Calls visit(slot, segment) for all pairs whose node lies within `reach(segment)` of the segment's box; concurrently.
 void for_each_candidate(const PairScene& scene, const CandidateSearch& search,

@@ -87,7 +87,7 @@ class Initialiser {
 
   void tie(std::uint32_t c, const ContactType& type) {
     const Stopwatch watch(counters_.search_s);
-    const std::uint64_t tied = apply_ties(model_, model_.contacts[c], type, *search_, counters_.decisions, state_.x, ties_);
+    const std::uint64_t tied = apply_ties(model_, model_.contacts[c], type, *search_, state_.x, ties_);
     state_.contacts[c].ties = tied;
     counters_.tied_nodes += tied;
   }
@@ -181,7 +181,7 @@ class Initialiser {
       depths = solid_depths(segments);
     }
     PairScene scene{model_, contact,     type, s, state_.x, segments, nodes, *neighbours, std::move(depths), {},
-                    options_.tolerance, options_.mode, counters_.decisions};
+                    options_.tolerance, options_.mode};
     std::unordered_set<std::int64_t> listed;
     for (std::size_t i = first_record; i < state_.penetrations.size(); ++i) listed.insert(state_.penetrations[i].node);
     std::vector<Hit> hits;
@@ -198,7 +198,7 @@ class Initialiser {
         if (ties_.size() > 0 && ties_.tied(node, part)) return ++tied, false;
         return true;
       };
-      hits = closest_segments(scene, *search_, allowed, counters_.sweep);
+      hits = closest_segments(scene, *search_, allowed, counters_.sweep, counters_.decisions);
       counters_.tied_pairs += tied;
       counters_.excluded_pairs += excluded;
     }

@@ -119,12 +119,16 @@ PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t
       scene.tolerance >= 0 ? scene.tolerance : default_tolerance(h, largest_coordinate(facet, q));
   PairResult result = measure(scene, s, facet, q);
   if (scene.line(s)) {
-    result.penetrates = geometry::closer_than(facet.x[0], facet.x[1], q, h - tolerance, scene.mode, scene.counters);
+    geometry::DecisionCounters once;
+    result.penetrates = geometry::closer_than(facet.x[0], facet.x[1], q, h - tolerance, scene.mode, once);
+    if (once.exact > 0) result.stage = geometry::Stage::exact;
     return result;
   }
   if (scene.beyond_square_edge(s, result.closest)) return result;
   const auto closer = [&](double bound) {
-    return geometry::closer_than(facet, q, bound, scene.mode, scene.counters, &result.closest);
+    const geometry::Decision decision = geometry::decide(facet, q, bound, scene.mode, &result.closest);
+    result.stage = decision.stage;
+    return decision.closer;
   };
   const bool behind = std::signbit(result.distance);
   if (!behind)

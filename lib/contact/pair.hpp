@@ -24,7 +24,6 @@ struct PairScene {
   std::vector<bool> flipped;     ///< by segment: oriented against its node order; empty: none
   double tolerance = -1;         ///< replaces the default tolerance; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
-  geometry::DecisionCounters& counters;
 
   /// Corners of the reference surface, mid-surface offsets included.
   [[nodiscard]] geometry::Facet facet(std::uint32_t segment) const;
@@ -53,6 +52,7 @@ struct PairResult {
   bool in_band = false;     ///< the projection counts for this segment
   double distance = 0;      ///< from the reference surface, negative behind an oriented segment
   geometry::ClosestPoint closest;
+  geometry::Stage stage = geometry::Stage::filter;  ///< which stage decided
 };
 
 /// Where a tracked node lies to a segment, in double precision; `penetrates` is left open.

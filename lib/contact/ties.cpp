@@ -47,7 +47,7 @@ bool Ties::tied(NodeIndex node, PartIndex part) const {
 }
 
 std::uint64_t apply_ties(const model::Model& model, const model::Contact& contact, const ContactType& type,
-                         const CandidateSearch& search, geometry::DecisionCounters& counters, std::vector<Vector>& x,
+                         const CandidateSearch& search, std::vector<Vector>& x,
                          Ties& ties) {
   // Ties measure from the mid-surface with the true thickness, whatever SHLTHK says.
   const ContactSettings all_thickness{.shlthk = 2};
@@ -59,8 +59,7 @@ std::uint64_t apply_ties(const model::Model& model, const model::Contact& contac
   const TrackedNodes nodes =
       tracked_nodes(a, model, thickness_side(contact, all_thickness, model.controls, false), x);
   const Neighbours neighbours(b.segments, model.mesh);
-  PairScene scene{model, contact, type, all_thickness, x, b.segments, nodes, neighbours, {}, {}, -1,
-                  geometry::Mode::filtered, counters};
+  PairScene scene{model, contact, type, all_thickness, x, b.segments, nodes, neighbours, {}, {}};
   const bool negative = contact.sst < 0 || contact.mst < 0;
   const double parmax = contact.parmax > 0 ? contact.parmax : contact.maxpar > 0 ? contact.maxpar : default_parmax;
   double largest_half = 0;

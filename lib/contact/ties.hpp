@@ -31,7 +31,6 @@ class Ties {
 /// earlier contact has tied stays with it. Constraint types without offset (2, 6, 7) also move the node onto the segment.
 /// Returns the number of nodes tied.
 std::uint64_t apply_ties(const model::Model& model, const model::Contact& contact, const ContactType& type,
-                         const CandidateSearch& search, geometry::DecisionCounters& counters, std::vector<Vector>& x,
-                         Ties& ties);
+                         const CandidateSearch& search, std::vector<Vector>& x, Ties& ties);
 
 }  // namespace gapcheck::contact

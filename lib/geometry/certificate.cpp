@@ -65,7 +65,8 @@ bool is_nearest(const Corners& e, const Patch& patch, double s, double t) {
   const double size = size_of(e);
   const Vector w = blend(e, weights(s, t));
   const double square = w.squaredNorm(), slack = 64 * roundoff * size * std::sqrt(square);
-  if (std::all_of(e.begin(), e.end(), [&](const Vector& corner) { return w.dot(corner) >= square - slack; })) return true;
+  if (std::all_of(e.begin(), e.end(), [&](const Vector& corner) { return w.dot(corner) >= square - slack; }))
+    return true;
   return largest_drop(patch, s, t, w, size) <= 1e-13 * square + 1e-26 * size * size;
 }
 

@@ -28,17 +28,20 @@ Vector patch_normal(const Patch& patch, double s, double t) {
   return direction(patch.a.cross(patch.b), patch.a.squaredNorm() * patch.b.squaredNorm());
 }
 
+/// The answer for numbers that are not finite.
+ClosestPoint nowhere() {
+  ClosestPoint out;
+  out.squared_distance = std::numeric_limits<double>::infinity();
+  out.in_band = false;
+  return out;
+}
+
 }  // namespace
 
 ClosestPoint closest_point(const Facet& facet, const Vector& query, double band) {
-  ClosestPoint out;
   View seen{seen_from(facet, query), 1};
   if (!usable(size_of(seen.corners))) {
-    if (!all_finite(facet, query)) {
-      out.squared_distance = std::numeric_limits<double>::infinity();
-      out.in_band = false;
-      return out;
-    }
+    if (!all_finite(facet, query)) return nowhere();
     seen = scaled_view(facet, query);
   }
   const Corners& e = seen.corners;
@@ -49,6 +52,8 @@ ClosestPoint closest_point(const Facet& facet, const Vector& query, double band)
 
   const Weights w = weights(at.s, at.t);
   const Vector offset = blend(e, w);
+  if (offset.hasNaN()) return nowhere();
+  ClosestPoint out;
   out.squared_distance = scale == 1 ? offset.squaredNorm() : (offset / scale).squaredNorm();
   out.point = at.feature == Feature::corner ? facet.x[at.index] : blend(facet.x, w);
   out.s = at.s;
@@ -77,7 +82,8 @@ LineClosest closest_point_on_line(const Vector& a, const Vector& b, const Vector
   } else {
     out.point = a + ratio * along;
   }
-  out.squared_distance = (ratio > 0 && ratio < 1 ? Vector(from_a - ratio * along) : Vector(query - out.point)).squaredNorm();
+  out.squared_distance =
+      (ratio > 0 && ratio < 1 ? Vector(from_a - ratio * along) : Vector(query - out.point)).squaredNorm();
   return out;
 }
 

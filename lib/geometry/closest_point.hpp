@@ -20,8 +20,8 @@ struct Facet {
 struct ClosestPoint {
   Vector point = Vector::Zero();
   double squared_distance = 0;
-  double s = 0, t = 0;              ///< of `point`; in [-1, 1]
-  double free_s = 0, free_t = 0;    ///< of the projection on the patch continued beyond its edges; equal s, t on the face
+  double s = 0, t = 0;            ///< of `point`; in [-1, 1]
+  double free_s = 0, free_t = 0;  ///< of the projection on the patch continued beyond its edges; equal s, t on the face
   Feature feature = Feature::face;
   std::uint8_t feature_index = 0;   ///< edge i joins corners i and i+1; corner i
   Vector normal = Vector::UnitZ();  ///< unit normal of the patch at `point`; zero for a facet without area
@@ -31,7 +31,10 @@ struct ClosestPoint {
 
 /// How far beyond the facet a projection still counts: |s|, |t| <= 1 + band on quads (0.5: the solver's rule); on
 /// triangles every barycentric coordinate >= -band / 2. Points on the face are always in the band. The comparison is
-/// made on the double result, inclusive, with a relative slack of 1e-9.
+/// made on the double result, inclusive, with a relative slack of 1e-9. Where a warped quad has no such projection near
+/// its own, the projection by its mean plane counts; a facet without area is always in the band. Coordinates that are
+/// not finite give an infinite distance out of the band; finite ones give finite results as far as the squared distance
+/// itself does not overflow. Never allocates.
 [[nodiscard]] ClosestPoint closest_point(const Facet& facet, const Vector& query, double band = 0.5);
 
 /// Closest point of the straight line between two points.

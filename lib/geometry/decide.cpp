@@ -49,8 +49,8 @@ std::array<Piece, 2> halves(const Piece& piece, const Patch& patch) {
 
 bool too_small(const Piece& piece) { return !(piece.s0 < piece.s1 && piece.t0 < piece.t1); }
 
-/// Proves a patch piece by piece: pieces that stay open are halved. Returns `closer` as soon as one piece is, `apart` if
-/// all are; otherwise `open`. `prove(piece, corners)` gives the verdict on one piece; its `tied` ends the search.
+/// Proves a patch piece by piece: pieces that stay open are halved. Returns `closer` as soon as one piece is, `apart`
+/// if all are; otherwise `open`. `prove(piece, corners)` gives the verdict on one piece; its `tied` ends the search.
 template <class Prove>
 Verdict subdivide(const Corners& e, Limits limits, const Prove& prove) {
   struct Task {
@@ -129,6 +129,7 @@ void count(DecisionCounters& counters, Stage stage, std::uint64_t times) {
                                               : stage == Stage::exact    ? &counters.exact
                                                                          : &counters.triangulated;
   counter->fetch_add(times, std::memory_order_relaxed);
+  if (stage == Stage::triangulated) counters.exact.fetch_add(times, std::memory_order_relaxed);
 }
 
 Decision decide(const Facet& facet, const Vector& query, double bound, Mode mode, const ClosestPoint* hint) {
@@ -154,7 +155,6 @@ bool closer_than(const Facet& facet, const Vector& query, double bound, Mode mod
                  const ClosestPoint* hint) {
   const Decision decision = decide(facet, query, bound, mode, hint);
   count(counters, decision.stage);
-  if (decision.stage == Stage::triangulated) count(counters, Stage::exact);
   return decision.closer;
 }
 

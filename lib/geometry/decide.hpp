@@ -8,10 +8,10 @@ namespace gapcheck::geometry {
 
 /// How the decisions of one run were reached. Counters may be raised from any thread.
 struct DecisionCounters {
-  std::atomic<std::uint64_t> filter{0};         ///< floating-point filter with a proven error bound
-  std::atomic<std::uint64_t> interval{0};       ///< interval arithmetic, patch enclosure
-  std::atomic<std::uint64_t> exact{0};          ///< CGAL's exact numbers
-  std::atomic<std::uint64_t> triangulated{0};   ///< of these: warped quads decided on their documented triangulation
+  std::atomic<std::uint64_t> filter{0};        ///< floating-point filter with a proven error bound
+  std::atomic<std::uint64_t> interval{0};      ///< interval arithmetic, patch enclosure
+  std::atomic<std::uint64_t> exact{0};         ///< CGAL's exact numbers
+  std::atomic<std::uint64_t> triangulated{0};  ///< of these: warped quads decided on their documented triangulation
 };
 
 enum class Mode : std::uint8_t { filtered, exact };
@@ -24,7 +24,7 @@ struct Decision {
   Stage stage = Stage::filter;
 };
 
-/// Raises the counter of a stage.
+/// Raises the counter of a stage; `triangulated` ones count as exact too.
 void count(DecisionCounters& counters, Stage stage, std::uint64_t times = 1);
 
 /// closer_than() without counters, for loops that keep a tally of their own.
@@ -43,7 +43,8 @@ void count(DecisionCounters& counters, Stage stage, std::uint64_t times = 1);
                                DecisionCounters& counters);
 
 /// Sign of the side of the plane through a, b, c on which the query lies (orientation determinant): exact. 1 on the
-/// side to which the normal (b - a) x (c - a) points, -1 on the other, 0 on the plane or for numbers that are not finite.
+/// side to which the normal (b - a) x (c - a) points, -1 on the other, 0 on the plane or for numbers that are not
+/// finite.
 [[nodiscard]] int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode,
                                 DecisionCounters& counters);
 

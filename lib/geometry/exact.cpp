@@ -148,8 +148,7 @@ bool PatchPoint::improve() {
 bool PatchPoint::drop_stays_above(const Number& bound) const {
   const Number two(2), aa = square(a), ac = dot(a, c), cc = square(c), tt = square(along_t), turn = dot(c, along_t);
   const Number mixed = dot(a, along_t) + dot(w, c);
-  const Number least =
-      least_on_range(tt * aa - mixed * mixed, two * (tt * ac - mixed * turn), tt * cc - turn * turn);
+  const Number least = least_on_range(tt * aa - mixed * mixed, two * (tt * ac - mixed * turn), tt * cc - turn * turn);
   if (sign(least) <= 0) return false;
   const Number gs = s.usable_slope(), gt = t.usable_slope();
   return (square(w) - bound) * least >= two * (tt * gs * gs + (aa + two * amount(ac) + cc) * gt * gt);

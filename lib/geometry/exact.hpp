@@ -6,7 +6,8 @@
 namespace gapcheck::geometry::exact {
 
 [[nodiscard]] bool segment_closer(const Vector& a, const Vector& b, const Vector& query, double bound);
-[[nodiscard]] bool triangle_closer(const Vector& a, const Vector& b, const Vector& c, const Vector& query, double bound);
+[[nodiscard]] bool triangle_closer(const Vector& a, const Vector& b, const Vector& c, const Vector& query,
+                                   double bound);
 /// The four triangles between the edges and the mean of the corners.
 [[nodiscard]] bool fan_closer(const Facet& facet, const Vector& query, double bound);
 /// A quad whose corners lie in one plane and turn one way (or all on a line): the patch is their convex hull.
@@ -16,8 +17,8 @@ namespace gapcheck::geometry::exact {
 struct Piece {
   double s0 = 0, s1 = 1, t0 = 0, t1 = 1;
 };
-[[nodiscard]] Verdict piece_verdict(const Facet& facet, const Vector& query, double bound, const Piece& piece,
-                                    double s, double t);
+[[nodiscard]] Verdict piece_verdict(const Facet& facet, const Vector& query, double bound, const Piece& piece, double s,
+                                    double t);
 /// Sign of the determinant |a - d, b - d, c - d|.
 [[nodiscard]] int orientation(const Vector& a, const Vector& b, const Vector& c, const Vector& d);
 

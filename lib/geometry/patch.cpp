@@ -72,7 +72,7 @@ Projection refine(const Patch& p, double s, double t) {
 
 /// The origin's projection on the continued patch. Starts with the closed form on the mean plane (spanned by a and b),
 /// which is exact for flat patches. Not valid if the patch has no area.
-Projection free_projection(const Patch& p, bool quick) {
+Projection project(const Patch& p, bool quick) {
   const Vector n = p.a.cross(p.b);
   const double nn = n.squaredNorm(), aa = p.a.squaredNorm(), bb = p.b.squaredNorm();
   if (!(nn > 1e-30 * aa * bb)) return {0, 0, false};
@@ -95,6 +95,14 @@ Projection free_projection(const Patch& p, bool quick) {
   if (warp * (warp + height) <= 1e-15 * nn * std::min(aa, bb)) return {s, t, true};
   if (const Projection better = refine(p, s, t); better.valid) return better;
   return {s, t, true};
+}
+
+/// The same with parameters that can be worked with: of a facet that is all but flat to a line they may be anything.
+Projection free_projection(const Patch& p, bool quick) {
+  constexpr double limit = 1e9;
+  const Projection at = project(p, quick);
+  if (!std::isfinite(at.s) || !std::isfinite(at.t)) return {0, 0, false};
+  return {std::clamp(at.s, -limit, limit), std::clamp(at.t, -limit, limit), at.valid};
 }
 
 /// The parameter s of the point nearest to the origin on the line of constant t.
@@ -128,6 +136,10 @@ Location locate_on_triangle(const Corners& e) {
   }
   const double l1 = -n.dot(e[0].cross(v)) / nn, l2 = -n.dot(u.cross(e[0])) / nn, l0 = 1 - l1 - l2;
   const double base = l0 + l1;
+  if (!std::isfinite(base)) {
+    visit(true, true, true);
+    return out;
+  }
   out.free_s = std::abs(base) > 1e-12 ? (l1 - l0) / base : 0;
   out.free_t = 2 * l2 - 1;
   out.beyond = -2 * std::min({l0, l1, l2});

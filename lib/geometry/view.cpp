@@ -28,7 +28,8 @@ View scaled_view(const Facet& facet, const Vector& query) {
 }
 
 bool all_finite(const Facet& facet, const Vector& query) {
-  return query.allFinite() && std::all_of(facet.x.begin(), facet.x.end(), [](const Vector& x) { return x.allFinite(); });
+  return query.allFinite() &&
+         std::all_of(facet.x.begin(), facet.x.end(), [](const Vector& x) { return x.allFinite(); });
 }
 
 }  // namespace gapcheck::geometry

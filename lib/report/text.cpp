@@ -199,8 +199,8 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   if (contact.not_checked.empty() || !records.empty())
     out += "  " + size_of(report, contact) + result_line(sum, unlisted_penetrations(contact), paint) + '\n';
   if (report.run) append_surface_timesteps(*report.run, position, out);
-  if (contact.ties + contact.untied > 0)
-    out += fmt::format("  {}, {} untied\n", count(contact.ties, "tie"), contact.untied);
+  if (contact.ties > 0) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
+  if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));
   if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';
   append_nodes(records, false, sum.penetrations(), "penetrating nodes", options, out);
   if (!sum.pairs.empty()) append_pairs(sum.pairs, options, out);
@@ -289,7 +289,7 @@ Totals totals(const Report& report) {
   for (const TieFailure& failure : report.tie_failures) add(rule_of(failure.reason).severity);
   for (const Finding& finding : report.findings) add(finding.severity);
   for (const ContactSummary& contact : report.contacts) sum.warnings += unlisted_penetrations(contact);
-  if (report.run) sum.warnings += report.run->rigidwalls.size();
+  sum.warnings += run_warnings(report);
   return sum;
 }
 
