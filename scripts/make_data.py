@@ -7,6 +7,8 @@ import pathlib
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True  # keeps the source tree clean
+
 from data_decks import edges, plates, solids, thickness
 
 

@@ -115,7 +115,7 @@ const std::array options{
            }},
     Option{"-ptol", "##", "list and output only penetrations and separations > ##",
            [](Arguments& a, const Value& v) { return set_amount(v, a.view.ptol); }},
-    Option{"-sid", "#,#,…", "only interfaces #, #, …",
+    Option{"-sid", "#,#,#", "only interfaces #, #, #",
            [](Arguments& a, const Value& v) { return set_ids(v, a.view.sid); }},
     Option{"-bucket", "", "print how the penetrations of each interface are spread",
            view_flag<&report::CheckCOptions::bucket>},
@@ -185,7 +185,7 @@ std::size_t width(std::string_view text) {
 
 /// The help's lines, all beginning in the same column.
 void append_help(const Option& option, std::string& out) {
-  constexpr std::size_t column = 19;
+  constexpr std::size_t column = 20;
   std::string left = "  " + std::string(option.name);
   if (!option.value.empty()) left += ' ' + std::string(option.value);
   std::string_view rest = option.help;

@@ -1,5 +1,6 @@
 #include "options.hpp"
 
+#include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <cmath>
 #include <cstdio>

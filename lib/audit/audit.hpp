@@ -13,7 +13,7 @@ struct AuditOptions {
   keyword::ReadOptions read;
   std::vector<std::string> select, ignore;  ///< rule ids, names or prefixes; empty select = all
   std::vector<std::int64_t> contacts;       ///< --contact; empty = all
-  std::vector<std::int64_t> parts;          ///< --part: only findings of nodes of these parts; empty = all
+  std::vector<std::int64_t> parts;          ///< --part: only nodes or segments of these parts; empty = all
   double ptol = -1;     ///< --ptol: replaces the default tolerance; negative = not given
   double rtol = -1;     ///< --rtol: only findings with a remaining distance below it; negative = not given
   double ratio = -1;    ///< --ratio: only findings with depth / contact distance above it; negative = not given

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include "base/parallel.hpp"
 
@@ -55,6 +56,28 @@ std::vector<Hit> best_hits(const std::vector<Hit>& all, std::size_t slots) {
   for (const Nearest& n : nearest)
     if (n.hit != nothing) chosen.push_back(all[n.hit]);
   return chosen;
+}
+
+/// A node lies inside a body only if it is behind the body's nearest facet: behind a farther one also lies what is outside
+/// on another side. Takes out hits behind a facet that is not the nearest of its part; `measured` are the pairs with
+/// oriented facets that are no hits.
+void keep_nearest_facets(std::vector<Hit>& hits, const std::vector<Hit>& measured, const PairScene& scene) {
+  const auto behind = [](const Hit& hit) { return std::signbit(hit.distance); };
+  if (std::none_of(hits.begin(), hits.end(), behind)) return;
+  const auto key = [&](const Hit& hit) {
+    return std::uint64_t{hit.slot} << 32 | part_of(scene.model.mesh, scene.segments, hit.segment).value;
+  };
+  std::unordered_map<std::uint64_t, double> nearest;
+  const auto offer = [&](const Hit& hit) {
+    double& distance = nearest.try_emplace(key(hit), std::abs(hit.distance)).first->second;
+    distance = std::min(distance, std::abs(hit.distance));
+  };
+  for (const Hit& hit : measured) offer(hit);
+  for (const Hit& hit : hits)
+    if (scene.oriented(hit.segment)) offer(hit);
+  std::erase_if(hits, [&](const Hit& hit) {
+    return behind(hit) && std::abs(hit.distance) > nearest.at(key(hit)) * (1 + equally_near);
+  });
 }
 
 }  // namespace
@@ -119,7 +142,7 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
   for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);
   // Each thread has a tally of its own: shared counters would cost more than the decisions.
   struct Mine {
-    std::vector<Hit> hits;
+    std::vector<Hit> hits, measured;
     std::array<std::uint64_t, 4> stages{};
   };
   tbb::enumerable_thread_specific<Mine> found;
@@ -130,16 +153,19 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
         for (const std::uint32_t slot : slots) {
           const PairResult pair = decide_pair(scene, slot, segment);
           ++mine.stages[static_cast<std::size_t>(pair.stage)];
-          if (pair.penetrates && pair_allowed(slot, segment))
-            mine.hits.push_back({slot, segment, pair.distance, pair.in_band});
+          if (!pair.penetrates && !scene.oriented(segment)) continue;
+          if (pair_allowed(slot, segment))
+            (pair.penetrates ? mine.hits : mine.measured).push_back({slot, segment, pair.distance, pair.in_band});
         }
       });
-  std::vector<Hit> all;
+  std::vector<Hit> all, measured;
   for (const Mine& mine : found) {
     all.insert(all.end(), mine.hits.begin(), mine.hits.end());
+    measured.insert(measured.end(), mine.measured.begin(), mine.measured.end());
     for (std::size_t i = 0; i < mine.stages.size(); ++i)
       geometry::count(decisions, static_cast<geometry::Stage>(i), mine.stages[i]);
   }
+  keep_nearest_facets(all, measured, scene);
   return best_hits(all, scene.nodes.size());
 }
 

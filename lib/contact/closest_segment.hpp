@@ -23,7 +23,7 @@ struct SweepCounters {
 
 /// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node, ascending by
 /// slot: in-band hits go before others, then the smallest distance; of segments equally near (relative 1e-9) the first.
-/// `pair_allowed(slot, segment)` is asked only for pairs that penetrate; it may be called from any thread.
+/// `pair_allowed(slot, segment)` is asked only for pairs that penetrate or have an oriented segment; from any thread.
 [[nodiscard]] std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
                                                 const std::function<bool(std::uint32_t, std::uint32_t)>& pair_allowed,
                                                 SweepCounters& counters, geometry::DecisionCounters& decisions);

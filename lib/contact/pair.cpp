@@ -133,7 +133,7 @@ PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t
   const bool behind = std::signbit(result.distance);
   if (!behind)
     result.penetrates = closer(h - tolerance);
-  else if (-result.distance <= scene.behind(s))  // p = h + distance, as deep as the material goes
+  else if (result.in_band && -result.distance <= scene.behind(s))  // p = h + distance, as deep as the material goes
     result.penetrates = h > tolerance || !closer(tolerance - h);
   return result;
 }

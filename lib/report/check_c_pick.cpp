@@ -17,6 +17,9 @@ constexpr std::array<std::string_view, 20> selections{
     "soft2",    "inter",   "war",     "first",    "last",    // SOFT = 2
 };
 
+/// What the table of message kinds calls the element intersections of contacts with SOFT = 2.
+constexpr std::string_view intersection = "soft2-intersection";
+
 /// Nodes too deep for contact are one kind of record; the words mid, del and below all pick it.
 bool selects(std::string_view sel, const Penetration& record) {
   if (sel.empty() || sel == "typ13") return true;
@@ -31,8 +34,8 @@ bool selects(std::string_view sel, const TieFailure& failure) {
 
 bool selects(std::string_view sel, const SolverMessage& message) {
   if (sel.empty()) return true;
-  const bool wanted = sel == "soft2" || sel == "inter" || sel == "war" || sel == "first" || sel == "last";
-  return wanted && message.kind.starts_with(sel == "inter" ? "soft2-inter" : "soft2");
+  if (sel == "soft2" || sel == "war") return message.kind.starts_with("soft2");
+  return (sel == "inter" || sel == "first" || sel == "last") && message.kind == intersection;
 }
 
 bool picks(const Report& report, const CheckCOptions& options, const Penetration& record) {
@@ -146,7 +149,15 @@ Report pick(Report picked, const CheckCOptions& options) {
 std::uint64_t warning_count(const Report& report) {
   std::uint64_t count = report.penetrations.size() + report.tie_failures.size();
   for (const ContactSummary& contact : report.contacts) count += unlisted_penetrations(contact);
-  return count + (report.run ? report.run->rigidwalls.size() : 0);
+  return count + run_warnings(report);
+}
+
+std::uint64_t run_warnings(const Report& report) {
+  if (!report.run) return 0;
+  std::uint64_t count = report.run->rigidwalls.size();
+  for (const SolverMessage& message : report.run->messages)
+    if (message.kind == intersection) count += message.count;
+  return count;
 }
 
 }  // namespace gapcheck::report

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -53,7 +54,8 @@ std::vector<const Penetration*> in_view_order(const Report& report, std::span<co
   for (const Penetration& record : records) order.push_back(&record);
   const auto key = [&](const Penetration* p) {
     const bool unknown = rsort && !knows_remaining(report, *p);
-    return std::tuple(unknown, rsort && !unknown ? p->remaining() : -p->depth, p->node);
+    const double amount = rsort && !unknown ? p->remaining() : -p->depth;
+    return std::tuple(unknown, std::isnan(amount) ? 0 : amount, p->node);  // NaN has no place in an order
   };
   std::stable_sort(order.begin(), order.end(), [&](const auto* a, const auto* b) { return key(a) < key(b); });
   return order;
@@ -64,7 +66,7 @@ std::vector<const TieFailure*> in_view_order(std::span<const TieFailure> failure
   for (const TieFailure& failure : failures)
     if (failure.reason == reason) order.push_back(&failure);
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) {
-    return std::tuple(-a->distance, a->node) < std::tuple(-b->distance, b->node);
+    return std::tuple(b->distance, a->node) < std::tuple(a->distance, b->node);
   });
   return order;
 }
@@ -80,7 +82,7 @@ std::array<std::size_t, bucket_count> buckets(std::span<const double> values, do
   std::array<std::size_t, bucket_count> counts{};
   for (const double value : values) {
     const double tenth = largest > 0 ? value / largest * bucket_count : 0;
-    ++counts[static_cast<std::size_t>(std::clamp(tenth, 0.0, double{bucket_count - 1}))];
+    ++counts[tenth > 0 ? static_cast<std::size_t>(std::min(tenth, double{bucket_count - 1})) : 0];
   }
   return counts;
 }

@@ -82,8 +82,8 @@ void append_interface(const Report& report, std::uint32_t position, const CheckC
   const bool warned = !records.empty() || !ties.empty() || unlisted > 0;
   if (!warned && !options.all) return;
   out += '\n' + heading(contact, options);
-  if (!warned) out += "  no warnings\n";
   if (options.timestep && report.run) append_surface_timesteps(*report.run, position, out);
+  if (!warned) out += "  no warnings\n";
   const auto order = in_view_order(report, records, options.rsort);
   append_kind(report, order, PenetrationKind::initial, "pen", options, out);
   append_kind(report, order, PenetrationKind::released, "below, too deep for contact", options, out);
@@ -134,7 +134,7 @@ std::string check_c_text(const Report& picked, const CheckCOptions& options) {
   for (std::uint32_t i = 0; i < picked.contacts.size(); ++i) append_interface(picked, i, options, out);
   if (picked.run) {
     append_rigidwalls(*picked.run, options.list ? picked.run->rigidwalls.size() : options.top, out);
-    append_messages(picked, options.list, out);
+    append_messages(picked, options.list, "-list", out);
     if (options.timestep) append_timestep_limits(*picked.run, out);
   }
   append_total(picked, out);

@@ -31,8 +31,11 @@ struct CheckCOptions {
 /// Only the first `top` records of each interface, as the view shows them (-rsort).
 [[nodiscard]] Report top_only(const Report& picked, const CheckCOptions& options);
 
-/// How many nodes (and rigid walls' nodes) the report warns of; nodes that a file counts without listing them included.
+/// How many nodes the report warns of, those included that a file counts without listing them, and run_warnings.
 [[nodiscard]] std::uint64_t warning_count(const Report& report);
+
+/// Nodes inside rigid walls, and intersections of elements in contacts with SOFT = 2.
+[[nodiscard]] std::uint64_t run_warnings(const Report& report);
 
 /// Initial penetrations that the files count beyond those they list.
 [[nodiscard]] std::uint64_t unlisted_penetrations(const ContactSummary& contact);

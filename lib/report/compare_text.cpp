@@ -92,7 +92,10 @@ std::string comparison_text(const Comparison& comparison, const Report& first, c
   }
   const auto open = std::count_if(comparison.contacts.begin(), comparison.contacts.end(),
                                   [](const ContactComparison& c) { return c.not_checked; });
+  std::uint64_t agree = 0;
+  for (const ContactComparison& contact : comparison.contacts) agree += contact.agree;
   out += comparison.equal() ? "\nno differences" : "\nthe two differ";
+  out += fmt::format(", {} node{} agree{}", agree, agree == 1 ? "" : "s", agree == 1 ? "s" : "");
   if (open > 0) out += fmt::format(", {} contact{} not compared", open, open == 1 ? "" : "s");
   return out + '\n';
 }

@@ -147,7 +147,7 @@ std::string contact_title(const ContactSummary& contact, const Paint& paint) {
   std::string line = paint.bold(fmt::format("contact {}", contact.id));
   if (!contact.title.empty()) line += fmt::format(" \"{}\"", printable(contact.title));
   if (!contact.type.empty()) line += fmt::format("  type {}", printable(contact.type));
-  line += "  " + printable(contact.keyword);
+  if (!contact.keyword.empty()) line += "  " + printable(contact.keyword);
   if (!contact.file.empty()) line += "  " + printable(contact.file);
   if (!contact.file.empty() && contact.line != 0) line += fmt::format(":{}", contact.line);
   return line + '\n';
@@ -169,10 +169,18 @@ std::string result_line(const Sums& sum, std::uint64_t unlisted, const Paint& pa
   return line;
 }
 
-/// "50 tracked nodes, 32 segments: "; nothing where solver files do not say it.
+/// "50 tracked nodes, 32 segments: "; what solver files do not say is left out.
 std::string size_of(const Report& report, const ContactSummary& contact) {
-  if (report.source != "deck" && contact.tracked_nodes + contact.segments == 0) return "";
-  return count(contact.tracked_nodes, "tracked node") + ", " + count(contact.segments, "segment") + ": ";
+  const bool deck = report.source == "deck";
+  std::string text;
+  if (deck || contact.tracked_nodes != 0) text = count(contact.tracked_nodes, "tracked node");
+  if (deck || contact.segments != 0) text += (text.empty() ? "" : ", ") + count(contact.segments, "segment");
+  return text.empty() ? text : text + ": ";
+}
+
+/// Nobody knows which parts these are.
+bool unknown(const std::vector<PartPair>& pairs) {
+  return std::all_of(pairs.begin(), pairs.end(), [](const PartPair& p) { return p.part == 0 && p.element_part == 0; });
 }
 
 /// One table per reason for which nodes of a tied contact need a look.
@@ -196,16 +204,18 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   const auto records = records_of(report, position);
   Sums sum = sums(records);
   out += '\n' + contact_title(contact, paint);
-  if (contact.not_checked.empty() || !records.empty())
-    out += "  " + size_of(report, contact) + result_line(sum, unlisted_penetrations(contact), paint) + '\n';
+  const auto ties = ties_of(report, position);
+  const std::uint64_t unlisted = unlisted_penetrations(contact);
+  if (!records.empty() || unlisted > 0 || (contact.not_checked.empty() && ties.empty()))
+    out += "  " + size_of(report, contact) + result_line(sum, unlisted, paint) + '\n';
   if (report.run) append_surface_timesteps(*report.run, position, out);
   if (contact.ties > 0) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
   if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));
   if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';
   append_nodes(records, false, sum.penetrations(), "penetrating nodes", options, out);
-  if (!sum.pairs.empty()) append_pairs(sum.pairs, options, out);
+  if (report.source == "deck" ? !sum.pairs.empty() : !unknown(sum.pairs)) append_pairs(sum.pairs, options, out);
   append_nodes(records, true, sum.edge_zone, "nodes in the edge zone", options, out);
-  append_tie_sections(ties_of(report, position), options, paint, out);
+  append_tie_sections(ties, options, paint, out);
   return sum;
 }
 
@@ -329,7 +339,7 @@ std::string text(const Report& report, const TextOptions& options) {
   append_findings(report.findings, options, paint, out);
   if (report.run) {
     append_rigidwalls(*report.run, options.list ? report.run->rigidwalls.size() : options.top, out);
-    append_messages(report, options.list, out);
+    append_messages(report, options.list, "--list", out);
     append_timestep_limits(*report.run, out);
   }
   if (report.contacts.size() > 1) append_total(total, out);

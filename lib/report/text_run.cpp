@@ -24,12 +24,12 @@ std::string place(const Report& report, const SolverMessage& message) {
   return fmt::format("  {}:{}", printable(report.files[message.file]), message.line);
 }
 
-/// "Warning 60303 (IMP)".
+/// "Warning 60303 (IMP), implicit-gap-flag".
 std::string header(const SolverMessage& message) {
   std::string text = message.severity == Severity::error ? "Error" : "Warning";
   if (message.code != 0) text += fmt::format(" {}", message.code);
   if (!message.group.empty()) text += fmt::format(" ({})", printable(message.group));
-  return text;
+  return text + ", " + (message.kind.empty() ? "not understood" : printable(message.kind));
 }
 
 }  // namespace
@@ -80,23 +80,22 @@ void append_rigidwalls(const SolverRun& run, std::size_t limit, std::string& out
       "    ", out);
 }
 
-void append_messages(const Report& report, bool list, std::string& out) {
+void append_messages(const Report& report, bool list, std::string_view option, std::string& out) {
   const SolverRun& run = *report.run;
   if (!run.messages.empty()) out += "\nother messages of the solver\n";
   for (std::size_t i = 0, next = 0; i < run.messages.size(); i = next) {
-    const SolverMessage& first = run.messages[i];
+    const std::string title = header(run.messages[i]);
     std::uint64_t count = 0;
-    for (; next < run.messages.size() && header(run.messages[next]) == header(first); ++next) {
+    for (; next < run.messages.size() && header(run.messages[next]) == title; ++next) {
       const SolverMessage& message = run.messages[next];
       count += message.count;
-      if (list)
-        out += fmt::format("  {}{}{}\n    {}\n", header(message), place(report, message),
-                           message.count > 1 ? ", " + times(message.count) : "", printable(message.text));
+      if (!list) continue;
+      out += "  " + title + place(report, message) + (message.count > 1 ? ", " + times(message.count) : "");
+      out += "\n    " + printable(message.text) + '\n';
     }
-    if (list) continue;
-    out += fmt::format("  {}: {}{}\n", header(first), times(count), first.kind.empty() ? ", not understood" : "");
+    if (!list) out += fmt::format("  {}: {}\n", title, times(count));
   }
-  if (!list && !run.messages.empty()) out += "  the list shows their text\n";
+  if (!list && !run.messages.empty()) out += fmt::format("  {} shows their text\n", option);
   if (run.counts_may_be_cut) out += "\nThe solver left messages out: every count here is \"at least\".\n";
 }
 

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "records/report.hpp"
 
@@ -21,7 +22,8 @@ void append_timestep_limits(const SolverRun& run, std::string& out);
 /// Nodes that start inside a rigid wall, deepest first, `limit` of them.
 void append_rigidwalls(const SolverRun& run, std::size_t limit, std::string& out);
 
-/// The solver's other messages: with `list` each with its text, else what they are and how often.
-void append_messages(const Report& report, bool list, std::string& out);
+/// The solver's other messages: with `list` each with its text, else what they are, how often, and the option that shows
+/// more.
+void append_messages(const Report& report, bool list, std::string_view option, std::string& out);
 
 }  // namespace gapcheck::report

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
@@ -9,7 +10,8 @@
 
 namespace gapcheck::results {
 
-/// Geometry of a d3plot database, as in its header and state 0. Arrays in file order.
+/// Geometry of a d3plot database: the undeformed mesh in front of its states. Arrays in file order; every position and
+/// part is checked, node ids are positive and unique, coordinates finite.
 struct D3plot {
   std::string title;
   int word_bytes = 4;  ///< 4 or 8
@@ -24,11 +26,14 @@ struct D3plot {
   Elements<8> solids, thick_shells;
   Elements<2> beams;
   Elements<4> shells;
+  Elements<1> particles;  ///< SPH; the ids are those of their nodes
 };
 
 /// Reads the geometry of a d3plot (single or double precision, either byte order; a file family is found from its first
-/// file). No count of the header is trusted before it was held against the file's size. Errors name what is wrong:
-/// truncated, damaged, compressed (FEMZIP), not a d3plot.
+/// file). No count of the header is trusted before it was held against the file's size; memory stays within a small
+/// multiple of it. Errors name what is wrong: truncated, damaged, compressed (FEMZIP, gzip), not a d3plot.
+/// Limits: two-dimensional models get z = 0, a node number 0 in an element repeats the node before it, extra nodes of
+/// elements of higher order and rigid road surfaces are passed over.
 Result<D3plot> read_d3plot(const std::string& path);
 
 /// The same for bytes in memory.

@@ -9,15 +9,15 @@
 namespace gapcheck::results {
 
 struct LogOptions {
-  std::string d3hsp;                      ///< -hsp; empty: "d3hsp" beside the first file, if it is there
-  std::vector<std::string> message_files; ///< --messages: additions to the table of message kinds
-  std::vector<std::int64_t> contacts;     ///< only these interfaces; empty = all
+  std::string d3hsp;                       ///< -hsp; empty: "d3hsp" beside the first file, if it is there
+  std::vector<std::string> message_files;  ///< --messages: additions to the table of message kinds
+  std::vector<std::int64_t> contacts;      ///< only these interfaces; empty = all
 };
 
 /// Reads messag, mesNNNN, d3hsp, status.out and stdout logs of one run, in any mix, SMP or MPP, old and new words, and
 /// makes a report (source "messag") of them. Records that several ranks print are merged. Streaming: memory grows with
-/// what is found. What could be read of a damaged file is in the report, what is wrong with it in `diagnostics` (error).
-/// The result is an error only when no file could be opened.
+/// what is found. What could be read of a damaged file is in the report, what is wrong with it in `diagnostics`
+/// (error). The result is an error only when no file could be opened.
 Result<Report> read_solver_logs(const std::vector<std::string>& paths, const LogOptions& options,
                                 Diagnostics& diagnostics);
 

@@ -117,7 +117,6 @@ TEST(RandomScene, AgreesWithTheReference) {
     ASSERT_TRUE(clean(run)) << "seed " << seed;
     SCOPED_TRACE("seed " + std::to_string(seed));
     compare(run.report, reference_of(scene), tally);
-    // DBG if (HasFailure()) break;
   }
   // The scenes must be worth their while.
   EXPECT_GT(tally.compared, 1000u);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path folder = fs::path(GAPCHECK_ROOT) / ".." / "shared" / "decks";
-constexpr std::uint64_t small = 20000;  ///< nodes that the slow search can deal with
+constexpr std::uint64_t small = 30000;  ///< nodes that the slow search can deal with
 
 #define NEED_REAL_DECKS() \
   if (!fs::exists(folder)) GTEST_SKIP() << "no decks in " << folder << "; put them there to run this test"

@@ -23,7 +23,8 @@ double size_of(const Pair& pair) {
 
 Vector at(const Facet& facet, double s, double t) {
   const auto& x = facet.x;
-  return 0.25 * ((1 - s) * (1 - t) * x[0] + (1 + s) * (1 - t) * x[1] + (1 + s) * (1 + t) * x[2] + (1 - s) * (1 + t) * x[3]);
+  return 0.25 *
+         ((1 - s) * (1 - t) * x[0] + (1 + s) * (1 - t) * x[1] + (1 + s) * (1 + t) * x[2] + (1 - s) * (1 + t) * x[3]);
 }
 
 class ClosestPointFamilies : public testing::TestWithParam<Family> {};
@@ -73,7 +74,8 @@ TEST_P(ClosestPointFamilies, TheFieldsBelongTogether) {
       ASSERT_EQ(c.point, pair.facet.x[c.feature_index]);
     } else {
       const auto& x = pair.facet.x;
-      const double line = closest_point_on_line(x[c.feature_index], x[(c.feature_index + 1u) % 4], pair.query).squared_distance;
+      const double line =
+          closest_point_on_line(x[c.feature_index], x[(c.feature_index + 1u) % 4], pair.query).squared_distance;
       ASSERT_NEAR(std::sqrt(line), std::sqrt(c.squared_distance), slack) << describe(pair);
     }
   }
@@ -169,10 +171,11 @@ TEST(ClosestPoint, TheBandIsInclusive) {
   EXPECT_FALSE(closest_point(triangle, {2.501, 2.501, 2}).in_band);
 }
 
+/// Far beyond the edges of strongly warped quads there may be no stationary point; then the mean plane stands in.
 TEST(ClosestPoint, TheFreeProjectionIsStationary) {
   Maker maker(113);
-  int outside = 0;
-  for (int i = 0; i < 5000; ++i) {
+  int outside = 0, stationary = 0;
+  for (int i = 0; i < 10000; ++i) {
     const Pair pair = maker.make(Family::warped);
     const ClosestPoint c = closest_point(pair.facet, pair.query);
     if (std::max(std::abs(c.free_s), std::abs(c.free_t)) > 1.6) continue;
@@ -180,11 +183,13 @@ TEST(ClosestPoint, TheFreeProjectionIsStationary) {
     const auto value = [&](double s, double t) { return (at(pair.facet, s, t) - pair.query).squaredNorm(); };
     const double slope_s = (value(c.free_s + step, c.free_t) - value(c.free_s - step, c.free_t)) / (2 * step);
     const double slope_t = (value(c.free_s, c.free_t + step) - value(c.free_s, c.free_t - step)) / (2 * step);
-    EXPECT_NEAR(slope_s, 0, 1e-6) << describe(pair);
-    EXPECT_NEAR(slope_t, 0, 1e-6) << describe(pair);
+    const bool flat = std::abs(slope_s) + std::abs(slope_t) < 1e-6;
+    EXPECT_TRUE(flat || c.feature != Feature::face) << describe(pair);
     outside += c.feature != Feature::face ? 1 : 0;
+    stationary += c.feature != Feature::face && flat ? 1 : 0;
   }
-  EXPECT_GT(outside, 500);
+  EXPECT_GT(outside, 1000);
+  EXPECT_GT(stationary, 0.97 * outside);
 }
 
 TEST(ClosestPoint, BeyondTheFoldOfATrapezoid) {
@@ -198,7 +203,8 @@ TEST(ClosestPoint, BeyondTheFoldOfATrapezoid) {
 
 TEST(ClosestPoint, FacetsWithoutAreaGiveTheNearestEdge) {
   const Vector a(1, 2, 3), b(4, 6, 3);
-  const Facet line{{a, b, b, a}, false}, dot{{a, a, a, a}, false}, flat_triangle{{a, b, 0.5 * (a + b), 0.5 * (a + b)}, true};
+  const Facet line{{a, b, b, a}, false}, dot{{a, a, a, a}, false},
+      flat_triangle{{a, b, 0.5 * (a + b), 0.5 * (a + b)}, true};
   for (const Facet& facet : {line, flat_triangle}) {
     const ClosestPoint c = closest_point(facet, a + 0.25 * (b - a) + Vector(0, 0, 2));
     EXPECT_NEAR(c.squared_distance, 4, 1e-14);
@@ -229,7 +235,8 @@ TEST(ClosestPoint, FiniteNumbersGiveFiniteResults) {
     pair.facet.triangle = i % 2 == 0;
     if (pair.facet.triangle) pair.facet.x[3] = pair.facet.x[2];
     const ClosestPoint c = closest_point(pair.facet, pair.query);
-    EXPECT_TRUE(c.point.allFinite() && c.normal.allFinite() && std::isfinite(c.squared_distance) && std::isfinite(c.gap))
+    EXPECT_TRUE(c.point.allFinite() && c.normal.allFinite() && std::isfinite(c.squared_distance) &&
+                std::isfinite(c.gap))
         << describe(pair);
     EXPECT_TRUE(std::abs(c.s) <= 1 && std::abs(c.t) <= 1 && std::isfinite(c.free_s) && std::isfinite(c.free_t))
         << describe(pair);

@@ -22,8 +22,8 @@ double down(double x) { return std::nextafter(x, 0.0); }
 
 /// Bounds from clear to the last bit around a distance.
 std::vector<double> bounds_around(double d) {
-  return {0.5 * d, d * (1 - 1e-6),  d * (1 - 1e-9),  d * (1 - 1e-12), down(down(d)),  down(d), d,
-          up(d),   up(up(d)),       d * (1 + 1e-12), d * (1 + 1e-9),  d * (1 + 1e-6), 2 * d};
+  return {0.5 * d, d * (1 - 1e-6), d * (1 - 1e-9),  d * (1 - 1e-12), down(down(d)),  down(d), d,
+          up(d),   up(up(d)),      d * (1 + 1e-12), d * (1 + 1e-9),  d * (1 + 1e-6), 2 * d};
 }
 
 /// Both modes; they must agree.
@@ -123,7 +123,8 @@ TEST(Decide, TranslationsWithoutRoundingDoNotMatter) {
     for (Vector& x : moved.x) x += offset;
     const double distance = std::sqrt(closest_point(pair.facet, pair.query).squared_distance);
     for (double bound : {down(distance), distance, up(distance)}) {
-      ASSERT_EQ(closer(moved, pair.query + offset, bound), closer(pair.facet, pair.query, bound)) << describe(pair, bound);
+      ASSERT_EQ(closer(moved, pair.query + offset, bound), closer(pair.facet, pair.query, bound))
+          << describe(pair, bound);
     }
   }
 }
@@ -137,9 +138,9 @@ TEST(Decide, TouchingIsNotCloser) {
     Vector query;
     double distance;
   };
-  const std::vector<Case> cases{{quad, {2, 2, 3}, 3},     {quad, {1, 3, -0.1}, 0.1},      {quad, {7, 2, 4}, 5},
-                                {quad, {7, 8, 12}, 13},   {triangle, {3, 1, 3}, 3},       {triangle, {7, 2, 4}, 5},
-                                {triangle, {-3, 0, 4}, 5}, {saddle, {2, 2, 0.75}, 0.75},  {saddle, {-2, -3, 7}, 7},
+  const std::vector<Case> cases{{quad, {2, 2, 3}, 3},      {quad, {1, 3, -0.1}, 0.1},    {quad, {7, 2, 4}, 5},
+                                {quad, {7, 8, 12}, 13},    {triangle, {3, 1, 3}, 3},     {triangle, {7, 2, 4}, 5},
+                                {triangle, {-3, 0, 4}, 5}, {saddle, {2, 2, 0.75}, 0.75}, {saddle, {-2, -3, 7}, 7},
                                 {saddle, {4, 4, 1.5}, 0.5}};
   for (const Case& c : cases) {
     const double scaled[] = {1, 0x1p-40, 0x1p40};
@@ -203,7 +204,8 @@ TEST(Decide, HintsSaveWorkAndChangeNothing) {
       ClosestPoint wrong = hint;
       wrong.s = maker.uniform(-2, 2);
       wrong.t = i % 7 == 0 ? nan : maker.uniform(-2, 2);
-      EXPECT_EQ(decide(pair.facet, pair.query, bound, Mode::filtered, &wrong).closer, expected) << describe(pair, bound);
+      EXPECT_EQ(decide(pair.facet, pair.query, bound, Mode::filtered, &wrong).closer, expected)
+          << describe(pair, bound);
     }
   }
 }
@@ -228,7 +230,8 @@ TEST(DecideLine, AgreesWithTheReference) {
     const double size = maker.power_of_ten(-6, 6);
     const Vector offset = (i % 3 == 0 ? maker.power_of_ten(3, 9) : 0.0) * maker.point(1);
     const Vector a = offset + size * maker.point(1), b = i % 11 == 0 ? a : Vector(offset + size * maker.point(1));
-    const Vector query = offset + (i % 5 == 0 ? Vector(0.5 * (a - offset) + 0.5 * (b - offset)) : Vector(size * maker.point(2)));
+    const Vector query =
+        offset + (i % 5 == 0 ? Vector(0.5 * (a - offset) + 0.5 * (b - offset)) : Vector(size * maker.point(2)));
     const mpq_class exact = squared_distance(a, b, query);
     const double distance = std::sqrt(exact.get_d());
     for (double bound : bounds_around(distance)) {

@@ -24,7 +24,8 @@ TEST(Exact, TrianglesAndSegmentsAgreeWithRationals) {
       };
       if (triangle > 0) {
         const double bound = nudge == 0 ? std::sqrt(triangle.get_d()) : beside(triangle);
-        EXPECT_EQ(exact::triangle_closer(x[0], x[1], x[2], pair.query, bound), triangle < mpq_class(bound) * mpq_class(bound))
+        EXPECT_EQ(exact::triangle_closer(x[0], x[1], x[2], pair.query, bound),
+                  triangle < mpq_class(bound) * mpq_class(bound))
             << describe(pair, bound);
       }
       if (segment > 0) {
@@ -60,8 +61,8 @@ TEST(Exact, ThePatchOfAFlatQuadIsItsTriangles) {
     const Pair pair = maker.make(Family::lattice);
     const auto& x = pair.facet.x;
     if (pair.facet.triangle || !exact::flat_and_convex(pair.facet)) continue;
-    const mpq_class square = std::min(squared_distance(x[0], x[1], x[2], pair.query),
-                                      squared_distance(x[0], x[2], x[3], pair.query));
+    const mpq_class square =
+        std::min(squared_distance(x[0], x[1], x[2], pair.query), squared_distance(x[0], x[2], x[3], pair.query));
     const double bound = std::sqrt(square.get_d());
     if (!(bound > 0)) continue;
     const Verdict verdict = exact::piece_verdict(pair.facet, pair.query, bound, {}, 0, 0);

@@ -41,7 +41,8 @@ Pair Maker::lattice() {
 Pair Maker::flat() {
   Pair pair;
   const double w = uniform(0.5, 2), h = uniform(0.5, 2);
-  pair.facet.x = {Vector(0, 0, 0), Vector(w, 0, 0), Vector(w + uniform(-0.2, 0.2), h, 0), Vector(uniform(-0.2, 0.2), h, 0)};
+  pair.facet.x = {Vector(0, 0, 0), Vector(w, 0, 0), Vector(w + uniform(-0.2, 0.2), h, 0),
+                  Vector(uniform(-0.2, 0.2), h, 0)};
   if (integer(0, 2) == 0) {
     pair.facet.triangle = true;
     pair.facet.x[3] = pair.facet.x[2];
@@ -54,7 +55,7 @@ Pair Maker::flat() {
 /// Warp: the angle between the two triangles of a diagonal, in degrees.
 Pair Maker::warped(double low, double high) {
   Pair pair;
-  const double lift = std::tan(uniform(low, high) * std::numbers::pi / 360) / std::numbers::sqrt2;
+  const double lift = std::tan(uniform(low, high) * std::numbers::pi / 360) / (2 * std::numbers::sqrt2);
   pair.facet.x = {Vector(0, 0, lift), Vector(1, 0, -lift), Vector(1, 1, lift), Vector(0, 1, -lift)};
   for (Vector& x : pair.facet.x) {
     x.x() += uniform(-0.15, 0.15);
@@ -70,14 +71,30 @@ Pair Maker::degenerate() {
   for (Vector& x : pair.facet.x) x = Vector(integer(-2, 2), integer(-2, 2), integer(-2, 2));
   auto& x = pair.facet.x;
   switch (integer(0, 7)) {
-    case 0: x[1] = x[0]; break;
-    case 1: x[3] = x[0]; break;
-    case 2: x[3] = x[2] = x[1] = x[0]; break;
-    case 3: x[1] = x[0], x[3] = x[2]; break;
-    case 4: x[2] = x[0]; break;
-    case 5: x[2] = x[0] + 2 * (x[1] - x[0]), x[3] = x[0] + integer(-1, 3) * (x[1] - x[0]); break;
-    case 6: x[3] = x[2]; break;
-    default: x[2] = 0.5 * (x[1] + x[3]); break;
+    case 0:
+      x[1] = x[0];
+      break;
+    case 1:
+      x[3] = x[0];
+      break;
+    case 2:
+      x[3] = x[2] = x[1] = x[0];
+      break;
+    case 3:
+      x[1] = x[0], x[3] = x[2];
+      break;
+    case 4:
+      x[2] = x[0];
+      break;
+    case 5:
+      x[2] = x[0] + 2 * (x[1] - x[0]), x[3] = x[0] + integer(-1, 3) * (x[1] - x[0]);
+      break;
+    case 6:
+      x[3] = x[2];
+      break;
+    default:
+      x[2] = 0.5 * (x[1] + x[3]);
+      break;
   }
   pair.facet.triangle = integer(0, 2) == 0;
   if (pair.facet.triangle) x[3] = x[2];
@@ -97,9 +114,12 @@ Pair Maker::on_border() {
 Pair Maker::make(Family family) {
   Pair pair;
   switch (family) {
-    case Family::lattice: return lattice();
-    case Family::flat: return flat();
-    case Family::warped: return warped(1, 40);
+    case Family::lattice:
+      return lattice();
+    case Family::flat:
+      return flat();
+    case Family::warped:
+      return warped(1, 40);
     case Family::skew:
       for (Vector& x : pair.facet.x) x = point(1);
       pair.query = point(1.5);
@@ -112,8 +132,10 @@ Pair Maker::make(Family family) {
       pair.query *= integer(0, 1) == 0 ? 1.0 : ratio;
       return pair;
     }
-    case Family::degenerate: return degenerate();
-    case Family::on_border: return on_border();
+    case Family::degenerate:
+      return degenerate();
+    case Family::on_border:
+      return on_border();
     case Family::far_away: {
       pair = integer(0, 1) == 0 ? flat() : warped(1, 40);
       const Vector offset = power_of_ten(3, 9) * point(1);

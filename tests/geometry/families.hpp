@@ -15,19 +15,19 @@ struct Pair {
 };
 
 enum class Family : std::uint8_t {
-  lattice,      ///< small integers: flat, axis-aligned, many exact ties
-  flat,         ///< rotated rectangles, trapezoids, plain triangles
-  warped,       ///< quads warped by 1 to 40 degrees
-  skew,         ///< four random points: folded, non-convex, strongly warped
-  sliver,       ///< one side 1e-3 to 1e-9 of the other
-  degenerate,   ///< repeated corners, collapsed edges, no area
-  on_border,    ///< the query lies on or straight above an edge or corner
-  far_away,     ///< offsets of 1e3 to 1e9
-  any_size,     ///< sizes of 1e-6 to 1e6
+  lattice,     ///< small integers: flat, axis-aligned, many exact ties
+  flat,        ///< rotated rectangles, trapezoids, plain triangles
+  warped,      ///< quads warped by 1 to 40 degrees
+  skew,        ///< four random points: folded, non-convex, strongly warped
+  sliver,      ///< one side 1e-3 to 1e-9 of the other
+  degenerate,  ///< repeated corners, collapsed edges, no area
+  on_border,   ///< the query lies on or straight above an edge or corner
+  far_away,    ///< offsets of 1e3 to 1e9
+  any_size,    ///< sizes of 1e-6 to 1e6
 };
-inline constexpr Family all_families[] = {Family::lattice,    Family::flat,      Family::warped,
-                                          Family::skew,       Family::sliver,    Family::degenerate,
-                                          Family::on_border,  Family::far_away,  Family::any_size};
+inline constexpr Family all_families[] = {Family::lattice,   Family::flat,     Family::warped,
+                                          Family::skew,      Family::sliver,   Family::degenerate,
+                                          Family::on_border, Family::far_away, Family::any_size};
 [[nodiscard]] std::string_view name(Family family);
 
 /// Reproducible random pairs.

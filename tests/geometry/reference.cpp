@@ -82,7 +82,8 @@ mpq_class squared_distance(const Vector& a, const Vector& b, const Vector& query
 
 mpq_class squared_distance(const Vector& a, const Vector& b, const Vector& c, const Vector& query) {
   const Rational q = rational(query), p = rational(a) - q, u = rational(b) - rational(a), v = rational(c) - rational(a);
-  mpq_class best = std::min({squared_distance(a, b, query), squared_distance(b, c, query), squared_distance(c, a, query)});
+  mpq_class best =
+      std::min({squared_distance(a, b, query), squared_distance(b, c, query), squared_distance(c, a, query)});
   const mpq_class uu = u * u, uv = u * v, vv = v * v, pu = p * u, pv = p * v, det = uu * vv - uv * uv;
   if (det == 0) return best;
   const mpq_class l = (uv * pv - vv * pu) / det, m = (uv * pu - uu * pv) / det;
@@ -129,7 +130,9 @@ mpf_class squared_distance_of_patch(const Facet& facet, const Vector& query) {
       }
       if (!(std::abs(s) < 1.01L && std::abs(t) < 1.01L)) continue;
       const std::pair at(static_cast<double>(s), static_cast<double>(t));
-      const auto same = [&](const auto& x) { return std::abs(x.first - at.first) + std::abs(x.second - at.second) < 1e-6; };
+      const auto same = [&](const auto& x) {
+        return std::abs(x.first - at.first) + std::abs(x.second - at.second) < 1e-6;
+      };
       if (std::none_of(found.begin(), found.end(), same)) found.push_back(at);
     }
   }
@@ -150,7 +153,8 @@ Bracket distance_bracket(const Facet& facet, const Vector& query, double toleran
     bool operator<(const Piece& other) const { return low > other.low; }
   };
   const auto at = [&](double s, double t) -> Vector {
-    return (1 - s) * (1 - t) * facet.x[0] + s * (1 - t) * facet.x[1] + s * t * facet.x[2] + (1 - s) * t * facet.x[3] - query;
+    return (1 - s) * (1 - t) * facet.x[0] + s * (1 - t) * facet.x[1] + s * t * facet.x[2] + (1 - s) * t * facet.x[3] -
+           query;
   };
   double high = std::numeric_limits<double>::infinity();
   const auto piece = [&](double s0, double s1, double t0, double t1) {

@@ -1,0 +1,129 @@
+#include "report/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "audit/audit.hpp"
+#include "base/parallel.hpp"
+#include "commands.hpp"
+#include "common/input_kind.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "report/check_c_view.hpp"
+#include "report/describe.hpp"
+#include "results/solver_log.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+struct Arguments {
+  std::string first, second;
+  std::vector<std::int64_t> contacts;
+  double tolerance = 0;
+  std::string format = "text", output;
+  std::size_t top = 10, jobs = 0;
+  bool quiet = false;
+  audit::AuditOptions audit;
+  results::LogOptions log;
+};
+
+/// A deck is audited, everything else read. Diagnostics are printed.
+Result<Report> read(const std::string& path, const Arguments& arguments, bool& complete) {
+  Diagnostics diagnostics;
+  auto report = [&]() -> Result<Report> {
+    const auto input = recognise(path);
+    if (!input) return input.error();
+    const Progress progress("reading " + report::printable(path), !arguments.quiet);
+    if (input.value().deck) return audit::audit_deck(path, arguments.audit, diagnostics);
+    return results::read_solver_logs(input.value().files, arguments.log, diagnostics);
+  }();
+  print(diagnostics, arguments.quiet);
+  complete = complete && report.ok() && !diagnostics.has_errors();
+  if (!report) {
+    print(report.error());
+    return report;
+  }
+  report::CheckCOptions only;
+  only.sid = arguments.contacts;
+  Report picked = report::pick(std::move(report).value(), only);
+  picked.input = path;
+  return picked;
+}
+
+/// A contact that neither source has is a misspelt one.
+bool contacts_exist(const report::Comparison& comparison, const std::vector<std::int64_t>& wanted) {
+  bool all = true;
+  for (const std::int64_t id : wanted) {
+    const auto& contacts = comparison.contacts;
+    if (std::any_of(contacts.begin(), contacts.end(), [&](const auto& contact) { return contact.id == id; })) continue;
+    print_error(fmt::format("--contact {}: neither source has such a contact", id));
+    all = false;
+  }
+  return all;
+}
+
+int compare_sources(const Arguments& arguments) {
+  const JobLimit limit(arguments.jobs);
+  bool complete = true;
+  const auto first = read(arguments.first, arguments, complete), second = read(arguments.second, arguments, complete);
+  if (!first || !second) return failed;
+  const report::Comparison comparison = report::compare(first.value(), second.value(), arguments.tolerance);
+  Output output(arguments.output);
+  output.write(arguments.format == "json"
+                   ? report::comparison_json(comparison, first.value(), second.value())
+                   : report::comparison_text(comparison, first.value(), second.value(), arguments.top));
+  const bool written = output.close();
+  if (!written || !contacts_exist(comparison, arguments.contacts) || !complete) return failed;
+  return comparison.equal() ? clean : findings;
+}
+
+void add_options(CLI::App& command, Arguments& arguments) {
+  const CLI::Validator amount(check_amount, ""), id(check_id, "");
+  command.add_option("--tol", arguments.tolerance, "Depths may differ by X, besides the rounding of printed numbers")
+      ->check(amount)
+      ->type_name("X")
+      ->capture_default_str();
+  add_list(command, "--contact", arguments.contacts, "Only these contacts")->check(id)->type_name("IDS");
+  command.add_option("--format", arguments.format, "Of the results")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command.add_option("--output", arguments.output, "Write the results there instead of to standard output")
+      ->type_name("FILE");
+  command.add_option("--top", arguments.top, "Largest differences to show per contact")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--quiet", arguments.quiet, "No warnings about the input");
+  add_list(command, "--messages", arguments.log.message_files, "Additions to the table of known messages")
+      ->type_name("FILE");
+  command.add_option("-I", arguments.audit.read.include_directories, "Further directory for *INCLUDE")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("DIR");
+  add_jobs(command, arguments.jobs);
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("compare", "Compare the penetrations of two decks or runs, node by node");
+  command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
+  const auto arguments = std::make_shared<Arguments>();
+  const char* what = "Keyword deck, messag or d3hsp file, or the directory of a run";
+  command->add_option("A", arguments->first, what)->required()->type_name("");
+  command->add_option("B", arguments->second, what)->required()->type_name("");
+  add_options(*command, *arguments);
+  command->footer("Exit codes: 0 no differences, 1 differences, 2 the tool could not do its job.");
+  command->callback([&action, arguments] { action = [arguments] { return compare_sources(*arguments); }; });
+}
+
+}  // namespace gapcheck::app

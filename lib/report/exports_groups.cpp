@@ -1,0 +1,174 @@
+#include "report/exports_groups.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "report/describe.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+constexpr std::size_t longest_title = 70;
+
+/// Place of a warning type among those of one contact.
+using TypeOrder = int;
+
+struct WarningType {
+  TypeOrder order;
+  std::string_view name;
+};
+
+WarningType type_of(const Penetration& record) {
+  switch (record.kind) {
+    case PenetrationKind::initial:
+      return {0, "pen"};
+    case PenetrationKind::released:
+      return {1, "below"};
+    case PenetrationKind::edge_zone:
+      return {2, "edge"};
+  }
+  return {0, "pen"};
+}
+
+WarningType type_of(const TieFailure& failure) { return {3 + static_cast<int>(failure.reason), name(failure.reason)}; }
+
+/// Cut so that no UTF-8 character is left in pieces.
+std::string shortened(std::string text) {
+  if (text.size() <= longest_title) return text;
+  std::size_t end = longest_title;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  text.resize(end);
+  return text;
+}
+
+ExportGroup make_group(const Report& report, std::uint32_t contact, std::string_view type) {
+  ExportGroup group;
+  if (contact >= report.contacts.size()) {
+    group.name = group.title = fmt::format("id0 {}", type);
+    return group;
+  }
+  const ContactSummary& summary = report.contacts[contact];
+  group.name = fmt::format("id{} {}", summary.id, type);
+  const std::string& speaking = summary.title.empty() ? summary.keyword : summary.title;
+  group.title = speaking.empty() ? group.name : shortened(fmt::format("{}: {}", group.name, printable(speaking)));
+  return group;
+}
+
+std::optional<Vector> unit(const Vector& v) {
+  const double length = v.stableNorm();
+  if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
+  return v / length;
+}
+
+/// True where a record without any coordinate means that its source has none.
+bool without_coordinates(const Report& report, const Penetration& record) {
+  return report.source != "deck" && record.original.isZero(0) && record.point.isZero(0) && record.moved_to.isZero(0);
+}
+
+/// The nodes of the segment, where all are known.
+std::optional<std::array<Vector, 4>> segment_of(const Penetration& record, const NodePosition& position) {
+  if (!position) return std::nullopt;
+  std::array<Vector, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto corner = position(record.segment[i]);
+    if (!corner || !corner->allFinite()) return std::nullopt;
+    corners[i] = *corner;
+  }
+  return corners;
+}
+
+Vector point_at(const std::array<Vector, 4>& corners, double s, double t) {
+  return (1 - s) * (1 - t) / 4 * corners[0] + (1 + s) * (1 - t) / 4 * corners[1] + (1 + s) * (1 + t) / 4 * corners[2] +
+         (1 - s) * (1 + t) / 4 * corners[3];
+}
+
+/// From the segment to the node.
+std::optional<Vector> away_from_segment(const Report& report, const Penetration& record, const Vector& node,
+                                        const NodePosition& position) {
+  // Solver files do not print the closest point, but where on the segment it is.
+  const bool point_known = report.source == "deck" || !record.point.isZero(0);
+  const auto corners = segment_of(record, position);
+  if (!point_known && !corners) return std::nullopt;
+  const Vector point = point_known ? record.point : point_at(*corners, record.s, record.t);
+  // Nearer than rounding can tell, the difference is no direction.
+  const double noise = 1e-12 * (node.cwiseAbs().maxCoeff() + point.cwiseAbs().maxCoeff());
+  if ((node - point).stableNorm() > noise) return unit(node - point);
+  if (!corners) return std::nullopt;
+  return unit(((*corners)[2] - (*corners)[0]).cross((*corners)[3] - (*corners)[1]));
+}
+
+std::optional<Vector> direction_of(const Report& report, const Penetration& record, const Vector& node,
+                                   const NodePosition& position) {
+  if (!without_coordinates(report, record)) {
+    const auto moved = unit(record.moved_to - record.original);
+    if (moved) return moved;
+  }
+  const auto away = away_from_segment(report, record, node, position);
+  const bool behind = record.contact_distance > 0 || report.source == "deck" ? record.remaining() < 0 : false;
+  return away && behind ? std::optional<Vector>(-*away) : away;
+}
+
+}  // namespace
+
+std::vector<ExportGroup> export_groups(const Report& report) {
+  std::map<std::pair<std::uint32_t, TypeOrder>, ExportGroup> groups;
+  const auto group_of = [&](const auto& record) -> ExportGroup& {
+    const WarningType type = type_of(record);
+    const auto [entry, is_new] = groups.try_emplace({record.contact, type.order});
+    if (is_new) entry->second = make_group(report, record.contact, type.name);
+    return entry->second;
+  };
+  for (const Penetration& record : report.penetrations) {
+    ExportGroup& group = group_of(record);
+    group.penetrations.push_back(&record);
+    group.nodes.push_back(record.node);
+  }
+  for (const TieFailure& failure : report.tie_failures) group_of(failure).nodes.push_back(failure.node);
+  std::vector<ExportGroup> result;
+  result.reserve(groups.size());
+  for (auto& [key, group] : groups) {
+    std::sort(group.nodes.begin(), group.nodes.end());
+    group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
+    result.push_back(std::move(group));
+  }
+  return result;
+}
+
+std::optional<Vector> node_of(const Report& report, const Penetration& record, const NodePosition& position) {
+  if (!without_coordinates(report, record)) return record.original;
+  return position ? position(record.node) : std::nullopt;
+}
+
+std::optional<PenetrationLine> penetration_line(const Report& report, const Penetration& record,
+                                                const NodePosition& position) {
+  const auto node = node_of(report, record, position);
+  if (!node || !node->allFinite() || !(record.depth > 0) || !std::isfinite(record.depth)) return std::nullopt;
+  const auto direction = direction_of(report, record, *node, position);
+  if (!direction || !direction->allFinite()) return std::nullopt;
+  return PenetrationLine{*node, *node + record.depth * *direction};
+}
+
+std::int64_t first_free_id(const Report& report) {
+  constexpr std::int64_t most = 999'999'999'999'999'999;
+  std::int64_t highest = 0;
+  const auto count = [&](std::int64_t id) {
+    if (id <= most) highest = std::max(highest, id);
+  };
+  for (const ContactSummary& contact : report.contacts) count(contact.id);
+  for (const Penetration& record : report.penetrations) {
+    for (const std::int64_t id : {record.node, record.part, record.element, record.element_part}) count(id);
+    for (const std::int64_t id : record.segment) count(id);
+  }
+  for (const TieFailure& failure : report.tie_failures) {
+    count(failure.node);
+    count(failure.part);
+  }
+  return highest + 1;
+}
+
+}  // namespace gapcheck::report

@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+#include "records/solver_run.hpp"
+
+namespace gapcheck::results {
+
+/// The messages that are no records. Of each number and kind the first texts are kept, the rest is counted. The same
+/// text in several files (ranks, messag and d3hsp) is one message, as often as the file that has it most often.
+class MessageLog {
+ public:
+  static constexpr std::size_t kept_texts = 20;
+
+  /// True if the text of a message with this hash is to be handed over with keep(); it is counted in any case.
+  bool count(Severity severity, std::int64_t code, const std::string& kind, std::uint64_t hash, std::uint32_t file);
+  /// Only after count() has said so.
+  void keep(SolverMessage message);
+
+  /// How often the file at hand has printed the number, for finding out whether a limit cut them.
+  void count_block(std::int64_t code);
+  void begin_file() { blocks_.clear(); }
+  /// True if a number was printed exactly `limit` times in the file at hand.
+  [[nodiscard]] bool any_block_counted(std::uint64_t limit) const;
+
+  /// By code, then file and line; ends the log.
+  [[nodiscard]] std::vector<SolverMessage> take();
+
+ private:
+  struct Tally {
+    std::uint64_t most = 0, in_file = 0;
+    std::uint32_t file = 0, position = 0;  ///< position in Group::kept; kept_texts: not kept
+    void add(std::uint32_t in) {
+      in_file = in == file ? in_file + 1 : 1;
+      file = in;
+      most = in_file > most ? in_file : most;
+    }
+  };
+  struct Group {
+    std::vector<SolverMessage> kept;
+    std::unordered_map<std::uint64_t, Tally> texts;
+    Tally overflow;  ///< texts beyond those told apart
+    std::uint32_t file = 0, line = 0;
+  };
+  using Key = std::tuple<std::int64_t, Severity, std::string>;
+
+  std::map<Key, Group> groups_;
+  Group* last_ = nullptr;
+  std::size_t texts_ = 0;
+  std::unordered_map<std::int64_t, std::uint64_t> blocks_;
+};
+
+}  // namespace gapcheck::results

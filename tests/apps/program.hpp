@@ -1,0 +1,81 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace gapcheck {
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+inline std::string content(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// Each test works in a new folder, which is also the working directory of the programs.
+class Program : public testing::Test {
+ protected:
+  static inline const std::filesystem::path project = GAPCHECK_ROOT;
+  static inline const std::filesystem::path fixtures = project / "tests/apps/fixtures";
+
+  void SetUp() override {
+    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// `command` as a shell takes it.
+  [[nodiscard]] Outcome shell(const std::string& command) const {
+    const std::string whole = "cd '" + folder_.string() + "' && " + command + " 2>.stderr";
+    Outcome outcome;
+    std::FILE* pipe = ::popen(whole.c_str(), "r");
+    if (pipe == nullptr) return outcome;
+    std::array<char, 4096> buffer{};
+    for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+      outcome.out.append(buffer.data(), n);
+    const int status = ::pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -2;
+    outcome.err = content(folder_ / ".stderr");
+    return outcome;
+  }
+  [[nodiscard]] Outcome gapcheck(const std::string& arguments) const {
+    return shell("'" GAPCHECK_BINARY "' " + arguments);
+  }
+  [[nodiscard]] Outcome check_c(const std::string& arguments) const {
+    return shell("'" CHECK_C_BINARY "' " + arguments);
+  }
+
+  /// Copies the files of a fixture into the folder.
+  void use(const std::string& fixture) const {
+    std::filesystem::copy(fixtures / fixture, folder_, std::filesystem::copy_options::recursive);
+  }
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return name;
+  }
+
+  std::filesystem::path folder_;
+};
+
+/// Holds a text against tests/apps/golden/NAME.txt. With GAPCHECK_UPDATE_GOLDEN in the environment it is written there.
+inline void expect_golden(const std::string& name, const std::string& text) {
+  const std::filesystem::path path = std::filesystem::path(GAPCHECK_ROOT) / "tests/apps/golden" / (name + ".txt");
+  if (std::getenv("GAPCHECK_UPDATE_GOLDEN") != nullptr) std::ofstream(path, std::ios::binary) << text;
+  ASSERT_TRUE(std::filesystem::exists(path)) << path << " is missing";
+  EXPECT_EQ(text, content(path)) << name;
+}
+
+}  // namespace gapcheck
