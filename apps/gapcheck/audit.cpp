@@ -46,7 +46,7 @@ void add_selection(CLI::App& command, Arguments& arguments) {
           ->type_name("RULES"),
       add_list(command, "--ignore", audit.ignore, "Not these rules")->check(rule)->type_name("RULES"),
       add_list(command, "--contact", audit.contacts, "Only these contacts")->check(id)->type_name("IDS"),
-      add_list(command, "--part", audit.parts, "Only nodes or segments of these parts")->check(id)->type_name("IDS"),
+      add_list(command, "--part", audit.parts, "Only nodes of these parts")->check(id)->type_name("IDS"),
       command.add_option("--ptol", audit.ptol, "Only penetrations deeper than X")->check(amount)->type_name("X"),
       command.add_option("--rtol", audit.rtol, "Only nodes with a remaining distance below X")
           ->check(amount)

@@ -16,6 +16,8 @@ using Action = std::function<int()>;
 
 // Each adds its subcommand; when it is chosen, it sets `action`.
 void add_audit(CLI::App& app, Action& action);
+void add_messag(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
 void add_rules(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 

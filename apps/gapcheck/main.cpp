@@ -16,21 +16,23 @@ namespace gapcheck::app {
 namespace {
 
 /// Commands that later versions will have: their names are taken, and say so.
-constexpr std::array<std::string_view, 4> later_commands{"messag", "compare", "run", "fix"};
+constexpr std::array<std::string_view, 2> later_commands{"run", "fix"};
 
 int run(int argc, char** argv) {
   if (argc > 1 && std::find(later_commands.begin(), later_commands.end(), argv[1]) != later_commands.end()) {
     print_error("'" + std::string(argv[1]) + "' is not part of this version; see gapcheck --help");
     return failed;
   }
-  CLI::App app("Finds the contact problems of LS-DYNA keyword decks before the first run.", "gapcheck");
+  CLI::App app("Finds the contact problems of LS-DYNA keyword decks, before the first run and in its message files.", "gapcheck");
   app.set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
   app.require_subcommand(1);
   Action action;
   add_audit(app, action);
+  add_messag(app, action);
+  add_compare(app, action);
   add_rules(app, action);
   add_explain(app, action);
-  app.footer("Exit codes: 0 nothing at or above --fail-on, 1 findings, 2 the tool could not do its job.");
+  app.footer("Exit codes: 0 nothing at or above --fail-on, 1 findings or differences, 2 the tool could not do its job.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -56,9 +56,29 @@ bool keep(const Penetration& p, const Context& context) {
   return o.parts.empty() || chosen(p.part) || chosen(p.element_part);
 }
 
+/// Nodes that did not tie, with their places in the deck; by contact, reason, node.
+std::vector<TieFailure> untied_nodes(contact::InitialState& initial, const model::Model& model, const Context& context) {
+  std::vector<TieFailure> list = std::move(initial.untied);
+  const auto& parts = context.options().parts;
+  if (!parts.empty())
+    std::erase_if(list, [&](const TieFailure& f) { return std::find(parts.begin(), parts.end(), f.part) == parts.end(); });
+  for (TieFailure& failure : list) {
+    const auto node = model.mesh.nodes.lookup.find(failure.node);
+    if (!node) continue;
+    failure.file = model.mesh.nodes.origins.file(*node).value;
+    failure.line = model.mesh.nodes.line[*node];
+  }
+  std::sort(list.begin(), list.end(), [](const TieFailure& a, const TieFailure& b) {
+    return std::tie(a.contact, a.reason, a.node) < std::tie(b.contact, b.reason, b.node);
+  });
+  return list;
+}
+
 /// Numbers of a contact's block after the filters, so that totals and list agree.
 void recount(Report& report) {
-  for (ContactSummary& c : report.contacts) c.penetrations = c.released = c.edge_zone = 0, c.max_penetration = 0;
+  for (ContactSummary& c : report.contacts)
+    c.penetrations = c.released = c.edge_zone = c.untied = 0, c.max_penetration = 0;
+  for (const TieFailure& failure : report.tie_failures) ++report.contacts[failure.contact].untied;
   for (const Penetration& p : report.penetrations) {
     ContactSummary& c = report.contacts[p.contact];
     switch (p.kind) {
@@ -110,12 +130,13 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   Context context(deck, model, options);
   run_rules(context, report);
   const bool any = context.wanted(PenetrationKind::initial) || context.wanted(PenetrationKind::released) ||
-                   context.wanted(PenetrationKind::edge_zone);
+                   context.wanted(PenetrationKind::edge_zone) || context.wanted_untied();
   if (any || context.initialised()) {
     contact::InitialState& initial = context.initial();
     report.contacts = std::move(initial.contacts);
     report.penetrations = std::move(initial.penetrations);
     std::erase_if(report.penetrations, [&](const Penetration& p) { return !keep(p, context); });
+    if (context.wanted_untied()) report.tie_failures = untied_nodes(initial, model, context);
     recount(report);
   } else {
     report.contacts = contacts_alone(model);

@@ -16,7 +16,7 @@ namespace gapcheck::audit {
 namespace {
 
 /// Ascending by id.
-constexpr std::array all_rules{&initial_penetration, &released_node, &edge_zone_penetration,
+constexpr std::array all_rules{&initial_penetration, &released_node, &edge_zone_penetration, &untied_node,
                                &duplicate_id,        &unknown_reference, &empty_surface};
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {

@@ -27,6 +27,9 @@ class Context {
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
   /// Asks for the records of one kind in the report.
   void want(PenetrationKind kind) { wanted_.set(static_cast<std::size_t>(kind)); }
+  /// Asks for the nodes of tied contacts that did not tie.
+  void want_untied() { untied_ = true; }
+  [[nodiscard]] bool wanted_untied() const { return untied_; }
   [[nodiscard]] bool wanted(PenetrationKind kind) const { return wanted_.test(static_cast<std::size_t>(kind)); }
 
  private:
@@ -36,6 +39,7 @@ class Context {
   std::optional<contact::InitialState> initial_;
   contact::InitialCounters counters_;
   std::bitset<3> wanted_;
+  bool untied_ = false;
 };
 
 /// One rule: what it is, and what it adds to a report.

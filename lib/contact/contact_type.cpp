@@ -85,7 +85,7 @@ std::string reason(const ContactType& type, const model::Contact& contact, bool 
   if (type.family == Family::mortar)
     return "mortar contact works segment to segment; the solver lists no nodes for it (GC108)";
   if (type.family == Family::tied || tiebreak)
-    return "ties nodes to segments; which nodes tie is another question than penetration (GC2xx)";
+    return "ties nodes to segments instead of keeping them apart";
   if (type.code == "20" || type.code == "21") return "rigid-body contact by force curve has no contact thickness";
   if (type.code == "22") return "edge-to-edge contact has no node-to-segment penetrations";
   if (type.code == "23") return "a draw bead has no contact surface of its own";

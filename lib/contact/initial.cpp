@@ -87,9 +87,14 @@ class Initialiser {
 
   void tie(std::uint32_t c, const ContactType& type) {
     const Stopwatch watch(counters_.search_s);
-    const std::uint64_t tied = apply_ties(model_, model_.contacts[c], type, *search_, state_.x, ties_);
-    state_.contacts[c].ties = tied;
-    counters_.tied_nodes += tied;
+    TieResult result = apply_ties(model_, model_.contacts[c], type, *search_, state_.x, ties_);
+    state_.contacts[c].ties = result.tied;
+    state_.contacts[c].untied = result.untied.size();
+    counters_.tied_nodes += result.tied;
+    for (TieFailure& failure : result.untied) {
+      failure.contact = c;
+      state_.untied.push_back(failure);
+    }
   }
 
   void report_empty(std::uint32_t c, char side, const Selection& selection) {

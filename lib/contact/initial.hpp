@@ -35,6 +35,7 @@ struct EmptySurface {
 struct InitialState {
   std::vector<ContactSummary> contacts;   ///< beside Model::contacts; those not chosen have `not_checked` set
   std::vector<Penetration> penetrations;  ///< by contact, deepest first, then node id
+  std::vector<TieFailure> untied;         ///< nodes meant to tie that did not; by contact, then node
   std::vector<EmptySurface> empty;
   std::vector<std::string> notes;         ///< what could not be honoured
   std::vector<Vector> x;                  ///< coordinates after the initialisation

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <tuple>
 
 #include "contact/closest_segment.hpp"
 
@@ -12,14 +13,21 @@ namespace {
 constexpr double thickness_share = 0.6, diagonal_share = 0.05;  // [workshop]
 /// PARMAX of tied contacts (MPP default).
 constexpr double default_parmax = 1.035;
+/// Nodes of parts are taken as meant to tie within this multiple of the tie distance.
+constexpr double meant_to_tie = 2;
 
 struct Candidate {
   std::uint32_t slot, segment;
-  double distance;
+  double distance, allowed;
+  bool on_segment;  // the projection falls in the segment
 };
 
 double min_diagonal(const geometry::Facet& f) {
   return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
+}
+
+double max_diagonal(const geometry::Facet& f) {
+  return std::sqrt(std::max((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
 }
 
 bool moves_node(const ContactType& type) { return type.code == "2" || type.code == "6" || type.code == "7"; }
@@ -27,6 +35,124 @@ bool moves_node(const ContactType& type) { return type.code == "2" || type.code 
 bool solid(const Segments& s, std::uint32_t i) {
   return s.element_kind[i] == model::ElementKind::solid || s.element_kind[i] == model::ElementKind::thick_shell;
 }
+
+/// One tied contact on its way.
+class Tying {
+ public:
+  Tying(const model::Model& model, const model::Contact& contact, const ContactType& type, std::vector<Vector>& x,
+        Ties& ties)
+      : model_(model), contact_(contact), type_(type), x_(x), ties_(ties) {}
+
+  TieResult run(const CandidateSearch& search) {
+    Selection a = select(model_, contact_.a, type_, x_);
+    Selection b = select(model_, contact_.b, type_, x_);
+    if (b.segments.size() == 0) return {};
+    fill_thickness(a.segments, model_, thickness_side(contact_, all_thickness_, model_.controls, false), x_);
+    fill_thickness(b.segments, model_, thickness_side(contact_, all_thickness_, model_.controls, true), x_);
+    segments_ = std::move(b.segments);
+    nodes_ = tracked_nodes(a, model_, thickness_side(contact_, all_thickness_, model_.controls, false), x_);
+    by_node_set_ = a.segments.size() == 0;
+    if (ties_by_constraint(type_)) rigid_ = rigid_nodes(model_);
+    find_candidates(search);
+    return decide();
+  }
+
+ private:
+  void find_candidates(const CandidateSearch& search) {
+    const Neighbours neighbours(segments_, model_.mesh);
+    const PairScene scene{model_, contact_, type_, all_thickness_, x_, segments_, nodes_, neighbours, {}, {}};
+    const double parmax = contact_.parmax > 0 ? contact_.parmax : contact_.maxpar > 0 ? contact_.maxpar : default_parmax;
+    const bool negative = contact_.sst < 0 || contact_.mst < 0;
+    const double largest_half = nodes_.half.empty() ? 0 : *std::max_element(nodes_.half.begin(), nodes_.half.end());
+    const auto limit = [&](double node_half, std::uint32_t s) {
+      return tie_distance(2 * node_half, 2 * segments_.half[s], min_diagonal(scene.facet(s)), solid(segments_, s), negative);
+    };
+    // Nodes of a node set are looked for a segment's length away, to tell "too far" from "on no segment".
+    const auto reach = [&](std::uint32_t s) {
+      const double near = meant_to_tie * limit(largest_half, s);
+      return by_node_set_ ? std::max(near, max_diagonal(scene.facet(s))) : near;
+    };
+    std::mutex mutex;
+    SweepCounters sweep;
+    for_each_candidate(scene, search, reach, sweep, [&](std::uint32_t segment, std::span<const std::uint32_t> slots) {
+      if (scene.line(segment)) return;
+      const geometry::Facet facet = scene.facet(segment);
+      for (const std::uint32_t slot : slots) {
+        const auto closest = geometry::closest_point(facet, scene.position(slot), parmax - 1);
+        const double distance = std::sqrt(closest.squared_distance), allowed = limit(nodes_.half[slot], segment);
+        if (!by_node_set_ && distance > meant_to_tie * allowed) continue;
+        const std::lock_guard lock(mutex);
+        candidates_.push_back({slot, segment, distance, allowed, closest.in_band});
+      }
+    });
+    // Candidates that hold the node's projection first, then the nearest.
+    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& l, const Candidate& r) {
+      return std::tuple(l.slot, !l.on_segment, l.distance, l.segment) < std::tuple(r.slot, !r.on_segment, r.distance, r.segment);
+    });
+  }
+
+  TieResult decide() {
+    TieResult result;
+    std::size_t next = 0;
+    for (std::uint32_t slot = 0; slot < nodes_.size(); ++slot) {
+      const std::size_t first = next;
+      while (next < candidates_.size() && candidates_[next].slot == slot) ++next;
+      if (first == next && !by_node_set_) continue;
+      ++result.judged;
+      decide_node(slot, first == next ? nullptr : &candidates_[first], result);
+    }
+    // Moved only now: no node may move before its neighbours have been measured.
+    for (const auto& [node, target] : moves_) x_[node.value] = target;
+    return result;
+  }
+
+  void decide_node(std::uint32_t slot, const Candidate* best, TieResult& result) {
+    const NodeIndex node = nodes_.node[slot];
+    const bool found = best != nullptr && best->on_segment;
+    const bool near = found && best->distance <= best->allowed * (1 + 1e-12);
+    if (near && ties_by_constraint(type_)) {
+      if (rigid_[node.value]) return fail(slot, best, TieReason::rigslav, result);
+      const auto& corners = segments_.nodes[best->segment];
+      if (std::any_of(corners.begin(), corners.end(), [&](NodeIndex n) { return rigid_[n.value]; }))
+        return fail(slot, best, TieReason::rigmast, result);
+      if (ties_.constrained(node)) return fail(slot, best, TieReason::conflict, result);
+    }
+    if (!near) return fail(slot, found ? best : nullptr, found ? TieReason::too_far : TieReason::not_found, result);
+    ties_.add(node, part_of(model_.mesh, segments_, best->segment), ties_by_constraint(type_));
+    ++result.tied;
+    result.largest_separation = std::max(result.largest_separation, best->distance);
+    if (!moves_node(type_)) return;
+    const auto& n = segments_.nodes[best->segment];
+    const geometry::Facet facet{{x_[n[0].value], x_[n[1].value], x_[n[2].value], x_[n[3].value]}, n[2] == n[3]};
+    moves_.emplace_back(node, geometry::closest_point(facet, x_[node.value]).point);
+  }
+
+  void fail(std::uint32_t slot, const Candidate* best, TieReason reason, TieResult& result) const {
+    TieFailure failure;
+    failure.node = model_.mesh.nodes.id[nodes_.node[slot].value];
+    if (nodes_.part[slot] != none<PartIndex>) failure.part = model_.part(nodes_.part[slot]).id.value;
+    if (best != nullptr) {
+      failure.segment_number = best->segment + 1;
+      failure.distance = best->distance;
+    }
+    failure.reason = reason;
+    result.untied.push_back(failure);
+  }
+
+  const model::Model& model_;
+  const model::Contact& contact_;
+  const ContactType& type_;
+  /// Ties measure with the true thickness, whatever SHLTHK says.
+  const ContactSettings all_thickness_{.shlthk = 2};
+  std::vector<Vector>& x_;
+  Ties& ties_;
+  Segments segments_;
+  TrackedNodes nodes_;
+  bool by_node_set_ = false;
+  std::vector<bool> rigid_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::pair<NodeIndex, Vector>> moves_;
+};
 
 }  // namespace
 
@@ -38,70 +164,48 @@ double tie_distance(double node_thickness, double segment_thickness, double diag
   return solid_segment ? d2 : std::max(d1, d2);
 }
 
-void Ties::add(NodeIndex node, PartIndex part) { parts_[node.value].push_back(part); }
-
-bool Ties::tied(NodeIndex node, PartIndex part) const {
-  const auto found = parts_.find(node.value);
-  if (found == parts_.end()) return false;
-  return std::find(found->second.begin(), found->second.end(), part) != found->second.end();
+bool ties_by_constraint(const ContactType& type) {
+  const char form = type.code.front();
+  return type.family == Family::tied && form != 'o' && form != 'b' && type.code != "8" && type.code != "9";
 }
 
-std::uint64_t apply_ties(const model::Model& model, const model::Contact& contact, const ContactType& type,
-                         const CandidateSearch& search, std::vector<Vector>& x,
-                         Ties& ties) {
-  // Ties measure from the mid-surface with the true thickness, whatever SHLTHK says.
-  const ContactSettings all_thickness{.shlthk = 2};
-  Selection a = select(model, contact.a, type, x);
-  fill_thickness(a.segments, model, thickness_side(contact, all_thickness, model.controls, false), x);
-  Selection b = select(model, contact.b, type, x);
-  if (b.segments.size() == 0) return 0;
-  fill_thickness(b.segments, model, thickness_side(contact, all_thickness, model.controls, true), x);
-  const TrackedNodes nodes =
-      tracked_nodes(a, model, thickness_side(contact, all_thickness, model.controls, false), x);
-  const Neighbours neighbours(b.segments, model.mesh);
-  PairScene scene{model, contact, type, all_thickness, x, b.segments, nodes, neighbours, {}, {}};
-  const bool negative = contact.sst < 0 || contact.mst < 0;
-  const double parmax = contact.parmax > 0 ? contact.parmax : contact.maxpar > 0 ? contact.maxpar : default_parmax;
-  double largest_half = 0;
-  for (const double half : nodes.half) largest_half = std::max(largest_half, half);
-  const auto limit = [&](double node_half, std::uint32_t s) {
-    return tie_distance(2 * node_half, 2 * b.segments.half[s], min_diagonal(scene.facet(s)), solid(b.segments, s), negative);
+std::vector<bool> rigid_nodes(const model::Model& model) {
+  std::vector<bool> rigid(model.mesh.nodes.size(), false);
+  const auto mark_elements = [&](const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (elements.part[e] != none<PartIndex> && model.rigid(elements.part[e]))
+        for (const NodeIndex n : elements.nodes[e]) rigid[n.value] = true;
   };
-  std::mutex mutex;
-  std::vector<Candidate> candidates;
-  SweepCounters sweep;
-  for_each_candidate(
-      scene, search, [&](std::uint32_t s) { return limit(largest_half, s); }, sweep,
-      [&](std::uint32_t segment, std::span<const std::uint32_t> slots) {
-        if (scene.line(segment)) return;
-        const geometry::Facet facet = scene.facet(segment);
-        for (const std::uint32_t slot : slots) {
-          const Vector& q = x[nodes.node[slot].value];
-          const auto closest = geometry::closest_point(facet, q, parmax - 1);
-          if (!closest.in_band) continue;
-          const double bound = limit(nodes.half[slot], segment);
-          if (closest.squared_distance > bound * bound * (1 + 1e-12)) continue;
-          const std::lock_guard lock(mutex);
-          candidates.push_back({slot, segment, std::sqrt(closest.squared_distance)});
-        }
-      });
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& l, const Candidate& r) {
-    return std::tie(l.slot, l.distance, l.segment) < std::tie(r.slot, r.distance, r.segment);
-  });
-  // All targets first: a node must not move before its neighbours have been measured.
-  std::vector<std::pair<NodeIndex, Vector>> moves;
-  std::uint64_t tied = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (i > 0 && candidates[i].slot == candidates[i - 1].slot) continue;
-    const NodeIndex node = nodes.node[candidates[i].slot];
-    if (ties.tied(node)) continue;
-    ties.add(node, part_of(model.mesh, b.segments, candidates[i].segment));
-    ++tied;
-    if (moves_node(type))
-      moves.emplace_back(node, geometry::closest_point(scene.facet(candidates[i].segment), x[node.value]).point);
-  }
-  for (const auto& [node, target] : moves) x[node.value] = target;
-  return tied;
+  mark_elements(model.mesh.shells);
+  mark_elements(model.mesh.solids);
+  mark_elements(model.mesh.thick_shells);
+  mark_elements(model.mesh.beams);
+  for (const model::RigidGroup& group : model.rigid_groups)
+    for (const NodeIndex n : group.nodes) rigid[n.value] = true;
+  return rigid;
+}
+
+void Ties::add(NodeIndex node, PartIndex part, bool constraint) {
+  Tied& tied = nodes_[node.value];
+  tied.parts.push_back(part);
+  tied.constraint = tied.constraint || constraint;
+}
+
+bool Ties::tied(NodeIndex node, PartIndex part) const {
+  const auto found = nodes_.find(node.value);
+  if (found == nodes_.end()) return false;
+  const auto& parts = found->second.parts;
+  return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
+bool Ties::constrained(NodeIndex node) const {
+  const auto found = nodes_.find(node.value);
+  return found != nodes_.end() && found->second.constraint;
+}
+
+TieResult apply_ties(const model::Model& model, const model::Contact& contact, const ContactType& type,
+                     const CandidateSearch& search, std::vector<Vector>& x, Ties& ties) {
+  return Tying(model, contact, type, x, ties).run(search);
 }
 
 }  // namespace gapcheck::contact

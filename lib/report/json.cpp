@@ -52,8 +52,7 @@ void append_contact(const ContactSummary& contact, bool deck, Buffer& out) {
   object.integer("edge_zone", contact.edge_zone);
   object.number("max_penetration", contact.max_penetration);
   object.integer("ties", contact.ties);
-  // The audit ties nodes, but does not judge yet which of the others were meant to tie.
-  if (!deck) object.integer("untied", contact.untied);
+  object.integer("untied", contact.untied);
   if (contact.reported_penetrations != 0) object.integer("reported_penetrations", contact.reported_penetrations);
   if (contact.contact_time_s >= 0) object.number("contact_time_s", contact.contact_time_s);
   if (!contact.not_checked.empty()) object.string("not_checked", contact.not_checked);

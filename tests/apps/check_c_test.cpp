@@ -37,10 +37,10 @@ TEST_F(CheckC, EveryOptionHasItsText) {
       {"all_timestep_typ", "-all -timestep -typ -title"},
   };
   for (const auto& [name, options] : cases) {
-    const Outcome outcome = check_c(options + " messag");
-    EXPECT_EQ(outcome.code, 1) << name;
-    EXPECT_EQ(outcome.err, "") << name;
-    expect_golden("check_c_" + name, outcome.out);
+    const Ended run = check_c(options + " messag");
+    EXPECT_EQ(run.code, 1) << name;
+    EXPECT_EQ(run.err, "") << name;
+    expect_golden("check_c_" + name, run.out);
   }
   EXPECT_EQ(check_c("-typkey messag").out, check_c("-type messag").out);
 }
@@ -50,18 +50,18 @@ TEST_F(CheckC, EverySelectionHasItsText) {
   for (const char* word :
        {"tied",  "sep", "offset", "far", "short", "notfound", "rigslav", "rigmast", "conflict", "untied",
         "typ13", "pen", "mid",    "del", "below", "soft2",    "inter",   "war",     "first",    "last"}) {
-    const Outcome outcome = check_c(std::string("-list -sel ") + word + " messag");
+    const Ended run = check_c(std::string("-list -sel ") + word + " messag");
     const bool none = std::string(word) == "far" || std::string(word) == "notfound" || std::string(word) == "pen";
-    EXPECT_EQ(outcome.code, none ? 0 : 1) << word;
-    expect_golden(std::string("check_c_sel_") + word, outcome.out);
+    EXPECT_EQ(run.code, none ? 0 : 1) << word;
+    expect_golden(std::string("check_c_sel_") + word, run.out);
   }
 }
 
 TEST_F(CheckC, SeveralFilesOfAnMppRun) {
   use("mpp");
-  const Outcome outcome = check_c("mes0000 mes0001");
-  EXPECT_EQ(outcome.code, 1);
-  expect_golden("check_c_mpp", outcome.out);
+  const Ended run = check_c("mes0000 mes0001");
+  EXPECT_EQ(run.code, 1);
+  expect_golden("check_c_mpp", run.out);
 }
 
 TEST_F(CheckC, ExitCodes) {
@@ -82,7 +82,7 @@ TEST_F(CheckC, ExitCodes) {
 }
 
 TEST_F(CheckC, UsageWithoutArguments) {
-  const Outcome usage = check_c("");
+  const Ended usage = check_c("");
   EXPECT_EQ(usage.code, 2);
   EXPECT_TRUE(usage.out.starts_with("usage: check-c [options] messag-file[s]\noptions:\n")) << usage.out;
   expect_golden("check_c_usage", usage.out);
@@ -117,18 +117,18 @@ TEST_F(CheckC, BadArgumentsSayWhatIsWrong) {
                                 "-mnode 0 messag",     "-ani -a4sel messag",
                                 "-hsp '' messag",      "--frobnicate messag",
                                 "--jobs -1 messag"}) {
-    const Outcome outcome = check_c(arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_EQ(outcome.out, "") << arguments;
-    EXPECT_TRUE(outcome.err.starts_with("check-c: error: ")) << arguments << ": " << outcome.err;
+    const Ended run = check_c(arguments);
+    EXPECT_EQ(run.code, 2) << arguments;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_TRUE(run.err.starts_with("check-c: error: ")) << arguments << ": " << run.err;
   }
 }
 
 TEST_F(CheckC, AnUnknownInterfaceIsMentioned) {
   use("smp");
-  const Outcome outcome = check_c("-sid 1,77 messag");
-  EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.err.find("warning: -sid 77"), std::string::npos) << outcome.err;
+  const Ended run = check_c("-sid 1,77 messag");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("warning: -sid 77"), std::string::npos) << run.err;
   EXPECT_EQ(check_c("--quiet -sid 1,77 messag").err, "");
 }
 
@@ -142,25 +142,25 @@ TEST_F(CheckC, TitlesOfAnotherD3hsp) {
 TEST_F(CheckC, ADamagedFileGivesWhatCanBeReadAndTwo) {
   use("smp");
   const std::string text = content(folder_ / "messag");
-  file("cut", text.substr(0, text.find("penetrated segment nodes", text.find("= 2002"))));
-  const Outcome outcome = check_c("cut");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_NE(outcome.out.find("1006"), std::string::npos);
-  EXPECT_TRUE(outcome.err.starts_with("check-c: error: cut:")) << outcome.err;
+  file("cut", text.substr(0, text.find("     penetrated segment nodes", text.find("= 2002"))));
+  const Ended run = check_c("cut");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.out.find("1006"), std::string::npos);
+  EXPECT_TRUE(run.err.starts_with("check-c: error: cut:")) << run.err;
 }
 
 TEST_F(CheckC, UserAdditionsToTheMessageKinds) {
   use("smp");
   file("kinds.txt", "kind soft2-intersection\ncodes 49999\n");
-  const Outcome outcome = check_c("-sel inter -list --messages kinds.txt messag");
-  EXPECT_EQ(outcome.code, 1);
-  EXPECT_NE(outcome.out.find("49999"), std::string::npos) << outcome.out;
+  const Ended run = check_c("-sel inter -list --messages kinds.txt messag");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.out.find("49999"), std::string::npos) << run.out;
   EXPECT_EQ(check_c("-sel inter -list messag").code, 0);
 }
 
 TEST_F(CheckC, FilesForPostProcessors) {
   use("smp");
-  const Outcome key = check_c("-key -medina -a4sel -mnode 500 messag");
+  const Ended key = check_c("-key -medina -a4sel -mnode 500 messag");
   EXPECT_EQ(key.code, 1) << key.err;
   EXPECT_TRUE(key.out.ends_with("check-c.key written\ncheck-c.ses written\ncheck-c.prt written\n")) << key.out;
   EXPECT_NE(content(folder_ / "check-c.key").find("*ELEMENT_BEAM"), std::string::npos);
@@ -186,9 +186,9 @@ TEST_F(CheckC, FilesHoldWhatWasPicked) {
 TEST_F(CheckC, FilesThatCannotBeWritten) {
   use("smp");
   std::filesystem::create_directory(folder_ / "check-c.key");
-  const Outcome outcome = check_c("-key messag");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_NE(outcome.err.find("check-c.key: cannot be written"), std::string::npos) << outcome.err;
+  const Ended run = check_c("-key messag");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("check-c.key: cannot be written"), std::string::npos) << run.err;
 }
 
 TEST_F(CheckC, PartsOfAD3plot) {
@@ -199,7 +199,7 @@ TEST_F(CheckC, PartsOfAD3plot) {
   file("messag", text);
   EXPECT_EQ(check_c("-pid messag").code, 2);
   file("d3plot", plot.bytes());
-  const Outcome beside = check_c("-pid -sid 1 messag");
+  const Ended beside = check_c("-pid -sid 1 messag");
   EXPECT_EQ(beside.code, 1) << beside.err;
   std::filesystem::rename(folder_ / "d3plot", folder_ / "plot");
   EXPECT_EQ(check_c("-pid -sid 1 -g plot messag").out, beside.out);
@@ -207,15 +207,15 @@ TEST_F(CheckC, PartsOfAD3plot) {
 }
 
 TEST_F(CheckC, ARealRun) {
-  const auto run = project / "../shared/decks/tied_plate_with_run";
-  if (!std::filesystem::exists(run / "messag")) GTEST_SKIP() << run << " is not here";
-  const Outcome outcome = check_c("-all -title -typ -timestep -list '" + (run / "messag").string() + "'");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const auto folder = project / "../shared/decks/tied_plate_with_run";
+  if (!std::filesystem::exists(folder / "messag")) GTEST_SKIP() << folder << " is not here";
+  const Ended run = check_c("-all -title -typ -timestep -list '" + (folder / "messag").string() + "'");
+  EXPECT_EQ(run.code, 0) << run.err;
   for (const char* part :
        {"interface 80085 \"Left_on_left_action\"  type 2", "interface 8008 \"Right_on_right_action\"", "type a3",
         "time step 1.669E-07, controlled by node 1 of part 1", "Warning 60303 (IMP)",
         "the time step should not exceed 1.669E-07"})
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << '\n' << outcome.out;
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << '\n' << run.out;
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "audit/audit.hpp"
 #include "program.hpp"
-#include "records/report.hpp"
 #include "results/write_messag.hpp"
 
 namespace gapcheck {
@@ -16,35 +16,18 @@ class Compare : public Program {
  protected:
   static std::string data(const std::string& name) { return "'" + (project / "data" / name).string() + "'"; }
 
-  /// What LS-DYNA would write if it found what the audit finds.
-  std::string predicted(const fs::path& deck) const {
-    const auto json = nlohmann::json::parse(gapcheck("audit --format json '" + deck.string() + "'").out);
-    Report report;
-    for (const auto& contact : json["contacts"]) {
-      report.contacts.emplace_back();
-      report.contacts.back().id = contact["id"];
-    }
-    for (const auto& finding : json["findings"]) {
-      if (finding["id"] != "GC101") continue;
-      Penetration record;
-      while (report.contacts[record.contact].id != finding["contact"]) ++record.contact;
-      record.node = finding["node"];
-      record.segment = finding["segment"];
-      record.depth = finding["penetration"];
-      record.contact_distance = finding["contact_distance"];
-      const auto vector = [&](const char* key) { return Vector(finding[key][0], finding[key][1], finding[key][2]); };
-      record.original = record.moved_to = vector("original");
-      if (finding.contains("moved_to")) record.moved_to = vector("moved_to");
-      report.penetrations.push_back(record);
-    }
-    return results::write_messag(report);
+  /// What the solver would write if it found what the audit finds.
+  static std::string predicted(const fs::path& deck) {
+    Diagnostics diagnostics;
+    const auto report = audit::audit_deck(deck.string(), {}, diagnostics);
+    return report ? results::write_messag(report.value()) : "";
   }
 };
 
 TEST_F(Compare, ADeckAgreesWithItself) {
-  const Outcome outcome = gapcheck("compare " + data("two_plates.k") + " " + data("two_plates.k"));
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("no differences, 18 nodes agree"), std::string::npos) << outcome.out;
+  const Ended run = gapcheck("compare " + data("two_plates.k") + " " + data("two_plates.k"));
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("no differences, 18 nodes agree"), std::string::npos) << run.out;
 }
 
 TEST_F(Compare, EveryExampleAgreesWithItsPredictedMessag) {
@@ -56,8 +39,8 @@ TEST_F(Compare, EveryExampleAgreesWithItsPredictedMessag) {
   for (const fs::path& deck : decks) {
     file("messag", predicted(deck));
     if (content(folder_ / "messag").find("40565") == std::string::npos) continue;
-    const Outcome outcome = gapcheck("compare '" + deck.string() + "' messag");
-    EXPECT_EQ(outcome.code, 0) << deck << '\n' << outcome.out << outcome.err;
+    const Ended run = gapcheck("compare '" + deck.string() + "' messag");
+    EXPECT_EQ(run.code, 0) << deck << '\n' << run.out << run.err;
     ++compared;
   }
   EXPECT_GT(compared, 15u);
@@ -77,8 +60,8 @@ TEST_F(Compare, AMissingNodeAnExtraOneAndAnotherDepth) {
   text.replace(text.find("-3.0000E-01", second), 11, "-3.0500E-01");
   file("messag", text);
   const std::string both = "compare '" + deck.string() + "' messag";
-  const Outcome outcome = gapcheck(both);
-  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  const Ended run = gapcheck(both);
+  EXPECT_EQ(run.code, 1) << run.err;
   const auto json = nlohmann::json::parse(gapcheck(both + " --format json").out);
   EXPECT_EQ(json["contacts"][0]["agree"], 16);
   EXPECT_EQ(json["contacts"][0]["depth_differs"], 1);
@@ -90,9 +73,9 @@ TEST_F(Compare, AMissingNodeAnExtraOneAndAnotherDepth) {
 
 TEST_F(Compare, ContactsThatTheAuditDoesNotCheckAreNotCompared) {
   file("messag", predicted(project / "data/two_plates.k"));
-  const Outcome outcome = gapcheck("compare " + data("soft2_not_checked.k") + " messag");
-  EXPECT_EQ(outcome.code, 0) << outcome.out;
-  EXPECT_NE(outcome.out.find("not compared"), std::string::npos) << outcome.out;
+  const Ended run = gapcheck("compare " + data("soft2_not_checked.k") + " messag");
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_NE(run.out.find("not compared"), std::string::npos) << run.out;
 }
 
 TEST_F(Compare, Directories) {
@@ -104,9 +87,9 @@ TEST_F(Compare, Directories) {
   EXPECT_EQ(gapcheck("compare mpp mpp").code, 0);
   EXPECT_EQ(gapcheck("compare smp mpp").code, 1);
   fs::create_directory(folder_ / "none");
-  const Outcome outcome = gapcheck("compare smp none");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_NE(outcome.err.find("none: the directory has no messag"), std::string::npos) << outcome.err;
+  const Ended run = gapcheck("compare smp none");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("none: the directory has no messag"), std::string::npos) << run.err;
 }
 
 TEST_F(Compare, ADeckIsRecognisedByItsFirstLine) {

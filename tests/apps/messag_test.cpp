@@ -10,9 +10,9 @@ class Messag : public Program {};
 
 TEST_F(Messag, Text) {
   use("smp");
-  const Outcome outcome = gapcheck("messag messag --deck '" + (project / "data/two_plates.k").string() + "'");
-  EXPECT_EQ(outcome.code, 0) << "warnings alone; " << outcome.err;
-  expect_golden("messag", outcome.out);
+  const Ended run = gapcheck("messag messag --deck '" + (project / "data/two_plates.k").string() + "'");
+  EXPECT_EQ(run.code, 0) << "warnings alone; " << run.err;
+  expect_golden("messag", run.out);
   expect_golden("messag_list", gapcheck("messag messag --list").out);
 }
 
@@ -40,8 +40,8 @@ TEST_F(Messag, CountsWithoutAListAreWarnings) {
 
 TEST_F(Messag, JsonLeavesOutWhatTheFilesDoNotSay) {
   use("smp");
-  const Outcome outcome = gapcheck("messag messag --format json");
-  const auto json = nlohmann::json::parse(outcome.out);
+  const Ended run = gapcheck("messag messag --format json");
+  const auto json = nlohmann::json::parse(run.out);
   EXPECT_EQ(json["schema"], "gapcheck/1");
   EXPECT_EQ(json["source"], "messag");
   EXPECT_FALSE(json.contains("model"));

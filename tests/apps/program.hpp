@@ -13,7 +13,7 @@
 
 namespace gapcheck {
 
-struct Outcome {
+struct Ended {
   int code = -1;
   std::string out, err;
 };
@@ -38,23 +38,23 @@ class Program : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// `command` as a shell takes it.
-  [[nodiscard]] Outcome shell(const std::string& command) const {
+  [[nodiscard]] Ended shell(const std::string& command) const {
     const std::string whole = "cd '" + folder_.string() + "' && " + command + " 2>.stderr";
-    Outcome outcome;
+    Ended run;
     std::FILE* pipe = ::popen(whole.c_str(), "r");
-    if (pipe == nullptr) return outcome;
+    if (pipe == nullptr) return run;
     std::array<char, 4096> buffer{};
     for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-      outcome.out.append(buffer.data(), n);
+      run.out.append(buffer.data(), n);
     const int status = ::pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -2;
-    outcome.err = content(folder_ / ".stderr");
-    return outcome;
+    run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -2;
+    run.err = content(folder_ / ".stderr");
+    return run;
   }
-  [[nodiscard]] Outcome gapcheck(const std::string& arguments) const {
+  [[nodiscard]] Ended gapcheck(const std::string& arguments) const {
     return shell("'" GAPCHECK_BINARY "' " + arguments);
   }
-  [[nodiscard]] Outcome check_c(const std::string& arguments) const {
+  [[nodiscard]] Ended check_c(const std::string& arguments) const {
     return shell("'" CHECK_C_BINARY "' " + arguments);
   }
 

@@ -55,9 +55,61 @@ TEST(Ties, FirstContactInTheDeckKeepsTheNode) {
   auto& second = scene.contact("TIED_NODES_TO_SURFACE_OFFSET");
   second.a = first.a;
   second.b = first.b;
-  const InitialState state = scene.run();
+  InitialState state = scene.run();
+  EXPECT_EQ(state.contacts[0].ties, 1U);
+  EXPECT_EQ(state.contacts[1].ties, 1U);  // penalty forms do not exclude each other
+  for (auto& c : scene.model.contacts) c.keyword = "CONTACT_TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET";
+  state = scene.run();
   EXPECT_EQ(state.contacts[0].ties, 1U);
   EXPECT_EQ(state.contacts[1].ties, 0U);
+  ASSERT_EQ(state.untied.size(), 1U);
+  EXPECT_EQ(state.untied[0].contact, 1U);
+  EXPECT_EQ(state.untied[0].reason, TieReason::conflict);
+}
+
+TEST(Ties, EachReasonIsTold) {
+  // Far above a segment, beside the plate, rigid node, over a rigid part.
+  Scene scene;
+  scene.plate(scene.part(1, 1), {0, 0, 0}, {10, 0, 0}, {0, 10, 0}, 1, 1);
+  scene.plate(scene.part(2, 1), {30, 0, 0}, {10, 0, 0}, {0, 10, 0}, 1, 1);
+  model::Material rigid;
+  rigid.rigid = true;
+  scene.model.materials.push_back(rigid);
+  scene.model.parts[1].material = 0;
+  auto& members = scene.model.sets.nodes[5].members;
+  for (const Vector& x : {Vector(5, 5, 3), Vector(5, 18, 0), Vector(4, 4, 0.1), Vector(35, 5, 0.1), Vector(6, 6, 0.1)})
+    members.push_back(scene.node(x));
+  model::RigidGroup group;
+  group.kind = model::RigidGroup::Kind::nodal_rigid_body;
+  group.nodes = {members[2]};
+  scene.model.rigid_groups.push_back(group);
+  auto& c = scene.contact("TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET");
+  c.a = {5, 4, 0, true};
+  c.b = {0, 5, 0, true};
+  InitialState state = scene.run();
+  EXPECT_EQ(state.contacts[0].ties, 1U);
+  std::vector<TieReason> reasons;
+  for (const TieFailure& failure : state.untied) reasons.push_back(failure.reason);
+  EXPECT_EQ(reasons, (std::vector{TieReason::too_far, TieReason::not_found, TieReason::rigslav, TieReason::rigmast}));
+  EXPECT_DOUBLE_EQ(state.untied[0].distance, 3);
+  // The penalty form takes rigid bodies.
+  scene.model.contacts[0].keyword = "CONTACT_TIED_NODES_TO_SURFACE_OFFSET";
+  EXPECT_EQ(scene.run().contacts[0].ties, 3U);
+}
+
+TEST(Ties, OfPartsOnlyNodesNearTheSurfaceAreJudged) {
+  // A plate 0.9 above another (allowed 1.2, they tie), one 2 above (within twice the distance), one 5 above (not meant).
+  for (const auto& [gap, ties, untied] : {std::tuple(0.9, 4U, 0U), std::tuple(2.0, 0U, 4U), std::tuple(5.0, 0U, 0U)}) {
+    Scene scene;
+    scene.plate(scene.part(1, 1), {0, 0, 0}, {10, 0, 0}, {0, 10, 0}, 3, 3);
+    scene.plate(scene.part(2, 1), {5, 5, gap}, {10, 0, 0}, {0, 10, 0}, 1, 1);
+    auto& c = scene.contact("TIED_SURFACE_TO_SURFACE_OFFSET");
+    c.a = {2, 3, 0, true};
+    c.b = {1, 3, 0, true};
+    const InitialState state = scene.run();
+    EXPECT_EQ(state.contacts[0].ties, ties);
+    EXPECT_EQ(state.untied.size(), untied);
+  }
 }
 
 TEST(Ties, AgreeWithTheFormulaOnRandomNodesOverAFlatPlate) {
