@@ -320,8 +320,10 @@ bool looks_like_femzip(std::string_view bytes, const D3plotHeader& header) {
   constexpr std::size_t front = 8192;
   if (!header.reserved_words_used && header.materials == header.sum_of_materials) return false;
   const std::string_view start = bytes.substr(0, front);
-  for (std::size_t at = start.find('\x78'); at + 1 < start.size(); at = start.find('\x78', at + 1))
-    if (std::string_view("\x01\x5e\x9c\xda").find(start[at + 1]) != std::string_view::npos) return true;
+  // Method and window of a zlib stream, then one of its four check bytes.
+  for (std::size_t at = 0; at + 1 < start.size(); ++at)
+    if (start[at] == '\x78' && std::string_view("\x01\x5e\x9c\xda").find(start[at + 1]) != std::string_view::npos)
+      return true;
   return false;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -145,6 +146,21 @@ TEST(TemplateDeck, NeedsItsParameters) {
 }
 
 /// Fragments, templates and decks of other solvers' physics: no crash, and a report or a reason.
+// The solver's own run of this deck counts three constraint equations for each node that it tied.
+TEST(RealRun, TiesAsManyNodesAsTheSolver) {
+  NEED_REAL_DECKS();
+  std::ifstream messag(folder / "tied_plate_with_run" / "messag");
+  std::uint64_t equations = 0;
+  for (std::string line; equations == 0 && std::getline(messag, line);)
+    if (line.find("no. of tie ") != std::string::npos) equations = std::stoull(line.substr(line.find('=') + 1));
+  ASSERT_GT(equations, 0u);
+  const AuditRun run = run_file((folder / "tied_plate_with_run/main.k").string());
+  std::uint64_t ties = 0;
+  for (const ContactSummary& contact : run.report.contacts) ties += contact.ties;
+  EXPECT_EQ(3 * ties, equations);
+  EXPECT_TRUE(run.report.tie_failures.empty());  // and it printed no warning of an untied node
+}
+
 TEST(AnyDeck, GivesAReportOrAReason) {
   NEED_REAL_DECKS();
   std::size_t files = 0;
