@@ -46,16 +46,15 @@ Result<results::MeshSource> read_deck_mesh(const std::string& path, Diagnostics&
 Result<results::MeshSource> find_mesh(const std::string& deck, const std::string& d3plot, const std::string& beside,
                                       Diagnostics& diagnostics) {
   if (!deck.empty()) return read_deck_mesh(deck, diagnostics);
-  std::string path = d3plot;
-  if (path.empty()) {
-    const auto guess = std::filesystem::path(beside).replace_filename("d3plot");
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(guess, ignored)) return results::MeshSource{};
-    path = guess.string();
-  }
-  const auto plot = results::read_d3plot(path);
-  if (!plot) return plot.error();
-  return results::mesh_source(plot.value());
+  const auto guess = std::filesystem::path(beside).replace_filename("d3plot");
+  std::error_code ignored;
+  if (d3plot.empty() && !std::filesystem::is_regular_file(guess, ignored)) return results::MeshSource{};
+  const auto plot = results::read_d3plot(d3plot.empty() ? guess.string() : d3plot);
+  if (plot) return results::mesh_source(plot.value());
+  if (!d3plot.empty()) return plot.error();
+  // Nobody asked for this file: what it cannot give is missing as if it were not there.
+  diagnostics.warning(plot.error().file, plot.error().line, plot.error().message);
+  return results::MeshSource{};
 }
 
 void add_parts(Report& report, const results::MeshSource& mesh) {

@@ -14,7 +14,8 @@ namespace gapcheck::app {
 /// all; others are in `diagnostics`.
 Result<results::MeshSource> read_deck_mesh(const std::string& path, Diagnostics& diagnostics);
 
-/// The mesh of `deck`, else of the d3plot, else of a file named d3plot beside `beside` if there is one; else no mesh.
+/// The mesh of `deck`, else of the d3plot, else of a file named d3plot beside `beside` if there is one that can be read
+/// (a warning says why not); else no mesh. Errors: a file that was named cannot be read.
 Result<results::MeshSource> find_mesh(const std::string& deck, const std::string& d3plot, const std::string& beside,
                                       Diagnostics& diagnostics);
 

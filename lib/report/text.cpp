@@ -271,9 +271,12 @@ std::string verdict(const Report& report, const Paint& paint) {
   return line + '\n';
 }
 
-void append_total(const Sums& total, std::string& out) {
+void append_total(const Report& report, const Sums& total, std::string& out) {
   out += fmt::format("\ntotal  {}, {}, {} in the edge zone", count(total.initial, "penetration"),
                      count(total.released, "released node"), count(total.edge_zone, "node"));
+  std::uint64_t unlisted = 0;
+  for (const ContactSummary& contact : report.contacts) unlisted += unlisted_penetrations(contact);
+  if (unlisted > 0) out += fmt::format(", {} without a list of nodes", count(unlisted, "penetration"));
   if (total.deepest != nullptr) out += fmt::format("; deepest {:.6g}", total.deepest->depth);
   out += '\n';
 }
@@ -342,7 +345,7 @@ std::string text(const Report& report, const TextOptions& options) {
     append_messages(report, options.list, "--list", out);
     append_timestep_limits(*report.run, out);
   }
-  if (report.contacts.size() > 1) append_total(total, out);
+  if (report.contacts.size() > 1) append_total(report, total, out);
   if (options.stats) out += "\nstatistics\n" + statistics(report);
   out += '\n' + verdict(report, paint);
   return out;

@@ -38,8 +38,9 @@ void Lines::advance() {
     next_ = open_ ? end : end + 1;
   } else {
     next_ = end + 1;
-    if (next_ < line_feed_ && text_[next_] == '\r' && next_ + 1 == line_feed_) ++next_;
-    if (next_ == line_feed_ && line_feed_ < text_.size()) ++next_;
+    const bool has_feed = line_feed_ < text_.size();
+    if (has_feed && next_ + 1 == line_feed_ && text_[next_] == '\r') ++next_;
+    if (has_feed && next_ == line_feed_) ++next_;
   }
   line_ = text_.substr(begin, end - begin);
   if (line_.size() > longest) cut_line();

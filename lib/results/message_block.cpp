@@ -107,7 +107,11 @@ void read_message_block(Lines& lines, MessageBlock& block) {
     lines.advance();
     if (lines.done()) break;
     const std::string_view text = trimmed(lines.line());
-    if (!belongs(lines.line(), text, quote)) break;
+    if (!belongs(lines.line(), text, quote)) {
+      // Blanks without a line end: the file was cut in the indent of the next line.
+      block.open = text.empty() && lines.open();
+      break;
+    }
     quote = after(quote, text);
     // A rule that is never closed must not take the rest of the file.
     if (quote == Quote::card && ++quoted > longest_quote) quote = Quote::none;
@@ -116,7 +120,7 @@ void read_message_block(Lines& lines, MessageBlock& block) {
     else
       ++block.left_out;
   }
-  block.ends_file = lines.done();
+  block.ends_file = lines.done() || block.open;
 }
 
 std::optional<Field> field(std::string_view line) {

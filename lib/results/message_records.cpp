@@ -166,7 +166,8 @@ struct PenetrationReader {
     if (result.contact == 0) values.missing("interface");
     if (p.node == 0) values.missing("node");
     if (!depth && kind.record == BlockRecord::penetration) values.missing("penetration");
-    result.awaits_more = result.awaits_more || !segment;
+    const bool layout_of_40565 = st || remaining_known || p.segment_number > 0;
+    result.awaits_more = result.awaits_more || (layout_of_40565 && !(segment && original));
   }
 };
 

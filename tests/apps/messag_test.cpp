@@ -1,4 +1,5 @@
 // gapcheck messag as users and scripts see it.
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
@@ -100,6 +101,15 @@ TEST_F(Messag, FilesForPostProcessors) {
   EXPECT_NE(content(folder_ / "c.ses").find("sel nod"), std::string::npos);
   EXPECT_NE(content(folder_ / "d.prt").find("77"), std::string::npos);
   EXPECT_EQ(gapcheck("messag messag --key no/where").code, 2);
+}
+
+TEST_F(Messag, AD3plotThatNobodyAskedForIsNoError) {
+  use("smp");
+  file("d3plot", "this is no d3plot");
+  const Ended run = gapcheck("messag messag");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.err.find("gapcheck: warning: "), std::string::npos) << run.err;
+  EXPECT_EQ(gapcheck("messag messag -g d3plot").code, 2);
 }
 
 TEST_F(Messag, BeamsOfAnAuditCanBeAuditedAgain) {

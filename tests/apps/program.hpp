@@ -54,9 +54,7 @@ class Program : public testing::Test {
   [[nodiscard]] Ended gapcheck(const std::string& arguments) const {
     return shell("'" GAPCHECK_BINARY "' " + arguments);
   }
-  [[nodiscard]] Ended check_c(const std::string& arguments) const {
-    return shell("'" CHECK_C_BINARY "' " + arguments);
-  }
+  [[nodiscard]] Ended check_c(const std::string& arguments) const { return shell("'" CHECK_C_BINARY "' " + arguments); }
 
   /// Copies the files of a fixture into the folder.
   void use(const std::string& fixture) const {
