@@ -9,18 +9,20 @@
 
 namespace gapcheck::report {
 
-/// Coordinates of a node, where a record itself has none (tie failures, MPP lines).
+/// Coordinates of a node, where a record itself has none (tie failures, MPP lines). May be empty: none are known.
 using NodePosition = std::function<std::optional<Vector>(std::int64_t node)>;
 
 /// Keyword file with one beam per penetration: first node where the tracked node is, second one on the contact surface,
-/// so that its length is the penetration. One *PART per interface and warning type, with a speaking title. New node and
-/// element ids start above every id of the report.
+/// so that its length is the penetration. One *PART per interface and warning type, with a speaking title, and one set
+/// of the tracked nodes themselves, which only the model defines. New ids start above every id of the report; with more
+/// than 8 digits they make it a file in long format. Records that cannot be drawn are in the sets, with a comment.
 [[nodiscard]] std::string keyword_beams(const Report& report, const NodePosition& position);
 
 /// Session file for Animator 3 (`ide nod …`) or Animator 4 (`sel nod …` with groups `id<sid> <warn-type>`).
 [[nodiscard]] std::string animator_session(const Report& report, bool animator4);
 
-/// Medina protocol: the tracked nodes and new nodes at the other end of each penetration, numbered from `first_node`.
+/// Medina protocol: the tracked nodes and new nodes at the other end of each penetration, numbered from `first_node`
+/// (lower where that many numbers do not exist above it).
 [[nodiscard]] std::string medina_protocol(const Report& report, const NodePosition& position, std::int64_t first_node);
 
 }  // namespace gapcheck::report

@@ -87,30 +87,31 @@ Vector point_at(const std::array<Vector, 4>& corners, double s, double t) {
          (1 - s) * (1 + t) / 4 * corners[3];
 }
 
-/// From the segment to the node.
-std::optional<Vector> away_from_segment(const Report& report, const Penetration& record, const Vector& node,
-                                        const NodePosition& position) {
-  // Solver files do not print the closest point, but where on the segment it is.
-  const bool point_known = report.source == "deck" || !record.point.isZero(0);
+/// Towards the contact surface, from what is known of the segment.
+std::optional<Vector> out_of_segment(const Report& report, const Penetration& record, const Vector& node,
+                                     const NodePosition& position) {
+  const bool exact = report.source == "deck";
   const auto corners = segment_of(record, position);
+  // Solver files do not print the closest point, but where on the segment it is.
+  const bool point_known = exact || (!record.point.isZero(0) && record.point != record.original);
   if (!point_known && !corners) return std::nullopt;
   const Vector point = point_known ? record.point : point_at(*corners, record.s, record.t);
-  // Nearer than rounding can tell, the difference is no direction.
-  const double noise = 1e-12 * (node.cwiseAbs().maxCoeff() + point.cwiseAbs().maxCoeff());
-  if ((node - point).stableNorm() > noise) return unit(node - point);
+  // Nearer than the digits can tell, the difference is no direction.
+  const double digits = point_known ? 1e-12 : 1e-4;
+  const Vector away = node - point;
+  if (away.stableNorm() > digits * (node.cwiseAbs().maxCoeff() + point.cwiseAbs().maxCoeff())) {
+    const bool behind = (exact || record.contact_distance > 0) && record.remaining() < 0;
+    return unit(behind ? Vector(-away) : away);
+  }
   if (!corners) return std::nullopt;
   return unit(((*corners)[2] - (*corners)[0]).cross((*corners)[3] - (*corners)[1]));
 }
 
 std::optional<Vector> direction_of(const Report& report, const Penetration& record, const Vector& node,
                                    const NodePosition& position) {
-  if (!without_coordinates(report, record)) {
-    const auto moved = unit(record.moved_to - record.original);
-    if (moved) return moved;
-  }
-  const auto away = away_from_segment(report, record, node, position);
-  const bool behind = record.contact_distance > 0 || report.source == "deck" ? record.remaining() < 0 : false;
-  return away && behind ? std::optional<Vector>(-*away) : away;
+  if (!without_coordinates(report, record))
+    if (const auto moved = unit(record.moved_to - record.original)) return moved;
+  return out_of_segment(report, record, node, position);
 }
 
 }  // namespace

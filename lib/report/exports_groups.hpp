@@ -31,8 +31,8 @@ struct PenetrationLine {
                                             const NodePosition& position);
 
 /// Nothing if the position, the direction or the depth is not known. The direction is that in which the solver moved
-/// the node; otherwise away from the closest point (towards it where the node is behind the segment); otherwise the
-/// segment's normal, on the side on which the node is.
+/// the node; otherwise away from the closest point (towards it where the node is behind the segment); otherwise, where
+/// the node is on the segment, the segment's normal.
 [[nodiscard]] std::optional<PenetrationLine> penetration_line(const Report& report, const Penetration& record,
                                                               const NodePosition& position);
 

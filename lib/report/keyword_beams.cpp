@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/number.hpp"
 #include "report/exports.hpp"
 #include "report/exports_groups.hpp"
 
@@ -23,10 +25,18 @@ constexpr std::int64_t most_standard_id = 99'999'999;
 constexpr std::size_t ids_per_line = 8;
 
 /// The number with as many digits as fit into `width` columns.
-void append_coordinate(double value, int width, Buffer& out) {
+std::string fitted(double value, int width) {
   std::string text = fmt::format(FMT_COMPILE("{}"), value);
   for (int digits = 17; static_cast<int>(text.size()) > width && digits > 1; --digits)
     text = fmt::format("{:.{}g}", value, digits);
+  return text;
+}
+
+/// Leaves a blank before the number where that does not shift it noticeably.
+void append_coordinate(double value, int width, Buffer& out) {
+  constexpr double noticeable = 1e-9;
+  std::string text = fitted(value, width - 1);
+  if (!(std::abs(parse_real(text).value_or(0) - value) < noticeable)) text = fitted(value, width);
   fmt::format_to(fmt::appender(out), "{:>{}}", text, width);
 }
 

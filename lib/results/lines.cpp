@@ -1,27 +1,38 @@
 #include "results/lines.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 
 namespace gapcheck::results {
 namespace {
 
-/// Position of the first `c` in [begin, end) of the text, or `end`.
-std::size_t find(std::string_view text, char c, std::size_t begin, std::size_t end) {
-  if (begin >= end) return end;
-  const void* found = std::memchr(text.data() + begin, c, end - begin);
-  return found == nullptr ? end : static_cast<std::size_t>(static_cast<const char*>(found) - text.data());
-}
+constexpr std::size_t rare_step = std::size_t{1} << 18;
 
 }  // namespace
 
-Lines::Lines(std::string_view text) : text_(text), nul_(text.size()) { advance(); }
+std::size_t Lines::Ahead::find(std::size_t begin, std::size_t end) {
+  if (known_ && found_ >= begin) return std::min(found_, end);
+  known_ = false;
+  searched_ = std::max(searched_, begin);
+  while (searched_ < end) {
+    const std::size_t until = text_.size() - searched_ > step_ ? searched_ + step_ : text_.size();
+    const void* hit = std::memchr(text_.data() + searched_, wanted_, until - searched_);
+    if (hit == nullptr) {
+      searched_ = until;
+      continue;
+    }
+    found_ = static_cast<std::size_t>(static_cast<const char*>(hit) - text_.data());
+    searched_ = found_ + 1;
+    known_ = true;
+    return std::min(found_, end);
+  }
+  return end;
+}
 
-/// The next line feed is looked up once, however many carriage returns come before it.
-void Lines::find_line_feed() {
-  if (feed_known_ && line_feed_ >= next_) return;
-  line_feed_ = find(text_, '\n', next_, text_.size());
-  feed_known_ = true;
+Lines::Lines(std::string_view text)
+    : text_(text), feeds_(text, '\n', text.size()), returns_(text, '\r', rare_step), nuls_(text, '\0', rare_step) {
+  advance();
 }
 
 void Lines::advance() {
@@ -31,37 +42,23 @@ void Lines::advance() {
     return;
   }
   if (number_ < std::numeric_limits<std::uint32_t>::max()) ++number_;
-  find_line_feed();
-  const std::size_t begin = next_, end = find(text_, '\r', begin, line_feed_);
+  const std::size_t begin = next_, feed = feeds_.find(begin, text_.size()), end = returns_.find(begin, feed);
   open_ = end == text_.size();
-  if (end == line_feed_) {
-    next_ = open_ ? end : end + 1;
-  } else {
-    next_ = end + 1;
-    const bool has_feed = line_feed_ < text_.size();
-    if (has_feed && next_ + 1 == line_feed_ && text_[next_] == '\r') ++next_;
-    if (has_feed && next_ == line_feed_) ++next_;
+  next_ = open_ ? end : end + 1;
+  if (end < feed && feed < text_.size()) {
+    if (next_ + 1 == feed && text_[next_] == '\r') ++next_;
+    if (next_ == feed) ++next_;
   }
   line_ = text_.substr(begin, end - begin);
-  if (line_.size() > longest) cut_line();
-  look_for_nul(end);
+  check_line(begin, end);
 }
 
-void Lines::cut_line() {
-  line_ = line_.substr(0, longest);
-  if (cut_lines_++ == 0) first_cut_ = number_;
-}
-
-/// In big steps, just ahead of the reading: cheap, and no page is touched twice.
-void Lines::look_for_nul(std::size_t end) {
-  constexpr std::size_t step = std::size_t{1} << 18;
-  while (searched_ < end && nul_ == text_.size()) {
-    const std::size_t until = searched_ + step < text_.size() ? searched_ + step : text_.size();
-    const std::size_t found = find(text_, '\0', searched_, until);
-    if (found < until) nul_ = found;
-    searched_ = until;
+void Lines::check_line(std::size_t begin, std::size_t end) {
+  if (line_.size() > longest) {
+    line_ = line_.substr(0, longest);
+    if (cut_lines_++ == 0) first_cut_ = number_;
   }
-  if (nul_ >= end) return;
+  if (nuls_.find(begin, end) == end) return;
   if (first_nul_ == 0) first_nul_ = number_;
   while (!line_.empty() && line_.front() == '\0') line_.remove_prefix(1);
   while (!line_.empty() && line_.back() == '\0') line_.remove_suffix(1);

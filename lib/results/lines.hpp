@@ -30,15 +30,29 @@ class Lines {
   void advance();
 
  private:
-  void find_line_feed();
-  void look_for_nul(std::size_t end);
-  void cut_line();
+  /// Looks for one character in steps just ahead of the reading: rare ones cost next to nothing, no byte is searched
+  /// twice, and pages far ahead stay untouched.
+  class Ahead {
+   public:
+    Ahead(std::string_view text, char wanted, std::size_t step) : text_(text), wanted_(wanted), step_(step) {}
+    /// Position of the first one in [begin, end), or `end`. `begin` must not fall.
+    std::size_t find(std::size_t begin, std::size_t end);
+
+   private:
+    std::string_view text_;
+    char wanted_;
+    std::size_t step_, found_ = 0, searched_ = 0;
+    bool known_ = false;
+  };
+
+  void check_line(std::size_t begin, std::size_t end);
 
   std::string_view text_, line_;
-  std::size_t next_ = 0, line_feed_ = 0, searched_ = 0, nul_ = 0;
+  Ahead feeds_, returns_, nuls_;
+  std::size_t next_ = 0;
   std::uint64_t cut_lines_ = 0;
   std::uint32_t number_ = 0, first_cut_ = 0, first_nul_ = 0;
-  bool done_ = false, open_ = false, feed_known_ = false;
+  bool done_ = false, open_ = false;
 };
 
 }  // namespace gapcheck::results

@@ -32,13 +32,18 @@ void permute(std::vector<Item>& items, std::vector<std::uint32_t>& order) {
   }
 }
 
-/// Sorts big items by a small key; the sort moves positions only.
-template <class Item, class Key>
-void sort_by(std::vector<Item>& items, const Key& key) {
+/// Sorts big items by moving small keys; `full` decides where the keys are equal.
+template <class Item, class Key, class Full>
+void sort_by(std::vector<Item>& items, const Key& key, const Full& full) {
+  std::vector<std::pair<decltype(key(items[0])), std::uint32_t>> keys;
+  keys.reserve(items.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) keys.emplace_back(key(items[i]), i);
+  std::sort(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    return full(items[a.second]) < full(items[b.second]);
+  });
   std::vector<std::uint32_t> order(items.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(items[a]) < key(items[b]); });
+  std::transform(keys.begin(), keys.end(), order.begin(), [](const auto& entry) { return entry.second; });
   permute(items, order);
 }
 
@@ -133,22 +138,23 @@ void LogCollector::sort_contacts(const LogOptions& options) {
 
 /// Into the order that Report promises; the same record from several files becomes one.
 void LogCollector::sort_records() {
-  sort_by(penetrations_, [](const Penetration& p) {
-    return std::tuple(p.contact, -p.depth, p.node, p.segment_number, p.segment, p.kind, p.file, p.line);
-  });
+  sort_by(
+      penetrations_, [](const Penetration& p) { return std::tuple(p.contact, -p.depth, p.node); },
+      [](const Penetration& p) { return std::tuple(p.segment_number, p.segment, p.kind, p.file, p.line); });
   repeated_ += merge_repeated(penetrations_, [](const Penetration& a, const Penetration& b) {
     return a.contact == b.contact && a.node == b.node && a.depth == b.depth && a.segment_number == b.segment_number &&
            a.segment == b.segment && a.kind == b.kind;
   });
   // Of records of the same node the one that says more comes first and stays.
-  sort_by(tie_failures_, [](const TieFailure& t) {
-    return std::tuple(t.contact, t.reason, t.node, t.segment_number == 0, t.distance < 0, t.file, t.line);
-  });
+  sort_by(
+      tie_failures_, [](const TieFailure& t) { return std::tuple(t.contact, t.reason, t.node); },
+      [](const TieFailure& t) { return std::tuple(t.segment_number == 0, t.distance < 0, t.file, t.line); });
   repeated_ += merge_repeated(tie_failures_, [](const TieFailure& a, const TieFailure& b) {
     return a.contact == b.contact && a.node == b.node && a.reason == b.reason;
   });
-  sort_by(run_.rigidwalls,
-          [](const RigidwallPenetration& w) { return std::tuple(w.wall, w.node, w.depth, w.file, w.line); });
+  sort_by(
+      run_.rigidwalls, [](const RigidwallPenetration& w) { return std::tuple(w.wall, w.node, w.depth); },
+      [](const RigidwallPenetration& w) { return std::tuple(w.file, w.line); });
   repeated_ += merge_repeated(run_.rigidwalls, [](const RigidwallPenetration& a, const RigidwallPenetration& b) {
     return a.wall == b.wall && a.node == b.node && a.depth == b.depth;
   });

@@ -26,7 +26,7 @@ bool MessageLog::count(Severity severity, std::int64_t code, const std::string& 
   last_ = &found->second;
   auto known = last_->texts.find(hash);
   if (known == last_->texts.end()) {
-    if (texts_ >= most_texts) {
+    if (texts_ >= most_texts && last_->kept.size() >= kept_texts) {
       last_->overflow.add(file);
       return false;
     }

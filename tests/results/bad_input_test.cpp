@@ -42,7 +42,8 @@ TEST(BadInput, EveryTruncationIsSurvivedAndCutBlocksAreSaid) {
     ASSERT_LE(read.report.penetrations.size(), 2u);
     const bool in_first = size > first + 13 && size<first_end, in_second = size> second + 13;
     const bool in_block = in_first || (in_second && size < whole.find(" contracting"));
-    if (in_block) {
+    // A block may end with the original coordinates: the node was not moved then.
+    if (in_block && whole.compare(size, 13, "     modified") != 0) {
       EXPECT_NE(first_error(read).find(fmt::format("messag:{}: ", line_at(whole, in_first ? first : second))),
                 std::string::npos)
           << size;
