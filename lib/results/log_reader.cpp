@@ -48,7 +48,7 @@ class FileReader {
       const std::string_view line = lines_.line();
       if (is_candidate(line) && dispatch(line, before)) {
         recognised_ = true;
-        before = {};
+        before = line;
         continue;
       }
       before = line;
@@ -153,7 +153,7 @@ class FileReader {
           return true;
     }
     if (is_solver_line(text)) return true;
-    return nodes_.node_line(text, lines_.number());
+    return nodes_.node_line(lines_, text);
   }
 
   /// Lines without a fact that only the solver prints.

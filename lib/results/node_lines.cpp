@@ -57,6 +57,12 @@ bool is_echo(std::string_view text) {
          text.starts_with("Input file") || text.starts_with("Command line");
 }
 
+/// The run's title stands above the version stamp, and may have any words.
+bool is_title(Lines lines) {
+  lines.advance();
+  return !lines.done() && trimmed(lines.line()).starts_with("ls-dyna ");
+}
+
 }  // namespace
 
 bool NodeLines::count_line(std::string_view text) {
@@ -106,13 +112,15 @@ bool NodeLines::mortar(Lines& lines, std::string_view text) {
   return true;
 }
 
-bool NodeLines::node_line(std::string_view text, std::uint32_t line) {
+bool NodeLines::node_line(const Lines& lines, std::string_view text) {
+  const std::uint32_t line = lines.number();
   const bool moved = has(text, "Moved node") || has(text, "moved node");
   if (moved || has(text, "has penetration")) {
     if (!record(text, line, moved)) list(text, line, "", Severity::warning);
     return true;
   }
-  if (collector_.is_d3hsp() || !(has(text, "penetrat") || has(text, "Penetrat")) || is_echo(text)) return false;
+  if (collector_.is_d3hsp() || !(has(text, "penetrat") || has(text, "Penetrat")) || is_echo(text) || is_title(lines))
+    return false;
   list(text, line, "", Severity::warning);
   return true;
 }

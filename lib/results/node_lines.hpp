@@ -21,7 +21,7 @@ class NodeLines {
   bool mortar(Lines& lines, std::string_view text);
   /// Anything with "Moved node", "has penetration" or, outside of a d3hsp's echo, "penetrat": ids and numbers are taken
   /// where they stand, a line without them is listed.
-  bool node_line(std::string_view text, std::uint32_t line);
+  bool node_line(const Lines& lines, std::string_view text);
 
  private:
   bool record(std::string_view text, std::uint32_t line, bool moved);

@@ -1,5 +1,8 @@
 #include "results/printed_number.hpp"
 
+#include <charconv>
+#include <cmath>
+
 #include "base/number.hpp"
 
 namespace gapcheck::results {
@@ -59,7 +62,14 @@ std::string_view take_token(std::string_view& text) {
   return token;
 }
 
-std::optional<double> take_real(std::string_view& text) { return parse_real(take_token(text)); }
+std::optional<double> take_real(std::string_view& text) {
+  const std::string_view token = take_token(text);
+  // Nearly all numbers are in C's form, and a file may have many millions of them.
+  double value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (error == std::errc{} && end == token.data() + token.size() && std::isfinite(value)) return value;
+  return parse_real(token);
+}
 
 std::optional<std::int64_t> take_integer(std::string_view& text) { return parse_integer(take_token(text)); }
 

@@ -64,9 +64,9 @@ int main(int argc, char** argv) {
     for (std::uint64_t j = i; j < blocks && j < i + step; ++j) piece.penetrations.push_back(penetration(j));
     write(gapcheck::results::write_messag(piece));
     fmt::memory_buffer trace;
-    while (written + trace.size() < bytes * (i + step) / blocks)
-      fmt::format_to(std::back_inserter(trace), " expanding   memory to {:11} d {:11} contact segment data 3\n",
-                     memory += 17, memory * 2);
+    for (; written + trace.size() < bytes * (i + step) / blocks; memory += 17)
+      fmt::format_to(std::back_inserter(trace), " expanding   memory to {:11} d {:11} contact segment data 3\n", memory,
+                     memory * 2);
     write({trace.data(), trace.size()});
   }
   failed = std::fclose(file) != 0 || failed;

@@ -1,8 +1,10 @@
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "results/solver_log.hpp"
 
@@ -47,6 +49,18 @@ class Folder {
 inline std::string read_bytes(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+inline const ContactSummary* contact(const Report& report, std::int64_t id) {
+  const auto found =
+      std::find_if(report.contacts.begin(), report.contacts.end(), [&](const auto& c) { return c.id == id; });
+  return found == report.contacts.end() ? nullptr : &*found;
+}
+
+inline std::vector<std::int64_t> contact_ids(const Report& report) {
+  std::vector<std::int64_t> ids;
+  for (const ContactSummary& summary : report.contacts) ids.push_back(summary.id);
+  return ids;
 }
 
 /// Empty: no message.
