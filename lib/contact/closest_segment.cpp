@@ -65,7 +65,8 @@ void keep_nearest_facets(std::vector<Hit>& hits, const std::vector<Hit>& measure
   const auto behind = [](const Hit& hit) { return std::signbit(hit.distance); };
   if (std::none_of(hits.begin(), hits.end(), behind)) return;
   const auto key = [&](const Hit& hit) {
-    return std::uint64_t{hit.slot} << 32 | part_of(scene.model.mesh, scene.segments, hit.segment).value;
+    const std::uint32_t body = scene.solids.empty() ? 0 : scene.solids.body[hit.segment];
+    return std::uint64_t{hit.slot} << 32 | body;
   };
   std::unordered_map<std::uint64_t, double> nearest;
   const auto offer = [&](const Hit& hit) {
@@ -92,6 +93,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
       const auto segment = static_cast<std::uint32_t>(i);
       Bounds box;
       for (const NodeIndex n : s.nodes[i]) box.add(scene.x[n.value]);
+      if (scene.passive(segment)) continue;
       boxes[i] = grown(box, reach(segment) + (s.offset.empty() ? 0 : std::abs(s.offset[i])));
     }
   });
@@ -136,7 +138,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
 }
 
 std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
-                                  const std::function<bool(std::uint32_t, std::uint32_t)>& pair_allowed,
+                                  const PairFilter& pair_allowed,
                                   SweepCounters& counters, geometry::DecisionCounters& decisions) {
   double largest_half = 0;
   for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);
@@ -154,7 +156,7 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
           const PairResult pair = decide_pair(scene, slot, segment);
           ++mine.stages[static_cast<std::size_t>(pair.stage)];
           if (!pair.penetrates && !scene.oriented(segment)) continue;
-          if (pair_allowed(slot, segment))
+          if (pair_allowed(slot, segment, pair.penetrates))
             (pair.penetrates ? mine.hits : mine.measured).push_back({slot, segment, pair.distance, pair.in_band});
         }
       });

@@ -21,11 +21,14 @@ struct SweepCounters {
   std::uint64_t candidate_pairs = 0, points_culled = 0, segments_culled = 0;
 };
 
+/// Whether a pair counts: slot, segment, whether it penetrates. Called from any thread.
+using PairFilter = std::function<bool(std::uint32_t, std::uint32_t, bool)>;
+
 /// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node, ascending by
 /// slot: in-band hits go before others, then the smallest distance; of segments equally near (relative 1e-9) the first.
-/// `pair_allowed(slot, segment)` is asked only for pairs that penetrate or have an oriented segment; from any thread.
+/// `pair_allowed` is asked only for pairs that penetrate or have an oriented segment.
 [[nodiscard]] std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
-                                                const std::function<bool(std::uint32_t, std::uint32_t)>& pair_allowed,
+                                                const PairFilter& pair_allowed,
                                                 SweepCounters& counters, geometry::DecisionCounters& decisions);
 
 /// Calls visit(slot, segment) for all pairs whose node lies within `reach(segment)` of the segment's box; concurrently.

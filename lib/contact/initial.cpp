@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "base/parallel.hpp"
@@ -88,6 +89,8 @@ class Initialiser {
   void tie(std::uint32_t c, const ContactType& type) {
     const Stopwatch watch(counters_.search_s);
     TieResult result = apply_ties(model_, model_.contacts[c], type, *search_, state_.x, ties_);
+    state_.contacts[c].tracked_nodes = result.nodes;
+    state_.contacts[c].segments = result.segments;
     state_.contacts[c].ties = result.tied;
     state_.contacts[c].untied = result.untied.size();
     counters_.tied_nodes += result.tied;
@@ -100,7 +103,7 @@ class Initialiser {
   void report_empty(std::uint32_t c, char side, const Selection& selection) {
     if (selection.empty_reason.empty()) return;
     state_.contacts[c].not_checked = fmt::format("surface {} is empty: {}", side, selection.empty_reason);
-    if (!selection.unknown_id) state_.empty.push_back({c, side, selection.empty_reason});
+    if (!selection.unknown_id && !selection.unsupported) state_.empty.push_back({c, side, selection.empty_reason});
   }
 
   Side build_side(std::uint32_t c, const ContactType& type, const ContactSettings& settings, bool b) {
@@ -109,6 +112,8 @@ class Initialiser {
     Side side;
     side.selection = select(model_, b ? contact.b : contact.a, type, state_.x);
     report_empty(c, b ? 'B' : 'A', side.selection);
+    if (!side.selection.note.empty())
+      state_.notes.push_back(fmt::format("contact {}: {}", contact.id.value, side.selection.note));
     const ThicknessSide thickness = thickness_side(contact, settings, model_.controls, b);
     fill_thickness(side.selection.segments, model_, thickness, state_.x);
     if (settings.mid_surface_offset) fill_offsets(side.selection.segments, model_);
@@ -124,26 +129,41 @@ class Initialiser {
     if (!exclusions.not_honoured().empty()) state_.notes.push_back(exclusions.not_honoured());
     const std::size_t first = state_.penetrations.size();
     ContactSummary& summary = state_.contacts[c];
+    const model::Contact& contact = model_.contacts[c];
     Side a = build_side(c, type, s, false);
     if (type.treatment == Treatment::single_surface) {
-      if (!type.edges) drop_lines(a);
+      const std::size_t lines = type.edges ? 0 : count_lines(a.selection.segments);
+      need_segments(c, 'A', a.selection, lines);
       summary.tracked_nodes = a.nodes.size();
-      summary.segments = a.selection.segments.size();
-      sweep(c, type, s, exclusions, a.nodes, a.selection.segments, first);
+      summary.segments = a.selection.segments.size() - lines;
+      sweep(c, type, s, exclusions, a.nodes, a.selection.segments, contact.a.type, first);
     } else {
       Side b = build_side(c, type, s, true);
       drop_lines(a);
       drop_lines(b);
+      need_segments(c, 'B', b.selection, 0);
       summary.tracked_nodes = a.nodes.size();
       summary.segments = b.selection.segments.size();
-      sweep(c, type, s, exclusions, a.nodes, b.selection.segments, first);
+      sweep(c, type, s, exclusions, a.nodes, b.selection.segments, contact.b.type, first);
       if (type.treatment == Treatment::two_way) {
         summary.tracked_nodes += b.nodes.size();
         summary.segments += a.selection.segments.size();
-        sweep(c, type, s, exclusions, b.nodes, a.selection.segments, first);
+        sweep(c, type, s, exclusions, b.nodes, a.selection.segments, contact.a.type, first);
       }
     }
+    for (std::size_t i = first; i < state_.penetrations.size(); ++i) count(summary, state_.penetrations[i]);
     sort_deepest_first(first);
+  }
+
+  static std::size_t count_lines(const Segments& s) {
+    return static_cast<std::size_t>(std::count(s.kind.begin(), s.kind.end(), SegmentKind::line));
+  }
+
+  /// A reference side of nodes or beams alone has nothing that a node could penetrate.
+  void need_segments(std::uint32_t c, char side, Selection& selection, std::size_t lines) {
+    if (selection.segments.size() > lines || !selection.empty_reason.empty()) return;
+    selection.empty_reason = "what it names has no segments";
+    report_empty(c, side, selection);
   }
 
   /// Beams are tracked by their nodes in all types, but only types 26 see them as reference lines.
@@ -160,55 +180,39 @@ class Initialiser {
     if (!s.offset.empty()) s.offset.resize(keep);
   }
 
-  std::vector<double> solid_depths(const Segments& s) const {
-    std::vector<double> depth;
-    for (std::size_t i = 0; i < s.size(); ++i) {
-      if (s.kind[i] != SegmentKind::solid) continue;
-      depth.resize(s.size());
-      const auto& elements = s.element_kind[i] == model::ElementKind::solid ? model_.mesh.solids : model_.mesh.thick_shells;
-      const auto& nodes = elements.nodes[s.element[i]];
-      const double a = area(s.nodes[i], state_.x);
-      depth[i] = a > 0 ? volume(nodes, state_.x) / a : 0;
-    }
-    return depth;
-  }
-
   void sweep(std::uint32_t c, const ContactType& type, const ContactSettings& s, const Exclusions& exclusions,
-             const TrackedNodes& nodes, const Segments& segments, std::size_t first_record) {
+             const TrackedNodes& nodes, const Segments& segments, std::int64_t surface_type, std::size_t first_record) {
     if (nodes.size() == 0 || segments.size() == 0) return;
     ++counters_.searches;
     const model::Contact& contact = model_.contacts[c];
     std::optional<Neighbours> neighbours;
-    std::vector<double> depths;
+    SolidExtents solids;
+    const bool single = type.treatment == Treatment::single_surface;
     {
       const Stopwatch watch(counters_.surface_s);
-      neighbours.emplace(segments, model_.mesh);
-      depths = solid_depths(segments);
+      neighbours.emplace(segments, model_.mesh, single);
+      solids = solid_extents(segments, model_.mesh, state_.x);
     }
-    PairScene scene{model_, contact,     type, s, state_.x, segments, nodes, *neighbours, std::move(depths), {},
+    PairScene scene{model_, contact, type, s, state_.x, segments, nodes, *neighbours, surface_type, std::move(solids), {},
                     options_.tolerance, options_.mode};
-    std::unordered_set<std::int64_t> listed;
-    for (std::size_t i = first_record; i < state_.penetrations.size(); ++i) listed.insert(state_.penetrations[i].node);
     std::vector<Hit> hits;
     {
       const Stopwatch watch(counters_.search_s);
       scene.flipped = flipped_segments(scene, *search_);
       std::atomic<std::uint64_t> tied{0}, excluded{0};
-      const bool single = type.treatment == Treatment::single_surface;
-      const auto allowed = [&](std::uint32_t slot, std::uint32_t segment) {
+      const auto allowed = [&](std::uint32_t slot, std::uint32_t segment, bool penetrates) {
         const NodeIndex node = nodes.node[slot];
         if (single && neighbours->in_ring(node, segment)) return false;
         const PartIndex part = part_of(model_.mesh, segments, segment);
-        if (!exclusions.empty() && exclusions.excluded(nodes.part[slot], part)) return ++excluded, false;
-        if (ties_.size() > 0 && ties_.tied(node, part)) return ++tied, false;
+        if (!exclusions.empty() && exclusions.excluded(nodes.part[slot], part)) return excluded += penetrates, false;
+        if (ties_.size() > 0 && ties_.tied(node, part)) return tied += penetrates, false;
         return true;
       };
       hits = closest_segments(scene, *search_, allowed, counters_.sweep, counters_.decisions);
       counters_.tied_pairs += tied;
       counters_.excluded_pairs += excluded;
     }
-    if (!listed.empty())
-      std::erase_if(hits, [&](const Hit& hit) { return listed.contains(model_.mesh.nodes.id[nodes.node[hit.slot].value]); });
+    one_record_per_node(hits, nodes, first_record);
     const std::size_t first = state_.penetrations.size();
     state_.penetrations.resize(first + hits.size());
     parallel_for(hits.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -217,8 +221,26 @@ class Initialiser {
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const Penetration& p = state_.penetrations[first + i];
       if (p.outcome == Outcome::moved) state_.x[nodes.node[hits[i].slot].value] = p.moved_to;
-      count(state_.contacts[c], p);
     }
+  }
+
+  /// A node that the first side has listed is not listed again; but a penetration replaces a note on the edge zone.
+  void one_record_per_node(std::vector<Hit>& hits, const TrackedNodes& nodes, std::size_t first_record) {
+    auto& all = state_.penetrations;
+    if (all.size() == first_record) return;
+    const auto id = [&](const Hit& hit) { return model_.mesh.nodes.id[nodes.node[hit.slot].value]; };
+    std::unordered_map<std::int64_t, PenetrationKind> listed;
+    for (std::size_t i = first_record; i < all.size(); ++i) listed.emplace(all[i].node, all[i].kind);
+    std::unordered_set<std::int64_t> replaced;
+    std::erase_if(hits, [&](const Hit& hit) {
+      const auto found = listed.find(id(hit));
+      if (found == listed.end()) return false;
+      if (found->second != PenetrationKind::edge_zone || !hit.in_band) return true;
+      replaced.insert(found->first);
+      return false;
+    });
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first_record);
+    all.erase(std::remove_if(begin, all.end(), [&](const Penetration& p) { return replaced.contains(p.node); }), all.end());
   }
 
   static void count(ContactSummary& summary, const Penetration& p) {
@@ -272,7 +294,9 @@ class Initialiser {
     release.solid_segment = scene.segments.kind[hit.segment] == SegmentKind::solid;
     release.node_thickness = 2 * scene.nodes.half[hit.slot];
     release.segment_thickness = 2 * scene.segments.half[hit.segment];
-    if (!scene.depth.empty()) release.solid_depth = scene.depth[hit.segment];
+    if (!scene.solids.empty()) release.solid_depth = scene.solids.depth[hit.segment];
+    if (scene.segments.element_kind[hit.segment] == model::ElementKind::shell && p.element != 0)
+      release.element_thickness = element_thickness(model_, scene.segments.element[hit.segment]);
     release.min_diagonal = min_diagonal(scene.facet(hit.segment));
     if (p.depth > release_depth(scene.contact, scene.type, scene.settings, model_.controls, release)) {
       p.kind = PenetrationKind::released;

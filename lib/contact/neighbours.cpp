@@ -18,7 +18,7 @@ void each_corner(const model::SegmentNodes& n, const Visit& visit) {
 
 }  // namespace
 
-Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh)
+Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh, bool whole_solids)
     : segments_(&segments), mesh_(&mesh), start_(mesh.nodes.size() + 1, 0) {
   for (const auto& nodes : segments.nodes) each_corner(nodes, [&](NodeIndex n) { ++start_[n.value + 1]; });
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
@@ -26,6 +26,15 @@ Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh)
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
   for (std::uint32_t s = 0; s < segments.size(); ++s)
     each_corner(segments.nodes[s], [&](NodeIndex n) { list_[next[n.value]++] = s; });
+  if (!whole_solids || mesh.solids.size() == 0) return;
+  solid_start_.assign(mesh.nodes.size() + 1, 0);
+  for (const auto& nodes : mesh.solids.nodes)
+    for (const NodeIndex n : nodes) ++solid_start_[n.value + 1];
+  for (std::size_t i = 1; i < solid_start_.size(); ++i) solid_start_[i] += solid_start_[i - 1];
+  solid_list_.resize(solid_start_.back());
+  next.assign(solid_start_.begin(), solid_start_.end() - 1);
+  for (std::uint32_t e = 0; e < mesh.solids.size(); ++e)
+    for (const NodeIndex n : mesh.solids.nodes[e]) solid_list_[next[n.value]++] = e;
 }
 
 bool Neighbours::in_ring(NodeIndex node, std::uint32_t segment) const {
@@ -38,6 +47,11 @@ bool Neighbours::in_ring(NodeIndex node, std::uint32_t segment) const {
     if (e == static_cast<std::uint32_t>(-1)) continue;
     if (kind != model::ElementKind::solid && kind != model::ElementKind::thick_shell) continue;
     const auto& solid = (kind == model::ElementKind::solid ? mesh_->solids : mesh_->thick_shells).nodes[e];
+    if (std::any_of(solid.begin(), solid.end(), [&](NodeIndex n) { return has(corners, n); })) return true;
+  }
+  if (solid_start_.empty()) return false;
+  for (std::uint32_t i = solid_start_[node.value]; i < solid_start_[node.value + 1]; ++i) {
+    const auto& solid = mesh_->solids.nodes[solid_list_[i]];
     if (std::any_of(solid.begin(), solid.end(), [&](NodeIndex n) { return has(corners, n); })) return true;
   }
   return false;

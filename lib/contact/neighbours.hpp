@@ -10,13 +10,15 @@ namespace gapcheck::contact {
 /// Which segments of a surface meet at each node. Built once per surface, linear in its size.
 class Neighbours {
  public:
-  Neighbours(const Segments& segments, const model::Mesh& mesh);
+  /// `whole_solids`: also knows the solids that have a face without segment (covered by shells) at each node.
+  Neighbours(const Segments& segments, const model::Mesh& mesh, bool whole_solids = false);
   /// Positions of the segments at a node, ascending.
   [[nodiscard]] std::span<const std::uint32_t> at(NodeIndex node) const {
     return {list_.data() + start_[node.value], list_.data() + start_[node.value + 1]};
   }
-  /// True if an element of the node (in this surface) has a node in common with the segment: the ring around a segment
-  /// in which a single-surface contact looks for no penetration. Solids count with all their nodes.
+  /// True if an element of the node has a node in common with the segment: the ring around a segment in which a
+  /// single-surface contact looks for no penetration. Elements are the segments of this surface, and solids with all
+  /// their nodes.
   [[nodiscard]] bool in_ring(NodeIndex node, std::uint32_t segment) const;
   /// True if no other segment has the edge.
   [[nodiscard]] bool free_edge(std::uint32_t segment, NodeIndex a, NodeIndex b) const;
@@ -25,6 +27,7 @@ class Neighbours {
   const Segments* segments_;
   const model::Mesh* mesh_;
   std::vector<std::uint32_t> start_, list_;
+  std::vector<std::uint32_t> solid_start_, solid_list_;  // as above, of mesh.solids; empty: not asked for
 };
 
 }  // namespace gapcheck::contact

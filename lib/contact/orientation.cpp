@@ -12,14 +12,14 @@ namespace {
 bool may_turn(const PairScene& scene) {
   const auto orien = scene.model.controls.orien;
   if (orien == 0) return false;
-  return orien >= 2 || scene.contact.b.type >= 2;
+  return orien >= 2 || scene.surface_type >= 2;
 }
 
 }  // namespace
 
 std::vector<bool> flipped_segments(const PairScene& scene, const CandidateSearch& search) {
   const Segments& s = scene.segments;
-  const auto turns = [&](std::uint32_t i) { return s.kind[i] == SegmentKind::shell && scene.oriented(i); };
+  const auto turns = [&](std::uint32_t i) { return s.element_kind[i] == model::ElementKind::shell && scene.oriented(i); };
   bool any = false;
   for (std::uint32_t i = 0; i < s.size() && !any; ++i) any = turns(i);
   if (!any || !may_turn(scene)) return {};

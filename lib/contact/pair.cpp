@@ -33,7 +33,8 @@ PairResult measure_line(const geometry::Facet& f, const Vector& q) {
   result.closest.free_s = c.free_s;
   result.closest.feature = std::abs(c.s) < 1 ? Feature::edge : Feature::corner;
   // A beam has no side; a node on its axis is moved across it.
-  result.closest.normal = (f.x[1] - f.x[0]).unitOrthogonal();
+  const Vector axis = f.x[1] - f.x[0];
+  result.closest.normal = axis.squaredNorm() > 0 ? Vector(axis.unitOrthogonal()) : Vector(Vector::UnitZ());
   return result;
 }
 
@@ -70,7 +71,7 @@ bool PairScene::oriented(std::uint32_t s) const {
 
 double PairScene::behind(std::uint32_t s) const {
   if (!oriented(s)) return 0;
-  if (segments.kind[s] == SegmentKind::solid) return depth.empty() ? 0 : depth[s];
+  if (segments.kind[s] == SegmentKind::solid) return solids.empty() ? 0 : solids.extent[s];
   const geometry::Facet f = facet(s);
   return shell_behind * std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
 }
@@ -87,7 +88,9 @@ bool PairScene::beyond_square_edge(std::uint32_t s, const geometry::ClosestPoint
   const std::size_t i = closest.feature_index;
   const auto free = [&](std::size_t a, std::size_t b) { return n[a] != n[b] && neighbours.free_edge(s, n[a], n[b]); };
   if (closest.feature == Feature::edge) return free(i, (i + 1) % 4);
-  return free(i, (i + 1) % 4) || free((i + 3) % 4, i);
+  // The last edge of a triangle joins its third corner with the first.
+  const std::size_t next = i == 2 && n[2] == n[3] ? 0 : (i + 1) % 4;
+  return free(i, next) || free((i + 3) % 4, i);
 }
 
 bool PairScene::in_front(std::uint32_t s, const geometry::ClosestPoint& closest, const Vector& query) const {

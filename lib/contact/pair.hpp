@@ -9,6 +9,15 @@
 
 namespace gapcheck::contact {
 
+/// What single facets need to know of the solids behind them. Arrays beside Segments, or empty where no segment is solid.
+struct SolidExtents {
+  std::vector<double> depth;         ///< V / A: the thickness that release rules mean
+  std::vector<double> extent;        ///< how far the facet's own element reaches behind its plane
+  std::vector<std::uint32_t> body;   ///< number of the connected body that the facet bounds
+  [[nodiscard]] bool empty() const { return depth.empty(); }
+};
+[[nodiscard]] SolidExtents solid_extents(const Segments& segments, const model::Mesh& mesh, const std::vector<Vector>& x);
+
 /// Everything that deciding one tracked node against one segment needs; built once per contact and side. All references
 /// must outlive it.
 struct PairScene {
@@ -20,7 +29,8 @@ struct PairScene {
   const Segments& segments;
   const TrackedNodes& nodes;
   const Neighbours& neighbours;  ///< of the segments
-  std::vector<double> depth;     ///< by segment: V / A of solids (how thick the solid is behind the facet); empty: no solids
+  std::int64_t surface_type;     ///< SURFATYP or SURFBTYP that gave the segments
+  SolidExtents solids;           ///< of the segments; empty: no solids
   std::vector<bool> flipped;     ///< by segment: oriented against its node order; empty: none
   double tolerance = -1;         ///< replaces the default tolerance; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
@@ -35,7 +45,9 @@ struct PairScene {
   [[nodiscard]] bool line(std::uint32_t s) const { return segments.kind[s] == SegmentKind::line; }
   /// Automatic types see both sides of a shell; solid facets and segments of old types have a front.
   [[nodiscard]] bool oriented(std::uint32_t segment) const;
-  /// How far behind an oriented segment a node still counts: the depth of the facet's own solid; for shells half the
+  /// A beam axis in a contact that does not look for beams: there for its neighbours only.
+  [[nodiscard]] bool passive(std::uint32_t s) const { return line(s) && !type.edges; }
+  /// How far behind an oriented segment a node still counts: as far as the facet's own solid reaches; for shells half the
   /// segment's shorter diagonal. 0 for two-sided segments.
   [[nodiscard]] double behind(std::uint32_t segment) const;
   /// Largest distance at which a node can penetrate the segment, given the largest half thickness of the nodes.

@@ -15,6 +15,13 @@ constexpr double penmax_general = 200;
 /// PENCHK = 2: share of the shorter diagonal [manual].
 constexpr double diagonal_share = 0.05;
 
+/// XPENE · t with t of the segment: in the contact, or of its element where the contact does not count it (rigid tools).
+double xpene_depth(const model::Controls& controls, const ReleasePair& pair, double solid_t) {
+  const double shell_t = pair.segment_thickness > 0 ? pair.segment_thickness : pair.element_thickness;
+  const double t = pair.solid_segment ? solid_t : shell_t;
+  return t > 0 ? controls.xpene * t : never;
+}
+
 }  // namespace
 
 double release_depth(const model::Contact& contact, const ContactType& type, const ContactSettings& settings,
@@ -31,12 +38,12 @@ double release_depth(const model::Contact& contact, const ContactType& type, con
     }
     case Family::old:
       if (type.code == "1") return never;
-      if (settings.shlthk > 0) return controls.xpene * t;
-      if (contact.penchk == 1) return controls.xpene * t;
+      if (settings.shlthk > 0) return xpene_depth(controls, pair, solid_t);
+      if (contact.penchk == 1) return xpene_depth(controls, pair, solid_t);
       if (contact.penchk == 2) return diagonal_share * pair.min_diagonal;
       return contact.penmax > 0 ? contact.penmax : never;
     case Family::forming:
-    case Family::constraint: return controls.xpene * t;
+    case Family::constraint: return xpene_depth(controls, pair, solid_t);
     default: return never;
   }
 }

@@ -8,7 +8,8 @@ namespace gapcheck::contact {
 struct ReleasePair {
   bool solid_segment = false;
   double node_thickness = 0;     ///< t of the node
-  double segment_thickness = 0;  ///< t of a shell segment
+  double segment_thickness = 0;  ///< t of a shell segment in the contact
+  double element_thickness = 0;  ///< t of the shell element itself, whether or not the contact counts it
   double solid_depth = 0;        ///< V / A of a solid segment
   double min_diagonal = 0;       ///< shorter diagonal of the segment
 };

@@ -15,8 +15,9 @@ std::size_t SegmentKeyHash::operator()(const SegmentKey& key) const noexcept {
 }
 
 SegmentKey segment_key(model::SegmentNodes nodes) {
-  if (nodes[2] == nodes[3]) nodes[3] = none<NodeIndex>;
   std::sort(nodes.begin(), nodes.end());
+  const auto end = std::unique(nodes.begin(), nodes.end());
+  std::fill(end, nodes.end(), none<NodeIndex>);
   return nodes;
 }
 

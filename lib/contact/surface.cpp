@@ -82,10 +82,11 @@ void select_parts(Selection& selection, const model::Model& model, const std::ve
   for (const std::uint32_t e : shells) append(s, mesh.shells.nodes[e], e, ElementKind::shell, SegmentKind::shell);
   append_faces(s, mesh.solids, ElementKind::solid, mask, x);
   append_faces(s, mesh.thick_shells, ElementKind::thick_shell, mask, x);
-  const bool beams = type.family == Family::automatic;
-  for (std::uint32_t e = 0; beams && e < mesh.beams.size(); ++e) {
+  for (std::uint32_t e = 0; e < mesh.beams.size(); ++e) {
     const PartIndex part = mesh.beams.part[e];
-    if (part == none<PartIndex> || !mask[part.value] || !beam_has_contact(model, part)) continue;
+    if (part == none<PartIndex> || !mask[part.value]) continue;
+    // A spotweld is there to be tied, not to be kept apart.
+    if (type.family != Family::tied && type.code != "25" && !beam_has_contact(model, part)) continue;
     const auto& n = mesh.beams.nodes[e];
     append(s, {n[0], n[1], n[1], n[1]}, e, ElementKind::beam, SegmentKind::line);
   }
@@ -96,7 +97,16 @@ void select_parts(Selection& selection, const model::Model& model, const std::ve
 
 void set_missing(Selection& selection, std::string_view what, std::int64_t id) {
   selection.empty_reason = fmt::format("{} {} does not exist", what, id);
-  selection.unknown_id = true;
+  selection.unknown_id = id != 0;
+}
+
+/// A segment that repeats a corner anywhere is a triangle.
+model::SegmentNodes distinct_corners(const model::SegmentNodes& nodes) {
+  model::SegmentNodes kept{};
+  std::size_t n = 0;
+  for (const NodeIndex node : nodes)
+    if (std::find(kept.begin(), kept.begin() + n, node) == kept.begin() + n) kept[n++] = node;
+  return n == 3 ? model::SegmentNodes{kept[0], kept[1], kept[2], kept[2]} : nodes;
 }
 
 void select_segments(Selection& selection, const model::Model& model, std::int64_t id, const std::vector<Vector>& x) {
@@ -108,7 +118,7 @@ void select_segments(Selection& selection, const model::Model& model, std::int64
   const auto& segments = set->second.members;
   const std::vector<SegmentElement> owners = find_segment_elements(model.mesh, segments);
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    Face face{segments[i], owners[i].element};
+    Face face{distinct_corners(segments[i]), owners[i].element};
     const bool found = owners[i].element != unknown;
     const bool solid = found && owners[i].kind == ElementKind::solid;
     const bool thick = found && owners[i].kind == ElementKind::thick_shell;
@@ -140,8 +150,12 @@ void select_nodes(Selection& selection, const model::Model& model, std::int64_t 
 void keep_box(Selection& selection, const model::Box& box, const std::vector<Vector>& x) {
   Segments kept;
   const Segments& all = selection.segments;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (in_box(box, all.nodes[i], x)) append(kept, all.nodes[i], all.element[i], all.element_kind[i], all.kind[i]);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (in_box(box, all.nodes[i], x))
+      append(kept, all.nodes[i], all.element[i], all.element_kind[i], all.kind[i]);
+    else  // a node inside counts, though its segment reaches out
+      selection.nodes.insert(selection.nodes.end(), all.nodes[i].begin(), all.nodes[i].end());
+  }
   selection.segments = std::move(kept);
   std::erase_if(selection.nodes, [&](NodeIndex n) { return !box.contains(x[n.value]); });
 }
@@ -184,12 +198,16 @@ Selection select(const model::Model& model, const model::SurfaceInput& input, co
         select_parts(selection, model, part_mask(model, input, single), type, x);
         break;
       case all: select_parts(selection, model, part_mask(model, input, single), type, x); break;
-      case branch: selection.empty_reason = "surface type 7 (branch) is not resolved"; return selection;
+      case branch:
+        selection.empty_reason = "surface type 7 (branch) is not resolved";
+        selection.unsupported = true;
+        return selection;
     }
   }
   if (input.box != 0) {
     if (const auto box = model.boxes.find(input.box); box != model.boxes.end()) keep_box(selection, box->second, x);
   }
+  if (input.box < 0) selection.note = fmt::format("box {} (a contact volume) is not honoured", input.box);
   if (selection.segments.size() == 0 && selection.nodes.empty() && selection.empty_reason.empty())
     selection.empty_reason = "what it names has no segments or nodes";
   return selection;
@@ -224,13 +242,25 @@ void fill_thickness(Segments& s, const model::Model& model, const ThicknessSide&
   });
 }
 
+namespace {
+
+/// True if a segment's corners run round in the same sense as its shell's.
+bool same_side(const model::SegmentNodes& segment, const model::SegmentNodes& shell) {
+  const std::size_t corners = shell[2] == shell[3] ? 3 : 4;
+  for (std::size_t i = 0; i < corners; ++i)
+    if (shell[i] == segment[0]) return shell[(i + 1) % corners] == segment[1];
+  return true;
+}
+
+}  // namespace
+
 void fill_offsets(Segments& s, const model::Model& model) {
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (s.element_kind[i] != ElementKind::shell || s.element[i] == unknown) continue;
     const double offset = mid_surface_offset(model, s.element[i]);
     if (offset == 0) continue;
     s.offset.resize(s.size(), 0);
-    s.offset[i] = offset;
+    s.offset[i] = same_side(s.nodes[i], model.mesh.shells.nodes[s.element[i]]) ? offset : -offset;
   }
 }
 

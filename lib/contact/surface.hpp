@@ -46,6 +46,8 @@ struct Selection {
   std::vector<NodeIndex> nodes;  ///< node sets and particles: nodes without segments
   std::string empty_reason;      ///< why nothing was found; empty otherwise
   bool unknown_id = false;       ///< it names a set or part that does not exist
+  bool unsupported = false;      ///< what it names is not resolved by this program
+  std::string note;              ///< what could not be honoured; empty: nothing
 };
 
 /// Resolves one side of a contact. `single_surface`: id 0 means all parts; beams join where the type has them.

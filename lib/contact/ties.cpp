@@ -20,6 +20,7 @@ struct Candidate {
   std::uint32_t slot, segment;
   double distance, allowed;
   bool on_segment;  // the projection falls in the segment
+  [[nodiscard]] bool ties() const { return on_segment && distance <= allowed * (1 + 1e-12); }
 };
 
 double min_diagonal(const geometry::Facet& f) {
@@ -51,6 +52,9 @@ class Tying {
     fill_thickness(b.segments, model_, thickness_side(contact_, all_thickness_, model_.controls, true), x_);
     segments_ = std::move(b.segments);
     nodes_ = tracked_nodes(a, model_, thickness_side(contact_, all_thickness_, model_.controls, false), x_);
+    // Negative values are thicknesses of everything on their side, solids and free nodes included.
+    if (contact_.sst < 0) std::fill(nodes_.half.begin(), nodes_.half.end(), -contact_.sst / 2);
+    if (contact_.mst < 0) std::fill(segments_.half.begin(), segments_.half.end(), -contact_.mst / 2);
     by_node_set_ = a.segments.size() == 0;
     if (ties_by_constraint(type_)) rigid_ = rigid_nodes(model_);
     find_candidates(search);
@@ -60,7 +64,7 @@ class Tying {
  private:
   void find_candidates(const CandidateSearch& search) {
     const Neighbours neighbours(segments_, model_.mesh);
-    const PairScene scene{model_, contact_, type_, all_thickness_, x_, segments_, nodes_, neighbours, {}, {}};
+    const PairScene scene{model_, contact_, type_, all_thickness_, x_, segments_, nodes_, neighbours, contact_.b.type, {}, {}};
     const double parmax = contact_.parmax > 0 ? contact_.parmax : contact_.maxpar > 0 ? contact_.maxpar : default_parmax;
     const bool negative = contact_.sst < 0 || contact_.mst < 0;
     const double largest_half = nodes_.half.empty() ? 0 : *std::max_element(nodes_.half.begin(), nodes_.half.end());
@@ -85,14 +89,17 @@ class Tying {
         candidates_.push_back({slot, segment, distance, allowed, closest.in_band});
       }
     });
-    // Candidates that hold the node's projection first, then the nearest.
+    // Candidates that tie first, then those that hold the node's projection, then the nearest.
     std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& l, const Candidate& r) {
-      return std::tuple(l.slot, !l.on_segment, l.distance, l.segment) < std::tuple(r.slot, !r.on_segment, r.distance, r.segment);
+      return std::tuple(l.slot, !l.ties(), !l.on_segment, l.distance, l.segment) <
+             std::tuple(r.slot, !r.ties(), !r.on_segment, r.distance, r.segment);
     });
   }
 
   TieResult decide() {
     TieResult result;
+    result.nodes = nodes_.size();
+    result.segments = segments_.size();
     std::size_t next = 0;
     for (std::uint32_t slot = 0; slot < nodes_.size(); ++slot) {
       const std::size_t first = next;
@@ -109,7 +116,7 @@ class Tying {
   void decide_node(std::uint32_t slot, const Candidate* best, TieResult& result) {
     const NodeIndex node = nodes_.node[slot];
     const bool found = best != nullptr && best->on_segment;
-    const bool near = found && best->distance <= best->allowed * (1 + 1e-12);
+    const bool near = found && best->ties();
     if (near && ties_by_constraint(type_)) {
       if (rigid_[node.value]) return fail(slot, best, TieReason::rigslav, result);
       const auto& corners = segments_.nodes[best->segment];

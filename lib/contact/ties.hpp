@@ -41,6 +41,7 @@ class Ties {
 
 /// What one tied contact did.
 struct TieResult {
+  std::uint64_t nodes = 0, segments = 0;
   std::uint64_t tied = 0;
   std::uint64_t judged = 0;  ///< nodes meant to tie: all of a node set; of other surfaces those within twice the distance
   std::vector<TieFailure> untied;  ///< judged nodes that did not tie, by node; `contact`, `file` and `line` not filled

@@ -14,19 +14,20 @@ class NodeThickness {
   void track(NodeIndex node) { entry_[node.value].tracked = true; }
   void offer(NodeIndex node, double half, ThicknessRule rule, PartIndex part) {
     Entry& e = entry_[node.value];
-    if (e.part != none<PartIndex> && half <= e.half) return;
-    e = {half, part, rule, e.tracked};
+    if (e.given && half <= e.half) return;
+    e = {half, part, rule, e.tracked, true};
   }
   [[nodiscard]] bool tracked(NodeIndex node) const { return entry_[node.value].tracked; }
 
-  [[nodiscard]] TrackedNodes collect() const {
+  /// `alone`: thickness of nodes to which no element gave one.
+  [[nodiscard]] TrackedNodes collect(const Thickness& alone) const {
     TrackedNodes all;
     for (std::uint32_t n = 0; n < entry_.size(); ++n) {
       const Entry& e = entry_[n];
       if (!e.tracked) continue;
       all.node.push_back(NodeIndex{n});
-      all.half.push_back(e.half);
-      all.rule.push_back(e.rule);
+      all.half.push_back(e.given ? e.half : alone.value / 2);
+      all.rule.push_back(e.given ? e.rule : alone.rule);
       all.part.push_back(e.part);
     }
     return all;
@@ -38,9 +39,16 @@ class NodeThickness {
     PartIndex part = none<PartIndex>;
     ThicknessRule rule = ThicknessRule::none;
     bool tracked = false;
+    bool given = false;  // an element has offered its thickness
   };
   std::vector<Entry> entry_;
 };
+
+/// Nodes without shell or beam (particles, free nodes) have only what the contact itself gives.
+Thickness bare_node_thickness(const ThicknessSide& side) {
+  if (side.shlthk == 0 || side.override_value == 0) return {};
+  return {side.override_value, ThicknessRule::contact_card};
+}
 
 template <class ElementArray>
 std::vector<std::uint32_t> elements_at(const ElementArray& elements, const NodeThickness& nodes) {
@@ -84,7 +92,8 @@ void offer_all_elements(NodeThickness& nodes, const model::Model& model, const T
   offer_solids(mesh.thick_shells);
   for (std::uint32_t e = 0; e < mesh.particles.size(); ++e) {
     const NodeIndex n = mesh.particles.nodes[e][0];
-    if (nodes.tracked(n)) nodes.offer(n, 0, ThicknessRule::none, mesh.particles.part[e]);
+    const Thickness bare = bare_node_thickness(side);
+    if (nodes.tracked(n)) nodes.offer(n, bare.value / 2, bare.rule, mesh.particles.part[e]);
   }
 }
 
@@ -124,7 +133,7 @@ TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model
       nodes.offer(n, s.half[i], s.rule[i], part);
     }
   }
-  TrackedNodes all = nodes.collect();
+  TrackedNodes all = nodes.collect(bare_node_thickness(side));
   if (!s.offset.empty()) all.shift = mean_shifts(s, all, x);
   return all;
 }

@@ -208,5 +208,92 @@ TEST(Initial, OffsetMidSurfacesCountOnlyWhenAskedFor) {
   EXPECT_NEAR(state.penetrations[0].moved_to.z(), -0.8 - 1.002 * 0.2, 1e-12);
 }
 
+/// A node set over part 1 by an automatic one-way contact.
+InitialState nodes_to_part(Scene& scene, const std::vector<Vector>& at) {
+  for (const Vector& x : at) scene.model.sets.nodes[5].members.push_back(scene.node(x));
+  auto& c = scene.contact("AUTOMATIC_NODES_TO_SURFACE");
+  c.a = {5, 4, 0, true};
+  c.b = {0, 5, 0, true};
+  return scene.run();
+}
+
+TEST(Initial, TetrahedraCountDownToTheirTip) {
+  Scene scene;
+  const auto n = [&](double x, double y, double z) { return scene.node({x, y, z}); };
+  const NodeIndex a = n(0, 0, 0), b = n(9, 0, 0), c = n(0, 9, 0), d = n(0, 0, 9);
+  scene.solid(scene.part(1, 0), {a, b, c, d, d, d, d, d});
+  // 1.2 above the lower face, V / A = 3; nearest to that face.
+  const InitialState state = nodes_to_part(scene, {{2, 2, 1.2}, {2, 2, -0.1}});
+  ASSERT_EQ(state.penetrations.size(), 1U);
+  EXPECT_NEAR(state.penetrations[0].depth, 1.2, 1e-12);
+}
+
+TEST(Initial, AboveATaperedBodyOfTwoGluedPartsIsOutside) {
+  // A thick and a thin brick with shared nodes; the node is just above the thin one, near a side face of the thick one.
+  Scene scene;
+  scene.brick(scene.part(1, 0), {0, 0, 0}, {10, 10, 1});
+  auto lower = scene.model.mesh.solids.nodes[0];
+  const auto top = [&](double x, double y) { return scene.node({x, y, 1.2}); };
+  scene.solid(scene.part(2, 0), {lower[4], lower[5], lower[6], lower[7], top(0, 0), top(10, 0), top(10, 10), top(0, 10)});
+  EXPECT_TRUE(nodes_to_part(scene, {{0.5, 5, 1.24}}).penetrations.empty());
+}
+
+TEST(Initial, SkinsOfOneSolidLayerAreNeighbours) {
+  Scene scene;
+  const PartIndex solid = scene.part(1, 0), skin = scene.part(2, 1);
+  scene.brick(solid, {0, 0, 0}, {10, 10, 0.5});
+  const auto n = scene.model.mesh.solids.nodes[0];
+  scene.shell(skin, {n[0], n[1], n[2], n[3]});
+  scene.shell(skin, {n[4], n[5], n[6], n[7]});
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  EXPECT_TRUE(scene.run().penetrations.empty());
+}
+
+TEST(Initial, PenetrationReplacesANoteOnTheEdgeZone) {
+  // Side A first sees the node beyond part 2's edge band, then side A's own part 3 has it in band.
+  Scene scene;
+  const auto own = scene.plate(scene.part(1, 1), {0, 0, 0.4}, 10 * ex, 10 * ey, 1, 1);
+  scene.plate(scene.part(2, 20), {16, 0, 0.4}, 10 * ex, 10 * ey, 1, 1);
+  scene.plate(scene.part(3, 1), {-5, -5, 0}, 20 * ex, 20 * ey, 1, 1);
+  scene.model.sets.parts[1].members = {PartIndex{0}, PartIndex{2}};
+  scene.model.sets.parts[2].members = {PartIndex{0}, PartIndex{1}};
+  auto& c = scene.contact("AUTOMATIC_SURFACE_TO_SURFACE");
+  c.a = {1, 2, 0, true};
+  c.b = {2, 2, 0, true};
+  c.ignore = 1;
+  const InitialState state = scene.run();
+  int listed = 0;
+  for (const Penetration& p : state.penetrations) {
+    if (p.node != own[1].value + 1) continue;
+    ++listed;
+    EXPECT_EQ(p.kind, PenetrationKind::initial);
+    EXPECT_EQ(p.element_part, 3);
+  }
+  EXPECT_EQ(listed, 1);
+}
+
+TEST(Initial, BeamWithoutLengthMovesNoNodeToNowhere) {
+  Scene scene;
+  const PartIndex p = scene.part(1, 0);
+  scene.model.sections[0].beam_radius = 1;
+  const NodeIndex a = scene.node({5, 0, 0}), b = scene.node({5, 0, 0}), far = scene.node({5, 0, 0});
+  auto& beams = scene.model.mesh.beams;
+  beams.id = {1, 2};
+  beams.nodes = {{a, b}, {far, scene.node({50, 0, 0})}};
+  beams.part = {p, p};
+  beams.line = {0, 0};
+  scene.contact("AUTOMATIC_GENERAL");
+  for (const Vector& x : scene.run().x) EXPECT_TRUE(x.allFinite());
+}
+
+TEST(Initial, ReferenceSideWithoutSegmentsIsNotChecked) {
+  Scene scene = two_plates(0.7);
+  scene.model.sets.nodes[5].members = {NodeIndex{0}};
+  scene.contact("AUTOMATIC_SINGLE_SURFACE").a = {5, 4, 0, true};
+  const InitialState state = scene.run();
+  EXPECT_FALSE(state.contacts[0].not_checked.empty());
+  ASSERT_EQ(state.empty.size(), 1U);
+}
+
 }  // namespace
 }  // namespace gapcheck::contact

@@ -32,14 +32,24 @@ TEST(Release, OldTypesByPenchk) {
   EXPECT_TRUE(std::isinf(depth("SURFACE_TO_SURFACE", shells, c)));
   c.penmax = 0.7;
   EXPECT_DOUBLE_EQ(depth("SURFACE_TO_SURFACE", shells, c), 0.7);
-  c.penchk = 1;
-  EXPECT_DOUBLE_EQ(depth("SURFACE_TO_SURFACE", shells, c), 4 * 3);
   c.penchk = 2;
   EXPECT_DOUBLE_EQ(depth("SURFACE_TO_SURFACE", shells, c), 0.5);
+}
+
+TEST(Release, XpeneCountsTheSegmentsThickness) {
+  model::Contact c;
+  c.penchk = 1;
+  EXPECT_DOUBLE_EQ(depth("SURFACE_TO_SURFACE", shells, c), 4 * 2);
+  EXPECT_DOUBLE_EQ(depth("SURFACE_TO_SURFACE", solid, c), 4 * 5);
   model::Controls controls;
   controls.shlthk = 1;
-  EXPECT_DOUBLE_EQ(depth("SURFACE_TO_SURFACE", shells, c, controls), 4 * 3);
-  EXPECT_DOUBLE_EQ(depth("CONSTRAINT_NODES_TO_SURFACE", shells), 4 * 3);
+  EXPECT_DOUBLE_EQ(depth("NODES_TO_SURFACE", shells, {}, controls), 4 * 2);
+  EXPECT_DOUBLE_EQ(depth("CONSTRAINT_NODES_TO_SURFACE", shells), 4 * 2);
+  // A rigid tool has no contact thickness, but its element has one; without any nothing is released.
+  ReleasePair tool{.node_thickness = 1, .element_thickness = 3};
+  EXPECT_DOUBLE_EQ(depth("FORMING_ONE_WAY_SURFACE_TO_SURFACE", tool), 4 * 3);
+  tool.element_thickness = 0;
+  EXPECT_TRUE(std::isinf(depth("FORMING_ONE_WAY_SURFACE_TO_SURFACE", tool)));
 }
 
 }  // namespace

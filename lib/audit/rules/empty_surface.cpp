@@ -22,7 +22,7 @@ void check_unsearched(const RuleInfo& rule, Context& context, Report& report, st
   if (type.treatment == contact::Treatment::none && type.code != "25") return;
   const auto one = [&](const model::SurfaceInput& input, char side) {
     const auto selection = contact::select(model, input, type, model.mesh.nodes.x);
-    if (!selection.empty_reason.empty() && !selection.unknown_id) add(rule, context, report, index, side, selection.empty_reason);
+    if (!selection.empty_reason.empty() && !selection.unknown_id && !selection.unsupported) add(rule, context, report, index, side, selection.empty_reason);
   };
   one(c.a, 'A');
   const bool has_b = type.treatment == contact::Treatment::one_way || type.treatment == contact::Treatment::two_way;
