@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Times `gapcheck audit` as a process on the plate decks and rewrites the table of docs/benchmarks.md.
+"""Times gapcheck and check-c as processes and the single stages, and rewrites the tables of docs/benchmarks.md.
 
-usage: measure.py GAPCHECK MAKE_PLATES WORK_FOLDER DOC [--runs N] [--sizes 100,300,700]
+usage: measure.py BUILD_FOLDER WORK_FOLDER DOC [--runs N] [--sizes 100,300,700] [--messag BLOCKS]
 """
 
 import argparse
+import json
 import os
 import pathlib
 import platform
@@ -12,13 +13,19 @@ import statistics
 import subprocess
 import time
 
-BEGIN, END = "<!-- timings: begin -->", "<!-- timings: end -->"
+def section(name, text, body):
+    """The text with the part between the marks of that name replaced."""
+    begin, end = f"<!-- {name}: begin -->", f"<!-- {name}: end -->"
+    before, rest = text.split(begin, 1)
+    return f"{before}{begin}\n{body}\n{end}{rest.split(end, 1)[1]}"
 
 
 def run_once(command):
     """Wall time in seconds, peak resident memory in MB and the exit status of one run."""
     start = time.perf_counter()
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
+    # Not to /dev/null: grep would notice and stop at the first match.
+    process = subprocess.Popen(command, stdout=subprocess.PIPE)
+    process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     return time.perf_counter() - start, usage.ru_maxrss / 1024, process.returncode
@@ -65,20 +72,60 @@ def table(arguments):
     return rows
 
 
+def stages(arguments):
+    """One row per benchmark of gapcheck_bench, which checks each stage's result before it times it."""
+    out = subprocess.run([arguments.bench, "--benchmark_format=json", "--benchmark_repetitions=3",
+                          "--benchmark_report_aggregates_only=true"], check=True, capture_output=True, text=True).stdout
+    rows = ["| stage / N | median | per shell |", "|---|---|---|"]
+    for run in json.loads(out)["benchmarks"]:
+        if run.get("aggregate_name") != "median":
+            continue
+        seconds = run["real_time"] * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[run["time_unit"]]
+        name = run["run_name"].replace("/real_time", "")
+        shells = 2 * int(name.split("/")[1]) ** 2 if "/" in name else 0
+        rows.append(f"| {name} | {seconds * 1e3:.2f} ms | {seconds / shells * 1e9:.0f} ns |" if shells else
+                    f"| {name} | {seconds * 1e3:.2f} ms | |")
+        print(rows[-1], flush=True)
+    return rows
+
+
+def messag(arguments):
+    """check-c on a generated messag, beside grep on the same file in the same run."""
+    path = arguments.work / "big.messag"
+    subprocess.run([arguments.make_messag, path, str(arguments.messag)], check=True)
+    size = path.stat().st_size / 1e6
+    rows = [f"A messag of {size:,.0f} MB with {arguments.messag:,} blocks of warning 40565:", "",
+            "| command | min | median | MB/s | peak memory |", "|---|---|---|---|---|"]
+    medians = []
+    for name, command in (("check-c", [str(arguments.check_c), str(path)]), ("grep -c 40565", ["grep", "-c", "40565", str(path)])):
+        low, median, memory = measure(command, min(arguments.runs, 3))
+        medians.append(median)
+        rows.append(f"| {name} | {low:.3f} s | {median:.3f} s | {size / median:,.0f} | {memory:,.0f} MB |")
+        print(rows[-1], flush=True)
+    path.unlink()
+    return rows + ["", f"check-c / grep: {medians[0] / medians[1]:.1f}."]
+
+
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("gapcheck", "make_plates", "work", "doc"):
+    for name in ("build", "work", "doc"):
         parser.add_argument(name, type=pathlib.Path)
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--sizes", type=lambda text: [int(n) for n in text.split(",")], default=[100, 300, 700])
+    parser.add_argument("--messag", type=int, default=1000000, help="blocks in the messag")
     arguments = parser.parse_args()
+    arguments.gapcheck = arguments.build / "apps/gapcheck/gapcheck"
+    arguments.check_c = arguments.build / "apps/check-c/check-c"
+    arguments.make_plates = arguments.build / "tests/bench/gapcheck_make_plates"
+    arguments.make_messag = arguments.build / "tests/bench/gapcheck_make_messag"
+    arguments.bench = arguments.build / "tests/bench/gapcheck_bench"
     arguments.work.mkdir(parents=True, exist_ok=True)
     text = arguments.doc.read_text(encoding="utf-8")
-    before, rest = text.split(BEGIN, 1)
-    after = rest.split(END, 1)[1]
     caption = machine() + f"; {arguments.runs} runs each after one to warm the file cache."
-    body = "\n".join([caption, "", *table(arguments)])
-    arguments.doc.write_text(f"{before}{BEGIN}\n{body}\n{END}{after}", encoding="utf-8")
+    text = section("timings", text, "\n".join([caption, "", *table(arguments)]))
+    text = section("stages", text, "\n".join(stages(arguments)))
+    text = section("messag", text, "\n".join(messag(arguments)))
+    arguments.doc.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
