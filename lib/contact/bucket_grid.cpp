@@ -76,7 +76,9 @@ class Grid {
  public:
   explicit Grid(std::span<const Vector> points) {
     for (const Vector& p : points) bounds_.add(p);
-    const double extent = (bounds_.high - bounds_.low).maxCoeff();
+    const Bounds core = core_of(points);
+    origin_ = core.low;
+    const double extent = (core.high - core.low).maxCoeff();
     cells_per_length_ = extent > 0 ? (1 << bits) / extent : 0;
     sort(points);
   }
@@ -88,7 +90,7 @@ class Grid {
   [[nodiscard]] Cell cell(const Vector& x) const {
     Cell c{};
     for (int i = 0; i < 3; ++i) {
-      const double v = (x[i] - bounds_.low[i]) * cells_per_length_;
+      const double v = (x[i] - origin_[i]) * cells_per_length_;
       c[i] = v > 0 ? static_cast<std::uint32_t>(std::min(v, double((1 << bits) - 1))) : 0;
     }
     return c;
@@ -114,6 +116,24 @@ class Grid {
   }
 
  private:
+  /// The box that the cells cover: nearly all points with room around them. What lies outside (a node at 1e20 in a car)
+  /// falls into the cells at the rim instead of making all cells huge.
+  [[nodiscard]] Bounds core_of(std::span<const Vector> points) const {
+    constexpr std::size_t samples = 1024, margin = 20;  // 2 % on either side
+    Bounds core = bounds_;
+    if (points.size() < samples) return core;
+    std::vector<double> sample(samples);
+    for (int i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < samples; ++k) sample[k] = points[k * (points.size() / samples)][i];
+      std::sort(sample.begin(), sample.end());
+      const double low = sample[margin], high = sample[samples - 1 - margin], room = 2 * (high - low);
+      if (!(room > 0)) continue;
+      core.low[i] = std::max(core.low[i], low - room);
+      core.high[i] = std::min(core.high[i], high + room);
+    }
+    return core;
+  }
+
   void sort(std::span<const Vector> points) {
     struct Item {
       std::uint64_t key;
@@ -169,7 +189,8 @@ class Grid {
     }
   }
 
-  Bounds bounds_;
+  Bounds bounds_;                      // of all points
+  Vector origin_ = Vector::Zero();     // corner of the first cell
   double cells_per_length_ = 0;
   std::vector<std::uint64_t> keys_;    // sorted
   std::vector<std::uint32_t> index_;   // beside keys_: position of the point in the input

@@ -72,5 +72,17 @@ TEST(BucketGrid, StrayPointAndHugeBox) {
   expect_same(points, boxes);
 }
 
+TEST(BucketGrid, PointsAtAbsurdDistancesOnlyFillTheRim) {
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> unit(0, 100);
+  std::vector<Vector> points;
+  for (int i = 0; i < 3000; ++i) points.emplace_back(unit(random), unit(random), 0);
+  for (const double far : {1e12, -1e20, 1e29}) points.emplace_back(far, far / 2, -far);
+  std::vector<Bounds> boxes{around(points[3000], 1), around({50, 50, 0}, 1e13), around({-300, 50, 0}, 10),
+                            Bounds{{-1e30, 0, -1e30}, {1e30, 100, 1e30}}};
+  for (int i = 0; i < 300; ++i) boxes.push_back(around({unit(random), unit(random), 0}, 2));
+  expect_same(points, boxes);
+}
+
 }  // namespace
 }  // namespace gapcheck::contact
