@@ -30,6 +30,8 @@ class Context {
   /// Asks for the nodes of tied contacts that did not tie.
   void want_untied() { untied_ = true; }
   [[nodiscard]] bool wanted_untied() const { return untied_; }
+  /// True if some selected rule so far needs the search.
+  [[nodiscard]] bool search_wanted() const { return wanted_.any() || untied_; }
   [[nodiscard]] bool wanted(PenetrationKind kind) const { return wanted_.test(static_cast<std::size_t>(kind)); }
 
  private:

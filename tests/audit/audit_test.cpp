@@ -76,6 +76,15 @@ TEST(AuditOptions, ContactsLeftOutMoveNothing) {
   EXPECT_EQ(run_data("contact_chain", with(&AuditOptions::contacts, Ids{20})).report.contacts.size(), 2u);
 }
 
+TEST(AuditOptions, RulesThatNeedNoSearchStartNone) {
+  const AuditRun run = run_data("two_plates", with(&AuditOptions::select, Names{"GC5"}));
+  for (const auto& [name, value] : run.report.statistics) {
+    if (name == "searches" || name == "contact surfaces built") {
+      EXPECT_EQ(value, "0") << name;
+    }
+  }
+}
+
 TEST(AuditOptions, SelectAndIgnore) {
   const std::string deck = "free_edge_node";  // two of GC101, two of GC106
   EXPECT_EQ(found(deck, {}), 4u);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "audit/rules/rules.hpp"
 
 namespace gapcheck::audit {
@@ -14,7 +16,7 @@ void add(const RuleInfo& rule, Context& context, Report& report, std::uint32_t c
   report.findings.push_back(std::move(f));
 }
 
-/// A contact whose penetrations are not decided had no surfaces built.
+/// A contact that is not searched has no surfaces built: its sides are looked up alone.
 void check_unsearched(const RuleInfo& rule, Context& context, Report& report, std::uint32_t index) {
   const model::Model& model = context.model();
   const model::Contact& c = model.contacts[index];
@@ -29,15 +31,20 @@ void check_unsearched(const RuleInfo& rule, Context& context, Report& report, st
   if (has_b) one(c.b, 'B');
 }
 
+bool chosen(const Context& context, const model::Contact& c) {
+  const auto& ids = context.options().contacts;
+  return c.known && !c.own_layout && (ids.empty() || std::find(ids.begin(), ids.end(), c.id.value) != ids.end());
+}
+
 void run(const RuleInfo& rule, Context& context, Report& report) {
-  const contact::InitialState& initial = context.initial();
-  for (const contact::EmptySurface& empty : initial.empty) add(rule, context, report, empty.contact, empty.side, empty.reason);
-  for (std::uint32_t i = 0; i < initial.contacts.size(); ++i) {
-    const model::Contact& c = context.model().contacts[i];
-    const bool selected = initial.contacts[i].not_checked != "not selected";
-    if (selected && c.known && !c.own_layout && !contact::classify(c).checked())
+  const std::vector<model::Contact>& contacts = context.model().contacts;
+  const bool searched = context.search_wanted();
+  if (searched)
+    for (const contact::EmptySurface& empty : context.initial().empty)
+      add(rule, context, report, empty.contact, empty.side, empty.reason);
+  for (std::uint32_t i = 0; i < contacts.size(); ++i)
+    if (chosen(context, contacts[i]) && !(searched && contact::classify(contacts[i]).checked()))
       check_unsearched(rule, context, report, i);
-  }
 }
 
 }  // namespace
