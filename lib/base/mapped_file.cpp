@@ -32,7 +32,7 @@ Result<MappedFile> MappedFile::open(const std::string& path) {
   if (file.fd < 0) return failure(path, std::string("cannot be opened: ") + std::strerror(errno));
   struct stat info {};
   if (::fstat(file.fd, &info) != 0) return failure(path, std::string("cannot be examined: ") + std::strerror(errno));
-  if (S_ISDIR(info.st_mode)) return failure(path, "is a directory; give the keyword file inside it");
+  if (S_ISDIR(info.st_mode)) return failure(path, "is a directory; give a file inside it");
   if (!S_ISREG(info.st_mode)) return failure(path, "is not a regular file");
   MappedFile mapped;
   if (info.st_size == 0) return mapped;

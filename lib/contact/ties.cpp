@@ -143,6 +143,7 @@ class Tying {
       failure.distance = best->distance;
     }
     failure.reason = reason;
+    failure.by_node_set = by_node_set_;
     result.untied.push_back(failure);
   }
 

@@ -4,8 +4,9 @@
 
 namespace gapcheck::report {
 
-RecordRule rule_of(TieReason reason) {
-  if (untied(reason)) return {"GC201", "untied-node", Severity::warning};
+RecordRule rule_of(const TieFailure& failure) {
+  if (untied(failure.reason))
+    return {"GC201", "untied-node", failure.by_node_set ? Severity::error : Severity::warning};
   return {"GC202", "tie-offset", Severity::warning};
 }
 

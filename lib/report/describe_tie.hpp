@@ -13,8 +13,8 @@ inline constexpr std::array tie_reasons{TieReason::sep,       TieReason::offset,
                                         TieReason::too_short, TieReason::not_found, TieReason::rigslav,
                                         TieReason::rigmast,   TieReason::conflict};
 
-/// GC201 for nodes that stay untied, GC202 for ties with a separation.
-[[nodiscard]] RecordRule rule_of(TieReason reason);
+/// GC201 for nodes that stay untied (an error where a node set names them), GC202 for ties with a separation.
+[[nodiscard]] RecordRule rule_of(const TieFailure& failure);
 
 /// What happened to the node: "on no segment (untied)".
 [[nodiscard]] std::string_view what_happened(TieReason reason);

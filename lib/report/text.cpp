@@ -190,7 +190,7 @@ void append_tie_sections(std::span<const TieFailure> failures, const TextOptions
     const auto records = in_view_order(failures, reason);
     if (records.empty()) continue;
     const std::size_t limit = options.list ? records.size() : options.top;
-    out += fmt::format("\n  {}: {}, {}", paint.severity(rule_of(reason).severity, name(reason)),
+    out += fmt::format("\n  {}: {}, {}", paint.severity(rule_of(*records.front()).severity, name(reason)),
                        count(records.size(), "node"), what_happened(reason));
     out += limit < records.size() ? fmt::format(", first {} of {}\n", limit, records.size()) : "\n";
     if (limit > 0) append_ties(records, limit, true, out);
@@ -299,7 +299,7 @@ Totals totals(const Report& report) {
     }
   };
   for (const Penetration& record : report.penetrations) add(rule_of(record.kind).severity);
-  for (const TieFailure& failure : report.tie_failures) add(rule_of(failure.reason).severity);
+  for (const TieFailure& failure : report.tie_failures) add(rule_of(failure).severity);
   for (const Finding& finding : report.findings) add(finding.severity);
   for (const ContactSummary& contact : report.contacts) sum.warnings += unlisted_penetrations(contact);
   sum.warnings += run_warnings(report);

@@ -92,6 +92,7 @@ TEST(Ties, EachReasonIsTold) {
   for (const TieFailure& failure : state.untied) reasons.push_back(failure.reason);
   EXPECT_EQ(reasons, (std::vector{TieReason::too_far, TieReason::not_found, TieReason::rigslav, TieReason::rigmast}));
   EXPECT_DOUBLE_EQ(state.untied[0].distance, 3);
+  EXPECT_TRUE(state.untied[0].by_node_set);
   // The penalty form takes rigid bodies.
   scene.model.contacts[0].keyword = "CONTACT_TIED_NODES_TO_SURFACE_OFFSET";
   EXPECT_EQ(scene.run().contacts[0].ties, 3U);
@@ -109,6 +110,7 @@ TEST(Ties, OfPartsOnlyNodesNearTheSurfaceAreJudged) {
     const InitialState state = scene.run();
     EXPECT_EQ(state.contacts[0].ties, ties);
     EXPECT_EQ(state.untied.size(), untied);
+    for (const TieFailure& failure : state.untied) EXPECT_FALSE(failure.by_node_set);
   }
 }
 
