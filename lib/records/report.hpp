@@ -47,7 +47,7 @@ struct ModelCounts {
 };
 
 struct Timing {
-  double read_s = 0, model_s = 0, surface_s = 0, search_s = 0, report_s = 0, total_s = 0;
+  double read_s = 0, model_s = 0, surface_s = 0, search_s = 0, total_s = 0;
 };
 
 /// Everything that one source (deck, messag, run) has to say; all views and writers work on it.

@@ -131,7 +131,6 @@ void append_timing(const Timing& timing, Buffer& out) {
   object.number("model_s", timing.model_s);
   object.number("surface_s", timing.surface_s);
   object.number("search_s", timing.search_s);
-  object.number("report_s", timing.report_s);
   object.number("total_s", timing.total_s);
   object.close();
 }

@@ -315,7 +315,6 @@ std::string statistics(const Report& report) {
   time("time: model", report.timing.model_s);
   time("time: surfaces", report.timing.surface_s);
   time("time: search", report.timing.search_s);
-  time("time: report", report.timing.report_s);
   time("time: total", report.timing.total_s);
   std::size_t width = 0;
   for (const auto& line : lines) width = std::max(width, line.first.size());

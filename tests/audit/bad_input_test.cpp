@@ -154,10 +154,10 @@ TEST(BadInput, HugeCoordinates) {
       "*ELEMENT_SHELL\n       3       1      21      22      23      23\n";
   const AuditRun run = run_text(head + mesh + far + contact + "*END\n");
   ASSERT_TRUE(run.ok);
-  // Either refused with a reason or taken; the rest of the model is judged as before.
-  if (run.errors() == 0) {
-    EXPECT_EQ(penetrations(run), 4u);
-  }
+  // Refused, each with its line.
+  const std::uint32_t before = lines_of(head + mesh);
+  EXPECT_GE(run.errors(), 3u);
+  expect_error(run, "scene.k", before + 2, before + 4);
 }
 
 TEST_F(BadFile, Empty) {

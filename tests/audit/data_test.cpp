@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "audit/run.hpp"
+#include "base/parallel.hpp"
 
 namespace gapcheck::audit_test {
 namespace {
@@ -104,6 +105,19 @@ TEST_P(Data, SaysWhatWasNotChecked) {
     const bool expected = std::find(not_checked.begin(), not_checked.end(), contact.id) != not_checked.end();
     EXPECT_EQ(!contact.not_checked.empty(), expected) << "contact " << contact.id << ": " << contact.not_checked;
   }
+}
+
+// The slow search, decisions without the filter, and one thread give the same bytes.
+TEST_P(Data, AllSearchesAgree) {
+  const std::string deck = (data_folder / (GetParam() + ".k")).string();
+  const std::string fast = dump(run_file(deck).report);
+  audit::AuditOptions slow, exact;
+  slow.brute_force = true;
+  exact.exact = true;
+  EXPECT_EQ(fast, dump(run_file(deck, slow).report));
+  EXPECT_EQ(fast, dump(run_file(deck, exact).report));
+  const JobLimit one(1);
+  EXPECT_EQ(fast, dump(run_file(deck).report));
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& instance) { return instance.param; }
