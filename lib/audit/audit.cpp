@@ -116,6 +116,7 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("penetrating pairs excluded by the deck", c.excluded_pairs);
   if (context.initialised())
     for (const std::string& note : context.initial().notes) report.statistics.emplace_back("note", note);
+  for (const std::string& skip : context.skips()) report.statistics.emplace_back("not looked at", skip);
   for (const auto& [keyword, blocks] : model.skipped_keywords)
     report.statistics.emplace_back("keyword skipped: " + keyword, fmt::format("{}", blocks));
 }

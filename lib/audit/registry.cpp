@@ -1,10 +1,8 @@
 #include "audit/registry.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
-#include "audit/rules/rules.hpp"
 #include "audit/run_rules.hpp"
 #include "base/embedded.hpp"
 
@@ -16,8 +14,15 @@ namespace gapcheck::audit {
 namespace {
 
 /// Ascending by id.
-constexpr std::array all_rules{&initial_penetration, &released_node, &edge_zone_penetration, &untied_node,
-                               &duplicate_id,        &unknown_reference, &empty_surface};
+std::span<const Rule* const> all_rules() {
+  static const std::vector<const Rule*> sorted = [] {
+    const auto listed = listed_rules();
+    std::vector<const Rule*> list(listed.begin(), listed.end());
+    std::sort(list.begin(), list.end(), [](const Rule* a, const Rule* b) { return a->info.id < b->info.id; });
+    return list;
+  }();
+  return sorted;
+}
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char l, unsigned char r) {
@@ -37,7 +42,7 @@ bool matches(const RuleInfo& rule, std::string_view pattern) {
 std::span<const RuleInfo> rules() {
   static const std::vector<RuleInfo> infos = [] {
     std::vector<RuleInfo> list;
-    for (const Rule* rule : all_rules) list.push_back(rule->info);
+    for (const Rule* rule : all_rules()) list.push_back(rule->info);
     return list;
   }();
   return infos;
@@ -63,7 +68,7 @@ std::string_view page(const RuleInfo& rule) {
 }
 
 void run_rules(Context& context, Report& report) {
-  for (const Rule* rule : all_rules)
+  for (const Rule* rule : all_rules())
     if (selected(rule->info, context.options().select, context.options().ignore)) rule->run(rule->info, context, report);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 namespace gapcheck::audit {
@@ -19,6 +20,24 @@ const std::string& Context::path(FileIndex file) const {
   return file.value < deck_.files().size() ? deck_.file(file).path : empty;
 }
 
+std::vector<std::uint32_t> Context::contacts() const {
+  std::vector<std::uint32_t> chosen;
+  const auto& ids = options_.contacts;
+  for (std::uint32_t i = 0; i < model_.contacts.size(); ++i)
+    if (ids.empty() || std::find(ids.begin(), ids.end(), model_.contacts[i].id.value) != ids.end()) chosen.push_back(i);
+  return chosen;
+}
+
+bool Context::part_chosen(PartIndex part) const {
+  const auto& ids = options_.parts;
+  if (ids.empty()) return true;
+  return part != none<PartIndex> && std::find(ids.begin(), ids.end(), model_.part(part).id.value) != ids.end();
+}
+
+void Context::skipped(const RuleInfo& rule, std::string what) {
+  skips_.push_back(fmt::format("{}: {}", rule.id, what));
+}
+
 contact::InitialState& Context::initial() {
   if (!initial_) {
     contact::InitialOptions options;
@@ -26,7 +45,7 @@ contact::InitialState& Context::initial() {
     options.tolerance = options_.ptol;
     options.mode = options_.exact ? geometry::Mode::exact : geometry::Mode::filtered;
     options.brute_force = options_.brute_force;
-    initial_ = contact::initialise_contacts(model_, options, counters_);
+    initial_ = contact::initialise_contacts(model_, surfaces_, options, counters_);
   }
   return *initial_;
 }
@@ -39,6 +58,12 @@ Finding finding(const RuleInfo& rule, std::string message, std::string file, std
   f.message = std::move(message);
   f.file = std::move(file);
   f.line = line;
+  return f;
+}
+
+Finding finding_at(const RuleInfo& rule, const Context& context, const model::Contact& contact, std::string message) {
+  Finding f = finding(rule, std::move(message), context.path(contact.place.file), contact.place.line);
+  f.contact = contact.id.value;
   return f;
 }
 

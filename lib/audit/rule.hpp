@@ -15,12 +15,22 @@ namespace gapcheck::audit {
 class Context {
  public:
   Context(const keyword::Deck& deck, const model::Model& model, const AuditOptions& options)
-      : deck_(deck), model_(model), options_(options) {}
+      : deck_(deck), model_(model), options_(options), surfaces_(model) {}
 
   [[nodiscard]] const model::Model& model() const { return model_; }
   [[nodiscard]] const AuditOptions& options() const { return options_; }
   /// Path of an include; empty for none.
   [[nodiscard]] const std::string& path(FileIndex file) const;
+  /// Positions in Model::contacts that --contact lets through, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> contacts() const;
+  /// True if --part lets the part through.
+  [[nodiscard]] bool part_chosen(PartIndex part) const;
+  /// The surfaces of a contact (position in Model::contacts) on the deck's coordinates; kept once built.
+  [[nodiscard]] const contact::ContactSurfaces& surfaces(std::uint32_t contact) { return surfaces_.at(contact); }
+  [[nodiscard]] contact::SurfaceStore& surface_store() { return surfaces_; }
+  /// Says for --stats what a rule left out and why: "GC103: 3 contacts have no surfaces to compare".
+  void skipped(const RuleInfo& rule, std::string what);
+  [[nodiscard]] const std::vector<std::string>& skips() const { return skips_; }
   /// The initialisation of all contacts.
   [[nodiscard]] contact::InitialState& initial();
   [[nodiscard]] const contact::InitialCounters& counters() const { return counters_; }
@@ -38,6 +48,8 @@ class Context {
   const keyword::Deck& deck_;
   const model::Model& model_;
   const AuditOptions& options_;
+  contact::SurfaceStore surfaces_;
+  std::vector<std::string> skips_;
   std::optional<contact::InitialState> initial_;
   contact::InitialCounters counters_;
   std::bitset<3> wanted_;
@@ -52,6 +64,10 @@ struct Rule {
 
 /// A finding with the rule's id, name and severity filled in.
 [[nodiscard]] Finding finding(const RuleInfo& rule, std::string message, std::string file, std::uint32_t line);
+
+/// A finding at a contact's keyword.
+[[nodiscard]] Finding finding_at(const RuleInfo& rule, const Context& context, const model::Contact& contact,
+                                 std::string message);
 
 /// Adds the faults of one kind, the first ten of each kind of thing in full and then one finding that counts the rest.
 void add_faults(const RuleInfo& rule, Context& context, Report& report, model::Fault::Kind kind);

@@ -1,7 +1,12 @@
 #pragma once
+#include <span>
+
 #include "audit/rule.hpp"
 
 namespace gapcheck::audit {
+
+/// Every rule, in the order of the build's list (lib/audit/CMakeLists.txt).
+[[nodiscard]] std::span<const Rule* const> listed_rules();
 
 /// Runs the selected rules in order of their ids.
 void run_rules(Context& context, Report& report);

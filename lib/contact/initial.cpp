@@ -4,7 +4,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <unordered_set>
 
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "contact/exclusions.hpp"
 #include "contact/faces.hpp"
 #include "contact/orientation.hpp"
@@ -22,32 +22,16 @@
 namespace gapcheck::contact {
 namespace {
 
-class Stopwatch {
- public:
-  explicit Stopwatch(double& total) : total_(total) {}
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  double& total_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 double min_diagonal(const geometry::Facet& f) {
   return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
 }
 
-/// One side of a contact with thickness: what a node meets, and the nodes.
-struct Side {
-  Selection selection;
-  TrackedNodes nodes;
-};
-
 class Initialiser {
  public:
-  Initialiser(const model::Model& model, const InitialOptions& options, InitialCounters& counters, InitialState& state)
+  Initialiser(const model::Model& model, SurfaceStore& surfaces, const InitialOptions& options,
+              InitialCounters& counters, InitialState& state)
       : model_(model),
+        store_(surfaces),
         options_(options),
         counters_(counters),
         state_(state),
@@ -62,7 +46,7 @@ class Initialiser {
       if (!chosen(contact))
         state_.contacts.back().not_checked = "not selected";
       else if (type.family == Family::tied)
-        tie(c, type);
+        tie(c);
       else if (type.checked())
         check(c, type);
     }
@@ -86,9 +70,12 @@ class Initialiser {
     return s;
   }
 
-  void tie(std::uint32_t c, const ContactType& type) {
+  void tie(std::uint32_t c) {
+    const ContactSurfaces& sides = surfaces(c);
+    report_empty(c, sides);
     const Stopwatch watch(counters_.search_s);
-    TieResult result = apply_ties(model_, model_.contacts[c], type, *search_, state_.x, ties_);
+    TieResult result = apply_ties(model_, model_.contacts[c], sides, *search_, state_.x, ties_);
+    moved_ = moved_ || result.moved > 0;
     state_.contacts[c].tracked_nodes = result.nodes;
     state_.contacts[c].segments = result.segments;
     state_.contacts[c].ties = result.tied;
@@ -100,49 +87,40 @@ class Initialiser {
     }
   }
 
-  void report_empty(std::uint32_t c, char side, const Selection& selection) {
-    if (selection.empty_reason.empty()) return;
-    state_.contacts[c].not_checked = fmt::format("surface {} is empty: {}", side, selection.empty_reason);
-    if (!selection.unknown_id && !selection.unsupported) state_.empty.push_back({c, side, selection.empty_reason});
+  void report_empty(std::uint32_t c, const ContactSurfaces& surfaces) {
+    const auto report = [&](char side, const Selection& selection) {
+      if (!selection.empty_reason.empty())
+        state_.contacts[c].not_checked = fmt::format("surface {} is empty: {}", side, selection.empty_reason);
+      if (!selection.note.empty())
+        state_.notes.push_back(fmt::format("contact {}: {}", model_.contacts[c].id.value, selection.note));
+    };
+    report('A', surfaces.a.selection);
+    report('B', surfaces.b.selection);
   }
 
-  Side build_side(std::uint32_t c, const ContactType& type, const ContactSettings& settings, bool b) {
+  /// The surfaces of a contact on the present coordinates; valid until the next call.
+  const ContactSurfaces& surfaces(std::uint32_t c) {
+    if (!moved_) return store_.at(c);
     const Stopwatch watch(counters_.surface_s);
-    const model::Contact& contact = model_.contacts[c];
-    Side side;
-    side.selection = select(model_, b ? contact.b : contact.a, type, state_.x);
-    report_empty(c, b ? 'B' : 'A', side.selection);
-    if (!side.selection.note.empty())
-      state_.notes.push_back(fmt::format("contact {}: {}", contact.id.value, side.selection.note));
-    const ThicknessSide thickness = thickness_side(contact, settings, model_.controls, b);
-    fill_thickness(side.selection.segments, model_, thickness, state_.x);
-    if (settings.mid_surface_offset) fill_offsets(side.selection.segments, model_);
-    const bool track = !b || type.treatment == Treatment::two_way;
-    if (track) side.nodes = tracked_nodes(side.selection, model_, thickness, state_.x);
     ++counters_.surfaces_built;
-    return side;
+    return own_.emplace(build_surfaces(model_, model_.contacts[c], state_.x));
   }
 
   void check(std::uint32_t c, const ContactType& type) {
-    const ContactSettings s = settings(model_.contacts[c], type, model_.controls);
+    const ContactSurfaces& sides = surfaces(c);
+    const ContactSettings& s = sides.settings;
     const Exclusions exclusions(model_, model_.contacts[c].id);
     if (!exclusions.not_honoured().empty()) state_.notes.push_back(exclusions.not_honoured());
+    report_empty(c, sides);
     const std::size_t first = state_.penetrations.size();
     ContactSummary& summary = state_.contacts[c];
     const model::Contact& contact = model_.contacts[c];
-    Side a = build_side(c, type, s, false);
+    const ContactSide &a = sides.a, &b = sides.b;
+    summary.tracked_nodes = a.nodes.size();
     if (type.treatment == Treatment::single_surface) {
-      const std::size_t lines = type.edges ? 0 : count_lines(a.selection.segments);
-      need_segments(c, 'A', a.selection, lines);
-      summary.tracked_nodes = a.nodes.size();
-      summary.segments = a.selection.segments.size() - lines;
+      summary.segments = a.selection.segments.size() - (type.edges ? 0 : a.lines);
       sweep(c, type, s, exclusions, a.nodes, a.selection.segments, contact.a.type, first);
     } else {
-      Side b = build_side(c, type, s, true);
-      drop_lines(a);
-      drop_lines(b);
-      need_segments(c, 'B', b.selection, 0);
-      summary.tracked_nodes = a.nodes.size();
       summary.segments = b.selection.segments.size();
       sweep(c, type, s, exclusions, a.nodes, b.selection.segments, contact.b.type, first);
       if (type.treatment == Treatment::two_way) {
@@ -153,31 +131,6 @@ class Initialiser {
     }
     for (std::size_t i = first; i < state_.penetrations.size(); ++i) count(summary, state_.penetrations[i]);
     sort_deepest_first(first);
-  }
-
-  static std::size_t count_lines(const Segments& s) {
-    return static_cast<std::size_t>(std::count(s.kind.begin(), s.kind.end(), SegmentKind::line));
-  }
-
-  /// A reference side of nodes or beams alone has nothing that a node could penetrate.
-  void need_segments(std::uint32_t c, char side, Selection& selection, std::size_t lines) {
-    if (selection.segments.size() > lines || !selection.empty_reason.empty()) return;
-    selection.empty_reason = "what it names has no segments";
-    report_empty(c, side, selection);
-  }
-
-  /// Beams are tracked by their nodes in all types, but only types 26 see them as reference lines.
-  static void drop_lines(Side& side) {
-    Segments& s = side.selection.segments;
-    const auto line = std::find(s.kind.begin(), s.kind.end(), SegmentKind::line);
-    const auto keep = static_cast<std::size_t>(line - s.kind.begin());
-    s.nodes.resize(keep);
-    s.element.resize(keep);
-    s.element_kind.resize(keep);
-    s.kind.resize(keep);
-    s.half.resize(keep);
-    s.rule.resize(keep);
-    if (!s.offset.empty()) s.offset.resize(keep);
   }
 
   void sweep(std::uint32_t c, const ContactType& type, const ContactSettings& s, const Exclusions& exclusions,
@@ -220,7 +173,9 @@ class Initialiser {
     });
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const Penetration& p = state_.penetrations[first + i];
-      if (p.outcome == Outcome::moved) state_.x[nodes.node[hits[i].slot].value] = p.moved_to;
+      if (p.outcome != Outcome::moved) continue;
+      state_.x[nodes.node[hits[i].slot].value] = p.moved_to;
+      moved_ = true;
     }
   }
 
@@ -323,18 +278,26 @@ class Initialiser {
   }
 
   const model::Model& model_;
+  SurfaceStore& store_;
   const InitialOptions& options_;
   InitialCounters& counters_;
   InitialState& state_;
   std::unique_ptr<CandidateSearch> search_;
   Ties ties_;
+  bool moved_ = false;  ///< some node is no longer where the deck has it
+  std::optional<ContactSurfaces> own_;
 };
 
 }  // namespace
 
-InitialState initialise_contacts(const model::Model& model, const InitialOptions& options, InitialCounters& counters) {
+InitialState initialise_contacts(const model::Model& model, SurfaceStore& surfaces, const InitialOptions& options,
+                                 InitialCounters& counters) {
   InitialState state;
-  Initialiser(model, options, counters, state).run();
+  const std::uint64_t built = surfaces.built();
+  const double seconds = surfaces.seconds();
+  Initialiser(model, surfaces, options, counters, state).run();
+  counters.surfaces_built += surfaces.built() - built;
+  counters.surface_s += surfaces.seconds() - seconds;
   return state;
 }
 

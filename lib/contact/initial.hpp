@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/closest_segment.hpp"
+#include "contact/contact_surfaces.hpp"
 #include "contact/contact_type.hpp"
 #include "geometry/decide.hpp"
 #include "model/model.hpp"
@@ -25,26 +26,18 @@ struct InitialCounters {
   double surface_s = 0, search_s = 0;
 };
 
-/// A side of a contact that names things which have no segments or nodes.
-struct EmptySurface {
-  std::uint32_t contact;  ///< position in Model::contacts
-  char side;              ///< 'A', 'B'
-  std::string reason;
-};
-
 struct InitialState {
   std::vector<ContactSummary> contacts;   ///< beside Model::contacts; those not chosen have `not_checked` set
   std::vector<Penetration> penetrations;  ///< by contact, deepest first, then node id
   std::vector<TieFailure> untied;         ///< nodes meant to tie that did not; by contact, then node
-  std::vector<EmptySurface> empty;
   std::vector<std::string> notes;         ///< what could not be honoured
   std::vector<Vector> x;                  ///< coordinates after the initialisation
 };
 
 /// What the solver finds when it initialises the contacts: one after the other in deck order, side A before side B, each
 /// on the coordinates that the earlier ones have left; within one side all nodes are judged on the same coordinates.
-/// Source: contact rules, sections 3 to 5, 7 and 12.
-[[nodiscard]] InitialState initialise_contacts(const model::Model& model, const InitialOptions& options,
-                                               InitialCounters& counters);
+/// `surfaces`: of this model. Source: contact rules, sections 3 to 5, 7 and 12.
+[[nodiscard]] InitialState initialise_contacts(const model::Model& model, SurfaceStore& surfaces,
+                                               const InitialOptions& options, InitialCounters& counters);
 
 }  // namespace gapcheck::contact

@@ -40,22 +40,20 @@ bool solid(const Segments& s, std::uint32_t i) {
 /// One tied contact on its way.
 class Tying {
  public:
-  Tying(const model::Model& model, const model::Contact& contact, const ContactType& type, std::vector<Vector>& x,
-        Ties& ties)
-      : model_(model), contact_(contact), type_(type), x_(x), ties_(ties) {}
+  Tying(const model::Model& model, const model::Contact& contact, const ContactSurfaces& surfaces,
+        std::vector<Vector>& x, Ties& ties)
+      : model_(model),
+        contact_(contact),
+        type_(surfaces.type),
+        settings_(surfaces.settings),
+        x_(x),
+        ties_(ties),
+        segments_(surfaces.b.selection.segments),
+        nodes_(surfaces.a.nodes),
+        by_node_set_(surfaces.a.nodes_only) {}
 
   TieResult run(const CandidateSearch& search) {
-    Selection a = select(model_, contact_.a, type_, x_);
-    Selection b = select(model_, contact_.b, type_, x_);
-    if (b.segments.size() == 0) return {};
-    fill_thickness(a.segments, model_, thickness_side(contact_, all_thickness_, model_.controls, false), x_);
-    fill_thickness(b.segments, model_, thickness_side(contact_, all_thickness_, model_.controls, true), x_);
-    segments_ = std::move(b.segments);
-    nodes_ = tracked_nodes(a, model_, thickness_side(contact_, all_thickness_, model_.controls, false), x_);
-    // Negative values are thicknesses of everything on their side, solids and free nodes included.
-    if (contact_.sst < 0) std::fill(nodes_.half.begin(), nodes_.half.end(), -contact_.sst / 2);
-    if (contact_.mst < 0) std::fill(segments_.half.begin(), segments_.half.end(), -contact_.mst / 2);
-    by_node_set_ = a.segments.size() == 0;
+    if (segments_.size() == 0) return {};
     if (ties_by_constraint(type_)) rigid_ = rigid_nodes(model_);
     find_candidates(search);
     return decide();
@@ -64,7 +62,7 @@ class Tying {
  private:
   void find_candidates(const CandidateSearch& search) {
     const Neighbours neighbours(segments_, model_.mesh);
-    const PairScene scene{model_, contact_, type_, all_thickness_, x_, segments_, nodes_, neighbours, contact_.b.type, {}, {}};
+    const PairScene scene{model_, contact_, type_, settings_, x_, segments_, nodes_, neighbours, contact_.b.type, {}, {}};
     const double parmax = contact_.parmax > 0 ? contact_.parmax : contact_.maxpar > 0 ? contact_.maxpar : default_parmax;
     const bool negative = contact_.sst < 0 || contact_.mst < 0;
     const double largest_half = nodes_.half.empty() ? 0 : *std::max_element(nodes_.half.begin(), nodes_.half.end());
@@ -110,6 +108,7 @@ class Tying {
     }
     // Moved only now: no node may move before its neighbours have been measured.
     for (const auto& [node, target] : moves_) x_[node.value] = target;
+    result.moved = moves_.size();
     return result;
   }
 
@@ -150,13 +149,12 @@ class Tying {
   const model::Model& model_;
   const model::Contact& contact_;
   const ContactType& type_;
-  /// Ties measure with the true thickness, whatever SHLTHK says.
-  const ContactSettings all_thickness_{.shlthk = 2};
+  const ContactSettings& settings_;
   std::vector<Vector>& x_;
   Ties& ties_;
-  Segments segments_;
-  TrackedNodes nodes_;
-  bool by_node_set_ = false;
+  const Segments& segments_;
+  const TrackedNodes& nodes_;
+  const bool by_node_set_;
   std::vector<bool> rigid_;
   std::vector<Candidate> candidates_;
   std::vector<std::pair<NodeIndex, Vector>> moves_;
@@ -211,9 +209,9 @@ bool Ties::constrained(NodeIndex node) const {
   return found != nodes_.end() && found->second.constraint;
 }
 
-TieResult apply_ties(const model::Model& model, const model::Contact& contact, const ContactType& type,
+TieResult apply_ties(const model::Model& model, const model::Contact& contact, const ContactSurfaces& surfaces,
                      const CandidateSearch& search, std::vector<Vector>& x, Ties& ties) {
-  return Tying(model, contact, type, x, ties).run(search);
+  return Tying(model, contact, surfaces, x, ties).run(search);
 }
 
 }  // namespace gapcheck::contact

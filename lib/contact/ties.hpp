@@ -3,6 +3,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "contact/contact_surfaces.hpp"
 #include "contact/contact_type.hpp"
 #include "contact/search.hpp"
 #include "contact/surface.hpp"
@@ -42,7 +43,7 @@ class Ties {
 /// What one tied contact did.
 struct TieResult {
   std::uint64_t nodes = 0, segments = 0;
-  std::uint64_t tied = 0;
+  std::uint64_t tied = 0, moved = 0;
   std::uint64_t judged = 0;  ///< nodes meant to tie: all of a node set; of other surfaces those within twice the distance
   std::vector<TieFailure> untied;  ///< judged nodes that did not tie, by node; `contact`, `file` and `line` not filled
   double largest_separation = 0;   ///< of the tied ones
@@ -51,7 +52,7 @@ struct TieResult {
 /// Ties the nodes of one tied contact that lie within the tie distance of a segment, to the closest one (a node keeps
 /// what earlier contacts did to it), and says why the others that were meant to tie did not. Types 2, 6 and 7 also move
 /// the node onto the segment in `x`.
-TieResult apply_ties(const model::Model& model, const model::Contact& contact, const ContactType& type,
+TieResult apply_ties(const model::Model& model, const model::Contact& contact, const ContactSurfaces& surfaces,
                      const CandidateSearch& search, std::vector<Vector>& x, Ties& ties);
 
 }  // namespace gapcheck::contact

@@ -12,14 +12,20 @@
 
 namespace gapcheck {
 
-/// One finding that is not a penetration record (references, definitions, input).
+/// One finding that is not a penetration record (references, definitions, mesh, input). Ids of 0 and negative lengths:
+/// not known or without a meaning for the rule.
 struct Finding {
   std::string id;    ///< "GC501"
   std::string rule;  ///< "duplicate-id"
   Severity severity = Severity::warning;
   std::string message;
-  std::int64_t contact = 0;  ///< contact id; 0: none
-  std::string file;          ///< empty: none
+  std::int64_t contact = 0;       ///< contact id
+  std::int64_t node = 0, part = 0;
+  std::int64_t element = 0, element_part = 0;
+  double penetration = -1, contact_distance = -1;
+  std::optional<Vector> point;    ///< where to look
+  std::uint64_t count = 1;        ///< more than 1: a line that stands for so many things found
+  std::string file;               ///< empty: none
   std::uint32_t line = 0;
 };
 

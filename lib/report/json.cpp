@@ -118,7 +118,18 @@ void append_finding(const Finding& finding, Buffer& out) {
   object.string("id", finding.id);
   object.plain("severity", name(finding.severity));
   object.string("message", finding.message);
-  if (finding.contact != 0) object.integer("contact", finding.contact);
+  const auto id = [&](std::string_view key, std::int64_t value) {
+    if (value != 0) object.integer(key, value);
+  };
+  id("contact", finding.contact);
+  id("node", finding.node);
+  id("part", finding.part);
+  id("element", finding.element);
+  id("element_part", finding.element_part);
+  if (finding.penetration >= 0) object.number("penetration", finding.penetration);
+  if (finding.contact_distance >= 0) object.number("contact_distance", finding.contact_distance);
+  if (finding.point) object.array("point", coordinates(*finding.point));
+  if (finding.count > 1) object.integer("count", static_cast<std::int64_t>(finding.count));
   if (!finding.file.empty()) object.string("file", finding.file);
   if (finding.line != 0) object.integer("line", finding.line);
   object.fingerprint(fingerprint(finding));

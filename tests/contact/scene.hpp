@@ -87,7 +87,8 @@ struct Scene {
 
   InitialState run(InitialOptions options = {}) {
     InitialCounters counters;
-    return initialise_contacts(model, options, counters);
+    SurfaceStore surfaces(model);
+    return initialise_contacts(model, surfaces, options, counters);
   }
 };
 

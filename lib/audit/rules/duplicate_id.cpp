@@ -1,4 +1,4 @@
-#include "audit/rules/rules.hpp"
+#include "audit/rules.hpp"
 
 namespace gapcheck::audit {
 

@@ -1,0 +1,29 @@
+#include "audit/grouped.hpp"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+
+namespace gapcheck::audit {
+
+void add_grouped(Report& report, std::vector<Found> found, const std::function<Finding(const Found&)>& words,
+                 const std::function<Finding(const Found&, std::uint64_t)>& rest) {
+  tbb::parallel_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    if (a.group != b.group) return a.group < b.group;
+    return a.weight != b.weight ? a.weight > b.weight : a.item < b.item;
+  });
+  for (std::size_t first = 0; first < found.size();) {
+    std::size_t end = first;
+    while (end < found.size() && found[end].group == found[first].group) ++end;
+    const std::size_t shown = std::min(end, first + found_in_full);
+    for (std::size_t i = first; i < shown; ++i) report.findings.push_back(words(found[i]));
+    if (shown < end) {
+      Finding f = rest(found[shown], end - shown);
+      f.count = end - shown;
+      report.findings.push_back(std::move(f));
+    }
+    first = end;
+  }
+}
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "records/report.hpp"
+
+namespace gapcheck::audit {
+
+/// One thing that a rule found, before it is put into words.
+struct Found {
+  std::int64_t group = 0;  ///< things of one group are counted together; groups are reported ascending
+  double weight = 0;       ///< the heaviest of a group are reported in full; equal ones by item
+  std::uint64_t item = 0;  ///< what the rule finds it by again
+};
+
+/// How many findings of one group are reported in full.
+inline constexpr std::size_t found_in_full = 10;
+
+/// Adds the heaviest findings of each group in full and one finding for the rest of it, if there is a rest: a fault that
+/// a whole mesh has must not drown the others. `words(found)` makes one finding; `rest(heaviest of the rest, count)` the
+/// one that stands for `count` more, whose `count` is filled in here.
+void add_grouped(Report& report, std::vector<Found> found, const std::function<Finding(const Found&)>& words,
+                 const std::function<Finding(const Found&, std::uint64_t)>& rest);
+
+}  // namespace gapcheck::audit

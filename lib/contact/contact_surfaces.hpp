@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "contact/contact_type.hpp"
+#include "contact/surface.hpp"
+#include "model/model.hpp"
+
+namespace gapcheck::contact {
+
+/// One side of a contact with its thickness.
+struct ContactSide {
+  Selection selection;
+  TrackedNodes nodes;       ///< of side B in two-way contacts only
+  bool nodes_only = false;  ///< it names nodes and no elements
+  /// `selection.segments` ends in this many beam axes; only single-surface contacts keep any.
+  std::size_t lines = 0;
+};
+
+/// Both sides of a contact as the search takes them. Single-surface contacts have side A only.
+struct ContactSurfaces {
+  ContactType type;
+  ContactSettings settings;
+  ContactSide a, b;
+  [[nodiscard]] bool two_sided() const { return type.treatment != Treatment::single_surface; }
+};
+
+/// Builds the surfaces of one contact on the coordinates given. Tied contacts measure with the true thickness, whatever
+/// SHLTHK says, and with |SST| and |MST| where these are negative.
+[[nodiscard]] ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& contact,
+                                             const std::vector<Vector>& x);
+
+/// The surfaces of a model's contacts on the deck's own coordinates, each built when it is first asked for and kept.
+/// Not for use from several threads. The model must outlive it.
+class SurfaceStore {
+ public:
+  explicit SurfaceStore(const model::Model& model) : model_(model), built_(model.contacts.size()) {}
+  /// `contact`: position in Model::contacts.
+  [[nodiscard]] const ContactSurfaces& at(std::uint32_t contact);
+  [[nodiscard]] std::uint64_t built() const { return count_; }
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  const model::Model& model_;
+  std::vector<std::unique_ptr<const ContactSurfaces>> built_;
+  std::uint64_t count_ = 0;
+  double seconds_ = 0;
+};
+
+}  // namespace gapcheck::contact
