@@ -56,6 +56,12 @@ bool keep(const Penetration& p, const Context& context) {
   return o.parts.empty() || chosen(p.part) || chosen(p.element_part);
 }
 
+/// --part holds for findings that name a part; others are about no part in particular.
+bool keep(const Finding& f, const std::vector<std::int64_t>& parts) {
+  if (parts.empty() || (f.part == 0 && f.element_part == 0)) return true;
+  return std::any_of(parts.begin(), parts.end(), [&](std::int64_t id) { return id == f.part || id == f.element_part; });
+}
+
 /// Nodes that did not tie, with their places in the deck; by contact, reason, node.
 std::vector<TieFailure> untied_nodes(contact::InitialState& initial, const model::Model& model, const Context& context) {
   std::vector<TieFailure> list = std::move(initial.untied);
@@ -142,6 +148,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   } else {
     report.contacts = contacts_alone(model);
   }
+  std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);
   std::stable_sort(report.findings.begin(), report.findings.end(), [](const Finding& a, const Finding& b) {
     return std::tie(a.id, a.file, a.line) < std::tie(b.id, b.file, b.line);

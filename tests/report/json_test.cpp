@@ -78,6 +78,31 @@ TEST(Json, HoldsTheKeysOfTheSchema) {
   EXPECT_TRUE(json["timing"].contains("read_s"));
 }
 
+TEST(Json, FindingsSayWhatTheyKnow) {
+  Report report = sample_report();
+  Finding& known = report.findings[0];
+  known.node = 14;
+  known.part = 1;
+  known.element = 500;
+  known.element_part = 2;
+  known.penetration = 0.5;
+  known.contact_distance = 1;
+  known.point = Vector(1, 2, 3);
+  known.count = 12;
+  const Json json = Json::parse(gapcheck::report::json(report));
+  const Json &full = json["findings"][3], &bare = json["findings"][4];
+  EXPECT_EQ(full["node"], 14);
+  EXPECT_EQ(full["part"], 1);
+  EXPECT_EQ(full["element"], 500);
+  EXPECT_EQ(full["element_part"], 2);
+  EXPECT_EQ(full["penetration"], 0.5);
+  EXPECT_EQ(full["contact_distance"], 1.0);
+  EXPECT_EQ(full["point"], Json({1.0, 2.0, 3.0}));
+  EXPECT_EQ(full["count"], 12);
+  for (const char* key : {"node", "part", "element", "element_part", "penetration", "contact_distance", "point", "count"})
+    EXPECT_FALSE(bare.contains(key)) << key;
+}
+
 TEST(Json, EqualsTheDocumentBuiltInMemory) {
   const Report report = random_report(5000, 3, 1);
   const Json json = Json::parse(gapcheck::report::json(report));

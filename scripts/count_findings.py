@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""Counts what every rule finds in decks by others and rewrites the table of docs/real-decks.md.
+
+    scripts/count_findings.py GAPCHECK DECKS    GAPCHECK: the program; DECKS: the folder with the decks
+"""
+import collections
+import json
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs" / "real-decks.md"
+BEGIN, END = "<!-- findings: begin -->", "<!-- findings: end -->"
+
+# Name in the table, deck below the folder, further arguments.
+DECKS = [
+    ("ball_plate", "ball_plate/ball_plate.k", []),
+    ("bird_on_panel", "bird_on_panel/bird.k", []),
+    ("bird_strike", "bird_strike_composite/input.k", []),
+    ("birdball", "birdball_eroding/birdball.k", []),
+    ("car6", "car6/car6_crash.k", []),
+    ("car6_refined", "car6_refined/lsopt_car6/main_v22.k", []),
+    ("roll_forming", "roll_forming/model.k", []),
+    ("projectile", "small_decks/tests/testfiles/run/case-keywords/projectile.k", []),
+    ("tied_plate", "tied_plate_with_run/main.k", []),
+    ("two_body_impact", "two_body_impact/main.k", []),
+    ("body_contacts", "body_contacts_no_mesh/model/50F-seated/vivaplus-50F.key",
+     ["-I", "body_contacts_no_mesh/model/common", "--missing-includes", "skip"]),
+]
+
+
+def findings(program, folder, deck, extra):
+    """How often each rule fires; a line that stands for many counts as many."""
+    extra = [str(folder / a) if i and extra[i - 1] == "-I" else a for i, a in enumerate(extra)]
+    run = subprocess.run([program, "audit", str(folder / deck), "--format", "json", "--fail-on", "never", *extra],
+                         capture_output=True, text=True)
+    if not run.stdout:
+        sys.exit(f"{deck}: {run.stderr.strip()}")
+    report = json.loads(run.stdout)
+    count = collections.Counter()
+    for f in report["findings"]:
+        count[f["id"]] += f.get("count", 1)
+    return report["model"], count
+
+
+def table(program, folder):
+    listed = subprocess.run([program, "rules"], capture_output=True, text=True, check=True).stdout.splitlines()
+    rules = [line.split()[:2] for line in listed if line.startswith("GC")]
+    decks = [(name, *findings(program, folder, deck, extra)) for name, deck, extra in DECKS]
+    lines = ["| deck | nodes | contacts |", "|---|---:|---:|"]
+    lines += [f"| {name} | {model['nodes']:,} | {model['contacts']} |" for name, model, _ in decks]
+    lines += ["", "| rule | " + " | ".join(name for name, _, _ in decks) + " |", "|---|" + "---:|" * len(decks)]
+    for id_, rule in rules:
+        cells = [f"{count[id_]:,}" if count[id_] else "" for _, _, count in decks]
+        lines.append(f"| {id_} [{rule}](rules/{rule}.md) | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    text = PAGE.read_text()
+    head, rest = text.split(BEGIN)
+    _, tail = rest.split(END)
+    PAGE.write_text(f"{head}{BEGIN}\n{table(sys.argv[1], pathlib.Path(sys.argv[2]))}\n{END}{tail}")
+
+
+if __name__ == "__main__":
+    main()

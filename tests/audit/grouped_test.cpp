@@ -1,0 +1,59 @@
+#include "audit/grouped.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace gapcheck::audit {
+namespace {
+
+Finding words(const Found& found) {
+  Finding f;
+  f.part = found.group;
+  f.node = static_cast<std::int64_t>(found.item);
+  f.penetration = found.weight;
+  return f;
+}
+
+Finding rest(const Found& heaviest, std::uint64_t count) {
+  Finding f = words(heaviest);
+  f.message = std::to_string(count) + " more";
+  return f;
+}
+
+TEST(Grouped, AFewAreReportedOneByOneHeaviestFirst) {
+  Report report;
+  add_grouped(report, {{1, 0.5, 7}, {1, 2.0, 9}, {1, 0.5, 3}}, words, rest);
+  ASSERT_EQ(report.findings.size(), 3U);
+  EXPECT_EQ(report.findings[0].node, 9);
+  EXPECT_EQ(report.findings[1].node, 3);
+  EXPECT_EQ(report.findings[2].node, 7);
+  for (const Finding& f : report.findings) EXPECT_EQ(f.count, 1U);
+}
+
+TEST(Grouped, ManyGetOneLineForTheRestOfEachGroup) {
+  std::vector<Found> found;
+  for (std::uint64_t i = 0; i < 1000; ++i) found.push_back({i < 989 ? 1 : 2, static_cast<double>(i), i});
+  std::shuffle(found.begin(), found.end(), std::mt19937(1));
+  Report report;
+  add_grouped(report, found, words, rest);
+  // Group 1: ten and one line for 979; group 2 has eleven: ten and a line for one.
+  ASSERT_EQ(report.findings.size(), 22U);
+  EXPECT_EQ(report.findings[10].count, 979U);
+  EXPECT_EQ(report.findings[10].message, "979 more");
+  EXPECT_EQ(report.findings[10].node, 978);
+  EXPECT_EQ(report.findings[21].count, 1U);
+  std::uint64_t total = 0;
+  for (const Finding& f : report.findings) total += f.count;
+  EXPECT_EQ(total, 1000U);
+}
+
+TEST(Grouped, NothingGivesNothing) {
+  Report report;
+  add_grouped(report, {}, words, rest);
+  EXPECT_TRUE(report.findings.empty());
+}
+
+}  // namespace
+}  // namespace gapcheck::audit
