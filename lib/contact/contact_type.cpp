@@ -81,6 +81,15 @@ bool has_soft_2(std::string_view code) {
   return false;
 }
 
+/// *CONTACT_AUTOMATIC_..._TIEBREAK ties like types 8 and 9 before it works as its base type.
+void make_tiebreak(ContactType& type) {
+  type.family = Family::tied;
+  if (type.treatment != Treatment::single_surface) {
+    type.code = type.code == "a5" ? "8" : "9";
+    type.treatment = Treatment::one_way;
+  }
+}
+
 std::string reason(const ContactType& type, const model::Contact& contact, bool tiebreak) {
   if (type.family == Family::mortar)
     return "mortar contact works segment to segment; the solver lists no nodes for it (GC108)";
@@ -126,6 +135,7 @@ ContactType classify(const model::Contact& contact) {
     type.treatment = row.treatment;
     type.family = mortar ? Family::mortar : row.family;
     type.edges = row.edges;
+    if (tiebreak && type.family == Family::automatic) make_tiebreak(type);
     type.not_checked = reason(type, contact, tiebreak || tied_weld);
     return type;
   }

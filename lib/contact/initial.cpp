@@ -17,7 +17,6 @@
 #include "contact/orientation.hpp"
 #include "contact/outcome.hpp"
 #include "contact/release.hpp"
-#include "contact/ties.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -35,7 +34,8 @@ class Initialiser {
         options_(options),
         counters_(counters),
         state_(state),
-        search_(options.brute_force ? make_brute_force() : make_bucket_grid()) {}
+        search_(options.brute_force ? make_brute_force() : make_bucket_grid()),
+        ties_(model) {}
 
   void run() {
     state_.x = model_.mesh.nodes.x;
@@ -74,17 +74,18 @@ class Initialiser {
     const ContactSurfaces& sides = surfaces(c);
     report_empty(c, sides);
     const Stopwatch watch(counters_.search_s);
-    TieResult result = apply_ties(model_, model_.contacts[c], sides, *search_, state_.x, ties_);
+    const TieScene scene{model_, *search_, options_.mode, counters_.sweep, counters_.decisions};
+    const TieResult result = apply_ties(scene, c, sides, state_.x, ties_);
     moved_ = moved_ || result.moved > 0;
-    state_.contacts[c].tracked_nodes = result.nodes;
-    state_.contacts[c].segments = result.segments;
-    state_.contacts[c].ties = result.tied;
-    state_.contacts[c].untied = result.untied.size();
+    ContactSummary& summary = state_.contacts[c];
+    summary.tracked_nodes = result.nodes;
+    summary.segments = result.segments;
+    summary.ties = result.tied;
+    summary.untied = static_cast<std::uint64_t>(
+        std::count_if(result.judged.begin(), result.judged.end(), [](const JudgedNode& node) { return !node.tied(); }));
+    summary.out_of_reach = result.out_of_reach;
     counters_.tied_nodes += result.tied;
-    for (TieFailure& failure : result.untied) {
-      failure.contact = c;
-      state_.untied.push_back(failure);
-    }
+    state_.judged.insert(state_.judged.end(), result.judged.begin(), result.judged.end());
   }
 
   void report_empty(std::uint32_t c, const ContactSurfaces& surfaces) {

@@ -40,6 +40,7 @@ struct ContactSummary {
   std::uint64_t penetrations = 0, released = 0, edge_zone = 0;
   double max_penetration = 0;
   std::uint64_t ties = 0, untied = 0;
+  std::uint64_t out_of_reach = 0;  ///< tracked nodes of parts and segments that are too far away to be meant to tie
   std::uint64_t reported_penetrations = 0;  ///< a count that the files give without listing the nodes (MPP); 0: none
   double contact_time_s = -1;               ///< CPU seconds spent in it; negative: not said
   std::string not_checked;  ///< why GC101 was not decided; empty: it was
