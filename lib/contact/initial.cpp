@@ -104,7 +104,7 @@ class Initialiser {
     if (!moved_) return store_.at(c);
     const Stopwatch watch(counters_.surface_s);
     ++counters_.surfaces_built;
-    return own_.emplace(build_surfaces(model_, model_.contacts[c], state_.x));
+    return own_.emplace(build_surfaces(model_, model_.contacts[c], state_.x, store_.index()));
   }
 
   void check(std::uint32_t c, const ContactType& type) {
