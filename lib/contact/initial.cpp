@@ -21,6 +21,9 @@
 namespace gapcheck::contact {
 namespace {
 
+/// Many contacts that all name the nodes of a large mesh must not fill the memory with their lists.
+constexpr std::size_t judged_limit = 20'000'000;
+
 double min_diagonal(const geometry::Facet& f) {
   return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
 }
@@ -85,6 +88,11 @@ class Initialiser {
         std::count_if(result.judged.begin(), result.judged.end(), [](const JudgedNode& node) { return !node.tied(); }));
     summary.out_of_reach = result.out_of_reach;
     counters_.tied_nodes += result.tied;
+    if (result.judged.size() > judged_limit - state_.judged.size()) {
+      state_.notes.push_back(fmt::format("contact {}: its {} tied and untied nodes are counted, not listed",
+                                         model_.contacts[c].id.value, result.judged.size()));
+      return;
+    }
     state_.judged.insert(state_.judged.end(), result.judged.begin(), result.judged.end());
   }
 
