@@ -150,9 +150,6 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   }
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);
-  std::stable_sort(report.findings.begin(), report.findings.end(), [](const Finding& a, const Finding& b) {
-    return std::tie(a.id, a.file, a.line) < std::tie(b.id, b.file, b.line);
-  });
   report.timing.surface_s = context.counters().surface_s;
   report.timing.search_s = context.counters().search_s;
   add_statistics(report, deck, model, context);

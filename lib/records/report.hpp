@@ -65,7 +65,7 @@ struct Report {
   std::vector<ContactSummary> contacts;    ///< in deck order
   std::vector<Penetration> penetrations;   ///< by contact, deepest first, then node id
   std::vector<TieFailure> tie_failures;    ///< by contact, reason, node id
-  std::vector<Finding> findings;           ///< by id, file, line
+  std::vector<Finding> findings;           ///< by id; of one rule as it found them
   std::optional<SolverRun> run;            ///< only where solver files were read
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
   Timing timing;

@@ -225,16 +225,23 @@ std::string place(const Finding& finding) {
   return fmt::format("{}:{}: ", printable(finding.file), finding.line);
 }
 
-/// The findings of one rule, which stand together.
+void append_finding(const Finding& finding, std::string& out) {
+  out += "  " + place(finding);
+  if (finding.contact != 0) out += fmt::format("contact {}: ", finding.contact);
+  out += printable(finding.message) + '\n';
+}
+
+/// The findings of one rule, which stand together. Lines that stand for many do not give way to single ones.
 void append_rule(std::span<const Finding> findings, const TextOptions& options, const Paint& paint, std::string& out) {
   const Finding& first = findings.front();
-  const std::size_t shown = options.list ? findings.size() : std::min(findings.size(), findings_in_full);
   out += fmt::format("\n{} {}\n", paint.bold(printable(first.id) + ' ' + printable(first.rule)),
                      paint.severity(first.severity, count(findings.size(), name(first.severity))));
-  for (const Finding& finding : findings.first(shown)) {
-    out += "  " + place(finding);
-    if (finding.contact != 0) out += fmt::format("contact {}: ", finding.contact);
-    out += printable(finding.message) + '\n';
+  std::size_t single = 0, summed = 0, shown = 0;
+  for (const Finding& finding : findings) {
+    std::size_t& kind = finding.count > 1 ? summed : single;
+    if (!options.list && kind >= findings_in_full) continue;
+    append_finding(finding, out);
+    ++kind, ++shown;
   }
   if (shown < findings.size()) out += fmt::format("  … and {} more\n", findings.size() - shown);
 }
