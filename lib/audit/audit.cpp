@@ -99,6 +99,7 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("nodes culled by boxes", c.sweep.points_culled);
   add("segments culled by boxes", c.sweep.segments_culled);
   add("candidate pairs", c.sweep.candidate_pairs);
+  if (c.edges > 0) add("edges", c.edges);
   add("decided by the filter", c.decisions.filter);
   add("decided by intervals", c.decisions.interval);
   add("decided exactly", c.decisions.exact);
