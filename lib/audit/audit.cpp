@@ -94,21 +94,13 @@ std::vector<TieFailure> tie_failures(const contact::InitialState& initial, const
 
 /// Numbers of a contact's block after the filters, so that totals and list agree.
 void recount(Report& report) {
-  for (ContactSummary& c : report.contacts)
-    c.penetrations = c.released = c.edge_zone = c.untied = 0, c.max_penetration = 0;
+  for (ContactSummary& contact : report.contacts) {
+    clear_counts(contact);
+    contact.untied = 0;
+  }
   for (const TieFailure& failure : report.tie_failures)
     if (untied(failure.reason)) ++report.contacts[failure.contact].untied;
-  for (const Penetration& p : report.penetrations) {
-    ContactSummary& c = report.contacts[p.contact];
-    switch (p.kind) {
-      case PenetrationKind::initial:
-        ++c.penetrations;
-        c.max_penetration = std::max(c.max_penetration, p.depth);
-        break;
-      case PenetrationKind::released: ++c.released; break;
-      case PenetrationKind::edge_zone: ++c.edge_zone; break;
-    }
-  }
+  for (const Penetration& p : report.penetrations) count(p, report.contacts[p.contact]);
 }
 
 void add_statistics(Report& report, const keyword::Deck& deck, const model::Model& model, Context& context) {
@@ -126,6 +118,7 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("nodes culled by boxes", c.sweep.points_culled);
   add("segments culled by boxes", c.sweep.segments_culled);
   add("candidate pairs", c.sweep.candidate_pairs);
+  if (c.edges > 0) add("edges", c.edges);
   add("decided by the filter", c.decisions.filter);
   add("decided by intervals", c.decisions.interval);
   add("decided exactly", c.decisions.exact);
@@ -161,9 +154,6 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   }
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);
-  std::stable_sort(report.findings.begin(), report.findings.end(), [](const Finding& a, const Finding& b) {
-    return std::tie(a.id, a.file, a.line) < std::tie(b.id, b.file, b.line);
-  });
   report.timing.surface_s = context.counters().surface_s;
   report.timing.search_s = context.counters().search_s;
   add_statistics(report, deck, model, context);

@@ -15,7 +15,8 @@ void add_grouped(Report& report, std::vector<Found> found, const std::function<F
   for (std::size_t first = 0; first < found.size();) {
     std::size_t end = first;
     while (end < found.size() && found[end].group == found[first].group) ++end;
-    const std::size_t shown = std::min(end, first + found_in_full);
+    // One more is said as shortly in full as by a line that counts it.
+    const std::size_t shown = end - first <= found_in_full + 1 ? end : first + found_in_full;
     for (std::size_t i = first; i < shown; ++i) report.findings.push_back(words(found[i]));
     if (shown < end) {
       Finding f = rest(found[shown], end - shown);

@@ -14,7 +14,7 @@ struct Found {
   std::uint64_t item = 0;  ///< what the rule finds it by again
 };
 
-/// How many findings of one group are reported in full.
+/// How many findings of one group are reported in full where there are more than one beyond them.
 inline constexpr std::size_t found_in_full = 10;
 
 /// Adds the heaviest findings of each group in full and one finding for the rest of it, if there is a rest: a fault that

@@ -38,12 +38,13 @@ TEST(Grouped, ManyGetOneLineForTheRestOfEachGroup) {
   std::shuffle(found.begin(), found.end(), std::mt19937(1));
   Report report;
   add_grouped(report, found, words, rest);
-  // Group 1: ten and one line for 979; group 2 has eleven: ten and a line for one.
+  // Group 1: ten and one line for 979; group 2 has eleven: all of them.
   ASSERT_EQ(report.findings.size(), 22U);
   EXPECT_EQ(report.findings[10].count, 979U);
   EXPECT_EQ(report.findings[10].message, "979 more");
   EXPECT_EQ(report.findings[10].node, 978);
   EXPECT_EQ(report.findings[21].count, 1U);
+  EXPECT_TRUE(report.findings[21].message.empty());
   std::uint64_t total = 0;
   for (const Finding& f : report.findings) total += f.count;
   EXPECT_EQ(total, 1000U);

@@ -13,7 +13,8 @@ using Real = long double;
 using Point = Eigen::Matrix<Real, 3, 1>;
 using Parameters = Eigen::Matrix<Real, 2, 1>;
 
-constexpr Real doubt = 1e-15L;
+/// Limits are sums of doubles in the program, and coordinates enter here with 64 digits.
+constexpr Real doubt_of_limit = 1e-15L, doubt_of_coordinates = 1e-17L;
 
 Point point(const Vector& x) { return x.cast<Real>(); }
 
@@ -98,9 +99,11 @@ TieVerdict tie_verdict(const std::vector<TieSegment>& segments, const Vector& no
     std::array<Point, 4> x;
     for (std::size_t i = 0; i < 4; ++i) x[i] = point(segment.corners[i]);
     const Real limit = tie_limit(segment, x, node, thickness);
-    if ((x[0] - q).norm() > limit + 2 * ((x[2] - x[0]).norm() + (x[3] - x[1]).norm())) continue;
+    const Real size = std::max({(x[1] - x[0]).norm(), (x[2] - x[0]).norm(), (x[3] - x[0]).norm()});
+    if ((x[0] - q).norm() > limit + size) continue;
     const Foot foot = segment.triangle ? foot_on_triangle(x, q) : foot_on_quad(x, q);
-    if (std::abs(foot.distance - limit) < doubt * (limit + q.cwiseAbs().maxCoeff())) verdict.certain = false;
+    const Real doubt = doubt_of_limit * limit + doubt_of_coordinates * q.cwiseAbs().maxCoeff();
+    if (std::abs(foot.distance - limit) < doubt) verdict.certain = false;
     if (foot.distance > limit) continue;
     // How far a foot is from the border is a matter of doubles in the program, with a slack of 1e-9.
     if (!foot.found || std::abs(foot.reach - reach_limit) < 1e-12L) verdict.certain = false;

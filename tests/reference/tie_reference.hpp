@@ -16,7 +16,7 @@ struct TieSegment {
 /// What the written rule says of one node.
 struct TieVerdict {
   bool ties = false;
-  /// False: within 1e-15 of a limit, or the foot on a warped quad was not found; nothing follows from `ties` then.
+  /// False: within rounding of a limit, or the foot on a warped quad was not found; nothing follows from `ties` then.
   bool certain = true;
   long double nearest = -1;  ///< distance of the nearest segment that it ties to
 };
