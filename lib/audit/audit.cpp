@@ -62,18 +62,30 @@ bool keep(const Finding& f, const std::vector<std::int64_t>& parts) {
   return std::any_of(parts.begin(), parts.end(), [&](std::int64_t id) { return id == f.part || id == f.element_part; });
 }
 
-/// Nodes that did not tie, with their places in the deck; by contact, reason, node.
-std::vector<TieFailure> untied_nodes(contact::InitialState& initial, const model::Model& model, const Context& context) {
-  std::vector<TieFailure> list = std::move(initial.untied);
-  const auto& parts = context.options().parts;
-  if (!parts.empty())
-    std::erase_if(list, [&](const TieFailure& f) { return std::find(parts.begin(), parts.end(), f.part) == parts.end(); });
-  for (TieFailure& failure : list) {
-    const auto node = model.mesh.nodes.lookup.find(failure.node);
-    if (!node) continue;
-    failure.file = model.mesh.nodes.origins.file(*node).value;
-    failure.line = model.mesh.nodes.line[*node];
+TieFailure tie_failure(const contact::JudgedNode& judged, const model::Model& model) {
+  const model::Nodes& nodes = model.mesh.nodes;
+  TieFailure failure;
+  failure.contact = judged.contact;
+  failure.node = nodes.id[judged.node.value];
+  if (judged.part != none<PartIndex>) failure.part = model.part(judged.part).id.value;
+  if (judged.segment != contact::TieCandidate::no_segment) {
+    failure.segment_number = judged.segment + 1;
+    failure.distance = judged.distance;
+    failure.allowed = judged.allowed;
   }
+  failure.reason = *judged.reason;
+  failure.by_node_set = judged.by_node_set;
+  failure.file = nodes.origins.file(judged.node.value).value;
+  failure.line = nodes.line[judged.node.value];
+  return failure;
+}
+
+/// Nodes that did not tie, or tied with a separation, as far as rules ask for them; by contact, reason, node.
+std::vector<TieFailure> tie_failures(const contact::InitialState& initial, const model::Model& model, const Context& context) {
+  std::vector<TieFailure> list;
+  for (const contact::JudgedNode& judged : initial.judged)
+    if (judged.reason && context.wanted(*judged.reason) && context.part_chosen(judged.part))
+      list.push_back(tie_failure(judged, model));
   std::sort(list.begin(), list.end(), [](const TieFailure& a, const TieFailure& b) {
     return std::tie(a.contact, a.reason, a.node) < std::tie(b.contact, b.reason, b.node);
   });
@@ -86,7 +98,8 @@ void recount(Report& report) {
     clear_counts(contact);
     contact.untied = 0;
   }
-  for (const TieFailure& failure : report.tie_failures) ++report.contacts[failure.contact].untied;
+  for (const TieFailure& failure : report.tie_failures)
+    if (untied(failure.reason)) ++report.contacts[failure.contact].untied;
   for (const Penetration& p : report.penetrations) count(p, report.contacts[p.contact]);
 }
 
@@ -134,7 +147,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
     report.contacts = std::move(initial.contacts);
     report.penetrations = std::move(initial.penetrations);
     std::erase_if(report.penetrations, [&](const Penetration& p) { return !keep(p, context); });
-    if (context.wanted_untied()) report.tie_failures = untied_nodes(initial, model, context);
+    report.tie_failures = tie_failures(initial, model, context);
     recount(report);
   } else {
     report.contacts = contacts_alone(model);

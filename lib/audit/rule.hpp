@@ -37,11 +37,11 @@ class Context {
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
   /// Asks for the records of one kind in the report.
   void want(PenetrationKind kind) { wanted_.set(static_cast<std::size_t>(kind)); }
-  /// Asks for the nodes of tied contacts that did not tie.
-  void want_untied() { untied_ = true; }
-  [[nodiscard]] bool wanted_untied() const { return untied_; }
+  /// Asks for the records of tied contacts with one reason.
+  void want(TieReason reason) { wanted_ties_.set(static_cast<std::size_t>(reason)); }
+  [[nodiscard]] bool wanted(TieReason reason) const { return wanted_ties_.test(static_cast<std::size_t>(reason)); }
   /// True if some selected rule so far needs the search.
-  [[nodiscard]] bool search_wanted() const { return wanted_.any() || untied_; }
+  [[nodiscard]] bool search_wanted() const { return wanted_.any() || wanted_ties_.any(); }
   [[nodiscard]] bool wanted(PenetrationKind kind) const { return wanted_.test(static_cast<std::size_t>(kind)); }
 
  private:
@@ -53,7 +53,7 @@ class Context {
   std::optional<contact::InitialState> initial_;
   contact::InitialCounters counters_;
   std::bitset<penetration_kinds> wanted_;
-  bool untied_ = false;
+  std::bitset<8> wanted_ties_;
 };
 
 /// One rule: what it is, and what it adds to a report.

@@ -40,19 +40,20 @@ void take_negative(ContactSide& side, double value) {
 
 }  // namespace
 
-ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& contact, const std::vector<Vector>& x) {
+ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& contact, const std::vector<Vector>& x,
+                               MeshIndex& index) {
   ContactSurfaces s;
   s.type = classify(contact);
   const bool tied = s.type.family == Family::tied;
   s.settings = tied ? ContactSettings{.shlthk = 2} : settings(contact, s.type, model.controls);
   const auto build = [&](ContactSide& side, bool b) {
-    side.selection = select(model, b ? contact.b : contact.a, s.type, x);
+    side.selection = select(model, b ? contact.b : contact.a, s.type, x, index);
     side.nodes_only = side.selection.segments.size() == 0 && !side.selection.nodes.empty();
     const ThicknessSide thickness = thickness_side(contact, s.settings, model.controls, b);
     fill_thickness(side.selection.segments, model, thickness, x);
     if (s.settings.mid_surface_offset) fill_offsets(side.selection.segments, model);
     if (!b || s.type.treatment == Treatment::two_way || s.type.by_segments())
-      side.nodes = tracked_nodes(side.selection, model, thickness, x);
+      side.nodes = tracked_nodes(side.selection, model, thickness, x, index);
     side.lines = count_lines(side.selection.segments);
     if (s.two_sided()) drop_lines(side);
     if (tied) take_negative(side, b ? contact.mst : contact.sst);
@@ -70,7 +71,8 @@ const ContactSurfaces& SurfaceStore::at(std::uint32_t contact) {
   auto& surfaces = built_[contact];
   if (!surfaces) {
     const Stopwatch watch(seconds_);
-    surfaces = std::make_unique<const ContactSurfaces>(build_surfaces(model_, model_.contacts[contact], model_.mesh.nodes.x));
+    surfaces = std::make_unique<const ContactSurfaces>(
+        build_surfaces(model_, model_.contacts[contact], model_.mesh.nodes.x, index_));
     ++count_;
   }
   return *surfaces;

@@ -27,22 +27,25 @@ struct ContactSurfaces {
 };
 
 /// Builds the surfaces of one contact on the coordinates given. Tied contacts measure with the true thickness, whatever
-/// SHLTHK says, and with |SST| and |MST| where these are negative.
+/// SHLTHK says, and with |SST| and |MST| where these are negative. `index`: of this model.
 [[nodiscard]] ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& contact,
-                                             const std::vector<Vector>& x);
+                                             const std::vector<Vector>& x, MeshIndex& index);
 
 /// The surfaces of a model's contacts on the deck's own coordinates, each built when it is first asked for and kept.
 /// Not for use from several threads. The model must outlive it.
 class SurfaceStore {
  public:
-  explicit SurfaceStore(const model::Model& model) : model_(model), built_(model.contacts.size()) {}
+  explicit SurfaceStore(const model::Model& model) : model_(model), index_(model), built_(model.contacts.size()) {}
   /// `contact`: position in Model::contacts.
   [[nodiscard]] const ContactSurfaces& at(std::uint32_t contact);
+  /// Of the model's elements, for surfaces on other coordinates.
+  [[nodiscard]] MeshIndex& index() { return index_; }
   [[nodiscard]] std::uint64_t built() const { return count_; }
   [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
   const model::Model& model_;
+  MeshIndex index_;
   std::vector<std::unique_ptr<const ContactSurfaces>> built_;
   std::uint64_t count_ = 0;
   double seconds_ = 0;

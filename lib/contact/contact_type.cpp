@@ -81,6 +81,15 @@ bool has_soft_2(std::string_view code) {
   return false;
 }
 
+/// *CONTACT_AUTOMATIC_..._TIEBREAK ties like types 8 and 9 before it works as its base type.
+void make_tiebreak(ContactType& type) {
+  type.family = Family::tied;
+  if (type.treatment != Treatment::single_surface) {
+    type.code = type.code == "a5" ? "8" : "9";
+    type.treatment = Treatment::one_way;
+  }
+}
+
 std::string reason(const ContactType& type, bool ties) {
   if (ties)
     return "ties nodes to segments instead of keeping them apart";
@@ -126,6 +135,7 @@ ContactType classify(const model::Contact& contact) {
     type.treatment = row.treatment;
     type.family = mortar ? Family::mortar : row.family;
     type.edges = row.edges;
+    if (tiebreak && type.family == Family::automatic) make_tiebreak(type);
     type.interior_edges = row.code == "i26";
     const bool ties = tiebreak || tied_weld || row.family == tied;
     if (row.treatment != none && row.family != other && !ties)

@@ -18,10 +18,12 @@
 #include "contact/orientation.hpp"
 #include "contact/outcome.hpp"
 #include "contact/release.hpp"
-#include "contact/ties.hpp"
 
 namespace gapcheck::contact {
 namespace {
+
+/// Many contacts that all name the nodes of a large mesh must not fill the memory with their lists.
+constexpr std::size_t judged_limit = 20'000'000;
 
 double min_diagonal(const geometry::Facet& f) {
   return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
@@ -36,7 +38,8 @@ class Initialiser {
         options_(options),
         counters_(counters),
         state_(state),
-        search_(options.brute_force ? make_brute_force() : make_bucket_grid()) {}
+        search_(options.brute_force ? make_brute_force() : make_bucket_grid()),
+        ties_(model) {}
 
   void run() {
     state_.x = model_.mesh.nodes.x;
@@ -80,17 +83,23 @@ class Initialiser {
     const ContactSurfaces& sides = surfaces(c);
     report_empty(c, sides);
     const Stopwatch watch(counters_.search_s);
-    TieResult result = apply_ties(model_, model_.contacts[c], sides, *search_, state_.x, ties_);
+    const TieScene scene{model_, *search_, options_.mode, counters_.sweep, counters_.decisions};
+    const TieResult result = apply_ties(scene, c, sides, state_.x, ties_);
     moved_ = moved_ || result.moved > 0;
-    state_.contacts[c].tracked_nodes = result.nodes;
-    state_.contacts[c].segments = result.segments;
-    state_.contacts[c].ties = result.tied;
-    state_.contacts[c].untied = result.untied.size();
+    ContactSummary& summary = state_.contacts[c];
+    summary.tracked_nodes = result.nodes;
+    summary.segments = result.segments;
+    summary.ties = result.tied;
+    summary.untied = static_cast<std::uint64_t>(
+        std::count_if(result.judged.begin(), result.judged.end(), [](const JudgedNode& node) { return !node.tied(); }));
+    summary.out_of_reach = result.out_of_reach;
     counters_.tied_nodes += result.tied;
-    for (TieFailure& failure : result.untied) {
-      failure.contact = c;
-      state_.untied.push_back(failure);
+    if (result.judged.size() > judged_limit - state_.judged.size()) {
+      state_.notes.push_back(fmt::format("contact {}: its {} tied and untied nodes are counted, not listed",
+                                         model_.contacts[c].id.value, result.judged.size()));
+      return;
     }
+    state_.judged.insert(state_.judged.end(), result.judged.begin(), result.judged.end());
   }
 
   void report_empty(std::uint32_t c, const ContactSurfaces& surfaces) {
@@ -109,7 +118,7 @@ class Initialiser {
     if (!moved_) return store_.at(c);
     const Stopwatch watch(counters_.surface_s);
     ++counters_.surfaces_built;
-    return own_.emplace(build_surfaces(model_, model_.contacts[c], state_.x));
+    return own_.emplace(build_surfaces(model_, model_.contacts[c], state_.x, store_.index()));
   }
 
   void check(std::uint32_t c) {

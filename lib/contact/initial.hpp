@@ -6,6 +6,7 @@
 #include "contact/closest_segment.hpp"
 #include "contact/contact_surfaces.hpp"
 #include "contact/contact_type.hpp"
+#include "contact/ties.hpp"
 #include "geometry/decide.hpp"
 #include "model/model.hpp"
 #include "records/report.hpp"
@@ -34,7 +35,7 @@ struct InitialCounters {
 struct InitialState {
   std::vector<ContactSummary> contacts;   ///< beside Model::contacts; those not chosen have `not_checked` set
   std::vector<Penetration> penetrations;  ///< by contact, deepest first, then node id
-  std::vector<TieFailure> untied;         ///< nodes meant to tie that did not; by contact, then node
+  std::vector<JudgedNode> judged;         ///< nodes meant to tie; by contact, then node
   std::vector<std::string> notes;         ///< what could not be honoured
   std::vector<Vector> x;                  ///< coordinates after the initialisation
 };

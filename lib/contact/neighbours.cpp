@@ -16,16 +16,23 @@ void each_corner(const model::SegmentNodes& n, const Visit& visit) {
     if (c == 0 || n[c] != n[c - 1]) visit(n[c]);
 }
 
+NodeSlots slots_of(const Segments& segments, std::size_t mesh_nodes) {
+  if (!NodeSlots::few(4 * segments.size(), mesh_nodes)) return NodeSlots(mesh_nodes);
+  std::vector<NodeIndex> nodes;
+  for (const auto& corners : segments.nodes) nodes.insert(nodes.end(), corners.begin(), corners.end());
+  return NodeSlots(std::move(nodes));
+}
+
 }  // namespace
 
 Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh, bool whole_solids)
-    : segments_(&segments), mesh_(&mesh), start_(mesh.nodes.size() + 1, 0) {
-  for (const auto& nodes : segments.nodes) each_corner(nodes, [&](NodeIndex n) { ++start_[n.value + 1]; });
+    : segments_(&segments), mesh_(&mesh), slots_(slots_of(segments, mesh.nodes.size())), start_(slots_.size() + 1, 0) {
+  for (const auto& nodes : segments.nodes) each_corner(nodes, [&](NodeIndex n) { ++start_[slots_.slot(n) + 1]; });
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
   list_.resize(start_.back());
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
   for (std::uint32_t s = 0; s < segments.size(); ++s)
-    each_corner(segments.nodes[s], [&](NodeIndex n) { list_[next[n.value]++] = s; });
+    each_corner(segments.nodes[s], [&](NodeIndex n) { list_[next[slots_.slot(n)]++] = s; });
   if (!whole_solids || mesh.solids.size() == 0) return;
   solid_start_.assign(mesh.nodes.size() + 1, 0);
   for (const auto& nodes : mesh.solids.nodes)

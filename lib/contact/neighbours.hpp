@@ -3,18 +3,22 @@
 #include <span>
 #include <vector>
 
+#include "contact/node_slots.hpp"
 #include "contact/surface.hpp"
 
 namespace gapcheck::contact {
 
-/// Which segments of a surface meet at each node. Built once per surface, linear in its size.
+/// Which segments of a surface meet at each node. Built once per surface, linear in its size
+/// (of large surfaces and with `whole_solids`: in that of the mesh).
 class Neighbours {
  public:
   /// `whole_solids`: also knows the solids that have a face without segment (covered by shells) at each node.
   Neighbours(const Segments& segments, const model::Mesh& mesh, bool whole_solids = false);
   /// Positions of the segments at a node, ascending.
   [[nodiscard]] std::span<const std::uint32_t> at(NodeIndex node) const {
-    return {list_.data() + start_[node.value], list_.data() + start_[node.value + 1]};
+    const std::uint32_t slot = slots_.slot(node);
+    if (slot == NodeSlots::missing) return {};
+    return {list_.data() + start_[slot], list_.data() + start_[slot + 1]};
   }
   /// True if an element of the node has a node in common with the segment: the ring around a segment in which a
   /// single-surface contact looks for no penetration. Elements are the segments of this surface, and solids with all
@@ -26,6 +30,7 @@ class Neighbours {
  private:
   const Segments* segments_;
   const model::Mesh* mesh_;
+  NodeSlots slots_;
   std::vector<std::uint32_t> start_, list_;
   std::vector<std::uint32_t> solid_start_, solid_list_;  // as above, of mesh.solids; empty: not asked for
 };

@@ -14,12 +14,6 @@ constexpr double band_end = 1.5 * (1 + relative_tolerance);
 /// Share of the shorter diagonal that an oriented shell segment looks behind itself.
 constexpr double shell_behind = 0.5;
 
-double largest_coordinate(const geometry::Facet& facet, const Vector& query) {
-  double largest = query.cwiseAbs().maxCoeff();
-  for (const Vector& x : facet.x) largest = std::max(largest, x.cwiseAbs().maxCoeff());
-  return largest;
-}
-
 Vector facet_normal(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]); }
 
 PairResult measure_line(const geometry::Facet& f, const Vector& q) {
@@ -49,6 +43,12 @@ PairResult measure(const PairScene& scene, std::uint32_t s, const geometry::Face
 }
 
 }  // namespace
+
+double largest_coordinate(const geometry::Facet& facet, const Vector& query) {
+  double largest = query.cwiseAbs().maxCoeff();
+  for (const Vector& x : facet.x) largest = std::max(largest, x.cwiseAbs().maxCoeff());
+  return largest;
+}
 
 double default_tolerance(double contact_distance, double largest) {
   const double ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;

@@ -74,6 +74,9 @@ struct PairResult {
 /// Source: contact rules, sections 3 and 4.
 [[nodiscard]] PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t segment);
 
+/// The largest coordinate (by amount) of a facet and a point.
+[[nodiscard]] double largest_coordinate(const geometry::Facet& facet, const Vector& query);
+
 /// Default tolerance of a finding: 1e-9 of the contact distance plus 4 units in the last place of the largest
 /// coordinate: decks are written in decimals, and plates that touch must not penetrate.
 [[nodiscard]] double default_tolerance(double contact_distance, double largest_coordinate);

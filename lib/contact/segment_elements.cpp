@@ -1,9 +1,11 @@
 #include "contact/segment_elements.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 #include "contact/faces.hpp"
+#include "contact/node_slots.hpp"
 #include "contact/surface.hpp"
 
 namespace gapcheck::contact {
@@ -28,8 +30,34 @@ std::unordered_set<SegmentKey, SegmentKeyHash> shell_keys(const Segments& segmen
   return keys;
 }
 
+namespace {
+
+/// Elements that may have a face with such nodes, ascending: those at the nodes, or all where that is not much less.
+template <class ElementArray>
+std::vector<std::uint32_t> possible_elements(const ElementArray& elements, ElementIndex& index,
+                                             std::span<const model::SegmentNodes> segments, std::size_t mesh_nodes) {
+  std::vector<std::uint32_t> possible;
+  if (!NodeSlots::few(4 * segments.size(), mesh_nodes)) {
+    possible.resize(elements.size());
+    std::iota(possible.begin(), possible.end(), 0U);
+    return possible;
+  }
+  std::vector<NodeIndex> nodes;
+  for (const auto& corners : segments) nodes.insert(nodes.end(), corners.begin(), corners.end());
+  const NodeSlots distinct(std::move(nodes));
+  for (std::uint32_t i = 0; i < distinct.size(); ++i) {
+    const auto here = index.at(distinct.node(i));
+    possible.insert(possible.end(), here.begin(), here.end());
+  }
+  std::sort(possible.begin(), possible.end());
+  possible.erase(std::unique(possible.begin(), possible.end()), possible.end());
+  return possible;
+}
+
+}  // namespace
+
 std::vector<SegmentElement> find_segment_elements(const model::Mesh& mesh,
-                                                  std::span<const model::SegmentNodes> segments) {
+                                                  std::span<const model::SegmentNodes> segments, MeshIndex& index) {
   std::unordered_map<SegmentKey, SegmentElement, SegmentKeyHash> wanted;
   std::vector<bool> used(mesh.nodes.size(), false);
   for (const auto& nodes : segments) {
@@ -44,17 +72,18 @@ std::vector<SegmentElement> find_segment_elements(const model::Mesh& mesh,
     const auto found = wanted.find(segment_key(nodes));
     if (found != wanted.end() && found->second.element == static_cast<std::uint32_t>(-1)) found->second = {element, kind};
   };
-  for (std::uint32_t e = 0; e < mesh.shells.size(); ++e)
+  for (const std::uint32_t e : possible_elements(mesh.shells, index.shells, segments, mesh.nodes.size()))
     offer(mesh.shells.nodes[e], e, model::ElementKind::shell);
-  const auto offer_faces = [&](const model::Elements<8>& elements, model::ElementKind kind) {
-    for (std::uint32_t e = 0; e < elements.size(); ++e) {
+  const auto offer_faces = [&](const model::Elements<8>& elements, ElementIndex& at, model::ElementKind kind) {
+    if (elements.size() == 0) return;
+    for (const std::uint32_t e : possible_elements(elements, at, segments, mesh.nodes.size())) {
       const auto& n = elements.nodes[e];
       if (std::count_if(n.begin(), n.end(), [&](NodeIndex i) { return used[i.value]; }) < 3) continue;
       for (const Face& face : faces_of(n, e, mesh.nodes.x)) offer(face.nodes, e, kind);
     }
   };
-  offer_faces(mesh.solids, model::ElementKind::solid);
-  offer_faces(mesh.thick_shells, model::ElementKind::thick_shell);
+  offer_faces(mesh.solids, index.solids, model::ElementKind::solid);
+  offer_faces(mesh.thick_shells, index.thick_shells, model::ElementKind::thick_shell);
   std::vector<SegmentElement> found;
   found.reserve(segments.size());
   for (const auto& nodes : segments) found.push_back(wanted[segment_key(nodes)]);

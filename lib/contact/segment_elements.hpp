@@ -4,6 +4,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "contact/mesh_index.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::contact {
@@ -29,6 +30,7 @@ struct SegmentElement {
 /// For each segment the shell, solid or thick shell with these nodes; a shell goes before a solid, the first in the deck
 /// before later ones.
 [[nodiscard]] std::vector<SegmentElement> find_segment_elements(const model::Mesh& mesh,
-                                                                std::span<const model::SegmentNodes> segments);
+                                                                std::span<const model::SegmentNodes> segments,
+                                                                MeshIndex& index);
 
 }  // namespace gapcheck::contact

@@ -52,47 +52,63 @@ bool beam_has_contact(const model::Model& model, PartIndex index) {
   return !(part.section && model.sections[*part.section].elform == discrete_beam);
 }
 
+/// Parts that a surface is made of.
+struct ChosenParts {
+  std::vector<bool> mask;
+  std::vector<PartIndex> list;  // ascending
+};
+
+/// Elements of the parts, ascending.
 template <class ElementArray>
-std::vector<std::uint32_t> elements_of(const ElementArray& elements, const std::vector<bool>& mask) {
+std::vector<std::uint32_t> elements_of(const ElementArray& elements, ElementIndex& index, const ChosenParts& parts) {
+  std::size_t total = 0;
+  for (const PartIndex part : parts.list) total += index.of(part).size();
   std::vector<std::uint32_t> chosen;
+  chosen.reserve(total);
+  if (total < elements.size() / 16 || parts.list.size() == 1) {
+    for (const PartIndex part : parts.list) chosen.insert(chosen.end(), index.of(part).begin(), index.of(part).end());
+    if (parts.list.size() > 1) std::sort(chosen.begin(), chosen.end());
+    return chosen;
+  }
   for (std::uint32_t e = 0; e < elements.size(); ++e)
-    if (elements.part[e] != none<PartIndex> && mask[elements.part[e].value]) chosen.push_back(e);
+    if (elements.part[e] != none<PartIndex> && parts.mask[elements.part[e].value]) chosen.push_back(e);
   return chosen;
 }
 
-void append_faces(Segments& s, const model::Elements<8>& elements, ElementKind kind, const std::vector<bool>& mask,
-                  const std::vector<Vector>& x) {
-  if (elements.size() == 0) return;
-  const auto chosen = elements_of(elements, mask);
+void append_faces(Segments& s, const model::Elements<8>& elements, ElementIndex& index, ElementKind kind,
+                  const ChosenParts& parts, const std::vector<Vector>& x) {
+  const auto chosen = elements_of(elements, index, parts);
   if (chosen.empty()) return;
   const auto covered = shell_keys(s);
   for (const Face& face : free_faces(elements, chosen, x))
     if (!covered.contains(segment_key(face.nodes))) append(s, face.nodes, face.element, kind, SegmentKind::solid);
 }
 
-void select_parts(Selection& selection, const model::Model& model, const std::vector<bool>& mask,
-                  const ContactType& type, const std::vector<Vector>& x) {
+void select_parts(Selection& selection, const model::Model& model, std::vector<bool> mask, const ContactType& type,
+                  const std::vector<Vector>& x, MeshIndex& index) {
   const model::Mesh& mesh = model.mesh;
   Segments& s = selection.segments;
-  const auto shells = elements_of(mesh.shells, mask);
+  ChosenParts parts{std::move(mask), {}};
+  for (std::uint32_t p = 0; p < parts.mask.size(); ++p)
+    if (parts.mask[p]) parts.list.emplace_back(p);
+  const auto shells = elements_of(mesh.shells, index.shells, parts);
   s.nodes.reserve(shells.size());
   s.element.reserve(shells.size());
   s.element_kind.reserve(shells.size());
   s.kind.reserve(shells.size());
   for (const std::uint32_t e : shells) append(s, mesh.shells.nodes[e], e, ElementKind::shell, SegmentKind::shell);
-  append_faces(s, mesh.solids, ElementKind::solid, mask, x);
-  append_faces(s, mesh.thick_shells, ElementKind::thick_shell, mask, x);
-  for (std::uint32_t e = 0; e < mesh.beams.size(); ++e) {
+  if (mesh.solids.size() > 0) append_faces(s, mesh.solids, index.solids, ElementKind::solid, parts, x);
+  if (mesh.thick_shells.size() > 0)
+    append_faces(s, mesh.thick_shells, index.thick_shells, ElementKind::thick_shell, parts, x);
+  for (const std::uint32_t e : elements_of(mesh.beams, index.beams, parts)) {
     const PartIndex part = mesh.beams.part[e];
-    if (part == none<PartIndex> || !mask[part.value]) continue;
     // A spotweld is there to be tied, not to be kept apart.
     if (type.family != Family::tied && type.code != "25" && !beam_has_contact(model, part)) continue;
     const auto& n = mesh.beams.nodes[e];
     append(s, {n[0], n[1], n[1], n[1]}, e, ElementKind::beam, SegmentKind::line);
   }
-  for (std::uint32_t e = 0; e < mesh.particles.size(); ++e)
-    if (mesh.particles.part[e] != none<PartIndex> && mask[mesh.particles.part[e].value])
-      selection.nodes.push_back(mesh.particles.nodes[e][0]);
+  for (const std::uint32_t e : elements_of(mesh.particles, index.particles, parts))
+    selection.nodes.push_back(mesh.particles.nodes[e][0]);
 }
 
 void set_missing(Selection& selection, std::string_view what, std::int64_t id) {
@@ -109,14 +125,15 @@ model::SegmentNodes distinct_corners(const model::SegmentNodes& nodes) {
   return n == 3 ? model::SegmentNodes{kept[0], kept[1], kept[2], kept[2]} : nodes;
 }
 
-void select_segments(Selection& selection, const model::Model& model, std::int64_t id, const std::vector<Vector>& x) {
+void select_segments(Selection& selection, const model::Model& model, std::int64_t id, const std::vector<Vector>& x,
+                     MeshIndex& index) {
   const auto set = model.sets.segments.find(id);
   if (set == model.sets.segments.end()) {
     set_missing(selection, "segment set", id);
     return;
   }
   const auto& segments = set->second.members;
-  const std::vector<SegmentElement> owners = find_segment_elements(model.mesh, segments);
+  const std::vector<SegmentElement> owners = find_segment_elements(model.mesh, segments, index);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     Face face{distinct_corners(segments[i]), owners[i].element};
     const bool found = owners[i].element != unknown;
@@ -172,7 +189,7 @@ double shortest_edge(const model::SegmentNodes& n, const std::vector<Vector>& x)
 }  // namespace
 
 Selection select(const model::Model& model, const model::SurfaceInput& input, const ContactType& type,
-                 const std::vector<Vector>& x) {
+                 const std::vector<Vector>& x, MeshIndex& index) {
   Selection selection;
   const bool single = type.treatment == Treatment::single_surface;
   using enum model::SurfaceType;
@@ -182,22 +199,22 @@ Selection select(const model::Model& model, const model::SurfaceInput& input, co
     return selection;
   }
   if (single && input.id == 0) {
-    select_parts(selection, model, part_mask(model, input, single), type, x);
+    select_parts(selection, model, part_mask(model, input, single), type, x, index);
   } else {
     switch (kind) {
-      case segment_set: select_segments(selection, model, input.id, x); break;
+      case segment_set: select_segments(selection, model, input.id, x, index); break;
       case shell_set: select_shells(selection, model, input.id); break;
       case node_set: select_nodes(selection, model, input.id); break;
       case part_set:
       case exempted_part_set:
         if (!model.sets.parts.contains(input.id)) set_missing(selection, "part set", input.id);
-        select_parts(selection, model, part_mask(model, input, single), type, x);
+        select_parts(selection, model, part_mask(model, input, single), type, x, index);
         break;
       case part:
         if (!model.part_of_id.contains(input.id)) set_missing(selection, "part", input.id);
-        select_parts(selection, model, part_mask(model, input, single), type, x);
+        select_parts(selection, model, part_mask(model, input, single), type, x, index);
         break;
-      case all: select_parts(selection, model, part_mask(model, input, single), type, x); break;
+      case all: select_parts(selection, model, part_mask(model, input, single), type, x, index); break;
       case branch:
         selection.empty_reason = "surface type 7 (branch) is not resolved";
         selection.unsupported = true;

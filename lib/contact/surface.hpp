@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/contact_type.hpp"
+#include "contact/mesh_index.hpp"
 #include "contact/search.hpp"
 #include "contact/thickness.hpp"
 #include "model/model.hpp"
@@ -50,9 +51,10 @@ struct Selection {
   std::string note;              ///< what could not be honoured; empty: nothing
 };
 
-/// Resolves one side of a contact. `single_surface`: id 0 means all parts; beams join where the type has them.
+/// Resolves one side of a contact. `single_surface`: id 0 means all parts; beams join where the type has them. `index`: of
+/// this model, to find small surfaces fast.
 [[nodiscard]] Selection select(const model::Model& model, const model::SurfaceInput& input, const ContactType& type,
-                               const std::vector<Vector>& x);
+                               const std::vector<Vector>& x, MeshIndex& index);
 
 /// Contact thickness of every segment of a selection.
 void fill_thickness(Segments& segments, const model::Model& model, const ThicknessSide& side,
@@ -64,7 +66,7 @@ void fill_offsets(Segments& segments, const model::Model& model);
 /// The nodes of a selection whose segments have their thickness; each takes the largest thickness of its segments, nodes without segments that of all
 /// elements at them.
 [[nodiscard]] TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model,
-                                         const ThicknessSide& side, const std::vector<Vector>& x);
+                                         const ThicknessSide& side, const std::vector<Vector>& x, MeshIndex& index);
 
 /// Part of the element of a segment; none if unknown.
 [[nodiscard]] PartIndex part_of(const model::Mesh& mesh, const Segments& segments, std::size_t segment);

@@ -2,216 +2,236 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
-#include <tuple>
-
-#include "contact/closest_segment.hpp"
+#include <string_view>
 
 namespace gapcheck::contact {
 namespace {
 
-constexpr double thickness_share = 0.6, diagonal_share = 0.05;  // [workshop]
 /// PARMAX of tied contacts (MPP default).
 constexpr double default_parmax = 1.035;
-/// Nodes of parts are taken as meant to tie within this multiple of the tie distance.
-constexpr double meant_to_tie = 2;
 
-struct Candidate {
-  std::uint32_t slot, segment;
-  double distance, allowed;
-  bool on_segment;  // the projection falls in the segment
-  [[nodiscard]] bool ties() const { return on_segment && distance <= allowed * (1 + 1e-12); }
-};
-
-double min_diagonal(const geometry::Facet& f) {
-  return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
-}
-
-double max_diagonal(const geometry::Facet& f) {
-  return std::sqrt(std::max((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
-}
-
-bool moves_node(const ContactType& type) { return type.code == "2" || type.code == "6" || type.code == "7"; }
-
-bool solid(const Segments& s, std::uint32_t i) {
-  return s.element_kind[i] == model::ElementKind::solid || s.element_kind[i] == model::ElementKind::thick_shell;
+double parmax(const model::Contact& contact) {
+  const double given = contact.parmax > 0 ? contact.parmax : contact.maxpar > 0 ? contact.maxpar : default_parmax;
+  return std::max(1.0, given);
 }
 
 /// One tied contact on its way.
 class Tying {
  public:
-  Tying(const model::Model& model, const model::Contact& contact, const ContactSurfaces& surfaces,
-        std::vector<Vector>& x, Ties& ties)
-      : model_(model),
+  Tying(const TieScene& scene, std::uint32_t contact, const ContactSurfaces& surfaces, std::vector<Vector>& x, Ties& ties)
+      : scene_(scene),
+        model_(scene.model),
         contact_(contact),
+        card_(model_.contacts[contact]),
+        surfaces_(surfaces),
         type_(surfaces.type),
-        settings_(surfaces.settings),
+        segments_((surfaces.two_sided() ? surfaces.b : surfaces.a).selection.segments),
+        nodes_(surfaces.a.nodes),
         x_(x),
         ties_(ties),
-        segments_(surfaces.b.selection.segments),
-        nodes_(surfaces.a.nodes),
-        by_node_set_(surfaces.a.nodes_only) {}
+        constraint_(ties_by_constraint(type_)),
+        moves_(moves_tied_nodes(type_) && model_.controls.tiedprj == 0) {}
 
-  TieResult run(const CandidateSearch& search) {
+  TieResult run() {
     if (segments_.size() == 0) return {};
-    if (ties_by_constraint(type_)) rigid_ = rigid_nodes(model_);
-    find_candidates(search);
-    return decide();
+    judge();
+    if (moves_) keep_beams_long();
+    commit();
+    return std::move(result_);
   }
 
  private:
-  void find_candidates(const CandidateSearch& search) {
-    const Neighbours neighbours(segments_, model_.mesh);
-    const PairScene scene{model_, contact_, type_, settings_, x_, segments_, nodes_, neighbours, contact_.b.type, {}, {}};
-    const double parmax = contact_.parmax > 0 ? contact_.parmax : contact_.maxpar > 0 ? contact_.maxpar : default_parmax;
-    const bool negative = contact_.sst < 0 || contact_.mst < 0;
-    const double largest_half = nodes_.half.empty() ? 0 : *std::max_element(nodes_.half.begin(), nodes_.half.end());
-    const auto limit = [&](double node_half, std::uint32_t s) {
-      return tie_distance(2 * node_half, 2 * segments_.half[s], min_diagonal(scene.facet(s)), solid(segments_, s), negative);
-    };
-    // Nodes of a node set are looked for a segment's length away, to tell "too far" from "on no segment".
-    const auto reach = [&](std::uint32_t s) {
-      const double near = meant_to_tie * limit(largest_half, s);
-      return by_node_set_ ? std::max(near, max_diagonal(scene.facet(s))) : near;
-    };
-    std::mutex mutex;
-    SweepCounters sweep;
-    for_each_candidate(scene, search, reach, sweep, [&](std::uint32_t segment, std::span<const std::uint32_t> slots) {
-      if (scene.line(segment)) return;
-      const geometry::Facet facet = scene.facet(segment);
-      for (const std::uint32_t slot : slots) {
-        const auto closest = geometry::closest_point(facet, scene.position(slot), parmax - 1);
-        const double distance = std::sqrt(closest.squared_distance), allowed = limit(nodes_.half[slot], segment);
-        if (!by_node_set_ && distance > meant_to_tie * allowed) continue;
-        const std::lock_guard lock(mutex);
-        candidates_.push_back({slot, segment, distance, allowed, closest.in_band});
+  void judge() {
+    const bool by_node_set = surfaces_.a.nodes_only, single = !surfaces_.two_sided();
+    const Neighbours neighbours(segments_, model_.mesh, single);
+    const PairScene pairs{model_,     card_,       type_, surfaces_.settings, x_, segments_, nodes_,
+                          neighbours, card_.b.type, {},    {},                 -1, scene_.mode};
+    const bool negative = card_.sst < 0 || card_.mst < 0;
+    const auto candidates = tie_candidates(pairs, scene_.search, {parmax(card_), negative, by_node_set, single},
+                                           scene_.sweep, scene_.decisions);
+    result_.nodes = nodes_.size();
+    result_.segments = segments_.size();
+    for (std::uint32_t slot = 0; slot < nodes_.size(); ++slot) {
+      const TieCandidate& candidate = candidates[slot];
+      if (single ? !candidate.ties : !neighbours.at(nodes_.node[slot]).empty()) continue;
+      if (candidate.segment == TieCandidate::no_segment && !by_node_set) {
+        ++result_.out_of_reach;
+        continue;
       }
-    });
-    // Candidates that tie first, then those that hold the node's projection, then the nearest.
-    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& l, const Candidate& r) {
-      return std::tuple(l.slot, !l.ties(), !l.on_segment, l.distance, l.segment) <
-             std::tuple(r.slot, !r.ties(), !r.on_segment, r.distance, r.segment);
-    });
+      result_.judged.push_back(judged(slot, candidate, negative));
+    }
   }
 
-  TieResult decide() {
-    TieResult result;
-    result.nodes = nodes_.size();
-    result.segments = segments_.size();
-    std::size_t next = 0;
-    for (std::uint32_t slot = 0; slot < nodes_.size(); ++slot) {
-      const std::size_t first = next;
-      while (next < candidates_.size() && candidates_[next].slot == slot) ++next;
-      if (first == next && !by_node_set_) continue;
-      ++result.judged;
-      decide_node(slot, first == next ? nullptr : &candidates_[first], result);
+  [[nodiscard]] JudgedNode judged(std::uint32_t slot, const TieCandidate& candidate, bool negative) {
+    JudgedNode node;
+    node.contact = contact_;
+    node.node = nodes_.node[slot];
+    node.part = nodes_.part[slot];
+    node.by_node_set = surfaces_.a.nodes_only;
+    node.node_thickness = 2 * nodes_.half[slot];
+    if (!candidate.on_segment) {
+      node.reason = TieReason::not_found;
+      return node;
+    }
+    const std::uint32_t s = candidate.segment;
+    const auto kind = segments_.element_kind[s];
+    node.segment = s;
+    node.segment_part = part_of(model_.mesh, segments_, s);
+    node.distance = candidate.distance;
+    node.diagonal = candidate.diagonal;
+    node.segment_thickness = 2 * segments_.half[s];
+    node.allowed =
+        tie_distance(node.node_thickness, node.segment_thickness, node.diagonal,
+                     kind == model::ElementKind::solid || kind == model::ElementKind::thick_shell, negative);
+    if (!candidate.ties)
+      node.reason = TieReason::too_far;
+    else if (constraint_)
+      constrain(node);
+    if (node.tied()) separate(node);
+    return node;
+  }
+
+  /// What keeps a constraint from taking the node becomes its reason; IPBACK ties such nodes by penalty.
+  void constrain(JudgedNode& node) {
+    const RigidNodes& rigid = ties_.rigid();
+    std::optional<TieReason> reason;
+    if ((node.rigid = rigid.owner(node.node))) {
+      reason = TieReason::rigslav;
+    } else {
+      for (const NodeIndex corner : segments_.nodes[node.segment])
+        if (!node.rigid) node.rigid = rigid.owner(corner);
+      if (node.rigid) reason = TieReason::rigmast;
+    }
+    if (const auto holder = ties_.constrained_by(node.node); !reason && holder) {
+      node.holder = *holder;
+      reason = TieReason::conflict;
+    }
+    node.penalty = reason && card_.ipback != 0;
+    if (!node.penalty) node.reason = reason;
+  }
+
+  /// Separations that are closed or make the tie wrong. The b and c forms carry them; tiebreaks keep the surfaces apart.
+  void separate(JudgedNode& node) const {
+    const bool told = type_.code.front() == 'o' || moves_tied_nodes(type_) || node.penalty;
+    if (told && node.distance > visible_separation * node.diagonal)
+      node.reason = moves(node) ? TieReason::sep : TieReason::offset;
+  }
+
+  [[nodiscard]] bool moves(const JudgedNode& node) const { return moves_ && !node.penalty && node.tied(); }
+
+  [[nodiscard]] JudgedNode* find(NodeIndex node) {
+    auto& all = result_.judged;
+    const auto at = std::lower_bound(all.begin(), all.end(), node,
+                                     [](const JudgedNode& j, NodeIndex n) { return j.node < n; });
+    return at != all.end() && at->node == node ? &*at : nullptr;
+  }
+
+  /// Where the node is when this contact has tied it.
+  [[nodiscard]] Vector target(const JudgedNode& node) const {
+    const auto& n = segments_.nodes[node.segment];
+    const geometry::Facet facet{{x_[n[0].value], x_[n[1].value], x_[n[2].value], x_[n[3].value]}, n[2] == n[3]};
+    return geometry::closest_point(facet, x_[node.node.value]).point;
+  }
+
+  /// Of a beam that tying would shorten too much the end that moves farther stays untied.
+  void keep_beams_long() {
+    if (model_.mesh.beams.size() == 0) return;
+    for (JudgedNode& node : result_.judged) {
+      for (const auto& [end, other_end] : ties_.beams_at(node.node)) {
+        JudgedNode* const other = find(other_end);
+        const double before = (x_[end.value] - x_[other_end.value]).norm();
+        while (moves(node)) {
+          const bool both = other != nullptr && moves(*other);
+          const Vector far_end = both ? target(*other) : x_[other_end.value];
+          if (!((target(node) - far_end).norm() < shortest_beam * before)) break;
+          (both && other->distance > node.distance ? *other : node).reason = TieReason::too_short;
+        }
+      }
+    }
+  }
+
+  void commit() {
+    std::vector<std::pair<NodeIndex, Vector>> targets;
+    for (const JudgedNode& node : result_.judged) {
+      if (!node.tied()) continue;
+      ++result_.tied;
+      ties_.add(node.node, node.segment_part);
+      if (constraint_ && !node.penalty) ties_.constrain(node.node, contact_);
+      if (moves(node)) targets.emplace_back(node.node, target(node));
     }
     // Moved only now: no node may move before its neighbours have been measured.
-    for (const auto& [node, target] : moves_) x_[node.value] = target;
-    result.moved = moves_.size();
-    return result;
+    for (const auto& [node, to] : targets) x_[node.value] = to;
+    result_.moved = targets.size();
   }
 
-  void decide_node(std::uint32_t slot, const Candidate* best, TieResult& result) {
-    const NodeIndex node = nodes_.node[slot];
-    const bool found = best != nullptr && best->on_segment;
-    const bool near = found && best->ties();
-    if (near && ties_by_constraint(type_)) {
-      if (rigid_[node.value]) return fail(slot, best, TieReason::rigslav, result);
-      const auto& corners = segments_.nodes[best->segment];
-      if (std::any_of(corners.begin(), corners.end(), [&](NodeIndex n) { return rigid_[n.value]; }))
-        return fail(slot, best, TieReason::rigmast, result);
-      if (ties_.constrained(node)) return fail(slot, best, TieReason::conflict, result);
-    }
-    if (!near) return fail(slot, found ? best : nullptr, found ? TieReason::too_far : TieReason::not_found, result);
-    ties_.add(node, part_of(model_.mesh, segments_, best->segment), ties_by_constraint(type_));
-    ++result.tied;
-    result.largest_separation = std::max(result.largest_separation, best->distance);
-    if (!moves_node(type_)) return;
-    const auto& n = segments_.nodes[best->segment];
-    const geometry::Facet facet{{x_[n[0].value], x_[n[1].value], x_[n[2].value], x_[n[3].value]}, n[2] == n[3]};
-    moves_.emplace_back(node, geometry::closest_point(facet, x_[node.value]).point);
-  }
-
-  void fail(std::uint32_t slot, const Candidate* best, TieReason reason, TieResult& result) const {
-    TieFailure failure;
-    failure.node = model_.mesh.nodes.id[nodes_.node[slot].value];
-    if (nodes_.part[slot] != none<PartIndex>) failure.part = model_.part(nodes_.part[slot]).id.value;
-    if (best != nullptr) {
-      failure.segment_number = best->segment + 1;
-      failure.distance = best->distance;
-    }
-    failure.reason = reason;
-    failure.by_node_set = by_node_set_;
-    result.untied.push_back(failure);
-  }
-
+  const TieScene& scene_;
   const model::Model& model_;
-  const model::Contact& contact_;
+  const std::uint32_t contact_;
+  const model::Contact& card_;
+  const ContactSurfaces& surfaces_;
   const ContactType& type_;
-  const ContactSettings& settings_;
-  std::vector<Vector>& x_;
-  Ties& ties_;
   const Segments& segments_;
   const TrackedNodes& nodes_;
-  const bool by_node_set_;
-  std::vector<bool> rigid_;
-  std::vector<Candidate> candidates_;
-  std::vector<std::pair<NodeIndex, Vector>> moves_;
+  std::vector<Vector>& x_;
+  Ties& ties_;
+  const bool constraint_, moves_;
+  TieResult result_;
 };
+
+bool one_of(const std::string& code, std::string_view numbers) {
+  return !code.empty() && numbers.find(code.back()) != numbers.npos;
+}
 
 }  // namespace
 
-double tie_distance(double node_thickness, double segment_thickness, double diagonal, bool solid_segment,
-                    bool negative_thickness) {
-  const double d1 = thickness_share * (node_thickness + segment_thickness);
-  const double d2 = diagonal_share * diagonal;
-  if (negative_thickness) return d1;
-  return solid_segment ? d2 : std::max(d1, d2);
-}
-
 bool ties_by_constraint(const ContactType& type) {
-  const char form = type.code.front();
-  return type.family == Family::tied && form != 'o' && form != 'b' && type.code != "8" && type.code != "9";
+  return moves_tied_nodes(type) || (type.family == Family::tied && type.code.front() == 'c');
 }
 
-std::vector<bool> rigid_nodes(const model::Model& model) {
-  std::vector<bool> rigid(model.mesh.nodes.size(), false);
-  const auto mark_elements = [&](const auto& elements) {
-    for (std::size_t e = 0; e < elements.size(); ++e)
-      if (elements.part[e] != none<PartIndex> && model.rigid(elements.part[e]))
-        for (const NodeIndex n : elements.nodes[e]) rigid[n.value] = true;
-  };
-  mark_elements(model.mesh.shells);
-  mark_elements(model.mesh.solids);
-  mark_elements(model.mesh.thick_shells);
-  mark_elements(model.mesh.beams);
-  for (const model::RigidGroup& group : model.rigid_groups)
-    for (const NodeIndex n : group.nodes) rigid[n.value] = true;
-  return rigid;
+bool moves_tied_nodes(const ContactType& type) {
+  return type.family == Family::tied && type.code.size() == 1 && one_of(type.code, "267");
 }
 
-void Ties::add(NodeIndex node, PartIndex part, bool constraint) {
-  Tied& tied = nodes_[node.value];
-  tied.parts.push_back(part);
-  tied.constraint = tied.constraint || constraint;
+bool leaves_rotations_free(const ContactType& type) {
+  const bool form = type.code.size() == 1 || type.code.front() == 'o';
+  return type.family == Family::tied && form && one_of(type.code, "26");
 }
 
-bool Ties::tied(NodeIndex node, PartIndex part) const {
-  const auto found = nodes_.find(node.value);
-  if (found == nodes_.end()) return false;
-  const auto& parts = found->second.parts;
-  return std::find(parts.begin(), parts.end(), part) != parts.end();
+void Ties::constrain(NodeIndex node, std::uint32_t contact) {
+  if (holder_.empty()) holder_.assign(model_.mesh.nodes.size(), free);
+  if (holder_[node.value] == free) holder_[node.value] = contact;
 }
 
-bool Ties::constrained(NodeIndex node) const {
-  const auto found = nodes_.find(node.value);
-  return found != nodes_.end() && found->second.constraint;
+std::optional<std::uint32_t> Ties::constrained_by(NodeIndex node) const {
+  if (holder_.empty() || holder_[node.value] == free) return std::nullopt;
+  return holder_[node.value];
 }
 
-TieResult apply_ties(const model::Model& model, const model::Contact& contact, const ContactSurfaces& surfaces,
-                     const CandidateSearch& search, std::vector<Vector>& x, Ties& ties) {
-  return Tying(model, contact, surfaces, x, ties).run(search);
+const RigidNodes& Ties::rigid() {
+  if (!rigid_) rigid_.emplace(model_);
+  return *rigid_;
+}
+
+std::span<const std::pair<NodeIndex, NodeIndex>> Ties::beams_at(NodeIndex node) {
+  if (!beams_known_) {
+    beams_known_ = true;
+    const std::size_t nodes = model_.mesh.nodes.size();
+    for (const auto& n : model_.mesh.beams.nodes) {
+      if (n[0].value >= nodes || n[1].value >= nodes) continue;
+      beams_.emplace_back(n[0], n[1]);
+      beams_.emplace_back(n[1], n[0]);
+    }
+    std::sort(beams_.begin(), beams_.end());
+  }
+  const auto first = std::lower_bound(beams_.begin(), beams_.end(), std::pair{node, NodeIndex{0}});
+  auto last = first;
+  while (last != beams_.end() && last->first == node) ++last;
+  return {first, last};
+}
+
+TieResult apply_ties(const TieScene& scene, std::uint32_t contact, const ContactSurfaces& surfaces,
+                     std::vector<Vector>& x, Ties& ties) {
+  return Tying(scene, contact, surfaces, x, ties).run();
 }
 
 }  // namespace gapcheck::contact

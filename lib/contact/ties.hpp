@@ -1,58 +1,111 @@
 #pragma once
 #include <cstdint>
-#include <unordered_map>
+#include <limits>
+#include <optional>
+#include <span>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "contact/contact_surfaces.hpp"
 #include "contact/contact_type.hpp"
+#include "contact/rigid_nodes.hpp"
 #include "contact/search.hpp"
 #include "contact/surface.hpp"
+#include "contact/tie_candidates.hpp"
 #include "records/tie_failure.hpp"
 
 namespace gapcheck::contact {
-
-/// Distance within which a node ties to a segment (contact rules, section 9): shells max(0.6 (ts + tm), 0.05 of the
-/// shorter diagonal), solids the latter; with negative SST or MST 0.6 (|SST| + |MST|) alone.
-[[nodiscard]] double tie_distance(double node_thickness, double segment_thickness, double min_diagonal,
-                                  bool solid_segment, bool negative_thickness);
 
 /// Types that tie by constraint equations: 2, 6, 7 and their c forms. They take no rigid bodies and no node that is
 /// constrained already.
 [[nodiscard]] bool ties_by_constraint(const ContactType& type);
 
-/// Nodes that a rigid body moves: those of rigid parts, nodal rigid bodies and extra nodes. By node of the mesh.
-[[nodiscard]] std::vector<bool> rigid_nodes(const model::Model& model);
+/// Types that move a tied node onto its segment: 2, 6 and 7 without any offset form.
+[[nodiscard]] bool moves_tied_nodes(const ContactType& type);
 
-/// Which nodes are tied to which parts by the tied contacts seen so far.
+/// Types that tie translations alone and ignore the moments of an offset: 2, 6 and their o forms. The b and c forms carry
+/// moments over the offset; 7 and its forms tie rotations.
+[[nodiscard]] bool leaves_rotations_free(const ContactType& type);
+
+/// A tied node is said to be separated from here on, in shorter diagonals of its segment. Below lies what mesh
+/// generators and decimals leave.
+inline constexpr double visible_separation = 0.01;
+
+/// A tied node is not moved where a beam that ends there would keep less than this share of its length. What the solver
+/// takes is not published: half is where a beam between two sheets starts to belong to one of them.
+inline constexpr double shortest_beam = 0.5;
+
+/// What became of one node that was meant to tie.
+struct JudgedNode {
+  std::uint32_t contact = 0;  ///< position in Model::contacts
+  NodeIndex node;
+  PartIndex part = none<PartIndex>;  ///< of the element that gave the node's thickness; none: no element
+  std::uint32_t segment = TieCandidate::no_segment;  ///< of the reference side; no_segment: its projection is on none
+  PartIndex segment_part = none<PartIndex>;
+  std::optional<TieReason> reason;  ///< none: tied without a visible separation
+  bool by_node_set = false;         ///< a node set names it: surely meant to tie
+  bool penalty = false;             ///< IPBACK ties it by penalty, since a constraint cannot
+  RigidOwner rigid;                 ///< rigslav, rigmast: who moves the node or the segment
+  std::uint32_t holder = 0;         ///< conflict: position of the contact that has the node
+  double distance = -1;             ///< from the segment; negative: on none
+  double allowed = 0;               ///< tie distance
+  double node_thickness = 0, segment_thickness = 0;
+  double diagonal = 0;              ///< the segment's shorter one
+  [[nodiscard]] bool tied() const { return !reason || !untied(*reason); }
+};
+
+/// Which nodes are tied to what by the tied contacts seen so far, and what they need to know of the whole model.
+/// The model must outlive it.
 class Ties {
  public:
-  void add(NodeIndex node, PartIndex part, bool constraint);
-  [[nodiscard]] bool tied(NodeIndex node, PartIndex part) const;
-  /// Tied by a constraint: no other constraint can take the node.
-  [[nodiscard]] bool constrained(NodeIndex node) const;
-  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  explicit Ties(const model::Model& model) : model_(model) {}
+  void add(NodeIndex node, PartIndex part) { pairs_.insert(key(node, part)); }
+  /// A constraint of this contact (position in Model::contacts) has the node: no other constraint can take it.
+  void constrain(NodeIndex node, std::uint32_t contact);
+  [[nodiscard]] bool tied(NodeIndex node, PartIndex part) const { return pairs_.contains(key(node, part)); }
+  /// Position of the contact whose constraint has the node.
+  [[nodiscard]] std::optional<std::uint32_t> constrained_by(NodeIndex node) const;
+  [[nodiscard]] std::size_t size() const { return pairs_.size(); }
+  /// Built when first asked for.
+  [[nodiscard]] const RigidNodes& rigid();
+  /// Nodes at the other ends of the beams at a node, as pairs (node, other end). Built when first asked for.
+  [[nodiscard]] std::span<const std::pair<NodeIndex, NodeIndex>> beams_at(NodeIndex node);
 
  private:
-  struct Tied {
-    std::vector<PartIndex> parts;
-    bool constraint = false;
-  };
-  std::unordered_map<std::uint32_t, Tied> nodes_;
+  static std::uint64_t key(NodeIndex node, PartIndex part) { return std::uint64_t{node.value} << 32 | part.value; }
+  static constexpr std::uint32_t free = std::numeric_limits<std::uint32_t>::max();
+
+  const model::Model& model_;
+  std::unordered_set<std::uint64_t> pairs_;
+  std::vector<std::uint32_t> holder_;  // by node: contact; empty: nothing is constrained
+  std::optional<RigidNodes> rigid_;
+  std::vector<std::pair<NodeIndex, NodeIndex>> beams_;  // both ways, ascending
+  bool beams_known_ = false;
 };
 
 /// What one tied contact did.
 struct TieResult {
   std::uint64_t nodes = 0, segments = 0;
   std::uint64_t tied = 0, moved = 0;
-  std::uint64_t judged = 0;  ///< nodes meant to tie: all of a node set; of other surfaces those within twice the distance
-  std::vector<TieFailure> untied;  ///< judged nodes that did not tie, by node; `contact`, `file` and `line` not filled
-  double largest_separation = 0;   ///< of the tied ones
+  std::uint64_t out_of_reach = 0;   ///< nodes that no node set names, beyond twice the tie distance: not judged
+  std::vector<JudgedNode> judged;   ///< ascending by node; of single surfaces the tied ones alone
 };
 
-/// Ties the nodes of one tied contact that lie within the tie distance of a segment, to the closest one (a node keeps
-/// what earlier contacts did to it), and says why the others that were meant to tie did not. Types 2, 6 and 7 also move
-/// the node onto the segment in `x`.
-TieResult apply_ties(const model::Model& model, const model::Contact& contact, const ContactSurfaces& surfaces,
-                     const CandidateSearch& search, std::vector<Vector>& x, Ties& ties);
+/// What ties of one model need beside the contact itself.
+struct TieScene {
+  const model::Model& model;
+  const CandidateSearch& search;
+  geometry::Mode mode = geometry::Mode::filtered;
+  SweepCounters& sweep;
+  geometry::DecisionCounters& decisions;
+};
+
+/// Ties the nodes of one tied contact (position in Model::contacts) that lie within the tie distance of a segment, to the
+/// closest one (a node keeps what earlier contacts did to it), and says why the others that were meant to tie did not.
+/// Types 2, 6 and 7 also move the node onto the segment in `x`. Nodes of the reference surface itself are not judged:
+/// the mesh joins them already. Source: contact rules, section 9.
+[[nodiscard]] TieResult apply_ties(const TieScene& scene, std::uint32_t contact, const ContactSurfaces& surfaces,
+                                   std::vector<Vector>& x, Ties& ties);
 
 }  // namespace gapcheck::contact

@@ -97,7 +97,7 @@ struct Controls {
   std::int64_t shlthk = 0, penopt = 1, orien = 1;
   // card 2
   double xpene = 4;
-  std::int64_t ssthk = 0, ecdt = 0;
+  std::int64_t ssthk = 0, ecdt = 0, tiedprj = 0;
   // card 3; zero = not given
   double th = 0, th_sf = 0;
   // card 4

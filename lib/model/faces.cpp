@@ -63,21 +63,23 @@ std::vector<Face> exterior_faces(const Elements<8>& elements, const std::vector<
     std::uint32_t face;
   };
   std::vector<Face> faces;
-  std::uint32_t highest = 0;
+  std::uint32_t lowest = none<NodeIndex>.value, highest = 0;
   for (const std::uint32_t member : members) {
     for (const SegmentNodes& nodes : SolidFaces(elements.nodes[member])) {
       faces.push_back({nodes, member});
+      lowest = std::min(lowest, face_key(nodes)[0].value);
       highest = std::max(highest, face_key(nodes)[0].value);
     }
   }
-  std::vector<std::uint32_t> start(std::size_t{highest} + 2, 0);
-  for (const Face& face : faces) ++start[face_key(face.nodes)[0].value + 1];
+  if (faces.empty()) return {};
+  std::vector<std::uint32_t> start(std::size_t{highest - lowest} + 2, 0);
+  for (const Face& face : faces) ++start[face_key(face.nodes)[0].value - lowest + 1];
   for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
   std::vector<Entry> entries(faces.size());
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     const SegmentNodes k = face_key(faces[f].nodes);
-    entries[next[k[0].value]++] = {k, f};
+    entries[next[k[0].value - lowest]++] = {k, f};
   }
   std::vector<bool> shared(faces.size(), false);
   for (std::size_t n = 0; n + 1 < start.size(); ++n) {

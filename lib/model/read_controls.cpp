@@ -28,6 +28,7 @@ void read_control_contact(Context& context, const Block& block, const Options&) 
   controls.xpene = or_default(card2.real("xpene"), 4);
   controls.ssthk = card2.integer("ssthk");
   controls.ecdt = card2.integer("ecdt");
+  controls.tiedprj = card2.integer("tiedprj");
   const Card card3 = next_card(reader, "CONTROL_CONTACT", "card3");
   controls.th = context.length(block, card3.real("th"));
   controls.th_sf = card3.real("th_sf");

@@ -41,6 +41,7 @@ struct ContactSummary {
   double max_penetration = 0;  ///< of `penetrations`
   std::uint64_t segment_penetrations = 0, mortar_penetrations = 0, edge_penetrations = 0;
   std::uint64_t ties = 0, untied = 0;
+  std::uint64_t out_of_reach = 0;  ///< tracked nodes of parts and segments that are too far away to be meant to tie
   std::uint64_t reported_penetrations = 0;  ///< a count that the files give without listing the nodes (MPP); 0: none
   double contact_time_s = -1;               ///< CPU seconds spent in it; negative: not said
   std::string not_checked;  ///< why no penetrations were decided; empty: they were

@@ -27,6 +27,7 @@ struct TieFailure {
   std::int64_t part = 0;             ///< 0: unknown
   std::uint32_t segment_number = 0;  ///< running number in the interface, from 1; 0: unknown
   double distance = -1;              ///< separation; negative: unknown
+  double allowed = -1;               ///< distance within which it would tie; negative: unknown
   TieReason reason = TieReason::not_found;
   bool by_node_set = false;          ///< the node was named by a node set, so it was surely meant to tie
   std::uint32_t file = 0, line = 0;  ///< file is a position in Report::files; line 0: unknown

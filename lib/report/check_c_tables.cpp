@@ -101,13 +101,18 @@ void append_penetrations(const Report& report, std::span<const Penetration* cons
 }
 
 void append_ties(std::span<const TieFailure* const> failures, std::size_t limit, bool pid, std::string& out) {
-  constexpr std::array columns{Column{"node"}, Column{"part"}, Column{"segment"}, Column{"separation"}};
+  constexpr std::array columns{Column{"node"}, Column{"part"}, Column{"segment"}, Column{"separation"},
+                               Column{"tie distance"}};
   const auto cells = [&](std::size_t i) {
     const TieFailure& t = *failures[i];
     return Row<columns.size()>{fmt::format("{}", t.node), id_or_dash(t.part), id_or_dash(t.segment_number),
-                               t.distance >= 0 ? real(t.distance) : "-"};
+                               t.distance >= 0 ? real(t.distance) : "-", t.allowed >= 0 ? real(t.allowed) : "-"};
   };
-  append_with_part(columns, pid, std::min(limit, failures.size()), cells, out);
+  // Solver files do not give the tie distance.
+  const std::size_t rows = std::min(limit, failures.size());
+  if (std::any_of(failures.begin(), failures.end(), [](const TieFailure* t) { return t->allowed >= 0; }))
+    return append_with_part(columns, pid, rows, cells, out);
+  append_with_part(without(columns, 4), pid, rows, [&](std::size_t i) { return without(cells(i), 4); }, out);
 }
 
 void append_buckets(std::string_view title, std::span<const double> values, std::string& out) {

@@ -7,6 +7,7 @@ namespace gapcheck::report {
 RecordRule rule_of(const TieFailure& failure) {
   if (untied(failure.reason))
     return {"GC201", "untied-node", failure.by_node_set ? Severity::error : Severity::warning};
+  if (failure.reason == TieReason::sep) return {"GC204", "tie-moved", Severity::note};
   return {"GC202", "tie-offset", Severity::warning};
 }
 
@@ -38,6 +39,7 @@ std::string message(const TieFailure& failure) {
   text += fmt::format(": {}", what_happened(failure.reason));
   if (failure.segment_number != 0) text += fmt::format(", segment {}", failure.segment_number);
   if (failure.distance >= 0) text += fmt::format(", separation {:.6g}", failure.distance);
+  if (failure.allowed >= 0) text += fmt::format(", tie distance {:.6g}", failure.allowed);
   return text;
 }
 

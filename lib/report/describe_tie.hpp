@@ -13,7 +13,8 @@ inline constexpr std::array tie_reasons{TieReason::sep,       TieReason::offset,
                                         TieReason::too_short, TieReason::not_found, TieReason::rigslav,
                                         TieReason::rigmast,   TieReason::conflict};
 
-/// GC201 for nodes that stay untied (an error where a node set names them), GC202 for ties with a separation.
+/// GC201 for nodes that stay untied (an error where a node set names them), GC202 for ties with a separation that stays,
+/// GC204 for those that are moved.
 [[nodiscard]] RecordRule rule_of(const TieFailure& failure);
 
 /// What happened to the node: "on no segment (untied)".

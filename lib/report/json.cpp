@@ -59,6 +59,7 @@ void append_contact(const ContactSummary& contact, bool deck, Buffer& out) {
   found("edge_penetrations", contact.edge_penetrations);
   object.integer("ties", contact.ties);
   object.integer("untied", contact.untied);
+  if (contact.out_of_reach != 0) object.integer("out_of_reach", contact.out_of_reach);
   if (contact.reported_penetrations != 0) object.integer("reported_penetrations", contact.reported_penetrations);
   if (contact.contact_time_s >= 0) object.number("contact_time_s", contact.contact_time_s);
   if (!contact.not_checked.empty()) object.string("not_checked", contact.not_checked);

@@ -113,6 +113,7 @@ void append_tie_failure(const Report& report, const TieFailure& failure, const s
   if (failure.part != 0) object.integer("part", failure.part);
   if (failure.segment_number != 0) object.integer("segment_number", failure.segment_number);
   if (failure.distance >= 0) object.number("separation", failure.distance);
+  if (failure.allowed >= 0) object.number("tie_distance", failure.allowed);
   if (failure.line != 0 && failure.file < files.size()) {
     object.raw("file", files[failure.file]);
     object.integer("line", failure.line);

@@ -10,7 +10,7 @@ namespace gapcheck::report {
 /// What solver files say of the run; only where there is one.
 void append_run(const Report& report, Buffer& out);
 
-/// One finding of GC201 or GC202. `files`: the report's file names, quoted.
+/// One finding of GC201, GC202 or GC204. `files`: the report's file names, quoted.
 void append_tie_failure(const Report& report, const TieFailure& failure, const std::vector<std::string>& files,
                         Buffer& out);
 

@@ -227,6 +227,8 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   if (report.run) append_surface_timesteps(*report.run, position, out);
   if (contact.ties > 0) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
   if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));
+  if (contact.out_of_reach > 0)
+    out += fmt::format("  {} out of reach, not meant to tie\n", count(contact.out_of_reach, "node"));
   if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';
   append_nodes(records, Table::nodes, sum.nodes(), "penetrating nodes", options, out);
   if (report.source == "deck" ? !sum.pairs.empty() : !unknown(sum.pairs))

@@ -73,7 +73,7 @@ TEST_F(Messag, OffsetsAreARuleOfTheirOwn) {
   const auto json = nlohmann::json::parse(gapcheck("messag messag --format json --contact 4").out);
   std::map<std::string, std::string> rules;
   for (const auto& finding : json["findings"]) rules[finding["reason"]] = finding["id"];
-  EXPECT_EQ(rules, (std::map<std::string, std::string>{{"sep", "GC202"},
+  EXPECT_EQ(rules, (std::map<std::string, std::string>{{"sep", "GC204"},
                                                        {"offset", "GC202"},
                                                        {"short", "GC201"},
                                                        {"rigslav", "GC201"},

@@ -47,6 +47,7 @@ std::string dump(const Report& report) {
     fmt::format_to(out, "contact {} {} {} {} nodes {} segments {} found {} {} {} deepest {:a} {}\n", c.id, c.order,
                    c.keyword, c.type, c.tracked_nodes, c.segments, c.penetrations, c.released, c.edge_zone,
                    c.max_penetration, c.not_checked);
+    fmt::format_to(out, "  ties {} untied {} out of reach {}\n", c.ties, c.untied, c.out_of_reach);
   }
   for (const auto& p : report.penetrations) {
     fmt::format_to(out, "{} node {} part {} segment {} {} {} {} {} element {} {} depth {:a} of {:a} st {:a} {:a} ",
@@ -56,6 +57,9 @@ std::string dump(const Report& report) {
                    bits(p.moved_to), p.file, p.line, static_cast<int>(p.kind), name(p.outcome), name(p.feature),
                    name(p.node_rule), name(p.segment_rule));
   }
+  for (const auto& t : report.tie_failures)
+    fmt::format_to(out, "{} node {} part {} segment {} {} separation {:a} of {:a} line {} {}\n", t.contact, t.node, t.part,
+                   t.segment_number, name(t.reason), t.distance, t.allowed, t.file, t.line);
   for (const auto& f : report.findings)
     fmt::format_to(out, "{} {} {}:{} {}\n", f.id, f.contact, f.file, f.line, f.message);
   return text;

@@ -77,9 +77,10 @@ Surfaces make_surfaces(const model::Model& model) {
   const contact::ContactType type = contact::classify(contact);
   const auto settings = contact::settings(contact, type, model.controls);
   const auto side = contact::thickness_side(contact, settings, model.controls, false);
-  auto selection = contact::select(model, contact.a, type, model.mesh.nodes.x);
+  contact::MeshIndex index(model);
+  auto selection = contact::select(model, contact.a, type, model.mesh.nodes.x, index);
   contact::fill_thickness(selection.segments, model, side, model.mesh.nodes.x);
-  auto nodes = contact::tracked_nodes(selection, model, side, model.mesh.nodes.x);
+  auto nodes = contact::tracked_nodes(selection, model, side, model.mesh.nodes.x, index);
   return {std::move(selection.segments), std::move(nodes)};
 }
 

@@ -15,7 +15,8 @@ struct Surface {
   Scene scene;
   Segments segments;
   explicit Surface(Scene s) : scene(std::move(s)) {
-    segments = select(scene.model, {0, 5, 0, true}, single, scene.model.mesh.nodes.x).segments;
+    MeshIndex index(scene.model);
+    segments = select(scene.model, {0, 5, 0, true}, single, scene.model.mesh.nodes.x, index).segments;
   }
 };
 

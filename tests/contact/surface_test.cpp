@@ -12,7 +12,8 @@ const ContactType single{"13", Treatment::single_surface, Family::automatic, fal
 const ContactType one_way{"a5", Treatment::one_way, Family::automatic, false, {}};
 
 Selection pick(const Scene& scene, std::int64_t id, std::int64_t type, const ContactType& contact = one_way) {
-  return select(scene.model, {id, type, 0, true}, contact, scene.model.mesh.nodes.x);
+  MeshIndex index(scene.model);
+  return select(scene.model, {id, type, 0, true}, contact, scene.model.mesh.nodes.x, index);
 }
 
 /// Part 1: a plate of two shells; part 2: a brick; part 3: a brick with a shell of part 1 on its top.
@@ -79,7 +80,8 @@ TEST(Surface, BoxKeepsSegmentsWhollyInside) {
   box.low = Vector(-1, -1, -1);
   box.high = Vector(11, 11, 1);
   scene.model.boxes[4] = box;
-  const Selection s = select(scene.model, {1, 3, 4, true}, one_way, scene.model.mesh.nodes.x);
+  MeshIndex index(scene.model);
+  const Selection s = select(scene.model, {1, 3, 4, true}, one_way, scene.model.mesh.nodes.x, index);
   EXPECT_EQ(s.segments.size(), 1U);
 }
 
@@ -92,7 +94,8 @@ TEST(Surface, NodesTakeTheLargestThicknessOfTheirElements) {
   const ThicknessSide side;
   const auto& x = scene.model.mesh.nodes.x;
   fill_thickness(s.segments, scene.model, side, x);
-  const TrackedNodes nodes = tracked_nodes(s, scene.model, side, x);
+  MeshIndex index(scene.model);
+  const TrackedNodes nodes = tracked_nodes(s, scene.model, side, x, index);
   EXPECT_EQ(nodes.half, (std::vector<double>{0.5, 1.5, 0.5, 1.5, 1.5, 1.5}));
   EXPECT_EQ(nodes.part[1], PartIndex{1});
 }
@@ -102,7 +105,8 @@ TEST(Surface, NodeSetsLookAtAllElements) {
   const auto plate = scene.plate(scene.part(1, 2), {0, 0, 0}, {10, 0, 0}, {0, 10, 0}, 1, 1);
   scene.model.sets.nodes[6].members = {plate[2], scene.node({5, 5, 5})};
   const Selection s = pick(scene, 6, 4);
-  const TrackedNodes nodes = tracked_nodes(s, scene.model, {}, scene.model.mesh.nodes.x);
+  MeshIndex index(scene.model);
+  const TrackedNodes nodes = tracked_nodes(s, scene.model, {}, scene.model.mesh.nodes.x, index);
   EXPECT_EQ(nodes.half, (std::vector<double>{1, 0}));
   EXPECT_EQ(nodes.part[1], none<PartIndex>);
 }

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "audit/registry.hpp"
-#include "report/describe.hpp"
+#include "report/describe_tie.hpp"
 
 namespace gapcheck {
 namespace {
@@ -82,6 +82,13 @@ TEST(Registry, SelectAndIgnore) {
 TEST(Registry, AgreesWithTheWriters) {
   for (const auto kind : {PenetrationKind::initial, PenetrationKind::released, PenetrationKind::edge_zone}) {
     const report::RecordRule rule = report::rule_of(kind);
+    const audit::RuleInfo* info = audit::find_rule(rule.id);
+    ASSERT_NE(info, nullptr) << rule.id;
+    EXPECT_EQ(info->name, rule.name);
+    EXPECT_EQ(info->severity, rule.severity);
+  }
+  for (const TieReason reason : report::tie_reasons) {
+    const report::RecordRule rule = report::rule_of(TieFailure{.reason = reason});
     const audit::RuleInfo* info = audit::find_rule(rule.id);
     ASSERT_NE(info, nullptr) << rule.id;
     EXPECT_EQ(info->name, rule.name);

@@ -3,6 +3,11 @@
 namespace gapcheck::audit {
 
 const Rule untied_node{{"GC201", "untied-node", Severity::warning, "a node of a tied contact stays untied"},
-                       [](const RuleInfo&, Context& context, Report&) { context.want_untied(); }};
+                       [](const RuleInfo&, Context& context, Report&) {
+                         for (const TieReason reason :
+                              {TieReason::too_far, TieReason::too_short, TieReason::not_found, TieReason::rigslav,
+                               TieReason::rigmast, TieReason::conflict})
+                           context.want(reason);
+                       }};
 
 }  // namespace gapcheck::audit

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include "audit/rules.hpp"
+#include "audit/tied_contacts.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+using contact::JudgedNode;
+
+/// Shells and beams have rotations that the tie leaves free. Null shells only cover what is below them.
+bool has_rotations(const model::Model& model, PartIndex index) {
+  if (index == none<PartIndex>) return false;
+  const model::Part& part = model.part(index);
+  if (part.material && model.materials[*part.material].null_material) return false;
+  if (part.composite_thickness > 0) return true;
+  if (!part.section) return false;
+  const model::SectionKind kind = model.sections[*part.section].kind;
+  return kind == model::SectionKind::shell || kind == model::SectionKind::beam;
+}
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  const model::Model& model = context.model();
+  std::vector<bool> rotating(model.parts.size());
+  for (std::uint32_t p = 0; p < rotating.size(); ++p) rotating[p] = has_rotations(model, PartIndex{p});
+  for_each_tied_contact(context, [&](std::uint32_t c, std::span<const JudgedNode> nodes) {
+    const contact::ContactType type = contact::classify(model.contacts[c]);
+    if (!contact::leaves_rotations_free(type)) return;
+    std::uint64_t tied = 0, free = 0;
+    NodeIndex first = none<NodeIndex>;
+    for (const JudgedNode& node : nodes) {
+      if (!node.tied()) continue;
+      ++tied;
+      if (node.part == none<PartIndex> || !rotating[node.part.value]) continue;
+      if (free++ == 0) first = node.node;
+    }
+    if (free == 0) return;
+    Finding f = finding_at(rule, context, model.contacts[c],
+                           fmt::format("type {} ties {} of shells or beams by their translations alone (of {} tied): they "
+                                       "turn freely and the joint is too soft; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE{}",
+                                       type.code, node_count(free), tied,
+                                       type.code.front() == 'o' ? "_BEAM_OFFSET" : ""));
+    f.node = model.mesh.nodes.id[first.value];
+    f.count = free;
+    report.findings.push_back(std::move(f));
+  });
+}
+
+}  // namespace
+
+const Rule tie_rotations{
+    {"GC205", "tie-rotations", Severity::warning, "shells or beams are tied without their rotations"}, run};
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace gapcheck::contact {
+
+/// Which elements of one kind have a node, and which belong to a part. Each table is built when it is first asked for,
+/// linear in the number of elements. The elements must outlive it. Not for use from several threads.
+class ElementIndex {
+ public:
+  template <std::size_t N>
+  ElementIndex(const model::Elements<N>& elements, const model::Model& model)
+      : nodes_(elements.size() > 0 ? elements.nodes.front().data() : nullptr),
+        per_element_(N),
+        part_(elements.part),
+        mesh_nodes_(model.mesh.nodes.size()),
+        parts_(model.parts.size()) {}
+  /// Positions of the elements at the node, ascending; one that repeats the node stands there several times.
+  [[nodiscard]] std::span<const std::uint32_t> at(NodeIndex node);
+  /// Positions of the elements of the part, ascending.
+  [[nodiscard]] std::span<const std::uint32_t> of(PartIndex part);
+
+ private:
+  struct Rows {
+    std::vector<std::uint32_t> start, list;
+    template <class Each>
+    void fill(std::size_t rows, const Each& each);
+    [[nodiscard]] std::span<const std::uint32_t> row(std::uint32_t i) const {
+      return {list.data() + start[i], list.data() + start[i + 1]};
+    }
+  };
+  const NodeIndex* nodes_;
+  std::size_t per_element_;
+  std::span<const PartIndex> part_;
+  std::size_t mesh_nodes_, parts_;
+  Rows by_node_, by_part_;  // no starts: not asked for
+};
+
+/// The elements of a mesh by node and part, so that the surfaces of thousands of contacts need not look through the whole
+/// mesh each. The model must outlive it and not change.
+struct MeshIndex {
+  explicit MeshIndex(const model::Model& model)
+      : shells(model.mesh.shells, model),
+        solids(model.mesh.solids, model),
+        thick_shells(model.mesh.thick_shells, model),
+        beams(model.mesh.beams, model),
+        particles(model.mesh.particles, model) {}
+  ElementIndex shells, solids, thick_shells, beams, particles;
+};
+
+}  // namespace gapcheck::contact
