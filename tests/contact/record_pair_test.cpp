@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/scene.hpp"
+#include "scene.hpp"
 
 namespace gapcheck::contact {
 namespace {

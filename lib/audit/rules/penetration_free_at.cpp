@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,6 +8,7 @@
 #include "audit/records_of.hpp"
 #include "audit/rules.hpp"
 #include "contact/outcome.hpp"
+#include "contact/pair.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -76,7 +78,8 @@ Bound bound(const model::Model& model, const Reach& reach, std::span<const Penet
   const auto found = worst_by_key(records.size(), [&](std::size_t i) {
     const Penetration& p = records[i];
     if (p.kind == PenetrationKind::edge_zone) return Weighed{};
-    if (!(p.remaining() > 0) || share(p) == 0) return Weighed{stuck, p.depth};
+    const double on_it = contact::default_tolerance(p.contact_distance, p.original.cwiseAbs().maxCoeff());
+    if (!(p.remaining() > on_it) || share(p) == 0) return Weighed{stuck, p.depth};
     return Weighed{free, 1 / sst(p)};
   });
   Bound result;
@@ -133,7 +136,7 @@ class FreeAt {
     // been moved already.
     const bool incomplete = b.sst > reach.thinnest || (moves && two_way) || moved;
     if (b.stuck == nullptr && incomplete)
-      open_.push_back({i, reach, b.sst, b.count});
+      open_.push_back({i, reach, b});
     else
       add(i, b, b.sst, b.count);
     return moves;
@@ -144,14 +147,15 @@ class FreeAt {
     std::vector<contact::ThicknessChange> changes(model_.contacts.size());
     std::vector<std::uint32_t> chosen;
     for (const Open& open : open_) {
-      changes[open.contact].card = open.sst;
+      changes[open.contact].card = open.bound.sst;
       chosen.push_back(open.contact);
     }
     contact::SurfaceStore surfaces(model_, std::move(changes));
     const contact::InitialState state = context_.initial_if(surfaces, chosen);
     for (const Open& open : open_) {
-      const Bound b = bound(model_, open.reach, records_of(state, open.contact));
-      add(open.contact, b, std::min(open.sst, b.sst), open.penetrations);
+      Bound b = bound(model_, open.reach, records_of(state, open.contact));
+      if (b.count == 0) b = open.bound;
+      add(open.contact, b, std::min(open.bound.sst, b.sst), open.bound.count);
     }
   }
 
@@ -184,17 +188,15 @@ class FreeAt {
 
   static std::string stuck_words(const Bound& b, std::uint64_t penetrations) {
     const Penetration& p = *b.stuck;
-    const char* where = p.remaining() < 0 ? "behind" : "on";
-    return fmt::format("no SST makes it free: {} of {} penetrating nodes lie on or behind the segment itself, node {} {:.4g} "
-                       "{} {}; move them",
-                       b.stuck_count, penetrations, p.node, std::abs(p.remaining()), where, segment_words(p));
+    return fmt::format("no SST makes it free: {} of {} penetrating nodes lie on the segment itself or behind it, node {} {:.4g} "
+                       "behind {}; move them",
+                       b.stuck_count, penetrations, p.node, std::max(0.0, -p.remaining()), segment_words(p));
   }
 
   struct Open {
     std::uint32_t contact;
     Reach reach;
-    double sst;
-    std::uint64_t penetrations;
+    Bound bound;
   };
   const RuleInfo& rule_;
   Context& context_;

@@ -12,6 +12,8 @@
 namespace gapcheck::audit {
 namespace {
 
+/// Solids are early that release at less than this share of what the thinnest shells of the contact hold to.
+constexpr double share_of_shells = 0.5;
 /// Where a contact has no shells to compare with: share of the facet's shortest edge.
 constexpr double least_share_of_edge = 0.1;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -37,9 +39,10 @@ class Releases {
     pair.solid_depth = contact::solid_depth(surfaces_.a.selection.segments, model_.mesh, i, model_.mesh.nodes.x);
     return depth(pair);
   }
-  /// Depth that a solid should bear at least: that of the thinnest shells, or a share of its own edge.
+  [[nodiscard]] double shells() const { return shells_; }
+  /// Depth that a solid should bear at least.
   [[nodiscard]] double least(std::size_t i) const {
-    if (any_shells()) return shells_;
+    if (any_shells()) return share_of_shells * shells_;
     return least_share_of_edge * contact::shortest_edge(surfaces_.a.selection.segments.nodes[i], model_.mesh.nodes.x);
   }
 
@@ -75,11 +78,12 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   const auto words = [&](const PartSegments& p) {
     const Releases& releases = of_contact.at(p.contact);
     const std::uint32_t worst = p.worst.item;
-    const char* against = releases.any_shells() ? "the thinnest shells hold to" : "a tenth of their shortest edge is";
+    const std::string against = releases.any_shells() ? fmt::format("the thinnest shells hold to {:.4g}", releases.shells())
+                                                      : fmt::format("a tenth of its shortest edge is {:.4g}", releases.least(worst));
     return fmt::format(
-        "{}: {} release nodes early, {} worst: at a depth of {:.4g}, where {} {:.4g}; coat the solids with SLDTHK on card B",
+        "{}: {} release nodes early, {} worst: at a depth of {:.4g}, where {}; coat the solids with SLDTHK on card B",
         part_name(model, p.part()), count_elements(p.worst.count), element_name(model.mesh, *p.segments, worst),
-        releases.solid(worst), against, releases.least(worst));
+        releases.solid(worst), against);
   };
   add_by_part(rule, context, report, parts, words, "parts whose solids release nodes early");
 }

@@ -9,8 +9,8 @@ namespace {
 /// Below this thickness, in millimetres, shells should be thickened for contact [workshop].
 constexpr double least_millimetres = 0.5;
 /// Without units: share of the shortest edge. A time step is about edge / c, so a node at speed v moves v / c edges in it;
-/// 0.01 is 50 m/s in steel.
-constexpr double least_share_of_edge = 0.01;
+/// 0.003 is 15 m/s in steel, a car that hits a wall.
+constexpr double least_share_of_edge = 0.003;
 
 /// How often the shell segment's thickness goes into what it should be at least; 0: thick enough, or no shell's.
 double thinness(const Context& context, const contact::ContactSettings& settings, const contact::Segments& s,

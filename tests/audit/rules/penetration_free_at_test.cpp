@@ -25,7 +25,8 @@ void verify(const Make& make, double expected, bool sharp = true) {
   EXPECT_LE(sst, expected * (1 + 1e-12));
   EXPECT_GT(penetrations(make(0)), 0U);
   EXPECT_EQ(penetrations(make(sst)), 0U);
-  if (sharp) EXPECT_GT(penetrations(make(1.01 * sst)), 0U);
+  if (!sharp) return;
+  EXPECT_GT(penetrations(make(1.01 * sst)), 0U);
 }
 
 RuleDeck plates(double lower, double upper, double gap) {

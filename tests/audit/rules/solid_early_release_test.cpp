@@ -12,15 +12,15 @@ RuleDeck bricks(double height, double shell, const std::string& card_b = "", con
   return deck.contact(3, type, "0,0,5,0", "0.\n1.,1.\n" + (card_b.empty() ? "" : card_a + card_b + "\n"));
 }
 
-TEST(SolidEarlyRelease, BeforeTheThinnestShells) {
-  const Report report = run_rule("GC306", bricks(2, 1));
+TEST(SolidEarlyRelease, AtLessThanHalfOfTheThinnestShells) {
+  const Report report = run_rule("GC306", bricks(2, 1.5));
   ASSERT_EQ(listed(report), 1U);
   EXPECT_EQ(report.findings[0].part, 1);
   EXPECT_EQ(report.findings[0].count, 10U);  // free faces of two bricks
-  EXPECT_NE(report.findings[0].message.find("at a depth of 0.4, where the thinnest shells hold to 0.8"), std::string::npos)
+  EXPECT_NE(report.findings[0].message.find("at a depth of 0.4, where the thinnest shells hold to 1.2"), std::string::npos)
       << report.findings[0].message;
-  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 0.51))), 1U);
-  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 0.49))), 0U);
+  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 1.01))), 1U);
+  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 0.99))), 0U);
 }
 
 TEST(SolidEarlyRelease, FlatElementsWhereThereAreNoShells) {
@@ -32,14 +32,14 @@ TEST(SolidEarlyRelease, FlatElementsWhereThereAreNoShells) {
 }
 
 TEST(SolidEarlyRelease, NotWithACoatOrAnotherLimit) {
-  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 1, "0.,0,0,0,0,0,1."))), 0U);  // SLDTHK = 1
-  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 1, "0.5"))), 1U);              // PENMAX: 0.4 and 1
-  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 1, "", "AUTOMATIC_GENERAL"))), 0U);
+  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 1.5, "0.,0,0,0,0,0,1."))), 0U);  // SLDTHK = 1
+  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 0.9, "0.5"))), 1U);  // PENMAX: 0.4 < 0.5 x 0.5 x 1.8; without, 0.4 > 0.36
+  EXPECT_EQ(listed(run_rule("GC306", bricks(2, 1.5, "", "AUTOMATIC_GENERAL"))), 0U);
 }
 
 TEST(SolidEarlyRelease, NotSegmentBasedAndNotBetweenTwoSurfaces) {
   RuleDeck deck;
-  deck.solid_part(1).shell_part(2, 1).block(1, 1, 1, 1, 1, Vector(0, 0, 0), Vector(2, 2, 2));
+  deck.solid_part(1).shell_part(2, 3).block(1, 1, 1, 1, 1, Vector(0, 0, 0), Vector(2, 2, 2));
   deck.plate(101, 2, 1, 1, Vector(0, 0, 50), 20, 20);
   deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", "0.\n1.,1.\n2,0.1\n");
   deck.contact(2, "AUTOMATIC_SURFACE_TO_SURFACE", "1,2,3,3");

@@ -29,11 +29,11 @@ TEST(ThicknessTooThin, BelowHalfAMillimetreWithUnits) {
   EXPECT_EQ(listed(run_rule("GC303", plate(0.0006), in_units(0.001))), 0U);
 }
 
-TEST(ThicknessTooThin, BelowAHundredthOfTheEdgeWithoutUnits) {
-  EXPECT_EQ(listed(run_rule("GC303", plate(0.049))), 1U);
-  EXPECT_EQ(listed(run_rule("GC303", plate(0.051))), 0U);
-  EXPECT_EQ(listed(run_rule("GC303", plate(0.049, 2))), 0U);  // rigid elements set no time step
-  EXPECT_EQ(listed(run_rule("GC303", plate(0.049, 2), in_units(1))), 1U);
+TEST(ThicknessTooThin, BelowAShareOfTheEdgeWithoutUnits) {
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.0149))), 1U);
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.0151))), 0U);
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.0149, 2))), 0U);  // rigid elements set no time step
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.0149, 2), in_units(1))), 1U);
 }
 
 TEST(ThicknessTooThin, TheContactThicknessCounts) {
