@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,7 @@
 #include "audit/rules.hpp"
 #include "contact/outcome.hpp"
 #include "contact/pair.hpp"
+#include "contact/record_pair.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -31,7 +33,7 @@ bool solid_part(const model::Model& model, PartIndex index) {
 /// What SST and MST would change in the surfaces of a contact.
 struct Reach {
   bool fixed = false;         ///< something keeps its thickness whatever SST is: OPTT, SLDTHK
-  bool segments = false;      ///< some segment takes SST
+  std::array<bool, 2> segments{};  ///< whether any segment of side A, B takes it
   double thinnest = infinity; ///< present thickness of what takes SST
 };
 
@@ -41,14 +43,15 @@ Reach reach_of_card(const model::Model& model, const contact::ContactSurfaces& s
     if (rule == ThicknessRule::part_contact || rule == ThicknessRule::solid_coating) reach.fixed = true;
     reach.thinnest = std::min(reach.thinnest, 2 * half);
   };
-  for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
-    const contact::Segments& s = side->selection.segments;
+  for (const bool b : {false, true}) {
+    const contact::ContactSide& side = b ? surfaces.b : surfaces.a;
+    const contact::Segments& s = side.selection.segments;
     for (std::size_t i = 0; i < s.size(); ++i) {
       if (s.kind[i] == contact::SegmentKind::solid) continue;
-      reach.segments = true;
+      reach.segments[b] = true;
       add(s.rule[i], s.half[i]);
     }
-    const contact::TrackedNodes& nodes = side->nodes;
+    const contact::TrackedNodes& nodes = side.nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (nodes.rule[i] != ThicknessRule::none || !solid_part(model, nodes.part[i])) add(nodes.rule[i], nodes.half[i]);
   }
@@ -63,7 +66,13 @@ struct Bound {
   std::uint64_t stuck_count = 0, count = 0;
 };
 
-Bound bound(const model::Model& model, const Reach& reach, std::span<const Penetration> records) {
+Bound bound(const model::Model& model, const contact::ContactSurfaces& surfaces, const Reach& reach,
+            std::span<const Penetration> records) {
+  const auto segments_take = [&](const Penetration& p) {
+    if (!surfaces.two_sided() || reach.segments[0] == reach.segments[1]) return reach.segments[0];
+    const auto pair = find_pair(surfaces, model.mesh, p);
+    return !pair || reach.segments[pair->segment_on_b];
+  };
   // Contact distance as a multiple of SST: half from a node that takes it, half from a segment.
   const auto share = [&](const Penetration& p) {
     bool node = takes_card(p.node_rule);
@@ -71,13 +80,13 @@ Bound bound(const model::Model& model, const Reach& reach, std::span<const Penet
       const auto part = model.part_of_id.find(p.part);
       node = part == model.part_of_id.end() || !solid_part(model, part->second);
     }
-    return (node ? 0.5 : 0.0) + (reach.segments ? 0.5 : 0.0);
+    return (node ? 0.5 : 0.0) + (segments_take(p) ? 0.5 : 0.0);
   };
   const auto sst = [&](const Penetration& p) { return p.remaining() / share(p); };
   constexpr std::uint64_t free = 0, stuck = 1;
   const auto found = worst_by_key(records.size(), [&](std::size_t i) {
     const Penetration& p = records[i];
-    if (p.kind == PenetrationKind::edge_zone) return Weighed{};
+    if (!listed_by_solver(p.kind)) return Weighed{};
     const double on_it = contact::default_tolerance(p.contact_distance, p.original.cwiseAbs().maxCoeff());
     if (!(p.remaining() > on_it) || share(p) == 0) return Weighed{stuck, p.depth};
     return Weighed{free, 1 / sst(p)};
@@ -129,7 +138,7 @@ class FreeAt {
       ++fixed_;
       return moves;
     }
-    const Bound b = bound(model_, reach, records);
+    const Bound b = bound(model_, surfaces, reach, records);
     const bool two_way = surfaces.type.treatment == contact::Treatment::two_way;
     if (b.count == 0) return false;  // notes only
     // With this SST some pairs would come nearer to each other than they are now, or were looked at where others had
@@ -153,7 +162,7 @@ class FreeAt {
     contact::SurfaceStore surfaces(model_, std::move(changes));
     const contact::InitialState state = context_.initial_if(surfaces, chosen);
     for (const Open& open : open_) {
-      Bound b = bound(model_, open.reach, records_of(state, open.contact));
+      Bound b = bound(model_, context_.surfaces(open.contact), open.reach, records_of(state, open.contact));
       if (b.count == 0) b = open.bound;
       add(open.contact, b, std::min(open.bound.sst, b.sst), open.bound.count);
     }

@@ -7,6 +7,7 @@
 #include "audit/contact_thickness.hpp"
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "records/thickness_source.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -103,8 +104,8 @@ Finding words(const RuleInfo& rule, const Context& context, const Conflict& c) {
       fmt::format("{}: {} {}, and a node counts its largest thickness: {} has {:.4g} ({}), its node {} counts {:.4g} ({}); "
                   "even them out with OPTT, SST or MST where that matters",
                   part_name(model, part), count_elements(c.count), with, element_name(model.mesh, *c.segments, c.segment),
-                  2 * c.segments->half[c.segment], name(c.segments->rule[c.segment]), node, 2 * c.nodes->half[c.slot],
-                  name(c.nodes->rule[c.slot])));
+                  2 * c.segments->half[c.segment], thickness_source(c.segments->rule[c.segment]), node, 2 * c.nodes->half[c.slot],
+                  thickness_source(c.nodes->rule[c.slot])));
   f.node = node;
   f.count = c.count;
   return f;

@@ -2,6 +2,7 @@
 
 #include "audit/contact_thickness.hpp"
 #include "audit/rules.hpp"
+#include "records/thickness_source.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -31,7 +32,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
         "{}: the contact thickness of {} is larger than their shortest edge, most at {}: {:.4g} ({}) and an edge of "
         "{:.4g}; T-joints and fillets penetrate themselves: lower it or coarsen the mesh",
         part_name(model, p.part()), count_elements(p.worst.count), element_name(model.mesh, s, worst), 2 * s.half[worst],
-        name(s.rule[worst]), contact::shortest_edge(s.nodes[worst], model.mesh.nodes.x));
+        thickness_source(s.rule[worst]), contact::shortest_edge(s.nodes[worst], model.mesh.nodes.x));
   };
   add_by_part(rule, context, report, parts, words, "parts that are thicker than their mesh is wide");
 }

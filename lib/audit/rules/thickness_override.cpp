@@ -110,7 +110,7 @@ PairSources sources(const Candidate& candidate, const model::Mesh& mesh, const P
 void count(Candidate& candidate, const model::Mesh& mesh, std::span<const Penetration> records, bool made) {
   const auto found = worst_by_key(2 * records.size(), [&](std::size_t i) {
     const Penetration& p = records[i / 2];
-    if (p.kind == PenetrationKind::edge_zone) return Weighed{};
+    if (!listed_by_solver(p.kind)) return Weighed{};
     const PairSources from = sources(candidate, mesh, p, made ? Far::above : Far::below);
     const bool of_segment = i % 2 == 1;
     const Source key = of_segment ? from.segment : from.node;
@@ -175,7 +175,7 @@ class Overrides {
         known = p.contact;
         nodes.clear();
         for (const Penetration& found : records_of(context_.initial(), p.contact))
-          if (found.kind != PenetrationKind::edge_zone) nodes.insert(found.node);
+          if (listed_by_solver(found.kind)) nodes.insert(found.node);
       }
       return nodes.contains(p.node);
     });
@@ -219,7 +219,7 @@ class Overrides {
   [[nodiscard]] std::uint64_t penetrations(std::uint32_t contact) {
     const auto records = records_of(context_.initial(), contact);
     return static_cast<std::uint64_t>(std::count_if(records.begin(), records.end(), [](const Penetration& p) {
-      return p.kind != PenetrationKind::edge_zone;
+      return listed_by_solver(p.kind);
     }));
   }
 

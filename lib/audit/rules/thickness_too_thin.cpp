@@ -2,6 +2,7 @@
 
 #include "audit/contact_thickness.hpp"
 #include "audit/rules.hpp"
+#include "records/thickness_source.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -50,7 +51,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
         "{}: the contact thickness of {} is below {}, the thinnest is {} with {:.4g} ({}): nodes may pass through; raise it "
         "with OPTT of *PART_CONTACT or SST",
         part_name(model, p.part()), count_elements(p.worst.count), limit, element_name(model.mesh, s, worst),
-        2 * s.half[worst], name(s.rule[worst]));
+        2 * s.half[worst], thickness_source(s.rule[worst]));
   };
   add_by_part(rule, context, report, parts, words, "parts with too thin elements");
 }

@@ -29,10 +29,10 @@ TEST(ThicknessIgnored, NotWithShlthkOnCardBOrGlobally) {
   global.raw("CONTROL_CONTACT", "0.1,0.0,0,0,1,0,1,0\n");
   EXPECT_EQ(listed(run_rule("GC305", global)), 1U);
   RuleDeck with = plates("SURFACE_TO_SURFACE");
-  with.raw("CONTROL_CONTACT", "0.1,0.0,1,0,1,0,1,0\n");
+  with.raw("CONTROL_CONTACT", "0.1,0.0,0,1,1,0,1,0\n");
   EXPECT_EQ(listed(run_rule("GC305", with)), 0U);
   RuleDeck off = plates("SURFACE_TO_SURFACE", 1, "0.\n1.,1.\n" + card_a + "0.,2,1\n");
-  const Report report = run_rule("GC305", off.raw("CONTROL_CONTACT", "0.1,0.0,1,0,1,0,1,0\n"));
+  const Report report = run_rule("GC305", off.raw("CONTROL_CONTACT", "0.1,0.0,0,1,1,0,1,0\n"));
   ASSERT_EQ(listed(report), 1U);
   EXPECT_NE(report.findings[0].message.find("THKOPT = 2"), std::string::npos);
 }

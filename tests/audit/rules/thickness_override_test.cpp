@@ -75,7 +75,7 @@ TEST(ThicknessOverride, OpttOfOnePart) {
 TEST(ThicknessOverride, GlobalThickness) {
   RuleDeck deck = plates(0.25, 0.5, "0.,0.");
   EXPECT_EQ(listed(run_rule("GC301", deck)), 0U);
-  deck.raw("CONTROL_CONTACT", "0.1,0.0,2,0,1,0,1,0\n0,0,10,0,4.0,1,0,0\n0.,0.,0.,0.,0.,1.,0.\n");
+  deck.raw("CONTROL_CONTACT", "0.1,0.0,2,0,1,0,1,0\n0,0,10,0,4.0,1,0,0\n0.,0.,0.,0.,1.,0.,0.\n");
   const Report report = run_rule("GC301", deck);
   ASSERT_EQ(listed(report), 1U);
   EXPECT_NE(report.findings[0].message.find("TH of *CONTROL_CONTACT = 1"), std::string::npos) << report.findings[0].message;
