@@ -33,6 +33,10 @@ class Context {
   [[nodiscard]] const std::vector<std::string>& skips() const { return skips_; }
   /// The initialisation of all contacts.
   [[nodiscard]] contact::InitialState& initial();
+  /// What the initialisation of some of the contacts (positions) and of all ties would be on other surfaces; no
+  /// penetrating node is moved. Costs as much as the contacts' share of initial().
+  [[nodiscard]] contact::InitialState initial_if(contact::SurfaceStore& surfaces,
+                                                 const std::vector<std::uint32_t>& contacts) const;
   [[nodiscard]] const contact::InitialCounters& counters() const { return counters_; }
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
   /// Asks for the records of one kind in the report.
@@ -45,6 +49,7 @@ class Context {
   [[nodiscard]] bool wanted(PenetrationKind kind) const { return wanted_.test(static_cast<std::size_t>(kind)); }
 
  private:
+  [[nodiscard]] contact::InitialOptions initial_options() const;
   const keyword::Deck& deck_;
   const model::Model& model_;
   const AuditOptions& options_;
