@@ -82,20 +82,12 @@ std::vector<TieFailure> untied_nodes(contact::InitialState& initial, const model
 
 /// Numbers of a contact's block after the filters, so that totals and list agree.
 void recount(Report& report) {
-  for (ContactSummary& c : report.contacts)
-    c.penetrations = c.released = c.edge_zone = c.untied = 0, c.max_penetration = 0;
-  for (const TieFailure& failure : report.tie_failures) ++report.contacts[failure.contact].untied;
-  for (const Penetration& p : report.penetrations) {
-    ContactSummary& c = report.contacts[p.contact];
-    switch (p.kind) {
-      case PenetrationKind::initial:
-        ++c.penetrations;
-        c.max_penetration = std::max(c.max_penetration, p.depth);
-        break;
-      case PenetrationKind::released: ++c.released; break;
-      case PenetrationKind::edge_zone: ++c.edge_zone; break;
-    }
+  for (ContactSummary& contact : report.contacts) {
+    clear_counts(contact);
+    contact.untied = 0;
   }
+  for (const TieFailure& failure : report.tie_failures) ++report.contacts[failure.contact].untied;
+  for (const Penetration& p : report.penetrations) count(p, report.contacts[p.contact]);
 }
 
 void add_statistics(Report& report, const keyword::Deck& deck, const model::Model& model, Context& context) {
@@ -113,6 +105,7 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("nodes culled by boxes", c.sweep.points_culled);
   add("segments culled by boxes", c.sweep.segments_culled);
   add("candidate pairs", c.sweep.candidate_pairs);
+  if (c.edges > 0) add("edges", c.edges);
   add("decided by the filter", c.decisions.filter);
   add("decided by intervals", c.decisions.interval);
   add("decided exactly", c.decisions.exact);
@@ -136,9 +129,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   report.model = counts(model);
   Context context(deck, model, options);
   run_rules(context, report);
-  const bool any = context.wanted(PenetrationKind::initial) || context.wanted(PenetrationKind::released) ||
-                   context.wanted(PenetrationKind::edge_zone) || context.wanted_untied();
-  if (any || context.initialised()) {
+  if (context.search_wanted() || context.initialised()) {
     contact::InitialState& initial = context.initial();
     report.contacts = std::move(initial.contacts);
     report.penetrations = std::move(initial.penetrations);

@@ -45,6 +45,14 @@ contact::InitialState& Context::initial() {
     options.tolerance = options_.ptol;
     options.mode = options_.exact ? geometry::Mode::exact : geometry::Mode::filtered;
     options.brute_force = options_.brute_force;
+    // Asked here and not by want(): another rule may need the initialisation before these have had their turn.
+    const auto asked = [&](std::string_view id) {
+      const RuleInfo* rule = find_rule(id);
+      return rule != nullptr && selected(*rule, options_.select, options_.ignore);
+    };
+    options.segments = asked("GC107");
+    options.mortar = asked("GC108");
+    options.edges = asked("GC109");
     initial_ = contact::initialise_contacts(model_, surfaces_, options, counters_);
   }
   return *initial_;

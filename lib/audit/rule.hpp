@@ -52,7 +52,7 @@ class Context {
   std::vector<std::string> skips_;
   std::optional<contact::InitialState> initial_;
   contact::InitialCounters counters_;
-  std::bitset<3> wanted_;
+  std::bitset<penetration_kinds> wanted_;
   bool untied_ = false;
 };
 

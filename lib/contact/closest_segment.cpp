@@ -18,16 +18,6 @@ namespace {
 constexpr double equally_near = 1e-9;
 constexpr std::size_t grain = 4096;
 
-/// Grows by `reach` and one more rounding step on either side, so that no rounding can lose a pair.
-Bounds grown(Bounds box, double reach) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    box.low[i] = std::nextafter(box.low[i] - reach, -inf);
-    box.high[i] = std::nextafter(box.high[i] + reach, inf);
-  }
-  return box;
-}
-
 bool is_corner(const model::SegmentNodes& n, NodeIndex node) {
   return n[0] == node || n[1] == node || n[2] == node || n[3] == node;
 }

@@ -51,7 +51,7 @@ ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& 
     const ThicknessSide thickness = thickness_side(contact, s.settings, model.controls, b);
     fill_thickness(side.selection.segments, model, thickness, x);
     if (s.settings.mid_surface_offset) fill_offsets(side.selection.segments, model);
-    if (!b || s.type.treatment == Treatment::two_way)
+    if (!b || s.type.treatment == Treatment::two_way || s.type.by_segments())
       side.nodes = tracked_nodes(side.selection, model, thickness, x);
     side.lines = count_lines(side.selection.segments);
     if (s.two_sided()) drop_lines(side);

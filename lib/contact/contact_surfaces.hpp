@@ -12,7 +12,7 @@ namespace gapcheck::contact {
 /// One side of a contact with its thickness.
 struct ContactSide {
   Selection selection;
-  TrackedNodes nodes;       ///< of side B in two-way contacts only
+  TrackedNodes nodes;       ///< of side B only in contacts that look for side B's nodes
   bool nodes_only = false;  ///< it names nodes and no elements
   /// `selection.segments` ends in this many beam axes; only single-surface contacts keep any.
   std::size_t lines = 0;

@@ -81,16 +81,16 @@ bool has_soft_2(std::string_view code) {
   return false;
 }
 
-std::string reason(const ContactType& type, const model::Contact& contact, bool tiebreak) {
-  if (type.family == Family::mortar)
-    return "mortar contact works segment to segment; the solver lists no nodes for it (GC108)";
-  if (type.family == Family::tied || tiebreak)
+std::string reason(const ContactType& type, bool ties) {
+  if (ties)
     return "ties nodes to segments instead of keeping them apart";
+  if (type.pairing == Pairing::mortar)
+    return "mortar contact works segment to segment; the solver lists no nodes for it (GC108)";
   if (type.code == "20" || type.code == "21") return "rigid-body contact by force curve has no contact thickness";
   if (type.code == "22") return "edge-to-edge contact has no node-to-segment penetrations";
   if (type.code == "23") return "a draw bead has no contact surface of its own";
   if (type.code == "25") return "a force transducer measures other contacts and has no force of its own";
-  if (contact.soft == 2 && has_soft_2(type.code))
+  if (type.pairing == Pairing::segments)
     return "SOFT = 2 works segment to segment; the solver lists no nodes for it (GC107)";
   return {};
 }
@@ -126,7 +126,13 @@ ContactType classify(const model::Contact& contact) {
     type.treatment = row.treatment;
     type.family = mortar ? Family::mortar : row.family;
     type.edges = row.edges;
-    type.not_checked = reason(type, contact, tiebreak || tied_weld);
+    type.interior_edges = row.code == "i26";
+    const bool ties = tiebreak || tied_weld || row.family == tied;
+    if (row.treatment != none && row.family != other && !ties)
+      type.pairing = mortar                                       ? Pairing::mortar
+                     : contact.soft == 2 && has_soft_2(type.code) ? Pairing::segments
+                                                                  : Pairing::nodes;
+    type.not_checked = reason(type, ties);
     return type;
   }
   type.code = "?";
@@ -150,9 +156,11 @@ ContactSettings settings(const model::Contact& contact, const ContactType& type,
       // The blank's thickness counts, that of rigid tools does not, unless SHLTHK = 2.
       s.shlthk = contact.shlthk == 2 ? 2 : 1;
       break;
+    case Family::mortar: s.shlthk = type.code.starts_with('m') && contact.shlthk != 2 ? 1 : 2; break;
     default: s.shlthk = 2;
   }
-  s.square_edges = contact.shledg == 1 || contact.srnde == 1 || controls.shledg == 1;
+  // Mortar segments meet where they overlap in projection: nothing lies beside a free edge.
+  s.square_edges = contact.shledg == 1 || contact.srnde == 1 || controls.shledg == 1 || type.family == Family::mortar;
   s.mid_surface_offset = controls.cntco != 0 || contact.shloff > 0;
   s.thickness_limit = type.treatment == Treatment::single_surface && controls.ssthk == 0;
   return s;

@@ -12,15 +12,27 @@ enum class Treatment : std::uint8_t { one_way, two_way, single_surface, none };
 /// What the surfaces mean: `old` types are oriented and may ignore thickness, `automatic` ones are two-sided.
 enum class Family : std::uint8_t { old, automatic, forming, constraint, tied, mortar, other };
 
+/// What a contact looks for when it starts.
+enum class Pairing : std::uint8_t {
+  none,      ///< no penetrations: ties, transducers, …
+  nodes,     ///< tracked nodes in segments
+  segments,  ///< segments in segments, SOFT = 2
+  mortar,    ///< segments in segments, mortar
+};
+
 /// How a contact definition is treated at t = 0.
 struct ContactType {
   std::string code;  ///< the solver's: "13", "a3"; mortar types have that of their base type
   Treatment treatment = Treatment::none;
   Family family = Family::other;
-  bool edges = false;  ///< types 26: beams are reference lines too
+  bool edges = false;           ///< types 26: beams are reference lines too, and edges meet edges
+  bool interior_edges = false;  ///< type i26: also edges between shells
+  Pairing pairing = Pairing::none;
   /// Why no penetrations are decided node against segment; empty: they are.
   std::string not_checked;
   [[nodiscard]] bool checked() const { return not_checked.empty(); }
+  /// Both sides are segments and each is looked for in the other, in one-way types too.
+  [[nodiscard]] bool by_segments() const { return pairing == Pairing::segments || pairing == Pairing::mortar; }
 };
 
 /// Type of a contact definition. SOFT = 2 counts only for types that have it; the solver switches others to SOFT = 1.

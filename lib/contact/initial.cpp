@@ -12,6 +12,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "contact/edge_pairs.hpp"
 #include "contact/exclusions.hpp"
 #include "contact/faces.hpp"
 #include "contact/orientation.hpp"
@@ -47,8 +48,8 @@ class Initialiser {
         state_.contacts.back().not_checked = "not selected";
       else if (type.family == Family::tied)
         tie(c);
-      else if (type.checked())
-        check(c, type);
+      else if (wanted(type))
+        check(c);
     }
   }
 
@@ -56,6 +57,11 @@ class Initialiser {
   [[nodiscard]] bool chosen(const model::Contact& contact) const {
     return options_.contacts.empty() ||
            std::find(options_.contacts.begin(), options_.contacts.end(), contact.id.value) != options_.contacts.end();
+  }
+
+  [[nodiscard]] bool wanted(const ContactType& type) const {
+    if (type.pairing == Pairing::segments) return options_.segments;
+    return type.pairing == Pairing::mortar ? options_.mortar : type.checked();
   }
 
   static ContactSummary summary(const model::Contact& contact, const ContactType& type) {
@@ -106,35 +112,40 @@ class Initialiser {
     return own_.emplace(build_surfaces(model_, model_.contacts[c], state_.x));
   }
 
-  void check(std::uint32_t c, const ContactType& type) {
+  void check(std::uint32_t c) {
     const ContactSurfaces& sides = surfaces(c);
-    const ContactSettings& s = sides.settings;
+    const ContactType& type = sides.type;
     const Exclusions exclusions(model_, model_.contacts[c].id);
     if (!exclusions.not_honoured().empty()) state_.notes.push_back(exclusions.not_honoured());
+    ContactSummary& summary = state_.contacts[c];
+    summary.not_checked.clear();
+    summary.by_segments = type.by_segments();
     report_empty(c, sides);
     const std::size_t first = state_.penetrations.size();
-    ContactSummary& summary = state_.contacts[c];
     const model::Contact& contact = model_.contacts[c];
     const ContactSide &a = sides.a, &b = sides.b;
     summary.tracked_nodes = a.nodes.size();
     if (type.treatment == Treatment::single_surface) {
       summary.segments = a.selection.segments.size() - (type.edges ? 0 : a.lines);
-      sweep(c, type, s, exclusions, a.nodes, a.selection.segments, contact.a.type, first);
+      sweep(c, sides, exclusions, a, a, contact.a.type, first);
     } else {
       summary.segments = b.selection.segments.size();
-      sweep(c, type, s, exclusions, a.nodes, b.selection.segments, contact.b.type, first);
-      if (type.treatment == Treatment::two_way) {
+      sweep(c, sides, exclusions, a, b, contact.b.type, first);
+      if (type.treatment == Treatment::two_way || type.by_segments()) {
         summary.tracked_nodes += b.nodes.size();
         summary.segments += a.selection.segments.size();
-        sweep(c, type, s, exclusions, b.nodes, a.selection.segments, contact.a.type, first);
+        sweep(c, sides, exclusions, b, a, contact.a.type, first);
       }
     }
-    for (std::size_t i = first; i < state_.penetrations.size(); ++i) count(summary, state_.penetrations[i]);
+    for (std::size_t i = first; i < state_.penetrations.size(); ++i) count(state_.penetrations[i], summary);
     sort_deepest_first(first);
   }
 
-  void sweep(std::uint32_t c, const ContactType& type, const ContactSettings& s, const Exclusions& exclusions,
-             const TrackedNodes& nodes, const Segments& segments, std::int64_t surface_type, std::size_t first_record) {
+  void sweep(std::uint32_t c, const ContactSurfaces& sides, const Exclusions& exclusions, const ContactSide& tracked,
+             const ContactSide& reference, std::int64_t surface_type, std::size_t first_record) {
+    const TrackedNodes& nodes = tracked.nodes;
+    const Segments& segments = reference.selection.segments;
+    const ContactType& type = sides.type;
     if (nodes.size() == 0 || segments.size() == 0) return;
     ++counters_.searches;
     const model::Contact& contact = model_.contacts[c];
@@ -146,26 +157,32 @@ class Initialiser {
       neighbours.emplace(segments, model_.mesh, single);
       solids = solid_extents(segments, model_.mesh, state_.x);
     }
-    PairScene scene{model_, contact, type, s, state_.x, segments, nodes, *neighbours, surface_type, std::move(solids), {},
+    PairScene scene{model_, contact, type, sides.settings, state_.x, segments, nodes, *neighbours, surface_type, std::move(solids), {},
                     options_.tolerance, options_.mode};
     std::vector<Hit> hits;
     {
       const Stopwatch watch(counters_.search_s);
       scene.flipped = flipped_segments(scene, *search_);
-      std::atomic<std::uint64_t> tied{0}, excluded{0};
+      std::atomic<std::uint64_t> tied_pairs{0}, excluded{0};
+      const std::vector<bool> corners = type.by_segments() ? corners_of(tracked.selection.segments) : std::vector<bool>();
+      const bool own_part = type.pairing != Pairing::mortar || sides.settings.ignore >= 0;
       const auto allowed = [&](std::uint32_t slot, std::uint32_t segment, bool penetrates) {
         const NodeIndex node = nodes.node[slot];
         if (single && neighbours->in_ring(node, segment)) return false;
+        if (!corners.empty() && !corners[node.value]) return false;
         const PartIndex part = part_of(model_.mesh, segments, segment);
+        if (!own_part && part == nodes.part[slot]) return false;
         if (!exclusions.empty() && exclusions.excluded(nodes.part[slot], part)) return excluded += penetrates, false;
-        if (ties_.size() > 0 && ties_.tied(node, part)) return tied += penetrates, false;
+        if (ties_.size() > 0 && ties_.tied(node, part)) return tied_pairs += penetrates, false;
         return true;
       };
       hits = closest_segments(scene, *search_, allowed, counters_.sweep, counters_.decisions);
-      counters_.tied_pairs += tied;
+      counters_.tied_pairs += tied_pairs;
       counters_.excluded_pairs += excluded;
     }
+    if (type.by_segments()) std::erase_if(hits, [](const Hit& hit) { return !hit.in_band; });
     one_record_per_node(hits, nodes, first_record);
+    if (options_.edges && type.edges) check_edges(c, scene, exclusions);
     const std::size_t first = state_.penetrations.size();
     state_.penetrations.resize(first + hits.size());
     parallel_for(hits.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -198,15 +215,29 @@ class Initialiser {
     all.erase(std::remove_if(begin, all.end(), [&](const Penetration& p) { return replaced.contains(p.node); }), all.end());
   }
 
-  static void count(ContactSummary& summary, const Penetration& p) {
-    switch (p.kind) {
-      case PenetrationKind::initial:
-        ++summary.penetrations;
-        summary.max_penetration = std::max(summary.max_penetration, p.depth);
-        break;
-      case PenetrationKind::released: ++summary.released; break;
-      case PenetrationKind::edge_zone: ++summary.edge_zone; break;
-    }
+  void check_edges(std::uint32_t c, const PairScene& scene, const Exclusions& exclusions) {
+    const Stopwatch watch(counters_.search_s);
+    const std::vector<SurfaceEdge> edges = surface_edges(scene, scene.type.interior_edges);
+    counters_.edges += edges.size();
+    const auto allowed = [&](const SurfaceEdge& e, const SurfaceEdge& f) {
+      const PartIndex part_e = part_of(model_.mesh, scene.segments, e.segment);
+      const PartIndex part_f = part_of(model_.mesh, scene.segments, f.segment);
+      if (!exclusions.empty() && exclusions.excluded(part_e, part_f)) return false;
+      return !ties_.tied(e.a, part_f) && !ties_.tied(e.b, part_f) && !ties_.tied(f.a, part_e) && !ties_.tied(f.b, part_e);
+    };
+    const BoxSearch search = options_.brute_force ? BoxSearch::brute_force : BoxSearch::tree;
+    const auto hits = penetrating_edges(scene, edges, allowed, search, counters_.decisions);
+    const auto records = edge_records(scene, c, edges, hits);
+    state_.penetrations.insert(state_.penetrations.end(), records.begin(), records.end());
+  }
+
+  /// Nodes that are a corner of a shell or solid facet. Of beams and free nodes segment-based contact knows nothing.
+  [[nodiscard]] std::vector<bool> corners_of(const Segments& segments) const {
+    std::vector<bool> corner(model_.mesh.nodes.size(), false);
+    for (std::size_t s = 0; s < segments.size(); ++s)
+      if (segments.kind[s] != SegmentKind::line)
+        for (const NodeIndex n : segments.nodes[s]) corner[n.value] = true;
+    return corner;
   }
 
   Penetration record(std::uint32_t c, const PairScene& scene, const Hit& hit) const {
@@ -240,6 +271,12 @@ class Initialiser {
 
   void decide_outcome(Penetration& p, const PairScene& scene, const Hit& hit, const PairResult& pair) const {
     p.moved_to = p.original;
+    if (scene.type.by_segments()) {
+      // The state at the start is the one without force.
+      p.kind = scene.type.pairing == Pairing::mortar ? PenetrationKind::mortar : PenetrationKind::segment;
+      p.outcome = Outcome::kept;
+      return;
+    }
     if (!pair.in_band) {
       p.kind = PenetrationKind::edge_zone;
       p.outcome = Outcome::reported;

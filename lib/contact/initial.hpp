@@ -17,12 +17,17 @@ struct InitialOptions {
   double tolerance = -1;               ///< replaces the default tolerance of a penetration; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
   bool brute_force = false;
+  // Penetrations that move no nodes are looked for only where somebody asks.
+  bool segments = false;  ///< contacts with SOFT = 2
+  bool mortar = false;
+  bool edges = false;     ///< edges against edges in types 26
 };
 
 struct InitialCounters {
   geometry::DecisionCounters decisions;
   SweepCounters sweep;
   std::uint64_t tied_nodes = 0, tied_pairs = 0, excluded_pairs = 0, surfaces_built = 0, searches = 0;
+  std::uint64_t edges = 0;  ///< that were looked at
   double surface_s = 0, search_s = 0;
 };
 

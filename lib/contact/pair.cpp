@@ -66,6 +66,7 @@ geometry::Facet PairScene::facet(std::uint32_t s) const {
 
 bool PairScene::oriented(std::uint32_t s) const {
   if (segments.kind[s] == SegmentKind::solid) return true;
+  if (type.by_segments()) return false;
   return segments.kind[s] == SegmentKind::shell && (type.family == Family::old || type.family == Family::forming);
 }
 

@@ -1,6 +1,8 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -21,6 +23,16 @@ struct Bounds {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
 };
+
+/// Grows by `reach` and one more rounding step on either side, so that no rounding can lose a pair.
+[[nodiscard]] inline Bounds grown(Bounds box, double reach) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = std::nextafter(box.low[i] - reach, -inf);
+    box.high[i] = std::nextafter(box.high[i] + reach, inf);
+  }
+  return box;
+}
 
 /// Called with a segment's position and the positions of nodes that may be near it; concurrently for different
 /// segments; possibly several times for one segment, but never twice with the same node. The span dies with the call.

@@ -199,6 +199,13 @@ bool triangle_closer(const Vector& a, const Vector& b, const Vector& c, const Ve
   return triangle_closer(exact(a) - q, exact(b) - q, exact(c) - q, Number(bound) * Number(bound));
 }
 
+bool edges_closer(const std::array<Vector, 2>& first, const std::array<Vector, 2>& second, double bound) {
+  // The parallelogram of all differences between points of the one and the other.
+  const Point a = exact(first[0]), b = exact(first[1]), c = exact(second[0]), d = exact(second[1]);
+  const Number squared_bound = Number(bound) * Number(bound);
+  return triangle_closer(c - a, d - a, d - b, squared_bound) || triangle_closer(c - a, d - b, c - b, squared_bound);
+}
+
 bool fan_closer(const Facet& facet, const Vector& query, double bound) {
   const std::array<Point, 4> p = piece_corners(facet, query, Piece{});
   const Point centre = Number(0.25) * (p[0] + p[1] + p[2] + p[3]);

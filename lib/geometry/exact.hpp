@@ -10,6 +10,8 @@ namespace gapcheck::geometry::exact {
                                    double bound);
 /// The four triangles between the edges and the mean of the corners.
 [[nodiscard]] bool fan_closer(const Facet& facet, const Vector& query, double bound);
+/// Are two straight edges, each from [0] to [1], nearer to each other than the bound?
+[[nodiscard]] bool edges_closer(const std::array<Vector, 2>& first, const std::array<Vector, 2>& second, double bound);
 /// A quad whose corners lie in one plane and turn one way (or all on a line): the patch is their convex hull.
 [[nodiscard]] bool flat_and_convex(const Facet& facet);
 /// What the piece of the patch between the parameters (s0, t0) and (s1, t1), all in [0, 1] here, proves; (s, t) in

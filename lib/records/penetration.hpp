@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -14,8 +15,21 @@ enum class Feature : std::uint8_t { face, edge, corner };
 /// What the solver does with a node that it finds penetrating (contact rules, section 7).
 enum class Outcome : std::uint8_t { moved, kept, forced, released, reported };
 
-/// Which of the three node findings a record is: GC101, GC102, GC106.
-enum class PenetrationKind : std::uint8_t { initial, released, edge_zone };
+/// Which finding a record is.
+enum class PenetrationKind : std::uint8_t {
+  initial,    ///< GC101: a node in a segment
+  released,   ///< GC102: the same, too deep
+  edge_zone,  ///< GC106: beside every segment's band
+  segment,    ///< GC107: a corner of a segment in another one, SOFT = 2
+  mortar,     ///< GC108: the same, mortar contact
+  edge,       ///< GC109: two edges or beams
+};
+inline constexpr std::size_t penetration_kinds = 6;
+
+/// Kinds that LS-DYNA lists, node by node, when it initialises a contact.
+[[nodiscard]] constexpr bool listed_by_solver(PenetrationKind kind) {
+  return kind == PenetrationKind::initial || kind == PenetrationKind::released;
+}
 
 /// The rule that gave a contact thickness (contact rules, section 4).
 enum class ThicknessRule : std::uint8_t {
@@ -33,21 +47,23 @@ enum class ThicknessRule : std::uint8_t {
 [[nodiscard]] std::string_view name(Outcome outcome);
 [[nodiscard]] std::string_view name(ThicknessRule rule);
 
-/// One tracked node that is nearer to its closest segment than the contact distance, in one contact.
+/// One tracked node that is nearer to its closest segment than the contact distance, in one contact; or one tracked edge
+/// that is nearer to another edge.
 /// Lengths in deck units. The same record whether predicted, computed or read from the solver's files.
 struct Penetration {
   std::uint32_t contact = 0;           ///< position in Report::contacts
   std::uint32_t segment_number = 0;    ///< position in the contact's reference surface, from 1
-  std::int64_t node = 0;               ///< id of the tracked node
+  std::int64_t node = 0;               ///< id of the tracked node; edges: of the end nearest to the other edge
   std::int64_t part = 0;               ///< id of the node's part; 0: unknown
-  std::array<std::int64_t, 4> segment{};  ///< node ids; a triangle repeats its last node
+  std::array<std::int64_t, 4> segment{};  ///< node ids; triangles and edges repeat the last one
   std::int64_t element = 0;            ///< id of the element that the segment belongs to; 0: unknown
   std::int64_t element_part = 0;       ///< id of that element's part; 0: unknown
   double depth = 0;                    ///< penetration, positive
   double contact_distance = 0;         ///< h; the remaining distance is h - depth
-  double s = 0, t = 0;                 ///< coordinates on the segment, -1 to 1
-  Vector original = Vector::Zero();    ///< the node before the contact was initialised
-  Vector point = Vector::Zero();       ///< closest point of the segment
+  double s = 0, t = 0;                 ///< coordinates on the segment, -1 to 1; edges: on the other and on the tracked edge
+  /// The node before the contact was initialised; edges: the point of the tracked edge that is nearest to the other one.
+  Vector original = Vector::Zero();
+  Vector point = Vector::Zero();       ///< closest point of the segment or of the other edge
   Vector moved_to = Vector::Zero();    ///< where the solver puts the node; as `original` where it does not move it
   std::uint32_t file = 0, line = 0;    ///< of the node; file is a position in Report::files, line 0 = unknown
   PenetrationKind kind = PenetrationKind::initial;

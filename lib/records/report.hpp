@@ -38,14 +38,21 @@ struct ContactSummary {
   std::string type;         ///< solver's code: "13", "a3"
   std::uint64_t tracked_nodes = 0, segments = 0;
   std::uint64_t penetrations = 0, released = 0, edge_zone = 0;
-  double max_penetration = 0;
+  double max_penetration = 0;  ///< of `penetrations`
+  std::uint64_t segment_penetrations = 0, mortar_penetrations = 0, edge_penetrations = 0;
   std::uint64_t ties = 0, untied = 0;
   std::uint64_t reported_penetrations = 0;  ///< a count that the files give without listing the nodes (MPP); 0: none
   double contact_time_s = -1;               ///< CPU seconds spent in it; negative: not said
-  std::string not_checked;  ///< why GC101 was not decided; empty: it was
+  std::string not_checked;  ///< why no penetrations were decided; empty: they were
+  bool by_segments = false;  ///< judged segment against segment: the solver lists no nodes of it
   std::string file;
   std::uint32_t line = 0;
 };
+
+/// Takes one record into the contact's numbers.
+void count(const Penetration& record, ContactSummary& contact);
+/// Sets those numbers back to none.
+void clear_counts(ContactSummary& contact);
 
 struct ModelCounts {
   std::uint64_t nodes = 0, shells = 0, solids = 0, beams = 0, thick_shells = 0, discrete = 0, masses = 0, particles = 0,

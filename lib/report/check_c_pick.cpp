@@ -24,6 +24,7 @@ constexpr std::string_view intersection = "soft2-intersection";
 bool selects(std::string_view sel, const Penetration& record) {
   if (sel.empty() || sel == "typ13") return true;
   if (sel == "pen") return record.kind == PenetrationKind::initial;
+  if (sel == "soft2") return record.kind == PenetrationKind::segment;
   return (sel == "mid" || sel == "del" || sel == "below") && record.kind == PenetrationKind::released;
 }
 
@@ -86,24 +87,10 @@ void keep_messages(SolverRun& run, const CheckCOptions& options) {
 /// Counts of the contacts as they follow from the records.
 void recount(Report& report) {
   for (ContactSummary& contact : report.contacts) {
-    contact.penetrations = contact.released = contact.edge_zone = contact.untied = 0;
-    contact.max_penetration = 0;
+    clear_counts(contact);
+    contact.untied = 0;
   }
-  for (const Penetration& record : report.penetrations) {
-    ContactSummary& contact = report.contacts[record.contact];
-    switch (record.kind) {
-      case PenetrationKind::initial:
-        ++contact.penetrations;
-        contact.max_penetration = std::max(contact.max_penetration, record.depth);
-        break;
-      case PenetrationKind::released:
-        ++contact.released;
-        break;
-      case PenetrationKind::edge_zone:
-        ++contact.edge_zone;
-        break;
-    }
-  }
+  for (const Penetration& record : report.penetrations) count(record, report.contacts[record.contact]);
   for (const TieFailure& failure : report.tie_failures)
     if (untied(failure.reason)) ++report.contacts[failure.contact].untied;
 }

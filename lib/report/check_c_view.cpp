@@ -88,6 +88,9 @@ void append_interface(const Report& report, std::uint32_t position, const CheckC
   append_kind(report, order, PenetrationKind::initial, "pen", options, out);
   append_kind(report, order, PenetrationKind::released, "below, too deep for contact", options, out);
   append_kind(report, order, PenetrationKind::edge_zone, "edge zone, not listed by the solver", options, out);
+  append_kind(report, order, PenetrationKind::segment, "segments with SOFT = 2, not listed by the solver", options, out);
+  append_kind(report, order, PenetrationKind::mortar, "mortar segments, not listed by the solver", options, out);
+  append_kind(report, order, PenetrationKind::edge, "edges, not listed by the solver", options, out);
   if (unlisted > 0) out += fmt::format("  pen, counted without a list: {}\n", nodes(unlisted));
   append_tie_sections(ties, options, out);
   if (options.bucket) append_histograms(report, records, ties, options, out);

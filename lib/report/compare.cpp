@@ -14,25 +14,30 @@ namespace {
 
 struct Node {
   std::int64_t id;
+  bool edge;  ///< it stands for an edge that ends there
   double depth;
   bool released;
+  [[nodiscard]] std::pair<std::int64_t, bool> key() const { return {id, edge}; }
 };
 
-/// A contact of one source: where it stands, and its nodes by id, one each (the deepest record).
+/// A contact of one source: where it stands, and its nodes by key, one each (the deepest record).
 struct Side {
   const ContactSummary* contact = nullptr;
   std::vector<Node> nodes;
 };
 
-std::vector<Node> nodes_of(const Report& report, std::uint32_t position) {
+/// `listed_only`: leaves out what the solver does not list, where its list is what the deck is held against.
+std::vector<Node> nodes_of(const Report& report, std::uint32_t position, bool listed_only) {
   std::vector<Node> nodes;
-  for (const Penetration& record : records_of(report, position))
-    if (record.kind != PenetrationKind::edge_zone)
-      nodes.push_back({record.node, record.depth, record.kind == PenetrationKind::released});
+  for (const Penetration& record : records_of(report, position)) {
+    if (listed_only ? !listed_by_solver(record.kind) : record.kind == PenetrationKind::edge_zone) continue;
+    nodes.push_back({record.node, record.kind == PenetrationKind::edge, record.depth,
+                     record.kind == PenetrationKind::released});
+  }
   std::stable_sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
-    return std::tuple(a.id, -a.depth) < std::tuple(b.id, -b.depth);
+    return std::tuple(a.key(), -a.depth) < std::tuple(b.key(), -b.depth);
   });
-  const auto same = [](const Node& a, const Node& b) { return a.id == b.id; };
+  const auto same = [](const Node& a, const Node& b) { return a.key() == b.key(); };
   nodes.erase(std::unique(nodes.begin(), nodes.end(), same), nodes.end());
   return nodes;
 }
@@ -75,9 +80,9 @@ void compare_nodes(std::span<const Node> a, std::span<const Node> b, double tole
                    std::vector<Difference>& differences) {
   std::size_t i = 0, k = 0;
   while (i < a.size() || k < b.size()) {
-    if (k == b.size() || (i < a.size() && a[i].id < b[k].id)) {
+    if (k == b.size() || (i < a.size() && a[i].key() < b[k].key())) {
       only_one(a[i++], true, sum.id, sum, differences);
-    } else if (i == a.size() || b[k].id < a[i].id) {
+    } else if (i == a.size() || b[k].key() < a[i].key()) {
       only_one(b[k++], false, sum.id, sum, differences);
     } else {
       both(a[i++], b[k++], tolerance, sum.id, sum, differences);
@@ -99,7 +104,7 @@ void compare_counts(const Side& first, const Side& second, ContactComparison& su
 }
 
 /// One contact of at least one source.
-ContactComparison compare_contact(const Side& first, const Side& second, double tolerance,
+ContactComparison compare_contact(const Side& first, const Side& second, double tolerance, bool listed_only,
                                   std::vector<Difference>& differences) {
   const ContactSummary& named = first.contact != nullptr ? *first.contact : *second.contact;
   ContactComparison sum;
@@ -110,7 +115,8 @@ ContactComparison compare_contact(const Side& first, const Side& second, double 
   sum.missing_in_second = second.contact == nullptr;
   for (const Side* side : {&first, &second}) {
     if (side->contact == nullptr) continue;
-    sum.not_checked = sum.not_checked || !side->contact->not_checked.empty();
+    sum.not_checked = sum.not_checked || !side->contact->not_checked.empty() ||
+                      (listed_only && side->contact->by_segments);
     sum.counts_only = sum.counts_only || unlisted_penetrations(*side->contact) > 0;
   }
   if (sum.not_checked) return sum;
@@ -141,14 +147,15 @@ bool same_depth(double first, double second, double tolerance) {
 
 Comparison compare(const Report& first, const Report& second, double tolerance) {
   Comparison result;
+  const bool listed_only = first.source != "deck" || second.source != "deck";
   const auto in_first = positions(first), in_second = positions(second);
-  const auto side = [](const Report& report, const std::map<std::int64_t, std::uint32_t>& places, std::int64_t id) {
+  const auto side = [&](const Report& report, const std::map<std::int64_t, std::uint32_t>& places, std::int64_t id) {
     const auto found = places.find(id);
-    return found == places.end() ? Side{} : Side{&report.contacts[found->second], nodes_of(report, found->second)};
+    return found == places.end() ? Side{} : Side{&report.contacts[found->second], nodes_of(report, found->second, listed_only)};
   };
   const auto add = [&](std::int64_t id) {
-    result.contacts.push_back(
-        compare_contact(side(first, in_first, id), side(second, in_second, id), tolerance, result.differences));
+    result.contacts.push_back(compare_contact(side(first, in_first, id), side(second, in_second, id), tolerance,
+                                              listed_only, result.differences));
   };
   for (std::uint32_t i = 0; i < first.contacts.size(); ++i)
     if (in_first.at(first.contacts[i].id) == i) add(first.contacts[i].id);

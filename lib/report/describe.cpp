@@ -30,6 +30,12 @@ RecordRule rule_of(PenetrationKind kind) {
       return {"GC102", "released-node", Severity::error};
     case PenetrationKind::edge_zone:
       return {"GC106", "edge-zone-penetration", Severity::note};
+    case PenetrationKind::segment:
+      return {"GC107", "segment-penetration", Severity::warning};
+    case PenetrationKind::mortar:
+      return {"GC108", "mortar-penetration", Severity::warning};
+    case PenetrationKind::edge:
+      return {"GC109", "edge-penetration", Severity::warning};
   }
   return {"GC101", "initial-penetration", Severity::warning};
 }
@@ -80,6 +86,7 @@ void append_cause(const Penetration& record, Out& out) {
 
 void append_message(const Penetration& record, Out& out) {
   auto end = fmt::appender(out);
+  if (record.kind == PenetrationKind::edge) append("the edge at ", out);
   fmt::format_to(end, FMT_COMPILE("node {}"), record.node);
   if (record.part != 0) fmt::format_to(end, FMT_COMPILE(" (part {})"), record.part);
   if (record.element == 0 && record.segment[0] == 0) {  // a log that names little more than the node
@@ -91,11 +98,15 @@ void append_message(const Penetration& record, Out& out) {
                  record.contact_distance);
   if (record.kind == PenetrationKind::edge_zone)
     append(record.feature == Feature::corner ? "a corner of " : "an edge of ", out);
+  if (record.kind == PenetrationKind::edge) append("an edge of ", out);
   append_segment(record, out);
   if (record.kind == PenetrationKind::released) append(", too deep: the contact lets go of it", out);
   if (record.kind == PenetrationKind::edge_zone) append(", but beside every segment's search band", out);
+  if (record.kind == PenetrationKind::mortar && record.contact_distance > 0)
+    fmt::format_to(end, FMT_COMPILE(", {:.3g} % of it"), 100 * record.depth / record.contact_distance);
   if (record.node_rule == ThicknessRule::none && record.segment_rule == ThicknessRule::none) return;
-  append(record.kind == PenetrationKind::initial ? ": thickness from " : "; thickness from ", out);
+  const bool bare = record.kind != PenetrationKind::released && record.kind != PenetrationKind::edge_zone;
+  append(bare ? ": thickness from " : "; thickness from ", out);
   append_cause(record, out);
 }
 

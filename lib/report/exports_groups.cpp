@@ -31,11 +31,17 @@ WarningType type_of(const Penetration& record) {
       return {1, "below"};
     case PenetrationKind::edge_zone:
       return {2, "edge"};
+    case PenetrationKind::segment:
+      return {3, "soft2"};
+    case PenetrationKind::mortar:
+      return {4, "mortar"};
+    case PenetrationKind::edge:
+      return {5, "edges"};
   }
   return {0, "pen"};
 }
 
-WarningType type_of(const TieFailure& failure) { return {3 + static_cast<int>(failure.reason), name(failure.reason)}; }
+WarningType type_of(const TieFailure& failure) { return {6 + static_cast<int>(failure.reason), name(failure.reason)}; }
 
 /// Cut so that no UTF-8 character is left in pieces.
 std::string shortened(std::string text) {

@@ -51,6 +51,12 @@ void append_contact(const ContactSummary& contact, bool deck, Buffer& out) {
   object.integer("released", contact.released);
   object.integer("edge_zone", contact.edge_zone);
   object.number("max_penetration", contact.max_penetration);
+  const auto found = [&](std::string_view key, std::uint64_t number) {
+    if (number > 0) object.integer(key, number);
+  };
+  found("segment_penetrations", contact.segment_penetrations);
+  found("mortar_penetrations", contact.mortar_penetrations);
+  found("edge_penetrations", contact.edge_penetrations);
   object.integer("ties", contact.ties);
   object.integer("untied", contact.untied);
   if (contact.reported_penetrations != 0) object.integer("reported_penetrations", contact.reported_penetrations);
@@ -96,8 +102,9 @@ void append_penetration(const Report& report, const Penetration& record, const s
   if (placed) object.array("point", coordinates(record.point));
   if (record.outcome == Outcome::moved || record.moved_to != record.original)
     object.array("moved_to", coordinates(record.moved_to));
-  // The solver does not list nodes of the edge zone, so nothing happens to them yet.
-  if (record.kind != PenetrationKind::edge_zone) object.plain("outcome", name(record.outcome));
+  // The solver does not list nodes of the edge zone, so nothing happens to them yet. What it does with edges is not known.
+  if (record.kind != PenetrationKind::edge_zone && record.kind != PenetrationKind::edge)
+    object.plain("outcome", name(record.outcome));
   if (record.node_rule != ThicknessRule::none || record.segment_rule != ThicknessRule::none) {
     object.key("cause");
     out.push_back('"');

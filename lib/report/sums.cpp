@@ -6,29 +6,46 @@
 #include <utility>
 
 namespace gapcheck::report {
+namespace {
+
+/// Part pairs as they come up.
+class Pairs {
+ public:
+  void add(const Penetration& record) {
+    if (last_ == nullptr || last_->part != record.part || last_->element_part != record.element_part) {
+      last_ = &pairs_[{record.part, record.element_part}];
+      last_->part = record.part;
+      last_->element_part = record.element_part;
+    }
+    ++last_->nodes;
+    if (last_->deepest == nullptr || record.depth > last_->deepest->depth) last_->deepest = &record;
+  }
+  [[nodiscard]] std::vector<PartPair> deepest_first() const {
+    std::vector<PartPair> list;
+    for (const auto& [key, pair] : pairs_) list.push_back(pair);
+    std::stable_sort(list.begin(), list.end(),
+                     [](const PartPair& a, const PartPair& b) { return a.deepest->depth > b.deepest->depth; });
+    return list;
+  }
+
+ private:
+  std::map<std::pair<std::int64_t, std::int64_t>, PartPair> pairs_;
+  PartPair* last_ = nullptr;  // neighbours in the list mostly belong to the same pair
+};
+
+}  // namespace
 
 Sums sums(std::span<const Penetration> records) {
   Sums result;
-  std::map<std::pair<std::int64_t, std::int64_t>, PartPair> pairs;
-  PartPair* last = nullptr;  // neighbours in the list mostly belong to the same pair
+  Pairs nodes, edges;
   for (const Penetration& record : records) {
-    if (record.kind == PenetrationKind::edge_zone) {
-      ++result.edge_zone;
-      continue;
-    }
-    ++(record.kind == PenetrationKind::released ? result.released : result.initial);
+    ++result.count[static_cast<std::size_t>(record.kind)];
+    if (record.kind == PenetrationKind::edge_zone) continue;
     if (result.deepest == nullptr || record.depth > result.deepest->depth) result.deepest = &record;
-    if (last == nullptr || last->part != record.part || last->element_part != record.element_part) {
-      last = &pairs[{record.part, record.element_part}];
-      last->part = record.part;
-      last->element_part = record.element_part;
-    }
-    ++last->nodes;
-    if (last->deepest == nullptr || record.depth > last->deepest->depth) last->deepest = &record;
+    (record.kind == PenetrationKind::edge ? edges : nodes).add(record);
   }
-  for (const auto& [key, pair] : pairs) result.pairs.push_back(pair);
-  std::stable_sort(result.pairs.begin(), result.pairs.end(),
-                   [](const PartPair& a, const PartPair& b) { return a.deepest->depth > b.deepest->depth; });
+  result.pairs = nodes.deepest_first();
+  result.edge_pairs = edges.deepest_first();
   return result;
 }
 

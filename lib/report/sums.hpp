@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -8,7 +9,7 @@
 
 namespace gapcheck::report {
 
-/// Penetrating nodes of one part in segments of another, in one contact. Part 0: unknown.
+/// Penetrating nodes (or edges) of one part in segments (or edges) of another, in one contact. Part 0: unknown.
 struct PartPair {
   std::int64_t part = 0, element_part = 0;
   std::size_t nodes = 0;
@@ -18,10 +19,17 @@ struct PartPair {
 /// What the records of one contact amount to; lives as long as the records. Nodes of the edge zone count only in
 /// `edge_zone`.
 struct Sums {
-  std::size_t initial = 0, released = 0, edge_zone = 0;
-  const Penetration* deepest = nullptr;  ///< of `initial` and `released`
-  std::vector<PartPair> pairs;           ///< deepest first, then by part ids; of `initial` and `released`
-  [[nodiscard]] std::size_t penetrations() const { return initial + released; }
+  std::array<std::size_t, penetration_kinds> count{};  ///< by kind
+  const Penetration* deepest = nullptr;  ///< of all but the edge zone
+  std::vector<PartPair> pairs;           ///< deepest first, then by part ids; of nodes()
+  std::vector<PartPair> edge_pairs;      ///< the same of edges
+  [[nodiscard]] std::size_t of(PenetrationKind kind) const { return count[static_cast<std::size_t>(kind)]; }
+  /// Nodes in segments, whatever the contact.
+  [[nodiscard]] std::size_t nodes() const {
+    using enum PenetrationKind;
+    return of(initial) + of(released) + of(segment) + of(mortar);
+  }
+  [[nodiscard]] std::size_t penetrations() const { return nodes() + of(PenetrationKind::edge); }
 };
 [[nodiscard]] Sums sums(std::span<const Penetration> records);
 

@@ -91,7 +91,9 @@ void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
   row[8] = fmt::format("{:.3f}", record.s);
   row[9] = fmt::format("{:.3f}", record.t);
   row[10] = name(record.feature);
-  row[11] = record.kind == PenetrationKind::edge_zone ? "not listed" : std::string(name(record.outcome));
+  row[11] = record.kind == PenetrationKind::edge_zone ? "not listed"
+            : record.kind == PenetrationKind::edge     ? "-"
+                                                       : std::string(name(record.outcome));
   const Vector& x = record.moved_to;
   row[12] = record.outcome == Outcome::moved || x != record.original
                 ? fmt::format("{:.6g} {:.6g} {:.6g}", x[0], x[1], x[2])
@@ -103,21 +105,29 @@ void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
   row[8] = row[9] = row[10] = "-";
 }
 
-/// The first `limit` records that are (or are not) of the edge zone, deepest first as they stand.
-std::vector<const Penetration*> deepest(std::span<const Penetration> records, bool edge_zone, std::size_t limit) {
+/// The tables of a contact.
+enum class Table { nodes, edges, edge_zone };
+
+Table table_of(PenetrationKind kind) {
+  if (kind == PenetrationKind::edge_zone) return Table::edge_zone;
+  return kind == PenetrationKind::edge ? Table::edges : Table::nodes;
+}
+
+/// The first `limit` records of one table, deepest first as they stand.
+std::vector<const Penetration*> deepest(std::span<const Penetration> records, Table table, std::size_t limit) {
   std::vector<const Penetration*> picked;
   for (const Penetration& record : records) {
     if (picked.size() >= limit) break;
-    if ((record.kind == PenetrationKind::edge_zone) == edge_zone) picked.push_back(&record);
+    if (table_of(record.kind) == table) picked.push_back(&record);
   }
   return picked;
 }
 
-void append_nodes(std::span<const Penetration> records, bool edge_zone, std::size_t total, std::string_view what,
+void append_nodes(std::span<const Penetration> records, Table table, std::size_t total, std::string_view what,
                   const TextOptions& options, std::string& out) {
   const std::size_t limit = options.list ? total : std::min(total, options.top);
   if (limit == 0) return;
-  const auto picked = deepest(records, edge_zone, limit);
+  const auto picked = deepest(records, table, limit);
   out += picked.size() < total ? fmt::format("\n  {}, deepest {} of {}\n", what, picked.size(), total)
                                : fmt::format("\n  {}\n", what);
   append_table(
@@ -135,9 +145,10 @@ void fill_pair(const PartPair& pair, Row<pair_columns.size()>& row) {
          fmt::to_string(cause)};
 }
 
-void append_pairs(const std::vector<PartPair>& pairs, const TextOptions& options, std::string& out) {
+void append_pairs(const std::vector<PartPair>& pairs, std::string_view title, const TextOptions& options,
+                  std::string& out) {
   const std::size_t shown = options.list ? pairs.size() : std::min(pairs.size(), pairs_in_full);
-  out += "\n  by part\n";
+  out += fmt::format("\n  {}\n", title);
   append_table(
       pair_columns, shown, [&](std::size_t i, auto& row) { fill_pair(pairs[i], row); }, "    ", out);
   if (shown < pairs.size()) out += fmt::format("    … and {} more\n", pairs.size() - shown);
@@ -158,14 +169,19 @@ std::string result_line(const Sums& sum, std::uint64_t unlisted, const Paint& pa
   if (unlisted > 0)
     return (sum.penetrations() > 0 ? result_line(sum, 0, paint) + ", " : "") +
            paint.severity(Severity::warning, count(unlisted, "penetration") + " without a list of nodes");
-  if (sum.penetrations() == 0 && sum.edge_zone == 0) return "no penetrations";
   std::string line = sum.penetrations() == 0 ? "no penetrations" : "";
-  if (sum.initial > 0) line = paint.severity(Severity::warning, count(sum.initial, "penetration"));
-  if (sum.released > 0)
-    line += (line.empty() ? "" : ", ") + paint.severity(Severity::error, count(sum.released, "released node"));
+  const auto add = [&](PenetrationKind kind, std::string_view noun) {
+    if (const std::size_t number = sum.of(kind); number > 0)
+      line += (line.empty() ? "" : ", ") + paint.severity(rule_of(kind).severity, count(number, noun));
+  };
+  add(PenetrationKind::initial, "penetration");
+  add(PenetrationKind::released, "released node");
+  add(PenetrationKind::segment, "segment penetration");
+  add(PenetrationKind::mortar, "mortar penetration");
+  add(PenetrationKind::edge, "edge penetration");
   if (sum.deepest != nullptr) line += fmt::format(", deepest {:.6g} at node {}", sum.deepest->depth, sum.deepest->node);
-  if (sum.edge_zone > 0)
-    line += ", " + paint.severity(Severity::note, count(sum.edge_zone, "node") + " in the edge zone");
+  if (const std::size_t number = sum.of(PenetrationKind::edge_zone); number > 0)
+    line += ", " + paint.severity(Severity::note, count(number, "node") + " in the edge zone");
   return line;
 }
 
@@ -212,9 +228,12 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   if (contact.ties > 0) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
   if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));
   if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';
-  append_nodes(records, false, sum.penetrations(), "penetrating nodes", options, out);
-  if (report.source == "deck" ? !sum.pairs.empty() : !unknown(sum.pairs)) append_pairs(sum.pairs, options, out);
-  append_nodes(records, true, sum.edge_zone, "nodes in the edge zone", options, out);
+  append_nodes(records, Table::nodes, sum.nodes(), "penetrating nodes", options, out);
+  if (report.source == "deck" ? !sum.pairs.empty() : !unknown(sum.pairs))
+    append_pairs(sum.pairs, "by part", options, out);
+  append_nodes(records, Table::edges, sum.of(PenetrationKind::edge), "penetrating edges", options, out);
+  if (!sum.edge_pairs.empty()) append_pairs(sum.edge_pairs, "edges by part", options, out);
+  append_nodes(records, Table::edge_zone, sum.of(PenetrationKind::edge_zone), "nodes in the edge zone", options, out);
   append_tie_sections(ties, options, paint, out);
   return sum;
 }
@@ -279,8 +298,15 @@ std::string verdict(const Report& report, const Paint& paint) {
 }
 
 void append_total(const Report& report, const Sums& total, std::string& out) {
-  out += fmt::format("\ntotal  {}, {}, {} in the edge zone", count(total.initial, "penetration"),
-                     count(total.released, "released node"), count(total.edge_zone, "node"));
+  const auto number = [&](PenetrationKind kind, std::string_view noun) { return count(total.of(kind), noun); };
+  out += fmt::format("\ntotal  {}, {}, {} in the edge zone", number(PenetrationKind::initial, "penetration"),
+                     number(PenetrationKind::released, "released node"), number(PenetrationKind::edge_zone, "node"));
+  const auto more = [&](PenetrationKind kind, std::string_view noun) {
+    if (total.of(kind) > 0) out += ", " + number(kind, noun);
+  };
+  more(PenetrationKind::segment, "segment penetration");
+  more(PenetrationKind::mortar, "mortar penetration");
+  more(PenetrationKind::edge, "edge penetration");
   std::uint64_t unlisted = 0;
   for (const ContactSummary& contact : report.contacts) unlisted += unlisted_penetrations(contact);
   if (unlisted > 0) out += fmt::format(", {} without a list of nodes", count(unlisted, "penetration"));
@@ -339,9 +365,7 @@ std::string text(const Report& report, const TextOptions& options) {
   Sums total;
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) {
     const Sums sum = append_contact(report, i, options, paint, out);
-    total.initial += sum.initial;
-    total.released += sum.released;
-    total.edge_zone += sum.edge_zone;
+    for (std::size_t k = 0; k < total.count.size(); ++k) total.count[k] += sum.count[k];
     if (sum.deepest != nullptr && (total.deepest == nullptr || sum.deepest->depth > total.deepest->depth))
       total.deepest = sum.deepest;
   }

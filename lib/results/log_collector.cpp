@@ -162,10 +162,7 @@ void LogCollector::sort_records() {
 
 void LogCollector::count_records(Report& report) const {
   for (const Penetration& record : report.penetrations) {
-    ContactSummary& contact = report.contacts[record.contact];
-    ++(record.kind == PenetrationKind::released ? contact.released : contact.penetrations);
-    if (record.kind == PenetrationKind::initial)
-      contact.max_penetration = std::max(contact.max_penetration, record.depth);
+    count(record, report.contacts[record.contact]);
   }
   for (const TieFailure& failure : report.tie_failures)
     if (untied(failure.reason)) ++report.contacts[failure.contact].untied;

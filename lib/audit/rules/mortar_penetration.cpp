@@ -1,0 +1,10 @@
+#include "audit/rules.hpp"
+
+namespace gapcheck::audit {
+
+const Rule mortar_penetration{
+    {"GC108", "mortar-penetration", Severity::warning,
+     "a corner of a segment is nearer to another segment than the contact distance, in a mortar contact"},
+    [](const RuleInfo&, Context& context, Report&) { context.want(PenetrationKind::mortar); }};
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,27 @@
+#include "records/report.hpp"
+
+#include <algorithm>
+
+namespace gapcheck {
+
+void count(const Penetration& record, ContactSummary& contact) {
+  switch (record.kind) {
+    case PenetrationKind::initial:
+      ++contact.penetrations;
+      contact.max_penetration = std::max(contact.max_penetration, record.depth);
+      break;
+    case PenetrationKind::released: ++contact.released; break;
+    case PenetrationKind::edge_zone: ++contact.edge_zone; break;
+    case PenetrationKind::segment: ++contact.segment_penetrations; break;
+    case PenetrationKind::mortar: ++contact.mortar_penetrations; break;
+    case PenetrationKind::edge: ++contact.edge_penetrations; break;
+  }
+}
+
+void clear_counts(ContactSummary& contact) {
+  contact.penetrations = contact.released = contact.edge_zone = 0;
+  contact.segment_penetrations = contact.mortar_penetrations = contact.edge_penetrations = 0;
+  contact.max_penetration = 0;
+}
+
+}  // namespace gapcheck
