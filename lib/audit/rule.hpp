@@ -6,6 +6,7 @@
 
 #include "audit/audit.hpp"
 #include "audit/registry.hpp"
+#include "contact/crossings.hpp"
 #include "contact/initial.hpp"
 #include "model/model.hpp"
 
@@ -34,6 +35,8 @@ class Context {
   /// The initialisation of all contacts.
   [[nodiscard]] contact::InitialState& initial();
   [[nodiscard]] const contact::InitialCounters& counters() const { return counters_; }
+  /// How the rules about crossing elements decided; printed by --stats.
+  [[nodiscard]] contact::CrossingCounters& crossing_counters() { return crossing_counters_; }
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
   /// Asks for the records of one kind in the report.
   void want(PenetrationKind kind) { wanted_.set(static_cast<std::size_t>(kind)); }
@@ -52,6 +55,7 @@ class Context {
   std::vector<std::string> skips_;
   std::optional<contact::InitialState> initial_;
   contact::InitialCounters counters_;
+  contact::CrossingCounters crossing_counters_;
   std::bitset<penetration_kinds> wanted_;
   bool untied_ = false;
 };
