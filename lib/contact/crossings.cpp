@@ -7,7 +7,6 @@
 #include <numeric>
 #include <optional>
 #include <set>
-#include <string>
 #include <tuple>
 #include <utility>
 
@@ -270,12 +269,6 @@ std::vector<std::uint32_t> rigid_bodies(const model::Model& model) {
 
 }  // namespace
 
-bool keeps_apart(const model::Contact& contact, const ContactType& type) {
-  if (type.treatment == Treatment::none || type.family == Family::tied) return false;
-  if (type.code == "20" || type.code == "21") return false;  // by force curves, rigid bodies only
-  return contact.keyword.find("TIEBREAK") == std::string::npos && contact.keyword.find("TIED") == std::string::npos;
-}
-
 CrossingPairs::CrossingPairs(const model::Model& model, ContactId contact)
     : exclusions_(model, contact), spotweld_(model.parts.size()), rigid_body_(rigid_bodies(model)) {
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
@@ -331,8 +324,7 @@ std::vector<Crossing> find_crossings(const model::Model& model, std::span<const 
   std::vector<Crossing> all;
   std::set<std::pair<ElementKey, ElementKey>> seen;
   for (const std::uint32_t i : contacts) {
-    const model::Contact& contact = model.contacts[i];
-    if (!keeps_apart(contact, classify(contact))) continue;
+    if (classify(model.contacts[i]).pairing == Pairing::none) continue;
     for (const Crossing& crossing : find_crossings(model, i, surfaces.at(i), options, counters))
       if (seen.emplace(key(crossing.a), key(crossing.b)).second) all.push_back(crossing);
   }

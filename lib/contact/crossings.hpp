@@ -42,9 +42,6 @@ struct CrossingCounters {
 /// written in decimals.
 inline constexpr double crossing_tolerance = 1e-5;
 
-/// True for contacts that keep surfaces apart: not those that tie (until failure), measure, or have no segments.
-[[nodiscard]] bool keeps_apart(const model::Contact& contact, const ContactType& type);
-
 /// Parts between which a crossing means nothing: excluded by the deck, one rigid body, spotwelds.
 class CrossingPairs {
  public:

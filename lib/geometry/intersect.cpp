@@ -62,6 +62,15 @@ class Decider {
     return side(t[0], t[1], t[2], p) * side(t[0], t[1], t[2], q) < 0 && line_meets(p, q, t);
   }
 
+  Passage passage(const Vector& p, const Vector& q, const Triangle& t) {
+    const int of_p = side(t[0], t[1], t[2], p), of_q = side(t[0], t[1], t[2], q);
+    if (of_p * of_q > 0) return Passage::none;
+    if (of_p == 0 || of_q == 0) return segment_meets(p, q, t, of_p, of_q) ? Passage::touching : Passage::none;
+    const Signs s = around(p, q, t);
+    if (both_sides(s)) return Passage::none;
+    return s[0] != 0 && s[1] != 0 && s[2] != 0 ? Passage::through : Passage::touching;
+  }
+
   bool segments_meet(const Vector& p, const Vector& q, const Vector& r, const Vector& s) {
     if (side(p, q, r, s) != 0) return false;
     for (int axis = 0; axis < 3; ++axis)
@@ -85,10 +94,12 @@ class Decider {
     return 2;
   }
 
-  /// The line through p and q, which is not in the triangle's plane, passes through the closed triangle.
-  bool line_meets(const Vector& p, const Vector& q, const Triangle& t) {
-    return agree({side(p, q, t[0], t[1]), side(p, q, t[1], t[2]), side(p, q, t[2], t[0])});
+  /// On which side the line through p and q passes the edges.
+  Signs around(const Vector& p, const Vector& q, const Triangle& t) {
+    return {side(p, q, t[0], t[1]), side(p, q, t[1], t[2]), side(p, q, t[2], t[0])};
   }
+  /// The line through p and q, which is not in the triangle's plane, passes through the closed triangle.
+  bool line_meets(const Vector& p, const Vector& q, const Triangle& t) { return agree(around(p, q, t)); }
   bool segment_meets(const Vector& p, const Vector& q, const Triangle& t, int of_p, int of_q) {
     if (of_p * of_q > 0) return false;
     if (of_p == 0 && of_q == 0) return flat_segment_meets(p, q, t);
@@ -194,6 +205,14 @@ bool segment_meets(const Vector& p, const Vector& q, const Triangle& t, Mode mod
 bool segment_crosses(const Vector& p, const Vector& q, const Triangle& t, Mode mode, DecisionCounters& counters) {
   return p.allFinite() && q.allFinite() && finite(t) &&
          answer(mode, counters, [&](Decider& decider) { return decider.segment_crosses(p, q, t); });
+}
+
+Passage passage(const Vector& p, const Vector& q, const Triangle& t, Mode mode, DecisionCounters& counters) {
+  if (!p.allFinite() || !q.allFinite() || !finite(t)) return Passage::none;
+  Decider decider(mode);
+  const Passage found = decider.passage(p, q, t);
+  count(counters, decider.stage());
+  return found;
 }
 
 bool segments_meet(const Vector& p, const Vector& q, const Vector& r, const Vector& s, Mode mode,

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 
 #include "geometry/decide.hpp"
 
@@ -26,6 +27,15 @@ using Triangle = std::array<Vector, 3>;
 /// Does the segment p q pass through the closed triangle: its ends lie strictly on opposite sides of the plane.
 [[nodiscard]] bool segment_crosses(const Vector& p, const Vector& q, const Triangle& triangle, Mode mode,
                                    DecisionCounters& counters);
+
+/// How a segment lies to a triangle.
+enum class Passage : std::uint8_t {
+  none,      ///< nothing in common
+  through,   ///< from one side to the other, inside the edges
+  touching,  ///< anything else: an end, an edge or a corner takes part, or the triangle has no area
+};
+[[nodiscard]] Passage passage(const Vector& p, const Vector& q, const Triangle& triangle, Mode mode,
+                              DecisionCounters& counters);
 
 /// Have two closed segments a point in common?
 [[nodiscard]] bool segments_meet(const Vector& p, const Vector& q, const Vector& r, const Vector& s, Mode mode,

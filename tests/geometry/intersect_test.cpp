@@ -210,6 +210,11 @@ TEST(Intersect, SegmentsAsWholeNumbersSay) {
     const bool opposite = dot(n, whole(s[0]) - whole(t[0])) * dot(n, whole(s[1]) - whole(t[0])) < 0;
     crossed += expected && opposite ? 1 : 0;
     ASSERT_EQ(segment_crosses(s[0], s[1], t, Mode::filtered, counters), expected && opposite) << describe({t, s});
+    bool on_an_edge = false;
+    for (std::size_t e = 0; e < 3; ++e)
+      on_an_edge = on_an_edge || segments_meet(s[0], s[1], t[e], t[(e + 1) % 3], Mode::exact, counters);
+    const Passage way = !expected ? Passage::none : opposite && !on_an_edge ? Passage::through : Passage::touching;
+    ASSERT_EQ(passage(s[0], s[1], t, Mode::filtered, counters), way) << describe({t, s});
   }
   EXPECT_GT(met, many / 200);
   EXPECT_GT(crossed, many / 1000);
