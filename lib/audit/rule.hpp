@@ -6,6 +6,7 @@
 
 #include "audit/audit.hpp"
 #include "audit/registry.hpp"
+#include "contact/crossings.hpp"
 #include "contact/initial.hpp"
 #include "model/model.hpp"
 
@@ -38,6 +39,8 @@ class Context {
   [[nodiscard]] contact::InitialState initial_if(contact::SurfaceStore& surfaces,
                                                  const std::vector<std::uint32_t>& contacts) const;
   [[nodiscard]] const contact::InitialCounters& counters() const { return counters_; }
+  /// How the rules about crossing elements decided; printed by --stats.
+  [[nodiscard]] contact::CrossingCounters& crossing_counters() { return crossing_counters_; }
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
   /// Asks for the records of one kind in the report.
   void want(PenetrationKind kind) { wanted_.set(static_cast<std::size_t>(kind)); }
@@ -57,6 +60,7 @@ class Context {
   std::vector<std::string> skips_;
   std::optional<contact::InitialState> initial_;
   contact::InitialCounters counters_;
+  contact::CrossingCounters crossing_counters_;
   std::bitset<penetration_kinds> wanted_;
   std::bitset<8> wanted_ties_;
 };
