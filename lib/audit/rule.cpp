@@ -50,6 +50,11 @@ contact::InitialState& Context::initial() {
   return *initial_;
 }
 
+const contact::PredictedTimesteps& Context::timesteps() {
+  if (!timesteps_) timesteps_ = contact::predict_timesteps(model_, surfaces_, contacts());
+  return *timesteps_;
+}
+
 Finding finding(const RuleInfo& rule, std::string message, std::string file, std::uint32_t line) {
   Finding f;
   f.id = rule.id;

@@ -6,6 +6,7 @@
 
 #include "audit/audit.hpp"
 #include "audit/registry.hpp"
+#include "contact/contact_timestep.hpp"
 #include "contact/initial.hpp"
 #include "model/model.hpp"
 
@@ -33,6 +34,8 @@ class Context {
   [[nodiscard]] const std::vector<std::string>& skips() const { return skips_; }
   /// The initialisation of all contacts.
   [[nodiscard]] contact::InitialState& initial();
+  /// Time steps of the contacts that --contact lets through, and of the elements.
+  [[nodiscard]] const contact::PredictedTimesteps& timesteps();
   [[nodiscard]] const contact::InitialCounters& counters() const { return counters_; }
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
   /// Asks for the records of one kind in the report.
@@ -51,6 +54,7 @@ class Context {
   contact::SurfaceStore surfaces_;
   std::vector<std::string> skips_;
   std::optional<contact::InitialState> initial_;
+  std::optional<contact::PredictedTimesteps> timesteps_;
   contact::InitialCounters counters_;
   std::bitset<3> wanted_;
   bool untied_ = false;

@@ -25,6 +25,13 @@ bool has(const model::SegmentNodes& nodes, NodeIndex node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
 }
 
+/// Of a triangle the longest side.
+double longest_diagonal(const model::SegmentNodes& n, const std::vector<Vector>& x) {
+  const auto squared = [&](std::size_t a, std::size_t b) { return (x[n[a].value] - x[n[b].value]).squaredNorm(); };
+  const double longest = std::max(squared(0, 2), squared(1, 3));
+  return std::sqrt(corner_count(n) == 3 ? std::max(longest, squared(0, 1)) : longest);
+}
+
 /// The lowest node of a side; none where it has none.
 NodeIndex lowest_node(const ContactSide& side) {
   NodeIndex lowest = none<NodeIndex>;
@@ -43,7 +50,7 @@ TimestepEstimate::TimestepEstimate(const model::Model& model, const ElementSizes
   }
 }
 
-NodeStiffness TimestepEstimate::corner(const Segments& s, std::size_t i, double scale) const {
+NodeStiffness TimestepEstimate::corner(const Segments& s, std::size_t i, double scale, TimestepLimit limit) const {
   if (s.element[i] == unknown || s.element_kind[i] == model::ElementKind::beam) return {};
   const PartIndex part = part_of(model_.mesh, s, i);
   if (part == none<PartIndex>) return {};
@@ -52,7 +59,9 @@ NodeStiffness TimestepEstimate::corner(const Segments& s, std::size_t i, double 
   double area = 0, stiffness = 0;
   if (s.element_kind[i] == model::ElementKind::shell) {
     area = sizes_.shell_area[e];
-    stiffness = shell_estimate_stiffness(scale, modulus, area, sizes_.shell_thickness[e]);
+    stiffness = limit == TimestepLimit::printed
+                    ? shell_estimate_stiffness(scale, modulus, area, sizes_.shell_thickness[e])
+                    : shell_segment_stiffness(scale, modulus, area, longest_diagonal(s.nodes[i], model_.mesh.nodes.x));
   } else {
     const bool thick = s.element_kind[i] == model::ElementKind::thick_shell;
     area = shell_area(s.nodes[i], model_.mesh.nodes.x);
@@ -92,10 +101,10 @@ NodeIndex TimestepEstimate::smallest(const Segments& s) {
   return node;
 }
 
-SideTimestep TimestepEstimate::side(const Segments& s, double scale) {
+SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLimit limit) {
   corners_.resize(s.size());
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) corners_[i] = corner(s, i, scale);
+    for (std::size_t i = begin; i < end; ++i) corners_[i] = corner(s, i, scale, limit);
   });
   sum_at_nodes(sums_, s.size(), [&](std::size_t i, const auto& add) {
     if (corners_[i].weight > 0)
@@ -111,7 +120,8 @@ SideTimestep TimestepEstimate::side(const Segments& s, double scale) {
       result.triangles = result.triangles || corner_count(s.nodes[i]) == 3;
       own += corners_[i];
     }
-    result.timestep = std::sqrt(masses_[result.node.value] / (2 * own.value()));
+    const double squared_period = masses_[result.node.value] / own.value();
+    result.timestep = limit == TimestepLimit::printed ? std::sqrt(squared_period / 2) : 2 * std::sqrt(squared_period);
   }
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -132,26 +142,31 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
   const ElementSizes sizes = element_sizes(model);
   all.element = smallest_element_timestep(model, sizes);
   all.timesteps.element_timestep = all.element.timestep;
+  all.run = run_timestep(model.controls, all.element.timestep);
   TimestepEstimate estimate(model, sizes);
   auto& list = all.timesteps.surface_timesteps;
+  double& least = all.timesteps.contact_timestep;
   for (const std::uint32_t c : contacts) {
     const model::Contact& contact = model.contacts[c];
     if (!contact.known || contact.own_layout || !has_timestep(classify(contact))) continue;
     const ContactSurfaces& s = surfaces.at(c);
+    const bool springs = s.type.code != "25" && contact.soft != 2;
     const auto add = [&](char letter, const ContactSide& side, double factor) {
-      SideTimestep found = estimate.side(side.selection.segments, model.controls.slsfac * factor);
+      const double scale = model.controls.slsfac * factor;
+      SideTimestep found = estimate.side(side.selection.segments, scale);
       if (found.node == none<NodeIndex>) found.node = lowest_node(side);
       if (found.node == none<NodeIndex>) return;
       list.push_back({c, letter, s.type.code, found.timestep, model.mesh.nodes.id[found.node.value],
                       found.part == none<PartIndex> ? 0 : model.part(found.part).id.value, found.triangles});
       if (found.timestep >= no_timestep_limit) return;
-      const auto here = static_cast<std::uint32_t>(list.size() - 1);
-      if (!all.limiting || found.timestep < list[*all.limiting].timestep) all.limiting = here;
+      if (least == 0 || found.timestep < least) least = found.timestep;
+      if (!springs || !(found.timestep < all.run)) return;
+      const SideTimestep limit = estimate.side(side.selection.segments, scale, TimestepLimit::spring);
+      if (limit.timestep < all.run) all.unstable.push_back({static_cast<std::uint32_t>(list.size() - 1), limit});
     };
     add('A', s.a, contact.sfs);
     if (s.two_sided()) add('B', s.b, contact.sfm);
   }
-  if (all.limiting) all.timesteps.contact_timestep = list[*all.limiting].timestep;
   return all;
 }
 

@@ -19,18 +19,25 @@ struct SideTimestep {
   bool triangles = false;            ///< a triangle is at that node: the solver's value differs somewhat
 };
 
-/// Estimates the stable time step of contact springs as the solver prints it when it initialises: for each side the
-/// smallest √(m / (2 k)) of its nodes, with m the node's mass and k the weighted stiffness of the segments at the node.
+/// Which limit is meant. `printed`: the one that the solver prints when it initialises, √(m / (2 k)) with K A / t for
+/// shells (contact rules, section 12). `spring`: 2 √(m / k) with the stiffness of the springs themselves (section 6), the
+/// step at which a node oscillates without bound against a surface that does not give way.
+enum class TimestepLimit : std::uint8_t { printed, spring };
+
+/// Estimates the stable time step of contact springs: for each side the smallest limit of its nodes, with m the node's
+/// mass and k the weighted stiffness of the segments at the node.
 /// Steps that differ by less than 1e-12 are equal; the lowest node controls. Source: contact rules, section 12.
 /// Not for use from several threads. Model and sizes must outlive it.
 class TimestepEstimate {
  public:
   TimestepEstimate(const model::Model& model, const ElementSizes& sizes);
   /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top.
-  [[nodiscard]] SideTimestep side(const Segments& segments, double scale);
+  [[nodiscard]] SideTimestep side(const Segments& segments, double scale,
+                                  TimestepLimit limit = TimestepLimit::printed);
 
  private:
-  [[nodiscard]] NodeStiffness corner(const Segments& segments, std::size_t segment, double scale) const;
+  [[nodiscard]] NodeStiffness corner(const Segments& segments, std::size_t segment, double scale,
+                                     TimestepLimit limit) const;
   [[nodiscard]] NodeIndex smallest(const Segments& segments);
 
   const model::Model& model_;
@@ -45,12 +52,20 @@ class TimestepEstimate {
 /// constraint, constraint types, rigid-body force curves, beads, edges and mortar have none.
 [[nodiscard]] bool has_timestep(const ContactType& type);
 
-/// Time steps of the given contacts (positions in Model::contacts) and of the elements.
+/// A side of a contact whose springs are unstable at the step of the run.
+struct UnstableSide {
+  std::uint32_t surface = 0;  ///< position in Timesteps::surface_timesteps
+  SideTimestep limit;         ///< of the springs
+};
+
+/// Time steps of contacts and of the elements.
 struct PredictedTimesteps {
   Timesteps timesteps;
-  std::optional<std::uint32_t> limiting;  ///< position of the smallest one in `surface_timesteps`; none: no limit
   ElementTimestep element;
+  double run = 0;                      ///< run_timestep
+  std::vector<UnstableSide> unstable;  ///< ascending; transducers have no springs, those of SOFT = 2 follow the step
 };
+/// `contacts`: positions in Model::contacts.
 [[nodiscard]] PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& surfaces,
                                                    std::span<const std::uint32_t> contacts);
 

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double rho = 2, bulk = 600;
 
-void give(Scene& scene, PartIndex part, double stiffness = bulk) {
-  scene.model.materials.push_back({.density = rho, .bulk = stiffness});
-  scene.model.parts[part.value].material = static_cast<std::uint32_t>(scene.model.materials.size() - 1);
-}
-
 std::vector<SurfaceTimestep> steps(const Scene& scene) {
   SurfaceStore surfaces(scene.model);
   std::vector<std::uint32_t> all(scene.model.contacts.size());
@@ -28,7 +23,7 @@ std::vector<SurfaceTimestep> steps(const Scene& scene) {
 TEST(ContactTimestep, PlateIsLimitedByItsLowestCorner) {
   Scene scene;
   const PartIndex part = scene.part(7, 0.5);
-  give(scene, part);
+  scene.material(part, rho, bulk);
   const auto nodes = scene.plate(part, Vector(1, 2, 3), Vector(2, 0, 0), Vector(0, 3, 0), 4, 3);
   scene.contact("AUTOMATIC_SINGLE_SURFACE");
   const auto list = steps(scene);
@@ -45,8 +40,8 @@ TEST(ContactTimestep, PlateIsLimitedByItsLowestCorner) {
 TEST(ContactTimestep, SolidsOnBothSides) {
   Scene scene;
   const PartIndex a = scene.part(1, 0), b = scene.part(2, 0);
-  give(scene, a);
-  give(scene, b);
+  scene.material(a, rho, bulk);
+  scene.material(b, rho, bulk);
   scene.brick(a, Vector(0, 0, 0), Vector(3, 3, 3));
   scene.brick(b, Vector(9, 0, 0), Vector(3, 3, 3));
   auto& contact = scene.contact("AUTOMATIC_SURFACE_TO_SURFACE");
@@ -67,8 +62,8 @@ TEST(ContactTimestep, SolidsOnBothSides) {
 TEST(ContactTimestep, WeighsTheSegmentsAndCountsEveryMass) {
   Scene scene;
   const PartIndex part = scene.part(1, 1), other = scene.part(2, 1);
-  give(scene, part);
-  give(scene, other);
+  scene.material(part, rho, bulk);
+  scene.material(other, rho, bulk);
   const auto at = [&](double x, double y) { return scene.node(Vector(x, y, 0)); };
   const NodeIndex a = at(0, 0), b = at(1, 0), c = at(4, 0), d = at(0, 2), e = at(1, 2), f = at(4, 2);
   scene.shell(part, {a, b, e, d});
@@ -92,7 +87,7 @@ TEST(ContactTimestep, WeighsTheSegmentsAndCountsEveryMass) {
 TEST(ContactTimestep, TrianglesAreRough) {
   Scene scene;
   const PartIndex part = scene.part(1, 1);
-  give(scene, part);
+  scene.material(part, rho, bulk);
   const NodeIndex a = scene.node(Vector(0, 0, 0)), b = scene.node(Vector(2, 0, 0)), c = scene.node(Vector(0, 2, 0));
   scene.shell(part, {a, b, c, c});
   scene.contact("AUTOMATIC_SINGLE_SURFACE");
@@ -105,7 +100,7 @@ TEST(ContactTimestep, TrianglesAreRough) {
 TEST(ContactTimestep, NodesAloneAndWeakMaterialsLimitNothing) {
   Scene scene;
   const PartIndex part = scene.part(1, 1);
-  give(scene, part, 0);
+  scene.material(part, rho, 0);
   const auto nodes = scene.plate(part, Vector(0, 0, 0), Vector(2, 0, 0), Vector(0, 3, 0), 1, 1);
   scene.model.sets.nodes[5].members = {nodes[3], nodes[2]};
   auto& contact = scene.contact("AUTOMATIC_NODES_TO_SURFACE");
@@ -136,8 +131,8 @@ TEST(ContactTimestep, OnlyPenaltySprings) {
 TEST(ContactTimestep, LargeSurfacesAndSmallOnes) {
   Scene scene;
   const PartIndex part = scene.part(1, 0.3), small = scene.part(2, 0.4);
-  give(scene, part);
-  give(scene, small);
+  scene.material(part, rho, bulk);
+  scene.material(small, rho, bulk);
   scene.plate(part, Vector(0, 0, 0), Vector(1.1, 0.01, 0), Vector(0.02, 0.9, 0), 300, 200);
   scene.plate(small, Vector(0, 0, 9), Vector(1.1, 0.01, 0), Vector(0.02, 0.9, 0), 3, 2);
   scene.contact("AUTOMATIC_SINGLE_SURFACE");
@@ -155,6 +150,28 @@ TEST(ContactTimestep, LargeSurfacesAndSmallOnes) {
     EXPECT_EQ(many[i].timestep, again[i].timestep);
     EXPECT_EQ(many[i].node, again[i].node);
   }
+}
+
+// A corner node of thin shells: m = ρ A t / 4, k = 0.1 K A / √(A 2), Δt = 2 √(m / k).
+TEST(ContactTimestep, SpringsOfThinShellsMayBeUnstable) {
+  Scene scene;
+  const PartIndex part = scene.part(1, 0.1);
+  scene.material(part, rho, bulk, 1.2 * bulk, 0.3);
+  scene.plate(part, Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 4, 0), 2, 2);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  const auto predict = [&] {
+    SurfaceStore surfaces(scene.model);
+    return predict_timesteps(scene.model, surfaces, std::vector<std::uint32_t>{0});
+  };
+  const PredictedTimesteps thin = predict();
+  EXPECT_DOUBLE_EQ(thin.run, 0.9 * 4 * std::sqrt(rho * 0.91 / (1.2 * bulk)));
+  ASSERT_EQ(thin.unstable.size(), 1u);
+  EXPECT_DOUBLE_EQ(thin.unstable[0].limit.timestep, 2 * std::sqrt(rho * 16 * 0.1 / 4 / (0.1 * bulk * 16 / std::sqrt(32.0))));
+  EXPECT_EQ(thin.unstable[0].limit.node, NodeIndex(0));
+  scene.model.sections[0].thickness.fill(0.3);  // the limit grows with the root of the thickness
+  const PredictedTimesteps thick = predict();
+  EXPECT_TRUE(thick.unstable.empty());
+  EXPECT_LT(thick.timesteps.contact_timestep, thick.run);  // although the solver's cautious number is exceeded
 }
 
 TEST(ContactTimestep, StepOfTheRun) {

@@ -9,14 +9,15 @@
 namespace gapcheck::contact {
 namespace {
 
-// Speeds that are round numbers: E = 9 (1 - ν²) for shells, and so on.
-model::Material material(double young, double poisson, double density) {
-  return {.density = density, .young = young, .poisson = poisson};
-}
+constexpr double for_shells = 6.75, shell_nu = 0.5;                     // E / (1 - ν²) = 9: c = 3
+constexpr double for_solids = 16 * 1.25 * 0.5 / 0.75, solid_nu = 0.25;  // c = 4
 
-void give(Scene& scene, PartIndex part, const model::Material& m) {
-  scene.model.materials.push_back(m);
-  scene.model.parts[part.value].material = static_cast<std::uint32_t>(scene.model.materials.size() - 1);
+model::Material material(double young, double poisson, double bulk = 0) {
+  model::Material m;
+  m.young = young;
+  m.poisson = poisson;
+  m.bulk = bulk;
+  return m;
 }
 
 ElementTimestep smallest(const Scene& scene) {
@@ -24,13 +25,13 @@ ElementTimestep smallest(const Scene& scene) {
 }
 
 TEST(ElementTimestep, SoundSpeeds) {
-  EXPECT_DOUBLE_EQ(shell_sound_speed(material(6.75, 0.5, 1), 1, 0), 3);
-  EXPECT_DOUBLE_EQ(shell_sound_speed(material(9, 0.5, 1), 1, 2), 3);
-  EXPECT_DOUBLE_EQ(solid_sound_speed(material(16 * 1.25 * 0.5 / 0.75, 0.25, 1), 1), 4);
-  EXPECT_DOUBLE_EQ(solid_sound_speed({.bulk = 50}, 2), 5);
-  EXPECT_DOUBLE_EQ(beam_sound_speed(material(8, 0.3, 2), 2), 2);
-  EXPECT_EQ(shell_sound_speed(material(0, 0, 1), 1, 0), 0);
-  EXPECT_EQ(beam_sound_speed(material(1, 0, 0), 0), 0);
+  EXPECT_DOUBLE_EQ(shell_sound_speed(material(for_shells, shell_nu), 1, 0), 3);
+  EXPECT_DOUBLE_EQ(shell_sound_speed(material(9, 0.5), 1, 2), 3);
+  EXPECT_DOUBLE_EQ(solid_sound_speed(material(for_solids, solid_nu), 1), 4);
+  EXPECT_DOUBLE_EQ(solid_sound_speed(material(0, 0, 50), 2), 5);
+  EXPECT_DOUBLE_EQ(beam_sound_speed(material(8, 0.3), 2), 2);
+  EXPECT_EQ(shell_sound_speed(material(0, 0), 1, 0), 0);
+  EXPECT_EQ(beam_sound_speed(material(1, 0), 0), 0);
 }
 
 TEST(ElementTimestep, ShellLengths) {
@@ -46,10 +47,9 @@ TEST(ElementTimestep, ShellLengths) {
 TEST(ElementTimestep, SmallestOfAllKinds) {
   Scene scene;
   const PartIndex shells = scene.part(1, 1), solids = scene.part(2, 0), rigid = scene.part(3, 1);
-  give(scene, shells, material(6.75, 0.5, 1));                      // c = 3
-  give(scene, solids, material(16 * 1.25 * 0.5 / 0.75, 0.25, 1));  // c = 4
-  give(scene, rigid, material(1e6, 0, 1));
-  scene.model.materials.back().rigid = true;
+  scene.material(shells, 1, 0, for_shells, shell_nu);
+  scene.material(solids, 1, 0, for_solids, solid_nu);
+  scene.material(rigid, 1, 0, 1e6).rigid = true;
   scene.plate(shells, Vector(0, 0, 0), Vector(6, 0, 0), Vector(0, 9, 0), 2, 1);  // 54 / 9 / 3 = 2
   scene.plate(rigid, Vector(0, 0, 5), Vector(1, 0, 0), Vector(0, 1, 0), 1, 1);
   scene.brick(solids, Vector(0, 0, 20), Vector(10, 10, 16));  // 16 · 100 / 160 / 4 = 2.5

@@ -8,19 +8,12 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Gives a part a material; returns it for changes.
-model::Material& material(Scene& scene, PartIndex part, double density) {
-  scene.model.materials.push_back({.density = density});
-  scene.model.parts[part.value].material = static_cast<std::uint32_t>(scene.model.materials.size() - 1);
-  return scene.model.materials.back();
-}
-
 std::vector<double> masses(const Scene& scene) { return node_masses(scene.model, element_sizes(scene.model)); }
 
 TEST(NodeMasses, ShellsShareEquallyAndTrianglesInThree) {
   Scene scene;
   const PartIndex part = scene.part(1, 0.5);
-  material(scene, part, 3);
+  scene.material(part, 3);
   const auto n = scene.plate(part, Vector(0, 0, 0), Vector(2, 0, 0), Vector(0, 4, 0), 2, 1);
   const NodeIndex tip = scene.node(Vector(0, -6, 0));
   scene.shell(part, {tip, n[1], n[0], n[0]});
@@ -34,7 +27,7 @@ TEST(NodeMasses, ShellsShareEquallyAndTrianglesInThree) {
 TEST(NodeMasses, SolidsByTheirDistinctNodes) {
   Scene scene;
   const PartIndex part = scene.part(1, 0);
-  material(scene, part, 2);
+  scene.material(part, 2);
   scene.brick(part, Vector(0, 0, 0), Vector(1, 2, 3));
   const NodeIndex a = scene.node(Vector(10, 0, 0)), b = scene.node(Vector(11, 0, 0)), c = scene.node(Vector(10, 1, 0)),
                   d = scene.node(Vector(10, 0, 3));
@@ -56,7 +49,7 @@ TEST(NodeMasses, VolumeUnderABilinearFace) {
 TEST(NodeMasses, BeamsMassesAndPlies) {
   Scene scene;
   const PartIndex beam = scene.part(1, 0), laminate = scene.part(2, 0.75);
-  material(scene, beam, 4);
+  scene.material(beam, 4);
   scene.model.sections[0].beam_area = 0.5;
   const NodeIndex a = scene.node(Vector(0, 0, 0)), b = scene.node(Vector(3, 4, 0));
   scene.model.mesh.beams.id.push_back(1);
@@ -66,7 +59,7 @@ TEST(NodeMasses, BeamsMassesAndPlies) {
   scene.model.mesh.masses.nodes.push_back({b});
   scene.model.mesh.masses.part.push_back(none<PartIndex>);
   scene.model.mesh.mass_values = {7};
-  scene.model.materials.push_back({.density = 10});
+  scene.model.materials.emplace_back().density = 10;
   auto& part = scene.model.parts[laminate.value];
   part.composite_thickness = 0.75;
   part.plies = {{1, 0.5, 0}, {2, 0.25, 1}};
@@ -82,7 +75,7 @@ TEST(NodeMasses, WithoutSense) {
   const PartIndex part = scene.part(1, 1);
   const auto n = scene.plate(part, Vector(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0), 2, 1);
   EXPECT_EQ(masses(scene)[n[0].value], 0);  // no material
-  material(scene, part, 1);
+  scene.material(part, 1);
   scene.model.mesh.shells.part[0] = none<PartIndex>;
   scene.model.mesh.nodes.x[n[2].value] = Vector::Constant(1e300);
   for (const double m : masses(scene)) EXPECT_EQ(m, 0);
@@ -92,7 +85,7 @@ TEST(NodeMasses, WithoutSense) {
 TEST(NodeMasses, AnyNumberOfThreads) {
   Scene scene;
   const PartIndex part = scene.part(1, 0.3);
-  material(scene, part, 7.85e-9);
+  scene.material(part, 7.85e-9);
   scene.plate(part, Vector(0.1, 0.2, 0.3), Vector(1.1, 0.01, 0), Vector(0.02, 0.9, 0), 300, 200);
   const auto many = masses(scene);
   const JobLimit one(1);
