@@ -77,6 +77,11 @@ contact::InitialState Context::initial_if(contact::SurfaceStore& surfaces,
   return contact::initialise_contacts(model_, surfaces, options, unused);
 }
 
+const contact::PredictedTimesteps& Context::timesteps() {
+  if (!timesteps_) timesteps_ = contact::predict_timesteps(model_, surfaces_, contacts());
+  return *timesteps_;
+}
+
 Finding finding(const RuleInfo& rule, std::string message, std::string file, std::uint32_t line) {
   Finding f;
   f.id = rule.id;

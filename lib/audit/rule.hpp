@@ -6,6 +6,7 @@
 
 #include "audit/audit.hpp"
 #include "audit/registry.hpp"
+#include "contact/contact_timestep.hpp"
 #include "contact/crossings.hpp"
 #include "contact/initial.hpp"
 #include "model/model.hpp"
@@ -38,6 +39,8 @@ class Context {
   /// penetrating node is moved. Costs as much as the contacts' share of initial().
   [[nodiscard]] contact::InitialState initial_if(contact::SurfaceStore& surfaces,
                                                  const std::vector<std::uint32_t>& contacts) const;
+  /// Time steps of the contacts that --contact lets through, and of the elements.
+  [[nodiscard]] const contact::PredictedTimesteps& timesteps();
   [[nodiscard]] const contact::InitialCounters& counters() const { return counters_; }
   /// How the rules about crossing elements decided; printed by --stats.
   [[nodiscard]] contact::CrossingCounters& crossing_counters() { return crossing_counters_; }
@@ -59,6 +62,7 @@ class Context {
   contact::SurfaceStore surfaces_;
   std::vector<std::string> skips_;
   std::optional<contact::InitialState> initial_;
+  std::optional<contact::PredictedTimesteps> timesteps_;
   contact::InitialCounters counters_;
   contact::CrossingCounters crossing_counters_;
   std::bitset<penetration_kinds> wanted_;

@@ -108,6 +108,8 @@ struct Controls {
   std::int64_t cntco = 0, istupd = 0;
   // *CONTROL_TIMESTEP
   double tssfac = 0.9;
+  std::int64_t isdo = 0;
+  double dt2ms = 0;  ///< mass scaling; zero = none
   bool contact_given = false, shell_given = false;
   Place contact_place, shell_place;
 };

@@ -53,7 +53,10 @@ void read_control_shell(Context& context, const Block& block, const Options&) {
 void read_control_timestep(Context& context, const Block& block, const Options&) {
   CardReader reader(context.deck, block, context.diagnostics);
   const Card card = next_card(reader, "CONTROL_TIMESTEP", "card1");
-  context.model.controls.tssfac = or_default(card.real("tssfac"), 0.9);
+  Controls& controls = context.model.controls;
+  controls.tssfac = or_default(card.real("tssfac"), 0.9);
+  controls.isdo = card.integer("isdo");
+  controls.dt2ms = card.real("dt2ms") * context.transform(block).time_factor;
 }
 
 }  // namespace gapcheck::model
