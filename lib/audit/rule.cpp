@@ -38,6 +38,11 @@ void Context::skipped(const RuleInfo& rule, std::string what) {
   skips_.push_back(fmt::format("{}: {}", rule.id, what));
 }
 
+contact::ContactMesh& Context::contact_mesh() {
+  if (!contact_mesh_) contact_mesh_.emplace(model_, surfaces_, contacts());
+  return *contact_mesh_;
+}
+
 contact::InitialState& Context::initial() {
   if (!initial_) {
     contact::InitialOptions options;
