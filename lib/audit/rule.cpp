@@ -47,6 +47,11 @@ contact::InitialOptions Context::initial_options() const {
   return options;
 }
 
+contact::ContactMesh& Context::contact_mesh() {
+  if (!contact_mesh_) contact_mesh_.emplace(model_, surfaces_, contacts());
+  return *contact_mesh_;
+}
+
 contact::InitialState& Context::initial() {
   if (!initial_) {
     contact::InitialOptions options = initial_options();

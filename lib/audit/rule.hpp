@@ -6,6 +6,7 @@
 
 #include "audit/audit.hpp"
 #include "audit/registry.hpp"
+#include "contact/contact_mesh.hpp"
 #include "contact/contact_timestep.hpp"
 #include "contact/crossings.hpp"
 #include "contact/initial.hpp"
@@ -30,6 +31,9 @@ class Context {
   /// The surfaces of a contact (position in Model::contacts) on the deck's coordinates; kept once built.
   [[nodiscard]] const contact::ContactSurfaces& surfaces(std::uint32_t contact) { return surfaces_.at(contact); }
   [[nodiscard]] contact::SurfaceStore& surface_store() { return surfaces_; }
+  /// The segments of the chosen contacts, each once; made when first asked for.
+  [[nodiscard]] contact::ContactMesh& contact_mesh();
+  [[nodiscard]] const keyword::Deck& deck() const { return deck_; }
   /// Says for --stats what a rule left out and why: "GC103: 3 contacts have no surfaces to compare".
   void skipped(const RuleInfo& rule, std::string what);
   [[nodiscard]] const std::vector<std::string>& skips() const { return skips_; }
@@ -60,6 +64,7 @@ class Context {
   const model::Model& model_;
   const AuditOptions& options_;
   contact::SurfaceStore surfaces_;
+  std::optional<contact::ContactMesh> contact_mesh_;
   std::vector<std::string> skips_;
   std::optional<contact::InitialState> initial_;
   std::optional<contact::PredictedTimesteps> timesteps_;

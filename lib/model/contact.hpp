@@ -94,6 +94,7 @@ struct ContactExclusion {
 struct Controls {
   // *CONTROL_CONTACT card 1
   double slsfac = 0.1;
+  double rwpnal = 0;  ///< 0: rigid walls do not see the nodes of rigid bodies
   std::int64_t shlthk = 0, penopt = 1, orien = 1;
   // card 2
   double xpene = 4;

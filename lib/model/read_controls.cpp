@@ -21,6 +21,7 @@ void read_control_contact(Context& context, const Block& block, const Options&) 
   controls.contact_place = Context::place(block, block.line);
   const Card card1 = next_card(reader, "CONTROL_CONTACT", "card1");
   controls.slsfac = or_default(card1.real("slsfac"), 0.1);
+  controls.rwpnal = card1.real("rwpnal");
   controls.shlthk = card1.integer("shlthk");
   controls.penopt = or_default(card1.integer("penopt"), 1);
   controls.orien = or_default(card1.integer("orien"), 1);
