@@ -85,7 +85,8 @@ std::vector<Membership> tied_memberships(const model::Model& model, SurfaceStore
 bool tied(const std::vector<Membership>& list, NodeIndex tracked, NodeIndex reference) {
   for (auto m = std::lower_bound(list.begin(), list.end(), Membership{tracked, 0, false});
        m != list.end() && m->node == tracked; ++m)
-    if (m->tracked && std::binary_search(list.begin(), list.end(), Membership{reference, m->contact, false})) return true;
+    if (m->tracked && std::binary_search(list.begin(), list.end(), Membership{reference, m->contact, false}))
+      return true;
   return false;
 }
 
