@@ -61,7 +61,8 @@ TEST(CoincidentNodes, AnyNumbersAndCrowds) {
   std::vector<Vector> same(5000, Vector(1, 2, 3));
   EXPECT_EQ(pairs(same, 1e-3).size(), 4999U);
   EXPECT_EQ(pairs(same, 0).size(), 4999U);
-  const std::vector<Vector> odd{{NAN, 0, 0}, {NAN, 0, 0}, {1e300, 0, 0}, {1e300, 0, 0}, {INFINITY, 0, 0}, {INFINITY, 0, 0}};
+  const std::vector<Vector> odd{{NAN, 0, 0},   {NAN, 0, 0},      {1e300, 0, 0},
+                                {1e300, 0, 0}, {INFINITY, 0, 0}, {INFINITY, 0, 0}};
   const std::vector<std::pair<std::uint32_t, std::uint32_t>> huge{{2, 3}};
   EXPECT_EQ(pairs(odd, 1e-6), huge);
   EXPECT_EQ(pairs(odd, NAN), huge);

@@ -34,8 +34,8 @@ TEST(SegmentQuality, WarpIsTheLargerOfBothCuts) {
 
 TEST(SegmentQuality, ShapesThatAreNone) {
   const Vector a(0, 0, 0), b(10, 0, 0), c(10, 10, 0), d(0, 10, 0), low(4, 1, 0), middle(5, 0, 0);
-  EXPECT_EQ(quality({a, c, b, d}).fault, SegmentFault::crossed);                      // equal lobes
-  EXPECT_EQ(quality({a, c, Vector(10, 3, 0), d}).fault, SegmentFault::crossed);       // one lobe larger
+  EXPECT_EQ(quality({a, c, b, d}).fault, SegmentFault::crossed);                 // equal lobes
+  EXPECT_EQ(quality({a, c, Vector(10, 3, 0), d}).fault, SegmentFault::crossed);  // one lobe larger
   EXPECT_EQ(quality({a, b, d, Vector(2, 2, 0)}).fault, SegmentFault::folded);
   EXPECT_EQ(quality({a, middle, b, b}).fault, SegmentFault::zero_area);
   EXPECT_EQ(quality({a, a, a, a}).fault, SegmentFault::zero_area);
@@ -49,8 +49,10 @@ TEST(SegmentQuality, ShapesThatAreNone) {
 
 TEST(SegmentQuality, DoesNotDependOnSizeAndStart) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
-    const std::vector<Vector> x{Vector(0, 0, 0), Vector(scale, 0, 0), Vector(1.5 * scale, scale, 0), Vector(0, 0.8 * scale, 0.1 * scale)};
-    const SegmentQuality q = quality(x), turned = quality({x[2], x[3], x[0], x[1]}), back = quality({x[3], x[2], x[1], x[0]});
+    const std::vector<Vector> x{Vector(0, 0, 0), Vector(scale, 0, 0), Vector(1.5 * scale, scale, 0),
+                                Vector(0, 0.8 * scale, 0.1 * scale)};
+    const SegmentQuality q = quality(x), turned = quality({x[2], x[3], x[0], x[1]}),
+                         back = quality({x[3], x[2], x[1], x[0]});
     EXPECT_EQ(q.fault, SegmentFault::none);
     EXPECT_NEAR(q.warp_cosine, turned.warp_cosine, 1e-6);
     EXPECT_NEAR(q.warp_cosine, back.warp_cosine, 1e-6);
@@ -85,17 +87,18 @@ TEST(SolidQuality, BrickAndItsMirrorImage) {
 }
 
 TEST(SolidQuality, CollapsedForms) {
-  const std::vector<Vector> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 0}, {0.5, 0.5, 1}};
+  const std::vector<Vector> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                              {1, 0, 1}, {0, 1, 1}, {1, 1, 0}, {0.5, 0.5, 1}};
   const auto good = [&](std::array<std::uint32_t, 8> n) {
     const SolidQuality q = solid_quality(eight(n), x);
     return q.centre > 1e-3 && q.worst_corner > 1e-3;
   };
-  EXPECT_TRUE(good({0, 1, 2, 3, 3, 3, 3, 3}));   // tetrahedron
+  EXPECT_TRUE(good({0, 1, 2, 3, 3, 3, 3, 3}));  // tetrahedron
   EXPECT_FALSE(good({0, 2, 1, 3, 3, 3, 3, 3}));
-  EXPECT_TRUE(good({0, 1, 2, 2, 3, 4, 5, 5}));   // wedge with collapsed quads
+  EXPECT_TRUE(good({0, 1, 2, 2, 3, 4, 5, 5}));  // wedge with collapsed quads
   EXPECT_FALSE(good({3, 4, 5, 5, 0, 1, 2, 2}));
   EXPECT_TRUE(good({0, 1, 4, 3, 2, 2, 5, 5}) || good({3, 4, 1, 0, 5, 5, 2, 2}));  // wedge along the other axis, one way
-  EXPECT_TRUE(good({0, 1, 6, 2, 7, 7, 7, 7}));   // pyramid
+  EXPECT_TRUE(good({0, 1, 6, 2, 7, 7, 7, 7}));                                    // pyramid
   EXPECT_FALSE(good({2, 6, 1, 0, 7, 7, 7, 7}));
 }
 

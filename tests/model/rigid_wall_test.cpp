@@ -83,8 +83,8 @@ TEST(NodeReferences, FieldsOfKnownKeywordsAndRowsOfConstraints) {
   const Read read = read_text(nodes_text(9));
   Diagnostics diagnostics;
   const auto deck = keyword::read_deck_text(
-      "*BOUNDARY_SPC_NODE\n2,0,1\n*CONSTRAINED_JOINT_REVOLUTE_ID\n1,no number\n4,5\n*DEFINE_CURVE\n7\n7.,7.\n", "b.k", {},
-      diagnostics);
+      "*BOUNDARY_SPC_NODE\n2,0,1\n*CONSTRAINED_JOINT_REVOLUTE_ID\n1,no number\n4,5\n*DEFINE_CURVE\n7\n7.,7.\n", "b.k",
+      {}, diagnostics);
   ASSERT_TRUE(deck);
   const auto used = referenced_nodes(deck.value(), read.model, "");
   EXPECT_EQ(used[1], 1);
