@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "contact/ties.hpp"
+#include "contact/rigid_nodes.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -104,11 +104,11 @@ std::vector<std::uint8_t> joined(const model::Model& model, SurfaceStore& surfac
   join_elements(model.mesh.beams);
   join_elements(model.mesh.discrete);
   for (const model::RigidGroup& group : model.rigid_groups) joiner.join(group.nodes);
-  const std::vector<bool> rigid = rigid_nodes(model);
+  const RigidNodes rigid(model);
   const std::vector<Membership> memberships = tied_memberships(model, surfaces, contacts, joiner);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto [a, b] = pairs[i];
-    if ((rigid[a.value] && rigid[b.value]) || tied(memberships, a, b) || tied(memberships, b, a)) joiner.join_pair(i);
+    if ((rigid.owner(a) && rigid.owner(b)) || tied(memberships, a, b) || tied(memberships, b, a)) joiner.join_pair(i);
   }
   return joiner.take();
 }

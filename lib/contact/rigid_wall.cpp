@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "contact/element_nodes.hpp"
-#include "contact/ties.hpp"
+#include "contact/rigid_nodes.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -90,7 +90,7 @@ std::optional<WallPenetration> wall_penetration(const model::RigidWall& wall, co
 }
 
 WallNodes::WallNodes(const model::Model& model) : model_(model) {
-  if (model.controls.rwpnal == 0) rigid_ = rigid_nodes(model);
+  if (model.controls.rwpnal == 0) rigid_.emplace(model);
 }
 
 std::vector<NodeIndex> WallNodes::of(const model::RigidWall& wall) {
@@ -114,7 +114,7 @@ std::vector<NodeIndex> WallNodes::of(const model::RigidWall& wall) {
   const auto box = model_.boxes.find(wall.box);
   std::erase_if(nodes, [&](NodeIndex n) {
     const Vector& x = mesh.nodes.x[n.value];
-    if (!rigid_.empty() && rigid_[n.value]) return true;
+    if (rigid_ && rigid_->owner(n)) return true;
     if (box != model_.boxes.end() && !box->second.contains(x)) return true;
     if (wall.offset > 0 && !(std::abs((x - wall.tail).dot(wall.normal)) <= wall.offset)) return true;
     return std::binary_search(exempted.begin(), exempted.end(), n);

@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "contact/rigid_nodes.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::contact {
@@ -28,8 +29,8 @@ class WallNodes {
 
  private:
   const model::Model& model_;
-  std::vector<bool> rigid_;     ///< empty: rigid bodies count
-  std::vector<NodeIndex> all_;  ///< what walls without a set see; filled when the first one comes
+  std::optional<RigidNodes> rigid_;  ///< none: nodes of rigid bodies count
+  std::vector<NodeIndex> all_;       ///< what walls without a set see; filled when the first one comes
 };
 
 }  // namespace gapcheck::contact
