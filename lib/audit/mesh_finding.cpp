@@ -43,8 +43,9 @@ std::string segment_name(const contact::ContactMesh& mesh, std::size_t segment) 
   if (!has_element(mesh, segment)) return name;
   visit_elements(mesh.model().mesh, mesh.kind(segment), [&](const char* word, const auto& elements) {
     const std::int64_t id = elements.id[mesh.element(segment)];
-    name = mesh.kind(segment) == ElementKind::shell ? fmt::format("{} {}", word, id)
-                                                    : fmt::format("face {} of {} {}", corner_ids(mesh, segment), word, id);
+    name = mesh.kind(segment) == ElementKind::shell
+               ? fmt::format("{} {}", word, id)
+               : fmt::format("face {} of {} {}", corner_ids(mesh, segment), word, id);
   });
   return name;
 }

@@ -48,7 +48,8 @@ void for_each_cell(const Vector& x, double cell, double tolerance, const Visit& 
 }
 
 /// Entries of all nodes, those of further cells behind the first ones.
-std::vector<Entry> enter(std::span<const NodeIndex> nodes, const std::vector<Vector>& x, double cell, double tolerance) {
+std::vector<Entry> enter(std::span<const NodeIndex> nodes, const std::vector<Vector>& x, double cell,
+                         double tolerance) {
   std::vector<Entry> entries(nodes.size(), {0, none<NodeIndex>}), all_further;
   std::mutex mutex;
   parallel_for(nodes.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -70,7 +71,8 @@ std::vector<Entry> enter(std::span<const NodeIndex> nodes, const std::vector<Vec
 }
 
 /// Compares all nodes of one cell.
-void compare(std::span<Entry> cell, const std::vector<Vector>& x, double tolerance, std::vector<CoincidentNodes>& found) {
+void compare(std::span<Entry> cell, const std::vector<Vector>& x, double tolerance,
+             std::vector<CoincidentNodes>& found) {
   const double squared_tolerance = tolerance * tolerance;
   const auto near = [&](NodeIndex a, NodeIndex b) {
     return (x[a.value] - x[b.value]).squaredNorm() <= squared_tolerance || x[a.value] == x[b.value];
@@ -96,7 +98,9 @@ void compare(std::span<Entry> cell, const std::vector<Vector>& x, double toleran
 /// The entries in buckets by the upper bits of their keys. `start`: first entry of each bucket, and the end.
 std::vector<Entry> distribute(const std::vector<Entry>& entries, std::vector<std::uint32_t>& start) {
   const int bits = std::clamp(static_cast<int>(std::bit_width(entries.size())) - 2, 1, 24);
-  const auto bucket = [&](const Entry& e) { return static_cast<std::size_t>(e.key * 0xD6E8FEB86659FD93ULL >> (64 - bits)); };
+  const auto bucket = [&](const Entry& e) {
+    return static_cast<std::size_t>(e.key * 0xD6E8FEB86659FD93ULL >> (64 - bits));
+  };
   start.assign((std::size_t{1} << bits) + 2, 0);
   for (const Entry& e : entries)
     if (e.node != none<NodeIndex>) ++start[bucket(e) + 2];
@@ -123,7 +127,8 @@ std::vector<CoincidentNodes> coincident_nodes(std::span<const NodeIndex> nodes, 
     for (std::size_t b = begin; b < end; ++b) {
       const auto first = entries.begin() + start[b], last = entries.begin() + start[b + 1];
       if (last - first < 2) continue;
-      std::sort(first, last, [](const Entry& p, const Entry& q) { return std::tie(p.key, p.node) < std::tie(q.key, q.node); });
+      std::sort(first, last,
+                [](const Entry& p, const Entry& q) { return std::tie(p.key, p.node) < std::tie(q.key, q.node); });
       for (auto from = first; from != last;) {
         const auto to = std::find_if(from, last, [&](const Entry& e) { return e.key != from->key; });
         if (to - from > 1) compare({from, to}, x, tolerance, here);

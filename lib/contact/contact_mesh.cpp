@@ -30,9 +30,12 @@ class Seen {
         shells_[e] = 1;
         return is_first;
       }
-      case model::ElementKind::solid: return first_face(solids_, mesh_.solids, e, s.nodes[i]);
-      case model::ElementKind::thick_shell: return first_face(thick_shells_, mesh_.thick_shells, e, s.nodes[i]);
-      default: return others_.insert(segment_key(s.nodes[i])).second;
+      case model::ElementKind::solid:
+        return first_face(solids_, mesh_.solids, e, s.nodes[i]);
+      case model::ElementKind::thick_shell:
+        return first_face(thick_shells_, mesh_.thick_shells, e, s.nodes[i]);
+      default:
+        return others_.insert(segment_key(s.nodes[i])).second;
     }
   }
 

@@ -18,8 +18,8 @@ struct EdgeUse {
 inline constexpr std::size_t most_uses = 64;
 
 /// The mesh as contact sees it: the segments of all contacts, tied ones included, each once however many contacts have
-/// it. In the order of the contacts, their sides and segments. Beam axes are left out. What is costly is computed when it
-/// is first asked for; not for use from several threads while that may happen.
+/// it. In the order of the contacts, their sides and segments. Beam axes are left out. What is costly is computed when
+/// it is first asked for; not for use from several threads while that may happen.
 class ContactMesh {
  public:
   /// `contacts`: positions in Model::contacts. Model and surfaces must outlive it.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "contact/ties.hpp"
+#include "contact/rigid_nodes.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -85,7 +85,8 @@ std::vector<Membership> tied_memberships(const model::Model& model, SurfaceStore
 bool tied(const std::vector<Membership>& list, NodeIndex tracked, NodeIndex reference) {
   for (auto m = std::lower_bound(list.begin(), list.end(), Membership{tracked, 0, false});
        m != list.end() && m->node == tracked; ++m)
-    if (m->tracked && std::binary_search(list.begin(), list.end(), Membership{reference, m->contact, false})) return true;
+    if (m->tracked && std::binary_search(list.begin(), list.end(), Membership{reference, m->contact, false}))
+      return true;
   return false;
 }
 
@@ -103,11 +104,11 @@ std::vector<std::uint8_t> joined(const model::Model& model, SurfaceStore& surfac
   join_elements(model.mesh.beams);
   join_elements(model.mesh.discrete);
   for (const model::RigidGroup& group : model.rigid_groups) joiner.join(group.nodes);
-  const std::vector<bool> rigid = rigid_nodes(model);
+  const RigidNodes rigid(model);
   const std::vector<Membership> memberships = tied_memberships(model, surfaces, contacts, joiner);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto [a, b] = pairs[i];
-    if ((rigid[a.value] && rigid[b.value]) || tied(memberships, a, b) || tied(memberships, b, a)) joiner.join_pair(i);
+    if ((rigid.owner(a) && rigid.owner(b)) || tied(memberships, a, b) || tied(memberships, b, a)) joiner.join_pair(i);
   }
   return joiner.take();
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "contact/element_nodes.hpp"
-#include "contact/ties.hpp"
+#include "contact/rigid_nodes.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -19,8 +19,8 @@ struct Face {
 
 /// The face that the point is least deep below; one with a depth that is not positive means that it is outside.
 std::optional<WallPenetration> nearest_face(std::initializer_list<Face> faces, const Vector& x, double tolerance) {
-  const Face face = *std::min_element(faces.begin(), faces.end(),
-                                      [](const Face& a, const Face& b) { return a.depth < b.depth; });
+  const Face face =
+      *std::min_element(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.depth < b.depth; });
   if (!(face.depth > tolerance) || !std::isfinite(face.depth)) return std::nullopt;
   return WallPenetration{face.depth, x + face.depth * face.normal};
 }
@@ -59,7 +59,8 @@ std::optional<WallPenetration> in_round(const model::RigidWall& wall, const Vect
                                         double high, double tolerance) {
   const double distance = out.norm();
   Vector radial = distance > 0 ? Vector(out / distance) : Vector(wall.normal.unitOrthogonal());
-  if (!wall.interior) return nearest_face({{wall.radius - distance, radial}, {low, -wall.normal}, {high, wall.normal}}, x, tolerance);
+  if (!wall.interior)
+    return nearest_face({{wall.radius - distance, radial}, {low, -wall.normal}, {high, wall.normal}}, x, tolerance);
   // Kept inside: out through the mantle is what counts, the ends are open.
   if (low < 0 || high < 0) return std::nullopt;
   return nearest_face({{distance - wall.radius, -radial}}, x, tolerance);
@@ -72,43 +73,52 @@ std::optional<WallPenetration> wall_penetration(const model::RigidWall& wall, co
   const double tolerance = touching(wall, x);
   const Vector from_tail = x - wall.tail;
   switch (wall.shape) {
-    case Shape::plane: return in_plane_wall(wall, x, tolerance);
-    case Shape::prism: return in_prism(wall, x, tolerance);
+    case Shape::plane:
+      return in_plane_wall(wall, x, tolerance);
+    case Shape::prism:
+      return in_prism(wall, x, tolerance);
     case Shape::cylinder: {
       const double along = from_tail.dot(wall.normal);
       const bool finite = std::isfinite(wall.length_l);
       return in_round(wall, x, from_tail - along * wall.normal, finite ? along : INFINITY,
                       finite ? wall.length_l - along : INFINITY, tolerance);
     }
-    case Shape::sphere: return in_round(wall, x, from_tail, INFINITY, INFINITY, tolerance);
+    case Shape::sphere:
+      return in_round(wall, x, from_tail, INFINITY, INFINITY, tolerance);
   }
   return std::nullopt;
 }
 
-std::vector<NodeIndex> nodes_of_wall(const model::Model& model, const model::RigidWall& wall) {
-  std::vector<std::uint8_t> chosen;
+WallNodes::WallNodes(const model::Model& model) : model_(model) {
+  if (model.controls.rwpnal == 0) rigid_.emplace(model);
+}
+
+std::vector<NodeIndex> WallNodes::of(const model::RigidWall& wall) {
+  const model::Mesh& mesh = model_.mesh;
+  std::vector<NodeIndex> nodes, exempted;
   if (wall.node_set == 0) {
-    chosen = element_nodes(model.mesh);
-  } else {
-    chosen.resize(model.mesh.nodes.size());
-    if (const auto set = model.sets.nodes.find(wall.node_set); set != model.sets.nodes.end())
-      for (const NodeIndex n : set->second.members) chosen[n.value] = 1;
+    if (all_.empty()) {
+      const std::vector<std::uint8_t> used = element_nodes(mesh);
+      for (std::uint32_t n = 0; n < used.size(); ++n)
+        if (used[n] != 0) all_.emplace_back(n);
+    }
+    nodes = all_;
+  } else if (const auto set = model_.sets.nodes.find(wall.node_set); set != model_.sets.nodes.end()) {
+    nodes = set->second.members;
+    std::sort(nodes.begin(), nodes.end());
   }
-  if (const auto set = model.sets.nodes.find(wall.exempted_set); set != model.sets.nodes.end())
-    for (const NodeIndex n : set->second.members) chosen[n.value] = 0;
-  if (model.controls.rwpnal == 0) {
-    const std::vector<bool> rigid = rigid_nodes(model);
-    for (std::size_t n = 0; n < chosen.size(); ++n)
-      if (rigid[n]) chosen[n] = 0;
+  if (const auto set = model_.sets.nodes.find(wall.exempted_set); set != model_.sets.nodes.end()) {
+    exempted = set->second.members;
+    std::sort(exempted.begin(), exempted.end());
   }
-  const auto box = model.boxes.find(wall.box);
-  std::vector<NodeIndex> nodes;
-  for (std::uint32_t n = 0; n < chosen.size(); ++n) {
-    const Vector& x = model.mesh.nodes.x[n];
-    if (chosen[n] == 0 || (box != model.boxes.end() && !box->second.contains(x))) continue;
-    if (wall.offset > 0 && !(std::abs((x - wall.tail).dot(wall.normal)) <= wall.offset)) continue;
-    nodes.emplace_back(n);
-  }
+  const auto box = model_.boxes.find(wall.box);
+  std::erase_if(nodes, [&](NodeIndex n) {
+    const Vector& x = mesh.nodes.x[n.value];
+    if (rigid_ && rigid_->owner(n)) return true;
+    if (box != model_.boxes.end() && !box->second.contains(x)) return true;
+    if (wall.offset > 0 && !(std::abs((x - wall.tail).dot(wall.normal)) <= wall.offset)) return true;
+    return std::binary_search(exempted.begin(), exempted.end(), n);
+  });
   return nodes;
 }
 

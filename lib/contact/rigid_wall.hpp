@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "contact/rigid_nodes.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::contact {
@@ -17,8 +18,19 @@ struct WallPenetration {
 /// deep by the distance to the nearest of its faces that is not at infinity.
 [[nodiscard]] std::optional<WallPenetration> wall_penetration(const model::RigidWall& wall, const Vector& x);
 
-/// The nodes that a wall stops, ascending: those of its set (or all that an element uses), without exempted ones, those
-/// of rigid bodies (where RWPNAL = 0), those outside its box or offset.
-[[nodiscard]] std::vector<NodeIndex> nodes_of_wall(const model::Model& model, const model::RigidWall& wall);
+/// The nodes that rigid walls stop. What all walls share is computed once.
+class WallNodes {
+ public:
+  /// The model must outlive it.
+  explicit WallNodes(const model::Model& model);
+  /// Ascending: those of the wall's set (without a set: all that an element uses), without those of its exempted set,
+  /// those of rigid bodies (unless RWPNAL is set) and those outside its box or offset.
+  [[nodiscard]] std::vector<NodeIndex> of(const model::RigidWall& wall);
+
+ private:
+  const model::Model& model_;
+  std::optional<RigidNodes> rigid_;  ///< none: nodes of rigid bodies count
+  std::vector<NodeIndex> all_;       ///< what walls without a set see; filled when the first one comes
+};
 
 }  // namespace gapcheck::contact

@@ -16,7 +16,8 @@ constexpr double turned = 1e-6;
 SegmentFault numbering(const model::SegmentNodes& n) {
   int different = 1;
   for (std::size_t i = 1; i < 4; ++i)
-    if (std::find(n.begin(), n.begin() + static_cast<std::ptrdiff_t>(i), n[i]) == n.begin() + static_cast<std::ptrdiff_t>(i))
+    if (std::find(n.begin(), n.begin() + static_cast<std::ptrdiff_t>(i), n[i]) ==
+        n.begin() + static_cast<std::ptrdiff_t>(i))
       ++different;
   if (different < 3) return SegmentFault::few_nodes;
   return different == 3 && n[2] != n[3] ? SegmentFault::repeated_node : SegmentFault::none;
@@ -28,7 +29,8 @@ SegmentFault shape(const std::array<Vector, 4>& corner, double largest) {
   const Vector whole = corner[1] + corner[3];
   if (whole.norm() <= no_area * largest) return SegmentFault::crossed;
   const double limit = -turned * whole.squaredNorm();
-  const auto inward = std::count_if(corner.begin(), corner.end(), [&](const Vector& c) { return c.dot(whole) < limit; });
+  const auto inward =
+      std::count_if(corner.begin(), corner.end(), [&](const Vector& c) { return c.dot(whole) < limit; });
   return inward >= 2 ? SegmentFault::crossed : inward == 1 ? SegmentFault::folded : SegmentFault::none;
 }
 
@@ -62,7 +64,8 @@ SegmentQuality segment_quality(const model::SegmentNodes& n, const std::vector<V
   const double twice = triangle ? doubled_area : doubled_area / 2;
   quality.size = static_cast<float>(std::sqrt(twice));
   quality.slenderness = squared_longest > 0 ? static_cast<float>(twice / squared_longest) : 0;
-  if (n[0] == n[1] || n[1] == n[2] || n[0] == n[2] || n[0] == n[3] || n[1] == n[3] || triangle) quality.fault = numbering(n);
+  if (n[0] == n[1] || n[1] == n[2] || n[0] == n[2] || n[0] == n[3] || n[1] == n[3] || triangle)
+    quality.fault = numbering(n);
   if (quality.fault == SegmentFault::few_nodes) return quality;
   if (!(largest > no_area * squared_longest)) {
     quality.fault = SegmentFault::zero_area;

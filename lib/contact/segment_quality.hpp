@@ -38,11 +38,11 @@ struct EdgeRange {
 };
 [[nodiscard]] EdgeRange edge_range(const model::SegmentNodes& nodes, const std::vector<Vector>& x);
 
-/// Sizes of the parallelepipeds that an eight-node element's edges span, over the product of their lengths: 1 in a brick,
-/// negative where the element is turned inside out.
+/// Sizes of the parallelepipeds that an eight-node element's edges span, over the product of their lengths: 1 in a
+/// brick, negative where the element is turned inside out.
 struct SolidQuality {
-  double centre = 1;         ///< of the three lines through the centre
-  double worst_corner = 1;   ///< smallest of the corners; corners at collapsed edges are left out
+  double centre = 1;                   ///< of the three lines through the centre
+  double worst_corner = 1;             ///< smallest of the corners; corners at collapsed edges are left out
   NodeIndex corner = none<NodeIndex>;  ///< where that is; none if every corner is collapsed
 };
 

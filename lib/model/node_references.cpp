@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 
 #include "keyword/card.hpp"
 #include "model/cards.hpp"
@@ -11,16 +12,16 @@ namespace {
 
 /// Keywords that only say where things are, or that the model holds in another form.
 bool is_mesh(std::string_view name) {
-  constexpr std::array<std::string_view, 9> mesh{"NODE",          "ELEMENT_SHELL", "ELEMENT_SOLID",
-                                                 "ELEMENT_TSHELL", "ELEMENT_SPH",   "SET_",
-                                                 "CONTACT_",      "INITIAL_STRESS", "INITIAL_STRAIN"};
+  constexpr std::array<std::string_view, 9> mesh{"NODE",           "ELEMENT_SHELL",  "ELEMENT_SOLID",
+                                                 "ELEMENT_TSHELL", "ELEMENT_SPH",    "SET_",
+                                                 "CONTACT_",       "INITIAL_STRESS", "INITIAL_STRAIN"};
   return std::any_of(mesh.begin(), mesh.end(), [&](std::string_view family) { return name.starts_with(family); });
 }
 
 bool holds_nodes(IdKind kind) { return kind == IdKind::node || kind == IdKind::set; }
 
-/// The cards of a keyword that can hold nodes or node sets. Constraints and elements whose cards are not known are taken
-/// for rows of ids.
+/// The cards of a keyword that can hold nodes or node sets. Constraints and elements whose cards are not known are
+/// taken for rows of ids.
 std::vector<const CardLayout*> cards_with_nodes(std::string_view name) {
   static const CardLayout nodes = id_line(8, 10, IdKind::node), sets = id_line(8, 10, IdKind::set),
                           element = element_line(8);
@@ -57,7 +58,8 @@ class References {
       const std::int64_t id = card.integer(i);
       if (layout.fields[i].id == IdKind::node) {
         if (const auto node = model_.mesh.nodes.lookup.find(id)) used_[*node] = 1;
-      } else if (const auto set = model_.sets.nodes.find(id); set != model_.sets.nodes.end()) {
+      } else if (const auto set = model_.sets.nodes.find(id);
+                 set != model_.sets.nodes.end() && sets_.insert(id).second) {
         for (const NodeIndex node : set->second.members) used_[node.value] = 1;
       }
     }
@@ -66,6 +68,7 @@ class References {
   const keyword::Deck& deck_;
   const Model& model_;
   std::vector<std::uint8_t> used_;
+  std::unordered_set<std::int64_t> sets_;  ///< whose nodes are marked: many lines may name one set
 };
 
 }  // namespace

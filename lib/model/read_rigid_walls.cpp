@@ -110,8 +110,9 @@ bool read_wall(Context& context, const Block& block, CardReader& reader, const O
   if (directed) wall.normal = direction.normalized();
   const bool shaped = read_shape(reader, options, planar, wall);
   if ((directed || wall.shape == Shape::sphere) && shaped) return true;
-  context.error(wall.place, fmt::format("rigid wall {}: {}; the wall is left out", wall.id,
-                                        !shaped ? "its edge or radius makes no shape" : "its tail and head are one point"));
+  context.error(wall.place,
+                fmt::format("rigid wall {}: {}; the wall is left out", wall.id,
+                            !shaped ? "its edge or radius makes no shape" : "its tail and head are one point"));
   return false;
 }
 

@@ -18,10 +18,10 @@ struct RigidWall {
   };
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  std::int64_t id = 0;     ///< given, or the wall's place among the walls of the deck, from 1
-  std::string title;       ///< empty: none
+  std::int64_t id = 0;  ///< given, or the wall's place among the walls of the deck, from 1
+  std::string title;    ///< empty: none
   Shape shape = Shape::plane;
-  bool interior = false;   ///< cylinder, sphere: keeps its nodes inside
+  bool interior = false;  ///< cylinder, sphere: keeps its nodes inside
   Vector tail = Vector::Zero();
   Vector normal = Vector::UnitZ();  ///< unit length; of a plane or prism: away from the material
   Vector edge_l = Vector::UnitX(), edge_m = Vector::UnitY();  ///< unit length; only where a length is finite

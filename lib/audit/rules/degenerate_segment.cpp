@@ -10,11 +10,16 @@ using contact::SegmentFault;
 
 std::string_view what_is_wrong(SegmentFault fault) {
   switch (fault) {
-    case SegmentFault::none: break;
-    case SegmentFault::not_finite: return "has a corner without finite coordinates; correct the node or its transformation";
-    case SegmentFault::few_nodes: return "has fewer than three different nodes; delete it";
-    case SegmentFault::zero_area: return "has no area: its corners lie on one line; delete it or move its nodes";
-    case SegmentFault::crossed: return "crosses itself (bow-tie); write its nodes in the order of its outline";
+    case SegmentFault::none:
+      break;
+    case SegmentFault::not_finite:
+      return "has a corner without finite coordinates; correct the node or its transformation";
+    case SegmentFault::few_nodes:
+      return "has fewer than three different nodes; delete it";
+    case SegmentFault::zero_area:
+      return "has no area: its corners lie on one line; delete it or move its nodes";
+    case SegmentFault::crossed:
+      return "crosses itself (bow-tie); write its nodes in the order of its outline";
     case SegmentFault::folded:
       return "is an arrowhead: one corner turns inward by more than 180 degrees; split it into triangles";
     case SegmentFault::repeated_node:
@@ -58,8 +63,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule degenerate_segment{{"GC505", "degenerate-segment", Severity::error,
-                               "a segment in contact has no area, crosses itself or is folded"},
-                              run};
+const Rule degenerate_segment{
+    {"GC505", "degenerate-segment", Severity::error, "a segment in contact has no area, crosses itself or is folded"},
+    run};
 
 }  // namespace gapcheck::audit

@@ -59,7 +59,8 @@ Corners corners_of(const contact::ContactMesh& mesh, const std::vector<contact::
 
 class Search {
  public:
-  Search(const RuleInfo& rule, Context& context, contact::ContactMesh& mesh) : rule_(rule), context_(context), mesh_(mesh) {}
+  Search(const RuleInfo& rule, Context& context, contact::ContactMesh& mesh)
+      : rule_(rule), context_(context), mesh_(mesh) {}
 
   void run(Report& report) {
     pairs_ = contact::coincident_nodes(mesh_.corners(), x(), same_place * usual_edge(mesh_));
@@ -91,8 +92,8 @@ class Search {
     return (x()[pair.second.value] - x()[pair.first.value]).norm();
   }
 
-  /// Bodies of solids that touch often have matching meshes: that is what contact is for. Within a part, or where a shell
-  /// is involved, nodes at one place are a crack.
+  /// Bodies of solids that touch often have matching meshes: that is what contact is for. Within a part, or where a
+  /// shell is involved, nodes at one place are a crack.
   [[nodiscard]] bool suspicious(const contact::CoincidentNodes& pair) const {
     const Corner &a = corners_.at(pair.first.value), &b = corners_.at(pair.second.value);
     if (a.part != b.part && !a.shell && !b.shell) return false;
@@ -108,11 +109,12 @@ class Search {
 
   [[nodiscard]] Finding one(const contact::CoincidentNodes& pair) const {
     const double apart = distance(pair);
-    Finding f = node_finding(rule_, context_, pair.second,
-                             fmt::format("nodes {} and {} of {} are {}, and nothing joins them: a crack in the mesh; merge "
-                                         "them or tie the parts",
-                                         id(pair.first), id(pair.second), where(pair),
-                                         apart == 0 ? "at the same place" : fmt::format("{:.3g} apart", apart)));
+    Finding f =
+        node_finding(rule_, context_, pair.second,
+                     fmt::format("nodes {} and {} of {} are {}, and nothing joins them: a crack in the mesh; merge "
+                                 "them or tie the parts",
+                                 id(pair.first), id(pair.second), where(pair),
+                                 apart == 0 ? "at the same place" : fmt::format("{:.3g} apart", apart)));
     f.part = part_id(pair.second);
     f.element_part = part_id(pair.first);
     return f;
@@ -120,7 +122,8 @@ class Search {
 
   [[nodiscard]] Finding rest(const contact::CoincidentNodes& pair, std::uint64_t count) const {
     Finding f = one(pair);
-    f.message = fmt::format("{} more pairs of nodes of {} are at the same place, and nothing joins them", count, where(pair));
+    f.message =
+        fmt::format("{} more pairs of nodes of {} are at the same place, and nothing joins them", count, where(pair));
     f.node = 0;
     f.point.reset();
     return f;

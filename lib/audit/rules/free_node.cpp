@@ -16,7 +16,8 @@ void report_tracked(const RuleInfo& rule, Context& context, Report& report, cons
   std::vector<Found> found;
   for (const std::uint32_t c : context.contacts()) {
     const model::Contact& contact = model.contacts[c];
-    if (!contact.known || contact.own_layout || contact::classify(contact).treatment == contact::Treatment::none) continue;
+    if (!contact.known || contact.own_layout || contact::classify(contact).treatment == contact::Treatment::none)
+      continue;
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
     for (const NodeIndex n : surfaces.a.selection.nodes)
       if (used[n.value] == 0) found.push_back({c, 0, n.value});
@@ -29,18 +30,20 @@ void report_tracked(const RuleInfo& rule, Context& context, Report& report, cons
       [&](const Found& f) {
         const NodeIndex node{static_cast<std::uint32_t>(f.item)};
         const std::int64_t contact = model.contacts[static_cast<std::size_t>(f.group)].id.value;
-        Finding at = node_finding(rule, context, node,
-                                  fmt::format("node {} is tracked by contact {} but belongs to no element: it has no mass, and "
-                                              "contact cannot act on it; take it out of the node set",
-                                              model.mesh.nodes.id[node.value], contact));
+        Finding at =
+            node_finding(rule, context, node,
+                         fmt::format("node {} is tracked by contact {} but belongs to no element: it has no mass, and "
+                                     "contact cannot act on it; take it out of the node set",
+                                     model.mesh.nodes.id[node.value], contact));
         at.contact = contact;
         at.severity = Severity::warning;
         return at;
       },
       [&](const Found& f, std::uint64_t count) {
         const model::Contact& contact = model.contacts[static_cast<std::size_t>(f.group)];
-        Finding at = finding_at(rule, context, contact,
-                                fmt::format("{} more tracked nodes of contact {} belong to no element", count, contact.id.value));
+        Finding at = finding_at(
+            rule, context, contact,
+            fmt::format("{} more tracked nodes of contact {} belong to no element", count, contact.id.value));
         at.severity = Severity::warning;
         return at;
       });
@@ -62,10 +65,10 @@ void report_unused(const RuleInfo& rule, Context& context, Report& report, std::
     if (used[n] == 0 && referenced[n] == 0 && count++ == 0) first = n;
   if (count == 0) return;
   const std::int64_t id = model.mesh.nodes.id[first];
-  Finding at = node_finding(rule, context, NodeIndex{first},
-                            count == 1 ? fmt::format("node {} belongs to no element and no set; delete it", id)
-                                       : fmt::format("{} nodes belong to no element and no set, the first is {}; delete them",
-                                                     count, id));
+  Finding at = node_finding(
+      rule, context, NodeIndex{first},
+      count == 1 ? fmt::format("node {} belongs to no element and no set; delete it", id)
+                 : fmt::format("{} nodes belong to no element and no set, the first is {}; delete them", count, id));
   at.count = count;
   report.findings.push_back(std::move(at));
 }

@@ -63,12 +63,15 @@ void check(const RuleInfo& rule, Context& context, Report& report, const contact
         const std::int64_t id = elements.id[mesh.element(face)];
         const std::string message =
             q.centre <= flat
-                ? fmt::format("{} {}{} is turned inside out or has no volume (scaled Jacobian {:.3g} in its middle); correct the "
-                              "order of its nodes",
-                              word, id, of_part(mesh, face), q.centre)
-                : fmt::format("{} {}{} is turned inside out at node {} (scaled Jacobian {:.3g}, {:.3g} in its middle); move "
-                              "the node",
-                              word, id, of_part(mesh, face), model.mesh.nodes.id[q.corner.value], q.worst_corner, q.centre);
+                ? fmt::format(
+                      "{} {}{} is turned inside out or has no volume (scaled Jacobian {:.3g} in its middle); correct "
+                      "the "
+                      "order of its nodes",
+                      word, id, of_part(mesh, face), q.centre)
+                : fmt::format(
+                      "{} {}{} is turned inside out at node {} (scaled Jacobian {:.3g}, {:.3g} in its middle); move "
+                      "the node",
+                      word, id, of_part(mesh, face), model.mesh.nodes.id[q.corner.value], q.worst_corner, q.centre);
         Finding finding = segment_finding(rule, context, mesh, face, message);
         if (!(q.centre <= flat)) finding.node = model.mesh.nodes.id[q.corner.value];
         return at(f, std::move(finding));
@@ -76,8 +79,8 @@ void check(const RuleInfo& rule, Context& context, Report& report, const contact
       [&](const Found& f, std::uint64_t count) {
         const std::size_t face = faces[f.item];
         return at(f, segments_finding(rule, context, mesh, face,
-                                      fmt::format("{} more {}s{} are turned inside out{}", count, word, of_part(mesh, face),
-                                                  f.group % 2 != 0 ? " at a corner" : "")));
+                                      fmt::format("{} more {}s{} are turned inside out{}", count, word,
+                                                  of_part(mesh, face), f.group % 2 != 0 ? " at a corner" : "")));
       });
 }
 

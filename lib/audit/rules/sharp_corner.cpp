@@ -47,35 +47,38 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   const auto& quality = mesh->quality();
   mesh->build_edges();
   const double limit = std::cos(least_angle * std::numbers::pi / 180);
-  std::vector<Found> found = find_all(context.model().mesh.nodes.size(), [&](std::size_t node, std::vector<Found>& list) {
-    const auto uses = mesh->edges_at(node);
-    const NodeIndex a{static_cast<std::uint32_t>(node)};
-    for (std::size_t k = 0; k < uses.size(); ++k)
-      for (std::size_t m = k + 1; m < std::min(uses.size(), k + contact::most_uses); ++m) {
-        if (uses[k].other != uses[m].other) continue;
-        const std::size_t i = uses[k].segment, j = uses[m].segment;
-        if (quality[i].fault != contact::SegmentFault::none || quality[j].fault != contact::SegmentFault::none) continue;
-        const double cosine = cosine_at_edge(*mesh, i, j, a, uses[k].other);
-        if (!(cosine > limit) || same_corners(mesh->nodes(i), mesh->nodes(j))) continue;
-        const PartIndex p = mesh->part(i), q = mesh->part(j);
-        if (context.part_chosen(p) || context.part_chosen(q))
-          list.push_back({part_pair_group(p, q), cosine, static_cast<std::uint64_t>(i) << 32 | j});
-      }
-  });
+  std::vector<Found> found =
+      find_all(context.model().mesh.nodes.size(), [&](std::size_t node, std::vector<Found>& list) {
+        const auto uses = mesh->edges_at(node);
+        const NodeIndex a{static_cast<std::uint32_t>(node)};
+        for (std::size_t k = 0; k < uses.size(); ++k)
+          for (std::size_t m = k + 1; m < std::min(uses.size(), k + contact::most_uses); ++m) {
+            if (uses[k].other != uses[m].other) continue;
+            const std::size_t i = uses[k].segment, j = uses[m].segment;
+            if (quality[i].fault != contact::SegmentFault::none || quality[j].fault != contact::SegmentFault::none)
+              continue;
+            const double cosine = cosine_at_edge(*mesh, i, j, a, uses[k].other);
+            if (!(cosine > limit) || same_corners(mesh->nodes(i), mesh->nodes(j))) continue;
+            const PartIndex p = mesh->part(i), q = mesh->part(j);
+            if (context.part_chosen(p) || context.part_chosen(q))
+              list.push_back({part_pair_group(p, q), cosine, static_cast<std::uint64_t>(i) << 32 | j});
+          }
+      });
   add_grouped(
       report, std::move(found),
       [&](const Found& f) {
         const std::size_t i = f.item >> 32, j = f.item & 0xFFFFFFFFU;
-        return segment_finding(rule, context, *mesh, i,
-                               fmt::format("{}{} and {}{} meet at {:.1f} degrees (below {}): contact finds no clear side in "
-                                           "so sharp a corner; round it with a row of elements",
-                                           segment_name(*mesh, i), of_part(*mesh, i), segment_name(*mesh, j),
-                                           of_part(*mesh, j), degrees(f.weight), least_angle));
+        return segment_finding(
+            rule, context, *mesh, i,
+            fmt::format("{}{} and {}{} meet at {:.1f} degrees (below {}): contact finds no clear side in "
+                        "so sharp a corner; round it with a row of elements",
+                        segment_name(*mesh, i), of_part(*mesh, i), segment_name(*mesh, j), of_part(*mesh, j),
+                        degrees(f.weight), least_angle));
       },
       [&](const Found& f, std::uint64_t count) {
         return segments_finding(rule, context, *mesh, f.item >> 32,
-                                fmt::format("{} more pairs of segments{} meet at less than {} degrees, down to {:.1f}", count,
-                                            of_part(*mesh, f.item >> 32), least_angle, degrees(f.weight)));
+                                fmt::format("{} more pairs of segments{} meet at less than {} degrees, down to {:.1f}",
+                                            count, of_part(*mesh, f.item >> 32), least_angle, degrees(f.weight)));
       });
 }
 

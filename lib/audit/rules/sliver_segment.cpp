@@ -16,24 +16,28 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
     const contact::SegmentQuality& q = quality[i];
     if (q.fault != contact::SegmentFault::none || !(q.slenderness < least_slenderness)) return;
-    if (context.part_chosen(mesh->part(i))) list.push_back({part_group(*mesh, i), -static_cast<double>(q.slenderness), i});
+    if (context.part_chosen(mesh->part(i)))
+      list.push_back({part_group(*mesh, i), -static_cast<double>(q.slenderness), i});
   });
-  const auto edge = [&](std::size_t i) { return contact::edge_range(mesh->nodes(i), context.model().mesh.nodes.x).longest; };
+  const auto edge = [&](std::size_t i) {
+    return contact::edge_range(mesh->nodes(i), context.model().mesh.nodes.x).longest;
+  };
   add_grouped(
       report, std::move(found),
       [&](const Found& f) {
         const double longest = edge(f.item);
-        return segment_finding(rule, context, *mesh, f.item,
-                               fmt::format("{}{} is a sliver: {:.3g} high and {:.3g} long, a ratio of {:.3g} (below {}); "
-                                           "collapse or remesh it",
-                                           segment_name(*mesh, f.item), of_part(*mesh, f.item),
-                                           quality[f.item].slenderness * longest, longest, quality[f.item].slenderness,
-                                           least_slenderness));
+        return segment_finding(
+            rule, context, *mesh, f.item,
+            fmt::format("{}{} is a sliver: {:.3g} high and {:.3g} long, a ratio of {:.3g} (below {}); "
+                        "collapse or remesh it",
+                        segment_name(*mesh, f.item), of_part(*mesh, f.item), quality[f.item].slenderness * longest,
+                        longest, quality[f.item].slenderness, least_slenderness));
       },
       [&](const Found& f, std::uint64_t count) {
-        return segments_finding(rule, context, *mesh, f.item,
-                                fmt::format("{} more segments{} are slivers, down to a ratio of {:.3g} (below {})", count,
-                                            of_part(*mesh, f.item), quality[f.item].slenderness, least_slenderness));
+        return segments_finding(
+            rule, context, *mesh, f.item,
+            fmt::format("{} more segments{} are slivers, down to a ratio of {:.3g} (below {})", count,
+                        of_part(*mesh, f.item), quality[f.item].slenderness, least_slenderness));
       });
 }
 

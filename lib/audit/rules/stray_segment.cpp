@@ -18,10 +18,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   add_grouped(
       report, std::move(found),
       [&](const Found& f) {
-        Finding at = segment_finding(rule, context, *mesh, f.item,
-                                     fmt::format("{} is no face of any element: it has no material and no thickness, so "
-                                                 "contact gives it no stiffness; make the set from the elements' faces anew",
-                                                 segment_name(*mesh, f.item)));
+        Finding at =
+            segment_finding(rule, context, *mesh, f.item,
+                            fmt::format("{} is no face of any element: it has no material and no thickness, so "
+                                        "contact gives it no stiffness; make the set from the elements' faces anew",
+                                        segment_name(*mesh, f.item)));
         at.node = context.model().mesh.nodes.id[mesh->nodes(f.item)[0].value];
         return at;
       },

@@ -21,21 +21,24 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
     const contact::SegmentQuality& q = quality[i];
     if (q.fault != contact::SegmentFault::none || !(q.warp_cosine < limit)) return;
-    if (context.part_chosen(mesh->part(i))) list.push_back({part_group(*mesh, i), -static_cast<double>(q.warp_cosine), i});
+    if (context.part_chosen(mesh->part(i)))
+      list.push_back({part_group(*mesh, i), -static_cast<double>(q.warp_cosine), i});
   });
   add_grouped(
       report, std::move(found),
       [&](const Found& f) {
-        return segment_finding(rule, context, *mesh, f.item,
-                               fmt::format("{}{} is warped by {:.1f} degrees; more than {} leave open on which side of it a node "
-                                           "is: split it into triangles or remesh",
-                                           segment_name(*mesh, f.item), of_part(*mesh, f.item),
-                                           contact::warp_degrees(quality[f.item]), largest_warp));
+        return segment_finding(
+            rule, context, *mesh, f.item,
+            fmt::format("{}{} is warped by {:.1f} degrees; more than {} leave open on which side of it a node "
+                        "is: split it into triangles or remesh",
+                        segment_name(*mesh, f.item), of_part(*mesh, f.item), contact::warp_degrees(quality[f.item]),
+                        largest_warp));
       },
       [&](const Found& f, std::uint64_t count) {
-        return segments_finding(rule, context, *mesh, f.item,
-                                fmt::format("{} more segments{} are warped by more than {} degrees, up to {:.1f}", count,
-                                            of_part(*mesh, f.item), largest_warp, contact::warp_degrees(quality[f.item])));
+        return segments_finding(
+            rule, context, *mesh, f.item,
+            fmt::format("{} more segments{} are warped by more than {} degrees, up to {:.1f}", count,
+                        of_part(*mesh, f.item), largest_warp, contact::warp_degrees(quality[f.item])));
       });
 }
 

@@ -43,7 +43,10 @@ TEST(DuplicateNodes, NotWhereSomethingJoinsThem) {
 
 TEST(DuplicateNodes, BodiesOfSolidsMayTouch) {
   RuleDeck apart, broken;
-  apart.solid_part(1).solid_part(2).block(1, 1, 1, 1, 1, {0, 0, 0}, {5, 5, 5}).block(101, 2, 1, 1, 1, {5, 0, 0}, {5, 5, 5});
+  apart.solid_part(1)
+      .solid_part(2)
+      .block(1, 1, 1, 1, 1, {0, 0, 0}, {5, 5, 5})
+      .block(101, 2, 1, 1, 1, {5, 0, 0}, {5, 5, 5});
   EXPECT_EQ(listed(run_rule("GC507", apart.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 0U);
   broken.solid_part(1).block(1, 1, 1, 1, 1, {0, 0, 0}, {5, 5, 5}).block(101, 1, 1, 1, 1, {5, 0, 0}, {5, 5, 5});
   EXPECT_EQ(listed(run_rule("GC507", broken.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 4U);

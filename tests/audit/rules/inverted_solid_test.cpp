@@ -17,8 +17,9 @@ TEST(InvertedSolid, WholeElement) {
   ASSERT_EQ(listed(report), 1U);
   EXPECT_EQ(report.findings[0].severity, Severity::error);
   EXPECT_EQ(report.findings[0].element, 9);
-  EXPECT_NE(report.findings[0].message.find("solid 9 of part 1 is turned inside out or has no volume (scaled Jacobian -1 in"),
-            std::string::npos)
+  EXPECT_NE(
+      report.findings[0].message.find("solid 9 of part 1 is turned inside out or has no volume (scaled Jacobian -1 in"),
+      std::string::npos)
       << report.findings[0].message;
   EXPECT_EQ(listed(run_rule("GC510", brick(1))), 0U);
 }

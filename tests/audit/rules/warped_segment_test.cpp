@@ -40,7 +40,10 @@ TEST(WarpedSegment, TenInFullAndTheRestCounted) {
   deck.shell_part(1, 1);
   for (int i = 0; i < 13; ++i) {
     const std::int64_t n = 10 * (i + 1);
-    deck.node(n, {0, 0, 9.0 * i}).node(n + 1, {10, 0, 9.0 * i}).node(n + 2, {10, 10, 9.0 * i + 4}).node(n + 3, {0, 10, 9.0 * i});
+    deck.node(n, {0, 0, 9.0 * i})
+        .node(n + 1, {10, 0, 9.0 * i})
+        .node(n + 2, {10, 10, 9.0 * i + 4})
+        .node(n + 3, {0, 10, 9.0 * i});
     deck.shell(n, 1, {n, n + 1, n + 2, n + 3});
   }
   const Report report = run_rule("GC504", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"));
@@ -52,7 +55,12 @@ TEST(WarpedSegment, TenInFullAndTheRestCounted) {
 
 TEST(WarpedSegment, NeedsAContact) {
   RuleDeck deck;
-  deck.shell_part(1, 1).node(1, {0, 0, 0}).node(2, {10, 0, 0}).node(3, {10, 10, 4}).node(4, {0, 10, 0}).shell(7, 1, {1, 2, 3, 4});
+  deck.shell_part(1, 1)
+      .node(1, {0, 0, 0})
+      .node(2, {10, 0, 0})
+      .node(3, {10, 10, 4})
+      .node(4, {0, 10, 0})
+      .shell(7, 1, {1, 2, 3, 4});
   const Report report = run_rule("GC504", deck);
   EXPECT_EQ(listed(report), 0U);
   EXPECT_NE(std::find(report.statistics.begin(), report.statistics.end(),
