@@ -71,7 +71,11 @@ void read_times(const Card& card2, double time_factor, Contact& contact) {
 bool read_mandatory(Context& context, CardReader& reader, const ContactName& name, Contact& contact) {
   const Block& block = reader.block();
   contact.cards.any = has_card(reader, contact, "card 1 (SURFA, SURFB)");
-  if (!contact.cards.any) return false;
+  if (!contact.cards.any) {
+    context.error(contact.place,
+                  fmt::format("*{} ends before {}; add the card", contact.written, contact.cards.missing));
+    return false;
+  }
   const Card card1 = reader.next(layout("card1"));
   contact.a = read_surface(context, block, card1, "surfa", "surfatyp", "saboxid");
   contact.b = read_surface(context, block, card1, "surfb", "surfbtyp", "sbboxid");

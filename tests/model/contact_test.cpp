@@ -177,7 +177,8 @@ TEST(Contacts, MissingCards) {
   EXPECT_EQ(only(thermal).cards.missing, "the THERMAL card");
   const Read transducer = read_text("*CONTACT_FORCE_TRANSDUCER_PENALTY\n0,0,5\n");
   EXPECT_EQ(only(transducer).cards.missing, "");
-  for (const Read* read : {&none, &one, &two, &type, &transducer}) EXPECT_EQ(read->text(), "");
+  EXPECT_EQ(none.errors(), 1u) << none.text();
+  for (const Read* read : {&one, &two, &type, &transducer}) EXPECT_EQ(read->text(), "");
 }
 
 TEST(Contacts, ALineInThePlaceOfCard4) {

@@ -8,7 +8,7 @@ namespace {
 
 void run(const RuleInfo& rule, Context& context, Report& report) {
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.contacts()) {
+  for (const std::uint32_t i : context.read_contacts()) {
     const model::Contact& contact = context.model().contacts[i];
     const model::CardLines& cards = contact.cards;
     if (!cards.missing.empty()) {

@@ -24,7 +24,6 @@ void expect_missing(const std::string& keyword, const std::string& lines, const 
 }
 
 TEST(MissingCard, Cards1To3) {
-  expect_missing("AUTOMATIC_SINGLE_SURFACE", "", "card 1");
   expect_missing("AUTOMATIC_SINGLE_SURFACE", "0,0,5,0\n", "card 2");
   expect_missing("AUTOMATIC_SINGLE_SURFACE", "0,0,5,0\n0.\n", "card 3");
   expect_missing("AUTOMATIC_SINGLE_SURFACE_MPP_ID", "1,name\n1\n0,0,5,0\n0.\n", "card 3");
@@ -32,10 +31,14 @@ TEST(MissingCard, Cards1To3) {
   EXPECT_TRUE(messages("FORCE_TRANSDUCER_PENALTY", "1,0,3,0\n").empty());
 }
 
-TEST(MissingCard, AContactWithoutCard1IsNotSearched) {
-  const Report report = run_rule("GC101", plate().raw("CONTACT_AUTOMATIC_SINGLE_SURFACE"));
-  ASSERT_EQ(report.contacts.size(), 1U);
-  EXPECT_NE(report.contacts[0].not_checked, "");
+TEST(MissingCard, WithoutCard1TheInputIsInError) {
+  audit::AuditOptions options;
+  options.select = {"GC401"};
+  const AuditRun run = run_text(plate().raw("CONTACT_AUTOMATIC_SINGLE_SURFACE").text(), options);
+  EXPECT_EQ(run.errors(), 1U);
+  EXPECT_TRUE(run.report.findings.empty());
+  ASSERT_EQ(run.report.contacts.size(), 1U);
+  EXPECT_NE(run.report.contacts[0].not_checked, "");
 }
 
 TEST(MissingCard, Card4OfTheType) {
