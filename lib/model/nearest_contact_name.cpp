@@ -12,8 +12,8 @@ namespace {
 using Words = std::vector<std::string_view>;
 
 constexpr std::size_t longest_name = 100;
-/// Names that differ by as much as two words have nothing in common.
-constexpr double too_far = 2;
+/// Names that differ by as much as a word and a half have nothing in common.
+constexpr double too_far = 1.5;
 /// A wrong letter against a wrong word, and a wrong order of words.
 constexpr double letter_cost = 0.25, order_cost = 0.5;
 
