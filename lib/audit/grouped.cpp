@@ -1,5 +1,6 @@
 #include "audit/grouped.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -25,6 +26,16 @@ void add_grouped(Report& report, std::vector<Found> found, const std::function<F
     }
     first = end;
   }
+}
+
+void add_first(Report& report, std::vector<Finding> found, std::string_view what) {
+  const std::size_t shown = std::min(found.size(), found_in_full), more = found.size() - shown;
+  for (std::size_t i = 0; i < shown; ++i) report.findings.push_back(std::move(found[i]));
+  if (more == 0) return;
+  Finding rest = std::move(found[shown]);
+  rest.message = fmt::format("{} {}, the first of them contact {}", more, what, rest.contact);
+  rest.count = more;
+  report.findings.push_back(std::move(rest));
 }
 
 }  // namespace gapcheck::audit

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "records/report.hpp"
@@ -22,5 +23,9 @@ inline constexpr std::size_t found_in_full = 10;
 /// one that stands for `count` more, whose `count` is filled in here.
 void add_grouped(Report& report, std::vector<Found> found, const std::function<Finding(const Found&)>& words,
                  const std::function<Finding(const Found&, std::uint64_t)>& rest);
+
+/// Adds the first findings of a rule in full and one finding for the rest, if there is a rest: for rules that can fire
+/// for every contact of a deck. `what` names the rest: "more tied contacts have friction values".
+void add_first(Report& report, std::vector<Finding> found, std::string_view what);
 
 }  // namespace gapcheck::audit

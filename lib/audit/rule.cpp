@@ -28,6 +28,15 @@ std::vector<std::uint32_t> Context::contacts() const {
   return chosen;
 }
 
+std::vector<std::uint32_t> Context::read_contacts() const {
+  std::vector<std::uint32_t> chosen = contacts();
+  std::erase_if(chosen, [&](std::uint32_t i) {
+    const model::Contact& contact = model_.contacts[i];
+    return !contact.known || contact.own_layout || !contact.cards.any;
+  });
+  return chosen;
+}
+
 bool Context::part_chosen(PartIndex part) const {
   const auto& ids = options_.parts;
   if (ids.empty()) return true;

@@ -26,6 +26,8 @@ class Context {
   [[nodiscard]] const std::string& path(FileIndex file) const;
   /// Positions in Model::contacts that --contact lets through, ascending.
   [[nodiscard]] std::vector<std::uint32_t> contacts() const;
+  /// Those of contacts() that have the cards of a 3D contact, card 1 at least.
+  [[nodiscard]] std::vector<std::uint32_t> read_contacts() const;
   /// True if --part lets the part through.
   [[nodiscard]] bool part_chosen(PartIndex part) const;
   /// The surfaces of a contact (position in Model::contacts) on the deck's coordinates; kept once built.

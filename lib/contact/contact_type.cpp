@@ -75,12 +75,6 @@ bool take(std::string& name, std::string_view token) {
   return true;
 }
 
-bool has_soft_2(std::string_view code) {
-  for (const std::string_view c : {"3", "a3", "4", "13", "a13", "14", "15", "10", "a10"})
-    if (c == code) return true;
-  return false;
-}
-
 /// *CONTACT_AUTOMATIC_..._TIEBREAK ties like types 8 and 9 before it works as its base type.
 void make_tiebreak(ContactType& type) {
   type.family = Family::tied;
@@ -118,6 +112,11 @@ ContactType classify(const model::Contact& contact) {
     type.not_checked = "*" + contact.keyword + " is not a contact between segments of shells and solids";
     return type;
   }
+  if (!contact.cards.any) {
+    type.code = "?";
+    type.not_checked = "*" + contact.keyword + " ends before its first card";
+    return type;
+  }
   std::string name = contact.keyword.starts_with("CONTACT_") ? contact.keyword.substr(8) : contact.keyword;
   const bool mortar = take(name, "_MORTAR");
   const bool tiebreak = take(name, "_TIEBREAK_USER") || take(name, "_TIEBREAK_DAMPING") || take(name, "_TIEBREAK");
@@ -139,15 +138,21 @@ ContactType classify(const model::Contact& contact) {
     type.interior_edges = row.code == "i26";
     const bool ties = tiebreak || tied_weld || row.family == tied;
     if (row.treatment != none && row.family != other && !ties)
-      type.pairing = mortar                                       ? Pairing::mortar
-                     : contact.soft == 2 && has_soft_2(type.code) ? Pairing::segments
-                                                                  : Pairing::nodes;
+      type.pairing = mortar                                  ? Pairing::mortar
+                     : contact.soft == 2 && has_soft_2(type) ? Pairing::segments
+                                                             : Pairing::nodes;
     type.not_checked = reason(type, ties);
     return type;
   }
   type.code = "?";
   type.not_checked = "*" + contact.keyword + " is none of the contact types whose rules are known";
   return type;
+}
+
+bool has_soft_2(const ContactType& type) {
+  for (const std::string_view code : {"3", "a3", "4", "13", "a13", "14", "15", "10", "a10"})
+    if (type.code == code) return true;
+  return false;
 }
 
 ContactSettings settings(const model::Contact& contact, const ContactType& type, const model::Controls& controls) {

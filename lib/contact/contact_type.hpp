@@ -38,6 +38,9 @@ struct ContactType {
 /// Type of a contact definition. SOFT = 2 counts only for types that have it; the solver switches others to SOFT = 1.
 [[nodiscard]] ContactType classify(const model::Contact& contact);
 
+/// True for the types that have the segment-based contact of SOFT = 2; for others the solver takes SOFT = 1.
+[[nodiscard]] bool has_soft_2(const ContactType& type);
+
 /// The values that decide, after contact card, MPP card and *CONTROL_CONTACT have been merged.
 struct ContactSettings {
   std::int64_t ignore = 0;  ///< first that is not zero: MPP card, card C, *CONTROL_CONTACT

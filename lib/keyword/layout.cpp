@@ -168,6 +168,13 @@ const KeywordLayout* find_layout(std::string_view keyword) {
   return found == table().end() ? nullptr : &found->second;
 }
 
+std::vector<std::string_view> layout_names(std::string_view prefix) {
+  std::vector<std::string_view> names;
+  for (auto entry = table().lower_bound(prefix); entry != table().end() && entry->first.starts_with(prefix); ++entry)
+    names.push_back(entry->first);
+  return names;
+}
+
 const CardLayout& card_layout(std::string_view keyword, std::string_view card) {
   const KeywordLayout* layout = find_layout(keyword);
   const CardLayout* found = layout == nullptr ? nullptr : layout->card(card);

@@ -40,6 +40,9 @@ struct KeywordLayout {
 /// Exact name only; nullptr if the keyword is not known.
 [[nodiscard]] const KeywordLayout* find_layout(std::string_view keyword);
 
+/// The names in the table that begin with `prefix`, ascending.
+[[nodiscard]] std::vector<std::string_view> layout_names(std::string_view prefix);
+
 /// The layout that the program relies on: keyword and card must be in the table (a test checks all uses).
 [[nodiscard]] const CardLayout& card_layout(std::string_view keyword, std::string_view card);
 

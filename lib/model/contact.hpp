@@ -28,6 +28,19 @@ struct SurfaceInput {
   bool given = false;     ///< false: both id and type are blank
 };
 
+/// DT of contacts whose BT is the number of a curve of birth and death times.
+inline constexpr double curve_of_times = -9999;
+
+/// Where the lines of a contact's block do not fit its cards.
+struct CardLines {
+  bool any = true;            ///< false: the block ends before card 1, so that the contact has no surfaces
+  std::string missing;        ///< first mandatory card that the block ends before: "card 4 (ISYM, EROSOP, IADJ)"
+  std::uint32_t misread = 0;  ///< line in the place of the type's own card that cannot be this card; 0: none
+  std::string expected;       ///< then: that card
+  std::uint32_t surplus = 0;  ///< lines behind the last card that hold something
+  std::uint32_t first_surplus = 0;  ///< line of the first of them
+};
+
 /// One 3D *CONTACT definition with all its cards. Defaults are the solver's; where "not given" matters, it is an
 /// optional. Old and new field names as in contact_rules: A = slave = tracked, B = master = reference.
 struct Contact {
@@ -42,12 +55,13 @@ struct Contact {
   bool known = true;        ///< false: no such keyword is known; only id, title and place are filled
   bool own_layout = false;  ///< 2D, ENTITY, INTERIOR, …: the cards are not those of a 3D contact and were not read
   Place place;
+  CardLines cards;
 
   SurfaceInput a, b;
   // Card 2
   double fs = 0, fd = 0, dc = 0, vc = 0, vdc = 0;
   std::int64_t penchk = 0;
-  double birth = 0, death = 1e20;
+  double birth = 0, death = 1e20;  ///< as written; their signs have a meaning, see contact::active_time
   // Card 3; sst, mst: zero = not given
   double sfs = 1, sfm = 1, sst = 0, mst = 0, sfst = 1, sfmt = 1, fsf = 1, vsf = 1;
   // Card 4 of tiebreak types: OPTION
@@ -90,6 +104,13 @@ struct ContactExclusion {
   Place place;
 };
 
+/// *DEFINE_FRICTION: friction between pairs of parts, for contacts with FS = -2.
+struct FrictionTable {
+  std::int64_t id = 0;
+  std::uint32_t pairs = 0;  ///< rows
+  Place place;
+};
+
 /// The solver-wide settings that contact needs, with the solver's defaults.
 struct Controls {
   // *CONTROL_CONTACT card 1
@@ -100,6 +121,7 @@ struct Controls {
   double xpene = 4;
   std::int64_t ssthk = 0, ecdt = 0, tiedprj = 0;
   // card 3; zero = not given
+  double sfric = 0, dfric = 0, vfc = 0;  ///< friction of parts that give none, in contacts with FS = -1
   double th = 0, th_sf = 0;
   // card 4
   std::int64_t ignore = 0;
@@ -111,6 +133,8 @@ struct Controls {
   double tssfac = 0.9;
   std::int64_t isdo = 0;
   double dt2ms = 0;  ///< mass scaling; zero = none
+  // *CONTROL_TERMINATION; 0 = not given
+  double endtim = 0;
   bool contact_given = false, shell_given = false;
   Place contact_place, shell_place;
 };

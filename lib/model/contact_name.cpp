@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "keyword/layout.hpp"
+
 namespace gapcheck::model {
 namespace {
 
@@ -169,6 +171,18 @@ ContactName parse_contact_name(std::string_view written) {
   }
   name.bare = "CONTACT_" + type + (mortar ? "_MORTAR" : "");
   return name;
+}
+
+const std::vector<std::string_view>& known_contact_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list;
+    for (const ContactType& type : types) list.push_back(type.name);
+    constexpr std::string_view family = "CONTACT_";
+    for (std::string_view name : keyword::layout_names(family))
+      if (name.remove_prefix(family.size()); in_any(name, own_families)) list.push_back(name);
+    return list;
+  }();
+  return names;
 }
 
 }  // namespace gapcheck::model

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gapcheck::model {
 
@@ -30,5 +31,8 @@ struct ContactName {
 /// Takes the option words out of a name (upper case, without `*`), wherever they stand: ID, TITLE, MPP, THERMAL,
 /// THERMAL_FRICTION, ORTHO_FRICTION, SMOOTH.
 [[nodiscard]] ContactName parse_contact_name(std::string_view written);
+
+/// All contacts that are known, behind CONTACT_ and without option words and MORTAR.
+[[nodiscard]] const std::vector<std::string_view>& known_contact_names();
 
 }  // namespace gapcheck::model

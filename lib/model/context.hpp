@@ -89,6 +89,8 @@ void read_contact(Context& context, const Block& block, const Options& options);
 void read_control_contact(Context& context, const Block& block, const Options& options);
 void read_control_shell(Context& context, const Block& block, const Options& options);
 void read_control_timestep(Context& context, const Block& block, const Options& options);
+void read_control_termination(Context& context, const Block& block, const Options& options);
+void read_friction_table(Context& context, const Block& block, const Options& options);
 
 // What is left to do when all blocks of a kind are read.
 void finish_nodes(Context& context);

@@ -90,6 +90,8 @@ constexpr Family families[] = {
     {"CONTROL_CONTACT", Phase::rest, read_control_contact},
     {"CONTROL_SHELL", Phase::rest, read_control_shell},
     {"CONTROL_TIMESTEP", Phase::rest, read_control_timestep},
+    {"CONTROL_TERMINATION", Phase::rest, read_control_termination},
+    {"DEFINE_FRICTION", Phase::rest, read_friction_table, "TITLE"},
     {"CONTACT", Phase::rest, read_contact, "*"},
 };
 

@@ -42,6 +42,7 @@ struct Model {
   std::map<std::int64_t, Box> boxes;
   std::vector<Contact> contacts;  ///< every *CONTACT_ that is an interface, in input order
   std::vector<ContactExclusion> exclusions;
+  std::map<std::int64_t, FrictionTable> friction_tables;
   std::vector<RigidGroup> rigid_groups;
   std::vector<RigidWall> rigid_walls;  ///< in input order
   Controls controls;

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/number.hpp"
+#include "model/contact_cards.hpp"
 #include "model/contact_name.hpp"
 #include "model/context.hpp"
 
@@ -39,37 +40,57 @@ SurfaceInput read_surface(Context& context, const Block& block, const Card& card
   return surface;
 }
 
+/// True where the block goes on; otherwise notes the first mandatory card that it ends before.
+bool has_card(const CardReader& reader, Contact& contact, std::string_view card) {
+  if (!reader.at_end()) return true;
+  if (contact.cards.missing.empty()) contact.cards.missing = card;
+  return false;
+}
+
+void skip_cards(CardReader& reader, Contact& contact, std::string_view card, std::int64_t count) {
+  for (; count > 0 && has_card(reader, contact, card); --count) reader.skip();
+}
+
 void read_mpp(CardReader& reader, Contact& contact) {
+  if (!has_card(reader, contact, "the MPP card")) return;
   const Card card = reader.next(layout("MPP1"));
-  if (card.present() && !card.blank("ignore")) contact.mpp_ignore = card.integer("ignore");
+  if (!card.blank("ignore")) contact.mpp_ignore = card.integer("ignore");
   contact.parmax = card.real("parmax");
   if (trimmed(reader.peek()).starts_with('&')) reader.skip();
+}
+
+void read_times(const Card& card2, double time_factor, Contact& contact) {
+  // DT = -9999 is no time, and makes BT the number of a curve.
+  const double death = card2.real("dt");
+  const double factor = death == curve_of_times ? 1 : time_factor;
+  contact.birth = card2.real("bt") * factor;
+  contact.death = or_default(death * factor, contact.death);
 }
 
 /// Cards 1 to 3. Card 1 must be there; without the others the solver's defaults hold.
 bool read_mandatory(Context& context, CardReader& reader, const ContactName& name, Contact& contact) {
   const Block& block = reader.block();
-  const Card card1 = reader.next(layout("card1"));
-  if (!card1.present()) {
+  contact.cards.any = has_card(reader, contact, "card 1 (SURFA, SURFB)");
+  if (!contact.cards.any) {
     context.error(contact.place,
-                  fmt::format("*{} ends before its first card; add the card with SURFA and SURFB", contact.written));
+                  fmt::format("*{} ends before {}; add the card", contact.written, contact.cards.missing));
     return false;
   }
+  const Card card1 = reader.next(layout("card1"));
   contact.a = read_surface(context, block, card1, "surfa", "surfatyp", "saboxid");
   contact.b = read_surface(context, block, card1, "surfb", "surfbtyp", "sbboxid");
+  // A transducer needs neither friction nor stiffness.
+  if (!name.transducer) has_card(reader, contact, "card 2 (friction, birth and death)");
   const Card card2 = reader.next(layout("card2"));
+  if (!name.transducer) has_card(reader, contact, "card 3 (stiffness and thickness)");
   const Card card3 = reader.next(layout("card3"));
-  if (!card3.present() && !name.transducer)
-    context.warning(contact.place, fmt::format("*{} ends before card {}; the defaults hold for what is missing",
-                                               contact.written, card2.present() ? 3 : 2));
   contact.fs = card2.real("fs");
   contact.fd = card2.real("fd");
   contact.dc = card2.real("dc");
   contact.vc = card2.real("vc");
   contact.vdc = card2.real("vdc");
   contact.penchk = card2.integer("penchk");
-  contact.birth = card2.real("bt");
-  contact.death = or_default(card2.real("dt"), contact.death);
+  read_times(card2, context.transform(block).time_factor, contact);
   contact.sfs = or_default(card3.real("sfsa"), 1);
   contact.sfm = or_default(card3.real("sfsb"), 1);
   contact.sst = context.length(block, card3.real("sast"));
@@ -81,6 +102,14 @@ bool read_mandatory(Context& context, CardReader& reader, const ContactName& nam
   return true;
 }
 
+/// The type's first own card must be there, and must look like one.
+void check_type_card(const CardReader& reader, const ContactName& name, Contact& contact) {
+  const keyword::CardLayout* card = type_card(name);
+  if (card == nullptr || !has_card(reader, contact, card_words(*card)) || has_form(reader, *card)) return;
+  contact.cards.misread = reader.peek_line();
+  contact.cards.expected = card_words(*card);
+}
+
 /// Cards of the type, thermal and frictional ones. The filter card (RFILTF) that new versions allow behind the cards
 /// of a tiebreak cannot be told from card A, and is taken for card A.
 void read_type_cards(CardReader& reader, const ContactName& name, Contact& contact) {
@@ -88,6 +117,7 @@ void read_type_cards(CardReader& reader, const ContactName& name, Contact& conta
     return contact.tiebreak_option == 13 || contact.tiebreak_option == 14 || contact.tiebreak_option == -13 ||
            contact.tiebreak_option == -14;
   };
+  check_type_card(reader, name, contact);
   switch (name.extra) {
     case ExtraCards::none:
     case ExtraCards::own:
@@ -101,27 +131,29 @@ void read_type_cards(CardReader& reader, const ContactName& name, Contact& conta
     case ExtraCards::tiebreak:
     case ExtraCards::tiebreak_damping:
       contact.tiebreak_option = reader.next(layout("TIEBREAK")).integer("option");
-      if (name.extra == ExtraCards::tiebreak_damping) reader.skip();
-      if (has_cohesive_law()) skip_lines(reader, 2);
+      if (name.extra == ExtraCards::tiebreak_damping) skip_cards(reader, contact, "the damping card (DMP_1)", 1);
+      if (has_cohesive_law()) skip_cards(reader, contact, "the cards of the cohesive law (G1C_0, G2C_0)", 2);
       break;
     case ExtraCards::tiebreak_user:
       contact.tiebreak_option = reader.next(layout("TIEBREAK_USER")).integer("option");
-      skip_lines(reader, 2);
+      skip_cards(reader, contact, "the user's cards (UP1 to UP16)", 2);
       break;
     case ExtraCards::tied_weld: {
       const std::int64_t parameters = reader.next(layout("TIED_WELD1")).integer("ntprm");
-      skip_lines(reader, parameters <= 0 ? 1 : (parameters - 1) / 8 + 1);
+      skip_cards(reader, contact, "the weld's parameters (TPRM1)", parameters <= 0 ? 1 : (parameters - 1) / 8 + 1);
       break;
     }
     case ExtraCards::drawbead:
     case ExtraCards::drawbead_initialize:
-      skip_lines(reader, reader.next(layout("DRAWBEAD1")).integer("nbead"));
-      if (name.extra == ExtraCards::drawbead_initialize) reader.skip();
+      skip_cards(reader, contact, "the beads' points (POINT1, POINT2)",
+                 reader.next(layout("DRAWBEAD1")).integer("nbead"));
+      if (name.extra == ExtraCards::drawbead_initialize)
+        skip_cards(reader, contact, "the last card of the draw bead", 1);
       break;
   }
-  if (name.thermal) reader.skip();
-  if (name.thermal_friction) reader.skip();
-  if (name.ortho_friction) skip_lines(reader, 4);
+  if (name.thermal) skip_cards(reader, contact, "the THERMAL card", 1);
+  if (name.thermal_friction) skip_cards(reader, contact, "the THERMAL_FRICTION card", 1);
+  if (name.ortho_friction) skip_cards(reader, contact, "the cards of ORTHO_FRICTION", 4);
 }
 
 void read_a(const Card& card, Contact& contact) {
@@ -194,11 +226,15 @@ void read_optional(Context& context, CardReader& reader, Contact& contact) {
         break;
     }
   }
-  while (!reader.at_end() && skip_blank(reader)) continue;
-  if (!reader.at_end())
-    context.warning(
-        Context::place(reader.block(), reader.peek_line()),
-        fmt::format("*{} has more lines than cards; what stands behind card G is not read", contact.written));
+}
+
+/// Lines behind the last card; blank ones do no harm.
+void count_surplus(CardReader& reader, Contact& contact) {
+  CardLines& cards = contact.cards;
+  for (; !reader.at_end(); reader.skip()) {
+    if (trimmed(reader.peek()).empty()) continue;
+    if (cards.surplus++ == 0) cards.first_surplus = reader.peek_line();
+  }
 }
 
 void read_exclusion(Context& context, const Block& block) {
@@ -245,6 +281,7 @@ void read_contact(Context& context, const Block& block, const Options&) {
     if (read_mandatory(context, reader, name, contact)) {
       read_type_cards(reader, name, contact);
       read_optional(context, reader, contact);
+      count_surplus(reader, contact);
     }
   }
   context.model.contacts.push_back(std::move(contact));

@@ -31,6 +31,9 @@ void read_control_contact(Context& context, const Block& block, const Options&) 
   controls.ecdt = card2.integer("ecdt");
   controls.tiedprj = card2.integer("tiedprj");
   const Card card3 = next_card(reader, "CONTROL_CONTACT", "card3");
+  controls.sfric = card3.real("sfric");
+  controls.dfric = card3.real("dfric");
+  controls.vfc = card3.real("vfc");
   controls.th = context.length(block, card3.real("th"));
   controls.th_sf = card3.real("th_sf");
   const Card card4 = next_card(reader, "CONTROL_CONTACT", "card4");
@@ -58,6 +61,12 @@ void read_control_timestep(Context& context, const Block& block, const Options&)
   controls.tssfac = or_default(card.real("tssfac"), 0.9);
   controls.isdo = card.integer("isdo");
   controls.dt2ms = card.real("dt2ms") * context.transform(block).time_factor;
+}
+
+void read_control_termination(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_TERMINATION", "card1");
+  context.model.controls.endtim = card.real("endtim") * context.transform(block).time_factor;
 }
 
 }  // namespace gapcheck::model

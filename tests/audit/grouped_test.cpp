@@ -50,6 +50,19 @@ TEST(Grouped, ManyGetOneLineForTheRestOfEachGroup) {
   EXPECT_EQ(total, 1000U);
 }
 
+TEST(Grouped, TheFirstInFullAndTheRestInOne) {
+  std::vector<Finding> found(12);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i].contact = static_cast<std::int64_t>(i + 1);
+  Report all, some;
+  add_first(all, {found.begin(), found.begin() + 10}, "more");
+  EXPECT_EQ(all.findings.size(), 10U);
+  add_first(some, found, "more contacts");
+  ASSERT_EQ(some.findings.size(), 11U);
+  EXPECT_EQ(some.findings[9].contact, 10);
+  EXPECT_EQ(some.findings[10].count, 2U);
+  EXPECT_EQ(some.findings[10].message, "2 more contacts, the first of them contact 11");
+}
+
 TEST(Grouped, NothingGivesNothing) {
   Report report;
   add_grouped(report, {}, words, rest);

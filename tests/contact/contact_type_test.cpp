@@ -65,6 +65,20 @@ TEST(ContactType, IgnoreComesFromMppThenCardCThenControl) {
   EXPECT_EQ(settings(c, type, controls).ignore, 1);
 }
 
+TEST(ContactType, WithoutItsFirstCardThereIsNothingToSearch) {
+  model::Contact c = named("AUTOMATIC_SINGLE_SURFACE");
+  c.cards.any = false;
+  EXPECT_FALSE(classify(c).checked());
+  EXPECT_EQ(classify(c).treatment, Treatment::none);
+}
+
+TEST(ContactType, TypesWithSoft2) {
+  EXPECT_TRUE(has_soft_2(classify(named("AUTOMATIC_SURFACE_TO_SURFACE"))));
+  EXPECT_TRUE(has_soft_2(classify(named("ERODING_SINGLE_SURFACE"))));
+  EXPECT_FALSE(has_soft_2(classify(named("AUTOMATIC_NODES_TO_SURFACE"))));
+  EXPECT_FALSE(has_soft_2(classify(named("AUTOMATIC_GENERAL"))));
+}
+
 TEST(ContactType, OldTypesIgnoreThicknessUnlessAskedTo) {
   model::Contact c = named("SURFACE_TO_SURFACE");
   model::Controls controls;

@@ -163,20 +163,49 @@ TEST(Contacts, TiebreakOption) {
 
 TEST(Contacts, MissingCards) {
   const Read none = read_text("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n*NODE\n1\n");
-  EXPECT_EQ(none.errors(), 1u) << none.text();
-  EXPECT_EQ(none.model.contacts.size(), 1u);
+  EXPECT_FALSE(only(none).cards.any);
+  EXPECT_EQ(only(none).cards.missing, "card 1 (SURFA, SURFB)");
   const Read one = read_text("*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n3\n0,0,5\n");
-  EXPECT_EQ(one.errors(), 0u) << one.text();
-  EXPECT_EQ(one.warnings(), 1u) << one.text();
   EXPECT_EQ(only(one).id, ContactId{3});
+  EXPECT_TRUE(only(one).cards.any);
+  EXPECT_TRUE(only(one).cards.missing.starts_with("card 2")) << only(one).cards.missing;
+  const Read two = read_text("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n\n");
+  EXPECT_TRUE(only(two).cards.missing.starts_with("card 3")) << only(two).cards.missing;
+  const Read type = read_text("*CONTACT_ERODING_SINGLE_SURFACE\n0,0,5\n\n\n");
+  EXPECT_EQ(only(type).cards.missing, "card 4 (ISYM, EROSOP, IADJ)");
+  const Read thermal = read_text("*CONTACT_TIED_SURFACE_TO_SURFACE_THERMAL\n" + cards_1_to_3);
+  EXPECT_EQ(only(thermal).cards.missing, "the THERMAL card");
   const Read transducer = read_text("*CONTACT_FORCE_TRANSDUCER_PENALTY\n0,0,5\n");
-  EXPECT_EQ(transducer.text(), "");
+  EXPECT_EQ(only(transducer).cards.missing, "");
+  EXPECT_EQ(none.errors(), 1u) << none.text();
+  for (const Read* read : {&one, &two, &type, &transducer}) EXPECT_EQ(read->text(), "");
+}
+
+TEST(Contacts, ALineInThePlaceOfCard4) {
+  const std::string head = "*CONTACT_ERODING_SINGLE_SURFACE\n0,0,5\n\n\n";
+  for (const char* line : {"1,1,1\n", "\n", "1,1,1,0,0.0\n", "         1         1         1\n", "1.0,1.\n"})
+    EXPECT_EQ(only(read_text(head + line)).cards.misread, 0u) << line;
+  for (const char* line :
+       {"2,0.1\n", "2,0,0,1.025\n", "2,,,,,3\n", "         2       0.1         0     1.025\n", "x\n"}) {
+    const Contact contact = only(read_text(head + line));
+    EXPECT_EQ(contact.cards.misread, 5u) << line;
+    EXPECT_EQ(contact.cards.expected, "card 4 (ISYM, EROSOP, IADJ)");
+  }
+  const Read parameter = read_text("*PARAMETER\nI one 1\n" + head + "&one,&one\n");
+  EXPECT_EQ(only(parameter).cards.misread, 0u);
 }
 
 TEST(Contacts, MoreLinesThanCards) {
-  const Read read = read_text("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n\n\n\n\n\n\n\n\n\n\n1\n");
+  const Read read = read_text("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n\n\n\n\n\n\n\n\n\n\n1\n2\n\n");
   EXPECT_EQ(only(read).optional_cards, 7u);
-  EXPECT_EQ(read.warnings(), 1u) << read.text();
+  EXPECT_EQ(only(read).cards.surplus, 2u);
+  EXPECT_EQ(only(read).cards.first_surplus, 13u);
+}
+
+TEST(Contacts, TimesTakeTheFactorOfTheirInclude) {
+  const Read read = read_text("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n,,,,,,-1.,-9999.\n\n");
+  EXPECT_EQ(only(read).birth, -1);
+  EXPECT_EQ(only(read).death, curve_of_times);
 }
 
 TEST(Contacts, Numbering) {
@@ -232,6 +261,15 @@ TEST(Contacts, Exclusions) {
   EXPECT_EQ(read.model.exclusions[0].pairs[1].a, 6);
 }
 
+TEST(FrictionTables, IdsAndPairs) {
+  const Read read = read_text(
+      "*DEFINE_FRICTION_TITLE\nwheels\n5,0.1,0.2\n1,2,0.3\n1,3,0.4\n*DEFINE_FRICTION\n6\n"
+      "*DEFINE_FRICTION_ORIENTATION\n7\n");
+  ASSERT_EQ(read.model.friction_tables.size(), 2u) << read.text();
+  EXPECT_EQ(read.model.friction_tables.at(5).pairs, 2u);
+  EXPECT_EQ(read.model.friction_tables.at(6).pairs, 0u);
+}
+
 TEST(Controls, DefaultsAndValues) {
   const Read none = read_text("*NODE\n1\n");
   EXPECT_FALSE(none.model.controls.contact_given);
@@ -239,12 +277,12 @@ TEST(Controls, DefaultsAndValues) {
   const Read read = read_text(
       "*CONTROL_CONTACT\n       0.2       0.0         1         2         3         0         4\n"
       "         0         0         0         0       5.0         1         1\n"
-      "       0.0       0.0       0.0       0.0       0.6       0.7\n"
+      "       0.3       0.2       0.0       0.5       0.6       0.7\n"
       "         2\n"
       "         0\n"
       "         1         0         0         0         1\n"
       "*CONTROL_SHELL\n      20.0         1        -1         1\n\n         0         0         2\n"
-      "*CONTROL_TIMESTEP\n       0.0      0.67\n");
+      "*CONTROL_TIMESTEP\n       0.0      0.67         2       0.0    -1.e-6\n*CONTROL_TERMINATION\n      0.12\n");
   const Controls& controls = read.model.controls;
   EXPECT_TRUE(controls.contact_given && controls.shell_given);
   EXPECT_EQ(controls.slsfac, 0.2);
@@ -254,6 +292,10 @@ TEST(Controls, DefaultsAndValues) {
   EXPECT_EQ(controls.xpene, 5.0);
   EXPECT_EQ(controls.ssthk, 1);
   EXPECT_EQ(controls.ecdt, 1);
+  EXPECT_EQ(controls.sfric, 0.3);
+  EXPECT_EQ(controls.dfric, 0.2);
+  EXPECT_EQ(controls.vfc, 0.5);
+  EXPECT_EQ(controls.endtim, 0.12);
   EXPECT_EQ(controls.th, 0.6);
   EXPECT_EQ(controls.th_sf, 0.7);
   EXPECT_EQ(controls.ignore, 2);

@@ -13,12 +13,10 @@ void check_side(const RuleInfo& rule, Context& context, Report& report, const mo
 }
 
 void run(const RuleInfo& rule, Context& context, Report& report) {
-  for (const std::uint32_t i : context.contacts()) {
+  for (const std::uint32_t i : context.read_contacts()) {
     const model::Contact& contact = context.model().contacts[i];
-    if (!contact.known || contact.own_layout) continue;
-    const contact::ContactType type = contact::classify(contact);
-    const bool reference = type.treatment != contact::Treatment::none;
-    if (!reference && type.code != "25") continue;
+    // Transducers, draw beads and edges may have a second surface.
+    const bool reference = contact::classify(contact).treatment != contact::Treatment::none || contact.b.id != 0;
     const contact::ContactSurfaces& surfaces = context.surfaces(i);
     check_side(rule, context, report, contact, 'A', surfaces.a.selection);
     if (reference) check_side(rule, context, report, contact, 'B', surfaces.b.selection);

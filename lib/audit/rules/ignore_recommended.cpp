@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include "audit/rules.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+/// IGNORE is an option of the automatic contacts.
+bool can_ignore(const contact::ContactType& type) { return type.family == contact::Family::automatic; }
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  const model::Model& model = context.model();
+  const std::vector<ContactSummary>& summaries = context.initial().contacts;
+  std::uint64_t contacts = 0, nodes = 0;
+  const model::Contact* first = nullptr;
+  for (const std::uint32_t i : context.read_contacts()) {
+    const contact::ContactType type = contact::classify(model.contacts[i]);
+    if (!can_ignore(type) || summaries[i].penetrations == 0) continue;
+    if (contact::settings(model.contacts[i], type, model.controls).ignore != 0) continue;
+    if (first == nullptr) first = &model.contacts[i];
+    ++contacts;
+    nodes += summaries[i].penetrations;
+  }
+  if (first == nullptr) return;
+  Finding f = finding_at(
+      rule, context, *first,
+      fmt::format("{} {} with IGNORE = 0 {} {} initial {}: the solver changes the geometry or starts with a force; "
+                  "remove them, and set IGNORE = 1 or 2 on *CONTROL_CONTACT",
+                  contacts, contacts == 1 ? "contact" : "contacts", contacts == 1 ? "has" : "have", nodes,
+                  nodes == 1 ? "penetration" : "penetrations"));
+  if (model.controls.contact_given) {
+    f.file = context.path(model.controls.contact_place.file);
+    f.line = model.controls.contact_place.line;
+    f.contact = 0;
+  }
+  report.findings.push_back(std::move(f));
+}
+
+}  // namespace
+
+const Rule ignore_recommended{
+    {"GC421", "ignore-recommended", Severity::note, "initial penetrations in contacts with IGNORE = 0"}, run};
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include "audit/grouped.hpp"
+#include "audit/rules.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  std::vector<Finding> found;
+  for (const std::uint32_t i : context.read_contacts()) {
+    const model::Contact& contact = context.model().contacts[i];
+    const model::CardLines& cards = contact.cards;
+    if (!cards.missing.empty()) {
+      found.push_back(finding_at(rule, context, contact,
+                                 fmt::format("*{} ends before {}, which it must have; add the line, blank if the "
+                                             "defaults will do",
+                                             contact.written, cards.missing)));
+    } else if (cards.misread > 0) {
+      found.push_back(finding_at(rule, context, contact,
+                                 fmt::format("*{} needs {} behind card 3, and line {} cannot be that card; add it, or "
+                                             "the cards from A on are read one line too late",
+                                             contact.written, cards.expected, cards.misread)));
+      found.back().line = cards.misread;
+    }
+  }
+  add_first(report, std::move(found), "more contacts lack a mandatory card");
+}
+
+}  // namespace
+
+const Rule missing_card{{"GC401", "missing-card", Severity::error, "a contact lacks a card that its type must have"},
+                        run};
+
+}  // namespace gapcheck::audit

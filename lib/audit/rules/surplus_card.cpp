@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include "audit/grouped.hpp"
+#include "audit/rules.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  std::vector<Finding> found;
+  for (const std::uint32_t i : context.contacts()) {
+    const model::Contact& contact = context.model().contacts[i];
+    const model::CardLines& cards = contact.cards;
+    if (cards.surplus == 0) continue;
+    found.push_back(finding_at(
+        rule, context, contact,
+        fmt::format("*{} has {} {} behind card G, the last card; a card that this type does not have, or an option "
+                    "word missing in the keyword (ID, MPP), moves all others: compare the lines with the cards",
+                    contact.written, cards.surplus, cards.surplus == 1 ? "line" : "lines")));
+    found.back().line = cards.first_surplus;
+  }
+  add_first(report, std::move(found), "more contacts have lines behind their last card");
+}
+
+}  // namespace
+
+const Rule surplus_card{
+    {"GC402", "surplus-card", Severity::warning, "a contact has more lines than its type has cards"}, run};
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,27 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace gapcheck {
+
+/// Least cost of turning one sequence into another by inserting, removing and replacing items (Levenshtein). Inserting
+/// and removing cost 1, replacing costs replace(from, to), which is 0 for equal items. Time is size times size: bound
+/// both.
+template <class Sequence, class Replace>
+[[nodiscard]] double edit_distance(const Sequence& from, const Sequence& to, const Replace& replace) {
+  std::vector<double> costs(to.size() + 1);
+  for (std::size_t j = 0; j <= to.size(); ++j) costs[j] = static_cast<double>(j);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    double diagonal = costs[0];
+    costs[0] += 1;
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const double above = costs[j + 1];
+      costs[j + 1] = std::min({above + 1, costs[j] + 1, diagonal + replace(from[i], to[j])});
+      diagonal = above;
+    }
+  }
+  return costs.back();
+}
+
+}  // namespace gapcheck
