@@ -29,6 +29,16 @@ double min_diagonal(const geometry::Facet& f) {
   return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
 }
 
+/// Coordinates are written with some eight digits: facets of solids that touch, as those of press fits and bolts do, seem
+/// to penetrate by this share of their size.
+constexpr double written_digits = 1e-6;
+
+/// True if a facet without thickness is penetrated by no more than the digits of the deck can tell.
+bool only_touches(const PairScene& scene, const Hit& hit) {
+  const double h = scene.nodes.half[hit.slot] + scene.segments.half[hit.segment];
+  return h == 0 && scene.tolerance < 0 && -hit.distance <= written_digits * min_diagonal(scene.facet(hit.segment));
+}
+
 class Initialiser {
  public:
   Initialiser(const model::Model& model, SurfaceStore& surfaces, const InitialOptions& options,
@@ -189,7 +199,7 @@ class Initialiser {
       counters_.tied_pairs += tied_pairs;
       counters_.excluded_pairs += excluded;
     }
-    if (type.by_segments()) std::erase_if(hits, [](const Hit& hit) { return !hit.in_band; });
+    if (type.by_segments()) std::erase_if(hits, [&](const Hit& hit) { return !hit.in_band || only_touches(scene, hit); });
     one_record_per_node(hits, nodes, first_record);
     if (options_.edges && type.edges) check_edges(c, scene, exclusions);
     const std::size_t first = state_.penetrations.size();
