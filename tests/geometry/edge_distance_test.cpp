@@ -98,16 +98,18 @@ TEST_P(EdgeFamilies, EveryDecisionAgreesWithTheReference) {
     const mpq_class square = reference(e, f);
     for (const double bound : bounds_around(mpf_class(sqrt(mpf_class(square, 600))).get_d())) {
       const bool expected = bound > 0 && mpq_class(bound) * bound > square;
-      const Decision fast = decide(e, f, bound, Mode::filtered), slow = decide(e, f, bound, Mode::exact);
+      const Decision fast = decide_edges(e, f, bound, Mode::filtered), slow = decide_edges(e, f, bound, Mode::exact);
       ASSERT_EQ(fast.closer, expected) << e[0] << ' ' << e[1] << ' ' << f[0] << ' ' << f[1] << " bound " << bound;
       ASSERT_EQ(slow.closer, expected);
-      ASSERT_EQ(decide(f, e, bound, Mode::filtered).closer, expected);
+      ASSERT_EQ(decide_edges(f, e, bound, Mode::filtered).closer, expected);
       by_filter += fast.stage == Stage::filter;
       ++compared;
     }
   }
   // Bounds in the last bits need exact numbers; the others must not.
-  if (GetParam() == any) EXPECT_GT(by_filter, compared * 4 / 10);
+  if (GetParam() == any) {
+    EXPECT_GT(by_filter, compared * 4 / 10);
+  }
 }
 
 TEST_P(EdgeFamilies, ClosestPointsAreOnTheEdgesAndAsNearAsTheReferenceSays) {
@@ -124,7 +126,12 @@ TEST_P(EdgeFamilies, ClosestPointsAreOnTheEdgesAndAsNearAsTheReferenceSays) {
     EXPECT_LE(std::abs(c.t), 1);
     EXPECT_LE((c.first - ((1 - c.s) / 2 * e[0] + (1 + c.s) / 2 * e[1])).norm(), 1e-14 * size);
     EXPECT_LE((c.second - ((1 - c.t) / 2 * f[0] + (1 + c.t) / 2 * f[1])).norm(), 1e-14 * size);
-    if (c.interior) EXPECT_TRUE(std::abs(c.s) < 1 && std::abs(c.t) < 1);
+    EXPECT_LE(c.squared_distance, c.squared_end_distance);
+    if (c.interior) {
+      EXPECT_TRUE(std::abs(c.s) < 1 && std::abs(c.t) < 1);
+    } else {
+      EXPECT_EQ(c.squared_distance, c.squared_end_distance);
+    }
   }
 }
 
@@ -135,8 +142,8 @@ TEST(EdgeDistance, CrossingEdgesByHand) {
   EXPECT_DOUBLE_EQ(c.squared_distance, 4);
   EXPECT_DOUBLE_EQ(c.s, -0.5);
   EXPECT_DOUBLE_EQ(c.t, 0.5);
-  EXPECT_FALSE(decide(e, f, 2, Mode::filtered).closer);
-  EXPECT_TRUE(decide(e, f, std::nextafter(2, 3), Mode::filtered).closer);
+  EXPECT_FALSE(decide_edges(e, f, 2, Mode::filtered).closer);
+  EXPECT_TRUE(decide_edges(e, f, std::nextafter(2, 3), Mode::filtered).closer);
 }
 
 TEST(EdgeDistance, EndsAndParallelEdgesAreNotInterior) {
@@ -151,14 +158,14 @@ TEST(EdgeDistance, EndsAndParallelEdgesAreNotInterior) {
 TEST(EdgeDistance, BoundsAndNumbersThatAreNone) {
   const Edge e{Vector(0, 0, 0), Vector(1, 0, 0)}, f{Vector(0, 1, 0), Vector(1, 1, 1)};
   for (const Mode mode : {Mode::filtered, Mode::exact}) {
-    for (const double bound : {-1.0, 0.0, nan}) EXPECT_FALSE(decide(e, f, bound, mode).closer);
-    EXPECT_TRUE(decide(e, f, infinity, mode).closer);
+    for (const double bound : {-1.0, 0.0, nan}) EXPECT_FALSE(decide_edges(e, f, bound, mode).closer);
+    EXPECT_TRUE(decide_edges(e, f, infinity, mode).closer);
     for (const double bad : {nan, infinity, -infinity}) {
-      EXPECT_FALSE(decide({Vector(bad, 0, 0), Vector(1, 0, 0)}, f, 10, mode).closer);
-      EXPECT_FALSE(decide(e, {Vector(0, 1, 0), Vector(0, bad, 0)}, infinity, mode).closer);
+      EXPECT_FALSE(decide_edges({Vector(bad, 0, 0), Vector(1, 0, 0)}, f, 10, mode).closer);
+      EXPECT_FALSE(decide_edges(e, {Vector(0, 1, 0), Vector(0, bad, 0)}, infinity, mode).closer);
       EXPECT_FALSE(closest_points(e, {Vector(0, 1, 0), Vector(0, bad, 0)}).interior);
     }
-    EXPECT_TRUE(decide({Vector(-1e300, 0, 0), Vector(1e300, 0, 0)}, {Vector(0, 1, 1), Vector(0, 2, 2)}, 2, mode).closer);
+    EXPECT_TRUE(decide_edges({Vector(-1e300, 0, 0), Vector(1e300, 0, 0)}, {Vector(0, 1, 1), Vector(0, 2, 2)}, 2, mode).closer);
   }
 }
 
