@@ -140,6 +140,10 @@ class Initialiser {
     summary.not_checked.clear();
     summary.by_segments = type.by_segments();
     report_empty(c, sides);
+    const std::int64_t depth = model_.contacts[c].depth;
+    if (type.pairing == Pairing::segments && depth % 10 == 5)
+      state_.notes.push_back(fmt::format("contact {}: DEPTH = {} also holds edges against edges, which was not done",
+                                         model_.contacts[c].id.value, depth));
     const std::size_t first = state_.penetrations.size();
     const model::Contact& contact = model_.contacts[c];
     const ContactSide &a = sides.a, &b = sides.b;

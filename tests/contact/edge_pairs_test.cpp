@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "contact/scene.hpp"
+#include "scene.hpp"
 
 namespace gapcheck::contact {
 namespace {

@@ -93,7 +93,7 @@ std::vector<double> bounds_around(double d) {
 TEST_P(EdgeFamilies, EveryDecisionAgreesWithTheReference) {
   Maker maker(5);
   std::size_t by_filter = 0, compared = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const auto [e, f] = GetParam()(maker);
     const mpq_class square = reference(e, f);
     for (const double bound : bounds_around(mpf_class(sqrt(mpf_class(square, 600))).get_d())) {
@@ -114,7 +114,7 @@ TEST_P(EdgeFamilies, EveryDecisionAgreesWithTheReference) {
 
 TEST_P(EdgeFamilies, ClosestPointsAreOnTheEdgesAndAsNearAsTheReferenceSays) {
   Maker maker(6);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const auto [e, f] = GetParam()(maker);
     const EdgesClosest c = closest_points(e, f);
     double size = 0;
