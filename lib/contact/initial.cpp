@@ -187,7 +187,8 @@ class Initialiser {
       const Stopwatch watch(counters_.search_s);
       scene.flipped = flipped_segments(scene, *search_);
       std::atomic<std::uint64_t> tied_pairs{0}, excluded{0};
-      const std::vector<bool> corners = type.by_segments() ? corners_of(tracked.selection.segments) : std::vector<bool>();
+      std::vector<bool> corners;
+      if (type.by_segments() && !tracked.nodes_only) corners = corners_of(tracked.selection.segments);
       const bool own_part = type.pairing != Pairing::mortar || sides.settings.ignore >= 0;
       const auto allowed = [&](std::uint32_t slot, std::uint32_t segment, bool penetrates) {
         const NodeIndex node = nodes.node[slot];
@@ -254,7 +255,7 @@ class Initialiser {
     state_.penetrations.insert(state_.penetrations.end(), records.begin(), records.end());
   }
 
-  /// Nodes that are a corner of a shell or solid facet. Of beams and free nodes segment-based contact knows nothing.
+  /// Nodes that are a corner of a shell or solid facet: segment-based contact looks at no others, if it has such.
   [[nodiscard]] std::vector<bool> corners_of(const Segments& segments) const {
     std::vector<bool> corner(model_.mesh.nodes.size(), false);
     for (std::size_t s = 0; s < segments.size(); ++s)

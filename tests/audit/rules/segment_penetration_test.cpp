@@ -95,6 +95,28 @@ TEST(SegmentPenetration, BeamsAreNoSegments) {
   EXPECT_EQ(listed(run_rule("GC101", soft_1)), 2U);
 }
 
+TEST(SegmentPenetration, NodesWithoutSegmentsAreHeldAgainstTheOtherSide) {
+  RuleDeck deck = two_plates(0.7).raw("SET_NODE_LIST", "5\n1,2,3\n");
+  const Report report = run_rule("GC107", deck.contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "5,2,4,3", soft_2));
+  ASSERT_EQ(listed(report), 3U);
+  EXPECT_NEAR(report.penetrations[0].depth, 0.3, 1e-12);
+}
+
+TEST(SegmentPenetration, FacetsThatTouchToTheDigitsOfTheDeckDoNotPenetrate) {
+  // Bricks of size 2 whose faces overlap by 1e-8 and by 1e-4.
+  const auto bricks = [](double bottom, double ptol = -1) {
+    RuleDeck deck;
+    deck.solid_part(1).solid_part(2).block(1, 1, 1, 1, 1, Vector(0, 0, 0), Vector(10, 10, 2));
+    deck.block(101, 2, 1, 1, 1, Vector(4, 4, bottom), Vector(2, 2, 2));
+    audit::AuditOptions options;
+    options.ptol = ptol;
+    return listed(run_rule("GC107", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", soft_2), options));
+  };
+  EXPECT_EQ(bricks(2 - 1e-8), 0U);
+  EXPECT_EQ(bricks(2 - 1e-8, 0), 4U);
+  EXPECT_EQ(bricks(2 - 1e-4), 4U);
+}
+
 TEST(SegmentPenetration, BesideAFreeEdgeCountsUnlessEdgesAreSquare) {
   // In the plane of the plate, 0.8 beyond its edge: within the band, h = 1.
   const auto beside = [](const std::string& cards) {
