@@ -35,7 +35,7 @@ void beam(Scene& scene, PartIndex part, NodeIndex a, NodeIndex b) {
 /// The edges that the first contact of a scene looks at.
 struct Edges {
   explicit Edges(const model::Model& model)
-      : surfaces(build_surfaces(model, model.contacts[0], model.mesh.nodes.x)),
+      : surfaces(SurfaceStore(model).at(0)),
         neighbours(surfaces.a.selection.segments, model.mesh, true),
         scene{model,      model.contacts[0], surfaces.type, surfaces.settings, model.mesh.nodes.x,
               surfaces.a.selection.segments, surfaces.a.nodes, neighbours, 2, {}, {}, -1, geometry::Mode::filtered},
