@@ -17,6 +17,14 @@ bool has(const model::SegmentNodes& n, NodeIndex node) {
   return n[0] == node || n[1] == node || n[2] == node || n[3] == node;
 }
 
+/// An end that penetrates, and by this share of h less than the edges do, tells as much as they.
+constexpr double nearly_as_deep = 0.05;
+
+bool seen_by_nodes(const geometry::EdgesClosest& closest, double h) {
+  const double end = std::sqrt(closest.squared_end_distance);
+  return end < h && end - std::sqrt(closest.squared_distance) < nearly_as_deep * h;
+}
+
 /// What lies on the other side of a shell's edge.
 struct Beyond {
   bool free = true;    ///< no facet
@@ -117,10 +125,11 @@ std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector
         const geometry::EdgesClosest closest = geometry::closest_points(e.x, f.x);
         if (!closest.interior) return;
         const double h = e.half + f.half;
+        if (seen_by_nodes(closest, h)) return;
         const double tolerance = scene.tolerance >= 0
                                      ? scene.tolerance
                                      : default_tolerance(h, std::max(largest_coordinate(e), largest_coordinate(f)));
-        const geometry::Decision decision = geometry::decide(e.x, f.x, h - tolerance, scene.mode, &closest);
+        const geometry::Decision decision = geometry::decide_edges(e.x, f.x, h - tolerance, scene.mode, &closest);
         Mine& mine = found.local();
         ++mine.stages[static_cast<std::size_t>(decision.stage)];
         if (decision.closer && !in_ring(scene, e, f) && allowed(e, f)) mine.hits.push_back({tracked, other, closest});

@@ -32,7 +32,7 @@ struct EdgeHit {
 using EdgePairFilter = std::function<bool(const SurfaceEdge&, const SurfaceEdge&)>;
 
 /// Pairs of edges that are nearer to each other than h = half + half, decided exactly, with their nearest points between the
-/// ends of both: where an end is nearest, it is a matter of nodes and segments. Edges with a common node, or in the ring
+/// ends of both. Where an end is nearest, or penetrates nearly as deep, it is a matter of nodes and segments. Edges with a common node, or in the ring
 /// around each other's segment, are left out. Of a beam and a shell edge the beam is the tracked one, else the first.
 /// Ascending by tracked, then other edge.
 [[nodiscard]] std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector<SurfaceEdge>& edges,

@@ -29,6 +29,16 @@ double min_diagonal(const geometry::Facet& f) {
   return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
 }
 
+/// Coordinates are written with some eight digits: facets of solids that touch, as those of press fits and bolts do, seem
+/// to penetrate by this share of their size.
+constexpr double written_digits = 1e-6;
+
+/// True if a facet without thickness is penetrated by no more than the digits of the deck can tell.
+bool only_touches(const PairScene& scene, const Hit& hit) {
+  const double h = scene.nodes.half[hit.slot] + scene.segments.half[hit.segment];
+  return h == 0 && scene.tolerance < 0 && -hit.distance <= written_digits * min_diagonal(scene.facet(hit.segment));
+}
+
 class Initialiser {
  public:
   Initialiser(const model::Model& model, SurfaceStore& surfaces, const InitialOptions& options,
@@ -130,6 +140,10 @@ class Initialiser {
     summary.not_checked.clear();
     summary.by_segments = type.by_segments();
     report_empty(c, sides);
+    const std::int64_t depth = model_.contacts[c].depth;
+    if (type.pairing == Pairing::segments && depth % 10 == 5)
+      state_.notes.push_back(fmt::format("contact {}: DEPTH = {} also holds edges against edges, which was not done",
+                                         model_.contacts[c].id.value, depth));
     const std::size_t first = state_.penetrations.size();
     const model::Contact& contact = model_.contacts[c];
     const ContactSide &a = sides.a, &b = sides.b;
@@ -173,7 +187,8 @@ class Initialiser {
       const Stopwatch watch(counters_.search_s);
       scene.flipped = flipped_segments(scene, *search_);
       std::atomic<std::uint64_t> tied_pairs{0}, excluded{0};
-      const std::vector<bool> corners = type.by_segments() ? corners_of(tracked.selection.segments) : std::vector<bool>();
+      std::vector<bool> corners;
+      if (type.by_segments() && !tracked.nodes_only) corners = corners_of(tracked.selection.segments);
       const bool own_part = type.pairing != Pairing::mortar || sides.settings.ignore >= 0;
       const auto allowed = [&](std::uint32_t slot, std::uint32_t segment, bool penetrates) {
         const NodeIndex node = nodes.node[slot];
@@ -189,7 +204,7 @@ class Initialiser {
       counters_.tied_pairs += tied_pairs;
       counters_.excluded_pairs += excluded;
     }
-    if (type.by_segments()) std::erase_if(hits, [](const Hit& hit) { return !hit.in_band; });
+    if (type.by_segments()) std::erase_if(hits, [&](const Hit& hit) { return !hit.in_band || only_touches(scene, hit); });
     one_record_per_node(hits, nodes, first_record);
     if (options_.edges && type.edges) check_edges(c, scene, exclusions);
     const std::size_t first = state_.penetrations.size();
@@ -240,7 +255,7 @@ class Initialiser {
     state_.penetrations.insert(state_.penetrations.end(), records.begin(), records.end());
   }
 
-  /// Nodes that are a corner of a shell or solid facet. Of beams and free nodes segment-based contact knows nothing.
+  /// Nodes that are a corner of a shell or solid facet: segment-based contact looks at no others, if it has such.
   [[nodiscard]] std::vector<bool> corners_of(const Segments& segments) const {
     std::vector<bool> corner(model_.mesh.nodes.size(), false);
     for (std::size_t s = 0; s < segments.size(); ++s)

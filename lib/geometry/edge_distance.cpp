@@ -39,10 +39,10 @@ EdgesClosest nearest_end(const Edge& first, const Edge& second) {
     const double at = end == 0 ? -1 : 1;
     if (const auto p = closest_point_on_line(second[0], second[1], first[end]);
         p.squared_distance < best.squared_distance)
-      best = {first[end], p.point, p.squared_distance, at, p.s, false};
+      best = {first[end], p.point, p.squared_distance, p.squared_distance, at, p.s, false};
     if (const auto p = closest_point_on_line(first[0], first[1], second[end]);
         p.squared_distance < best.squared_distance)
-      best = {p.point, second[end], p.squared_distance, p.s, at, false};
+      best = {p.point, second[end], p.squared_distance, p.squared_distance, p.s, at, false};
   }
   return best;
 }
@@ -50,16 +50,17 @@ EdgesClosest nearest_end(const Edge& first, const Edge& second) {
 }  // namespace
 
 EdgesClosest closest_points(const Edge& first, const Edge& second) {
-  EdgesClosest best = nearest_end(first, second);
+  const EdgesClosest best = nearest_end(first, second);
   EdgesClosest inside;
   if (between_ends(first, second, inside) && inside.squared_distance < best.squared_distance * (1 - equally_near)) {
-    best = inside;
-    best.interior = true;
+    inside.squared_end_distance = best.squared_distance;
+    inside.interior = true;
+    return inside;
   }
   return best;
 }
 
-Decision decide(const Edge& first, const Edge& second, double bound, Mode mode, const EdgesClosest* hint) {
+Decision decide_edges(const Edge& first, const Edge& second, double bound, Mode mode, const EdgesClosest* hint) {
   if (!(bound > 0)) return {false, Stage::filter};
   // The differences of two points, one from each edge, are the points of a parallelogram: the edges are as near to each
   // other as it is to the origin.

@@ -13,6 +13,7 @@ using Edge = std::array<Vector, 2>;
 struct EdgesClosest {
   Vector first = Vector::Zero(), second = Vector::Zero();  ///< on the first and on the second edge
   double squared_distance = 0;
+  double squared_end_distance = 0;  ///< of the end that lies nearest to the other edge
   double s = 0, t = 0;    ///< of `first` and `second`: -1 at an edge's first end, 1 at the other
   bool interior = false;  ///< both points lie between the ends, and nearer than any end lies to the other edge
 };
@@ -24,7 +25,7 @@ struct EdgesClosest {
 /// Are two edges nearer to each other than `bound`: squared distance < bound², decided exactly for the given doubles?
 /// Negative bounds are never met, and edges that are not finite are never near. Mode::exact leaves the filter out (slow
 /// twin, same answers). Derivation: docs/theory/decisions.md.
-[[nodiscard]] Decision decide(const Edge& first, const Edge& second, double bound, Mode mode,
-                              const EdgesClosest* hint = nullptr);
+[[nodiscard]] Decision decide_edges(const Edge& first, const Edge& second, double bound, Mode mode,
+                                    const EdgesClosest* hint = nullptr);
 
 }  // namespace gapcheck::geometry

@@ -24,7 +24,6 @@ constexpr std::string_view intersection = "soft2-intersection";
 bool selects(std::string_view sel, const Penetration& record) {
   if (sel.empty() || sel == "typ13") return true;
   if (sel == "pen") return record.kind == PenetrationKind::initial;
-  if (sel == "soft2") return record.kind == PenetrationKind::segment;
   return (sel == "mid" || sel == "del" || sel == "below") && record.kind == PenetrationKind::released;
 }
 

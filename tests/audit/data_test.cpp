@@ -41,6 +41,12 @@ std::string rule_of(const Penetration& p) {
       return "released-node";
     case PenetrationKind::edge_zone:
       return "edge-zone-penetration";
+    case PenetrationKind::segment:
+      return "segment-penetration";
+    case PenetrationKind::mortar:
+      return "mortar-penetration";
+    case PenetrationKind::edge:
+      return "edge-penetration";
   }
   return "?";
 }

@@ -53,6 +53,22 @@ TEST(ContactType, Soft2CountsOnlyWhereTheTypeHasIt) {
   }
 }
 
+TEST(ContactType, WhatMeetsWhat) {
+  const auto pairing = [](const char* keyword, std::int64_t soft = 0) {
+    model::Contact contact = named(keyword);
+    contact.soft = soft;
+    return classify(contact).pairing;
+  };
+  EXPECT_EQ(pairing("AUTOMATIC_SINGLE_SURFACE"), Pairing::nodes);
+  EXPECT_EQ(pairing("AUTOMATIC_SINGLE_SURFACE", 2), Pairing::segments);
+  EXPECT_EQ(pairing("AUTOMATIC_GENERAL", 2), Pairing::nodes);
+  EXPECT_EQ(pairing("AUTOMATIC_SINGLE_SURFACE_MORTAR", 2), Pairing::mortar);
+  EXPECT_EQ(pairing("FORMING_SURFACE_TO_SURFACE_MORTAR"), Pairing::mortar);
+  for (const char* keyword : {"AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED", "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_MORTAR",
+                              "TIED_SURFACE_TO_SURFACE", "FORCE_TRANSDUCER_PENALTY", "RIGID_NODES_TO_RIGID_BODY"})
+    EXPECT_EQ(pairing(keyword), Pairing::none) << keyword;
+}
+
 TEST(ContactType, IgnoreComesFromMppThenCardCThenControl) {
   model::Contact c = named("AUTOMATIC_SINGLE_SURFACE");
   model::Controls controls;

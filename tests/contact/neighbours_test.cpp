@@ -9,7 +9,7 @@
 namespace gapcheck::contact {
 namespace {
 
-const ContactType single{"13", Treatment::single_surface, Family::automatic, false, {}};
+const ContactType single{.code = "13", .treatment = Treatment::single_surface, .family = Family::automatic, .not_checked = {}};
 
 struct Surface {
   Scene scene;

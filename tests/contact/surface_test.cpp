@@ -8,8 +8,8 @@
 namespace gapcheck::contact {
 namespace {
 
-const ContactType single{"13", Treatment::single_surface, Family::automatic, false, {}};
-const ContactType one_way{"a5", Treatment::one_way, Family::automatic, false, {}};
+const ContactType single{.code = "13", .treatment = Treatment::single_surface, .family = Family::automatic, .not_checked = {}};
+const ContactType one_way{.code = "a5", .treatment = Treatment::one_way, .family = Family::automatic, .not_checked = {}};
 
 Selection pick(const Scene& scene, std::int64_t id, std::int64_t type, const ContactType& contact = one_way) {
   MeshIndex index(scene.model);

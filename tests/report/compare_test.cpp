@@ -112,6 +112,29 @@ TEST(Compare, ReleasedNodesMayBeListedOrNot) {
   EXPECT_FALSE(compare(first, two_contacts({record(0, 4, 0.3), record(0, 5, 0.9)}), 0).equal());
 }
 
+TEST(Compare, WhatTheSolverDoesNotListCountsBetweenDecksOnly) {
+  for (const auto kind : {PenetrationKind::segment, PenetrationKind::mortar, PenetrationKind::edge}) {
+    Report first = two_contacts({record(0, 5, 0.9)}), second = two_contacts({});
+    first.penetrations[0].kind = kind;
+    EXPECT_TRUE(compare(first, first, 0).equal());
+    EXPECT_EQ(compare(first, second, 0).contacts[0].only_first, 1u);
+    second.source = "messag";
+    EXPECT_TRUE(compare(first, second, 0).equal());
+    EXPECT_FALSE(compare(first, second, 0).contacts[0].not_checked);
+    first.contacts[0].by_segments = true;
+    EXPECT_TRUE(compare(first, second, 0).contacts[0].not_checked);
+    EXPECT_FALSE(compare(first, first, 0).contacts[0].not_checked);
+  }
+}
+
+TEST(Compare, AnEdgeAtANodeIsNotTheNode) {
+  Report first = two_contacts({record(0, 5, 0.9), record(0, 5, 0.4)});
+  first.penetrations[1].kind = PenetrationKind::edge;
+  const Comparison both = compare(first, first, 0);
+  EXPECT_EQ(both.contacts[0].agree, 2u);
+  EXPECT_EQ(compare(first, two_contacts({record(0, 5, 0.9)}), 0).contacts[0].only_first, 1u);
+}
+
 TEST(Compare, NumbersWhereNodesAreNotListed) {
   const Report first = two_contacts({record(0, 5, 0.4), record(0, 4, 0.3)});
   Report second = two_contacts({});

@@ -70,7 +70,8 @@ std::vector<std::pair<std::string, const Penetration*>> expected_beams(const Rep
   for (std::uint32_t contact = 0; contact < report.contacts.size(); ++contact)
     for (const auto& [kind, word] :
          {std::pair{PenetrationKind::initial, "pen"}, std::pair{PenetrationKind::released, "below"},
-          std::pair{PenetrationKind::edge_zone, "edge"}})
+          std::pair{PenetrationKind::edge_zone, "edge"}, std::pair{PenetrationKind::segment, "soft2"},
+          std::pair{PenetrationKind::mortar, "mortar"}, std::pair{PenetrationKind::edge, "edges"}})
       for (const Penetration& record : report.penetrations)
         if (record.contact == contact && record.kind == kind)
           result.emplace_back("id" + std::to_string(report.contacts[contact].id) + " " + word, &record);

@@ -80,8 +80,8 @@ TEST(Registry, SelectAndIgnore) {
 }
 
 TEST(Registry, AgreesWithTheWriters) {
-  for (const auto kind : {PenetrationKind::initial, PenetrationKind::released, PenetrationKind::edge_zone}) {
-    const report::RecordRule rule = report::rule_of(kind);
+  for (std::size_t kind = 0; kind < penetration_kinds; ++kind) {
+    const report::RecordRule rule = report::rule_of(static_cast<PenetrationKind>(kind));
     const audit::RuleInfo* info = audit::find_rule(rule.id);
     ASSERT_NE(info, nullptr) << rule.id;
     EXPECT_EQ(info->name, rule.name);

@@ -121,7 +121,7 @@ inline Report random_report(std::size_t count, std::uint32_t contacts, unsigned 
     record.moved_to = below(2) == 0 ? record.original : Vector{number(), number(), number()};
     record.file = below(2);
     record.line = below(1000);
-    record.kind = static_cast<PenetrationKind>(below(3));
+    record.kind = static_cast<PenetrationKind>(below(penetration_kinds));
     record.outcome = static_cast<Outcome>(below(5));
     record.feature = static_cast<Feature>(below(3));
     record.node_rule = static_cast<ThicknessRule>(below(8));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "sample.hpp"
 
@@ -10,21 +11,14 @@ namespace gapcheck::report {
 namespace {
 
 /// The slow twin: every pair of parts asks all records.
-void expect_like_plain_count(std::span<const Penetration> records, const Sums& result) {
-  std::size_t edge_zone = 0, released = 0, in_pairs = 0;
-  for (const Penetration& record : records) {
-    edge_zone += record.kind == PenetrationKind::edge_zone;
-    released += record.kind == PenetrationKind::released;
-  }
-  EXPECT_EQ(result.edge_zone, edge_zone);
-  EXPECT_EQ(result.released, released);
-  EXPECT_EQ(result.penetrations(), records.size() - edge_zone);
-  for (const PartPair& pair : result.pairs) {
+void expect_pairs(std::span<const Penetration> records, std::span<const PartPair> pairs, bool edges, std::size_t total) {
+  std::size_t in_pairs = 0;
+  for (const PartPair& pair : pairs) {
     std::size_t nodes = 0;
     double deepest = 0;
     for (const Penetration& record : records) {
-      if (record.kind == PenetrationKind::edge_zone || record.part != pair.part ||
-          record.element_part != pair.element_part)
+      if (record.kind == PenetrationKind::edge_zone || (record.kind == PenetrationKind::edge) != edges ||
+          record.part != pair.part || record.element_part != pair.element_part)
         continue;
       ++nodes;
       deepest = std::max(deepest, record.depth);
@@ -33,7 +27,19 @@ void expect_like_plain_count(std::span<const Penetration> records, const Sums& r
     EXPECT_EQ(pair.deepest->depth, deepest);
     in_pairs += nodes;
   }
-  EXPECT_EQ(in_pairs, result.penetrations());
+  EXPECT_EQ(in_pairs, total);
+}
+
+void expect_like_plain_count(std::span<const Penetration> records, const Sums& result) {
+  std::map<PenetrationKind, std::size_t> count;
+  for (const Penetration& record : records) ++count[record.kind];
+  for (std::size_t kind = 0; kind < penetration_kinds; ++kind)
+    EXPECT_EQ(result.of(static_cast<PenetrationKind>(kind)), count[static_cast<PenetrationKind>(kind)]);
+  const std::size_t edges = count[PenetrationKind::edge];
+  EXPECT_EQ(result.penetrations(), records.size() - count[PenetrationKind::edge_zone]);
+  EXPECT_EQ(result.nodes(), result.penetrations() - edges);
+  expect_pairs(records, result.pairs, false, result.nodes());
+  expect_pairs(records, result.edge_pairs, true, edges);
 }
 
 TEST(Sums, EqualThePlainCount) {
@@ -45,7 +51,9 @@ TEST(Sums, EqualThePlainCount) {
       return a.deepest->depth > b.deepest->depth;
     }));
     if (result.deepest != nullptr) {
-      EXPECT_EQ(result.deepest->depth, result.pairs.front().deepest->depth);
+      const double node = result.pairs.empty() ? 0 : result.pairs.front().deepest->depth;
+      const double edge = result.edge_pairs.empty() ? 0 : result.edge_pairs.front().deepest->depth;
+      EXPECT_EQ(result.deepest->depth, std::max(node, edge));
     }
   }
 }

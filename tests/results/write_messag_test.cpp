@@ -120,9 +120,13 @@ TEST(WriteMessag, ExponentsOfThreeDigits) {
 
 TEST(WriteMessag, OtherKindsAreNotListed) {
   Report report = read_text(fixtures::smp_penetrations).report;
-  report.penetrations[0].kind = PenetrationKind::edge_zone;
+  ASSERT_EQ(report.penetrations.size(), 2U);
   report.penetrations[1].kind = PenetrationKind::released;
-  EXPECT_EQ(write_messag(report).find("40565"), std::string::npos);
+  for (const auto kind :
+       {PenetrationKind::edge_zone, PenetrationKind::segment, PenetrationKind::mortar, PenetrationKind::edge}) {
+    report.penetrations[0].kind = kind;
+    EXPECT_EQ(write_messag(report).find("40565"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(SegmentPenetration, OneWayTypesAreSearchedBothWays) {
 
 TEST(SegmentPenetration, OldTypesAreTwoSidedToo) {
   // Part 1 as the reference side, with normals towards part 2; part 2 below it is behind them.
-  const std::string soft_2_with_thickness = "0.\n1.,1.\n2\n,,,1\n";
+  const std::string soft_2_with_thickness = "0.\n1.,1.\n2\n,,1\n";
   for (const double gap : {0.7, -0.7}) {
     const Report report =
         run_rule("GC107", two_plates(gap).contact(1, "SURFACE_TO_SURFACE", "2,1,3,3", soft_2_with_thickness));
@@ -93,6 +93,28 @@ TEST(SegmentPenetration, BeamsAreNoSegments) {
   soft_1.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
   EXPECT_EQ(listed(run_rule("GC107", deck)), 0U);
   EXPECT_EQ(listed(run_rule("GC101", soft_1)), 2U);
+}
+
+TEST(SegmentPenetration, NodesWithoutSegmentsAreHeldAgainstTheOtherSide) {
+  RuleDeck deck = two_plates(0.7).raw("SET_NODE_LIST", "5\n1,2,3\n");
+  const Report report = run_rule("GC107", deck.contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "5,2,4,3", soft_2));
+  ASSERT_EQ(listed(report), 3U);
+  EXPECT_NEAR(report.penetrations[0].depth, 0.3, 1e-12);
+}
+
+TEST(SegmentPenetration, FacetsThatTouchToTheDigitsOfTheDeckDoNotPenetrate) {
+  // Bricks of size 2 whose faces overlap by 1e-8 and by 1e-4.
+  const auto bricks = [](double bottom, double ptol = -1) {
+    RuleDeck deck;
+    deck.solid_part(1).solid_part(2).block(1, 1, 1, 1, 1, Vector(0, 0, 0), Vector(10, 10, 2));
+    deck.block(101, 2, 1, 1, 1, Vector(4, 4, bottom), Vector(2, 2, 2));
+    audit::AuditOptions options;
+    options.ptol = ptol;
+    return listed(run_rule("GC107", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", soft_2), options));
+  };
+  EXPECT_EQ(bricks(2 - 1e-8), 0U);
+  EXPECT_EQ(bricks(2 - 1e-8, 0), 4U);
+  EXPECT_EQ(bricks(2 - 1e-4), 4U);
 }
 
 TEST(SegmentPenetration, BesideAFreeEdgeCountsUnlessEdgesAreSquare) {
