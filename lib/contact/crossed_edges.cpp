@@ -42,7 +42,7 @@ std::vector<EdgeCrossing> find_crossed_edges(const model::Model& model, std::uin
   std::vector<SurfaceEdge> edges = surface_edges(scene, surfaces.type.interior_edges);
   if (!surfaces.type.edges) std::erase_if(edges, [&](const SurfaceEdge& e) { return s.kind[e.segment] == SegmentKind::line; });
   // Lines as thin as the tolerance that penetrate each other.
-  for (SurfaceEdge& e : edges) e.half = 0.5 * crossing_tolerance * (e.x[1] - e.x[0]).norm();
+  for (SurfaceEdge& e : edges) e.half = 0.5 * crossed_edge_tolerance * (e.x[1] - e.x[0]).norm();
 
   const CrossingPairs pairs(model, model.contacts[contact].id);
   const auto allowed = [&](const SurfaceEdge& e, const SurfaceEdge& f) {

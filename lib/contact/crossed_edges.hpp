@@ -14,11 +14,14 @@ struct EdgeCrossing {
   Vector point = Vector::Zero();
 };
 
+/// Lines nearer to each other than this fraction of the mean of their lengths cross: decks are written in decimals.
+inline constexpr double crossed_edge_tolerance = 1e-5;
+
 /// True for contacts that hold edges against edges: types 26, and SOFT = 2 with a DEPTH that ends in 5.
 /// Source: LS-DYNA Keyword User's Manual, Vol. I, *CONTACT card A, as commonly quoted.
 [[nodiscard]] bool looks_at_edges(const model::Contact& contact, const ContactType& type);
 
-/// All pairs of lines of one contact that cross, to within crossing_tolerance of the mean of their lengths: free shell
+/// All pairs of lines of one contact that cross, to within crossed_edge_tolerance: free shell
 /// edges (type i26: all), in types 26 beam axes. Lines around one element, and pairs that CrossingPairs leaves out, do
 /// not count. In the order of the surface. `contact`: position in Model::contacts.
 [[nodiscard]] std::vector<EdgeCrossing> find_crossed_edges(const model::Model& model, std::uint32_t contact,

@@ -32,11 +32,11 @@ struct Side {
   const Segments& segments;
   const std::vector<Vector>& x;
   const model::Mesh& mesh;
+  double fraction;  ///< of a segment's size: the tolerance
   std::vector<Bounds> boxes;
-  Bounds hull;
 
-  Side(const Segments& s, const model::Model& model, const CrossingPairs& pairs, bool lines)
-      : segments(s), x(model.mesh.nodes.x), mesh(model.mesh), boxes(s.size()) {
+  Side(const Segments& s, const model::Model& model, const CrossingPairs& pairs, bool lines, double tolerance_fraction)
+      : segments(s), x(model.mesh.nodes.x), mesh(model.mesh), fraction(tolerance_fraction), boxes(s.size()) {
     parallel_for(s.size(), 8192, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         if ((s.kind[i] == SegmentKind::line && !lines) || !pairs.takes_part(part_of(mesh, s, i))) continue;
@@ -50,7 +50,7 @@ struct Side {
   [[nodiscard]] double tolerance(std::size_t i) const {
     const auto& n = segments.nodes[i];
     const Vector size = (x[n[2].value] - x[n[0].value]).cwiseAbs().cwiseMax((x[n[3].value] - x[n[1].value]).cwiseAbs());
-    return crossing_tolerance * size.maxCoeff();
+    return fraction * size.maxCoeff();
   }
   /// Leaves only the boxes that meet `other`.
   void keep(const Bounds& other) {
@@ -161,11 +161,14 @@ class Decider {
         const Plane of_p(p.x), of_q(q.x);
         const double depth = std::min(of_q.depth(a_.segments.nodes[i], a_.x), of_p.depth(b_.segments.nodes[j], b_.x));
         geometry::Line line;
+        double least = 0;
         if (depth > tolerance && geometry::triangles_cross(p.x, q.x, options_.mode, counters_.decisions))
           line = geometry::common_line(p.x, q.x);
-        else if (goes_on(a_, i, p, of_q, tolerance) && goes_on(b_, j, q, of_p, tolerance))
+        else if (goes_on(a_, i, p, of_q, tolerance) && goes_on(b_, j, q, of_p, tolerance)) {
           line = geometry::common_line(p.x, q.x, tolerance);
-        if (!(line.length() > 2 * tolerance)) continue;
+          least = 2 * tolerance;
+        }
+        if (!(line.length() > least)) continue;
         add(out, line, any);
         out.depth = std::max(out.depth, depth);
         any = true;
@@ -290,10 +293,10 @@ std::vector<Crossing> find_crossings(const model::Model& model, std::uint32_t co
   const Segments& segments_b = surfaces.two_sided() ? surfaces.b.selection.segments : segments_a;
   if (segments_a.size() == 0 || segments_b.size() == 0) return found;
   const CrossingPairs pairs(model, model.contacts[contact].id);
-  Side a(segments_a, model, pairs, surfaces.type.edges);
+  Side a(segments_a, model, pairs, surfaces.type.edges, options.tolerance);
   std::optional<Side> other;
   if (surfaces.two_sided()) {
-    other.emplace(segments_b, model, pairs, surfaces.type.edges);
+    other.emplace(segments_b, model, pairs, surfaces.type.edges, options.tolerance);
     a.keep(other->bounds());
     other->keep(a.bounds());
   }

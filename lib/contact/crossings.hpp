@@ -28,19 +28,20 @@ struct Crossing {
   [[nodiscard]] double length() const { return (to - from).norm(); }
 };
 
+/// What elements stick out behind each other by less than this fraction of the larger one's size is touching: faces that
+/// were meshed to lie on each other differ by so much in real decks.
+inline constexpr double crossing_tolerance = 1e-3;
+
 struct CrossingOptions {
   geometry::Mode mode = geometry::Mode::filtered;
   BoxSearch search = BoxSearch::tree;
+  double tolerance = crossing_tolerance;  ///< of crossing elements
 };
 
 struct CrossingCounters {
   geometry::DecisionCounters decisions;       ///< of pairs of triangles
   std::atomic<std::uint64_t> box_pairs{0};    ///< pairs of segments whose boxes meet and that share no node
 };
-
-/// What elements stick out behind each other by less than this fraction of the larger one's size is touching: decks are
-/// written in decimals.
-inline constexpr double crossing_tolerance = 1e-5;
 
 /// Parts between which a crossing means nothing: excluded by the deck, one rigid body, spotwelds.
 class CrossingPairs {

@@ -78,7 +78,7 @@ TEST(Crossings, FlatGridsInAnyPosition) {
     scene.contact("AUTOMATIC_SINGLE_SURFACE");
     double length = 0, found_length = 0;
     const std::size_t count = expected(grids[0], grids[1], length);
-    const std::vector<Crossing> found = crossings(scene);
+    const std::vector<Crossing> found = crossings(scene, {.tolerance = 1e-12});
     for (const Crossing& c : found) found_length += c.length();
     EXPECT_EQ(found.size(), count) << trial;
     EXPECT_NEAR(found_length, length, 1e-9);

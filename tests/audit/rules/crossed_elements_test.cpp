@@ -52,9 +52,9 @@ TEST(CrossedElements, EachElementOfTheUprightPlateCutsOne) {
 TEST(CrossedElements, StandingOnThePlateIsNone) {
   EXPECT_EQ(found(plates({5, 0, 0})), 0U);
   EXPECT_EQ(found(plates({5, 0, -20})), 0U) << "hanging from it";
-  EXPECT_EQ(found(plates({5, 0, -5e-5})), 0U) << "within the tolerance of a decimal deck";
-  EXPECT_EQ(found(plates({5, 0, -5e-3})), 2U);
-  EXPECT_EQ(found(plates({-0.01, 0, -5})), 0U) << "beside it";
+  EXPECT_EQ(found(plates({5, 0, -9e-3})), 0U) << "within a thousandth of the elements";
+  EXPECT_EQ(found(plates({5, 0, -1.1e-2})), 2U);
+  EXPECT_EQ(found(plates({-0.1, 0, -5})), 0U) << "beside it";
   EXPECT_EQ(found(plates({10, 0, 0})), 0U) << "on a mesh line";
   EXPECT_EQ(found(plates({20, 0, -5})), 0U) << "along the rim, where nothing is beyond";
 }
