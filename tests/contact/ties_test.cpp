@@ -116,7 +116,8 @@ TEST(Ties, EachReasonIsTold) {
 }
 
 TEST(Ties, OfPartsOnlyNodesNearTheSurfaceAreJudged) {
-  // A plate 0.9 above another (allowed 1.2, they tie), one 2 above (within twice the distance), one 5 above (not meant).
+  // A plate 0.9 above another (allowed 1.2, they tie), one 2 above (within twice the distance), one 5 above (not
+  // meant).
   for (const auto& [gap, ties, untied] : {std::tuple(0.9, 4U, 0U), std::tuple(2.0, 0U, 4U), std::tuple(5.0, 0U, 0U)}) {
     Scene scene;
     scene.plate(scene.part(1, 1), {0, 0, 0}, {10, 0, 0}, {0, 10, 0}, 3, 3);
@@ -157,7 +158,8 @@ std::optional<TieReason> reason_at(double height, const std::string& type, std::
 }
 
 TEST(Ties, SeparationsAreToldWhereTheyAreClosedOrLost) {
-  for (const char* type : {"TIED_SURFACE_TO_SURFACE", "TIED_NODES_TO_SURFACE", "TIED_SHELL_EDGE_TO_SURFACE", "SPOTWELD"}) {
+  for (const char* type :
+       {"TIED_SURFACE_TO_SURFACE", "TIED_NODES_TO_SURFACE", "TIED_SHELL_EDGE_TO_SURFACE", "SPOTWELD"}) {
     EXPECT_EQ(reason_at(0.15, type), TieReason::sep);
     EXPECT_EQ(reason_at(0.15, type, 1), TieReason::offset);
     EXPECT_EQ(reason_at(0.14, type), std::nullopt);  // 0.01 · 14.142
