@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 #include <random>
 
@@ -241,6 +242,21 @@ TEST(Ties, ABeamIsNotShortened) {
   EXPECT_EQ(beam_over_plate(5, 30).contacts[0].ties, 1U);
   // Nor does the far end here, below the plate, and 8 of 15 are left.
   EXPECT_EQ(beam_over_plate(7, -8).contacts[0].ties, 1U);
+}
+
+TEST(Ties, HostileNumbersHurtNobodyElse) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Scene scene = plate_and_nodes({{nan, 4, 0}, {1e300, 4, 0}, {3, 4, 0.5}, {-1e308, nan, 1e308}}, "SPOTWELD");
+  for (const double odd : {1e300, nan, -1e300}) {
+    scene.model.contacts[0].parmax = scene.model.contacts[0].maxpar = odd;
+    const InitialState state = scene.run();
+    EXPECT_EQ(state.contacts[0].ties, 1U);
+    EXPECT_EQ(state.judged.size(), 4U);
+  }
+  scene.model.contacts[0].sst = scene.model.contacts[0].mst = -1e300;
+  EXPECT_EQ(scene.run().judged.size(), 4U);
+  scene.model.sections[0].thickness.fill(nan);
+  EXPECT_EQ(scene.run().judged.size(), 4U);
 }
 
 }  // namespace
