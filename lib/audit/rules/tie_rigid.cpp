@@ -56,7 +56,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
                           reference.owners());
     const model::Contact& contact = model.contacts[c];
     Finding f = finding_at(rule, context, contact,
-                           fmt::format("*{} ties by constraint, which rigid bodies do not take: {} stay untied; use "
+                           fmt::format("*{} ties by constraint, which rigid bodies do not take; untied are {}; use "
                                        "the OFFSET form or *CONSTRAINED_EXTRA_NODES",
                                        contact.written, what));
     f.node = tracked.nodes > 0 ? tracked.first : reference.first;
