@@ -5,6 +5,7 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,10 +25,17 @@ namespace {
 struct Arguments {
   std::string deck;
   std::string missing_includes = "error";
+  std::string units;
   audit::AuditOptions audit;
   OutputOptions output;
   ExportOptions exports;
   std::size_t jobs = 0;
+};
+
+/// Unit systems in use, as length-time-mass (pounds: force), with their unit of length in millimetres.
+const std::map<std::string, double> unit_systems{
+    {"mm-ms-kg", 1}, {"mm-s-t", 1},     {"mm-ms-g", 1},   {"mm-s-kg", 1},     {"cm-us-g", 10},
+    {"cm-s-g", 10},  {"m-s-kg", 1000}, {"in-s-lbf", 25.4}, {"ft-s-lbf", 304.8},
 };
 
 /// Every entry of --select and --ignore must pick a rule: a misspelt one would hide findings in silence.
@@ -66,6 +74,9 @@ void add_work(CLI::App& command, Arguments& arguments) {
       command.add_option("--missing-includes", arguments.missing_includes, "What to do about missing include files")
           ->check(CLI::IsMember({"error", "skip"}))
           ->capture_default_str(),
+      command.add_option("--units", arguments.units, "Of the deck, for rules that know millimetres: mm-ms-kg, m-s-kg, …")
+          ->check(CLI::IsMember(unit_systems))
+          ->type_name("SYSTEM"),
       command.add_flag("--exact", arguments.audit.exact, "Decide everything in exact arithmetic (slow, same results)"),
       command.add_option("--jobs", arguments.jobs, "Threads; 0: as many as the machine has")
           ->check(CLI::Range(0, 4096).description(""))
@@ -119,6 +130,7 @@ void add_audit(CLI::App& app, Action& action) {
   add_work(*command, *arguments);
   command->callback([&action, arguments] {
     action = [arguments] {
+      if (!arguments->units.empty()) arguments->audit.millimetre = 1 / unit_systems.at(arguments->units);
       arguments->audit.read.skip_missing_includes = arguments->missing_includes == "skip";
       return audit_deck(*arguments);
     };

@@ -126,6 +126,10 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("nodes tied", c.tied_nodes);
   add("penetrating pairs of tied nodes not reported", c.tied_pairs);
   add("penetrating pairs excluded by the deck", c.excluded_pairs);
+  const auto& crossings = context.crossing_counters();
+  add("element pairs with boxes that meet", crossings.box_pairs);
+  add("triangle pairs decided by the filter", crossings.decisions.filter);
+  add("triangle pairs decided exactly", crossings.decisions.exact);
   if (context.initialised())
     for (const std::string& note : context.initial().notes) report.statistics.emplace_back("note", note);
   for (const std::string& skip : context.skips()) report.statistics.emplace_back("not looked at", skip);

@@ -38,13 +38,23 @@ void Context::skipped(const RuleInfo& rule, std::string what) {
   skips_.push_back(fmt::format("{}: {}", rule.id, what));
 }
 
+contact::InitialOptions Context::initial_options() const {
+  contact::InitialOptions options;
+  options.contacts = options_.contacts;
+  options.tolerance = options_.ptol;
+  options.mode = options_.exact ? geometry::Mode::exact : geometry::Mode::filtered;
+  options.brute_force = options_.brute_force;
+  return options;
+}
+
+contact::ContactMesh& Context::contact_mesh() {
+  if (!contact_mesh_) contact_mesh_.emplace(model_, surfaces_, contacts());
+  return *contact_mesh_;
+}
+
 contact::InitialState& Context::initial() {
   if (!initial_) {
-    contact::InitialOptions options;
-    options.contacts = options_.contacts;
-    options.tolerance = options_.ptol;
-    options.mode = options_.exact ? geometry::Mode::exact : geometry::Mode::filtered;
-    options.brute_force = options_.brute_force;
+    contact::InitialOptions options = initial_options();
     // Asked here and not by want(): another rule may need the initialisation before these have had their turn.
     const auto asked = [&](std::string_view id) {
       const RuleInfo* rule = find_rule(id);
@@ -56,6 +66,25 @@ contact::InitialState& Context::initial() {
     initial_ = contact::initialise_contacts(model_, surfaces_, options, counters_);
   }
   return *initial_;
+}
+
+contact::InitialState Context::initial_if(contact::SurfaceStore& surfaces,
+                                          const std::vector<std::uint32_t>& chosen) const {
+  contact::InitialOptions options = initial_options();
+  options.nodes_stay = true;
+  options.contacts.clear();
+  for (const std::uint32_t i : chosen) options.contacts.push_back(model_.contacts[i].id.value);
+  // Tied nodes are not reported against what they are tied to, so the ties must be made.
+  for (const std::uint32_t i : contacts())
+    if (contact::classify(model_.contacts[i]).family == contact::Family::tied)
+      options.contacts.push_back(model_.contacts[i].id.value);
+  contact::InitialCounters unused;
+  return contact::initialise_contacts(model_, surfaces, options, unused);
+}
+
+const contact::PredictedTimesteps& Context::timesteps() {
+  if (!timesteps_) timesteps_ = contact::predict_timesteps(model_, surfaces_, contacts());
+  return *timesteps_;
 }
 
 Finding finding(const RuleInfo& rule, std::string message, std::string file, std::uint32_t line) {

@@ -6,6 +6,9 @@
 
 #include "audit/audit.hpp"
 #include "audit/registry.hpp"
+#include "contact/contact_mesh.hpp"
+#include "contact/contact_timestep.hpp"
+#include "contact/crossings.hpp"
 #include "contact/initial.hpp"
 #include "model/model.hpp"
 
@@ -28,12 +31,23 @@ class Context {
   /// The surfaces of a contact (position in Model::contacts) on the deck's coordinates; kept once built.
   [[nodiscard]] const contact::ContactSurfaces& surfaces(std::uint32_t contact) { return surfaces_.at(contact); }
   [[nodiscard]] contact::SurfaceStore& surface_store() { return surfaces_; }
+  /// The segments of the chosen contacts, each once; made when first asked for.
+  [[nodiscard]] contact::ContactMesh& contact_mesh();
+  [[nodiscard]] const keyword::Deck& deck() const { return deck_; }
   /// Says for --stats what a rule left out and why: "GC103: 3 contacts have no surfaces to compare".
   void skipped(const RuleInfo& rule, std::string what);
   [[nodiscard]] const std::vector<std::string>& skips() const { return skips_; }
   /// The initialisation of all contacts.
   [[nodiscard]] contact::InitialState& initial();
+  /// What the initialisation of some of the contacts (positions) and of all ties would be on other surfaces; no
+  /// penetrating node is moved. Costs as much as the contacts' share of initial().
+  [[nodiscard]] contact::InitialState initial_if(contact::SurfaceStore& surfaces,
+                                                 const std::vector<std::uint32_t>& contacts) const;
+  /// Time steps of the contacts that --contact lets through, and of the elements.
+  [[nodiscard]] const contact::PredictedTimesteps& timesteps();
   [[nodiscard]] const contact::InitialCounters& counters() const { return counters_; }
+  /// How the rules about crossing elements decided; printed by --stats.
+  [[nodiscard]] contact::CrossingCounters& crossing_counters() { return crossing_counters_; }
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
   /// Asks for the records of one kind in the report.
   void want(PenetrationKind kind) { wanted_.set(static_cast<std::size_t>(kind)); }
@@ -45,13 +59,17 @@ class Context {
   [[nodiscard]] bool wanted(PenetrationKind kind) const { return wanted_.test(static_cast<std::size_t>(kind)); }
 
  private:
+  [[nodiscard]] contact::InitialOptions initial_options() const;
   const keyword::Deck& deck_;
   const model::Model& model_;
   const AuditOptions& options_;
   contact::SurfaceStore surfaces_;
+  std::optional<contact::ContactMesh> contact_mesh_;
   std::vector<std::string> skips_;
   std::optional<contact::InitialState> initial_;
+  std::optional<contact::PredictedTimesteps> timesteps_;
   contact::InitialCounters counters_;
+  contact::CrossingCounters crossing_counters_;
   std::bitset<penetration_kinds> wanted_;
   std::bitset<8> wanted_ties_;
 };

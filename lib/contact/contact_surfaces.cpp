@@ -41,7 +41,7 @@ void take_negative(ContactSide& side, double value) {
 }  // namespace
 
 ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& contact, const std::vector<Vector>& x,
-                               MeshIndex& index) {
+                               MeshIndex& index, const ThicknessChange& change) {
   ContactSurfaces s;
   s.type = classify(contact);
   const bool tied = s.type.family == Family::tied;
@@ -49,7 +49,8 @@ ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& 
   const auto build = [&](ContactSide& side, bool b) {
     side.selection = select(model, b ? contact.b : contact.a, s.type, x, index);
     side.nodes_only = side.selection.segments.size() == 0 && !side.selection.nodes.empty();
-    const ThicknessSide thickness = thickness_side(contact, s.settings, model.controls, b);
+    ThicknessSide thickness = thickness_side(contact, s.settings, model.controls, b);
+    if (!tied) thickness = changed(thickness, change);
     fill_thickness(side.selection.segments, model, thickness, x);
     if (s.settings.mid_surface_offset) fill_offsets(side.selection.segments, model);
     if (!b || s.type.treatment == Treatment::two_way || s.type.by_segments())
@@ -71,11 +72,15 @@ const ContactSurfaces& SurfaceStore::at(std::uint32_t contact) {
   auto& surfaces = built_[contact];
   if (!surfaces) {
     const Stopwatch watch(seconds_);
-    surfaces = std::make_unique<const ContactSurfaces>(
-        build_surfaces(model_, model_.contacts[contact], model_.mesh.nodes.x, index_));
+    surfaces = std::make_unique<const ContactSurfaces>(build(contact, model_.mesh.nodes.x));
     ++count_;
   }
   return *surfaces;
+}
+
+ContactSurfaces SurfaceStore::build(std::uint32_t contact, const std::vector<Vector>& x) {
+  const ThicknessChange change = changes_.empty() ? ThicknessChange{} : changes_[contact];
+  return build_surfaces(model_, model_.contacts[contact], x, index_, change);
 }
 
 }  // namespace gapcheck::contact

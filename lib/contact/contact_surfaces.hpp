@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "contact/contact_type.hpp"
@@ -27,25 +28,28 @@ struct ContactSurfaces {
 };
 
 /// Builds the surfaces of one contact on the coordinates given. Tied contacts measure with the true thickness, whatever
-/// SHLTHK says, and with |SST| and |MST| where these are negative. `index`: of this model.
+/// SHLTHK says, and with |SST| and |MST| where these are negative; `change` is not for them. `index`: of this model.
 [[nodiscard]] ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& contact,
-                                             const std::vector<Vector>& x, MeshIndex& index);
+                                             const std::vector<Vector>& x, MeshIndex& index,
+                                             const ThicknessChange& change = {});
 
 /// The surfaces of a model's contacts on the deck's own coordinates, each built when it is first asked for and kept.
-/// Not for use from several threads. The model must outlive it.
+/// Not for use from several threads. The model must outlive it. `changes`: of thickness, by contact; empty: none.
 class SurfaceStore {
  public:
-  explicit SurfaceStore(const model::Model& model) : model_(model), index_(model), built_(model.contacts.size()) {}
+  explicit SurfaceStore(const model::Model& model, std::vector<ThicknessChange> changes = {})
+      : model_(model), index_(model), changes_(std::move(changes)), built_(model.contacts.size()) {}
   /// `contact`: position in Model::contacts.
   [[nodiscard]] const ContactSurfaces& at(std::uint32_t contact);
-  /// Of the model's elements, for surfaces on other coordinates.
-  [[nodiscard]] MeshIndex& index() { return index_; }
+  /// The same on other coordinates; not kept.
+  [[nodiscard]] ContactSurfaces build(std::uint32_t contact, const std::vector<Vector>& x);
   [[nodiscard]] std::uint64_t built() const { return count_; }
   [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
   const model::Model& model_;
   MeshIndex index_;
+  std::vector<ThicknessChange> changes_;
   std::vector<std::unique_ptr<const ContactSurfaces>> built_;
   std::uint64_t count_ = 0;
   double seconds_ = 0;

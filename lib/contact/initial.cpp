@@ -118,7 +118,7 @@ class Initialiser {
     if (!moved_) return store_.at(c);
     const Stopwatch watch(counters_.surface_s);
     ++counters_.surfaces_built;
-    return own_.emplace(build_surfaces(model_, model_.contacts[c], state_.x, store_.index()));
+    return own_.emplace(store_.build(c, state_.x));
   }
 
   void check(std::uint32_t c) {
@@ -199,7 +199,7 @@ class Initialiser {
     });
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const Penetration& p = state_.penetrations[first + i];
-      if (p.outcome != Outcome::moved) continue;
+      if (p.outcome != Outcome::moved || options_.nodes_stay) continue;
       state_.x[nodes.node[hits[i].slot].value] = p.moved_to;
       moved_ = true;
     }

@@ -18,6 +18,7 @@ struct InitialOptions {
   double tolerance = -1;               ///< replaces the default tolerance of a penetration; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
   bool brute_force = false;
+  bool nodes_stay = false;  ///< penetrating nodes are not moved, whatever the settings are
   // Penetrations that move no nodes are looked for only where somebody asks.
   bool segments = false;  ///< contacts with SOFT = 2
   bool mortar = false;

@@ -18,6 +18,10 @@ struct SolidExtents {
 };
 [[nodiscard]] SolidExtents solid_extents(const Segments& segments, const model::Mesh& mesh, const std::vector<Vector>& x);
 
+/// V / A of a segment of kind solid: the volume of its element over its own area; 0 where it has no area.
+[[nodiscard]] double solid_depth(const Segments& segments, const model::Mesh& mesh, std::size_t segment,
+                                 const std::vector<Vector>& x);
+
 /// Everything that deciding one tracked node against one segment needs; built once per contact and side. All references
 /// must outlive it.
 struct PairScene {

@@ -39,6 +39,11 @@ std::vector<std::uint32_t> bodies(const Segments& s, std::size_t nodes) {
 
 }  // namespace
 
+double solid_depth(const Segments& s, const model::Mesh& mesh, std::size_t i, const std::vector<Vector>& x) {
+  const double a = area(s.nodes[i], x);
+  return a > 0 ? volume(element_nodes(s, mesh, i), x) / a : 0;
+}
+
 SolidExtents solid_extents(const Segments& s, const model::Mesh& mesh, const std::vector<Vector>& x) {
   SolidExtents solids;
   if (std::find(s.kind.begin(), s.kind.end(), SegmentKind::solid) == s.kind.end()) return solids;
@@ -47,10 +52,8 @@ SolidExtents solid_extents(const Segments& s, const model::Mesh& mesh, const std
   solids.body = bodies(s, x.size());
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (s.kind[i] != SegmentKind::solid) continue;
-    const auto& nodes = element_nodes(s, mesh, i);
-    const double a = area(s.nodes[i], x);
-    solids.depth[i] = a > 0 ? volume(nodes, x) / a : 0;
-    solids.extent[i] = reach_behind(s.nodes[i], nodes, x);
+    solids.depth[i] = solid_depth(s, mesh, i, x);
+    solids.extent[i] = reach_behind(s.nodes[i], element_nodes(s, mesh, i), x);
   }
   return solids;
 }

@@ -177,6 +177,8 @@ void keep_box(Selection& selection, const model::Box& box, const std::vector<Vec
   std::erase_if(selection.nodes, [&](NodeIndex n) { return !box.contains(x[n.value]); });
 }
 
+}  // namespace
+
 double shortest_edge(const model::SegmentNodes& n, const std::vector<Vector>& x) {
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 4; ++i) {
@@ -185,8 +187,6 @@ double shortest_edge(const model::SegmentNodes& n, const std::vector<Vector>& x)
   }
   return std::sqrt(shortest);
 }
-
-}  // namespace
 
 Selection select(const model::Model& model, const model::SurfaceInput& input, const ContactType& type,
                  const std::vector<Vector>& x, MeshIndex& index) {

@@ -68,6 +68,9 @@ void fill_offsets(Segments& segments, const model::Model& model);
 [[nodiscard]] TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model,
                                          const ThicknessSide& side, const std::vector<Vector>& x, MeshIndex& index);
 
+/// Shortest edge of a segment; infinity if all its corners are one node.
+[[nodiscard]] double shortest_edge(const model::SegmentNodes& nodes, const std::vector<Vector>& x);
+
 /// Part of the element of a segment; none if unknown.
 [[nodiscard]] PartIndex part_of(const model::Mesh& mesh, const Segments& segments, std::size_t segment);
 /// Id of the element of a segment; 0 if unknown.

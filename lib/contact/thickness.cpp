@@ -25,10 +25,19 @@ ThicknessSide thickness_side(const model::Contact& contact, const ContactSetting
   return side;
 }
 
+ThicknessSide changed(ThicknessSide side, const ThicknessChange& change) {
+  if (change.own) {
+    side.optt = false;
+    side.override_value = side.global_value = 0;
+  }
+  if (change.card != 0) side.override_value = change.card;
+  return side;
+}
+
 Thickness shell_thickness(double element, double shortest_edge, const model::PartContact* part, bool rigid,
                           const ThicknessSide& side) {
   if (side.shlthk == 0 || (side.shlthk == 1 && rigid)) return {};
-  if (part != nullptr && part->optt != 0) return {std::abs(part->optt), ThicknessRule::part_contact};
+  if (side.optt && part != nullptr && part->optt != 0) return {std::abs(part->optt), ThicknessRule::part_contact};
   if (side.override_value != 0) return {side.override_value, ThicknessRule::contact_card};
   if (side.global_value != 0) return {side.global_value, ThicknessRule::global};
   const double part_scale = part != nullptr && part->sft != 0 ? part->sft : 1;
@@ -44,7 +53,7 @@ Thickness solid_thickness(const ThicknessSide& side) {
 }
 
 Thickness beam_thickness(double radius, const model::PartContact* part, const ThicknessSide& side) {
-  if (part != nullptr && part->optt != 0) return {std::abs(part->optt), ThicknessRule::part_contact};
+  if (side.optt && part != nullptr && part->optt != 0) return {std::abs(part->optt), ThicknessRule::part_contact};
   if (side.override_value != 0) return {side.override_value, ThicknessRule::contact_card};
   if (side.global_value != 0) return {side.global_value, ThicknessRule::global};
   const double part_scale = part != nullptr && part->sft != 0 ? part->sft : 1;

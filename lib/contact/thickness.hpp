@@ -24,11 +24,20 @@ struct ThicknessSide {
   double solid_coating = 0;   ///< SLDTHK
   std::int64_t shlthk = 2;    ///< 0 none, 1 not for rigid parts, 2 all
   bool edge_limit = false;    ///< at most 0.4 of the shortest edge
+  bool optt = true;           ///< OPTT counts
+};
+
+/// What the surfaces of a contact take instead of its cards, to see what a change of them would do.
+struct ThicknessChange {
+  bool own = false;  ///< OPTT, SST, MST and TH are left out: what remains is the elements' own thickness
+  double card = 0;   ///< replaces SST and MST; 0: they stay
 };
 
 /// Side A (`tracked` surface) or side B of a contact. Single-surface types have only side A.
 [[nodiscard]] ThicknessSide thickness_side(const model::Contact& contact, const ContactSettings& settings,
                                            const model::Controls& controls, bool side_b);
+
+[[nodiscard]] ThicknessSide changed(ThicknessSide side, const ThicknessChange& change);
 
 /// Thickness of a shell in a contact: OPTT, then SST/MST, then TH, then the element's own × SFT × SFST (limited by 0.4
 /// of the shortest edge where `edge_limit`). `element` and `shortest_edge` in deck units. Source: contact rules, 4.

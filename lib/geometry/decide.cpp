@@ -180,8 +180,7 @@ bool closer_than(const Vector& a, const Vector& b, const Vector& query, double b
   return std::isinf(bound) || exact::segment_closer(a, b, query, bound);
 }
 
-int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode,
-                  DecisionCounters& counters) {
+Side decide_side(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode) {
   if (mode == Mode::filtered) {
     const Vector u = a - query, v = b - query, w = c - query;
     const double size = size_of({u, v, w, w});
@@ -191,14 +190,17 @@ int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vecto
                          au.z() * (av.x() * aw.y() + av.y() * aw.x());
     // Nine roundings of relative size on each product; the last term covers underflow at the sizes let in.
     const double error = 16 * roundoff * terms + 1e-290;
-    if (size >= 1e-90 && size <= 1e90 && std::abs(det) > error) {
-      count(counters, Stage::filter);
-      return det < 0 ? 1 : -1;
-    }
+    if (size >= 1e-90 && size <= 1e90 && std::abs(det) > error) return {det < 0 ? 1 : -1, Stage::filter};
   }
-  count(counters, Stage::exact);
-  if (!a.allFinite() || !b.allFinite() || !c.allFinite() || !query.allFinite()) return 0;
-  return -exact::orientation(a, b, c, query);
+  if (!a.allFinite() || !b.allFinite() || !c.allFinite() || !query.allFinite()) return {0, Stage::exact};
+  return {-exact::orientation(a, b, c, query), Stage::exact};
+}
+
+int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode,
+                  DecisionCounters& counters) {
+  const Side side = decide_side(a, b, c, query, mode);
+  count(counters, side.stage);
+  return side.sign;
 }
 
 }  // namespace gapcheck::geometry

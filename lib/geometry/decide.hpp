@@ -42,6 +42,15 @@ void count(DecisionCounters& counters, Stage stage, std::uint64_t times = 1);
 [[nodiscard]] bool closer_than(const Vector& a, const Vector& b, const Vector& query, double bound, Mode mode,
                                DecisionCounters& counters);
 
+/// On which side of a plane a point lies, and how that was decided.
+struct Side {
+  int sign = 0;
+  Stage stage = Stage::filter;
+};
+
+/// side_of_plane() without counters, for decisions that are made of several sides.
+[[nodiscard]] Side decide_side(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode);
+
 /// Sign of the side of the plane through a, b, c on which the query lies (orientation determinant): exact. 1 on the
 /// side to which the normal (b - a) x (c - a) points, -1 on the other, 0 on the plane or for numbers that are not
 /// finite.

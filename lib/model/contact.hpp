@@ -94,6 +94,7 @@ struct ContactExclusion {
 struct Controls {
   // *CONTROL_CONTACT card 1
   double slsfac = 0.1;
+  double rwpnal = 0;  ///< 0: rigid walls do not see the nodes of rigid bodies
   std::int64_t shlthk = 0, penopt = 1, orien = 1;
   // card 2
   double xpene = 4;
@@ -108,6 +109,8 @@ struct Controls {
   std::int64_t cntco = 0, istupd = 0;
   // *CONTROL_TIMESTEP
   double tssfac = 0.9;
+  std::int64_t isdo = 0;
+  double dt2ms = 0;  ///< mass scaling; zero = none
   bool contact_given = false, shell_given = false;
   Place contact_place, shell_place;
 };

@@ -84,6 +84,8 @@ constexpr Family families[] = {
     {"CONSTRAINED_NODAL_RIGID_BODY", Phase::rest, read_nodal_rigid_body, "TITLE SPC INERTIA OVERRIDE THERMAL"},
     {"CONSTRAINED_EXTRA_NODES", Phase::rest, read_extra_nodes, "NODE SET"},
     {"CONSTRAINED_RIGID_BODIES", Phase::rest, read_rigid_bodies, "SET"},
+    {"RIGIDWALL_PLANAR", Phase::rest, read_rigid_wall, "ID ORTHO FINITE MOVING FORCES DISPLAY", true},
+    {"RIGIDWALL_GEOMETRIC", Phase::rest, read_rigid_wall, "FLAT PRISM CYLINDER SPHERE INTERIOR MOTION DISPLAY ID", true},
     {"CONTROL_CONTACT", Phase::rest, read_control_contact},
     {"CONTROL_SHELL", Phase::rest, read_control_shell},
     {"CONTROL_TIMESTEP", Phase::rest, read_control_timestep},

@@ -11,6 +11,7 @@
 #include "model/contact.hpp"
 #include "model/mesh.hpp"
 #include "model/part.hpp"
+#include "model/rigid_wall.hpp"
 #include "model/sets.hpp"
 
 namespace gapcheck::model {
@@ -42,6 +43,7 @@ struct Model {
   std::vector<Contact> contacts;  ///< every *CONTACT_ that is an interface, in input order
   std::vector<ContactExclusion> exclusions;
   std::vector<RigidGroup> rigid_groups;
+  std::vector<RigidWall> rigid_walls;  ///< in input order
   Controls controls;
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
   std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <vector>
+#include <vector>
 
 #include "base/ids.hpp"
 
@@ -23,6 +24,13 @@ struct PartContact {
   double ssf = 0;   ///< scale on the penalty stiffness
 };
 
+/// One layer of *PART_COMPOSITE.
+struct Ply {
+  std::int64_t material_id = 0;
+  double thickness = 0;
+  std::optional<std::uint32_t> material;  ///< position in Model::materials
+};
+
 struct Part {
   PartId id;
   std::string title;
@@ -30,6 +38,7 @@ struct Part {
   std::optional<std::uint32_t> section;   ///< position in Model::sections
   std::optional<std::uint32_t> material;  ///< position in Model::materials
   std::optional<PartContact> contact;
+  std::vector<Ply> plies;          ///< of *PART_COMPOSITE
   double composite_thickness = 0;  ///< sum of the plies of *PART_COMPOSITE; 0 = not composite
   Place place;
 };
@@ -52,6 +61,7 @@ struct Material {
   std::string keyword;  ///< "MAT_ELASTIC"; numbers are resolved to names where the manual has both (MAT_001)
   double density = 0, young = 0, poisson = 0;
   double bulk = 0;             ///< given, or E / (3 (1 - 2 ν))
+  bool stiffness_known = false;  ///< the elastic constants above were read, even if they are zero
   bool rigid = false;          ///< MAT_RIGID (020)
   bool null_material = false;  ///< MAT_NULL (009)
   bool spotweld = false;       ///< MAT_SPOTWELD (100)

@@ -21,6 +21,7 @@ void read_control_contact(Context& context, const Block& block, const Options&) 
   controls.contact_place = Context::place(block, block.line);
   const Card card1 = next_card(reader, "CONTROL_CONTACT", "card1");
   controls.slsfac = or_default(card1.real("slsfac"), 0.1);
+  controls.rwpnal = card1.real("rwpnal");
   controls.shlthk = card1.integer("shlthk");
   controls.penopt = or_default(card1.integer("penopt"), 1);
   controls.orien = or_default(card1.integer("orien"), 1);
@@ -53,7 +54,10 @@ void read_control_shell(Context& context, const Block& block, const Options&) {
 void read_control_timestep(Context& context, const Block& block, const Options&) {
   CardReader reader(context.deck, block, context.diagnostics);
   const Card card = next_card(reader, "CONTROL_TIMESTEP", "card1");
-  context.model.controls.tssfac = or_default(card.real("tssfac"), 0.9);
+  Controls& controls = context.model.controls;
+  controls.tssfac = or_default(card.real("tssfac"), 0.9);
+  controls.isdo = card.integer("isdo");
+  controls.dt2ms = card.real("dt2ms") * context.transform(block).time_factor;
 }
 
 }  // namespace gapcheck::model

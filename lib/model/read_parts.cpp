@@ -30,17 +30,20 @@ void read_part_plies(Context& context, CardReader& reader, bool one_per_line, Pa
   static const CardLayout plies = [] {
     CardLayout layout = id_and_reals(IdKind::material, 7);
     layout.fields[3].type = layout.fields[4].type = layout.fields[7].type = FieldType::integer;
+    layout.fields[4].id = IdKind::material;
     return layout;
   }();
-  double sum = 0;
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
     const Card card = reader.next(plies);
     if (part.material_id == 0) part.material_id = card.integer(0);
-    sum += card.real(1);
-    if (!one_per_line) sum += card.real(5);
+    for (const std::size_t first : {std::size_t{0}, std::size_t{4}}) {
+      const double thickness = context.length(reader.block(), card.real(first + 1));
+      if (first > 0 && (one_per_line || thickness == 0)) break;
+      part.plies.push_back({card.integer(first), thickness, std::nullopt});
+      part.composite_thickness += thickness;
+    }
   }
-  part.composite_thickness = context.length(reader.block(), sum);
 }
 
 /// A composite part is its own section.
@@ -123,6 +126,7 @@ void finish_parts(Context& context) {
   for (Part& part : context.model.parts) {
     if (!part.section) part.section = find(context.section_of_id, part.section_id);
     part.material = find(context.material_of_id, part.material_id);
+    for (Ply& ply : part.plies) ply.material = find(context.material_of_id, ply.material_id);
   }
 }
 

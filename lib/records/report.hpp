@@ -75,6 +75,7 @@ struct Report {
   std::vector<TieFailure> tie_failures;    ///< by contact, reason, node id
   std::vector<Finding> findings;           ///< by id; of one rule as it found them
   std::optional<SolverRun> run;            ///< only where solver files were read
+  std::optional<Timesteps> predicted;      ///< time steps computed from a deck, where a rule asked for them
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
   Timing timing;
 };

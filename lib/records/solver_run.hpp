@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
+#include "records/timesteps.hpp"
 
 namespace gapcheck {
 
@@ -18,15 +19,6 @@ struct SolverMessage {
   std::uint32_t file = 0, line = 0;
 };
 
-/// One "surface timestep" block.
-struct SurfaceTimestep {
-  std::uint32_t contact = 0;  ///< position in Report::contacts
-  char side = 'A';            ///< 'A', 'B'
-  std::string type;           ///< as printed, blanks out: "a3"
-  double timestep = 0;        ///< 1e16: no limit
-  std::int64_t node = 0, part = 0;  ///< controlling; 0: none printed
-};
-
 /// "node N (rigidwall W) init. penetration= p".
 struct RigidwallPenetration {
   std::int64_t node = 0, wall = 0;
@@ -35,16 +27,13 @@ struct RigidwallPenetration {
 };
 
 /// What the files say of the run as a whole. Empty or zero: not said.
-struct SolverRun {
+struct SolverRun : Timesteps {
   std::string version, revision, precision, platform, title;
   bool mpp = false;
   std::uint32_t ranks = 0;
   enum class Termination : std::uint8_t { unknown, normal, error } termination = Termination::unknown;
-  double contact_timestep = 0;  ///< "should not exceed"
-  double element_timestep = 0;  ///< smallest of the "100 smallest timesteps"
   double problem_time = 0;
   std::int64_t cycles = 0;
-  std::vector<SurfaceTimestep> surface_timesteps;
   std::vector<RigidwallPenetration> rigidwalls;
   std::vector<SolverMessage> messages;  ///< by code, then file and line
   bool counts_may_be_cut = false;       ///< a file shows that messages were suppressed

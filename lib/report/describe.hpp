@@ -17,9 +17,6 @@ struct RecordRule {
 
 [[nodiscard]] std::string_view name(Severity severity);
 
-/// The deck's input that gave a thickness, in the manual's words: "SST/MST".
-[[nodiscard]] std::string_view thickness_source(ThicknessRule rule);
-
 /// Where the contact distance of a record comes from: "SST/MST", or "node: …, segment: …" where the sides differ.
 /// Appends nothing where neither side is known. Plain ASCII without quotes and backslashes.
 void append_cause(const Penetration& record, fmt::memory_buffer& out);

@@ -37,8 +37,9 @@ void append_model(const ModelCounts& model, Buffer& out) {
   object.close();
 }
 
-/// `deck`: false for solver files, which do not know everything of a contact.
-void append_contact(const ContactSummary& contact, bool deck, Buffer& out) {
+void append_contact(const Report& report, std::uint32_t position, Buffer& out) {
+  const ContactSummary& contact = report.contacts[position];
+  const bool deck = report.source == "deck";  // solver files do not know everything of a contact
   Members object(out);
   object.integer("id", contact.id);
   if (deck || contact.order != 0) object.integer("order", contact.order);
@@ -62,6 +63,7 @@ void append_contact(const ContactSummary& contact, bool deck, Buffer& out) {
   if (contact.out_of_reach != 0) object.integer("out_of_reach", contact.out_of_reach);
   if (contact.reported_penetrations != 0) object.integer("reported_penetrations", contact.reported_penetrations);
   if (contact.contact_time_s >= 0) object.number("contact_time_s", contact.contact_time_s);
+  append_predicted_timesteps(report, position, object, out);
   if (!contact.not_checked.empty()) object.string("not_checked", contact.not_checked);
   if (!contact.file.empty()) object.string("file", contact.file);
   if (contact.line != 0) object.integer("line", contact.line);
@@ -213,12 +215,13 @@ void json(const Report& report, const Sink& sink) {
   } else {
     stream.text(",\n\"model\":");
     append_model(report.model, stream.buffer);
+    append_predicted_limits(report, stream.buffer);
   }
   stream.text(",\n\"contacts\":[");
   bool first = true;
-  for (const ContactSummary& contact : report.contacts) {
+  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) {
     stream.separator(std::exchange(first, false));
-    append_contact(contact, report.source == "deck", stream.buffer);
+    append_contact(report, i, stream.buffer);
   }
   stream.text("],\n\"findings\":[");
   append_findings(report, stream);

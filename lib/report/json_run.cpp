@@ -1,5 +1,7 @@
 #include "report/json_run.hpp"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "report/describe_tie.hpp"
@@ -61,6 +63,15 @@ void append_facts(const SolverRun& run, Members& object) {
   object.raw("counts_may_be_cut", run.counts_may_be_cut ? "true" : "false");
 }
 
+void append_timestep(const SurfaceTimestep& step, Members& entry) {
+  entry.plain("side", std::string_view(&step.side, 1));
+  if (!step.type.empty()) entry.string("type", step.type);
+  entry.number("timestep", step.timestep);
+  if (step.node != 0) entry.integer("node", step.node);
+  if (step.part != 0) entry.integer("part", step.part);
+  if (step.rough) entry.raw("rough", "true");
+}
+
 }  // namespace
 
 void append_run(const Report& report, Buffer& out) {
@@ -69,11 +80,7 @@ void append_run(const Report& report, Buffer& out) {
   append_facts(run, object);
   const auto timestep = [&](const SurfaceTimestep& step, Members& entry) {
     if (step.contact < report.contacts.size()) entry.integer("contact", report.contacts[step.contact].id);
-    entry.plain("side", std::string_view(&step.side, 1));
-    if (!step.type.empty()) entry.string("type", step.type);
-    entry.number("timestep", step.timestep);
-    if (step.node != 0) entry.integer("node", step.node);
-    if (step.part != 0) entry.integer("part", step.part);
+    append_timestep(step, entry);
   };
   const auto wall = [&](const RigidwallPenetration& penetration, Members& entry) {
     entry.integer("node", penetration.node);
@@ -93,6 +100,24 @@ void append_run(const Report& report, Buffer& out) {
   append_list(object, "surface_timesteps", run.surface_timesteps, timestep, out);
   append_list(object, "rigidwalls", run.rigidwalls, wall, out);
   append_list(object, "messages", run.messages, message, out);
+  object.close();
+}
+
+void append_predicted_timesteps(const Report& report, std::uint32_t contact, Members& object, Buffer& out) {
+  if (!report.predicted) return;
+  const auto& steps = report.predicted->surface_timesteps;
+  const auto before = [](const SurfaceTimestep& step, std::uint32_t c) { return step.contact < c; };
+  const auto first = std::lower_bound(steps.begin(), steps.end(), contact, before);
+  const auto last = std::lower_bound(first, steps.end(), contact + 1, before);
+  append_list(object, "surface_timesteps", std::span(first, last), append_timestep, out);
+}
+
+void append_predicted_limits(const Report& report, Buffer& out) {
+  if (!report.predicted) return;
+  out.append(std::string_view(",\n\"timesteps\":"));
+  Members object(out);
+  if (report.predicted->contact_timestep > 0) object.number("contact_timestep", report.predicted->contact_timestep);
+  if (report.predicted->element_timestep > 0) object.number("element_timestep", report.predicted->element_timestep);
   object.close();
 }
 

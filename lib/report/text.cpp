@@ -224,7 +224,7 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   const std::uint64_t unlisted = unlisted_penetrations(contact);
   if (!records.empty() || unlisted > 0 || (contact.not_checked.empty() && ties.empty()))
     out += "  " + size_of(report, contact) + result_line(sum, unlisted, paint) + '\n';
-  if (report.run) append_surface_timesteps(*report.run, position, out);
+  if (const Timesteps* steps = timesteps(report)) append_surface_timesteps(*steps, position, out);
   if (contact.ties > 0) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
   if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));
   if (contact.out_of_reach > 0)
@@ -375,8 +375,9 @@ std::string text(const Report& report, const TextOptions& options) {
   if (report.run) {
     append_rigidwalls(*report.run, options.list ? report.run->rigidwalls.size() : options.top, out);
     append_messages(report, options.list, "--list", out);
-    append_timestep_limits(*report.run, out);
   }
+  const Timesteps* steps = timesteps(report);
+  if (steps != nullptr && (report.run || steps->contact_timestep > 0)) append_timestep_limits(*steps, out);
   if (report.contacts.size() > 1) append_total(report, total, out);
   if (options.stats) out += "\nstatistics\n" + statistics(report);
   out += '\n' + verdict(report, paint);

@@ -12,9 +12,6 @@
 namespace gapcheck::report {
 namespace {
 
-/// Penalty surfaces that limit nothing print this as their time step.
-constexpr double no_limit = 1e16;
-
 std::string id_or_dash(std::int64_t id) { return id == 0 ? "-" : fmt::format("{}", id); }
 
 std::string times(std::uint64_t count) { return fmt::format("{} time{}", count, count == 1 ? "" : "s"); }
@@ -48,19 +45,25 @@ std::string run_line(const SolverRun& run) {
   return line.empty() ? "" : "  LS-DYNA " + line + '\n';
 }
 
-void append_surface_timesteps(const SolverRun& run, std::uint32_t contact, std::string& out) {
-  for (const SurfaceTimestep& step : run.surface_timesteps) {
+const Timesteps* timesteps(const Report& report) {
+  if (report.run) return &*report.run;
+  return report.predicted ? &*report.predicted : nullptr;
+}
+
+void append_surface_timesteps(const Timesteps& steps, std::uint32_t contact, std::string& out) {
+  for (const SurfaceTimestep& step : steps.surface_timesteps) {
     if (step.contact != contact) continue;
     out += fmt::format("  surface {}: time step ", step.side);
-    out += step.timestep >= no_limit ? "without limit" : fmt::format("{:.3E}", step.timestep);
-    out += fmt::format(", controlled by node {} of part {}\n", id_or_dash(step.node), id_or_dash(step.part));
+    out += step.timestep >= no_timestep_limit ? "without limit" : fmt::format("{:.3E}", step.timestep);
+    out += fmt::format(", controlled by node {} of part {}", id_or_dash(step.node), id_or_dash(step.part));
+    out += step.rough ? " (rough: triangles)\n" : "\n";
   }
 }
 
-void append_timestep_limits(const SolverRun& run, std::string& out) {
-  if (run.contact_timestep > 0)
-    out += fmt::format("\ncontact: the time step should not exceed {:.3E}\n", run.contact_timestep);
-  if (run.element_timestep > 0) out += fmt::format("elements: smallest time step {:.3E}\n", run.element_timestep);
+void append_timestep_limits(const Timesteps& steps, std::string& out) {
+  if (steps.contact_timestep > 0)
+    out += fmt::format("\ncontact: the time step should not exceed {:.3E}\n", steps.contact_timestep);
+  if (steps.element_timestep > 0) out += fmt::format("elements: smallest time step {:.3E}\n", steps.element_timestep);
 }
 
 void append_rigidwalls(const SolverRun& run, std::size_t limit, std::string& out) {

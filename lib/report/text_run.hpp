@@ -13,11 +13,14 @@ namespace gapcheck::report {
 /// "  LS-DYNA smp d R14, R14.0-515, Double precision, normal termination"; nothing where the files say nothing.
 [[nodiscard]] std::string run_line(const SolverRun& run);
 
+/// The time steps of a report, printed by the solver or computed from the deck; nullptr if it has none.
+[[nodiscard]] const Timesteps* timesteps(const Report& report);
+
 /// The surface time steps of one contact (position in Report::contacts).
-void append_surface_timesteps(const SolverRun& run, std::uint32_t contact, std::string& out);
+void append_surface_timesteps(const Timesteps& steps, std::uint32_t contact, std::string& out);
 
 /// The limits for the time step of the whole model.
-void append_timestep_limits(const SolverRun& run, std::string& out);
+void append_timestep_limits(const Timesteps& steps, std::string& out);
 
 /// Nodes that start inside a rigid wall, deepest first, `limit` of them.
 void append_rigidwalls(const SolverRun& run, std::size_t limit, std::string& out);

@@ -1,9 +1,11 @@
 // Decks by other authors, where they are at hand: everything in them is read, and all ways to search agree.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -159,6 +161,57 @@ TEST(RealRun, TiesAsManyNodesAsTheSolver) {
   for (const ContactSummary& contact : run.report.contacts) ties += contact.ties;
   EXPECT_EQ(3 * ties, equations);
   EXPECT_TRUE(run.report.tie_failures.empty());  // and it printed no warning of an untied node
+}
+
+/// What stands behind the last `=` of the lines with these words.
+std::vector<std::string> printed(const fs::path& path, const std::string& words) {
+  std::vector<std::string> values;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (line.find(words) == std::string::npos) continue;
+    std::string value = line.substr(line.rfind('=') == std::string::npos ? line.rfind(' ') : line.rfind('=') + 1);
+    std::erase(value, ' ');
+    values.push_back(value);
+  }
+  return values;
+}
+
+// The solver backed the two ties of this run with penalty contacts between the same segments, and printed their time
+// steps. The material is that of the run (density as echoed, E and ν at the start), which the deck beside it no longer has.
+TEST(RealRun, TimeStepsOfContactAreThoseThatTheSolverPrints) {
+  NEED_REAL_DECKS();
+  const fs::path run_folder = fs::canonical(folder / "tied_plate_with_run");
+  std::string deck = "*KEYWORD\n*MAT_ELASTIC\n1,7.8e-9,210000.,0.3\n*SECTION_SOLID\n1,2\n*CONTROL_TIMESTEP\n0.1,1.0\n";
+  for (const char* part : {"1", "2", "3"}) deck += std::string("*PART\npart\n") + part + ",1,1\n";
+  for (const char* contact : {"80086,\n6767,67671,0,0", "8009,\n6969,69691,0,0"})
+    deck += std::string("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n") + contact + "\n0.\n1.,1.\n";
+  for (const char* file : {"geometry.k", "boundary.k"}) deck += "*INCLUDE\n" + (run_folder / file).string() + "\n";
+  audit::AuditOptions options;
+  options.select = {"GC420"};
+  const AuditRun run = run_text(deck, options);
+  ASSERT_TRUE(clean(run)) << describe(run.diagnostics);
+  ASSERT_TRUE(run.report.predicted);
+
+  const fs::path messag = run_folder / "messag";
+  const auto steps = printed(messag, "surface timestep "), nodes = printed(messag, "controlling surf"),
+             parts = printed(messag, "part ID of surf"), limit = printed(messag, "should not exceed");
+  const auto& predicted = run.report.predicted->surface_timesteps;
+  ASSERT_EQ(steps.size(), 4u);
+  ASSERT_EQ(predicted.size(), steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_EQ(fmt::format("{:.3E}", predicted[i].timestep), steps[i]);
+    EXPECT_EQ(std::to_string(predicted[i].node), nodes.at(i));
+    EXPECT_EQ(std::to_string(predicted[i].part), parts.at(i));
+  }
+  ASSERT_EQ(limit.size(), 1u);
+  EXPECT_EQ(fmt::format("{:.3E}", run.report.predicted->contact_timestep), limit[0]);
+
+  std::ifstream d3hsp(run_folder / "d3hsp");
+  std::string line, kind, step;
+  while (std::getline(d3hsp, line) && line.find("100 smallest timesteps") == std::string::npos) continue;
+  for (int skipped = 0; skipped < 3; ++skipped) std::getline(d3hsp, line);
+  std::istringstream(line) >> kind >> kind >> step >> step;
+  EXPECT_EQ(fmt::format("{:.4E}", run.report.predicted->element_timestep), step);
 }
 
 TEST(AnyDeck, GivesAReportOrAReason) {

@@ -28,6 +28,17 @@ struct Scene {
     return index;
   }
 
+  /// Gives a part a new material with these constants; returns it for changes.
+  model::Material& material(PartIndex part, double density, double bulk = 0, double young = 0, double poisson = 0) {
+    model::Material& m = model.materials.emplace_back();
+    m.density = density;
+    m.bulk = bulk;
+    m.young = young;
+    m.poisson = poisson;
+    model.parts[part.value].material = static_cast<std::uint32_t>(model.materials.size() - 1);
+    return m;
+  }
+
   NodeIndex node(const Vector& x) {
     auto& nodes = model.mesh.nodes;
     const auto index = static_cast<std::uint32_t>(nodes.size());

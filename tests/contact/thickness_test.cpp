@@ -30,6 +30,22 @@ TEST(Thickness, EdgeLimitBitesOnlyOnTheElementsOwn) {
   EXPECT_DOUBLE_EQ(shell_thickness(1, 5, nullptr, false, side).value, 3);
 }
 
+TEST(Thickness, ChangesForATrial) {
+  ThicknessSide side;
+  side.override_value = 0.5;
+  side.global_value = 4;
+  side.scale = 1.5;
+  model::PartContact part;
+  part.optt = 7;
+  const ThicknessSide own = changed(side, {.own = true});
+  EXPECT_DOUBLE_EQ(shell_thickness(2, 10, &part, false, own).value, 3);
+  EXPECT_DOUBLE_EQ(beam_thickness(2, &part, own).value, 6);
+  const ThicknessSide card = changed(side, {.card = 0.25});
+  EXPECT_DOUBLE_EQ(shell_thickness(2, 10, nullptr, false, card).value, 0.25);
+  EXPECT_DOUBLE_EQ(shell_thickness(2, 10, &part, false, card).value, 7);
+  EXPECT_DOUBLE_EQ(shell_thickness(2, 10, nullptr, false, changed(side, {})).value, 0.5);
+}
+
 TEST(Thickness, ShlthkOfOldTypes) {
   ThicknessSide side;
   side.override_value = 1;

@@ -262,6 +262,8 @@ TEST(Controls, DefaultsAndValues) {
   EXPECT_EQ(controls.istupd, 1);
   EXPECT_EQ(controls.cntco, 2);
   EXPECT_EQ(controls.tssfac, 0.67);
+  EXPECT_EQ(controls.isdo, 2);
+  EXPECT_EQ(controls.dt2ms, -1e-6);
   EXPECT_EQ(read.text(), "");
   const Read short_one = read_text("*CONTROL_CONTACT\n\n\n*CONTROL_SHELL\n*CONTROL_TIMESTEP\n");
   EXPECT_EQ(short_one.model.controls.slsfac, 0.1);

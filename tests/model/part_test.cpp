@@ -52,6 +52,9 @@ TEST(Parts, CompositesAreTheirOwnSection) {
   ASSERT_EQ(read.model.parts.size(), 1u) << read.text();
   const Part& part = read.model.parts[0];
   EXPECT_EQ(part.composite_thickness, 1.25);
+  ASSERT_EQ(part.plies.size(), 3u);
+  EXPECT_EQ(part.plies[1].thickness, 0.25);
+  EXPECT_EQ(part.plies[1].material, std::optional<std::uint32_t>(0));
   EXPECT_EQ(part.material_id, 7);
   ASSERT_TRUE(part.section && part.material);
   EXPECT_EQ(read.model.sections[*part.section].thickness, (std::array<double, 4>{1.25, 1.25, 1.25, 1.25}));
@@ -125,6 +128,30 @@ TEST(Sections, OtherKinds) {
   EXPECT_EQ(read.model.sections[6].kind, SectionKind::particle);
   EXPECT_EQ(read.model.sections[9].kind, SectionKind::other);
   EXPECT_EQ(read.text(), "");
+}
+
+TEST(Materials, ElasticConstantsOfCommonOnes) {
+  const Read read = read_text(
+      "*MAT_JOHNSON_COOK\n1,7.8e-9,77000.,200000.,0.3\n*MAT_LOW_DENSITY_FOAM\n2,1.e-10,5.\n"
+      "*MAT_058\n3,1.e-9,700.,600.,,0.25\n*MAT_063\n4,1.e-10,6.,0.1\n*MAT_FU_CHANG_FOAM\n5,1.e-10,7.\n"
+      "*MAT_SIMPLIFIED_RUBBER/FOAM\n6,1.e-9,2000.\n*MAT_ISOTROPIC_ELASTIC_PLASTIC\n7,1.,3.,4.,5.,6.\n"
+      "*MAT_SAMP-1\n8,1.,9.,3.,12.,0.3\n*MAT_NULL\n9,1.\n*MAT_ELASTIC_PLASTIC_HYDRO\n10,1.,3.\n");
+  const auto& m = read.model.materials;
+  ASSERT_EQ(m.size(), 10u) << read.text();
+  EXPECT_EQ(m[0].young, 200000);
+  EXPECT_DOUBLE_EQ(m[0].bulk, 200000 / 1.2);
+  EXPECT_EQ(m[1].young, 5);
+  EXPECT_DOUBLE_EQ(m[1].bulk, 5.0 / 3);
+  EXPECT_DOUBLE_EQ(m[2].bulk, 700 / 1.5);
+  EXPECT_DOUBLE_EQ(m[3].bulk, 6 / 2.4);
+  EXPECT_EQ(m[4].young, 7);
+  EXPECT_EQ(m[5].bulk, 2000);
+  EXPECT_EQ(m[6].bulk, 6);
+  EXPECT_EQ(m[7].bulk, 9);
+  EXPECT_EQ(m[7].young, 12);
+  EXPECT_TRUE(m[8].stiffness_known);
+  EXPECT_EQ(m[8].bulk, 0);
+  EXPECT_FALSE(m[9].stiffness_known);
 }
 
 TEST(Materials, NamesNumbersAndOptions) {

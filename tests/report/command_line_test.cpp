@@ -81,6 +81,7 @@ TEST_F(CommandLine, BadArgumentsGiveTwoAndNothingOnStandardOutput) {
                                 "audit data/clean.k --jobs -1",
                                 "audit data/clean.k --ptol nan",
                                 "audit data/clean.k --ptol=-1",
+                                "audit data/clean.k --units furlong",
                                 "audit data/clean.k --contact x",
                                 "audit data/clean.k --contact 99999999999999999999",
                                 "audit data/clean.k --select no-such-rule",
@@ -123,6 +124,39 @@ TEST_F(CommandLine, AContactThatDoesNotExistIsAnError) {
   const Outcome outcome = run("audit data/two_plates.k --contact 1,77");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.err.find("77"), std::string::npos);
+}
+
+TEST_F(CommandLine, UnitsMakeMillimetresOfTheDeck) {
+  // Its shells are 1 thick: a millimetre or a metre.
+  const std::string audit = "audit data/two_plates.k --select GC303 --fail-on warning --units ";
+  EXPECT_EQ(run(audit + "m-s-kg").code, 0);
+  EXPECT_EQ(run(audit + "mm-s-t").code, 0);
+  const std::string thin = file("thin.k", R"(*KEYWORD
+*MAT_ELASTIC
+1,7.85e-9,210000.,0.3
+*SECTION_SHELL
+1,2
+0.4
+*PART
+part
+1,1,1
+*NODE
+1,0,0,0
+2,5,0,0
+3,5,5,0
+4,0,5,0
+*ELEMENT_SHELL
+1,1,1,2,3,4
+*CONTACT_AUTOMATIC_SINGLE_SURFACE
+0,0,5,0
+0.
+1.,1.
+*END
+)");
+  const std::string select = "audit '" + thin + "' --select GC303 --fail-on warning";
+  EXPECT_EQ(run(select).code, 0);
+  EXPECT_EQ(run(select + " --units mm-s-t").code, 1);
+  EXPECT_EQ(run(select + " --units in-s-lbf").code, 0);
 }
 
 TEST_F(CommandLine, ListsDoNotSwallowTheDeck) {

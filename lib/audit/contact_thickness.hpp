@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "audit/rule.hpp"
+#include "audit/worst_by_key.hpp"
+
+namespace gapcheck::audit {
+
+/// The contacts (positions, chosen by --contact) whose thickness keeps surfaces apart. Ties are left out, with a word for
+/// --stats: their thickness decides only what ties.
+[[nodiscard]] std::vector<std::uint32_t> contacts_with_thickness(const RuleInfo& rule, Context& context);
+
+/// The segments of one part in one contact that a rule objects to. `worst.key` is the part.
+struct PartSegments {
+  std::uint32_t contact = 0;                     ///< position in Model::contacts
+  const contact::Segments* segments = nullptr;  ///< of the surfaces that the context keeps
+  Worst worst;                                   ///< `item`: the worst segment
+  [[nodiscard]] PartIndex part() const { return PartIndex{static_cast<std::uint32_t>(worst.key)}; }
+};
+
+/// Weighs the segments of one side by part and puts the parts behind `list`; parts that --part does not name and segments
+/// without a known part do not count. `weigh(segment)`: not above 0 for segments that are in order.
+void weigh_by_part(std::vector<PartSegments>& list, const Context& context, std::uint32_t contact,
+                   const contact::Segments& segments, const std::function<double(std::size_t)>& weigh);
+
+/// One finding per part, the worst parts of each contact in full. `words(part)` is the message of one part, `others` what
+/// the rest is said to be: "parts whose …".
+void add_by_part(const RuleInfo& rule, const Context& context, Report& report, const std::vector<PartSegments>& list,
+                 const std::function<std::string(const PartSegments&)>& words, const std::string& others);
+
+/// A finding at the element of a segment of a known part.
+[[nodiscard]] Finding finding_at_segment(const RuleInfo& rule, const Context& context, const model::Contact& contact,
+                                         const contact::Segments& segments, std::size_t segment, std::string message);
+
+/// "part 7".
+[[nodiscard]] std::string part_name(const model::Model& model, PartIndex part);
+/// "shell 12", "element 12".
+[[nodiscard]] std::string element_name(const model::Mesh& mesh, const contact::Segments& segments, std::size_t segment);
+/// "element" or "elements", with the number before it.
+[[nodiscard]] std::string count_elements(std::uint64_t count);
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include "audit/mesh_finding.hpp"
+#include "audit/rules.hpp"
+#include "contact/rigid_wall.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+std::string wall_name(const model::RigidWall& wall) {
+  return wall.title.empty() ? fmt::format("rigid wall {}", wall.id) : fmt::format("rigid wall {} \"{}\"", wall.id, wall.title);
+}
+
+void check(const RuleInfo& rule, Context& context, Report& report, std::size_t position) {
+  const model::Model& model = context.model();
+  const model::RigidWall& wall = model.rigid_walls[position];
+  const std::vector<NodeIndex> nodes = contact::nodes_of_wall(model, wall);
+  const std::vector<Vector>& x = model.mesh.nodes.x;
+  std::vector<Found> found = find_all(nodes.size(), [&](std::size_t i, std::vector<Found>& list) {
+    if (const auto in = contact::wall_penetration(wall, x[nodes[i].value]))
+      list.push_back({static_cast<std::int64_t>(position), in->depth, nodes[i].value});
+  });
+  add_grouped(
+      report, std::move(found),
+      [&](const Found& f) {
+        const NodeIndex node{static_cast<std::uint32_t>(f.item)};
+        const auto in = contact::wall_penetration(wall, x[node.value]);
+        Finding finding = node_finding(rule, context, node,
+                                       fmt::format("node {} is {:.6g} deep in {}; move the wall or the node, or exempt the node "
+                                                   "(NSIDEX)",
+                                                   model.mesh.nodes.id[node.value], f.weight, wall_name(wall)));
+        finding.penetration = f.weight;
+        if (in) finding.point = in->surface;
+        return finding;
+      },
+      [&](const Found& f, std::uint64_t count) {
+        Finding finding = audit::finding(rule, fmt::format("{} more nodes are in {}, up to {:.6g} deep", count, wall_name(wall), f.weight),
+                                  context.path(wall.place.file), wall.place.line);
+        finding.penetration = f.weight;
+        return finding;
+      });
+}
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  const auto& walls = context.model().rigid_walls;
+  std::size_t unborn = 0;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    if (walls[i].birth > 0)
+      ++unborn;
+    else
+      check(rule, context, report, i);
+  }
+  if (unborn > 0) context.skipped(rule, fmt::format("{} rigid walls that are born later", unborn));
+}
+
+}  // namespace
+
+const Rule rigidwall_penetration{
+    {"GC110", "rigidwall-penetration", Severity::warning, "a node lies behind or in a rigid wall that is to stop it"}, run};
+
+}  // namespace gapcheck::audit

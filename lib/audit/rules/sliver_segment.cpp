@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include "audit/mesh_finding.hpp"
+#include "audit/rules.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+/// Altitude over longest edge, that is an aspect ratio of twenty.
+constexpr float least_slenderness = 0.05F;
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  contact::ContactMesh* mesh = mesh_in_contact(rule, context);
+  if (mesh == nullptr) return;
+  const auto& quality = mesh->quality();
+  std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
+    const contact::SegmentQuality& q = quality[i];
+    if (q.fault != contact::SegmentFault::none || !(q.slenderness < least_slenderness)) return;
+    if (context.part_chosen(mesh->part(i))) list.push_back({part_group(*mesh, i), -static_cast<double>(q.slenderness), i});
+  });
+  const auto edge = [&](std::size_t i) { return contact::edge_range(mesh->nodes(i), context.model().mesh.nodes.x).longest; };
+  add_grouped(
+      report, std::move(found),
+      [&](const Found& f) {
+        const double longest = edge(f.item);
+        return segment_finding(rule, context, *mesh, f.item,
+                               fmt::format("{}{} is a sliver: {:.3g} high and {:.3g} long, a ratio of {:.3g} (below {}); "
+                                           "collapse or remesh it",
+                                           segment_name(*mesh, f.item), of_part(*mesh, f.item),
+                                           quality[f.item].slenderness * longest, longest, quality[f.item].slenderness,
+                                           least_slenderness));
+      },
+      [&](const Found& f, std::uint64_t count) {
+        return segments_finding(rule, context, *mesh, f.item,
+                                fmt::format("{} more segments{} are slivers, down to a ratio of {:.3g} (below {})", count,
+                                            of_part(*mesh, f.item), quality[f.item].slenderness, least_slenderness));
+      });
+}
+
+}  // namespace
+
+const Rule sliver_segment{
+    {"GC506", "sliver-segment", Severity::warning, "a segment in contact is much longer than it is wide"}, run};
+
+}  // namespace gapcheck::audit

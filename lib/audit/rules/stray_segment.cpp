@@ -1,0 +1,39 @@
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "audit/mesh_finding.hpp"
+#include "audit/rules.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  contact::ContactMesh* mesh = mesh_in_contact(rule, context);
+  if (mesh == nullptr) return;
+  std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
+    if (mesh->element(i) == std::numeric_limits<std::uint32_t>::max() && context.part_chosen(none<PartIndex>))
+      list.push_back({static_cast<std::int64_t>(mesh->contact(i)), 0, i});
+  });
+  add_grouped(
+      report, std::move(found),
+      [&](const Found& f) {
+        Finding at = segment_finding(rule, context, *mesh, f.item,
+                                     fmt::format("{} is no face of any element: it has no material and no thickness, so "
+                                                 "contact gives it no stiffness; make the set from the elements' faces anew",
+                                                 segment_name(*mesh, f.item)));
+        at.node = context.model().mesh.nodes.id[mesh->nodes(f.item)[0].value];
+        return at;
+      },
+      [&](const Found& f, std::uint64_t count) {
+        return segments_finding(rule, context, *mesh, f.item,
+                                fmt::format("{} more segments of this contact are no faces of any element", count));
+      });
+}
+
+}  // namespace
+
+const Rule stray_segment{
+    {"GC509", "stray-segment", Severity::warning, "a segment of a contact's segment set belongs to no element"}, run};
+
+}  // namespace gapcheck::audit

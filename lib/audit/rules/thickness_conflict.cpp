@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "audit/contact_thickness.hpp"
+#include "audit/grouped.hpp"
+#include "audit/rules.hpp"
+#include "records/thickness_source.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+/// Thicknesses at one node that differ by more than this factor are reported.
+constexpr double most_ratio = 2;
+constexpr std::uint32_t no_slot = std::numeric_limits<std::uint32_t>::max();
+
+/// The tracked nodes of one side by node.
+class Slots {
+ public:
+  explicit Slots(const contact::TrackedNodes& nodes) {
+    if (nodes.size() == 0) return;
+    first_ = nodes.node.front().value;
+    slot_.assign(nodes.node.back().value - first_ + 1, no_slot);
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) slot_[nodes.node[i].value - first_] = i;
+  }
+  [[nodiscard]] std::uint32_t at(NodeIndex node) const {
+    const std::uint32_t i = node.value - first_;  // wraps round below the first
+    return i < slot_.size() ? slot_[i] : no_slot;
+  }
+
+ private:
+  std::uint32_t first_ = 0;
+  std::vector<std::uint32_t> slot_;
+};
+
+/// The corner of a segment whose node has the most different thickness.
+struct Corner {
+  double ratio = 0;
+  std::uint32_t slot = no_slot;
+};
+
+Corner worst_corner(const contact::Segments& s, const contact::TrackedNodes& nodes, const Slots& slots, std::size_t i) {
+  Corner worst;
+  const double half = s.half[i];
+  if (!(half > 0) || s.kind[i] != contact::SegmentKind::shell) return worst;
+  for (const NodeIndex n : s.nodes[i]) {
+    const std::uint32_t slot = slots.at(n);
+    if (slot == no_slot || !(nodes.half[slot] > 0)) continue;
+    const double ratio = std::max(nodes.half[slot] / half, half / nodes.half[slot]);
+    if (ratio > worst.ratio) worst = {ratio, slot};
+  }
+  return worst;
+}
+
+/// Segments of one part with nodes that count the thickness of another part, in one contact.
+struct Conflict {
+  std::uint32_t contact = 0, segment = 0, slot = 0;
+  const contact::Segments* segments = nullptr;
+  const contact::TrackedNodes* nodes = nullptr;
+  double ratio = 0;
+  std::uint64_t count = 0;
+};
+
+/// By part of the segment and part that gave the node its thickness.
+using Conflicts = std::map<std::uint64_t, Conflict>;
+
+bool all_alike(const contact::Segments& s, const contact::TrackedNodes& nodes) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const auto* halves : {&s.half, &nodes.half})
+    for (const double half : *halves)
+      if (half > 0) least = std::min(least, half), most = std::max(most, half);
+  return !(most > most_ratio * least);
+}
+
+void compare(Conflicts& conflicts, const Context& context, std::uint32_t contact, const contact::TrackedNodes& nodes,
+             const contact::Segments& s) {
+  if (nodes.size() == 0 || s.size() == 0 || all_alike(s, nodes)) return;
+  const Slots slots(nodes);
+  const auto found = worst_by_key(s.size(), [&](std::size_t i) {
+    const Corner corner = worst_corner(s, nodes, slots, i);
+    if (!(corner.ratio > most_ratio)) return Weighed{};
+    const PartIndex part = part_of(context.model().mesh, s, i), giver = nodes.part[corner.slot];
+    if (part == none<PartIndex> || giver == none<PartIndex>) return Weighed{};
+    if (!context.part_chosen(part) && !context.part_chosen(giver)) return Weighed{};
+    return Weighed{std::uint64_t{part.value} << 32 | giver.value, corner.ratio};
+  });
+  for (const Worst& w : found) {
+    Conflict& c = conflicts[w.key];
+    const std::uint64_t count = c.count + w.count;
+    if (w.weight > c.ratio) c = {contact, w.item, worst_corner(s, nodes, slots, w.item).slot, &s, &nodes, w.weight, 0};
+    c.count = count;
+  }
+}
+
+Finding words(const RuleInfo& rule, const Context& context, const Conflict& c) {
+  const model::Model& model = context.model();
+  const PartIndex part = part_of(model.mesh, *c.segments, c.segment), giver = c.nodes->part[c.slot];
+  const std::int64_t node = model.mesh.nodes.id[c.nodes->node[c.slot].value];
+  const std::string with = part == giver ? "differ in thickness from their neighbours" : "share nodes with " + part_name(model, giver);
+  Finding f = finding_at_segment(
+      rule, context, model.contacts[c.contact], *c.segments, c.segment,
+      fmt::format("{}: {} {}, and a node counts its largest thickness: {} has {:.4g} ({}), its node {} counts {:.4g} ({}); "
+                  "even them out with OPTT, SST or MST where that matters",
+                  part_name(model, part), count_elements(c.count), with, element_name(model.mesh, *c.segments, c.segment),
+                  2 * c.segments->half[c.segment], thickness_source(c.segments->rule[c.segment]), node, 2 * c.nodes->half[c.slot],
+                  thickness_source(c.nodes->rule[c.slot])));
+  f.node = node;
+  f.count = c.count;
+  return f;
+}
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  const model::Model& model = context.model();
+  std::vector<Conflict> all;
+  for (const std::uint32_t i : contacts_with_thickness(rule, context)) {
+    const contact::ContactSurfaces& surfaces = context.surfaces(i);
+    Conflicts conflicts;
+    for (const contact::ContactSide* nodes : {&surfaces.a, &surfaces.b})
+      for (const contact::ContactSide* segments : {&surfaces.a, &surfaces.b})
+        compare(conflicts, context, i, nodes->nodes, segments->selection.segments);
+    for (const auto& [key, conflict] : conflicts) all.push_back(conflict);
+  }
+  std::vector<Found> found;
+  for (std::size_t i = 0; i < all.size(); ++i) found.push_back({all[i].contact, all[i].ratio, i});
+  add_grouped(
+      report, std::move(found), [&](const Found& f) { return words(rule, context, all[f.item]); },
+      [&](const Found& f, std::uint64_t count) {
+        return finding_at(rule, context, model.contacts[all[f.item].contact],
+                          fmt::format("{} more pairs of parts with different thickness at shared nodes", count));
+      });
+}
+
+}  // namespace
+
+const Rule thickness_conflict{{"GC307", "thickness-conflict", Severity::note,
+                               "elements that share nodes have very different thickness in one contact"},
+                              run};
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include "audit/contact_thickness.hpp"
+#include "audit/rules.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+/// Thickness of a deformable shell; 0 for other segments.
+double shell_at(const model::Model& model, const contact::Segments& s, std::size_t i) {
+  if (s.element_kind[i] != model::ElementKind::shell) return 0;
+  const PartIndex part = part_of(model.mesh, s, i);
+  return part == none<PartIndex> || model.rigid(part) ? 0 : contact::element_thickness(model, s.element[i]);
+}
+
+std::string message(const model::Contact& contact, const Worst& shells) {
+  const bool card = contact.sst != 0 || contact.mst != 0;
+  const char* cause = contact.thkopt == 2 ? "THKOPT = 2" : "SHLTHK = 0";
+  return fmt::format(
+      "{} ignores thickness ({}): {} shells, up to {:.4g} thick{}, meet at their mid-surfaces; set SHLTHK = 1 on card B or "
+      "in *CONTROL_CONTACT, or use the AUTOMATIC type",
+      contact.written, cause, shells.count, shells.weight, card ? ", and SST/MST" : "");
+}
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  const model::Model& model = context.model();
+  for (const std::uint32_t c : contacts_with_thickness(rule, context)) {
+    const model::Contact& contact = model.contacts[c];
+    const contact::ContactType type = contact::classify(contact);
+    if (type.family != contact::Family::old || settings(contact, type, model.controls).shlthk != 0) continue;
+    const contact::ContactSurfaces& surfaces = context.surfaces(c);
+    Worst shells;
+    for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
+      const contact::Segments& s = side->selection.segments;
+      for (const Worst& w : worst_by_key(s.size(), [&](std::size_t i) { return Weighed{0, shell_at(model, s, i)}; })) {
+        shells.count += w.count;
+        shells.weight = std::max(shells.weight, w.weight);
+      }
+    }
+    if (shells.count == 0) continue;
+    Finding f = finding_at(rule, context, contact, message(contact, shells));
+    f.count = shells.count;
+    report.findings.push_back(std::move(f));
+  }
+}
+
+}  // namespace
+
+const Rule thickness_ignored{
+    {"GC305", "thickness-ignored", Severity::warning, "a contact of an old type ignores the thickness of its shells"}, run};
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "audit/contact_thickness.hpp"
+#include "audit/rules.hpp"
+#include "records/thickness_source.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+/// Below this thickness, in millimetres, shells should be thickened for contact [workshop].
+constexpr double least_millimetres = 0.5;
+/// Without units: share of the shortest edge. A time step is about edge / c, so a node at speed v moves v / c edges in it;
+/// 0.003 is 15 m/s in steel, a car that hits a wall.
+constexpr double least_share_of_edge = 0.003;
+
+/// How often the shell segment's thickness goes into what it should be at least; 0: thick enough, or no shell's.
+double thinness(const Context& context, const contact::ContactSettings& settings, const contact::Segments& s,
+                std::size_t i) {
+  const model::Model& model = context.model();
+  if (s.kind[i] != contact::SegmentKind::shell || s.element[i] == none<PartIndex>.value) return 0;
+  const double t = 2 * s.half[i];
+  const double millimetre = context.options().millimetre;
+  const double least = millimetre > 0 ? least_millimetres * millimetre
+                                      : least_share_of_edge * contact::shortest_edge(s.nodes[i], model.mesh.nodes.x);
+  if (!(t < least) || s.rule[i] == ThicknessRule::edge_limit) return 0;
+  const PartIndex part = part_of(model.mesh, s, i);
+  if (part == none<PartIndex> || !model.part(part).section) return 0;
+  // Rigid tools whose thickness does not count are meant so, and rigid elements do not set the time step.
+  if (model.rigid(part) && (settings.shlthk == 1 || millimetre <= 0)) return 0;
+  return least / t;
+}
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  const model::Model& model = context.model();
+  std::vector<PartSegments> parts;
+  for (const std::uint32_t c : contacts_with_thickness(rule, context)) {
+    const contact::ContactSurfaces& surfaces = context.surfaces(c);
+    if (surfaces.settings.shlthk == 0) continue;  // GC305
+    for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
+      const contact::Segments& s = side->selection.segments;
+      weigh_by_part(parts, context, c, s, [&](std::size_t i) { return thinness(context, surfaces.settings, s, i); });
+    }
+  }
+  const double millimetre = context.options().millimetre;
+  const auto words = [&](const PartSegments& p) {
+    const contact::Segments& s = *p.segments;
+    const std::uint32_t worst = p.worst.item;
+    const std::string limit = millimetre > 0 ? fmt::format("{:.4g} ({} mm)", least_millimetres * millimetre, least_millimetres)
+                                             : fmt::format("{} of their shortest edge", least_share_of_edge);
+    return fmt::format(
+        "{}: the contact thickness of {} is below {}, the thinnest is {} with {:.4g} ({}): nodes may pass through; raise it "
+        "with OPTT of *PART_CONTACT or SST",
+        part_name(model, p.part()), count_elements(p.worst.count), limit, element_name(model.mesh, s, worst),
+        2 * s.half[worst], thickness_source(s.rule[worst]));
+  };
+  add_by_part(rule, context, report, parts, words, "parts with too thin elements");
+}
+
+}  // namespace
+
+const Rule thickness_too_thin{
+    {"GC303", "thickness-too-thin", Severity::warning, "a contact thickness is so small that nodes may pass through"}, run};
+
+}  // namespace gapcheck::audit

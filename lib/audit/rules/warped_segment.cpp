@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "audit/mesh_finding.hpp"
+#include "audit/rules.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+/// Degrees between the two triangles of a quad. Mesh checks of pre-processors warn between 5 and 20; contact bears more
+/// than the element itself.
+constexpr double largest_warp = 20;
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  contact::ContactMesh* mesh = mesh_in_contact(rule, context);
+  if (mesh == nullptr) return;
+  const auto& quality = mesh->quality();
+  const auto limit = static_cast<float>(std::cos(largest_warp * std::numbers::pi / 180));
+  std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
+    const contact::SegmentQuality& q = quality[i];
+    if (q.fault != contact::SegmentFault::none || !(q.warp_cosine < limit)) return;
+    if (context.part_chosen(mesh->part(i))) list.push_back({part_group(*mesh, i), -static_cast<double>(q.warp_cosine), i});
+  });
+  add_grouped(
+      report, std::move(found),
+      [&](const Found& f) {
+        return segment_finding(rule, context, *mesh, f.item,
+                               fmt::format("{}{} is warped by {:.1f} degrees; more than {} leave open on which side of it a node "
+                                           "is: split it into triangles or remesh",
+                                           segment_name(*mesh, f.item), of_part(*mesh, f.item),
+                                           contact::warp_degrees(quality[f.item]), largest_warp));
+      },
+      [&](const Found& f, std::uint64_t count) {
+        return segments_finding(rule, context, *mesh, f.item,
+                                fmt::format("{} more segments{} are warped by more than {} degrees, up to {:.1f}", count,
+                                            of_part(*mesh, f.item), largest_warp, contact::warp_degrees(quality[f.item])));
+      });
+}
+
+}  // namespace
+
+const Rule warped_segment{
+    {"GC504", "warped-segment", Severity::warning, "a quadrilateral segment in contact is far from flat"}, run};
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,115 @@
+#include "contact/rigid_wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/element_nodes.hpp"
+#include "contact/ties.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+using Shape = model::RigidWall::Shape;
+
+/// A face of a wall: how deep the point is below it, and the face's outward normal.
+struct Face {
+  double depth;
+  Vector normal;
+};
+
+/// The face that the point is least deep below; one with a depth that is not positive means that it is outside.
+std::optional<WallPenetration> nearest_face(std::initializer_list<Face> faces, const Vector& x, double tolerance) {
+  const Face face = *std::min_element(faces.begin(), faces.end(),
+                                      [](const Face& a, const Face& b) { return a.depth < b.depth; });
+  if (!(face.depth > tolerance) || !std::isfinite(face.depth)) return std::nullopt;
+  return WallPenetration{face.depth, x + face.depth * face.normal};
+}
+
+/// Rounding of the deck's numbers is no penetration.
+double touching(const model::RigidWall& wall, const Vector& x) {
+  return 1e-9 * (x - wall.tail).norm() + 1e-15 * (x.norm() + wall.tail.norm()) + 1e-9 * wall.radius;
+}
+
+std::optional<WallPenetration> in_plane_wall(const model::RigidWall& wall, const Vector& x, double tolerance) {
+  const Vector from_tail = x - wall.tail;
+  const double depth = -from_tail.dot(wall.normal), l = from_tail.dot(wall.edge_l), m = from_tail.dot(wall.edge_m);
+  const auto inside = [&](double along, double length) {
+    return !std::isfinite(length) || (along >= -tolerance && along <= length + tolerance);
+  };
+  if (!inside(l, wall.length_l) || !inside(m, wall.length_m)) return std::nullopt;
+  return nearest_face({{depth, wall.normal}}, x, tolerance);
+}
+
+std::optional<WallPenetration> in_prism(const model::RigidWall& wall, const Vector& x, double tolerance) {
+  const Vector from_tail = x - wall.tail;
+  const double depth = -from_tail.dot(wall.normal);
+  const double l = from_tail.dot(wall.edge_l), m = from_tail.dot(wall.edge_m);
+  const auto before = [](double along, double length) { return std::isfinite(length) ? along : INFINITY; };
+  return nearest_face({{depth, wall.normal},
+                       {wall.length_p - depth, -wall.normal},
+                       {before(l, wall.length_l), -wall.edge_l},
+                       {wall.length_l - l, wall.edge_l},
+                       {before(m, wall.length_m), -wall.edge_m},
+                       {wall.length_m - m, wall.edge_m}},
+                      x, tolerance);
+}
+
+/// `out`: from the axis or centre to the point.
+std::optional<WallPenetration> in_round(const model::RigidWall& wall, const Vector& x, const Vector& out, double low,
+                                        double high, double tolerance) {
+  const double distance = out.norm();
+  Vector radial = distance > 0 ? Vector(out / distance) : Vector(wall.normal.unitOrthogonal());
+  if (!wall.interior) return nearest_face({{wall.radius - distance, radial}, {low, -wall.normal}, {high, wall.normal}}, x, tolerance);
+  // Kept inside: out through the mantle is what counts, the ends are open.
+  if (low < 0 || high < 0) return std::nullopt;
+  return nearest_face({{distance - wall.radius, -radial}}, x, tolerance);
+}
+
+}  // namespace
+
+std::optional<WallPenetration> wall_penetration(const model::RigidWall& wall, const Vector& x) {
+  if (!x.allFinite()) return std::nullopt;
+  const double tolerance = touching(wall, x);
+  const Vector from_tail = x - wall.tail;
+  switch (wall.shape) {
+    case Shape::plane: return in_plane_wall(wall, x, tolerance);
+    case Shape::prism: return in_prism(wall, x, tolerance);
+    case Shape::cylinder: {
+      const double along = from_tail.dot(wall.normal);
+      const bool finite = std::isfinite(wall.length_l);
+      return in_round(wall, x, from_tail - along * wall.normal, finite ? along : INFINITY,
+                      finite ? wall.length_l - along : INFINITY, tolerance);
+    }
+    case Shape::sphere: return in_round(wall, x, from_tail, INFINITY, INFINITY, tolerance);
+  }
+  return std::nullopt;
+}
+
+std::vector<NodeIndex> nodes_of_wall(const model::Model& model, const model::RigidWall& wall) {
+  std::vector<std::uint8_t> chosen;
+  if (wall.node_set == 0) {
+    chosen = element_nodes(model.mesh);
+  } else {
+    chosen.resize(model.mesh.nodes.size());
+    if (const auto set = model.sets.nodes.find(wall.node_set); set != model.sets.nodes.end())
+      for (const NodeIndex n : set->second.members) chosen[n.value] = 1;
+  }
+  if (const auto set = model.sets.nodes.find(wall.exempted_set); set != model.sets.nodes.end())
+    for (const NodeIndex n : set->second.members) chosen[n.value] = 0;
+  if (model.controls.rwpnal == 0) {
+    const std::vector<bool> rigid = rigid_nodes(model);
+    for (std::size_t n = 0; n < chosen.size(); ++n)
+      if (rigid[n]) chosen[n] = 0;
+  }
+  const auto box = model.boxes.find(wall.box);
+  std::vector<NodeIndex> nodes;
+  for (std::uint32_t n = 0; n < chosen.size(); ++n) {
+    const Vector& x = model.mesh.nodes.x[n];
+    if (chosen[n] == 0 || (box != model.boxes.end() && !box->second.contains(x))) continue;
+    if (wall.offset > 0 && !(std::abs((x - wall.tail).dot(wall.normal)) <= wall.offset)) continue;
+    nodes.emplace_back(n);
+  }
+  return nodes;
+}
+
+}  // namespace gapcheck::contact

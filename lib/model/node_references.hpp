@@ -1,0 +1,19 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "keyword/deck.hpp"
+#include "model/model.hpp"
+
+namespace gapcheck::model {
+
+/// Nodes that keywords refer to which build no mesh: beside Nodes, 1 for every node whose id stands in a node field, or
+/// whose node set stands in a set field, of a block whose name begins with `family` (empty: any). Elements, nodes, sets
+/// and contacts are not looked at. A line is read as each of the keyword's cards, so that rather a node too many is
+/// marked than one too few; keywords whose cards are not known are passed over. Meant for the few decks where it matters:
+/// the cost is that of reading the blocks.
+[[nodiscard]] std::vector<std::uint8_t> referenced_nodes(const keyword::Deck& deck, const Model& model,
+                                                         std::string_view family);
+
+}  // namespace gapcheck::model

@@ -1,0 +1,53 @@
+#include "audit/rules/rule_deck.hpp"
+
+namespace gapcheck::audit_test {
+namespace {
+
+/// Two plates of 2 x 4 shells of 5 x 5 that meet at x = 10: nodes 3, 6, … 15 of part 1 and 101, 104, … 113 of the other
+/// part. `gap` lies between them.
+RuleDeck halves(std::int64_t other_part, double gap = 0) {
+  RuleDeck deck;
+  deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 2, 4, Vector(0, 0, 0), 5, 5);
+  deck.plate(101, other_part, 2, 4, Vector(10 + gap, 0, 0), 5, 5);
+  return deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0");
+}
+
+TEST(DuplicateNodes, ASeamWithinAPart) {
+  const Report report = run_rule("GC507", halves(1));
+  ASSERT_EQ(listed(report), 5U);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(report.findings[i].node, 101 + 3 * static_cast<std::int64_t>(i));
+  EXPECT_NE(report.findings[0].message.find("nodes 3 and 101 of part 1 are at the same place"), std::string::npos)
+      << report.findings[0].message;
+  EXPECT_EQ(listed(run_rule("GC507", halves(2))), 5U);
+}
+
+// A thousandth of the shortest edge is 0.005.
+TEST(DuplicateNodes, WithinTheToleranceOnly) {
+  EXPECT_EQ(listed(run_rule("GC507", halves(1, 0.004))), 5U);
+  EXPECT_EQ(listed(run_rule("GC507", halves(1, 0.006))), 0U);
+}
+
+TEST(DuplicateNodes, NotWhereSomethingJoinsThem) {
+  RuleDeck deck = halves(2);
+  deck.raw("SET_NODE_LIST", "9\n3,101,6,104,9,107,12,110\n15,113\n");
+  RuleDeck rigid = deck, constrained = deck, tied = deck, springs = deck;
+  EXPECT_EQ(listed(run_rule("GC507", deck)), 5U);
+  EXPECT_EQ(listed(run_rule("GC507", rigid.raw("CONSTRAINED_NODAL_RIGID_BODY", "50,0,9"))), 0U);
+  EXPECT_EQ(listed(run_rule("GC507", constrained.raw("CONSTRAINED_JOINT_SPHERICAL", "3,101\n"))), 4U);
+  tied.contact(2, "TIED_NODES_TO_SURFACE", "9,1,4,3");
+  EXPECT_EQ(listed(run_rule("GC507", tied)), 0U);
+  springs.raw("ELEMENT_DISCRETE", "70,9,3,101\n71,9,9,107\n").raw("PART", "springs\n9,9,9\n");
+  springs.raw("SECTION_DISCRETE", "9\n").raw("MAT_SPRING_ELASTIC", "9,1.0\n");
+  EXPECT_EQ(listed(run_rule("GC507", springs)), 3U);
+}
+
+TEST(DuplicateNodes, BodiesOfSolidsMayTouch) {
+  RuleDeck apart, broken;
+  apart.solid_part(1).solid_part(2).block(1, 1, 1, 1, 1, {0, 0, 0}, {5, 5, 5}).block(101, 2, 1, 1, 1, {5, 0, 0}, {5, 5, 5});
+  EXPECT_EQ(listed(run_rule("GC507", apart.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 0U);
+  broken.solid_part(1).block(1, 1, 1, 1, 1, {0, 0, 0}, {5, 5, 5}).block(101, 1, 1, 1, 1, {5, 0, 0}, {5, 5, 5});
+  EXPECT_EQ(listed(run_rule("GC507", broken.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 4U);
+}
+
+}  // namespace
+}  // namespace gapcheck::audit_test

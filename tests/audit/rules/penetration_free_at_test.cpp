@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <functional>
+
+#include "audit/rules/rule_deck.hpp"
+
+namespace gapcheck::audit_test {
+namespace {
+
+using Make = std::function<RuleDeck(double sst)>;  // 0: none
+
+/// SST as the finding prints it; -1 if there is no finding with one.
+double printed(const Report& report) {
+  if (report.findings.size() != 1) return -1;
+  const std::string& text = report.findings[0].message;
+  const auto at = text.find("<= ");
+  return at == std::string::npos ? -1 : std::stod(text.substr(at + 3));
+}
+
+std::size_t penetrations(const RuleDeck& deck) { return run_rule("GC10", deck).penetrations.size(); }
+
+/// Nothing penetrates with the SST printed; with 1 % more (`sharp`) something does.
+void verify(const Make& make, double expected, bool sharp = true) {
+  const double sst = printed(run_rule("GC308", make(0)));
+  EXPECT_NEAR(sst, expected, 1e-3 * expected);
+  EXPECT_LE(sst, expected * (1 + 1e-12));
+  EXPECT_GT(penetrations(make(0)), 0U);
+  EXPECT_EQ(penetrations(make(sst)), 0U);
+  if (!sharp) return;
+  EXPECT_GT(penetrations(make(1.01 * sst)), 0U);
+}
+
+RuleDeck plates(double lower, double upper, double gap) {
+  RuleDeck deck;
+  deck.shell_part(1, lower).shell_part(2, upper).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);
+  return deck.plate(101, 2, 2, 2, Vector(0, 0, gap), 5, 5);
+}
+
+std::string cards(double sst) { return fmt::format("0.\n1.,1.,{},{}\n", sst, sst); }
+
+TEST(PenetrationFreeAt, TwoPlates) {
+  const auto single = [](double sst) { return plates(1, 1, 0.7).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", cards(sst)); };
+  verify(single, 0.7);
+  const auto two = [](double sst) { return plates(1, 1, 1. / 3).contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "1,2,3,3", cards(sst)); };
+  verify(two, 1. / 3);
+  EXPECT_EQ(run_rule("GC308", single(0)).findings[0].count, 18U);
+  EXPECT_EQ(listed(run_rule("GC308", plates(1, 1, 1).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"))), 0U);
+}
+
+TEST(PenetrationFreeAt, ThinPartsThatSstWouldThicken) {
+  // The thick plates penetrate at 1.5 of 2; with SST = 1.5 the thin ones, 0.4 apart, would.
+  const auto make = [](double sst) {
+    RuleDeck deck = plates(2, 2, 1.5);
+    deck.shell_part(3, 0.1).plate(201, 3, 2, 2, Vector(0, 0, 40), 5, 5).plate(301, 3, 2, 2, Vector(0, 0, 40.4), 5, 5);
+    return deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", cards(sst));
+  };
+  verify(make, 0.4);
+}
+
+TEST(PenetrationFreeAt, NodesMovedByTheFirstSideAndByOtherContacts) {
+  // Both sides of contact 1 and all of contact 2 are found on nodes that were moved.
+  const auto make = [](double sst) {
+    RuleDeck deck = plates(1, 1, 0.6);
+    deck.contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "1,2,3,3", cards(sst));
+    return deck.contact(2, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", cards(sst));
+  };
+  const Report report = run_rule("GC308", make(0));
+  ASSERT_GE(report.findings.size(), 1U);
+  for (const Finding& f : report.findings) EXPECT_NE(f.message.find("<= 0.6;"), std::string::npos) << f.message;
+  EXPECT_EQ(penetrations(make(0.6)), 0U);
+}
+
+RuleDeck on_block(double gap, double sst) {
+  RuleDeck deck;
+  deck.solid_part(1).shell_part(2, 1).block(1, 1, 2, 2, 1, Vector(0, 0, -5), Vector(5, 5, 5));
+  deck.plate(101, 2, 2, 2, Vector(0, 0, gap), 5, 5);
+  return deck.contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "2,1,3,3", cards(sst));
+}
+
+TEST(PenetrationFreeAt, ShellOnSolidTakesHalfOfSst) {
+  verify([](double sst) { return on_block(0.2, sst); }, 0.4);
+}
+
+TEST(PenetrationFreeAt, SafeWhereShellsAndSolidsAreMixed) {
+  const auto make = [](double sst) {
+    RuleDeck deck;
+    deck.solid_part(1).shell_part(2, 1).block(1, 1, 2, 2, 1, Vector(0, 0, -5), Vector(5, 5, 5));
+    deck.plate(101, 2, 2, 2, Vector(0, 0, 0.2), 5, 5);
+    return deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", cards(sst));
+  };
+  verify(make, 0.2, false);
+}
+
+TEST(PenetrationFreeAt, NodesOnTheSegmentCannotBeFreed) {
+  const Report report = run_rule("GC308", plates(1, 1, 0).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"));
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_NE(report.findings[0].message.find("no SST makes it free: 18 of 18"), std::string::npos) << report.findings[0].message;
+  const Report behind = run_rule("GC308", on_block(-0.1, 0));
+  ASSERT_EQ(listed(behind), 1U);
+  EXPECT_NE(behind.findings[0].message.find("0.1 behind"), std::string::npos) << behind.findings[0].message;
+}
+
+TEST(PenetrationFreeAt, UnitsTellIfTheRecommendedValueIsReached) {
+  audit::AuditOptions options;
+  options.millimetre = 1;
+  const auto message = [&](double gap) {
+    return run_rule("GC308", plates(1, 1, gap).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"), options).findings.at(0).message;
+  };
+  EXPECT_NE(message(0.4).find("0.5 mm"), std::string::npos);
+  EXPECT_EQ(message(0.5).find("0.5 mm"), std::string::npos);
+}
+
+TEST(PenetrationFreeAt, PartsWithOpttAreLeftOut) {
+  RuleDeck deck;
+  deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).plate(101, 3, 2, 2, Vector(0, 0, 0.5), 5, 5);
+  deck.raw("SECTION_SHELL", "3,2,0.833,5\n0.25\n").raw("PART_CONTACT", "part 3\n3,3,1\n0.,0.,0.,0.,1.\n");
+  const Report report = run_rule("GC308", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"));
+  EXPECT_EQ(listed(report), 0U);
+  EXPECT_TRUE(std::any_of(report.statistics.begin(), report.statistics.end(),
+                          [](const auto& s) { return s.second.find("GC308: 1 contacts with OPTT") == 0; }));
+}
+
+}  // namespace
+}  // namespace gapcheck::audit_test

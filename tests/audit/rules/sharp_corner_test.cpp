@@ -1,0 +1,47 @@
+#include <cmath>
+
+#include "audit/rules/rule_deck.hpp"
+
+namespace gapcheck::audit_test {
+namespace {
+
+constexpr double per_degree = 3.14159265358979323846 / 180;
+
+/// Two rows of two shells that share the nodes 1, 2, 3, with this angle between them; the second row's nodes run either way.
+Report hinge(double degrees, bool turned = false) {
+  RuleDeck deck;
+  deck.shell_part(1, 0.1);
+  for (int i = 0; i < 3; ++i)
+    deck.node(1 + i, {10.0 * i, 0, 0}).node(11 + i, {10.0 * i, 10, 0})
+        .node(21 + i, {10.0 * i, 10 * std::cos(degrees * per_degree), 10 * std::sin(degrees * per_degree)});
+  for (int i = 0; i < 2; ++i) {
+    deck.shell(1 + i, 1, {1 + i, 2 + i, 12 + i, 11 + i});
+    if (turned)
+      deck.shell(3 + i, 1, {2 + i, 1 + i, 21 + i, 22 + i});
+    else
+      deck.shell(3 + i, 1, {1 + i, 2 + i, 22 + i, 21 + i});
+  }
+  return run_rule("GC512", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"));
+}
+
+TEST(SharpCorner, BelowThirtyDegrees) {
+  for (const bool turned : {false, true}) {
+    const Report report = hinge(20, turned);
+    ASSERT_EQ(listed(report), 2U);
+    EXPECT_EQ(report.findings[0].element, 1);
+    EXPECT_NE(report.findings[0].message.find("shell 1 of part 1 and shell 3 of part 1 meet at 20.0 degrees"), std::string::npos)
+        << report.findings[0].message;
+    EXPECT_EQ(listed(hinge(40, turned)), 0U);
+    EXPECT_EQ(listed(hinge(180, turned)), 0U);
+  }
+}
+
+TEST(SharpCorner, NotAShellOnASolid) {
+  RuleDeck deck;
+  deck.solid_part(1).shell_part(2, 0.1).block(1, 1, 1, 1, 1, {0, 0, 0}, {5, 5, 5}).shell(50, 2, {1, 2, 4, 3});
+  deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "1,0,3,0").contact(2, "AUTOMATIC_SINGLE_SURFACE", "2,0,3,0");
+  EXPECT_EQ(listed(run_rule("GC512", deck)), 0U);
+}
+
+}  // namespace
+}  // namespace gapcheck::audit_test

@@ -1,0 +1,27 @@
+#include "audit/rules/rule_deck.hpp"
+
+namespace gapcheck::audit_test {
+namespace {
+
+Report with_card_a(const std::string& card_a) {
+  RuleDeck deck;
+  deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);
+  deck.contact(4, "AUTOMATIC_SINGLE_SURFACE", "0,0,5", "0.\n1.,1.\n" + card_a + "\n");
+  return run_rule("GC411", deck);
+}
+
+TEST(SoftScale, OutsideTheRecommendedRangeOnly) {
+  for (const char* bad : {"1,0.2", "2,1.0", "1,0.039"}) {
+    const Report report = with_card_a(bad);
+    ASSERT_EQ(listed(report), 1U) << bad;
+    EXPECT_EQ(report.findings[0].contact, 4);
+    EXPECT_EQ(report.findings[0].severity, Severity::note);
+    EXPECT_NE(report.findings[0].message.find(std::string("SOFSCL = ") + (bad[2] == '1' ? "1 " : bad + 2)),
+              std::string::npos)
+        << report.findings[0].message;
+  }
+  for (const char* good : {"1,0.1", "1,0.04", "2,0.07", "1,0.0", "0,0.2"}) EXPECT_EQ(listed(with_card_a(good)), 0U) << good;
+}
+
+}  // namespace
+}  // namespace gapcheck::audit_test
