@@ -9,7 +9,7 @@
 namespace gapcheck::contact {
 namespace {
 
-const ContactType single{"13", Treatment::single_surface, Family::automatic, false, {}};
+const ContactType single{"13", Treatment::single_surface, Family::automatic, false, false, {}, {}};
 
 struct Surface {
   Scene scene;

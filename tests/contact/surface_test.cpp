@@ -8,8 +8,8 @@
 namespace gapcheck::contact {
 namespace {
 
-const ContactType single{"13", Treatment::single_surface, Family::automatic, false, {}};
-const ContactType one_way{"a5", Treatment::one_way, Family::automatic, false, {}};
+const ContactType single{"13", Treatment::single_surface, Family::automatic, false, false, {}, {}};
+const ContactType one_way{"a5", Treatment::one_way, Family::automatic, false, false, {}, {}};
 
 Selection pick(const Scene& scene, std::int64_t id, std::int64_t type, const ContactType& contact = one_way) {
   MeshIndex index(scene.model);
