@@ -21,7 +21,8 @@ void for_each_tied_contact(Context& context,
       visit(first->contact, {first, end});
     } else {
       kept.clear();
-      std::copy_if(first, end, std::back_inserter(kept), [&](const auto& node) { return context.part_chosen(node.part); });
+      std::copy_if(first, end, std::back_inserter(kept),
+                   [&](const auto& node) { return context.part_chosen(node.part); });
       if (!kept.empty()) visit(first->contact, kept);
     }
     first = end;

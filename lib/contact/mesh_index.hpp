@@ -39,8 +39,8 @@ class ElementIndex {
   Rows by_node_, by_part_;  // no starts: not asked for
 };
 
-/// The elements of a mesh by node and part, so that the surfaces of thousands of contacts need not look through the whole
-/// mesh each. The model must outlive it and not change.
+/// The elements of a mesh by node and part, so that the surfaces of thousands of contacts need not look through the
+/// whole mesh each. The model must outlive it and not change.
 struct MeshIndex {
   explicit MeshIndex(const model::Model& model)
       : shells(model.mesh.shells, model),

@@ -21,25 +21,25 @@ inline constexpr double tie_thickness_share = 0.6;  // [workshop]
 struct TieCandidate {
   static constexpr std::uint32_t no_segment = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t segment = no_segment;  ///< no_segment: none is near
-  bool on_segment = false;  ///< the projection falls in the segment, PARMAX included
-  bool ties = false;        ///< and the distance is within the tie distance; decided exactly
-  double distance = 0;      ///< from the closest point of the segment
-  double diagonal = 0;      ///< the segment's shorter one
+  bool on_segment = false;             ///< the projection falls in the segment, PARMAX included
+  bool ties = false;                   ///< and the distance is within the tie distance; decided exactly
+  double distance = 0;                 ///< from the closest point of the segment
+  double diagonal = 0;                 ///< the segment's shorter one
 };
 
 /// How the nodes of one tied contact look for their segments.
 struct TieSearch {
-  double parmax = 1.035;    ///< how far the projection may lie beyond the segment's edges, in parameters; at least 1
-  bool negative = false;    ///< SST or MST is negative: thickness alone counts
-  bool node_set = false;    ///< all nodes are meant to tie: look a segment's diagonal away
-  bool single = false;      ///< one surface against itself: elements next to the node's own are left out
+  double parmax = 1.035;  ///< how far the projection may lie beyond the segment's edges, in parameters; at least 1
+  bool negative = false;  ///< SST or MST is negative: thickness alone counts
+  bool node_set = false;  ///< all nodes are meant to tie: look a segment's diagonal away
+  bool single = false;    ///< one surface against itself: elements next to the node's own are left out
 };
 
 /// For every tracked node its candidate: those that tie before those that hold the projection before the rest, then the
-/// nearest; of segments equally near (to 1e-9 of the tie distance) the first. Nodes that no node set names are looked for
-/// within twice the tie distance. Corners of the segments are left out of their own segments.
-/// d <= tie distance is decided exactly, with the default tolerance of penetrations on top of the tie distance: decks are
-/// written in decimals, and a node exactly at the distance ties.
+/// nearest; of segments equally near (to 1e-9 of the tie distance) the first. Nodes that no node set names are looked
+/// for within twice the tie distance. Corners of the segments are left out of their own segments. d <= tie distance is
+/// decided exactly, with the default tolerance of penetrations on top of the tie distance: decks are written in
+/// decimals, and a node exactly at the distance ties.
 [[nodiscard]] std::vector<TieCandidate> tie_candidates(const PairScene& scene, const CandidateSearch& search,
                                                        const TieSearch& how, SweepCounters& counters,
                                                        geometry::DecisionCounters& decisions);

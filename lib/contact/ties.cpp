@@ -18,7 +18,8 @@ double parmax(const model::Contact& contact) {
 /// One tied contact on its way.
 class Tying {
  public:
-  Tying(const TieScene& scene, std::uint32_t contact, const ContactSurfaces& surfaces, std::vector<Vector>& x, Ties& ties)
+  Tying(const TieScene& scene, std::uint32_t contact, const ContactSurfaces& surfaces, std::vector<Vector>& x,
+        Ties& ties)
       : scene_(scene),
         model_(scene.model),
         contact_(contact),
@@ -44,8 +45,8 @@ class Tying {
   void judge() {
     const bool by_node_set = surfaces_.a.nodes_only, single = !surfaces_.two_sided();
     const Neighbours neighbours(segments_, model_.mesh, single);
-    const PairScene pairs{model_,     card_,       type_, surfaces_.settings, x_, segments_, nodes_,
-                          neighbours, card_.b.type, {},    {},                 -1, scene_.mode};
+    const PairScene pairs{model_, card_, type_, surfaces_.settings, x_, segments_, nodes_, neighbours, card_.b.type,
+                          {},     {},    -1,    scene_.mode};
     const bool negative = card_.sst < 0 || card_.mst < 0;
     const auto candidates = tie_candidates(pairs, scene_.search, {parmax(card_), negative, by_node_set, single},
                                            scene_.sweep, scene_.decisions);
@@ -80,9 +81,8 @@ class Tying {
     node.distance = candidate.distance;
     node.diagonal = candidate.diagonal;
     node.segment_thickness = 2 * segments_.half[s];
-    node.allowed =
-        tie_distance(node.node_thickness, node.segment_thickness, node.diagonal,
-                     kind == model::ElementKind::solid || kind == model::ElementKind::thick_shell, negative);
+    node.allowed = tie_distance(node.node_thickness, node.segment_thickness, node.diagonal,
+                                kind == model::ElementKind::solid || kind == model::ElementKind::thick_shell, negative);
     if (!candidate.ties)
       node.reason = TieReason::too_far;
     else if (constraint_)
@@ -110,7 +110,8 @@ class Tying {
     if (!node.penalty) node.reason = reason;
   }
 
-  /// Separations that are closed or make the tie wrong. The b and c forms carry them; tiebreaks keep the surfaces apart.
+  /// Separations that are closed or make the tie wrong. The b and c forms carry them; tiebreaks keep the surfaces
+  /// apart.
   void separate(JudgedNode& node) const {
     const bool told = type_.code.front() == 'o' || moves_tied_nodes(type_) || node.penalty;
     if (told && node.distance > visible_separation * node.diagonal)
@@ -121,8 +122,8 @@ class Tying {
 
   [[nodiscard]] JudgedNode* find(NodeIndex node) {
     auto& all = result_.judged;
-    const auto at = std::lower_bound(all.begin(), all.end(), node,
-                                     [](const JudgedNode& j, NodeIndex n) { return j.node < n; });
+    const auto at =
+        std::lower_bound(all.begin(), all.end(), node, [](const JudgedNode& j, NodeIndex n) { return j.node < n; });
     return at != all.end() && at->node == node ? &*at : nullptr;
   }
 

@@ -24,8 +24,8 @@ namespace gapcheck::contact {
 /// Types that move a tied node onto its segment: 2, 6 and 7 without any offset form.
 [[nodiscard]] bool moves_tied_nodes(const ContactType& type);
 
-/// Types that tie translations alone and ignore the moments of an offset: 2, 6 and their o forms. The b and c forms carry
-/// moments over the offset; 7 and its forms tie rotations.
+/// Types that tie translations alone and ignore the moments of an offset: 2, 6 and their o forms. The b and c forms
+/// carry moments over the offset; 7 and its forms tie rotations.
 [[nodiscard]] bool leaves_rotations_free(const ContactType& type);
 
 /// A tied node is said to be separated from here on, in shorter diagonals of its segment. Below lies what mesh
@@ -51,7 +51,7 @@ struct JudgedNode {
   double distance = -1;             ///< from the segment; negative: on none
   double allowed = 0;               ///< tie distance
   double node_thickness = 0, segment_thickness = 0;
-  double diagonal = 0;              ///< the segment's shorter one
+  double diagonal = 0;  ///< the segment's shorter one
   [[nodiscard]] bool tied() const { return !reason || !untied(*reason); }
 };
 
@@ -88,8 +88,8 @@ class Ties {
 struct TieResult {
   std::uint64_t nodes = 0, segments = 0;
   std::uint64_t tied = 0, moved = 0;
-  std::uint64_t out_of_reach = 0;   ///< nodes that no node set names, beyond twice the tie distance: not judged
-  std::vector<JudgedNode> judged;   ///< ascending by node; of single surfaces the tied ones alone
+  std::uint64_t out_of_reach = 0;  ///< nodes that no node set names, beyond twice the tie distance: not judged
+  std::vector<JudgedNode> judged;  ///< ascending by node; of single surfaces the tied ones alone
 };
 
 /// What ties of one model need beside the contact itself.
@@ -101,10 +101,10 @@ struct TieScene {
   geometry::DecisionCounters& decisions;
 };
 
-/// Ties the nodes of one tied contact (position in Model::contacts) that lie within the tie distance of a segment, to the
-/// closest one (a node keeps what earlier contacts did to it), and says why the others that were meant to tie did not.
-/// Types 2, 6 and 7 also move the node onto the segment in `x`. Nodes of the reference surface itself are not judged:
-/// the mesh joins them already. Source: contact rules, section 9.
+/// Ties the nodes of one tied contact (position in Model::contacts) that lie within the tie distance of a segment, to
+/// the closest one (a node keeps what earlier contacts did to it), and says why the others that were meant to tie did
+/// not. Types 2, 6 and 7 also move the node onto the segment in `x`. Nodes of the reference surface itself are not
+/// judged: the mesh joins them already. Source: contact rules, section 9.
 [[nodiscard]] TieResult apply_ties(const TieScene& scene, std::uint32_t contact, const ContactSurfaces& surfaces,
                                    std::vector<Vector>& x, Ties& ties);
 

@@ -35,7 +35,8 @@ TEST(MeshIndex, SmallSurfacesAreThoseOfTheWholeMesh) {
   const auto& mesh = scene.model.mesh;
   const model::SegmentNodes shell = mesh.shells.nodes[37];
   const auto& solid = mesh.solids.nodes[0];
-  const std::vector<model::SegmentNodes> few{{shell[2], shell[1], shell[0], shell[3]}, {solid[4], solid[5], solid[6], solid[7]}};
+  const std::vector<model::SegmentNodes> few{{shell[2], shell[1], shell[0], shell[3]},
+                                             {solid[4], solid[5], solid[6], solid[7]}};
   std::vector<model::SegmentNodes> many(mesh.shells.nodes.begin(), mesh.shells.nodes.begin() + 200);
   many.insert(many.begin(), few.begin(), few.end());
   MeshIndex index(scene.model);
@@ -47,12 +48,13 @@ TEST(MeshIndex, SmallSurfacesAreThoseOfTheWholeMesh) {
     EXPECT_EQ(found[1].element, 0U);
     EXPECT_EQ(found[1].kind, model::ElementKind::solid);
   }
-  const ContactType two{"a3", Treatment::two_way, Family::automatic, false, {}};
+  const ContactType two{"a3", Treatment::two_way, Family::automatic, false, false, {}, {}};
   const auto& x = mesh.nodes.x;
   const Selection part = select(scene.model, {3, 3, 0, true}, two, x, index);
   EXPECT_EQ(part.segments.element, (std::vector<std::uint32_t>{400}));
   scene.model.sets.nodes[6].members = {mesh.shells.nodes[400][1], mesh.shells.nodes[3][0]};
-  const TrackedNodes nodes = tracked_nodes(select(scene.model, {6, 4, 0, true}, two, x, index), scene.model, {}, x, index);
+  const TrackedNodes nodes =
+      tracked_nodes(select(scene.model, {6, 4, 0, true}, two, x, index), scene.model, {}, x, index);
   EXPECT_EQ(nodes.node, (std::vector<NodeIndex>{mesh.shells.nodes[3][0], mesh.shells.nodes[400][1]}));
   EXPECT_EQ(nodes.half, (std::vector<double>{0.5, 1}));
 }

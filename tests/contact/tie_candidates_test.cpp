@@ -27,7 +27,8 @@ Scene warped_plate(Random& random, std::uint32_t n) {
     for (std::uint32_t i = 0; i <= n; ++i) {
       const double x = 10 * std::pow(1.15, i), y = 10 * std::pow(1.1, j);  // elements of 1 to 40
       const double h = 0.15 * std::min(x, y) / 10;
-      nodes.push_back(scene.node({100 + x + between(random, -h, h), y + between(random, -h, h), between(random, -2 * h, 2 * h)}));
+      nodes.push_back(
+          scene.node({100 + x + between(random, -h, h), y + between(random, -h, h), between(random, -2 * h, 2 * h)}));
     }
   for (std::uint32_t j = 0; j < n; ++j)
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -137,7 +138,8 @@ TEST(TieCandidates, NodesExactlyAtTheDistanceTie) {
   // thickness (0.6 t > 0.354), at the inside, over an inner edge, the middle node, the free edge and the corner.
   for (const double level : {0.0, 0.1, 12.3, 1234.7, -98765.4})
     for (const double t : {0.7, 1.0, 1.3, 1.9})
-      for (const Vector& at : {Vector(1.7, 2.3, 0), Vector(5, 2.3, 0), Vector(5, 5, 0), Vector(10, 2.3, 0), Vector(10, 10, 0)})
+      for (const Vector& at :
+           {Vector(1.7, 2.3, 0), Vector(5, 2.3, 0), Vector(5, 5, 0), Vector(10, 2.3, 0), Vector(10, 10, 0)})
         for (const double side : {-1.0, 1.0}) {
           const Vector corner(0.1, 0.1, level), foot = corner + at;
           const double d1 = 0.6 * t;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 #include <random>
 
@@ -116,7 +117,8 @@ TEST(Ties, EachReasonIsTold) {
 }
 
 TEST(Ties, OfPartsOnlyNodesNearTheSurfaceAreJudged) {
-  // A plate 0.9 above another (allowed 1.2, they tie), one 2 above (within twice the distance), one 5 above (not meant).
+  // A plate 0.9 above another (allowed 1.2, they tie), one 2 above (within twice the distance), one 5 above (not
+  // meant).
   for (const auto& [gap, ties, untied] : {std::tuple(0.9, 4U, 0U), std::tuple(2.0, 0U, 4U), std::tuple(5.0, 0U, 0U)}) {
     Scene scene;
     scene.plate(scene.part(1, 1), {0, 0, 0}, {10, 0, 0}, {0, 10, 0}, 3, 3);
@@ -157,7 +159,8 @@ std::optional<TieReason> reason_at(double height, const std::string& type, std::
 }
 
 TEST(Ties, SeparationsAreToldWhereTheyAreClosedOrLost) {
-  for (const char* type : {"TIED_SURFACE_TO_SURFACE", "TIED_NODES_TO_SURFACE", "TIED_SHELL_EDGE_TO_SURFACE", "SPOTWELD"}) {
+  for (const char* type :
+       {"TIED_SURFACE_TO_SURFACE", "TIED_NODES_TO_SURFACE", "TIED_SHELL_EDGE_TO_SURFACE", "SPOTWELD"}) {
     EXPECT_EQ(reason_at(0.15, type), TieReason::sep);
     EXPECT_EQ(reason_at(0.15, type, 1), TieReason::offset);
     EXPECT_EQ(reason_at(0.14, type), std::nullopt);  // 0.01 · 14.142
@@ -239,6 +242,21 @@ TEST(Ties, ABeamIsNotShortened) {
   EXPECT_EQ(beam_over_plate(5, 30).contacts[0].ties, 1U);
   // Nor does the far end here, below the plate, and 8 of 15 are left.
   EXPECT_EQ(beam_over_plate(7, -8).contacts[0].ties, 1U);
+}
+
+TEST(Ties, HostileNumbersHurtNobodyElse) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Scene scene = plate_and_nodes({{nan, 4, 0}, {1e300, 4, 0}, {3, 4, 0.5}, {-1e308, nan, 1e308}}, "SPOTWELD");
+  for (const double odd : {1e300, nan, -1e300}) {
+    scene.model.contacts[0].parmax = scene.model.contacts[0].maxpar = odd;
+    const InitialState state = scene.run();
+    EXPECT_EQ(state.contacts[0].ties, 1U);
+    EXPECT_EQ(state.judged.size(), 4U);
+  }
+  scene.model.contacts[0].sst = scene.model.contacts[0].mst = -1e300;
+  EXPECT_EQ(scene.run().judged.size(), 4U);
+  scene.model.sections[0].thickness.fill(nan);
+  EXPECT_EQ(scene.run().judged.size(), 4U);
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ struct TieVerdict {
 };
 
 /// The tie rule for shells in its plainest form: every segment, 64 digits of mantissa, the nearest point of a quad from
-/// its edges and the feet found by Newton's method from a grid of starts. d <= max(0.6 (t + ts), 0.05 min diagonal), with
-/// the tolerance 1e-9 d + 4 units in the last place of the largest coordinate; the foot within `parmax`. Independent of
-/// lib/geometry and lib/contact on purpose.
+/// its edges and the feet found by Newton's method from a grid of starts. d <= max(0.6 (t + ts), 0.05 min diagonal),
+/// with the tolerance 1e-9 d + 4 units in the last place of the largest coordinate; the foot within `parmax`.
+/// Independent of lib/geometry and lib/contact on purpose.
 [[nodiscard]] TieVerdict tie_verdict(const std::vector<TieSegment>& segments, const Vector& node, double node_thickness,
                                      double parmax);
 

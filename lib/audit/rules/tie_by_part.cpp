@@ -14,11 +14,16 @@ using contact::JudgedNode;
 std::string named_parts(const model::SurfaceInput& input) {
   using enum model::SurfaceType;
   switch (static_cast<model::SurfaceType>(input.type)) {
-    case part_set: return fmt::format("part set {}", input.id);
-    case part: return fmt::format("part {}", input.id);
-    case all: return "all parts";
-    case exempted_part_set: return fmt::format("all parts but those of part set {}", input.id);
-    default: return {};
+    case part_set:
+      return fmt::format("part set {}", input.id);
+    case part:
+      return fmt::format("part {}", input.id);
+    case all:
+      return "all parts";
+    case exempted_part_set:
+      return fmt::format("all parts but those of part set {}", input.id);
+    default:
+      return {};
   }
 }
 
@@ -31,11 +36,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
     const auto untied = static_cast<std::uint64_t>(
         std::count_if(nodes.begin(), nodes.end(), [](const JudgedNode& node) { return !node.tied(); }));
     if (untied == 0) return;
-    Finding f = finding_at(rule, context, contact,
-                           fmt::format("the tracked side is {}: of {} near the reference surface {} untied, and nobody "
-                                       "can tell which were meant to tie; name the nodes of the joint in a node set",
-                                       side, node_count(nodes.size()),
-                                       untied == 1 ? "1 stays" : fmt::format("{} stay", untied)));
+    Finding f = finding_at(
+        rule, context, contact,
+        fmt::format("the tracked side is {}: of {} near the reference surface {} untied, and nobody "
+                    "can tell which were meant to tie; name the nodes of the joint in a node set",
+                    side, node_count(nodes.size()), untied == 1 ? "1 stays" : fmt::format("{} stay", untied)));
     f.count = untied;
     report.findings.push_back(std::move(f));
   });
@@ -44,6 +49,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule tie_by_part{{"GC209", "tie-by-part", Severity::note,
-                        "a tie given by parts leaves nodes untied; a node set would say which are meant"}, run};
+                        "a tie given by parts leaves nodes untied; a node set would say which are meant"},
+                       run};
 
 }  // namespace gapcheck::audit

@@ -22,12 +22,14 @@ struct Holder {
 std::optional<Holder> holder(const JudgedNode& node) {
   if (node.reason == TieReason::conflict) return Holder{false, node.holder};
   // Nodes of rigid parts are tie-rigid's.
-  if (node.reason == TieReason::rigslav && node.rigid.kind == RigidOwner::Kind::group) return Holder{true, node.rigid.index};
+  if (node.reason == TieReason::rigslav && node.rigid.kind == RigidOwner::Kind::group)
+    return Holder{true, node.rigid.index};
   return std::nullopt;
 }
 
 std::string describe(const model::Model& model, const Holder& holder) {
-  if (!holder.rigid) return fmt::format("contact {}, which comes first in the deck", model.contacts[holder.index].id.value);
+  if (!holder.rigid)
+    return fmt::format("contact {}, which comes first in the deck", model.contacts[holder.index].id.value);
   const model::RigidGroup& group = model.rigid_groups[holder.index];
   const bool extra = group.kind == model::RigidGroup::Kind::extra_nodes;
   return fmt::format("{} {}", extra ? "*CONSTRAINED_EXTRA_NODES of rigid part" : "nodal rigid body", group.id);
@@ -40,11 +42,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
     for (const JudgedNode& node : nodes)
       if (const auto by = holder(node)) held[*by].push_back(model.mesh.nodes.id[node.node.value]);
     for (const auto& [by, ids] : held) {
-      Finding f = finding_at(rule, context, model.contacts[c],
-                             fmt::format("{} ({}) cannot be tied: {} constrains {} already; tie once only, or by "
-                                         "penalty (an OFFSET form, IPBACK = 1)",
-                                         node_count(ids.size()), first_few(ids), describe(model, by),
-                                         ids.size() == 1 ? "it" : "them"));
+      Finding f = finding_at(
+          rule, context, model.contacts[c],
+          fmt::format("{} ({}) cannot be tied: {} constrains {} already; tie once only, or by "
+                      "penalty (an OFFSET form, IPBACK = 1)",
+                      node_count(ids.size()), first_few(ids), describe(model, by), ids.size() == 1 ? "it" : "them"));
       f.node = ids.front();
       f.count = ids.size();
       report.findings.push_back(std::move(f));
@@ -54,8 +56,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tie_conflict{
-    {"GC203", "tie-conflict", Severity::warning, "two definitions constrain the same nodes; the later one does not get them"},
-    run};
+const Rule tie_conflict{{"GC203", "tie-conflict", Severity::warning,
+                         "two definitions constrain the same nodes; the later one does not get them"},
+                        run};
 
 }  // namespace gapcheck::audit

@@ -13,8 +13,8 @@ namespace {
 
 using contact::JudgedNode;
 
-/// From this ratio of the segment's shorter diagonal to the tracked node's edge on, the sizes differ largely: 0.05 of the
-/// diagonal is then half an edge, and the next row of nodes may tie as well.
+/// From this ratio of the segment's shorter diagonal to the tracked node's edge on, the sizes differ largely: 0.05 of
+/// the diagonal is then half an edge, and the next row of nodes may tie as well.
 constexpr double large_ratio = 10;
 
 /// Shortest edge of the shells and solids at some nodes of the mesh; infinity where there are none.
@@ -72,16 +72,18 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   std::vector<Found> found;
   for (std::size_t i = 0; i < suspects.size(); ++i) {
     const double edge = edges.at(suspects[i].node);
-    if (suspects[i].diagonal >= large_ratio * edge) found.push_back({suspects[i].contact, suspects[i].distance / edge, i});
+    if (suspects[i].diagonal >= large_ratio * edge)
+      found.push_back({suspects[i].contact, suspects[i].distance / edge, i});
   }
   const auto words = [&](const Found& item) {
     const JudgedNode& node = suspects[item.item];
     const model::Nodes& nodes = model.mesh.nodes;
-    Finding f = finding(rule,
-                        fmt::format("node {} ties over {:.6g} because its segment is large: 0.05 of the diagonal {:.6g}, "
-                                    "while its own elements have edges of {:.6g}; give the reach with a negative SST",
-                                    nodes.id[node.node.value], node.distance, node.diagonal, edges.at(node.node)),
-                        context.path(nodes.origins.file(node.node.value)), nodes.line[node.node.value]);
+    Finding f =
+        finding(rule,
+                fmt::format("node {} ties over {:.6g} because its segment is large: 0.05 of the diagonal {:.6g}, "
+                            "while its own elements have edges of {:.6g}; give the reach with a negative SST",
+                            nodes.id[node.node.value], node.distance, node.diagonal, edges.at(node.node)),
+                context.path(nodes.origins.file(node.node.value)), nodes.line[node.node.value]);
     f.contact = model.contacts[node.contact].id.value;
     f.node = nodes.id[node.node.value];
     if (node.part != none<PartIndex>) f.part = model.part(node.part).id.value;
@@ -100,8 +102,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tie_large_segment{
-    {"GC207", "tie-large-segment", Severity::warning,
-     "a node ties only because the segment is large beside the node's own elements"}, run};
+const Rule tie_large_segment{{"GC207", "tie-large-segment", Severity::warning,
+                              "a node ties only because the segment is large beside the node's own elements"},
+                             run};
 
 }  // namespace gapcheck::audit

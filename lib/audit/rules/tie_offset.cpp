@@ -2,8 +2,8 @@
 
 namespace gapcheck::audit {
 
-const Rule tie_offset{{"GC202", "tie-offset", Severity::warning,
-                       "a tied node keeps a distance whose moments the tie does not carry"},
-                      [](const RuleInfo&, Context& context, Report&) { context.want(TieReason::offset); }};
+const Rule tie_offset{
+    {"GC202", "tie-offset", Severity::warning, "a tied node keeps a distance whose moments the tie does not carry"},
+    [](const RuleInfo&, Context& context, Report&) { context.want(TieReason::offset); }};
 
 }  // namespace gapcheck::audit

@@ -35,10 +35,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
     const std::int64_t id = model.mesh.nodes.id[farthest->node.value];
     Finding f = finding_at(
         rule, context, model.contacts[c],
-        fmt::format("{} too far to tie, node {} by most: {:.6g} from its segment, tie distance {:.6g}; SST = {:.6g} would "
-                    "tie {} and all that tie now",
-                    far == 1 ? "1 node is" : fmt::format("{} nodes are", far), id, farthest->distance, farthest->allowed,
-                    -rounded_up(thickness), far == 1 ? "it" : "them"));
+        fmt::format(
+            "{} too far to tie, node {} by most: {:.6g} from its segment, tie distance {:.6g}; SST = {:.6g} would "
+            "tie {} and all that tie now",
+            far == 1 ? "1 node is" : fmt::format("{} nodes are", far), id, farthest->distance, farthest->allowed,
+            -rounded_up(thickness), far == 1 ? "it" : "them"));
     f.node = id;
     f.count = far;
     report.findings.push_back(std::move(f));

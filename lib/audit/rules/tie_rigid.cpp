@@ -30,7 +30,8 @@ struct Affected {
   [[nodiscard]] std::string owners() const {
     std::string text;
     const auto list = [&](const char* what, const std::set<std::int64_t>& ids) {
-      if (!ids.empty()) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", what, first_few({ids.begin(), ids.end()}));
+      if (!ids.empty())
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", what, first_few({ids.begin(), ids.end()}));
     };
     list("rigid part", parts);
     list("nodal rigid body", bodies);
@@ -51,10 +52,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
     std::string what;
     if (tracked.nodes > 0) what = fmt::format("{} of {}", node_count(tracked.nodes), tracked.owners());
     if (reference.nodes > 0)
-      what += fmt::format("{}{} on segments of {}", what.empty() ? "" : " and ", node_count(reference.nodes), reference.owners());
+      what += fmt::format("{}{} on segments of {}", what.empty() ? "" : " and ", node_count(reference.nodes),
+                          reference.owners());
     const model::Contact& contact = model.contacts[c];
     Finding f = finding_at(rule, context, contact,
-                           fmt::format("*{} ties by constraint, which rigid bodies do not take: {} stay untied; use "
+                           fmt::format("*{} ties by constraint, which rigid bodies do not take; untied are {}; use "
                                        "the OFFSET form or *CONSTRAINED_EXTRA_NODES",
                                        contact.written, what));
     f.node = tracked.nodes > 0 ? tracked.first : reference.first;
@@ -65,6 +67,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tie_rigid{{"GC206", "tie-rigid", Severity::error, "a constraint tie meets rigid bodies, which it cannot tie"}, run};
+const Rule tie_rigid{
+    {"GC206", "tie-rigid", Severity::error, "a constraint tie meets rigid bodies, which it cannot tie"}, run};
 
 }  // namespace gapcheck::audit

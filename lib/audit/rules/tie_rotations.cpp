@@ -35,11 +35,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
       if (free++ == 0) first = node.node;
     }
     if (free == 0) return;
-    Finding f = finding_at(rule, context, model.contacts[c],
-                           fmt::format("type {} ties {} of shells or beams by their translations alone (of {} tied): they "
-                                       "turn freely and the joint is too soft; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE{}",
-                                       type.code, node_count(free), tied,
-                                       type.code.front() == 'o' ? "_BEAM_OFFSET" : ""));
+    Finding f =
+        finding_at(rule, context, model.contacts[c],
+                   fmt::format("type {} ties {} of shells or beams by their translations alone (of {} tied): they "
+                               "turn freely and the joint is too soft; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE{}",
+                               type.code, node_count(free), tied, type.code.front() == 'o' ? "_BEAM_OFFSET" : ""));
     f.node = model.mesh.nodes.id[first.value];
     f.count = free;
     report.findings.push_back(std::move(f));

@@ -51,7 +51,9 @@ TEST(TieConflict, NodalRigidBodiesAndExtraNodes) {
   EXPECT_EQ(listed(run_rule("GC206", body)), 0U);  // each rule has its own
 
   RuleDeck extra = sandwich();
-  extra.shell_part(5, 1, 2).raw("CONSTRAINED_EXTRA_NODES_NODE", "5,50\n").contact(3, "TIED_NODES_TO_SURFACE", "7,1,4,3");
+  extra.shell_part(5, 1, 2)
+      .raw("CONSTRAINED_EXTRA_NODES_NODE", "5,50\n")
+      .contact(3, "TIED_NODES_TO_SURFACE", "7,1,4,3");
   const Report named = run_rule("GC203", extra);
   ASSERT_EQ(listed(named), 1U);
   EXPECT_NE(named.findings[0].message.find("rigid part 5"), std::string::npos) << named.findings[0].message;

@@ -25,11 +25,11 @@ TEST(TieLargeSegment, SmallElementsOverALargeSegment) {
 }
 
 TEST(TieLargeSegment, NotWhereOneOfTheThreeIsMissing) {
-  EXPECT_EQ(listed(bricks(1, 2.9, 0.8)), 0U);                     // 28.3 < 10 * 2.9
-  EXPECT_EQ(listed(bricks(1, 2.8, 0.28)), 0U);                    // less than 0.01 D
-  EXPECT_EQ(listed(bricks(1, 1, 0.28)), 4U);                      // but the upper nodes, 1.28 away, tie as well
-  EXPECT_EQ(listed(bricks(1, 1, 1.5)), 0U);                       // does not tie
-  EXPECT_EQ(listed(bricks(1, 1, 0.8, "0.\n1.,1.,-2.\n")), 0U);    // thickness alone counts
+  EXPECT_EQ(listed(bricks(1, 2.9, 0.8)), 0U);                   // 28.3 < 10 * 2.9
+  EXPECT_EQ(listed(bricks(1, 2.8, 0.28)), 0U);                  // less than 0.01 D
+  EXPECT_EQ(listed(bricks(1, 1, 0.28)), 4U);                    // but the upper nodes, 1.28 away, tie as well
+  EXPECT_EQ(listed(bricks(1, 1, 1.5)), 0U);                     // does not tie
+  EXPECT_EQ(listed(bricks(1, 1, 0.8, "0.\n1.,1.,-2.\n")), 0U);  // thickness alone counts
   EXPECT_EQ(listed(bricks(1, 2.8, 0.8)), 4U);
 }
 

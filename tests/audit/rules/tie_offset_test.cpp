@@ -13,8 +13,8 @@ Report node_above(double height, const std::string& type, const std::string& con
 }
 
 TEST(TieOffset, VisibleOffsetsOfPenaltyTies) {
-  for (const char* type : {"TIED_NODES_TO_SURFACE_OFFSET", "TIED_SURFACE_TO_SURFACE_OFFSET",
-                           "TIED_SHELL_EDGE_TO_SURFACE_OFFSET"}) {
+  for (const char* type :
+       {"TIED_NODES_TO_SURFACE_OFFSET", "TIED_SURFACE_TO_SURFACE_OFFSET", "TIED_SHELL_EDGE_TO_SURFACE_OFFSET"}) {
     const Report report = node_above(0.5, type);
     ASSERT_EQ(listed(report), 1U) << type;
     ASSERT_EQ(report.tie_failures.size(), 1U);

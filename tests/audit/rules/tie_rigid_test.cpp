@@ -17,7 +17,8 @@ TEST(TieRigid, ConstraintsDoNotTakeRigidParts) {
   EXPECT_EQ(tracked.findings[0].count, 4U);
   EXPECT_EQ(tracked.findings[0].node, 11);
   EXPECT_EQ(tracked.findings[0].severity, Severity::error);
-  EXPECT_NE(tracked.findings[0].message.find("4 nodes of rigid part 2"), std::string::npos) << tracked.findings[0].message;
+  EXPECT_NE(tracked.findings[0].message.find("4 nodes of rigid part 2"), std::string::npos)
+      << tracked.findings[0].message;
   const Report reference = plates(2, 1, "TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET");
   ASSERT_EQ(listed(reference), 1U);
   EXPECT_NE(reference.findings[0].message.find("4 nodes on segments of rigid part 1"), std::string::npos)
