@@ -81,8 +81,7 @@ NodeIndex TimestepEstimate::smallest(const Segments& s) {
   };
   double least = infinite;
   NodeIndex node = none<NodeIndex>;
-  const bool most_of_the_mesh = s.size() > sums_.size() / 8;
-  if (most_of_the_mesh) {
+  if (most_of_the_mesh(s)) {
     parallel_for(sums_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) sums_[n].weighted = squared_step(static_cast<std::uint32_t>(n));
     });
@@ -123,10 +122,14 @@ SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLim
     const double squared_period = masses_[result.node.value] / own.value();
     result.timestep = limit == TimestepLimit::printed ? std::sqrt(squared_period / 2) : 2 * std::sqrt(squared_period);
   }
-  parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      for (const NodeIndex n : s.nodes[i]) sums_[n.value] = {};
-  });
+  if (most_of_the_mesh(s)) {
+    parallel_for(sums_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) sums_[n] = {};
+    });
+    return result;
+  }
+  for (const auto& nodes : s.nodes)
+    for (const NodeIndex n : nodes) sums_[n.value] = {};
   return result;
 }
 

@@ -39,6 +39,8 @@ class TimestepEstimate {
   [[nodiscard]] NodeStiffness corner(const Segments& segments, std::size_t segment, double scale,
                                      TimestepLimit limit) const;
   [[nodiscard]] NodeIndex smallest(const Segments& segments);
+  /// Then all nodes are visited rather than the corners of the segments.
+  [[nodiscard]] bool most_of_the_mesh(const Segments& segments) const { return segments.size() > sums_.size() / 8; }
 
   const model::Model& model_;
   const ElementSizes& sizes_;

@@ -2,14 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace gapcheck::contact {
 namespace {
 
 TEST(Stiffness, ModulusIsBulkAndMembraneForFabric) {
-  model::Material steel{.young = 210000, .poisson = 0.3, .bulk = 175000};
-  EXPECT_EQ(contact_modulus(steel), 175000);
-  model::Material fabric{.young = 300, .poisson = 0.5, .bulk = 1e6, .fabric = true};
-  EXPECT_EQ(contact_modulus(fabric), 400);  // 300 / (1 - 0.25)
+  model::Material material;
+  material.young = 300;
+  material.poisson = 0.5;
+  material.bulk = 175000;
+  EXPECT_EQ(contact_modulus(material), 175000);
+  material.fabric = true;
+  EXPECT_EQ(contact_modulus(material), 400);  // 300 / (1 - 0.25)
   const model::Model empty;
   EXPECT_EQ(contact_modulus(empty, none<PartIndex>), 0);
 }
