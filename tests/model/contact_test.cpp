@@ -282,11 +282,7 @@ TEST(Controls, DefaultsAndValues) {
       "         0\n"
       "         1         0         0         0         1\n"
       "*CONTROL_SHELL\n      20.0         1        -1         1\n\n         0         0         2\n"
-<<<<<<< HEAD
       "*CONTROL_TIMESTEP\n       0.0      0.67         2       0.0    -1.e-6\n*CONTROL_TERMINATION\n      0.12\n");
-=======
-      "*CONTROL_TIMESTEP\n       0.0      0.67         2       0.0   -1.0E-6\n");
->>>>>>> h6
   const Controls& controls = read.model.controls;
   EXPECT_TRUE(controls.contact_given && controls.shell_given);
   EXPECT_EQ(controls.slsfac, 0.2);
