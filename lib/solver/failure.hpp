@@ -13,7 +13,7 @@ struct Failure {
     zero_mass,         ///< a force on a node that has no mass
     not_a_number,
     zero_time_step,
-    energy_ratio,      ///< energies that do not add up any more
+    energy_ratio,  ///< energies that do not add up any more
   } kind;
   std::string message;  ///< names the entity and says what to do
 };

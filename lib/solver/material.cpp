@@ -47,8 +47,7 @@ Returned radial_return(const Material& material, const Symmetric& trial, double 
   const auto [xi, size] = relative(trial, start.back_stress);
   if (!(size > scale * material.yield.stress(start.plastic_strain))) return {point, material.wave_modulus()};
   const double kinematic = material.kinematic_slope;
-  const auto [increment, slope] =
-      material.yield.solve(size, 3 * shear + kinematic, start.plastic_strain, scale);
+  const auto [increment, slope] = material.yield.solve(size, 3 * shear + kinematic, start.plastic_strain, scale);
   const double stress_part = 3 * shear * increment / size, shift_part = kinematic * increment / size;
   for (std::size_t i = 0; i < 6; ++i) {
     point.stress[i] -= stress_part * xi[i];
@@ -82,8 +81,8 @@ double plastic_plane(const Material& material, Symmetric increment, double scale
     point = result.point;
     if (!(std::abs(point.stress[zz]) > tolerance)) break;
     // The stiffest slope always converges, if slowly: σzz rises with εzz and never faster than that.
-    const double slope = step < newton_steps ? std::max(result.tangent_zz, 0.05 * material.wave_modulus())
-                                             : material.wave_modulus();
+    const double slope =
+        step < newton_steps ? std::max(result.tangent_zz, 0.05 * material.wave_modulus()) : material.wave_modulus();
     increment[zz] -= point.stress[zz] / slope;
   }
   // Exactly zero from here on; what is taken off is below the tolerance.

@@ -9,7 +9,7 @@ namespace gapcheck::solver {
 /// What an integration point remembers. In shells the axes are the element's, in solids the global ones.
 struct PointState {
   Symmetric stress{};
-  Symmetric back_stress{};  ///< centre of the yield surface, deviatoric
+  Symmetric back_stress{};    ///< centre of the yield surface, deviatoric
   double plastic_strain = 0;  ///< effective
 };
 
@@ -24,9 +24,9 @@ enum class MaterialKind : std::uint8_t {
 struct Material {
   MaterialKind kind = MaterialKind::elastic;
   double density = 0, young = 0, poisson = 0;
-  YieldCurve yield;                 ///< of the isotropic part
-  double kinematic_slope = 0;       ///< (1 − β) Eₚ of material 003
-  double rate_c = 0, rate_p = 0;    ///< Cowper–Symonds on the total strain rate √(ε̇:ε̇); zero = rate independent
+  YieldCurve yield;               ///< of the isotropic part
+  double kinematic_slope = 0;     ///< (1 − β) Eₚ of material 003
+  double rate_c = 0, rate_p = 0;  ///< Cowper–Symonds on the total strain rate √(ε̇:ε̇); zero = rate independent
 
   [[nodiscard]] double shear() const { return young / (2 * (1 + poisson)); }
   [[nodiscard]] double bulk() const { return young / (3 * (1 - 2 * poisson)); }

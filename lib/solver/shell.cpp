@@ -11,8 +11,12 @@ ShellResultants integrate_layers(const ShellProperties& properties, const ShellS
     const auto [place, weight] = properties.layers[i];
     const double z = half * place;
     if (dt > 0) {
-      const Symmetric increment{strain.xx + z * strain.bend_xx, strain.yy + z * strain.bend_yy, 0,
-                                strain.xy + z * strain.bend_xy, strain.yz, strain.zx};
+      const Symmetric increment{strain.xx + z * strain.bend_xx,
+                                strain.yy + z * strain.bend_yy,
+                                0,
+                                strain.xy + z * strain.bend_xy,
+                                strain.yz,
+                                strain.zx};
       through += weight / 2 * update_plane_stress(properties.material, increment, dt, points[i]);
     }
     const Symmetric& stress = points[i].stress;
@@ -40,8 +44,8 @@ void set_time_steps(const ShellProperties& properties, const ShellShape& shape, 
   // The strain energy is at most plate (1 + |ν|) |∇u|²; each corner has 1 / corners of the mass. Bending and transverse
   // shear share the rotations, so their bounds add up.
   const double membrane = squared_speed * (1 + std::abs(material.poisson)) * shape.gradient.largest();
-  const double bending = membrane * shape.thickness * shape.thickness / 12 /
-                         rotational_inertia(shape.area, shape.thickness);
+  const double bending =
+      membrane * shape.thickness * shape.thickness / 12 / rotational_inertia(shape.area, shape.thickness);
   const double transverse = properties.shear_factor * material.shear() / material.density * shape.shear.largest();
   forces.stable_step = 2 / std::sqrt(shape.corners * std::max(membrane, bending + transverse));
 }

@@ -18,8 +18,7 @@ void ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t pro
   const std::size_t corners = triangle(size() - 1) ? 3 : 4;
   // With corners 3 and 4 equal this is the triangle's area too.
   const std::vector<Vector>& x = state.x;
-  const double area =
-      (x[nodes[2].value] - x[nodes[0].value]).cross(x[nodes[3].value] - x[nodes[1].value]).norm() / 2;
+  const double area = (x[nodes[2].value] - x[nodes[0].value]).cross(x[nodes[3].value] - x[nodes[1].value]).norm() / 2;
   const double share = properties_[properties].material.density * area * thickness / static_cast<double>(corners);
   for (std::size_t i = 0; i < corners; ++i) {
     state.mass[nodes[i].value] += share;
@@ -35,8 +34,7 @@ void ShellElements::finish(std::size_t nodes) {
   std::vector<NodeIndex> corners;
   corners.reserve(4 * size());
   for (std::size_t i = 0; i < size(); ++i)
-    for (std::size_t k = 0; k < 4; ++k)
-      corners.push_back(k == 3 && triangle(i) ? none<NodeIndex> : nodes_[i][k]);
+    for (std::size_t k = 0; k < 4; ++k) corners.push_back(k == 3 && triangle(i) ? none<NodeIndex> : nodes_[i][k]);
   table_ = CornerTable(nodes, corners);
 }
 
@@ -59,8 +57,8 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
   if (!forces.good) summary.bad = static_cast<std::uint32_t>(shell);
   for (std::size_t k = 0; k < 4; ++k) {
     Vector &force = force_[4 * shell + k], &moment = moment_[4 * shell + k];
-    summary.work += state.dt / 2 *
-                    ((force + forces.force[k]).dot(corners.v[k]) + (moment + forces.moment[k]).dot(corners.w[k]));
+    summary.work +=
+        state.dt / 2 * ((force + forces.force[k]).dot(corners.v[k]) + (moment + forces.moment[k]).dot(corners.w[k]));
     force = forces.force[k];
     moment = forces.moment[k];
   }

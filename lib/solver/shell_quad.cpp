@@ -8,8 +8,8 @@ namespace {
 struct Frame {
   Vector e1, e2, e3;
   double area;
-  double bx1, bx2, by1, by2;       ///< ∂N/∂x of corners 1 and 2; 3 and 4 have the opposite
-  double shape_x, shape_y, warp;   ///< x₁ − x₂ + x₃ − x₄ in the three axes
+  double bx1, bx2, by1, by2;      ///< ∂N/∂x of corners 1 and 2; 3 and 4 have the opposite
+  double shape_x, shape_y, warp;  ///< x₁ − x₂ + x₃ − x₄ in the three axes
 };
 
 Frame make_frame(const std::array<Vector, 4>& x) {
@@ -107,9 +107,7 @@ ShellStrain strain_of(const Frame& frame, const Field& v, const Field& w, const 
 /// Spreads resultants and hourglass stresses to the corners; the transpose of the strain operators.
 void spread(const Frame& frame, const ShellResultants& n, const std::array<double, 5>& hourglass, ShellForces& out) {
   const double area = frame.area;
-  const auto global = [&](double x, double y, double z) {
-    return Vector(x * frame.e1 + y * frame.e2 + z * frame.e3);
-  };
+  const auto global = [&](double x, double y, double z) { return Vector(x * frame.e1 + y * frame.e2 + z * frame.e3); };
   const auto force = [&](double bx, double by) {
     return global(area * (bx * n.xx + by * n.xy), area * (by * n.yy + bx * n.xy), area * (bx * n.zx + by * n.yz));
   };

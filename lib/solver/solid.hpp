@@ -22,7 +22,7 @@ struct SolidCorners {
 
 /// What one solid remembers beside its integration point.
 struct SolidState {
-  double mass = 0;                     ///< of the element; its density follows from it
+  double mass = 0;  ///< of the element; its density follows from it
   std::array<Vector, 4> hourglass{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
 };
 
@@ -38,8 +38,9 @@ struct SolidForces {
 
 /// Brick with one integration point, Flanagan and Belytschko (Int. J. Numer. Meth. Engng 17, 1981): mean gradients,
 /// exact volume, orthogonal hourglass control. Wedges and pyramids are bricks with repeated corners. The velocity
-/// strain is taken in the middle of the step (x − dt v / 2), the stress turns with the spin there (Hughes–Winget form of
-/// the Jaumann rate), forces belong to the end: a rigid motion strains nothing. dt = 0: forces of the present stresses.
+/// strain is taken in the middle of the step (x − dt v / 2), the stress turns with the spin there (Hughes–Winget form
+/// of the Jaumann rate), forces belong to the end: a rigid motion strains nothing. dt = 0: forces of the present
+/// stresses.
 [[nodiscard]] SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
                                        SolidState& state, PointState& point);
 

@@ -60,7 +60,8 @@ std::array<Vector, 4> shape_sums(const Corners& v) {
 }
 
 double largest_face_area(const Corners& x) {
-  constexpr std::size_t faces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  constexpr std::size_t faces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                       {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   double squared = 0;
   for (const auto& f : faces) squared = std::max(squared, (x[f[2]] - x[f[0]]).cross(x[f[3]] - x[f[1]]).squaredNorm());
   return std::sqrt(squared) / 2;
@@ -118,8 +119,7 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
                               end_shapes = shape_sums(corners.x);
   std::array<Vector, 4> rates;
   for (std::size_t m = 0; m < 4; ++m) rates[m] = v_shapes[m] - gradient * middle_shapes[m];
-  out.hourglass_work =
-      update_hourglass(properties, rates, rotation, gram.trace(), out.volume, dt, state);
+  out.hourglass_work = update_hourglass(properties, rates, rotation, gram.trace(), out.volume, dt, state);
 
   // f = σ b + Σ Q (shape − b · (shape · x) / V)
   Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();

@@ -30,7 +30,7 @@ struct Forces {
 struct Energies {
   double kinetic = 0, internal = 0, hourglass = 0;
   double external = 0;  ///< work of loads, contacts and prescribed motion since the start
-  double initial = 0;   ///< kinetic energy at the start
+  double initial = 0;   ///< kinetic energy at the start; less by ½ m (a dt/2)² than that of the initial velocity
   [[nodiscard]] double total() const { return kinetic + internal + hourglass; }
   /// Total energy over what was there or was put in; 1 when in balance or when there is none.
   [[nodiscard]] double ratio() const {

@@ -40,9 +40,7 @@ inline Symmetric to_symmetric(const Matrix& m) {
 }
 
 /// R a Rᵀ
-inline Symmetric rotated(const Symmetric& a, const Matrix& r) {
-  return to_symmetric(r * to_matrix(a) * r.transpose());
-}
+inline Symmetric rotated(const Symmetric& a, const Matrix& r) { return to_symmetric(r * to_matrix(a) * r.transpose()); }
 
 /// The rotation that a mid-step spin increment W (skew) stands for: (I − W/2)⁻¹ (I + W/2), exactly orthogonal.
 /// Hughes and Winget, Int. J. Numer. Meth. Engng 15 (1980). Closed form for the axial vector w of W.

@@ -25,10 +25,12 @@ ShellProperties elastic_shell(double nu = poisson, HourglassKind hourglass = Hou
 /// A patch of five quads, or ten triangles, with four free corners inside; all in the plane z = 0.
 struct Patch {
   std::vector<Vector> x{{0, 0, 0}, {10, 0, 0}, {10, 6, 0}, {0, 6, 0}, {2, 1.5, 0}, {7, 2, 0}, {6.5, 4, 0}, {3, 4.5, 0}};
-  std::vector<std::array<std::size_t, 4>> elements{{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}};
+  std::vector<std::array<std::size_t, 4>> elements{
+      {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}};
 
-  void make_rectangles() { x = {{0, 0, 0}, {9, 0, 0}, {9, 6, 0}, {0, 6, 0}, {3, 0, 0}, {3, 6, 0}, {6, 0, 0}, {6, 6, 0},
-                                {0, 3, 0}, {3, 3, 0}, {6, 3, 0}, {9, 3, 0}};
+  void make_rectangles() {
+    x = {{0, 0, 0}, {9, 0, 0}, {9, 6, 0}, {0, 6, 0}, {3, 0, 0}, {3, 6, 0},
+         {6, 0, 0}, {6, 6, 0}, {0, 3, 0}, {3, 3, 0}, {6, 3, 0}, {9, 3, 0}};
     elements = {{0, 4, 9, 8}, {4, 6, 10, 9}, {6, 1, 11, 10}, {8, 9, 5, 3}, {9, 10, 7, 5}, {10, 11, 2, 7}};
   }
   void make_triangles() {
@@ -251,12 +253,13 @@ TEST(ShellCantilever, TrianglesConverge) {
   EXPECT_LT(error[2], 0.75 * error[1]);
 }
 
-// ω = 1.8751² √(E I / ρ A) / L²
+// ω = 1.8751² √(E I / ρ A) / L². Square elements: the raised rotational inertia shrinks with their area.
 TEST(ShellCantilever, FirstFrequency) {
-  constexpr double length = 20, width = 1;
+  constexpr double length = 20;
   const double exact = 1.875104069 * 1.875104069 * std::sqrt(young * thickness * thickness / 12) / (length * length);
   std::array<double, 3> frequency{};
-  for (std::size_t i = 0; i < 3; ++i) frequency[i] = solve_strip(8 << i, quad_forces, length, width, 0).frequency;
+  for (std::size_t i = 0; i < 3; ++i)
+    frequency[i] = solve_strip(8 << i, quad_forces, length, length / (8 << i), 0).frequency;
   EXPECT_NEAR(frequency[2] / exact, 1, 0.002);
   const double order = std::log2((frequency[1] - frequency[0]) / (frequency[2] - frequency[1]));
   EXPECT_NEAR(order, 2, 0.15);
