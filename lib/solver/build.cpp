@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "solver/build_rigid.hpp"
 #include "solver/gauss.hpp"
 
 namespace gapcheck::solver {
@@ -15,7 +16,11 @@ using model::SectionKind;
 class Builder {
  public:
   Builder(const model::Model& model, const BuildSettings& settings, Diagnostics& diagnostics)
-      : model_(model), settings_(settings), diagnostics_(diagnostics), positions_(model.parts.size()) {}
+      : model_(model),
+        settings_(settings),
+        diagnostics_(diagnostics),
+        positions_(model.parts.size()),
+        rigid_(model.parts.size()) {}
 
   std::variant<Structure, Failure> build() {
     State& state = structure_.state;
@@ -33,6 +38,7 @@ class Builder {
     add_shells();
     if (!failure_) add_solids();
     add_masses();
+    if (!failure_) build_rigid_bodies(model_, std::move(rigid_), structure_);
     name_what_is_left_out();
     if (failure_) return *failure_;
     return std::move(structure_);
@@ -95,7 +101,12 @@ class Builder {
       if (!(thickness > 0) || !std::isfinite(thickness))
         return fail(Failure::Kind::bad_element,
                     fmt::format("shell {} has the thickness {:g}; give its section one", shells.id[i], thickness));
-      structure_.shells.add(shells.nodes[i], *positions_[part.value], thickness, i, structure_.state);
+      if (model_.rigid(part)) {
+        const double density = model_.materials[*model_.part(part).material].density;
+        add_rigid(part, shells.nodes[i], shell_mass_points(places(shells.nodes[i]), thickness, density));
+      } else {
+        structure_.shells.add(shells.nodes[i], *positions_[part.value], thickness, i, structure_.state);
+      }
     }
   }
 
@@ -115,11 +126,30 @@ class Builder {
         positions_[part.value] =
             structure_.solids.add_properties({std::move(found->material), settings_.solid_hourglass});
       }
+      if (model_.rigid(part)) {
+        const double density = model_.materials[*model_.part(part).material].density;
+        add_rigid(part, solids.nodes[i], solid_mass_points(places(solids.nodes[i]), density));
+        continue;
+      }
       const double volume = structure_.solids.add(solids.nodes[i], *positions_[part.value], i, structure_.state);
       if (!(volume > 0))
         fail(Failure::Kind::bad_element,
              fmt::format("solid {} has the volume {:g}; mend the order of its nodes", solids.id[i], volume));
     }
+  }
+
+  template <std::size_t N>
+  std::array<Vector, N> places(const std::array<NodeIndex, N>& nodes) const {
+    std::array<Vector, N> x;
+    for (std::size_t k = 0; k < N; ++k) x[k] = structure_.state.x[nodes[k].value];
+    return x;
+  }
+
+  template <std::size_t N>
+  void add_rigid(PartIndex part, const std::array<NodeIndex, N>& nodes, const std::vector<PointMass>& points) {
+    RigidPart& rigid = rigid_[part.value];
+    rigid.nodes.insert(rigid.nodes.end(), nodes.begin(), nodes.end());
+    rigid.points.insert(rigid.points.end(), points.begin(), points.end());
   }
 
   void add_masses() {
@@ -144,6 +174,7 @@ class Builder {
   const BuildSettings& settings_;
   Diagnostics& diagnostics_;
   std::vector<std::optional<std::uint32_t>> positions_;  ///< by part: its place among the properties
+  std::vector<RigidPart> rigid_;                         ///< by part
   Structure structure_;
   std::optional<Failure> failure_;
 };

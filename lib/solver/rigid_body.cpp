@@ -31,13 +31,17 @@ void RigidBody::set_motion(const Vector& velocity, const Vector& angular_velocit
   momentum_ = inertia() * angular_velocity;
 }
 
-double RigidBody::accelerate(const Vector& force, const Vector& torque, double mean, unsigned held) {
-  const Vector before = velocity_, spin_before = momentum_;
+double RigidBody::accelerate(const Vector& force, const Vector& torque, double mean, unsigned held, bool first) {
+  Vector before = velocity_, spin_before = momentum_;
   if (mass_ > 0) velocity_ += force / mass_ * mean;
   momentum_ += torque * mean;
   for (int axis = 0; axis < 3; ++axis) {
     if ((held >> axis & 1u) != 0) velocity_[axis] = 0;
     if ((held >> (axis + 3) & 1u) != 0) momentum_[axis] = 0;
+  }
+  if (first) {
+    before = 2 * before - velocity_;
+    spin_before = 2 * spin_before - momentum_;
   }
   return mass_ / 2 * before.dot(velocity_) + spin_before.dot(angular_velocity()) / 2;
 }

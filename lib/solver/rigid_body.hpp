@@ -33,7 +33,8 @@ class RigidBody {
 
   /// Velocity and angular momentum over `mean`, the mean of the steps before and after; returns the kinetic energy in
   /// between, ½ m V⁻·V⁺ + ½ L⁻·I⁻¹ L⁺. Directions with a bit in `held` (x y z, rotations about them) stay at rest.
-  double accelerate(const Vector& force, const Vector& torque, double mean, unsigned held);
+  /// `first`: the velocity so far is that of this very time, ⁻ is its mirror.
+  double accelerate(const Vector& force, const Vector& torque, double mean, unsigned held, bool first = false);
 
   /// Moves and turns freely over dt. The rotation is the implicit midpoint rule of Euler's equations with the Cayley
   /// map (Austin, Krishnaprasad and Wang, J. Comput. Phys. 107, 1993): it keeps the angular momentum and the kinetic

@@ -121,26 +121,28 @@ std::optional<Failure> Stepper::accelerate(double next) {
   const auto sums = sum_over_blocks<NodeSums>(state.x.size(), [&](std::size_t begin, std::size_t end) {
     NodeSums sum;
     for (std::size_t i = begin; i < end; ++i) {
-      const unsigned mask = structure_.constraints.mask(i);
+      const bool rigid = structure_.rigid.holds(i);  // moved by its body; other forces work on it all the same
+      const unsigned mask = rigid ? 0 : structure_.constraints.mask(i);
+      const double mass = rigid ? 0 : state.mass[i], inertia = rigid ? 0 : state.inertia[i];
       const auto imposed = [&](std::size_t offset) {
         return [&, offset](int axis) {
           return structure_.constraints.velocity(i, offset + static_cast<std::size_t>(axis), middle);
         };
       };
-      accelerate_node({state.mass[i], state.v[i], net_.force[i], external_.force[i], before_.force[i]}, mask & 7u,
-                      imposed(0), mean, state.dt, first, sum);
-      accelerate_node({state.inertia[i], state.w[i], net_.moment[i], external_.moment[i], before_.moment[i]}, mask >> 3,
+      accelerate_node({mass, state.v[i], net_.force[i], external_.force[i], before_.force[i]}, mask & 7u, imposed(0),
+                      mean, state.dt, first, sum);
+      accelerate_node({inertia, state.w[i], net_.moment[i], external_.moment[i], before_.moment[i]}, mask >> 3,
                       imposed(3), mean, state.dt, first, sum);
       const auto node = static_cast<std::uint32_t>(i);
       if (!std::isfinite(state.v[i].sum() + state.w[i].sum())) sum.not_a_number = std::min(sum.not_a_number, node);
-      const bool loose = (state.mass[i] <= 0 && (mask & 7u) != 7u && net_.force[i] != Vector::Zero());
+      const bool loose = (!rigid && mass <= 0 && (mask & 7u) != 7u && net_.force[i] != Vector::Zero());
       if (loose) sum.without_mass = std::min(sum.without_mass, node);
     }
     return sum;
   });
-  energies_.kinetic = sums.kinetic;
+  energies_.kinetic = sums.kinetic + structure_.rigid.accelerate(state, net_, mean, first);
   energies_.external += sums.work;
-  if (first) energies_.initial = sums.kinetic;
+  if (first) energies_.initial = energies_.kinetic;
   if (sums.not_a_number != nobody)
     return Failure{Failure::Kind::not_a_number, fmt::format("the velocity of node {} is not a number at time {:g}",
                                                             structure_.node_id[sums.not_a_number], state.time)};
@@ -169,6 +171,7 @@ void Stepper::move(double next) {
   parallel_for(state.x.size(), 16384, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) state.x[i] += next * state.v[i];
   });
+  structure_.rigid.move(state, next);
   state.dt = next;
   state.time += next;
   ++state.cycle;

@@ -7,6 +7,7 @@
 #include "solver/constraints.hpp"
 #include "solver/failure.hpp"
 #include "solver/force.hpp"
+#include "solver/rigid_bodies.hpp"
 #include "solver/shell_elements.hpp"
 #include "solver/solid_elements.hpp"
 #include "solver/state.hpp"
@@ -18,7 +19,8 @@ struct Structure {
   State state;
   ShellElements shells;
   SolidElements solids;
-  Constraints constraints;
+  RigidBodies rigid;
+  Constraints constraints;  ///< of nodes that are in no rigid body
   // Ids as in the deck, for messages.
   std::vector<std::int64_t> node_id, shell_id, solid_id;
 };
