@@ -86,6 +86,7 @@ class Builder {
     auto own = shells.own_thickness.begin();
     for (std::uint32_t i = 0; i < shells.size() && !failure_; ++i) {
       const PartIndex part = shells.part[i];
+      if (!complete("shell", shells.id[i], shells.nodes[i])) return;
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("shell", shells.id[i], part, SectionKind::shell);
         if (!found) return;
@@ -118,24 +119,37 @@ class Builder {
 
   void add_solids() {
     const model::Elements<8>& solids = model_.mesh.solids;
+    positions_.assign(model_.parts.size(), std::nullopt);  // a part of shells is none of solids
     for (std::uint32_t i = 0; i < solids.size() && !failure_; ++i) {
       const PartIndex part = solids.part[i];
+      if (!complete("solid", solids.id[i], solids.nodes[i])) return;
       if (part == none<PartIndex> || !positions_[part.value]) {
         auto found = properties("solid", solids.id[i], part, SectionKind::solid);
         if (!found) return;
         positions_[part.value] =
             structure_.solids.add_properties({std::move(found->material), settings_.solid_hourglass});
       }
+      double volume = 0;  // of rigid ones the mass, which is of the same sign
       if (model_.rigid(part)) {
-        const double density = model_.materials[*model_.part(part).material].density;
-        add_rigid(part, solids.nodes[i], solid_mass_points(places(solids.nodes[i]), density));
-        continue;
+        const std::vector<PointMass> points =
+            solid_mass_points(places(solids.nodes[i]), model_.materials[*model_.part(part).material].density);
+        for (const PointMass& point : points) volume += point.mass;
+        add_rigid(part, solids.nodes[i], points);
+      } else {
+        volume = structure_.solids.add(solids.nodes[i], *positions_[part.value], i, structure_.state);
       }
-      const double volume = structure_.solids.add(solids.nodes[i], *positions_[part.value], i, structure_.state);
       if (!(volume > 0))
         fail(Failure::Kind::bad_element,
              fmt::format("solid {} has the volume {:g}; mend the order of its nodes", solids.id[i], volume));
     }
+  }
+
+  template <std::size_t N>
+  bool complete(std::string_view what, std::int64_t id, const std::array<NodeIndex, N>& nodes) {
+    const bool all =
+        std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex node) { return node.value < model_.mesh.nodes.size(); });
+    if (!all) fail(Failure::Kind::bad_element, fmt::format("{} {} has a node that is not there", what, id));
+    return all;
   }
 
   template <std::size_t N>

@@ -90,10 +90,27 @@ TEST(Build, FailuresAreTold) {
         Failure::Kind::bad_material, "MAT_POWER_LAW_PLASTICITY");
   fails(nodes + "*PART\np\n1,1,1\n" + shell_section + "*MAT_024\n1,1.,1.,0.3,1.\n,,77\n", Failure::Kind::bad_material,
         "curve");
+  fails(
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n5,0.,0.,1.\n*ELEMENT_SHELL\n5,1,1,2,3,4\n"
+      "*ELEMENT_SOLID\n8,1,1,2,3,5,5,5,5,5\n" +
+          elastic_deck(shell_section, 1, 0.3, 1),
+      Failure::Kind::missing_material, "solid 8");
   std::string bar = brick_bar(1, {1, 1, 1});
   fails(bar.substr(0, bar.find("*ELEMENT")) + "*ELEMENT_SOLID\n6,1,5,6,8,7,1,2,4,3\n" +
             elastic_deck(solid_section, 1, 0.3, 1),
         Failure::Kind::bad_element, "solid 6");
+  fails(bar.substr(0, bar.find("*ELEMENT")) + "*ELEMENT_SOLID\n6,1,5,6,8,7,1,2,4,3\n*PART\np\n1,1,1\n" + solid_section +
+            "*MAT_RIGID\n1,1.,1.,0.3\n",
+        Failure::Kind::bad_element, "solid 6");
+}
+
+TEST(Build, NodesThatAreNotThere) {
+  model::Read read = model::read_text(plate(1, 1, {1, 1, 0}) + elastic_deck(shell_section, 1, 0.3, 1));
+  read.model.mesh.shells.nodes[0][2] = none<NodeIndex>;
+  Diagnostics diagnostics;
+  const auto built = build_structure(read.model, {}, diagnostics);
+  ASSERT_TRUE(std::holds_alternative<Failure>(built));
+  EXPECT_EQ(std::get<Failure>(built).message, "shell 1 has a node that is not there");
 }
 
 TEST(Build, OtherElementsAreNamed) {
