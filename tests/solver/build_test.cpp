@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/element_timestep.hpp"
 #include "structure.hpp"
 
 namespace gapcheck::solver {
@@ -102,6 +103,28 @@ TEST(Build, FailuresAreTold) {
   fails(bar.substr(0, bar.find("*ELEMENT")) + "*ELEMENT_SOLID\n6,1,5,6,8,7,1,2,4,3\n*PART\np\n1,1,1\n" + solid_section +
             "*MAT_RIGID\n1,1.,1.,0.3\n",
         Failure::Kind::bad_element, "solid 6");
+}
+
+// The first step is the one that the audit foretells, on skewed elements too.
+TEST(Build, TimeStepIsThatOfTheContactRules) {
+  for (const std::string& deck :
+       {plate(3, 2, {0.5, 0.4, 0}) + elastic_deck(shell_section, 1000, 0.3, 7),
+        "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.5,0.\n*ELEMENT_SHELL\n1,1,1,2,3,3\n" +
+            elastic_deck(shell_section, 1000, 0.3, 7),
+        brick_bar(3, {0.5, 0.4, 2}) + elastic_deck(solid_section, 1000, 0.3, 7),
+        "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.5,0.\n4,0.2,0.1,2.\n*ELEMENT_SOLID\n1,1,1,2,3,4,4,4,4,4\n" +
+            elastic_deck(solid_section, 1000, 0.3, 7)}) {
+    model::Read read = model::read_text(deck);
+    for (Vector& x : read.model.mesh.nodes.x) x += Vector(0.3 * x.y(), 0.2 * x.z(), 0.1 * x.x());
+    Diagnostics diagnostics;
+    StepSettings settings;
+    settings.time_step_factor = 1;
+    settings.bounded_step = false;
+    Stepper stepper(std::get<Structure>(build_structure(read.model, {}, diagnostics)), settings);
+    ASSERT_FALSE(stepper.step().has_value());
+    const double foretold = contact::smallest_element_timestep(read.model, contact::element_sizes(read.model)).timestep;
+    EXPECT_NEAR(stepper.state().dt, foretold, 1e-12 * foretold) << deck;
+  }
 }
 
 TEST(Build, NodesThatAreNotThere) {
