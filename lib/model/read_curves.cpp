@@ -22,6 +22,7 @@ void read_curve(Context& context, const Block& block, const Options& options) {
   const double sfa = or_one(card.real("sfa")), sfo = or_one(card.real("sfo"));
   const double offa = card.real("offa"), offo = card.real("offo");
   while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
     const Card point = reader.next(pair);
     curve.points.push_back({sfa * (point.real("a1") + offa), sfo * (point.real("o1") + offo)});
   }
