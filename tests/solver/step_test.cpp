@@ -229,7 +229,7 @@ TEST(Stepper, FailuresAreTold) {
     wild.time_step_factor = 50;
     wild.bounded_step = false;
     wild.energy_tolerance = 0;
-    for (const std::uint32_t i : {1u, 3u, 5u, 7u}) bar.constraints.move(NodeIndex{i}, 0, {{{0, -100}}});
+    for (const std::uint32_t i : {1u, 3u, 5u, 7u}) bar.constraints.move(NodeIndex{i}, 0, {{{0, -150}}});
     Stepper stepper(std::move(bar), wild);
     EXPECT_EQ(kind_after(stepper, 5), Failure::Kind::bad_element);
   }
