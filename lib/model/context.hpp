@@ -79,6 +79,7 @@ void read_section_discrete(Context& context, const Block& block, const Options& 
 void read_section_particle(Context& context, const Block& block, const Options& options);
 void read_section_other(Context& context, const Block& block, const Options& options);
 void read_material(Context& context, const Block& block, const Options& options);
+void read_curve(Context& context, const Block& block, const Options& options);
 void read_set(Context& context, const Block& block, const Options& options);
 void read_box(Context& context, const Block& block, const Options& options);
 void read_nodal_rigid_body(Context& context, const Block& block, const Options& options);
@@ -91,6 +92,11 @@ void read_control_shell(Context& context, const Block& block, const Options& opt
 void read_control_timestep(Context& context, const Block& block, const Options& options);
 void read_control_termination(Context& context, const Block& block, const Options& options);
 void read_friction_table(Context& context, const Block& block, const Options& options);
+
+/// Yield data of one material behind its first card (`card`, fields of ten columns by position); nothing where the
+/// material has none that is read. `name`: "PLASTIC_KINEMATIC".
+[[nodiscard]] std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
+                                                        std::string_view name);
 
 // What is left to do when all blocks of a kind are read.
 void finish_nodes(Context& context);

@@ -72,6 +72,7 @@ constexpr Family families[] = {
     {"MAT", Phase::properties, read_material, "*"},
     {"MAT_ADD", Phase::properties, nullptr, "*"},
     {"MAT_THERMAL", Phase::properties, nullptr, "*"},
+    {"DEFINE_CURVE", Phase::properties, read_curve, "TITLE"},
     {"SET_NODE", Phase::sets, read_set, set_options, true},
     {"SET_PART", Phase::sets, read_set, set_options, true},
     {"SET_SEGMENT", Phase::sets, read_set, set_options, true},

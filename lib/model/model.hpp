@@ -9,6 +9,7 @@
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
 #include "model/contact.hpp"
+#include "model/curve.hpp"
 #include "model/mesh.hpp"
 #include "model/part.hpp"
 #include "model/rigid_wall.hpp"
@@ -38,6 +39,7 @@ struct Model {
   std::map<std::int64_t, PartIndex> part_of_id;
   std::vector<Section> sections;
   std::vector<Material> materials;
+  std::map<std::int64_t, Curve> curves;  ///< *DEFINE_CURVE
   Sets sets;
   std::map<std::int64_t, Box> boxes;
   std::vector<Contact> contacts;  ///< every *CONTACT_ that is an interface, in input order

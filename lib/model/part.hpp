@@ -51,9 +51,19 @@ struct Section {
   std::int64_t elform = 0;
   std::array<double, 4> thickness{};  ///< shells: T1 … T4; where T2 … T4 are blank they repeat T1
   double nloc = 0;                    ///< shells: NLOC
+  std::int64_t nip = 2;               ///< shells: integration points through the thickness
+  double shrf = 1;                    ///< shells: factor on the transverse shear
   double beam_radius = 0;             ///< beams: outer diameter / 2 of a tube, otherwise √(A/π)
   double beam_area = 0;
   Place place;
+};
+
+/// Yield data of materials 003 and 024; stresses in the model's unit. Zero = not given.
+struct Plasticity {
+  double sigy = 0, etan = 0, beta = 0;
+  double rate_c = 0, rate_p = 0;                  ///< Cowper and Symonds
+  std::int64_t lcss = 0;                          ///< curve (or table) of yield stress over plastic strain
+  std::vector<std::array<double, 2>> points = {}; ///< plastic strain, yield stress; EPSi and ESi as far as they are used
 };
 
 struct Material {
@@ -66,6 +76,7 @@ struct Material {
   bool null_material = false;  ///< MAT_NULL (009)
   bool spotweld = false;       ///< MAT_SPOTWELD (100)
   bool fabric = false;         ///< MAT_FABRIC (034)
+  std::optional<Plasticity> plasticity;
   Place place;
 };
 

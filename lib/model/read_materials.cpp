@@ -163,6 +163,7 @@ void read_material(Context& context, const Block& block, const Options& options)
     material.null_material = known->name == "NULL";
     material.spotweld = known->name == "SPOTWELD";
     material.fabric = known->name.starts_with("FABRIC");
+    material.plasticity = read_plasticity(context, reader, card, known->name);
   }
   Model& model = context.model;
   const auto [entry, is_new] =

@@ -131,6 +131,8 @@ void read_section_shell(Context& context, const Block& block, const Options& opt
   for_each_section(context, block, options, card1, [&](CardReader& reader) {
     const Card card = reader.next(card1);
     Section section = begin_section(block, card, SectionKind::shell);
+    if (card.integer("nip") != 0) section.nip = card.integer("nip");
+    if (card.real("shrf") != 0) section.shrf = card.real("shrf");
     const Card values = reader.next(card2);
     if (!values.present())
       context.error(section.place, fmt::format("section {} has no card with thicknesses", section.id));

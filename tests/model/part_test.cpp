@@ -97,6 +97,15 @@ TEST(Sections, ShellsRepeatWithAngles) {
   EXPECT_EQ(read.model.sections[3].thickness[3], 5.0);
 }
 
+TEST(Sections, ThroughTheThickness) {
+  const Read read = read_text("*SECTION_SHELL\n1,2,0.833,5\n1.\n2,16\n1.\n");
+  ASSERT_EQ(read.model.sections.size(), 2u) << read.text();
+  EXPECT_EQ(read.model.sections[0].nip, 5);
+  EXPECT_EQ(read.model.sections[0].shrf, 0.833);
+  EXPECT_EQ(read.model.sections[1].nip, 2);
+  EXPECT_EQ(read.model.sections[1].shrf, 1.0);
+}
+
 TEST(Sections, BeamRadius) {
   const Read read = read_text(
       "*SECTION_BEAM\n1,1,,,1\n4.,4.,2.,2.\n2,1,,,0\n4.,4.,2.,2.\n3,2\n9.\n4,9,,,1\n6.,6.\n5,6\n1.,2.\n"
@@ -183,6 +192,27 @@ TEST(Materials, NamesNumbersAndOptions) {
   EXPECT_EQ(materials[8].young, 0.0);
   EXPECT_EQ(materials[9].keyword, "MAT_3-PARAMETER_BARLAT");
   EXPECT_EQ(materials[9].young, 2.0);
+}
+
+TEST(Materials, YieldData) {
+  const Read read = read_text(
+      "*MAT_PLASTIC_KINEMATIC\n1,1.,1000.,0.3,10.,100.,0.25\n40.,5.\n"
+      "*MAT_024_TITLE\nt\n2,1.,1000.,0.3,20.,50.\n30.,4.,77,,1.\n0.,0.1,0.5\n20.,30.,40.\n"
+      "*MAT_024\n3,1.,1000.,0.3,20.\n*MAT_ELASTIC\n4,1.,1000.,0.3\n");
+  EXPECT_EQ(read.text(), "");
+  ASSERT_EQ(read.model.materials.size(), 4u);
+  const Plasticity& kinematic = *read.model.materials[0].plasticity;
+  EXPECT_EQ(kinematic.sigy, 10);
+  EXPECT_EQ(kinematic.etan, 100);
+  EXPECT_EQ(kinematic.beta, 0.25);
+  EXPECT_EQ(kinematic.rate_c, 40);
+  EXPECT_EQ(kinematic.rate_p, 5);
+  const Plasticity& piecewise = *read.model.materials[1].plasticity;
+  EXPECT_EQ(piecewise.lcss, 77);
+  EXPECT_EQ(piecewise.rate_c, 30);
+  EXPECT_EQ(piecewise.points, (std::vector<std::array<double, 2>>{{0, 20}, {0.1, 30}, {0.5, 40}}));
+  EXPECT_TRUE(read.model.materials[2].plasticity->points.empty());
+  EXPECT_FALSE(read.model.materials[3].plasticity.has_value());
 }
 
 }  // namespace

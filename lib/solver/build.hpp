@@ -1,0 +1,27 @@
+#pragma once
+#include <optional>
+#include <variant>
+
+#include "base/diagnostic.hpp"
+#include "model/model.hpp"
+#include "solver/step.hpp"
+
+namespace gapcheck::solver {
+
+/// What the deck's keywords that are not read yet would say.
+struct BuildSettings {
+  Hourglass shell_hourglass, solid_hourglass;
+};
+
+/// The solver's material: constants of the deck, yield curve resolved. The failure names the material.
+[[nodiscard]] std::variant<Material, Failure> build_material(const model::Model& model,
+                                                             const model::Material& material);
+
+/// The structure at rest that a model describes: shells, solids, lumped masses and rigid bodies. Elements of other
+/// kinds, and shell or solid formulations other than the one-point ones, are named in `diagnostics` (warnings); the
+/// former are left out, the latter calculated as the element that is there. Elements without part, section or material,
+/// materials that are not there and elements turned inside out are failures.
+[[nodiscard]] std::variant<Structure, Failure> build_structure(const model::Model& model, const BuildSettings& settings,
+                                                               Diagnostics& diagnostics);
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,56 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "solver/assembly.hpp"
+#include "solver/shell.hpp"
+#include "solver/summary.hpp"
+
+namespace gapcheck::solver {
+
+/// All shells of a structure; arrays by shell.
+class ShellElements {
+ public:
+  /// Adds a part's properties; returns their position.
+  std::uint32_t add_properties(ShellProperties properties);
+  /// Adds a shell (a triangle repeats its third corner) at positions `x` of all nodes and its share of mass and
+  /// rotational inertia to the nodes. `origin`: its position in the model, for messages.
+  void add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness, std::uint32_t origin,
+           State& state);
+  /// Once all shells are there.
+  void finish(std::size_t nodes);
+
+  /// Forces at state.time, stresses brought over the last step (dt = 0: the forces of the present stresses).
+  Summary update(const State& state);
+  /// Takes the shells' pull on a node off its force and moment.
+  void gather(std::size_t node, Vector& force, Vector& moment) const {
+    for (const std::uint32_t place : table_.of(node)) {
+      force -= force_[place];
+      moment -= moment_[place];
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] std::uint32_t origin(std::size_t shell) const { return origin_[shell]; }
+  [[nodiscard]] const ShellState& state(std::size_t shell) const { return state_[shell]; }
+  [[nodiscard]] std::span<const PointState> points(std::size_t shell) const {
+    return {points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]};
+  }
+
+ private:
+  [[nodiscard]] bool triangle(std::size_t shell) const { return nodes_[shell][2] == nodes_[shell][3]; }
+  [[nodiscard]] Summary update_one(const State& state, std::size_t shell);
+
+  std::vector<ShellProperties> properties_;
+  std::vector<std::array<NodeIndex, 4>> nodes_;
+  std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
+  std::vector<ShellState> state_;
+  std::vector<std::uint64_t> first_point_{0};
+  std::vector<PointState> points_;
+  std::vector<Vector> force_, moment_;  ///< four places per shell
+  CornerTable table_;
+};
+
+}  // namespace gapcheck::solver

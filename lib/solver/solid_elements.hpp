@@ -1,0 +1,47 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "solver/assembly.hpp"
+#include "solver/solid.hpp"
+#include "solver/summary.hpp"
+
+namespace gapcheck::solver {
+
+/// All solids of a structure; arrays by solid.
+class SolidElements {
+ public:
+  /// Adds a part's properties; returns their position.
+  std::uint32_t add_properties(SolidProperties properties);
+  /// Adds a solid (a tetrahedron repeats its fourth corner) at positions `x` of all nodes and its share of mass to the
+  /// nodes. `origin`: its position in the model, for messages. Returns its volume; not above zero: it was not added.
+  double add(const std::array<NodeIndex, 8>& nodes, std::uint32_t properties, std::uint32_t origin, State& state);
+  /// Once all solids are there.
+  void finish(std::size_t nodes);
+
+  /// Forces at state.time, stresses brought over the last step (dt = 0: the forces of the present stresses).
+  Summary update(const State& state);
+  /// Takes the solids' pull on a node off its force.
+  void gather(std::size_t node, Vector& force) const {
+    for (const std::uint32_t place : table_.of(node)) force -= force_[place];
+  }
+
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] std::uint32_t origin(std::size_t solid) const { return origin_[solid]; }
+  [[nodiscard]] const PointState& point(std::size_t solid) const { return points_[solid]; }
+
+ private:
+  [[nodiscard]] Summary update_one(const State& state, std::size_t solid);
+
+  std::vector<SolidProperties> properties_;
+  std::vector<std::array<NodeIndex, 8>> nodes_;
+  std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
+  std::vector<SolidState> state_;
+  std::vector<PointState> points_;
+  std::vector<Vector> force_;  ///< eight places per solid
+  CornerTable table_;
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,195 @@
+#include "solver/step.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapcheck::solver {
+namespace {
+
+constexpr std::uint32_t nobody = Summary::nobody;
+
+/// What one pass over the nodes gives.
+struct NodeSums {
+  double kinetic = 0, work = 0;
+  std::uint32_t without_mass = nobody, not_a_number = nobody;
+  void add(const NodeSums& other) {
+    kinetic += other.kinetic;
+    work += other.work;
+    without_mass = std::min(without_mass, other.without_mass);
+    not_a_number = std::min(not_a_number, other.not_a_number);
+  }
+};
+
+/// One node's three translations or rotations while it is accelerated.
+struct Freedoms {
+  double mass;
+  Vector &velocity, &net, &external;
+  const Vector& before;  ///< external force at the start of the last step
+};
+
+/// Brings a velocity over `mean`, the mean of the steps before and after. `bits`: constrained directions, whose
+/// velocity is `imposed(axis)` and whose reaction goes to the external force. In the first cycle the velocity before is
+/// the one that leads to the initial velocity midway.
+template <class Imposed>
+void accelerate_node(const Freedoms& f, unsigned bits, const Imposed& imposed, double mean, double last_step,
+                     bool first, NodeSums& sums) {
+  const Vector old = f.velocity;
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((bits >> axis & 1u) != 0) {
+      const double wanted = imposed(axis);
+      const double reaction = f.mass * (wanted - old[axis]) / mean - f.net[axis];
+      f.external[axis] += reaction;
+      f.net[axis] += reaction;
+      f.velocity[axis] = wanted;
+    } else if (f.mass > 0) {
+      f.velocity[axis] += f.net[axis] / f.mass * mean;
+    }
+  }
+  sums.kinetic += f.mass / 2 * (first ? Vector(2 * old - f.velocity) : old).dot(f.velocity);
+  sums.work += last_step / 2 * (f.before + f.external).dot(old);
+}
+
+}  // namespace
+
+Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::move(structure)), settings_(settings) {
+  const std::size_t nodes = structure_.state.x.size();
+  structure_.shells.finish(nodes);
+  structure_.solids.finish(nodes);
+  structure_.constraints.finish();
+  for (Forces* forces : {&external_, &before_, &net_}) forces->resize(nodes);
+  // What is moved moves from the start.
+  State& state = structure_.state;
+  for (std::size_t i = 0; i < nodes; ++i)
+    for (std::size_t freedom = 0; freedom < 6; ++freedom)
+      if ((structure_.constraints.mask(i) >> freedom & 1u) != 0)
+        (freedom < 3 ? state.v : state.w)[i][static_cast<int>(freedom % 3)] =
+            structure_.constraints.velocity(i, freedom, state.time);
+}
+
+std::optional<Failure> Stepper::check_elements(const Summary& shells, const Summary& solids) const {
+  const double time = structure_.state.time;
+  if (shells.bad != nobody)
+    return Failure{Failure::Kind::bad_element,
+                   fmt::format("shell {} has lost its area at time {:g}; look at what pulls on it",
+                               structure_.shell_id[structure_.shells.origin(shells.bad)], time)};
+  if (solids.bad != nobody)
+    return Failure{Failure::Kind::bad_element,
+                   fmt::format("solid {} has no positive volume at time {:g}; look at what presses on it",
+                               structure_.solid_id[structure_.solids.origin(solids.bad)], time)};
+  return std::nullopt;
+}
+
+std::optional<Failure> Stepper::evaluate(double& next) {
+  const State& state = structure_.state;
+  const Summary shells = structure_.shells.update(state), solids = structure_.solids.update(state);
+  if (auto failure = check_elements(shells, solids)) return failure;
+  for (const Summary& part : {shells, solids}) {
+    energies_.internal += part.work - part.hourglass_work;
+    energies_.hourglass += part.hourglass_work;
+  }
+  std::swap(before_, external_);
+  const std::size_t nodes = state.x.size();
+  external_.resize(nodes);
+  next = settings_.time_step_factor * std::min(shells.manual_step, solids.manual_step);
+  if (settings_.bounded_step) next = std::min({next, shells.stable_step, solids.stable_step});
+  for (const auto& other : others_) {
+    other->add(state, external_);
+    next = std::min(next, other->stable_step());
+  }
+  if (settings_.greatest_step > 0) next = std::min(next, settings_.greatest_step);
+  if (!(next > settings_.least_step) || !std::isfinite(next))
+    return Failure{Failure::Kind::zero_time_step,
+                   fmt::format("the time step at time {:g} is {:g}; set a greatest step where no element limits it",
+                               state.time, next)};
+  parallel_for(nodes, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      net_.force[i] = external_.force[i];
+      net_.moment[i] = external_.moment[i];
+      structure_.shells.gather(i, net_.force[i], net_.moment[i]);
+      structure_.solids.gather(i, net_.force[i]);
+    }
+  });
+  return std::nullopt;
+}
+
+std::optional<Failure> Stepper::accelerate(double next) {
+  State& state = structure_.state;
+  const bool first = state.cycle == 0;
+  const double mean = (state.dt + next) / 2, middle = state.time + next / 2;
+  const auto sums = sum_over_blocks<NodeSums>(state.x.size(), [&](std::size_t begin, std::size_t end) {
+    NodeSums sum;
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool rigid = structure_.rigid.holds(i);  // moved by its body; other forces work on it all the same
+      const unsigned mask = rigid ? 0 : structure_.constraints.mask(i);
+      const double mass = rigid ? 0 : state.mass[i], inertia = rigid ? 0 : state.inertia[i];
+      const auto imposed = [&](std::size_t offset) {
+        return [&, offset](int axis) {
+          return structure_.constraints.velocity(i, offset + static_cast<std::size_t>(axis), middle);
+        };
+      };
+      accelerate_node({mass, state.v[i], net_.force[i], external_.force[i], before_.force[i]}, mask & 7u, imposed(0),
+                      mean, state.dt, first, sum);
+      accelerate_node({inertia, state.w[i], net_.moment[i], external_.moment[i], before_.moment[i]}, mask >> 3,
+                      imposed(3), mean, state.dt, first, sum);
+      const auto node = static_cast<std::uint32_t>(i);
+      if (!std::isfinite(state.v[i].sum() + state.w[i].sum())) sum.not_a_number = std::min(sum.not_a_number, node);
+      const bool loose = (!rigid && mass <= 0 && (mask & 7u) != 7u && net_.force[i] != Vector::Zero());
+      if (loose) sum.without_mass = std::min(sum.without_mass, node);
+    }
+    return sum;
+  });
+  energies_.kinetic = sums.kinetic + structure_.rigid.accelerate(state, net_, mean, first);
+  energies_.external += sums.work;
+  if (first) energies_.initial = energies_.kinetic;
+  if (sums.not_a_number != nobody)
+    return Failure{Failure::Kind::not_a_number, fmt::format("the velocity of node {} is not a number at time {:g}",
+                                                            structure_.node_id[sums.not_a_number], state.time)};
+  if (sums.without_mass != nobody)
+    return Failure{Failure::Kind::zero_mass,
+                   fmt::format("a force acts on node {}, which has no mass; give it one or hold it",
+                               structure_.node_id[sums.without_mass])};
+  return std::nullopt;
+}
+
+std::optional<Failure> Stepper::check_energy() {
+  const Energies& e = energies_;
+  largest_energy_ = std::max(largest_energy_,
+                             std::abs(e.kinetic) + std::abs(e.internal) + std::abs(e.hourglass) + std::abs(e.external));
+  const double excess = e.total() - e.initial - e.external;
+  if (settings_.energy_tolerance <= 0 || std::abs(excess) <= settings_.energy_tolerance * largest_energy_)
+    return std::nullopt;
+  return Failure{Failure::Kind::energy_ratio,
+                 fmt::format("the energies at time {:g} are out of balance by {:g} (energy ratio {:g}); try a smaller "
+                             "time step factor",
+                             structure_.state.time, excess, e.ratio())};
+}
+
+void Stepper::move(double next) {
+  State& state = structure_.state;
+  parallel_for(state.x.size(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) state.x[i] += next * state.v[i];
+  });
+  structure_.rigid.move(state, next);
+  state.dt = next;
+  state.time += next;
+  ++state.cycle;
+}
+
+std::optional<Failure> Stepper::step() {
+  double next = 0;
+  if (auto failure = evaluate(next)) return failure;
+  if (auto failure = accelerate(next)) return failure;
+  if (auto failure = check_energy()) return failure;
+  move(next);
+  return std::nullopt;
+}
+
+std::optional<Failure> Stepper::run_until(double time) {
+  while (structure_.state.time < time)
+    if (auto failure = step()) return failure;
+  return std::nullopt;
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,77 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/constraints.hpp"
+#include "solver/failure.hpp"
+#include "solver/force.hpp"
+#include "solver/rigid_bodies.hpp"
+#include "solver/shell_elements.hpp"
+#include "solver/solid_elements.hpp"
+#include "solver/state.hpp"
+
+namespace gapcheck::solver {
+
+/// Elements, masses and constraints of a structure at rest or in motion at time 0.
+struct Structure {
+  State state;
+  ShellElements shells;
+  SolidElements solids;
+  RigidBodies rigid;
+  Constraints constraints;  ///< of nodes that are in no rigid body
+  // Ids as in the deck, for messages.
+  std::vector<std::int64_t> node_id, shell_id, solid_id;
+};
+
+struct StepSettings {
+  double time_step_factor = 0.9;  ///< TSSFAC, on the manual's element steps
+  double greatest_step = 0;       ///< 0 = no limit
+  /// Also stay below the bound of every element's highest frequency. The manual's lengths alone are not safe for
+  /// lone bricks and tetrahedra.
+  bool bounded_step = true;
+  double least_step = 0;  ///< a step at or below it ends the run
+  /// How far the energies may be out of balance, relative to the largest sum of energies so far. 0 = not checked.
+  double energy_tolerance = 0.1;
+};
+
+/// Explicit time integration by central differences (Belytschko, Liu, Moran, 6.2): forces at tₙ, accelerations,
+/// velocities at tₙ + ½, positions at tₙ₊₁. Rotations are advanced by angular velocities; the elements need nothing
+/// else of them. The result is the same, bit for bit, for any number of threads.
+class Stepper {
+ public:
+  Stepper(Structure structure, StepSettings settings);
+  /// Forces act in the order in which they are added.
+  void add(std::unique_ptr<Force> force) { others_.push_back(std::move(force)); }
+
+  /// One step; nothing is returned when it went well. After a failure the positions are those at which it was seen,
+  /// and no further step should be made.
+  [[nodiscard]] std::optional<Failure> step();
+  /// Steps until state().time has reached `time`.
+  [[nodiscard]] std::optional<Failure> run_until(double time);
+
+  [[nodiscard]] const State& state() const { return structure_.state; }
+  [[nodiscard]] const Structure& structure() const { return structure_; }
+  /// At the time of the last force evaluation: that at which the last step began.
+  [[nodiscard]] const Energies& energies() const { return energies_; }
+  /// Sum of internal and other forces at that time, and what constraints added to them.
+  [[nodiscard]] const Forces& net() const { return net_; }
+  [[nodiscard]] const Forces& external() const { return external_; }
+
+ private:
+  [[nodiscard]] std::optional<Failure> evaluate(double& next);
+  [[nodiscard]] std::optional<Failure> check_elements(const Summary& shells, const Summary& solids) const;
+  [[nodiscard]] std::optional<Failure> accelerate(double next);
+  [[nodiscard]] std::optional<Failure> check_energy();
+  void move(double next);
+
+  Structure structure_;
+  StepSettings settings_;
+  std::vector<std::unique_ptr<Force>> others_;
+  Forces external_, before_, net_;  ///< before_: external forces at the start of the step that led here
+  Energies energies_;
+  double largest_energy_ = 0;
+};
+
+}  // namespace gapcheck::solver

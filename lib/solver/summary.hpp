@@ -1,0 +1,43 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "base/parallel.hpp"
+
+namespace gapcheck::solver {
+
+/// What one pass over elements of a kind gives besides their forces.
+struct Summary {
+  static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+  double manual_step = std::numeric_limits<double>::infinity();
+  double stable_step = std::numeric_limits<double>::infinity();
+  double work = 0, hourglass_work = 0;  ///< of the step; work includes the hourglass work
+  std::uint32_t bad = nobody;           ///< first element without a usable shape
+
+  void add(const Summary& other) {
+    manual_step = std::min(manual_step, other.manual_step);
+    stable_step = std::min(stable_step, other.stable_step);
+    work += other.work;
+    hourglass_work += other.hourglass_work;
+    bad = std::min(bad, other.bad);
+  }
+};
+
+/// Calls body(begin, end) → Part on fixed blocks of [0, count) in parallel and adds the parts up in the order of the
+/// blocks: the sums do not depend on threads.
+template <class Part, class Body>
+Part sum_over_blocks(std::size_t count, const Body& body) {
+  constexpr std::size_t block = 1024;
+  const std::size_t blocks = (count + block - 1) / block;
+  std::vector<Part> parts(blocks);
+  parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) parts[i] = body(i * block, std::min(count, (i + 1) * block));
+  });
+  Part sum;
+  for (const Part& part : parts) sum.add(part);
+  return sum;
+}
+
+}  // namespace gapcheck::solver
