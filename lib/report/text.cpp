@@ -255,8 +255,13 @@ void append_finding(const Finding& finding, std::string& out) {
 /// The findings of one rule, which stand together. Lines that stand for many do not give way to single ones.
 void append_rule(std::span<const Finding> findings, const TextOptions& options, const Paint& paint, std::string& out) {
   const Finding& first = findings.front();
-  out += fmt::format("\n{} {}\n", paint.bold(printable(first.id) + ' ' + printable(first.rule)),
-                     paint.severity(first.severity, count(findings.size(), name(first.severity))));
+  out += fmt::format("\n{}", paint.bold(printable(first.id) + ' ' + printable(first.rule)));
+  std::string_view before = " ";
+  for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
+    const auto n = std::count_if(findings.begin(), findings.end(), [&](const auto& f) { return f.severity == severity; });
+    if (n > 0) out += before, out += paint.severity(severity, count(static_cast<std::uint64_t>(n), name(severity))), before = ", ";
+  }
+  out += '\n';
   std::size_t single = 0, summed = 0, shown = 0;
   for (const Finding& finding : findings) {
     std::size_t& kind = finding.count > 1 ? summed : single;

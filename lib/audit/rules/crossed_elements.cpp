@@ -15,10 +15,16 @@ std::string describe(const model::Model& model, const CrossingSegment& s) {
   return fmt::format("{} ({})", element_text(model.mesh, {s.kind, s.element}), part_text(model, s.part));
 }
 
+bool solid(model::ElementKind kind) {
+  return kind == model::ElementKind::solid || kind == model::ElementKind::thick_shell;
+}
+
 Finding words(const RuleInfo& rule, const Context& context, const Crossing& c, std::string message) {
   const model::Model& model = context.model();
   Finding f = finding_at(rule, context, model.contacts[c.contact], std::move(message));
   place_at_element(f, context, {c.a.kind, c.a.element});
+  // Solids have no thickness in contact: what they penetrate they also cross, and the contact can push them apart.
+  if (solid(c.a.kind) && solid(c.b.kind)) f.severity = Severity::warning;
   f.element_part = part_id(model, c.a.part);
   f.part = part_id(model, c.b.part);
   f.point = 0.5 * (c.from + c.to);
