@@ -52,7 +52,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
     Finding finding = finding_at(
         rule, context, model.contacts[side.contact],
         fmt::format("side {}: contact springs are stable below a step of {:.3E} (node {}), but the run's step is {}; scale "
-                    "SF{} by {:.2g}, lower TSSFAC, or take SOFT = 1 (the solver will print {:.3E})",
+                    "SF{} by {:.2g} or lower TSSFAC (the solver will print {:.3E})",
                     side.side, unstable.limit.timestep, model.mesh.nodes.id[node], step_of_run(model, steps),
                     side.side == 'A' ? 'S' : 'M', 1 / (f.weight * f.weight), side.timestep));
     finding.node = model.mesh.nodes.id[node];
