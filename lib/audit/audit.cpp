@@ -113,7 +113,7 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("encrypted blocks skipped", deck.counters().encrypted_blocks);
   add("includes missing", deck.counters().missing_includes);
   const auto& c = context.counters();
-  add("contact surfaces built", c.surfaces_built);
+  add("contact surfaces built", c.surfaces_built + context.surface_store().built());
   add("searches", c.searches);
   add("nodes culled by boxes", c.sweep.points_culled);
   add("segments culled by boxes", c.sweep.segments_culled);
@@ -158,7 +158,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   }
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);
-  report.timing.surface_s = context.counters().surface_s;
+  report.timing.surface_s = context.counters().surface_s + context.surface_store().seconds();
   report.timing.search_s = context.counters().search_s;
   add_statistics(report, deck, model, context);
   return report;

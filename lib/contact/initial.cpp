@@ -354,11 +354,7 @@ class Initialiser {
 InitialState initialise_contacts(const model::Model& model, SurfaceStore& surfaces, const InitialOptions& options,
                                  InitialCounters& counters) {
   InitialState state;
-  const std::uint64_t built = surfaces.built();
-  const double seconds = surfaces.seconds();
   Initialiser(model, surfaces, options, counters, state).run();
-  counters.surfaces_built += surfaces.built() - built;
-  counters.surface_s += surfaces.seconds() - seconds;
   return state;
 }
 

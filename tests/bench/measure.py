@@ -2,6 +2,7 @@
 """Times gapcheck and check-c as processes and the single stages, and rewrites the tables of docs/benchmarks.md.
 
 usage: measure.py BUILD_FOLDER WORK_FOLDER DOC [--runs N] [--sizes 100,300,700] [--messag BLOCKS]
+                  [--only timings,rules,stages,messag]
 """
 
 import argparse
@@ -72,6 +73,26 @@ def table(arguments):
     return rows
 
 
+def rules(arguments):
+    """All rules beside GC101 alone, on the largest deck, in pairs of runs that follow each other."""
+    n = max(arguments.sizes)
+    deck = arguments.work / f"plates_{n}.k"
+    subprocess.run([arguments.make_plates, str(n), deck], check=True)
+    rows = ["| shells | threads | GC101 alone, median | all rules, median | ratio, median of pairs |", "|---|---|---|---|---|"]
+    for jobs in (1, os.cpu_count()):
+        everything = [str(arguments.gapcheck), "audit", "--fail-on", "never", "--jobs", str(jobs), str(deck)]
+        alone = everything + ["--select", "GC101"]
+        for command in (alone, everything):
+            run_once(command)  # warms the file cache
+        pairs = [(run_once(alone)[0], run_once(everything)[0]) for _ in range(arguments.runs)]
+        rows.append(f"| {2 * n * n:,} | {jobs} | {statistics.median(a for a, _ in pairs):.3f} s "
+                    f"| {statistics.median(b for _, b in pairs):.3f} s "
+                    f"| {statistics.median(b / a for a, b in pairs):.2f} |")
+        print(rows[-1], flush=True)
+    deck.unlink()
+    return rows
+
+
 def stages(arguments):
     """One row per benchmark of gapcheck_bench, which checks each stage's result before it times it."""
     out = subprocess.run([arguments.bench, "--benchmark_format=json", "--benchmark_repetitions=3",
@@ -113,6 +134,8 @@ def main():
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--sizes", type=lambda text: [int(n) for n in text.split(",")], default=[100, 300, 700])
     parser.add_argument("--messag", type=int, default=1000000, help="blocks in the messag")
+    parser.add_argument("--only", type=lambda text: text.split(","), default=["timings", "rules", "stages", "messag"],
+                        help="tables to measure")
     arguments = parser.parse_args()
     arguments.gapcheck = arguments.build / "apps/gapcheck/gapcheck"
     arguments.check_c = arguments.build / "apps/check-c/check-c"
@@ -122,9 +145,10 @@ def main():
     arguments.work.mkdir(parents=True, exist_ok=True)
     text = arguments.doc.read_text(encoding="utf-8")
     caption = machine() + f"; {arguments.runs} runs each after one to warm the file cache."
-    text = section("timings", text, "\n".join([caption, "", *table(arguments)]))
-    text = section("stages", text, "\n".join(stages(arguments)))
-    text = section("messag", text, "\n".join(messag(arguments)))
+    tables = {"timings": lambda: [caption, "", *table(arguments)], "rules": lambda: rules(arguments),
+              "stages": lambda: stages(arguments), "messag": lambda: messag(arguments)}
+    for name in arguments.only:
+        text = section(name, text, "\n".join(tables[name]()))
     arguments.doc.write_text(text, encoding="utf-8")
 
 

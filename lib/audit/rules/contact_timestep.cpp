@@ -1,35 +1,18 @@
 #include <fmt/format.h>
 
+#include "audit/element_text.hpp"
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit {
 namespace {
 
-std::string_view name(model::ElementKind kind) {
-  switch (kind) {
-    case model::ElementKind::solid: return "solid";
-    case model::ElementKind::thick_shell: return "thick shell";
-    case model::ElementKind::beam: return "beam";
-    default: return "shell";
-  }
-}
-
-std::int64_t id_of(const model::Mesh& mesh, const contact::ElementTimestep& step) {
-  switch (step.kind) {
-    case model::ElementKind::solid: return mesh.solids.id[step.element];
-    case model::ElementKind::thick_shell: return mesh.thick_shells.id[step.element];
-    case model::ElementKind::beam: return mesh.beams.id[step.element];
-    default: return mesh.shells.id[step.element];
-  }
-}
-
 /// "3.4E-07 (0.9 of shell 77)".
 std::string step_of_run(const model::Model& model, const contact::PredictedTimesteps& steps) {
   const bool scaled = std::abs(model.controls.dt2ms) > steps.element.timestep;
   return fmt::format("{:.3E} ({:.6g} of {})", steps.run, model.controls.tssfac,
                      scaled ? std::string("DT2MS")
-                            : fmt::format("{} {}", name(steps.element.kind), id_of(model.mesh, steps.element)));
+                            : element_text(model.mesh, {steps.element.kind, steps.element.element}));
 }
 
 void run(const RuleInfo& rule, Context& context, Report& report) {
