@@ -16,6 +16,7 @@ Scene plates(const std::string& type) {
   model::Contact& contact = scene.contact(type);
   if (type != "AUTOMATIC_SINGLE_SURFACE") contact.a = {1, 3, 0, true}, contact.b = {2, 3, 0, true};
   contact.ignore = 1;
+  scene.model.mesh.nodes.lookup.build(scene.model.mesh.nodes.id);
   return scene;
 }
 
