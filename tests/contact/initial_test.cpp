@@ -55,6 +55,34 @@ TEST(Initial, SideAIsMovedBeforeSideBLooks) {
   EXPECT_EQ(scene.run().penetrations.size(), 5U);  // one node of the lower plate lies under the upper one
 }
 
+TEST(Initial, NodesThatStayAreSeenFromBothSides) {
+  Scene scene;
+  scene.plate(scene.part(1, 1), {0, 0, 0}, 10 * ex, 10 * ey, 4, 4);
+  scene.plate(scene.part(2, 1), {8, 8, 0.7}, 10 * ex, 10 * ey, 1, 1);
+  auto& c = scene.contact("AUTOMATIC_SURFACE_TO_SURFACE");
+  c.a = {2, 3, 0, true};
+  c.b = {1, 3, 0, true};
+  InitialOptions options;
+  options.nodes_stay = true;
+  const InitialState state = scene.run(options);
+  EXPECT_EQ(state.penetrations.size(), 5U);
+  EXPECT_EQ(state.x, scene.model.mesh.nodes.x);
+}
+
+TEST(Initial, SurfacesWithAnotherThickness) {
+  Scene scene = two_plates(0.7);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE").sst = 0.8;
+  const auto found = [&](const ThicknessChange& change) {
+    SurfaceStore surfaces(scene.model, {change});
+    InitialCounters counters;
+    return initialise_contacts(scene.model, surfaces, {}, counters).penetrations;
+  };
+  EXPECT_NEAR(found({}).at(0).depth, 0.1, 1e-12);
+  EXPECT_NEAR(found({.own = true}).at(0).depth, 0.3, 1e-12);
+  EXPECT_NEAR(found({.card = 2}).at(0).depth, 1.3, 1e-12);
+  EXPECT_TRUE(found({.card = 0.7}).empty());
+}
+
 TEST(Initial, LaterContactsSeeMovedCoordinates) {
   Scene scene = two_plates(0.7);
   for (int i = 0; i < 2; ++i) {
