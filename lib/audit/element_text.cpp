@@ -46,12 +46,6 @@ std::string part_text(const model::Model& model, PartIndex part) {
   return part == none<PartIndex> ? "no part" : fmt::format("part {}", part_id(model, part));
 }
 
-std::int64_t part_pair(const model::Model& model, PartIndex a, PartIndex b) {
-  const auto place = [](PartIndex part) { return part == none<PartIndex> ? 0 : std::int64_t{part.value} + 1; };
-  const auto [low, high] = std::minmax({place(a), place(b)});
-  return low * (static_cast<std::int64_t>(model.parts.size()) + 1) + high;
-}
-
 void place_at_element(Finding& finding, const Context& context, ElementRef element) {
   with_array(context.model().mesh, element, [&](const auto& array, const char*) {
     finding.element = array.id[element.index];

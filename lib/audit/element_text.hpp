@@ -20,8 +20,6 @@ struct ElementRef {
 [[nodiscard]] std::int64_t part_id(const model::Model& model, PartIndex part);
 /// "part 3"; "no part" for none.
 [[nodiscard]] std::string part_text(const model::Model& model, PartIndex part);
-/// A number that names two parts, in whichever order: for add_grouped().
-[[nodiscard]] std::int64_t part_pair(const model::Model& model, PartIndex a, PartIndex b);
 /// Fills file, line and element id of a finding.
 void place_at_element(Finding& finding, const Context& context, ElementRef element);
 /// "(1, 2.5, 3)".

@@ -1,9 +1,11 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string_view>
 #include <vector>
 
+#include "base/ids.hpp"
 #include "records/report.hpp"
 
 namespace gapcheck::audit {
@@ -14,6 +16,12 @@ struct Found {
   double weight = 0;       ///< the heaviest of a group are reported in full; equal ones by item
   std::uint64_t item = 0;  ///< what the rule finds it by again
 };
+
+/// The group of two parts, in whichever order.
+[[nodiscard]] inline std::int64_t part_pair(PartIndex a, PartIndex b) {
+  const auto [low, high] = std::minmax(a.value, b.value);
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(low) << 32 | high);
+}
 
 /// How many findings of one group are reported in full where there are more than one beyond them.
 inline constexpr std::size_t found_in_full = 10;

@@ -35,12 +35,6 @@ namespace gapcheck::audit {
   return part == none<PartIndex> ? -1 : static_cast<std::int64_t>(part.value);
 }
 
-/// Groups by an unordered pair of parts.
-[[nodiscard]] inline std::int64_t part_pair_group(PartIndex a, PartIndex b) {
-  const auto [low, high] = std::minmax(a.value, b.value);
-  return static_cast<std::int64_t>(static_cast<std::uint64_t>(low) << 32 | high);
-}
-
 /// Calls judge(i, found) for i in [0, count) on many threads; returns all that was put into `found`, in no order.
 template <class Judge>
 std::vector<Found> find_all(std::size_t count, const Judge& judge) {

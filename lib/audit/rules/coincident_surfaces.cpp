@@ -27,7 +27,7 @@ void check_shells(const RuleInfo& rule, Context& context, Report& report) {
     const PartIndex a = shells.part[pairs[i].first], b = shells.part[pairs[i].again];
     // Null shells are laid on others on purpose.
     if (null_material(model, a) || null_material(model, b)) continue;
-    if (context.part_chosen(a) || context.part_chosen(b)) found.push_back({part_pair(model, a, b), 0, i});
+    if (context.part_chosen(a) || context.part_chosen(b)) found.push_back({part_pair(a, b), 0, i});
   }
   const auto words = [&](const Found& f, std::string message) {
     const Coincidence& pair = pairs[f.item];

@@ -46,7 +46,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const EdgeCrossing& c = crossings[i].second;
     if (context.part_chosen(c.a.part) || context.part_chosen(c.b.part))
-      found.push_back({part_pair(model, c.a.part, c.b.part), 0, i});
+      found.push_back({part_pair(c.a.part, c.b.part), 0, i});
   }
   const auto words = [&](const Found& f, std::string message) {
     const auto& [contact, c] = crossings[f.item];

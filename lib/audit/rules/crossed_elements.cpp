@@ -57,7 +57,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const Crossing& c = crossings[i];
     if (context.part_chosen(c.a.part) || context.part_chosen(c.b.part))
-      found.push_back({part_pair(model, c.a.part, c.b.part), c.length(), i});
+      found.push_back({part_pair(c.a.part, c.b.part), c.length(), i});
   }
   add_grouped(
       report, std::move(found),

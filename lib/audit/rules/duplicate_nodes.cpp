@@ -74,7 +74,7 @@ class Search {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const auto [a, b] = pairs_[i];
       if (joined[i] != 0 || (constrained[a.value] != 0 && constrained[b.value] != 0)) continue;
-      found.push_back({part_pair_group(part(a), part(b)), 0, i});
+      found.push_back({part_pair(part(a), part(b)), 0, i});
     }
     add_grouped(
         report, std::move(found), [&](const Found& f) { return one(pairs_[f.item]); },

@@ -68,7 +68,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   std::vector<Found> found;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (context.part_chosen(bodies[i].inner) || context.part_chosen(bodies[i].outer))
-      found.push_back({part_pair(model, bodies[i].inner, bodies[i].outer), static_cast<double>(bodies[i].solids), i});
+      found.push_back({part_pair(bodies[i].inner, bodies[i].outer), static_cast<double>(bodies[i].solids), i});
   const auto words = [&](const Found& f, std::string message) {
     const EnclosedBody& body = bodies[f.item];
     Finding out = finding_at(rule, context, model.contacts[body.contact], std::move(message));

@@ -61,7 +61,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
             if (!(cosine > limit) || same_corners(mesh->nodes(i), mesh->nodes(j))) continue;
             const PartIndex p = mesh->part(i), q = mesh->part(j);
             if (context.part_chosen(p) || context.part_chosen(q))
-              list.push_back({part_pair_group(p, q), cosine, static_cast<std::uint64_t>(i) << 32 | j});
+              list.push_back({part_pair(p, q), cosine, static_cast<std::uint64_t>(i) << 32 | j});
           }
       });
   add_grouped(

@@ -50,7 +50,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
             if (!(quality[larger].size > largest_ratio * quality[smaller].size)) continue;
             const PartIndex a = mesh->part(larger), b = mesh->part(smaller);
             if (context.part_chosen(a) || context.part_chosen(b))
-              list.push_back({part_pair_group(a, b), ratio(larger, smaller), pack(larger, smaller)});
+              list.push_back({part_pair(a, b), ratio(larger, smaller), pack(larger, smaller)});
           }
       });
   add_grouped(
