@@ -24,14 +24,25 @@ struct Forces {
   }
 };
 
+/// Work that forces other than the elements' took from the structure since the start; negative: that they put in.
+struct Absorbed {
+  double contact_normal = 0, contact_friction = 0, contact_damping = 0;
+  double walls = 0;    ///< rigid walls
+  double springs = 0;  ///< discrete springs and dampers
+  double damping = 0;  ///< of the system: *DAMPING_GLOBAL
+  [[nodiscard]] double sliding() const { return contact_normal + contact_friction + contact_damping; }
+  [[nodiscard]] double sum() const { return sliding() + walls + springs + damping; }
+};
+
 /// Energies at the time of the last force evaluation. Kinetic energy is ½ m v⁻·v⁺ with the velocities before and after
 /// it; with works by the trapezoidal rule the sum is then constant to rounding while the step is
 /// (Belytschko, Liu, Moran: Nonlinear Finite Elements, 6.2).
 struct Energies {
   double kinetic = 0, internal = 0, hourglass = 0;
-  double external = 0;  ///< work of loads, contacts and prescribed motion since the start
+  Absorbed absorbed;
+  double external = 0;  ///< work of loads and prescribed motion since the start
   double initial = 0;   ///< kinetic energy at the start; less by ½ m (a dt/2)² than that of the initial velocity
-  [[nodiscard]] double total() const { return kinetic + internal + hourglass; }
+  [[nodiscard]] double total() const { return kinetic + internal + hourglass + absorbed.sum(); }
   /// Total energy over what was there or was put in; 1 when in balance or when there is none.
   [[nodiscard]] double ratio() const {
     const double supplied = initial + external;

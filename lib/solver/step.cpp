@@ -82,7 +82,7 @@ std::optional<Failure> Stepper::check_elements(const Summary& shells, const Summ
 }
 
 std::optional<Failure> Stepper::evaluate(double& next) {
-  const State& state = structure_.state;
+  State& state = structure_.state;
   const Summary shells = structure_.shells.update(state), solids = structure_.solids.update(state);
   if (auto failure = check_elements(shells, solids)) return failure;
   for (const Summary& part : {shells, solids}) {
@@ -118,6 +118,8 @@ std::optional<Failure> Stepper::accelerate(double next) {
   State& state = structure_.state;
   const bool first = state.cycle == 0;
   const double mean = (state.dt + next) / 2, middle = state.time + next / 2;
+  for (const auto& other : others_)
+    if (other->reacts()) other->react(state, mean, next, net_, external_);
   const auto sums = sum_over_blocks<NodeSums>(state.x.size(), [&](std::size_t begin, std::size_t end) {
     NodeSums sum;
     for (std::size_t i = begin; i < end; ++i) {
@@ -141,7 +143,10 @@ std::optional<Failure> Stepper::accelerate(double next) {
     return sum;
   });
   energies_.kinetic = sums.kinetic + structure_.rigid.accelerate(state, net_, mean, first);
-  energies_.external += sums.work;
+  work_ += sums.work;
+  energies_.absorbed = {};
+  for (const auto& other : others_) other->absorbed(energies_.absorbed);
+  energies_.external = work_ + energies_.absorbed.sum();
   if (first) energies_.initial = energies_.kinetic;
   if (sums.not_a_number != nobody)
     return Failure{Failure::Kind::not_a_number, fmt::format("the velocity of node {} is not a number at time {:g}",

@@ -71,6 +71,7 @@ class Stepper {
   std::vector<std::unique_ptr<Force>> others_;
   Forces external_, before_, net_;  ///< before_: external forces at the start of the step that led here
   Energies energies_;
+  double work_ = 0;  ///< of all forces that are not the elements'
   double largest_energy_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace {
 class Given : public Force {
  public:
   explicit Given(std::function<void(const State&, Forces&)> function) : function_(std::move(function)) {}
-  void add(const State& state, Forces& forces) override { function_(state, forces); }
+  void add(State& state, Forces& forces) override { function_(state, forces); }
 
  private:
   std::function<void(const State&, Forces&)> function_;
