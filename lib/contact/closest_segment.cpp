@@ -6,69 +6,46 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <limits>
-#include <unordered_map>
+#include <span>
+#include <utility>
 
 #include "base/parallel.hpp"
 
 namespace gapcheck::contact {
 namespace {
 
-/// Segments count as equally near within this share of the distance.
-constexpr double equally_near = 1e-9;
 constexpr std::size_t grain = 4096;
 
 bool is_corner(const model::SegmentNodes& n, NodeIndex node) {
   return n[0] == node || n[1] == node || n[2] == node || n[3] == node;
 }
 
-/// The best hit of every tracked node.
-std::vector<Hit> best_hits(const std::vector<Hit>& all, std::size_t slots) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
-  struct Nearest {
-    double in_band = infinity, outside = infinity;
-    std::uint32_t hit = nothing;
-  };
-  std::vector<Nearest> nearest(slots);
-  for (const Hit& hit : all) {
-    double& distance = hit.in_band ? nearest[hit.slot].in_band : nearest[hit.slot].outside;
-    distance = std::min(distance, std::abs(hit.distance));
+/// Hits by slot: those of slot i stand in [start[i], start[i + 1]).
+struct BySlot {
+  std::vector<std::uint32_t> start;
+  std::vector<Hit> hits;
+  BySlot(const std::vector<Hit>& all, std::size_t slots) : start(slots + 1, 0), hits(all.size()) {
+    for (const Hit& hit : all) ++start[hit.slot + 1];
+    for (std::size_t i = 0; i < slots; ++i) start[i + 1] += start[i];
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    for (const Hit& hit : all) hits[next[hit.slot]++] = hit;
   }
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
-    Nearest& n = nearest[all[i].slot];
-    const bool any_in_band = n.in_band < infinity;
-    if (any_in_band && !all[i].in_band) continue;
-    if (std::abs(all[i].distance) > (any_in_band ? n.in_band : n.outside) * (1 + equally_near)) continue;
-    if (n.hit == nothing || all[i].segment < all[n.hit].segment) n.hit = i;
+  [[nodiscard]] std::span<const Hit> of(std::size_t slot) const {
+    return {hits.data() + start[slot], hits.data() + start[slot + 1]};
   }
-  std::vector<Hit> chosen;
-  for (const Nearest& n : nearest)
-    if (n.hit != nothing) chosen.push_back(all[n.hit]);
-  return chosen;
-}
+};
 
-/// A node lies inside a body only if it is behind the body's nearest facet: behind a farther one also lies what is outside
-/// on another side. Takes out hits behind a facet that is not the nearest of its part; `measured` are the pairs with
-/// oriented facets that are no hits.
-void keep_nearest_facets(std::vector<Hit>& hits, const std::vector<Hit>& measured, const PairScene& scene) {
-  const auto behind = [](const Hit& hit) { return std::signbit(hit.distance); };
-  if (std::none_of(hits.begin(), hits.end(), behind)) return;
-  const auto key = [&](const Hit& hit) {
-    const std::uint32_t body = scene.solids.empty() ? 0 : scene.solids.body[hit.segment];
-    return std::uint64_t{hit.slot} << 32 | body;
-  };
-  std::unordered_map<std::uint64_t, double> nearest;
-  const auto offer = [&](const Hit& hit) {
-    double& distance = nearest.try_emplace(key(hit), std::abs(hit.distance)).first->second;
-    distance = std::min(distance, std::abs(hit.distance));
-  };
-  for (const Hit& hit : measured) offer(hit);
-  for (const Hit& hit : hits)
-    if (scene.oriented(hit.segment)) offer(hit);
-  std::erase_if(hits, [&](const Hit& hit) {
-    return behind(hit) && std::abs(hit.distance) > nearest.at(key(hit)) * (1 + equally_near);
-  });
+/// The hit of every tracked node that counts.
+std::vector<Hit> chosen_hits(const PairScene& scene, const std::vector<Hit>& all, std::vector<Hit> measured) {
+  // What is in front of every facet needs no comparison with others.
+  if (std::none_of(all.begin(), all.end(), [](const Hit& hit) { return std::signbit(hit.distance); })) measured.clear();
+  const std::size_t slots = scene.nodes.size();
+  const BySlot hits(all, slots), others(measured, slots);
+  std::vector<Hit> chosen;
+  for (std::size_t slot = 0; slot < slots; ++slot)
+    if (!hits.of(slot).empty())
+      if (const auto hit = choose_hit(scene, hits.of(slot), others.of(slot))) chosen.push_back(*hit);
+  return chosen;
 }
 
 }  // namespace
@@ -157,8 +134,7 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
     for (std::size_t i = 0; i < mine.stages.size(); ++i)
       geometry::count(decisions, static_cast<geometry::Stage>(i), mine.stages[i]);
   }
-  keep_nearest_facets(all, measured, scene);
-  return best_hits(all, scene.nodes.size());
+  return chosen_hits(scene, all, std::move(measured));
 }
 
 }  // namespace gapcheck::contact

@@ -3,18 +3,10 @@
 #include <functional>
 #include <vector>
 
-#include "contact/pair.hpp"
+#include "contact/hit.hpp"
 #include "contact/search.hpp"
 
 namespace gapcheck::contact {
-
-/// The segment that a tracked node is closest to, of those that it penetrates.
-struct Hit {
-  std::uint32_t slot = 0;     ///< position in TrackedNodes
-  std::uint32_t segment = 0;
-  double distance = 0;        ///< negative behind an oriented segment
-  bool in_band = false;       ///< false: only outside every segment's band
-};
 
 /// What a sweep left out and how much it looked at.
 struct SweepCounters {
@@ -24,9 +16,8 @@ struct SweepCounters {
 /// Whether a pair counts: slot, segment, whether it penetrates. Called from any thread.
 using PairFilter = std::function<bool(std::uint32_t, std::uint32_t, bool)>;
 
-/// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node, ascending by
-/// slot: in-band hits go before others, then the smallest distance; of segments equally near (relative 1e-9) the first.
-/// `pair_allowed` is asked only for pairs that penetrate or have an oriented segment.
+/// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node (choose_hit),
+/// ascending by slot. `pair_allowed` is asked only for pairs that penetrate or have an oriented segment.
 [[nodiscard]] std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
                                                 const PairFilter& pair_allowed,
                                                 SweepCounters& counters, geometry::DecisionCounters& decisions);

@@ -17,6 +17,7 @@
 #include "contact/faces.hpp"
 #include "contact/orientation.hpp"
 #include "contact/outcome.hpp"
+#include "contact/pair_rules.hpp"
 #include "contact/release.hpp"
 
 namespace gapcheck::contact {
@@ -24,10 +25,6 @@ namespace {
 
 /// Many contacts that all name the nodes of a large mesh must not fill the memory with their lists.
 constexpr std::size_t judged_limit = 20'000'000;
-
-double min_diagonal(const geometry::Facet& f) {
-  return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
-}
 
 /// Coordinates are written with some eight digits: facets of solids that touch, as those of press fits and bolts do, seem
 /// to penetrate by this share of their size.
@@ -187,18 +184,12 @@ class Initialiser {
       const Stopwatch watch(counters_.search_s);
       scene.flipped = flipped_segments(scene, *search_);
       std::atomic<std::uint64_t> tied_pairs{0}, excluded{0};
-      std::vector<bool> corners;
-      if (type.by_segments() && !tracked.nodes_only) corners = corners_of(tracked.selection.segments);
-      const bool own_part = type.pairing != Pairing::mortar || sides.settings.ignore >= 0;
+      const PairRules rules(scene, tracked, exclusions, ties_);
       const auto allowed = [&](std::uint32_t slot, std::uint32_t segment, bool penetrates) {
-        const NodeIndex node = nodes.node[slot];
-        if (single && neighbours->in_ring(node, segment)) return false;
-        if (!corners.empty() && !corners[node.value]) return false;
-        const PartIndex part = part_of(model_.mesh, segments, segment);
-        if (!own_part && part == nodes.part[slot]) return false;
-        if (!exclusions.empty() && exclusions.excluded(nodes.part[slot], part)) return excluded += penetrates, false;
-        if (ties_.size() > 0 && ties_.tied(node, part)) return tied_pairs += penetrates, false;
-        return true;
+        const PairRule rule = rules(slot, segment);
+        if (rule == PairRule::excluded) excluded += penetrates;
+        if (rule == PairRule::tied) tied_pairs += penetrates;
+        return rule == PairRule::counts;
       };
       hits = closest_segments(scene, *search_, allowed, counters_.sweep, counters_.decisions);
       counters_.tied_pairs += tied_pairs;
@@ -255,15 +246,6 @@ class Initialiser {
     state_.penetrations.insert(state_.penetrations.end(), records.begin(), records.end());
   }
 
-  /// Nodes that are a corner of a shell or solid facet: segment-based contact looks at no others, if it has such.
-  [[nodiscard]] std::vector<bool> corners_of(const Segments& segments) const {
-    std::vector<bool> corner(model_.mesh.nodes.size(), false);
-    for (std::size_t s = 0; s < segments.size(); ++s)
-      if (segments.kind[s] != SegmentKind::line)
-        for (const NodeIndex n : segments.nodes[s]) corner[n.value] = true;
-    return corner;
-  }
-
   Penetration record(std::uint32_t c, const PairScene& scene, const Hit& hit) const {
     const Segments& s = scene.segments;
     const model::Nodes& all = model_.mesh.nodes;
@@ -306,28 +288,14 @@ class Initialiser {
       p.outcome = Outcome::reported;
       return;
     }
-    ReleasePair release;
-    release.solid_segment = scene.segments.kind[hit.segment] == SegmentKind::solid;
-    release.node_thickness = 2 * scene.nodes.half[hit.slot];
-    release.segment_thickness = 2 * scene.segments.half[hit.segment];
-    if (!scene.solids.empty()) release.solid_depth = scene.solids.depth[hit.segment];
-    if (scene.segments.element_kind[hit.segment] == model::ElementKind::shell && p.element != 0)
-      release.element_thickness = element_thickness(model_, scene.segments.element[hit.segment]);
-    release.min_diagonal = min_diagonal(scene.facet(hit.segment));
-    if (p.depth > release_depth(scene.contact, scene.type, scene.settings, model_.controls, release)) {
+    if (p.depth > release_depth(scene, hit.slot, hit.segment)) {
       p.kind = PenetrationKind::released;
       p.outcome = Outcome::released;
       return;
     }
     p.outcome = outcome(scene.settings);
-    if (p.outcome == Outcome::moved) p.moved_to = p.original + shooting_move * p.depth * direction(scene, hit, pair, p);
-  }
-
-  /// From the segment to the free side; the distance is negative behind the segment.
-  static Vector direction(const PairScene& scene, const Hit& hit, const PairResult& pair, const Penetration& p) {
-    if (pair.distance != 0) return (scene.position(hit.slot) - p.point) / pair.distance;
-    const bool flipped = !scene.flipped.empty() && scene.flipped[hit.segment];
-    return flipped ? Vector(-pair.closest.normal) : pair.closest.normal;
+    if (p.outcome == Outcome::moved)
+      p.moved_to = p.original + shooting_move * p.depth * free_direction(scene, hit.slot, hit.segment, pair);
   }
 
   void sort_deepest_first(std::size_t first) {

@@ -44,6 +44,10 @@ PairResult measure(const PairScene& scene, std::uint32_t s, const geometry::Face
 
 }  // namespace
 
+double min_diagonal(const geometry::Facet& f) {
+  return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
+}
+
 double largest_coordinate(const geometry::Facet& facet, const Vector& query) {
   double largest = query.cwiseAbs().maxCoeff();
   for (const Vector& x : facet.x) largest = std::max(largest, x.cwiseAbs().maxCoeff());
@@ -73,8 +77,7 @@ bool PairScene::oriented(std::uint32_t s) const {
 double PairScene::behind(std::uint32_t s) const {
   if (!oriented(s)) return 0;
   if (segments.kind[s] == SegmentKind::solid) return solids.empty() ? 0 : solids.extent[s];
-  const geometry::Facet f = facet(s);
-  return shell_behind * std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
+  return shell_behind * min_diagonal(facet(s));
 }
 
 double PairScene::reach(std::uint32_t s, double largest_node_half) const {
@@ -113,6 +116,13 @@ bool PairScene::in_front(std::uint32_t s, const geometry::ClosestPoint& closest,
 
 PairResult measure_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
   return measure(scene, s, scene.facet(s), scene.position(slot));
+}
+
+Vector free_direction(const PairScene& scene, std::uint32_t slot, std::uint32_t segment, const PairResult& pair) {
+  // The distance is negative behind the segment.
+  if (pair.distance != 0) return (scene.position(slot) - pair.closest.point) / pair.distance;
+  const bool flipped = !scene.flipped.empty() && scene.flipped[segment];
+  return flipped ? Vector(-pair.closest.normal) : pair.closest.normal;
 }
 
 PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {

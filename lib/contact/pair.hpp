@@ -62,6 +62,9 @@ struct PairScene {
   [[nodiscard]] bool in_front(std::uint32_t segment, const geometry::ClosestPoint& closest, const Vector& query) const;
 };
 
+/// The shorter diagonal of a facet; of a triangle the shorter of the sides from its third corner.
+[[nodiscard]] double min_diagonal(const geometry::Facet& facet);
+
 /// How one tracked node lies to one segment.
 struct PairResult {
   bool penetrates = false;  ///< p > tolerance; decided exactly
@@ -73,6 +76,10 @@ struct PairResult {
 
 /// Where a tracked node lies to a segment, in double precision; `penetrates` is left open.
 [[nodiscard]] PairResult measure_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t segment);
+
+/// Unit vector from the segment to its free side at the node, given how they lie.
+[[nodiscard]] Vector free_direction(const PairScene& scene, std::uint32_t slot, std::uint32_t segment,
+                                    const PairResult& pair);
 
 /// Decides tracked node number `slot` against a segment: penetration p = h - distance > tolerance.
 /// Source: contact rules, sections 3 and 4.

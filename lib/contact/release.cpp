@@ -48,4 +48,17 @@ double release_depth(const model::Contact& contact, const ContactType& type, con
   }
 }
 
+double release_depth(const PairScene& scene, std::uint32_t slot, std::uint32_t segment) {
+  const Segments& s = scene.segments;
+  ReleasePair pair;
+  pair.solid_segment = s.kind[segment] == SegmentKind::solid;
+  pair.node_thickness = 2 * scene.nodes.half[slot];
+  pair.segment_thickness = 2 * s.half[segment];
+  if (!scene.solids.empty()) pair.solid_depth = scene.solids.depth[segment];
+  if (s.element_kind[segment] == model::ElementKind::shell && element_id(scene.model.mesh, s, segment) != 0)
+    pair.element_thickness = element_thickness(scene.model, s.element[segment]);
+  pair.min_diagonal = min_diagonal(scene.facet(segment));
+  return release_depth(scene.contact, scene.type, scene.settings, scene.model.controls, pair);
+}
+
 }  // namespace gapcheck::contact

@@ -1,5 +1,6 @@
 #pragma once
 #include "contact/contact_type.hpp"
+#include "contact/pair.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::contact {
@@ -19,5 +20,8 @@ struct ReleasePair {
 [[nodiscard]] double release_depth(const model::Contact& contact, const ContactType& type,
                                    const ContactSettings& settings, const model::Controls& controls,
                                    const ReleasePair& pair);
+
+/// The same for a tracked node and a segment of a scene.
+[[nodiscard]] double release_depth(const PairScene& scene, std::uint32_t slot, std::uint32_t segment);
 
 }  // namespace gapcheck::contact
