@@ -14,22 +14,12 @@ namespace gapcheck::contact {
 namespace {
 
 constexpr std::size_t grain = 16384;
-constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Rounding in sums of equal terms must not decide which of several equal nodes controls.
 constexpr double same = 1e-12;
 
-std::size_t corner_count(const model::SegmentNodes& n) { return n[2] == n[3] ? 3 : 4; }
-
 bool has(const model::SegmentNodes& nodes, NodeIndex node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-}
-
-/// Of a triangle the longest side.
-double longest_diagonal(const model::SegmentNodes& n, const std::vector<Vector>& x) {
-  const auto squared = [&](std::size_t a, std::size_t b) { return (x[n[a].value] - x[n[b].value]).squaredNorm(); };
-  const double longest = std::max(squared(0, 2), squared(1, 3));
-  return std::sqrt(corner_count(n) == 3 ? std::max(longest, squared(0, 1)) : longest);
 }
 
 /// The lowest node of a side; none where it has none.
@@ -43,34 +33,7 @@ NodeIndex lowest_node(const ContactSide& side) {
 }  // namespace
 
 TimestepEstimate::TimestepEstimate(const model::Model& model, const ElementSizes& sizes)
-    : model_(model), sizes_(sizes), masses_(node_masses(model, sizes)), sums_(model.mesh.nodes.size()) {
-  for (std::uint32_t p = 0; p < model.parts.size(); ++p) {
-    const auto& own = model.parts[p].contact;
-    moduli_.push_back(contact_modulus(model, PartIndex{p}) * (own && own->ssf > 0 ? own->ssf : 1));
-  }
-}
-
-NodeStiffness TimestepEstimate::corner(const Segments& s, std::size_t i, double scale, TimestepLimit limit) const {
-  if (s.element[i] == unknown || s.element_kind[i] == model::ElementKind::beam) return {};
-  const PartIndex part = part_of(model_.mesh, s, i);
-  if (part == none<PartIndex>) return {};
-  const double modulus = moduli_[part.value];
-  const std::uint32_t e = s.element[i];
-  double area = 0, stiffness = 0;
-  if (s.element_kind[i] == model::ElementKind::shell) {
-    area = sizes_.shell_area[e];
-    stiffness = limit == TimestepLimit::printed
-                    ? shell_estimate_stiffness(scale, modulus, area, sizes_.shell_thickness[e])
-                    : shell_segment_stiffness(scale, modulus, area, longest_diagonal(s.nodes[i], model_.mesh.nodes.x));
-  } else {
-    const bool thick = s.element_kind[i] == model::ElementKind::thick_shell;
-    area = shell_area(s.nodes[i], model_.mesh.nodes.x);
-    stiffness = solid_segment_stiffness(scale, modulus, area, (thick ? sizes_.thick_shell_volume : sizes_.solid_volume)[e]);
-  }
-  const double weight = area / static_cast<double>(corner_count(s.nodes[i]));
-  if (!(weight > 0) || !std::isfinite(weight * stiffness)) return {};
-  return {weight, weight * stiffness};
-}
+    : model_(model), springs_(model, sizes), masses_(node_masses(model, sizes)), sums_(model.mesh.nodes.size()) {}
 
 NodeIndex TimestepEstimate::smallest(const Segments& s) {
   // From here on `weighted` holds the squared step of a node that has springs, and infinity for all others.
@@ -103,7 +66,10 @@ NodeIndex TimestepEstimate::smallest(const Segments& s) {
 SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLimit limit) {
   corners_.resize(s.size());
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) corners_[i] = corner(s, i, scale, limit);
+    for (std::size_t i = begin; i < end; ++i) {
+      const SegmentSpring spring = springs_(s, i, scale, limit == TimestepLimit::printed);
+      corners_[i] = {spring.weight, spring.weight * spring.stiffness};
+    }
   });
   sum_at_nodes(sums_, s.size(), [&](std::size_t i, const auto& add) {
     if (corners_[i].weight > 0)

@@ -6,6 +6,7 @@
 #include "contact/contact_surfaces.hpp"
 #include "contact/element_sizes.hpp"
 #include "contact/element_timestep.hpp"
+#include "contact/segment_spring.hpp"
 #include "contact/stiffness.hpp"
 #include "records/timesteps.hpp"
 
@@ -36,16 +37,13 @@ class TimestepEstimate {
                                   TimestepLimit limit = TimestepLimit::printed);
 
  private:
-  [[nodiscard]] NodeStiffness corner(const Segments& segments, std::size_t segment, double scale,
-                                     TimestepLimit limit) const;
   [[nodiscard]] NodeIndex smallest(const Segments& segments);
   /// Then all nodes are visited rather than the corners of the segments.
   [[nodiscard]] bool most_of_the_mesh(const Segments& segments) const { return segments.size() > sums_.size() / 8; }
 
   const model::Model& model_;
-  const ElementSizes& sizes_;
+  SegmentSprings springs_;
   std::vector<double> masses_;         // by node
-  std::vector<double> moduli_;         // by part, SSF included
   std::vector<NodeStiffness> sums_;    // by node; zero between calls
   std::vector<NodeStiffness> corners_; // by segment: what it adds at each corner
 };

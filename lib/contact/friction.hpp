@@ -1,5 +1,9 @@
 #pragma once
-#include "model/contact.hpp"
+#include <map>
+#include <string>
+#include <utility>
+
+#include "model/model.hpp"
 
 namespace gapcheck::contact {
 
@@ -16,5 +20,32 @@ inline constexpr double friction_by_table = -2;  ///< *DEFINE_FRICTION, the one 
 
 /// Types for which FS = -2 holds: the same without airbags. Source: workshop slides, *DEFINE_FRICTION.
 [[nodiscard]] bool takes_friction_table(const model::Contact& contact);
+
+/// The friction of one contact between any two parts. Scales FSF and VSF are in it.
+/// FS = -1: *PART_CONTACT of the segment's part, of the node's where that has none, else SFRIC, DFRIC and VFC of
+/// *CONTROL_CONTACT. FS = -2: *DEFINE_FRICTION; the last row that names the pair counts. The model must outlive it.
+/// Source: contact rules, section 8.
+class Friction {
+ public:
+  Friction(const model::Model& model, const model::Contact& contact);
+  /// False: there is none between any parts.
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] model::FrictionLaw between(PartIndex node_part, PartIndex segment_part) const;
+
+ private:
+  [[nodiscard]] model::FrictionLaw of_parts(PartIndex node_part, PartIndex segment_part) const;
+
+  const model::Model& model_;
+  const model::Contact& contact_;
+  const model::FrictionTable* table_ = nullptr;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, model::FrictionLaw> rows_;  ///< lower part first
+  bool any_ = false;
+};
+
+/// Coefficient at a sliding velocity: μ = FD + (FS - FD) exp(-DC |v|).
+[[nodiscard]] double friction_coefficient(const model::FrictionLaw& law, double velocity);
+
+/// Largest tangential force: μ · normal force, and at most VC · area where VC > 0.
+[[nodiscard]] double friction_limit(const model::FrictionLaw& law, double velocity, double normal_force, double area);
 
 }  // namespace gapcheck::contact

@@ -19,6 +19,7 @@
 #include "contact/outcome.hpp"
 #include "contact/pair_rules.hpp"
 #include "contact/release.hpp"
+#include "contact/side_scene.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -142,49 +143,46 @@ class Initialiser {
       state_.notes.push_back(fmt::format("contact {}: DEPTH = {} also holds edges against edges, which was not done",
                                          model_.contacts[c].id.value, depth));
     const std::size_t first = state_.penetrations.size();
-    const model::Contact& contact = model_.contacts[c];
     const ContactSide &a = sides.a, &b = sides.b;
     summary.tracked_nodes = a.nodes.size();
     if (type.treatment == Treatment::single_surface) {
       summary.segments = a.selection.segments.size() - (type.edges ? 0 : a.lines);
-      sweep(c, sides, exclusions, a, a, contact.a.type, first);
+      sweep(c, sides, exclusions, false, first);
     } else {
       summary.segments = b.selection.segments.size();
-      sweep(c, sides, exclusions, a, b, contact.b.type, first);
+      sweep(c, sides, exclusions, false, first);
       if (type.treatment == Treatment::two_way || type.by_segments()) {
         summary.tracked_nodes += b.nodes.size();
         summary.segments += a.selection.segments.size();
-        sweep(c, sides, exclusions, b, a, contact.a.type, first);
+        sweep(c, sides, exclusions, true, first);
       }
     }
     for (std::size_t i = first; i < state_.penetrations.size(); ++i) count(state_.penetrations[i], summary);
     sort_deepest_first(first);
   }
 
-  void sweep(std::uint32_t c, const ContactSurfaces& sides, const Exclusions& exclusions, const ContactSide& tracked,
-             const ContactSide& reference, std::int64_t surface_type, std::size_t first_record) {
-    const TrackedNodes& nodes = tracked.nodes;
-    const Segments& segments = reference.selection.segments;
+  /// `exchanged`: side B's nodes in side A's segments.
+  void sweep(std::uint32_t c, const ContactSurfaces& sides, const Exclusions& exclusions, bool exchanged,
+             std::size_t first_record) {
     const ContactType& type = sides.type;
-    if (nodes.size() == 0 || segments.size() == 0) return;
+    const TrackedNodes& nodes = (exchanged ? sides.b : sides.a).nodes;
+    const ContactSide& reference = exchanged || !sides.two_sided() ? sides.a : sides.b;
+    if (nodes.size() == 0 || reference.selection.segments.size() == 0) return;
     ++counters_.searches;
-    const model::Contact& contact = model_.contacts[c];
-    std::optional<Neighbours> neighbours;
-    SolidExtents solids;
-    const bool single = type.treatment == Treatment::single_surface;
+    std::optional<SideScene> side;
     {
       const Stopwatch watch(counters_.surface_s);
-      neighbours.emplace(segments, model_.mesh, single);
-      solids = solid_extents(segments, model_.mesh, state_.x);
+      side.emplace(model_, c, sides, exchanged, state_.x);
     }
-    PairScene scene{model_, contact, type, sides.settings, state_.x, segments, nodes, *neighbours, surface_type, std::move(solids), {},
-                    options_.tolerance, options_.mode};
+    PairScene& scene = side->scene();
+    scene.tolerance = options_.tolerance;
+    scene.mode = options_.mode;
     std::vector<Hit> hits;
     {
       const Stopwatch watch(counters_.search_s);
       scene.flipped = flipped_segments(scene, *search_);
       std::atomic<std::uint64_t> tied_pairs{0}, excluded{0};
-      const PairRules rules(scene, tracked, exclusions, ties_);
+      const PairRules rules(scene, side->tracked(), exclusions, ties_);
       const auto allowed = [&](std::uint32_t slot, std::uint32_t segment, bool penetrates) {
         const PairRule rule = rules(slot, segment);
         if (rule == PairRule::excluded) excluded += penetrates;

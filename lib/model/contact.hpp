@@ -104,10 +104,21 @@ struct ContactExclusion {
   Place place;
 };
 
+/// Coulomb friction with its limit: μ = FD + (FS - FD) exp(-DC |v|), force at most VC · area where VC > 0.
+struct FrictionLaw {
+  double fs = 0, fd = 0, dc = 0, vc = 0;
+};
+
 /// *DEFINE_FRICTION: friction between pairs of parts, for contacts with FS = -2.
 struct FrictionTable {
   std::int64_t id = 0;
-  std::uint32_t pairs = 0;  ///< rows
+  FrictionLaw others;  ///< between parts that no row names
+  struct Row {
+    std::int64_t i = 0, j = 0;          ///< part, or part set
+    bool i_is_set = false, j_is_set = false;
+    FrictionLaw law;
+  };
+  std::vector<Row> rows;
   Place place;
 };
 

@@ -12,6 +12,7 @@ struct State {
   std::vector<Vector> x, v, w;        ///< w: angular velocity
   std::vector<double> mass, inertia;  ///< lumped; inertia is the same about all axes
   double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
+  double coming = 0;  ///< the step that the elements allow next; known when other forces are asked
   std::uint64_t cycle = 0;
 };
 

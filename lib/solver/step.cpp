@@ -94,11 +94,12 @@ std::optional<Failure> Stepper::evaluate(double& next) {
   external_.resize(nodes);
   next = settings_.time_step_factor * std::min(shells.manual_step, solids.manual_step);
   if (settings_.bounded_step) next = std::min({next, shells.stable_step, solids.stable_step});
+  if (settings_.greatest_step > 0) next = std::min(next, settings_.greatest_step);
+  state.coming = next;
   for (const auto& other : others_) {
     other->add(state, external_);
     next = std::min(next, other->stable_step());
   }
-  if (settings_.greatest_step > 0) next = std::min(next, settings_.greatest_step);
   if (!(next > settings_.least_step) || !std::isfinite(next))
     return Failure{Failure::Kind::zero_time_step,
                    fmt::format("the time step at time {:g} is {:g}; set a greatest step where no element limits it",

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+
+#include "contact/contact_type.hpp"
+
+namespace gapcheck::contact {
+
+/// What a contact remembers of one tracked node from cycle to cycle.
+struct NodeContact {
+  enum class State : std::uint8_t {
+    apart,     ///< outside: the next penetration found is its first one
+    touching,  ///< found before: penetration gives force
+    released,  ///< was too deep: no force until it has left the whole contact zone
+  } state = State::apart;
+  double forgiven = 0;  ///< IGNORE: penetration without force
+};
+
+/// How a tracked node lies to the segments of its contact in one cycle.
+struct NodeEncounter {
+  bool penetrates = false;    ///< it is in a segment's band and penetrates it
+  bool in_zone = false;       ///< it is nearer to some segment than the contact distance, in its band or not
+  double penetration = 0;
+  double release_depth = 0;   ///< beyond it the node is released
+  bool movable = true;        ///< shooting-node logic may move it; nodes of rigid bodies are not free to be moved
+};
+
+enum class NodeAction : std::uint8_t {
+  none,
+  force,  ///< by penetration - NodeContact::forgiven
+  move,   ///< to the free side of the contact surface, by `shooting_move` penetrations
+};
+
+/// What happens to a tracked node in a cycle, and what is remembered. "First" penetrations may come at any time: with
+/// IGNORE = 0 the node is moved (SNLOG = 1: forced), with IGNORE = 1 or 2 the depth at which it was found is forgiven,
+/// which follows the penetration downwards only; thickness is full again once the node has left. A node that cannot be
+/// moved gets its force at once. Source: contact rules, sections 5 and 7.
+[[nodiscard]] NodeAction advance(NodeContact& node, const ContactSettings& settings, const NodeEncounter& encounter);
+
+}  // namespace gapcheck::contact

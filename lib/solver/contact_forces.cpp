@@ -1,0 +1,191 @@
+#include "solver/contact_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "contact/active_time.hpp"
+#include "contact/record_pair.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+using contact::Family;
+using contact::NodeContact;
+using contact::Treatment;
+
+/// Search margin in mean edges of the segments.
+constexpr double margin_in_edges = 0.5;
+/// Motion is summed up in doubles; this covers their rounding.
+constexpr double rounding = 1 + 1e-12;
+
+NodeContact memory_of(const Penetration& record) {
+  switch (record.outcome) {
+    case Outcome::moved:
+    case Outcome::forced: return {NodeContact::State::touching, 0};
+    case Outcome::kept: return {NodeContact::State::touching, record.depth};
+    case Outcome::released: return {NodeContact::State::released, 0};
+    case Outcome::reported: return {};
+  }
+  return {};
+}
+
+/// Sum and number of the sides of segments.
+struct Edges {
+  double length = 0;
+  std::size_t count = 0;
+  void add(const contact::Segments& segments, const std::vector<Vector>& x) {
+    for (const auto& n : segments.nodes)
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (n[i] == n[(i + 1) % 4]) continue;
+        length += (x[n[i].value] - x[n[(i + 1) % 4].value]).norm();
+        ++count;
+      }
+  }
+};
+
+}  // namespace
+
+bool ContactForces::calculates(const model::Contact& contact) {
+  const contact::ContactType type = contact::classify(contact);
+  const bool family =
+      type.family == Family::old || type.family == Family::automatic || type.family == Family::forming;
+  return family && type.checked() && !type.edges && type.treatment != Treatment::none && type.code != "14" &&
+         type.code != "15" && type.code != "16" && type.code != "1";
+}
+
+ContactForces::ContactForces(const model::Model& model, contact::SurfaceStore& surfaces,
+                             const contact::InitialState& initial, std::vector<bool> movable)
+    : model_(model),
+      store_(surfaces),
+      found_(initial.penetrations),
+      moved_(initial.x != model.mesh.nodes.x),
+      movable_(std::move(movable)),
+      masses_(model),
+      search_(contact::make_bucket_grid()),
+      ties_(model),
+      setting_{model, masses_, *search_, ties_, movable_} {
+  for (const contact::JudgedNode& node : initial.judged)
+    if (node.tied()) ties_.add(node.node, node.segment_part);
+}
+
+void ContactForces::remember(Interface& interface) const {
+  for (const Penetration& record : found_) {
+    if (record.contact != interface.contact) continue;
+    const auto pair = contact::find_pair(*interface.surfaces, model_.mesh, record);
+    const std::size_t pass = pair && pair->node_on_b ? 1 : 0;
+    if (pair && pass < interface.passes.size()) interface.passes[pass]->set_memory(pair->slot, memory_of(record));
+  }
+}
+
+void ContactForces::build(State& state) {
+  Edges edges;
+  interfaces_.reserve(model_.contacts.size());  // passes refer to the surfaces in them
+  for (std::uint32_t c = 0; c < model_.contacts.size(); ++c) {
+    const model::Contact& contact = model_.contacts[c];
+    if (!contact.known || contact.own_layout || !calculates(contact)) continue;
+    Interface& interface = interfaces_.emplace_back();
+    interface.contact = c;
+    if (moved_) interface.own = store_.build(c, state.x);
+    interface.surfaces = moved_ ? &interface.own : &store_.at(c);
+    const contact::ActiveTime time = contact::active_time(contact);
+    interface.start = time.start;
+    interface.end = time.end;
+    const contact::ContactSurfaces& surfaces = *interface.surfaces;
+    const auto pass = [&](bool exchanged) {
+      interface.passes.push_back(std::make_unique<ContactPass>(setting_, c, surfaces, exchanged, state.x));
+      const contact::SideScene& side = interface.passes.back()->side();
+      edges.add(side.reference().selection.segments, state.x);
+      for (const NodeIndex node : side.tracked().nodes.node) nodes_.push_back(node.value);
+      for (const auto& corners : side.reference().selection.segments.nodes)
+        for (const NodeIndex node : corners) nodes_.push_back(node.value);
+      interface.passes.back()->set_timestep(contact.dtstif > 0 ? contact.dtstif : state.coming);
+    };
+    pass(false);
+    if (surfaces.type.treatment == Treatment::two_way) pass(true);
+    remember(interface);
+    if (contact.bsort > 0 && (sort_interval_ == 0 || contact.bsort < sort_interval_)) sort_interval_ = contact.bsort;
+    ContactState& result = states_.emplace_back();
+    result.contact = c;
+    result.single_surface = surfaces.type.treatment == Treatment::single_surface;
+  }
+  std::sort(nodes_.begin(), nodes_.end());
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  if (edges.count > 0) margin_ = margin_in_edges * edges.length / static_cast<double>(edges.count);
+  built_ = true;
+}
+
+double ContactForces::approach(const State& state) const {
+  constexpr std::size_t block = 4096;
+  const std::size_t blocks = (nodes_.size() + block - 1) / block;
+  std::vector<double> fastest(blocks, 0);
+  parallel_for(blocks, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b)
+      for (std::size_t i = b * block; i < std::min(nodes_.size(), (b + 1) * block); ++i)
+        fastest[b] = std::max(fastest[b], (state.v[nodes_[i]] - drift_).squaredNorm());
+  });
+  double squared = 0;
+  for (const double of_block : fastest) squared = std::max(squared, of_block);
+  return 2 * std::sqrt(squared) * state.dt * rounding;
+}
+
+void ContactForces::search(const State& state) {
+  const Stopwatch watch(counters_.search_s);
+  ++counters_.searches;
+  contact::Bounds velocities;
+  for (const std::uint32_t node : nodes_) velocities.add(state.v[node]);
+  drift_ = (velocities.low + velocities.high) / 2;
+  for (Interface& interface : interfaces_)
+    for (const auto& pass : interface.passes) pass->search(margin_, counters_);
+  used_ = 0;
+  searched_ = state.cycle;
+}
+
+void ContactForces::add(State& state, Forces& forces) {
+  const bool first = !built_;
+  if (first) build(state);
+  if (interfaces_.empty()) return;
+  if (!first) used_ += approach(state);
+  const auto due = static_cast<std::uint64_t>(sort_interval_);
+  if (first || !(used_ <= margin_) || (due > 0 && state.cycle >= searched_ + due)) search(state);
+  const Stopwatch watch(counters_.force_s);
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+    Interface& interface = interfaces_[i];
+    ContactState& result = states_[i];
+    result.force_a.setZero();
+    result.force_b.setZero();
+    result.touching = result.released = 0;
+    const bool active = state.time >= interface.start && state.time < interface.end;
+    for (const auto& pass : interface.passes) {
+      if (!active) {
+        if (interface.active) pass->rest(state, result);
+        continue;
+      }
+      // A node that one pass has moved is nearer to something than the search knew.
+      if (!(used_ <= margin_)) search(state);
+      used_ += pass->update(state, used_, counters_) * rounding;
+      pass->apply(forces, result);
+    }
+    interface.active = active;
+  }
+}
+
+void ContactForces::absorbed(Absorbed& work) const {
+  for (const ContactState& state : states_) {
+    work.contact_friction += state.friction;
+    work.contact_damping += state.damping;
+    work.contact_normal += state.energy_a + state.energy_b - state.friction - state.damping;
+  }
+}
+
+std::vector<ContactNode> ContactForces::nodes(std::size_t contact) const {
+  std::vector<ContactNode> all;
+  for (const auto& pass : interfaces_[contact].passes) {
+    const std::vector<ContactNode> more = pass->nodes();
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,119 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/candidates.hpp"
+#include "contact/friction.hpp"
+#include "contact/node_contact.hpp"
+#include "contact/side_scene.hpp"
+#include "solver/contact_spring.hpp"
+#include "solver/contact_state.hpp"
+#include "solver/state.hpp"
+
+namespace gapcheck::solver {
+
+/// What contact did not need to do, and did.
+struct ContactCounters {
+  std::uint64_t searches = 0;    ///< global ones
+  std::uint64_t candidates = 0;  ///< pairs that these left
+  std::uint64_t nodes = 0;       ///< looked at, of all cycles
+  std::uint64_t pairs = 0;       ///< decided, of all cycles
+  double search_s = 0, force_s = 0;
+};
+
+/// What all passes of a run share. All references must outlive them.
+struct ContactSetting {
+  const model::Model& model;
+  const ContactMasses& masses;
+  const contact::CandidateSearch& search;
+  const contact::Ties& ties;
+  const std::vector<bool>& movable;  ///< by node: the shooting-node logic may move it
+};
+
+/// One side's nodes against the other side's segments of one contact. Candidates, distances, which segment counts, what
+/// happens to the node and how stiff the spring is come from lib/contact; here they become forces and work.
+class ContactPass {
+ public:
+  /// `contact`: position in Model::contacts. `x` must be the coordinates of every state that comes.
+  ContactPass(const ContactSetting& setting, std::uint32_t contact, const contact::ContactSurfaces& surfaces,
+              bool exchanged, const std::vector<Vector>& x);
+  ContactPass(const ContactPass&) = delete;
+  ContactPass& operator=(const ContactPass&) = delete;
+
+  [[nodiscard]] const contact::SideScene& side() const { return side_; }
+  /// What the initialisation did to a node.
+  void set_memory(std::uint32_t slot, const contact::NodeContact& memory) { tracked_[slot].memory = memory; }
+  void set_timestep(double timestep) { springs_.set_timestep(timestep); }
+
+  /// Global search, good until nodes and segments have come closer by `margin`.
+  void search(double margin, ContactCounters& counters);
+  /// Looks at all nodes that can have come into contact since the search; `used`: how far anything can have come closer
+  /// since then. Moves shooting nodes in `state`, returns the longest such move.
+  double update(State& state, double used, ContactCounters& counters);
+  /// Adds the forces, and what they did since the last cycle.
+  void apply(Forces& forces, ContactState& result) const;
+  /// The contact is not active: forces end, memory is lost.
+  void rest(const State& state, ContactState& result);
+
+  [[nodiscard]] std::vector<ContactNode> nodes() const;
+
+ private:
+  /// The spring between a node and a segment; forces are those on the node.
+  struct Link {
+    std::uint32_t segment = 0;
+    std::array<double, 4> weights{};
+    Vector normal = Vector::Zero(), friction = Vector::Zero();
+    double push = 0, damping = 0;  ///< along the normal
+    [[nodiscard]] Vector force() const { return (push + damping) * normal + friction; }
+  };
+  /// Work of one step, by cause; `on_node`, `on_segment`: by side.
+  struct Work {
+    double normal = 0, friction = 0, damping = 0, on_node = 0, on_segment = 0;
+  };
+  struct Tracked {
+    contact::NodeContact memory;
+    bool active = false;  ///< `link` carries a force
+    bool worked = false;  ///< `work` is of this cycle
+    double penetration = 0;
+    double sleep = 0;  ///< until so much of the margin is used up there is nothing to look at
+    Link link;
+    Work work;
+  };
+  /// What looking at one node gave beside its Tracked.
+  struct Look {
+    std::uint64_t pairs = 0;
+    Vector move = Vector::Zero();
+    bool moves = false;
+  };
+  struct Meeting;
+
+  [[nodiscard]] Look look(std::size_t place, const State& state, double used);
+  [[nodiscard]] Meeting meet(std::uint32_t slot, std::span<contact::Candidate> candidates, double used,
+                             Tracked& tracked, Look& out) const;
+  [[nodiscard]] Link link(std::uint32_t slot, const Meeting& meeting, const Tracked& before, const State& state) const;
+  [[nodiscard]] Vector friction(std::uint32_t slot, const Link& link, const Vector& before, double stiffness,
+                                const Vector& velocity, double dt) const;
+  [[nodiscard]] Vector relative_velocity(std::uint32_t slot, const Link& link, const State& state) const;
+  void add_work(std::uint32_t slot, const Link& link, const State& state, Work& work) const;
+
+  const ContactSetting& setting_;
+  contact::SideScene side_;
+  const contact::PairScene& scene_;
+  contact::Exclusions exclusions_;
+  contact::PairRules rules_;
+  contact::Friction friction_;
+  ContactSprings springs_;
+  double greatest_reach_ = 0;
+  bool exchanged_;
+  contact::CandidateTable candidates_;
+  std::vector<Tracked> tracked_;           // by slot
+  std::vector<std::uint32_t> busy_;        // slots with a force now or before, ascending
+  std::vector<std::uint32_t> lost_;        // slots with a memory but without candidates since the search
+  std::vector<Look> looks_;                // of the present cycle
+  std::uint64_t moved_ = 0, released_ = 0;  // nodes, in the present cycle
+};
+
+}  // namespace gapcheck::solver
