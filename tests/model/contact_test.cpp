@@ -261,13 +261,24 @@ TEST(Contacts, Exclusions) {
   EXPECT_EQ(read.model.exclusions[0].pairs[1].a, 6);
 }
 
-TEST(FrictionTables, IdsAndPairs) {
+TEST(FrictionTables, LawsAndPairs) {
   const Read read = read_text(
-      "*DEFINE_FRICTION_TITLE\nwheels\n5,0.1,0.2\n1,2,0.3\n1,3,0.4\n*DEFINE_FRICTION\n6\n"
+      "*DEFINE_FRICTION_TITLE\nwheels\n5,0.1,0.2\n1,2,0.3,0.2,5.,6.\n1,3,0.4,0.,0.,0.,,PSET\n*DEFINE_FRICTION\n6\n"
       "*DEFINE_FRICTION_ORIENTATION\n7\n");
   ASSERT_EQ(read.model.friction_tables.size(), 2u) << read.text();
-  EXPECT_EQ(read.model.friction_tables.at(5).pairs, 2u);
-  EXPECT_EQ(read.model.friction_tables.at(6).pairs, 0u);
+  const FrictionTable& wheels = read.model.friction_tables.at(5);
+  EXPECT_EQ(wheels.others.fs, 0.1);
+  EXPECT_EQ(wheels.others.fd, 0.2);
+  ASSERT_EQ(wheels.rows.size(), 2u);
+  EXPECT_EQ(wheels.rows[0].j, 2);
+  EXPECT_EQ(wheels.rows[0].law.fs, 0.3);
+  EXPECT_EQ(wheels.rows[0].law.fd, 0.2);
+  EXPECT_EQ(wheels.rows[0].law.dc, 5);
+  EXPECT_EQ(wheels.rows[0].law.vc, 6);
+  EXPECT_FALSE(wheels.rows[0].j_is_set);
+  EXPECT_FALSE(wheels.rows[1].i_is_set);
+  EXPECT_TRUE(wheels.rows[1].j_is_set);
+  EXPECT_TRUE(read.model.friction_tables.at(6).rows.empty());
 }
 
 TEST(Controls, DefaultsAndValues) {
