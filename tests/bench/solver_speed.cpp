@@ -33,20 +33,20 @@ class Weight : public solver::Force {
 std::string plates(int n, int far) {
   std::string nodes = "*NODE\n", shells = "*ELEMENT_SHELL\n";
   int node = 0, element = 0;
-  const auto plate = [&](int part, int columns, double x0, double z) {
+  const auto plate = [&](int part, int columns, double x0, double y0, double z) {
     const int first = node + 1;
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= columns; ++i)
-        nodes += fmt::format("{:8}{:16.9f}{:16.9f}{:16.9f}\n", ++node, x0 + 1.0 * i / n, 1.0 * j / n, z);
+        nodes += fmt::format("{:8}{:16.9f}{:16.9f}{:16.9f}\n", ++node, x0 + 1.0 * i / n, y0 + 1.0 * j / n, z);
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < columns; ++i) {
         const int a = first + j * (columns + 1) + i;
         shells += fmt::format("{:8}{:8}{:8}{:8}{:8}{:8}\n", ++element, part, a, a + 1, a + columns + 2, a + columns + 1);
       }
   };
-  plate(1, n, 0, 0);
-  plate(2, n, 0.4 / n, 0.01);
-  if (far > 0) plate(3, far, 100, 0);
+  plate(1, n, 0, 0, 0);
+  plate(2, n, 0.4 / n, 0.3 / n, 0.01);
+  if (far > 0) plate(3, far, 100, 0, 0);
   std::string parts;
   for (int p = 1; p <= (far > 0 ? 3 : 2); ++p) parts += fmt::format("*PART\np\n{},1,1\n", p);
   return nodes + shells + parts + "*SECTION_SHELL\n1,2\n0.0101\n*MAT_ELASTIC\n1,7.8e3,2.1e11,0.3\n" +
@@ -55,7 +55,7 @@ std::string plates(int n, int far) {
 
 struct Speed {
   double seconds = 0, contact_s = 0;
-  std::uint64_t nodes = 0, searches = 0, touching = 0;
+  std::uint64_t nodes = 0, pairs = 0, searches = 0, touching = 0;
   std::size_t shells = 0;
 };
 
@@ -97,6 +97,7 @@ Speed run(const std::string& text, int n, int cycles, bool with_contact) {
     const auto& after = contacts->counters();
     result.contact_s = after.force_s + after.search_s - before.force_s - before.search_s;
     result.nodes = after.nodes - before.nodes;
+    result.pairs = after.pairs - before.pairs;
     result.searches = after.searches - before.searches;
     result.touching = contacts->states()[0].touching;
   }
@@ -117,11 +118,11 @@ int main(int argc, char** argv) {
   for (const bool with_contact : {false, true}) {
     const Speed r = run(text, n, cycles, with_contact);
     const double per_cycle = static_cast<double>(cycles);
-    fmt::print("{} shells, {}: {:.2f} million shell cycles per second, contact {:.0f} % of the time, {:.0f} nodes looked "
-               "at and {:.3f} searches per cycle, {} touching\n",
+    fmt::print("{} shells, {}: {:.2f} million shell cycles per second, contact {:.0f} % of the time, {:.0f} nodes and "
+               "{:.0f} pairs looked at and {:.3f} searches per cycle, {} touching\n",
                r.shells, with_contact ? "contact" : "elements alone",
                static_cast<double>(r.shells) * per_cycle / r.seconds / 1e6, 100 * r.contact_s / r.seconds,
-               static_cast<double>(r.nodes) / per_cycle, static_cast<double>(r.searches) / per_cycle, r.touching);
+               static_cast<double>(r.nodes) / per_cycle, static_cast<double>(r.pairs) / per_cycle, static_cast<double>(r.searches) / per_cycle, r.touching);
   }
   return 0;
 }

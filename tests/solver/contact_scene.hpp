@@ -14,11 +14,20 @@ struct ContactScene {
   using Prepare = std::function<void(Structure&)>;
 
   explicit ContactScene(const std::string& deck, const Prepare& prepare = {}, StepSettings settings = {})
-      : read(model::read_text(deck)), surfaces(read.model) {
+      : ContactScene(model::read_text(deck), prepare, settings) {}
+
+  explicit ContactScene(model::Read the_model, const Prepare& prepare = {}, StepSettings settings = {})
+      : read(std::move(the_model)), surfaces(read.model) {
     EXPECT_EQ(read.errors(), 0u) << read.text();
     contact::InitialCounters counters;
     initial = contact::initialise_contacts(read.model, surfaces, {}, counters);
-    Structure structure = structure_of(deck);
+    Diagnostics diagnostics;
+    auto built = build_structure(read.model, {}, diagnostics);
+    if (const auto* failure = std::get_if<Failure>(&built)) {
+      why_not = failure->message;
+      return;
+    }
+    Structure structure = std::get<Structure>(std::move(built));
     structure.state.x = initial.x;
     if (prepare) prepare(structure);
     std::vector<bool> movable(structure.state.x.size());
@@ -42,6 +51,7 @@ struct ContactScene {
   }
 
   model::Read read;
+  std::string why_not;  ///< the structure cannot be built; then there is no stepper
   contact::SurfaceStore surfaces;
   contact::InitialState initial;
   std::unique_ptr<Stepper> stepper;

@@ -1,0 +1,165 @@
+// What the solver does with the nodes that it finds penetrating in its first cycle is what the audit says: on every deck
+// of data/ and on decks by other authors where they are at hand.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "keyword/deck.hpp"
+#include "solver/contact_forces.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A deck, what the audit finds in it, and the solver's contacts in their first cycle.
+struct CycleZero {
+  explicit CycleZero(const std::string& path) {
+    Diagnostics diagnostics;
+    auto deck = keyword::read_deck(path, {}, diagnostics);
+    if (!deck) {
+      ADD_FAILURE() << deck.error().message;
+      return;
+    }
+    auto read = model::read_model(deck.value(), diagnostics);
+    if (!read) {
+      ADD_FAILURE() << read.error().message;
+      return;
+    }
+    model = std::move(read).value();
+    surfaces.emplace(model);
+    contact::InitialCounters counters;
+    audit = contact::initialise_contacts(model, *surfaces, {}, counters);
+  }
+
+  /// The first cycle from coordinates `x` with what the audit has found (`found`: all, or nothing), all at rest.
+  void first_cycle(const std::vector<Vector>& x, bool knows) {
+    contact::InitialState start = audit;
+    start.x = x;
+    if (!knows) start.penetrations.clear();
+    const std::size_t nodes = x.size();
+    state.x = x;
+    state.v.assign(nodes, Vector::Zero());
+    state.coming = 1e-6;
+    forces.resize(nodes);
+    contacts.emplace(model, *surfaces, start, std::vector<bool>(nodes, true));
+    contacts->add(state, forces);
+  }
+
+  model::Model model;
+  std::optional<contact::SurfaceStore> surfaces;
+  contact::InitialState audit;
+  State state;
+  Forces forces;
+  std::optional<ContactForces> contacts;
+};
+
+using Key = std::pair<std::uint32_t, std::int64_t>;  ///< position of the contact, node id
+
+/// By contact and node: outcome and depth.
+using List = std::map<Key, std::pair<Outcome, double>>;
+
+List audit_list(const CycleZero& run) {
+  List list;
+  for (const Penetration& p : run.audit.penetrations)
+    if (listed_by_solver(p.kind) && ContactForces::calculates(run.model.contacts[p.contact]) &&
+        p.outcome != Outcome::moved)
+      list[{p.contact, p.node}] = {p.outcome, p.depth};
+  return list;
+}
+
+List solver_list(const CycleZero& run) {
+  List list;
+  for (std::size_t i = 0; i < run.contacts->states().size(); ++i) {
+    const std::uint32_t contact = run.contacts->states()[i].contact;
+    for (const ContactNode& node : run.contacts->nodes(i)) {
+      const Outcome outcome = node.kind == ContactNode::Kind::released ? Outcome::released
+                              : node.kind == ContactNode::Kind::kept   ? Outcome::kept
+                                                                       : Outcome::forced;
+      list[{contact, run.model.mesh.nodes.id[node.node.value]}] = {outcome, node.penetration};
+    }
+  }
+  return list;
+}
+
+std::string text(const List& list) {
+  std::string all;
+  for (const auto& [key, what] : list)
+    all += fmt::format("contact {} node {} {} {:.17g}\n", key.first, key.second, name(what.first), what.second);
+  return all;
+}
+
+/// True if only contacts that the solver calculates have moved nodes: no ties, no edges.
+bool all_calculated(const CycleZero& run) {
+  for (std::size_t i = 0; i < run.audit.contacts.size(); ++i) {
+    const ContactSummary& found = run.audit.contacts[i];
+    if (found.ties + found.penetrations > 0 && !ContactForces::calculates(run.model.contacts[i])) return false;
+  }
+  return true;
+}
+
+void expect_same(const std::string& path) {
+  CycleZero run(path);
+  if (!run.surfaces) return;
+  // From the deck's own coordinates: the solver finds all by itself, and moves the nodes where the audit says.
+  if (all_calculated(run)) {
+    run.first_cycle(run.model.mesh.nodes.x, false);
+    EXPECT_EQ(text(solver_list(run)), text(audit_list(run)));
+    for (std::size_t i = 0; i < run.state.x.size(); ++i)
+      EXPECT_EQ(run.state.x[i], run.audit.x[i]) << "node " << run.model.mesh.nodes.id[i];
+  }
+  // From where the initialisation has put the nodes: what it kept, forced or released is so in the first cycle.
+  run.first_cycle(run.audit.x, true);
+  const List found = solver_list(run);
+  for (const auto& [key, what] : audit_list(run)) {
+    const auto same = found.find(key);
+    if (same == found.end()) {
+      ADD_FAILURE() << "contact " << key.first << " node " << key.second << " " << name(what.first) << " is not found";
+      continue;
+    }
+    EXPECT_EQ(name(same->second.first), name(what.first)) << key.second;
+  }
+}
+
+std::vector<std::string> data_decks() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(fs::path(GAPCHECK_ROOT) / "data"))
+    if (entry.path().extension() == ".k") names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return name;
+}
+
+class DataDeck : public testing::TestWithParam<std::string> {};
+TEST_P(DataDeck, AuditIsCycleZero) { expect_same((fs::path(GAPCHECK_ROOT) / "data" / GetParam()).string()); }
+INSTANTIATE_TEST_SUITE_P(CycleZero, DataDeck, testing::ValuesIn(data_decks()), test_name);
+
+class RealDeck : public testing::TestWithParam<std::string> {};
+TEST_P(RealDeck, AuditIsCycleZero) {
+  const fs::path folder = fs::path(GAPCHECK_ROOT) / ".." / "shared" / "decks";
+  if (!fs::exists(folder)) GTEST_SKIP() << "no decks in " << folder << "; put them there to run this test";
+  expect_same((folder / GetParam()).lexically_normal().string());
+}
+INSTANTIATE_TEST_SUITE_P(CycleZero, RealDeck,
+                         testing::Values("ball_plate/ball_plate.k", "bird_on_panel/bird.k",
+                                         "bird_strike_composite/input.k", "birdball_eroding/birdball.k",
+                                         "car5/car5.k", "car6/car6_crash.k", "car6_refined/lsopt_car6/main_v22.k",
+                                         "car6_refined/lsopt_car6/main_v222.k", "roll_forming/model.k",
+                                         "small_decks/tests/testfiles/run/case-keywords/projectile.k",
+                                         "two_body_impact/main.k"),
+                         test_name);
+
+}  // namespace
+}  // namespace gapcheck::solver
