@@ -78,8 +78,9 @@ Verdict subdivide(const Corners& e, Limits limits, const Prove& prove) {
   return stuck ? Verdict::open : Verdict::apart;
 }
 
-Verdict filter(const Certificate& certificate, const Corners& e, bool triangle, const ClosestPoint* hint) {
-  if (certificate.separated_by_mean_plane(e)) return Verdict::apart;
+/// `near`: the pair is likely to be closer, so that a proof of the contrary is not worth a try.
+Verdict filter(const Certificate& certificate, const Corners& e, bool triangle, const ClosestPoint* hint, bool near) {
+  if (!near && certificate.separated_by_mean_plane(e)) return Verdict::apart;
   if (hint != nullptr && std::abs(hint->s) <= 1 && std::abs(hint->t) <= 1) {
     return certificate.at(e, hint->s, hint->t, triangle);
   }
@@ -136,11 +137,12 @@ Decision decide(const Facet& facet, const Vector& query, double bound, Mode mode
   if (!(bound > 0)) return {false, Stage::filter};
   if (mode == Mode::filtered) {
     const Corners e = seen_from(facet, query);
-    if (separated_by_axis(e, bound)) return {false, Stage::filter};
+    const bool near = hint != nullptr && hint->squared_distance < bound * bound;
+    if (!near && separated_by_axis(e, bound)) return {false, Stage::filter};
     const double size = size_of(e);
     if (usable(size)) {
       const Certificate certificate(size, bound);
-      const Verdict first = filter(certificate, e, facet.triangle, hint);
+      const Verdict first = filter(certificate, e, facet.triangle, hint, near);
       if (first == Verdict::closer || first == Verdict::apart) return {first == Verdict::closer, Stage::filter};
       if (!facet.triangle && first == Verdict::open) {
         const Verdict second = enclose(certificate, e);

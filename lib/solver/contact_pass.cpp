@@ -65,6 +65,7 @@ void ContactPass::search(double margin, ContactCounters& counters) {
   for (const std::uint32_t slot : candidates_.slots()) {
     found[slot] = true;
     tracked_[slot].sleep = 0;
+    tracked_[slot].release_segment = 0;
   }
   lost_.clear();
   for (std::uint32_t slot = 0; slot < tracked_.size(); ++slot)
@@ -126,7 +127,12 @@ ContactPass::Look ContactPass::look(std::size_t place, const State& state, doubl
     const std::uint32_t segment = meeting.hit->segment;
     encounter.penetrates = true;
     encounter.penetration = scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.pair.distance;
-    encounter.release_depth = contact::release_depth(scene_, slot, segment);
+    // It follows from thickness and the size of elements, which change little from one search to the next.
+    if (tracked.release_segment != segment + 1) {
+      tracked.release_depth = contact::release_depth(scene_, slot, segment);
+      tracked.release_segment = segment + 1;
+    }
+    encounter.release_depth = tracked.release_depth;
     encounter.movable = setting_.movable[scene_.nodes.node[slot].value];
   }
   tracked.penetration = encounter.penetration;

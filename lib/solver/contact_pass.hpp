@@ -78,6 +78,8 @@ class ContactPass {
     bool active = false;  ///< `link` carries a force
     bool worked = false;  ///< `work` is of this cycle
     double penetration = 0;
+    double release_depth = 0;           ///< of the segment that it is in
+    std::uint32_t release_segment = 0;  ///< that segment, from 1; 0: not known
     double sleep = 0;  ///< until so much of the margin is used up there is nothing to look at
     Link link;
     Work work;
