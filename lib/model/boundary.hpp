@@ -41,7 +41,8 @@ struct NodeConstraint {
 struct PrescribedMotion {
   std::string keyword;
   NodeChoice nodes;
-  std::int64_t part = 0;      ///< _RIGID: the part or nodal rigid body; then `nodes` is not used
+  bool rigid = false;         ///< _RIGID: moves `part`, otherwise `nodes`
+  std::int64_t part = 0;      ///< the part or nodal rigid body
   std::int64_t freedom = 0;   ///< DOF as written
   std::int64_t quantity = 0;  ///< VAD: 0 velocity, 1 acceleration, 2 displacement; others as written
   std::int64_t curve = 0;

@@ -48,7 +48,7 @@ struct Model {
   std::vector<ContactExclusion> exclusions;
   std::map<std::int64_t, FrictionTable> friction_tables;
   std::vector<RigidGroup> rigid_groups;
-  std::vector<RigidWall> rigid_walls;  ///< in input order
+  std::vector<RigidWall> rigid_walls;       ///< in input order
   std::vector<SinglePointConstraint> spcs;  ///< these and what follows: in input order
   std::vector<NodeConstraint> node_constraints;
   std::vector<PrescribedMotion> prescribed_motions;

@@ -83,6 +83,7 @@ void read_prescribed_motion(Context& context, const Block& block, const Options&
     const Card card = reader.next(layout);
     PrescribedMotion motion;
     motion.keyword = block.name;
+    motion.rigid = rigid;
     if (rigid)
       motion.part = card.integer("pid");
     else
@@ -113,8 +114,8 @@ void read_vector(Context& context, const Block& block, const Options& options) {
     if (skip_blank(reader)) continue;
     const Card card = reader.next(layout);
     DirectionVector vector;
-    vector.direction = Vector(card.real("xh") - card.real("xt"), card.real("yh") - card.real("yt"),
-                              card.real("zh") - card.real("zt"));
+    vector.direction =
+        Vector(card.real("xh") - card.real("xt"), card.real("yh") - card.real("yt"), card.real("zh") - card.real("zt"));
     if (transform.places) vector.direction = (transform.matrix * vector.direction).eval();
     vector.system = card.integer("cid");
     vector.place = Context::place(block, card.line());
@@ -131,8 +132,8 @@ void read_node_constraints(Context& context, const Block& block) {
   for_each_line(block, [&](std::string_view line, std::uint32_t number) {
     if (!has_codes(line, column)) return;
     const Card card(context.deck, block, layout, line, number, context.diagnostics);
-    const auto freedoms = static_cast<std::uint8_t>(freedoms_of_code(card.integer("tc")) |
-                                                    freedoms_of_code(card.integer("rc")) << 3);
+    const auto freedoms =
+        static_cast<std::uint8_t>(freedoms_of_code(card.integer("tc")) | freedoms_of_code(card.integer("rc")) << 3);
     const auto node = nodes.lookup.find(card.integer("nid"));
     if (freedoms == 0 || !node) return;
     std::vector<NodeConstraint>& all = context.model.node_constraints;

@@ -64,10 +64,9 @@ void read_initial_velocity_node(Context& context, const Block& block, const Opti
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
     const Card card = reader.next(layout);
-    context.model.node_velocities.push_back({card.integer("nid"), card.integer("icid"),
-                                             motions.velocity(card, "vx", "vy", "vz"),
-                                             motions.spin(card, "vxr", "vyr", "vzr"),
-                                             Context::place(block, card.line())});
+    context.model.node_velocities.push_back(
+        {card.integer("nid"), card.integer("icid"), motions.velocity(card, "vx", "vy", "vz"),
+         motions.spin(card, "vxr", "vyr", "vzr"), Context::place(block, card.line())});
   }
 }
 

@@ -6,13 +6,12 @@ namespace gapcheck::solver {
 
 TimeCurve::TimeCurve(std::vector<Point> points) : points_(std::move(points)), integral_(points_.size(), 0) {
   for (std::size_t i = 1; i < points_.size(); ++i)
-    integral_[i] =
-        integral_[i - 1] + (points_[i][0] - points_[i - 1][0]) * (points_[i][1] + points_[i - 1][1]) / 2;
+    integral_[i] = integral_[i - 1] + (points_[i][0] - points_[i - 1][0]) * (points_[i][1] + points_[i - 1][1]) / 2;
 }
 
 std::size_t TimeCurve::after(double time) const {
-  const auto above = std::upper_bound(points_.begin(), points_.end(), time,
-                                      [](double t, const Point& point) { return t < point[0]; });
+  const auto above =
+      std::upper_bound(points_.begin(), points_.end(), time, [](double t, const Point& point) { return t < point[0]; });
   return static_cast<std::size_t>(above - points_.begin());
 }
 
@@ -43,7 +42,8 @@ double TimeCurve::integral(double time) const {
 double Motion::velocity(double time, double dt) const {
   if (curve == nullptr) return 0;
   const double shift = birth > 0 ? curve->start() - birth : 0;
-  const double from = std::max(time, birth) + shift, to = time + dt + shift, middle = std::max(from, time + dt / 2 + shift);
+  const double from = std::max(time, birth) + shift, to = time + dt + shift,
+               middle = std::max(from, time + dt / 2 + shift);
   switch (quantity) {
     case Quantity::displacement:
       return scale * (dt > 0 ? (curve->at(to) - curve->at(from)) / dt : curve->slope(from));

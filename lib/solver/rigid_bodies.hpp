@@ -33,7 +33,8 @@ class RigidBodies {
   void move(std::size_t body, std::size_t freedom, Motion motion);
   /// Sets a body and its nodes in motion.
   void set_motion(std::size_t body, const Vector& velocity, const Vector& angular_velocity, State& state);
-  /// Gives held and moved freedoms their velocity at state.time and tells the state of the bodies; before the first step.
+  /// Gives held and moved freedoms their velocity at state.time and tells the state of the bodies; before the first
+  /// step.
   void start(State& state);
 
   [[nodiscard]] std::size_t size() const { return bodies_.size(); }

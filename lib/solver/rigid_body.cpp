@@ -65,8 +65,7 @@ Vector RigidBody::turn(const Vector& torque, double mean, const Imposed& imposed
   return inertia * (spin - old) / mean - torque;
 }
 
-Push RigidBody::accelerate(const Vector& force, const Vector& torque, double mean, const Imposed& imposed,
-                           bool first) {
+Push RigidBody::accelerate(const Vector& force, const Vector& torque, double mean, const Imposed& imposed, bool first) {
   Push push;
   Vector before = velocity_, spin_before = momentum_;
   if (mass_ > 0) velocity_ += force / mass_ * mean;

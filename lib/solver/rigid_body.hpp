@@ -53,9 +53,10 @@ class RigidBody {
   /// `first`: the velocity so far is that of this very time, ⁻ is its mirror.
   Push accelerate(const Vector& force, const Vector& torque, double mean, const Imposed& imposed, bool first = false);
 
-  /// Moves and turns over dt. The rotation of a free body is the implicit midpoint rule of Euler's equations with the Cayley
-  /// map (Austin, Krishnaprasad and Wang, J. Comput. Phys. 107, 1993): it keeps the angular momentum and the kinetic
-  /// energy to rounding; where rotations are imposed it is that about ω by |ω| dt. Returns the turn of the step as the vector w of spin_rotation(w).
+  /// Moves and turns over dt. The rotation of a free body is the implicit midpoint rule of Euler's equations with the
+  /// Cayley map (Austin, Krishnaprasad and Wang, J. Comput. Phys. 107, 1993): it keeps the angular momentum and the
+  /// kinetic energy to rounding; where rotations are imposed it is that about ω by |ω| dt. Returns the turn of the step
+  /// as the vector w of spin_rotation(w).
   Vector move(double dt);
 
   /// Where a point with these coordinates at the start, relative to the centre, is now.

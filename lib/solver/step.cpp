@@ -132,8 +132,7 @@ std::optional<Failure> Stepper::accelerate(double next) {
       const double mass = rigid ? 0 : state.mass[i], inertia = rigid ? 0 : state.inertia[i];
       const auto imposed = [&](std::size_t offset) {
         return [&, offset](int axis) {
-          return structure_.constraints.velocity(i, offset + static_cast<std::size_t>(axis), state.time,
-                                                 next);
+          return structure_.constraints.velocity(i, offset + static_cast<std::size_t>(axis), state.time, next);
         };
       };
       accelerate_node({mass, state.v[i], net_.force[i], external_.force[i], before_.force[i]}, mask & 7u, imposed(0),
