@@ -85,6 +85,13 @@ void read_box(Context& context, const Block& block, const Options& options);
 void read_nodal_rigid_body(Context& context, const Block& block, const Options& options);
 void read_extra_nodes(Context& context, const Block& block, const Options& options);
 void read_rigid_bodies(Context& context, const Block& block, const Options& options);
+void read_spc(Context& context, const Block& block, const Options& options);
+void read_prescribed_motion(Context& context, const Block& block, const Options& options);
+void read_vector(Context& context, const Block& block, const Options& options);
+void read_initial_velocity(Context& context, const Block& block, const Options& options);
+void read_initial_velocity_node(Context& context, const Block& block, const Options& options);
+void read_initial_velocity_generation(Context& context, const Block& block, const Options& options);
+void read_initial_velocity_rigid_body(Context& context, const Block& block, const Options& options);
 void read_rigid_wall(Context& context, const Block& block, const Options& options);
 void read_contact(Context& context, const Block& block, const Options& options);
 void read_control_contact(Context& context, const Block& block, const Options& options);
@@ -97,6 +104,9 @@ void read_friction_table(Context& context, const Block& block, const Options& op
 /// material has none that is read. `name`: "PLASTIC_KINEMATIC".
 [[nodiscard]] std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
                                                         std::string_view name);
+
+/// The constraint codes of a block of nodes, once the nodes can be found by their ids.
+void read_node_constraints(Context& context, const Block& block);
 
 // What is left to do when all blocks of a kind are read.
 void finish_nodes(Context& context);

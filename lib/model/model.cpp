@@ -85,6 +85,16 @@ constexpr Family families[] = {
     {"CONSTRAINED_NODAL_RIGID_BODY", Phase::rest, read_nodal_rigid_body, "TITLE SPC INERTIA OVERRIDE THERMAL"},
     {"CONSTRAINED_EXTRA_NODES", Phase::rest, read_extra_nodes, "NODE SET"},
     {"CONSTRAINED_RIGID_BODIES", Phase::rest, read_rigid_bodies, "SET"},
+    {"BOUNDARY_SPC_NODE", Phase::rest, read_spc, "ID BIRTH DEATH"},
+    {"BOUNDARY_SPC_SET", Phase::rest, read_spc, "ID BIRTH DEATH"},
+    {"BOUNDARY_PRESCRIBED_MOTION_NODE", Phase::rest, read_prescribed_motion, "ID"},
+    {"BOUNDARY_PRESCRIBED_MOTION_SET", Phase::rest, read_prescribed_motion, "ID"},
+    {"BOUNDARY_PRESCRIBED_MOTION_RIGID", Phase::rest, read_prescribed_motion, "ID"},
+    {"DEFINE_VECTOR", Phase::rest, read_vector, "TITLE"},
+    {"INITIAL_VELOCITY", Phase::rest, read_initial_velocity},
+    {"INITIAL_VELOCITY_NODE", Phase::rest, read_initial_velocity_node},
+    {"INITIAL_VELOCITY_GENERATION", Phase::rest, read_initial_velocity_generation},
+    {"INITIAL_VELOCITY_RIGID_BODY", Phase::rest, read_initial_velocity_rigid_body},
     {"RIGIDWALL_PLANAR", Phase::rest, read_rigid_wall, "ID ORTHO FINITE MOVING FORCES DISPLAY", true},
     {"RIGIDWALL_GEOMETRIC", Phase::rest, read_rigid_wall, "FLAT PRISM CYLINDER SPHERE INTERIOR MOTION DISPLAY ID",
      true},
@@ -168,6 +178,7 @@ void read_blocks(Context& context) {
   run(Phase::sets);
   resolve_sets(context);
   run(Phase::rest);
+  for (const Job& job : jobs[static_cast<std::size_t>(Phase::nodes)]) read_node_constraints(context, *job.block);
   finish_contacts(context);
 }
 
@@ -184,8 +195,14 @@ bool Model::rigid(PartIndex index) const {
   return part.material && materials[*part.material].rigid;
 }
 
+std::string Model::where(Place place) const {
+  if (place.file.value >= files.size()) return "an unknown place";
+  return fmt::format("line {} of {}", place.line, files[place.file.value]);
+}
+
 Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics) {
   Model model;
+  for (const keyword::SourceFile& file : deck.files()) model.files.push_back(file.path);
   Context context{deck, diagnostics, model, {}, {}, {}, 0};
   read_blocks(context);
   sort_faults(model.faults);

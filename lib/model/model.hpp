@@ -8,8 +8,10 @@
 #include "base/diagnostic.hpp"
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
+#include "model/boundary.hpp"
 #include "model/contact.hpp"
 #include "model/curve.hpp"
+#include "model/initial_velocity.hpp"
 #include "model/mesh.hpp"
 #include "model/part.hpp"
 #include "model/rigid_wall.hpp"
@@ -46,14 +48,23 @@ struct Model {
   std::vector<ContactExclusion> exclusions;
   std::map<std::int64_t, FrictionTable> friction_tables;
   std::vector<RigidGroup> rigid_groups;
-  std::vector<RigidWall> rigid_walls;  ///< in input order
+  std::vector<RigidWall> rigid_walls;       ///< in input order
+  std::vector<SinglePointConstraint> spcs;  ///< these and what follows: in input order
+  std::vector<NodeConstraint> node_constraints;
+  std::vector<PrescribedMotion> prescribed_motions;
+  std::map<std::int64_t, DirectionVector> vectors;
+  std::vector<InitialVelocity> initial_velocities;
+  std::vector<NodeVelocity> node_velocities;
   Controls controls;
+  std::vector<std::string> files;                         ///< paths, by FileIndex
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
   std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for
   std::uint64_t skipped_bytes = 0;
 
   [[nodiscard]] const Part& part(PartIndex index) const { return parts[index.value]; }
   [[nodiscard]] bool rigid(PartIndex index) const;
+  /// "line 40 of a.k"
+  [[nodiscard]] std::string where(Place place) const;
 };
 
 /// Builds the model from a deck's blocks. What cannot be read goes to `diagnostics` (an error there means exit code 2),

@@ -6,6 +6,7 @@
 
 #include "solver/build_rigid.hpp"
 #include "solver/gauss.hpp"
+#include "solver/nodal_mass.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -98,7 +99,7 @@ class Builder {
       const model::Section& section = model_.sections[*model_.part(part).section];
       while (own != shells.own_thickness.end() && own->shell < i) ++own;
       const bool has_own = own != shells.own_thickness.end() && own->shell == i;
-      const double thickness = mean_thickness(section.thickness, has_own ? &own->thickness : nullptr);
+      const double thickness = mean_thickness(section, has_own ? &own->thickness : nullptr);
       if (!(thickness > 0) || !std::isfinite(thickness))
         return fail(Failure::Kind::bad_element,
                     fmt::format("shell {} has the thickness {:g}; give its section one", shells.id[i], thickness));
@@ -109,12 +110,6 @@ class Builder {
         structure_.shells.add(shells.nodes[i], *positions_[part.value], thickness, i, structure_.state);
       }
     }
-  }
-
-  static double mean_thickness(const std::array<double, 4>& section, const std::array<double, 4>* own) {
-    double sum = 0;
-    for (std::size_t k = 0; k < 4; ++k) sum += own != nullptr && (*own)[k] > 0 ? (*own)[k] : section[k];
-    return sum / 4;
   }
 
   void add_solids() {

@@ -13,7 +13,10 @@ struct Failure {
     zero_mass,         ///< a force on a node that has no mass
     not_a_number,
     zero_time_step,
-    energy_ratio,  ///< energies that do not add up any more
+    energy_ratio,       ///< energies that do not add up any more
+    unknown_reference,  ///< a condition names a node, set, part, curve … that is not there
+    not_calculated,     ///< a condition that the solver does not know
+    contradiction,      ///< conditions that cannot hold together
   } kind;
   std::string message;  ///< names the entity and says what to do
 };

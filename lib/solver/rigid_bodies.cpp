@@ -32,21 +32,76 @@ void RigidBodies::set_motion(std::size_t body, const Vector& velocity, const Vec
   }
 }
 
-double RigidBodies::accelerate(const State& state, const Forces& net, double mean, bool first) {
-  std::vector<double> energy(bodies_.size());
+Imposed RigidBodies::Body::imposed(double time, double dt) const {
+  Imposed result;
+  result.freedoms = held;
+  for (const auto& [freedom, motion] : motions) {
+    if (!motion.active(time, dt)) continue;
+    result.freedoms |= 1u << freedom;
+    (freedom < 3 ? result.velocity : result.spin)[static_cast<int>(freedom % 3)] = motion.velocity(time, dt);
+  }
+  return result;
+}
+
+void RigidBodies::move(std::size_t body, std::size_t freedom, Motion motion) {
+  bodies_[body].motions.emplace_back(freedom, std::move(motion));
+}
+
+void RigidBodies::set_mass(std::size_t body, double mass, const Vector& center, const Matrix& inertia,
+                           const State& state) {
+  Body& entry = bodies_[body];
+  entry.body = RigidBody(mass, center, inertia);
+  for (std::size_t i = 0; i < entry.nodes.size(); ++i) entry.local[i] = state.x[entry.nodes[i].value] - center;
+}
+
+void RigidBodies::start(State& state) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const RigidBody& body = bodies_[b].body;
+    const Imposed imposed = bodies_[b].imposed(state.time, 0);
+    if (imposed.freedoms == 0) continue;
+    Vector velocity = body.velocity(), spin = body.angular_velocity();
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((imposed.freedoms >> axis & 1u) != 0) velocity[axis] = imposed.velocity[axis];
+      if ((imposed.freedoms >> (axis + 3) & 1u) != 0) spin[axis] = imposed.spin[axis];
+    }
+    set_motion(b, velocity, spin, state);
+  }
+  tell(state);
+}
+
+void RigidBodies::tell(State& state) const {
+  state.bodies.resize(bodies_.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const RigidBody& body = bodies_[b].body;
+    state.bodies[b] = {body.mass(), body.center(), body.velocity(), body.angular_momentum()};
+  }
+}
+
+BodyEnergies RigidBodies::accelerate(const State& state, const Forces& net, double mean, double next, bool first) {
+  std::vector<BodyEnergies> energy(bodies_.size());
   parallel_for(bodies_.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
-      Vector force = Vector::Zero(), torque = Vector::Zero();
-      for (const NodeIndex node : bodies_[b].nodes) {
+      Body& entry = bodies_[b];
+      RigidBody& body = entry.body;
+      Vector force = net.body_force[b], torque = net.body_moment[b];
+      for (const NodeIndex node : entry.nodes) {
         const Vector& push = net.force[node.value];
         force += push;
-        torque += net.moment[node.value] + (state.x[node.value] - bodies_[b].body.center()).cross(push);
+        torque += net.moment[node.value] + (state.x[node.value] - body.center()).cross(push);
       }
-      energy[b] = bodies_[b].body.accelerate(force, torque, mean, bodies_[b].held, first);
+      const Vector velocity = body.velocity(), spin = body.angular_velocity();
+      const Push push = body.accelerate(force, torque, mean, entry.imposed(state.time, next), first);
+      const Vector extra_force = net.body_force[b] + push.force, extra_torque = net.body_moment[b] + push.torque;
+      energy[b].kinetic = push.kinetic;
+      energy[b].work = state.dt / 2 * (entry.power + extra_force.dot(velocity) + extra_torque.dot(spin));
+      entry.power = extra_force.dot(body.velocity()) + extra_torque.dot(body.angular_velocity());
     }
   });
-  double sum = 0;
-  for (const double part : energy) sum += part;
+  BodyEnergies sum;
+  for (const BodyEnergies& part : energy) {
+    sum.kinetic += part.kinetic;
+    sum.work += part.work;
+  }
   return sum;
 }
 
@@ -64,6 +119,7 @@ void RigidBodies::move(State& state, double dt) {
       }
     }
   });
+  tell(state);
 }
 
 }  // namespace gapcheck::solver

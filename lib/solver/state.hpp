@@ -6,22 +6,32 @@
 
 namespace gapcheck::solver {
 
+/// A rigid body as forces see it.
+struct BodyState {
+  double mass = 0;
+  Vector center = Vector::Zero(), velocity = Vector::Zero(), angular_momentum = Vector::Zero();
+};
+
 /// Everything that moves; arrays by node. Velocities belong to the middle of the step that led to `time`
 /// (central difference), positions to `time` itself.
 struct State {
   std::vector<Vector> x, v, w;        ///< w: angular velocity
   std::vector<double> mass, inertia;  ///< lumped; inertia is the same about all axes
+  std::vector<BodyState> bodies;      ///< rigid bodies; what acts on them acts on their nodes or their centres
   double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
   double coming = 0;  ///< the step that the elements allow next; known when other forces are asked
   std::uint64_t cycle = 0;
 };
 
-/// Force and moment by node.
+/// Force and moment by node, and by rigid body at its centre.
 struct Forces {
   std::vector<Vector> force, moment;
-  void resize(std::size_t nodes) {
+  std::vector<Vector> body_force, body_moment;
+  void resize(std::size_t nodes, std::size_t bodies = 0) {
     force.assign(nodes, Vector::Zero());
     moment.assign(nodes, Vector::Zero());
+    body_force.assign(bodies, Vector::Zero());
+    body_moment.assign(bodies, Vector::Zero());
   }
 };
 

@@ -58,14 +58,15 @@ Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::m
   structure_.shells.finish(nodes);
   structure_.solids.finish(nodes);
   structure_.constraints.finish();
-  for (Forces* forces : {&external_, &before_, &net_}) forces->resize(nodes);
+  for (Forces* forces : {&external_, &before_, &net_}) forces->resize(nodes, structure_.rigid.size());
   // What is moved moves from the start.
   State& state = structure_.state;
   for (std::size_t i = 0; i < nodes; ++i)
     for (std::size_t freedom = 0; freedom < 6; ++freedom)
-      if ((structure_.constraints.mask(i) >> freedom & 1u) != 0)
+      if ((structure_.constraints.mask(i, state.time, 0) >> freedom & 1u) != 0)
         (freedom < 3 ? state.v : state.w)[i][static_cast<int>(freedom % 3)] =
-            structure_.constraints.velocity(i, freedom, state.time);
+            structure_.constraints.velocity(i, freedom, state.time, 0);
+  structure_.rigid.start(state);
 }
 
 std::optional<Failure> Stepper::check_elements(const Summary& shells, const Summary& solids) const {
@@ -91,7 +92,7 @@ std::optional<Failure> Stepper::evaluate(double& next) {
   }
   std::swap(before_, external_);
   const std::size_t nodes = state.x.size();
-  external_.resize(nodes);
+  external_.resize(nodes, structure_.rigid.size());
   next = settings_.time_step_factor * std::min(shells.manual_step, solids.manual_step);
   if (settings_.bounded_step) next = std::min({next, shells.stable_step, solids.stable_step});
   if (settings_.greatest_step > 0) next = std::min(next, settings_.greatest_step);
@@ -104,6 +105,8 @@ std::optional<Failure> Stepper::evaluate(double& next) {
     return Failure{Failure::Kind::zero_time_step,
                    fmt::format("the time step at time {:g} is {:g}; set a greatest step where no element limits it",
                                state.time, next)};
+  net_.body_force = external_.body_force;
+  net_.body_moment = external_.body_moment;
   parallel_for(nodes, 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       net_.force[i] = external_.force[i];
@@ -118,18 +121,18 @@ std::optional<Failure> Stepper::evaluate(double& next) {
 std::optional<Failure> Stepper::accelerate(double next) {
   State& state = structure_.state;
   const bool first = state.cycle == 0;
-  const double mean = (state.dt + next) / 2, middle = state.time + next / 2;
+  const double mean = (state.dt + next) / 2;
   for (const auto& other : others_)
     if (other->reacts()) other->react(state, mean, next, net_, external_);
   const auto sums = sum_over_blocks<NodeSums>(state.x.size(), [&](std::size_t begin, std::size_t end) {
     NodeSums sum;
     for (std::size_t i = begin; i < end; ++i) {
       const bool rigid = structure_.rigid.holds(i);  // moved by its body; other forces work on it all the same
-      const unsigned mask = rigid ? 0 : structure_.constraints.mask(i);
+      const unsigned mask = rigid ? 0 : structure_.constraints.mask(i, state.time, next);
       const double mass = rigid ? 0 : state.mass[i], inertia = rigid ? 0 : state.inertia[i];
       const auto imposed = [&](std::size_t offset) {
         return [&, offset](int axis) {
-          return structure_.constraints.velocity(i, offset + static_cast<std::size_t>(axis), middle);
+          return structure_.constraints.velocity(i, offset + static_cast<std::size_t>(axis), state.time, next);
         };
       };
       accelerate_node({mass, state.v[i], net_.force[i], external_.force[i], before_.force[i]}, mask & 7u, imposed(0),
@@ -143,8 +146,9 @@ std::optional<Failure> Stepper::accelerate(double next) {
     }
     return sum;
   });
-  energies_.kinetic = sums.kinetic + structure_.rigid.accelerate(state, net_, mean, first);
-  work_ += sums.work;
+  const BodyEnergies bodies = structure_.rigid.accelerate(state, net_, mean, next, first);
+  energies_.kinetic = sums.kinetic + bodies.kinetic;
+  work_ += sums.work + bodies.work;
   energies_.absorbed = {};
   for (const auto& other : others_) other->absorbed(energies_.absorbed);
   energies_.external = work_ + energies_.absorbed.sum();

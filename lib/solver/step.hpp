@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,7 +21,8 @@ struct Structure {
   ShellElements shells;
   SolidElements solids;
   RigidBodies rigid;
-  Constraints constraints;  ///< of nodes that are in no rigid body
+  Constraints constraints;                         ///< of nodes that are in no rigid body
+  std::map<std::int64_t, std::size_t> body_of_id;  ///< rigid bodies by the ids of their parts or nodal rigid bodies
   // Ids as in the deck, for messages.
   std::vector<std::int64_t> node_id, shell_id, solid_id;
 };

@@ -8,9 +8,9 @@ namespace gapcheck::model {
 namespace {
 
 TEST(Model, SkippedKeywordsAreCounted) {
-  const Read read =
-      read_text("*KEYWORD\n*TITLE\nabc\n*DEFINE_VECTOR\n1\n0.,0.\n*DEFINE_VECTOR\n2\n0.,0.\n*NODE\n1\n*END\n");
-  EXPECT_EQ(read.model.skipped_keywords.at("DEFINE_VECTOR"), 2u);
+  const Read read = read_text(
+      "*KEYWORD\n*TITLE\nabc\n*DEFINE_SD_ORIENTATION\n1\n0.,0.\n*DEFINE_SD_ORIENTATION\n2\n0.,0.\n*NODE\n1\n*END\n");
+  EXPECT_EQ(read.model.skipped_keywords.at("DEFINE_SD_ORIENTATION"), 2u);
   EXPECT_FALSE(read.model.skipped_keywords.contains("NODE"));
   EXPECT_GE(read.model.skipped_bytes, 2 * std::string("1\n0.,0.\n").size());
   EXPECT_EQ(read.text(), "");

@@ -35,7 +35,7 @@ TEST(RigidBody, FreeSpinKeepsMomentumAndEnergy) {
   const double energy = momentum.dot(body.angular_velocity()) / 2;
   bool tumbled = false;
   for (int i = 0; i < 20000; ++i) {
-    body.accelerate(Vector::Zero(), Vector::Zero(), 0.01, 0);
+    body.accelerate(Vector::Zero(), Vector::Zero(), 0.01, {});
     body.move(0.01);
     tumbled |= body.rotation()(1, 1) < -0.9;
   }
@@ -61,7 +61,7 @@ TEST(RigidBody, SteadySpin) {
 TEST(RigidBody, ForceTorqueAndHeldDirections) {
   RigidBody body = brick();
   for (int i = 0; i < 100; ++i) {
-    body.accelerate({3, 6, 0}, {0, 0, 2.5}, 0.01, 2);
+    body.accelerate({3, 6, 0}, {0, 0, 2.5}, 0.01, {.freedoms = 2});
     body.move(0.01);
   }
   EXPECT_NEAR(body.velocity().x(), 1, 1e-13);

@@ -177,7 +177,7 @@ TEST(Stepper, ConstantForceOnAMass) {
 // A node moved by force of a constraint: where it goes, and the work that it takes.
 TEST(Stepper, PrescribedVelocity) {
   Structure mass = structure_of(mass_deck);
-  mass.constraints.move(NodeIndex{0}, 1, {{{0, 0}, {1, 4}}});
+  mass.constraints.move(NodeIndex{0}, 1, Motion({{0, 0}, {1, 4}}));
   StepSettings settings;
   settings.greatest_step = 0.01;
   Stepper stepper(std::move(mass), settings);
@@ -225,7 +225,7 @@ TEST(Stepper, FailuresAreTold) {
   }
   {  // a brick pushed through itself: one face is moved by 1.5 of its length in one step
     Structure bar = structure_of(brick_bar(1, {1, 1, 1}) + elastic_deck(solid_section, 1, 0.3, 1));
-    const VelocityCurve inward{{{0.0, -150.0}, {1.0, -150.0}}};
+    const Motion inward({{0.0, -150.0}, {1.0, -150.0}});
     for (std::uint32_t i = 0; i < 8; ++i) bar.constraints.hold(NodeIndex{i}, 7);
     for (const std::uint32_t i : {1u, 3u, 5u, 7u}) bar.constraints.move(NodeIndex{i}, 0, inward);
     StepSettings wild = settings;

@@ -1,0 +1,18 @@
+#include "solver/conditions.hpp"
+
+#include "solver/condition_builder.hpp"
+
+namespace gapcheck::solver {
+
+std::optional<Failure> apply_conditions(const model::Model& model, Structure& structure,
+                                        std::vector<std::unique_ptr<Force>>& forces, Diagnostics& diagnostics) {
+  ConditionBuilder builder(model, structure, forces, diagnostics);
+  // Motions that begin with an acceleration start from the initial velocities.
+  for (const auto apply : {apply_boundary, apply_initial_velocities, apply_prescribed_motions}) {
+    apply(builder);
+    if (builder.failed()) break;
+  }
+  return builder.failure();
+}
+
+}  // namespace gapcheck::solver
