@@ -11,6 +11,7 @@
 #include "model/contact.hpp"
 #include "model/curve.hpp"
 #include "model/mesh.hpp"
+#include "model/output.hpp"
 #include "model/part.hpp"
 #include "model/rigid_wall.hpp"
 #include "model/sets.hpp"
@@ -34,6 +35,7 @@ struct RigidGroup {
 };
 
 struct Model {
+  std::string title;  ///< *TITLE
   Mesh mesh;
   std::vector<Part> parts;  ///< in input order
   std::map<std::int64_t, PartIndex> part_of_id;
@@ -48,6 +50,7 @@ struct Model {
   std::vector<RigidGroup> rigid_groups;
   std::vector<RigidWall> rigid_walls;  ///< in input order
   Controls controls;
+  Output output;
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
   std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for
   std::uint64_t skipped_bytes = 0;

@@ -14,6 +14,8 @@ struct Failure {
     not_a_number,
     zero_time_step,
     energy_ratio,  ///< energies that do not add up any more
+    no_end,        ///< neither the deck nor the caller says when the run ends
+    output,        ///< a result file that cannot be written
   } kind;
   std::string message;  ///< names the entity and says what to do
 };
