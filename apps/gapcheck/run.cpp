@@ -65,9 +65,9 @@ class Interruptible {
 class Watch : public solver::Run::Observer {
  public:
   Watch(solver::RunFiles& files, bool progress) : files_(files), progress_(progress) {}
-  std::optional<solver::Failure> observe(const solver::Run& run, bool last) override {
+  std::optional<solver::Failure> observe(const solver::Run& run, std::optional<solver::RunEnd> end) override {
     progress_.show(run);
-    return files_.observe(run, last);
+    return files_.observe(run, end);
   }
 
  private:
@@ -77,7 +77,7 @@ class Watch : public solver::Run::Observer {
 
 /// Keywords that nobody reads, each where it stands first.
 std::vector<Diagnostic> unread_keywords(const keyword::Deck& deck, const model::Model& model) {
-  constexpr std::string_view harmless[] = {"KEYWORD", "END", "DATABASE_", "CONTROL_", "PARAMETER", "COMMENT"};
+  constexpr std::string_view harmless[] = {"KEYWORD", "END", "DATABASE_", "CONTROL_", "PARAMETER", "COMMENT", "INCLUDE"};
   std::vector<Diagnostic> list;
   std::set<std::string> seen;
   for (const keyword::Block& block : deck.blocks()) {
@@ -111,11 +111,11 @@ bool fail(const solver::Failure& failure) {
 }
 
 /// Steps to the end and tells what came of it.
-bool calculate(solver::Run& run, const Arguments& arguments) {
+bool calculate(solver::Run& run, contact::SurfaceStore& surfaces, const Arguments& arguments) {
   solver::RunFilesSettings settings;
   settings.directory = arguments.directory;
   settings.program = "gapcheck " GAPCHECK_VERSION;
-  auto files = solver::RunFiles::create(run, std::move(settings));
+  auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
   if (const auto* failure = std::get_if<solver::Failure>(&files)) return fail(*failure);
   solver::RunEnd end{};
   {
@@ -163,7 +163,7 @@ int run_deck(const Arguments& arguments) {
     fail(*failure);
     return failed;
   }
-  return calculate(std::get<solver::Run>(run), arguments) ? clean : failed;
+  return calculate(std::get<solver::Run>(run), surfaces, arguments) ? clean : failed;
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ RunEnd Run::go(Observer& observer) {
   while (true) {
     failure_ = stepper_->begin_step();
     const std::optional<RunEnd> end = failure_ ? RunEnd::failed : end_reached();
-    if (auto problem = observer.observe(*this, end.has_value())) {
+    if (auto problem = observer.observe(*this, end)) {
       failure_ = std::move(problem);
       return RunEnd::failed;
     }

@@ -32,12 +32,12 @@ class Run {
   static std::variant<Run, Failure> prepare(const model::Model& model, contact::SurfaceStore& surfaces,
                                             const RunSettings& settings, Diagnostics& diagnostics);
 
-  /// What result files are told of: before the first step, at every step before the positions move on, and last.
+  /// What result files are told of: every step, before the positions move on.
   class Observer {
    public:
     virtual ~Observer() = default;
-    /// `last`: no further step follows. A failure ends the run.
-    [[nodiscard]] virtual std::optional<Failure> observe(const Run& run, bool last) = 0;
+    /// `end`: no further step follows, and why. A failure ends the run.
+    [[nodiscard]] virtual std::optional<Failure> observe(const Run& run, std::optional<RunEnd> end) = 0;
   };
 
   /// Steps until the end; the state then is that of the last observation. An observer's failure comes before the run's.

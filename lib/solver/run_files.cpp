@@ -11,7 +11,10 @@
 
 #include "results/matsum.hpp"
 #include "results/nodout.hpp"
+#include "results/run_log.hpp"
+#include "results/write_messag.hpp"
 #include "solver/plot.hpp"
+#include "solver/run_report.hpp"
 #include "solver/run_states.hpp"
 
 namespace gapcheck::solver {
@@ -22,6 +25,26 @@ Failure not_written(const std::string& path, const std::string& why) {
 }
 Failure not_written(const std::string& path) {
   return not_written(path, std::strerror(errno != 0 ? errno : EIO));
+}
+
+/// All of the text, and at once on the disk as far as other programs see it.
+bool write(std::FILE* file, const std::string& text) {
+  errno = 0;
+  return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
+}
+
+const char* reason(RunEnd end) {
+  switch (end) {
+    case RunEnd::time:
+      return "termination time reached";
+    case RunEnd::cycles:
+      return "termination cycle reached";
+    case RunEnd::stopped:
+      return "termination on request";
+    case RunEnd::failed:
+      break;
+  }
+  return "termination due to an error";
 }
 
 std::vector<results::LegendEntry> contact_titles(const model::Model& model) {
@@ -60,44 +83,86 @@ std::optional<Failure> RunFiles::open(Text& text, const std::string& header) {
   if (!text.interval.wanted()) return std::nullopt;
   errno = 0;
   text.file.reset(std::fopen(text.path.c_str(), "wb"));
-  if (!text.file || std::fputs(header.c_str(), text.file.get()) < 0 || std::fflush(text.file.get()) != 0)
-    return not_written(text.path);
+  if (!text.file || !write(text.file.get(), header)) return not_written(text.path);
   return std::nullopt;
 }
 
-std::variant<RunFiles, Failure> RunFiles::create(const Run& run, RunFilesSettings settings) {
+std::variant<RunFiles, Failure> RunFiles::create(const Run& run, contact::SurfaceStore& surfaces,
+                                                 RunFilesSettings settings) {
   RunFiles files;
   files.settings_ = std::move(settings);
   const std::string& directory = files.settings_.directory;
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) return Failure{Failure::Kind::output, fmt::format("{}: cannot be created: {}", directory, error.message())};
+  files.sizes_ = contact::element_sizes(run.model());
+  files.masses_ = std::make_unique<PartMasses>(run.model(), files.sizes_);
+  auto problem = files.open_logs(run, surfaces);
+  if (!problem) problem = files.open_texts(run);
+  if (!problem) problem = files.open_plot(run);
+  if (problem) return std::move(*problem);
+  return files;
+}
+
+std::optional<Failure> RunFiles::open_texts(const Run& run) {
   const model::Model& model = run.model();
   const model::Output output = output_intervals(model, run.end_time());
-  const results::FileHeader header{model.title, files.settings_.program};
-  const auto add = [&](const char* name, double interval, const std::string& text) {
-    files.texts_.push_back({name, {}, Interval(interval), nullptr});
-    return files.open(files.texts_.back(), text);
-  };
+  const results::FileHeader header{model.title, settings_.program};
   const auto contacts = contact_titles(model);
-  auto problem = add("glstat", output.glstat, results::glstat_header(header));
-  if (!problem) problem = add("matsum", output.matsum, results::matsum_header(header, part_titles(model)));
-  if (!problem) problem = add("nodout", output.nodout, results::nodout_header(header, node_titles(model)));
-  for (const auto& [name, interval] :
-       {std::pair("rcforc", output.rcforc), std::pair("sleout", output.sleout), std::pair("ncforc", output.ncforc)})
-    if (!problem) problem = add(name, interval, results::contact_header(header, contacts));
-  if (problem) return std::move(*problem);
-  files.sizes_ = contact::element_sizes(model);
-  files.masses_ = std::make_unique<PartMasses>(model, files.sizes_);
-  files.plot_interval_ = Interval(output.d3plot);
-  if (!files.plot_interval_.wanted()) return files;
+  std::optional<Failure> problem;
+  const auto add = [&](const char* name, double interval, const std::string& text) {
+    if (problem) return;
+    texts_.push_back({name, {}, Interval(interval), nullptr});
+    problem = open(texts_.back(), text);
+  };
+  add("glstat", output.glstat, results::glstat_header(header));
+  add("matsum", output.matsum, results::matsum_header(header, part_titles(model)));
+  add("nodout", output.nodout, results::nodout_header(header, node_titles(model)));
+  add("rcforc", output.rcforc, results::contact_header(header, contacts));
+  add("sleout", output.sleout, results::contact_header(header, contacts));
+  add("ncforc", output.ncforc, results::contact_header(header, contacts));
+  plot_interval_ = Interval(output.d3plot);
+  return problem;
+}
+
+std::optional<Failure> RunFiles::open_logs(const Run& run, contact::SurfaceStore& surfaces) {
+  const model::Model& model = run.model();
+  const results::FileHeader header{model.title, settings_.program};
+  const Report report = run_report(run, surfaces);
+  const std::string found =
+      results::message_blocks(report) + results::surface_timesteps(*report.predicted, report.contacts);
+  const std::string banner = results::log_banner(header);
+  for (const auto& [name, text] :
+       {std::pair("messag", banner + found),
+        std::pair("d3hsp", banner + results::contact_definitions(contact_definitions(model, surfaces)) + found +
+                               results::smallest_timesteps(element_steps(model, sizes_)))}) {
+    logs_.push_back({name, {}, Interval(1), nullptr});
+    if (auto problem = open(logs_.back(), text)) return problem;
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> RunFiles::open_plot(const Run& run) {
   results::D3plotWriteSettings form;
-  form.word_bytes = files.settings_.double_words ? 8 : 4;
-  auto plot = results::D3plotWriter::create((std::filesystem::path(directory) / "d3plot").string(),
-                                            plot_mesh(model, run.initial().x), part_titles(model), form);
+  form.word_bytes = settings_.double_words ? 8 : 4;
+  auto plot = results::D3plotWriter::create((std::filesystem::path(settings_.directory) / "d3plot").string(),
+                                            plot_mesh(run.model(), run.initial().x), part_titles(run.model()), form);
   if (!plot) return Failure{Failure::Kind::output, plot.error().file + ": " + plot.error().message};
-  files.plot_ = std::make_unique<results::D3plotWriter>(std::move(plot).value());
-  return files;
+  plot_ = std::make_unique<results::D3plotWriter>(std::move(plot).value());
+  return std::nullopt;
+}
+
+std::optional<Failure> RunFiles::log(const std::string& text) {
+  for (const Text& file : logs_)
+    if (!write(file.file.get(), text)) return not_written(file.path);
+  return std::nullopt;
+}
+
+std::optional<Failure> RunFiles::log_end(const Run& run, RunEnd end) {
+  const State& state = run.stepper().state();
+  std::string text;
+  if (run.failure()) text = results::error_block(run.failure()->message);
+  return log(text + results::log_end(end != RunEnd::failed, reason(end), state.time, state.cycle));
 }
 
 std::string RunFiles::state_text(std::size_t which, const Run& run) const {
@@ -137,28 +202,29 @@ std::optional<Failure> RunFiles::plot(const Run& run) {
   return std::nullopt;
 }
 
-std::optional<Failure> RunFiles::observe(const Run& run, bool last) {
-  const double time = run.stepper().state().time;
+std::optional<Failure> RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
+  const State& state = run.stepper().state();
   for (std::size_t i = 0; i < texts_.size(); ++i) {
     Text& text = texts_[i];
-    if (!text.file || !(text.interval.due(time) || last)) continue;
-    errno = 0;
-    if (std::fputs(state_text(i, run).c_str(), text.file.get()) < 0 || std::fflush(text.file.get()) != 0)
-      return not_written(text.path);
-    text.interval.written(time);
+    if (!text.file || !(text.interval.due(state.time) || end)) continue;
+    if (!write(text.file.get(), state_text(i, run))) return not_written(text.path);
+    text.interval.written(state.time);
   }
-  if (plot_ && (plot_interval_.due(time) || last)) {
-    plot_interval_.written(time);
-    return plot(run);
+  if (plot_interval_.due(state.time) || end) {
+    plot_interval_.written(state.time);
+    if (auto problem = log(results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), "write d3plot file")))
+      return problem;
+    if (auto problem = plot(run)) return problem;
   }
-  return std::nullopt;
+  return end ? log_end(run, *end) : std::nullopt;
 }
 
 std::vector<std::string> RunFiles::names() const {
   std::vector<std::string> list;
-  for (const Text& text : texts_)
-    if (text.file) list.push_back(text.name);
-  if (plot_) list.push_back("d3plot");
+  for (const auto* texts : {&logs_, &texts_})
+    for (const Text& text : *texts)
+      if (text.file) list.push_back(text.name);
+  list.push_back("d3plot");
   return list;
 }
 

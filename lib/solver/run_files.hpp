@@ -42,12 +42,13 @@ class Interval {
 /// where there are contacts, nodout only where there are nodes to follow.
 [[nodiscard]] model::Output output_intervals(const model::Model& model, double end_time);
 
-/// Writes a run's results into a directory, state by state: glstat, matsum, nodout, rcforc, sleout, ncforc, d3plot.
-/// Existing files of these names are replaced.
+/// Writes a run's results into a directory, state by state: messag, d3hsp, glstat, matsum, nodout, rcforc, sleout,
+/// ncforc, d3plot. Existing files of these names are replaced. Without ncforc or so in the deck old ones are removed.
 class RunFiles : public Run::Observer {
  public:
-  static std::variant<RunFiles, Failure> create(const Run& run, RunFilesSettings settings);
-  [[nodiscard]] std::optional<Failure> observe(const Run& run, bool last) override;
+  static std::variant<RunFiles, Failure> create(const Run& run, contact::SurfaceStore& surfaces,
+                                                RunFilesSettings settings);
+  [[nodiscard]] std::optional<Failure> observe(const Run& run, std::optional<RunEnd> end) override;
 
   /// Names of the files that are written.
   [[nodiscard]] std::vector<std::string> names() const;
@@ -67,11 +68,16 @@ class RunFiles : public Run::Observer {
 
   RunFiles() = default;
   [[nodiscard]] std::optional<Failure> open(Text& text, const std::string& header);
+  [[nodiscard]] std::optional<Failure> open_texts(const Run& run);
+  [[nodiscard]] std::optional<Failure> open_logs(const Run& run, contact::SurfaceStore& surfaces);
+  [[nodiscard]] std::optional<Failure> open_plot(const Run& run);
+  [[nodiscard]] std::optional<Failure> log(const std::string& text);
+  [[nodiscard]] std::optional<Failure> log_end(const Run& run, RunEnd end);
   [[nodiscard]] std::string state_text(std::size_t which, const Run& run) const;
   [[nodiscard]] std::optional<Failure> plot(const Run& run);
 
   RunFilesSettings settings_;
-  std::vector<Text> texts_;
+  std::vector<Text> texts_, logs_;  ///< logs: messag, d3hsp
   Interval plot_interval_;
   std::size_t plotted_ = 0;
   std::unique_ptr<results::D3plotWriter> plot_;
