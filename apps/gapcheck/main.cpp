@@ -16,7 +16,7 @@ namespace gapcheck::app {
 namespace {
 
 /// Commands that later versions will have: their names are taken, and say so.
-constexpr std::array<std::string_view, 2> later_commands{"run", "fix"};
+constexpr std::array<std::string_view, 1> later_commands{"fix"};
 
 int run(int argc, char** argv) {
   if (argc > 1 && std::find(later_commands.begin(), later_commands.end(), argv[1]) != later_commands.end()) {
@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   add_audit(app, action);
   add_messag(app, action);
   add_compare(app, action);
+  add_run(app, action);
   add_rules(app, action);
   add_explain(app, action);
   app.footer(

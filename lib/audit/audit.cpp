@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "audit/run_rules.hpp"
+#include "contact/record_tie.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -62,30 +63,12 @@ bool keep(const Finding& f, const std::vector<std::int64_t>& parts) {
   return std::any_of(parts.begin(), parts.end(), [&](std::int64_t id) { return id == f.part || id == f.element_part; });
 }
 
-TieFailure tie_failure(const contact::JudgedNode& judged, const model::Model& model) {
-  const model::Nodes& nodes = model.mesh.nodes;
-  TieFailure failure;
-  failure.contact = judged.contact;
-  failure.node = nodes.id[judged.node.value];
-  if (judged.part != none<PartIndex>) failure.part = model.part(judged.part).id.value;
-  if (judged.segment != contact::TieCandidate::no_segment) {
-    failure.segment_number = judged.segment + 1;
-    failure.distance = judged.distance;
-    failure.allowed = judged.allowed;
-  }
-  failure.reason = *judged.reason;
-  failure.by_node_set = judged.by_node_set;
-  failure.file = nodes.origins.file(judged.node.value).value;
-  failure.line = nodes.line[judged.node.value];
-  return failure;
-}
-
 /// Nodes that did not tie, or tied with a separation, as far as rules ask for them; by contact, reason, node.
 std::vector<TieFailure> tie_failures(const contact::InitialState& initial, const model::Model& model, const Context& context) {
   std::vector<TieFailure> list;
   for (const contact::JudgedNode& judged : initial.judged)
     if (judged.reason && context.wanted(*judged.reason) && context.part_chosen(judged.part))
-      list.push_back(tie_failure(judged, model));
+      list.push_back(contact::record_tie(judged, model));
   std::sort(list.begin(), list.end(), [](const TieFailure& a, const TieFailure& b) {
     return std::tie(a.contact, a.reason, a.node) < std::tie(b.contact, b.reason, b.node);
   });

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
+#include <tuple>
 
 #include "base/parallel.hpp"
 #include "contact/node_masses.hpp"
@@ -35,28 +35,49 @@ std::vector<double> speeds(const model::Model& model, const Speed& speed) {
   return of_part;
 }
 
-/// The smallest length / speed of one kind of element, if it is smaller than the one found so far.
+/// Length / speed of all elements of one kind; infinite for those that do not count.
 template <std::size_t N, class Length>
-void offer(ElementTimestep& best, model::ElementKind kind, const model::Elements<N>& elements,
-           const std::vector<double>& speed, const Length& length) {
-  std::mutex guard;
-  double smallest = std::numeric_limits<double>::infinity();
+std::vector<double> steps_of(const model::Elements<N>& elements, const std::vector<double>& speed,
+                             const Length& length) {
   std::vector<double> steps(elements.size());
   parallel_for(elements.size(), grain, [&](std::size_t begin, std::size_t end) {
-    double own = std::numeric_limits<double>::infinity();
     for (std::size_t i = begin; i < end; ++i) {
       const PartIndex part = elements.part[i];
       const double c = part == none<PartIndex> ? 0 : speed[part.value];
       const double step = c > 0 ? length(i) / c : 0;
       steps[i] = step > 0 ? step : std::numeric_limits<double>::infinity();
-      own = std::min(own, steps[i]);
     }
-    const std::lock_guard lock(guard);
-    smallest = std::min(smallest, own);
   });
-  if (!std::isfinite(smallest) || (best.timestep > 0 && smallest * (1 + same) >= best.timestep)) return;
-  const auto first = std::find_if(steps.begin(), steps.end(), [&](double s) { return s <= smallest * (1 + same); });
-  best = {*first, kind, static_cast<std::uint32_t>(first - steps.begin())};
+  return steps;
+}
+
+/// Calls take(kind, steps) for shells, solids, thick shells and beams.
+template <class Take>
+void for_each_kind(const model::Model& model, const ElementSizes& sizes, const Take& take) {
+  const model::Mesh& mesh = model.mesh;
+  const std::vector<Vector>& x = mesh.nodes.x;
+  const auto shell = speeds(model, [&](const model::Material& material, double density, const model::Part&) {
+    return shell_sound_speed(material, density, model.controls.isdo);
+  });
+  const auto solid = speeds(model, [](const model::Material& material, double density, const model::Part&) {
+    return solid_sound_speed(material, density);
+  });
+  const auto beam = speeds(model, [&](const model::Material& material, double density, const model::Part& part) {
+    const bool discrete = part.section && model.sections[*part.section].elform == discrete_beam;
+    return discrete ? 0 : beam_sound_speed(material, density);
+  });
+  take(model::ElementKind::shell,
+       steps_of(mesh.shells, shell, [&](std::size_t i) { return sizes.shell_length[i]; }));
+  take(model::ElementKind::solid, steps_of(mesh.solids, solid, [&](std::size_t i) {
+         return solid_length(mesh.solids.nodes[i], sizes.solid_volume[i], x);
+       }));
+  take(model::ElementKind::thick_shell, steps_of(mesh.thick_shells, solid, [&](std::size_t i) {
+         return solid_length(mesh.thick_shells.nodes[i], sizes.thick_shell_volume[i], x);
+       }));
+  take(model::ElementKind::beam, steps_of(mesh.beams, beam, [&](std::size_t i) {
+         const auto& [a, b] = mesh.beams.nodes[i];
+         return b == none<NodeIndex> ? 0 : (x[a.value] - x[b.value]).norm();
+       }));
 }
 
 }  // namespace
@@ -82,29 +103,32 @@ double solid_length(const std::array<NodeIndex, 8>& nodes, double volume, const 
 }
 
 ElementTimestep smallest_element_timestep(const model::Model& model, const ElementSizes& sizes) {
-  const model::Mesh& mesh = model.mesh;
-  const std::vector<Vector>& x = mesh.nodes.x;
   ElementTimestep best;
-  const auto shell = speeds(model, [&](const model::Material& material, double density, const model::Part&) {
-    return shell_sound_speed(material, density, model.controls.isdo);
-  });
-  const auto solid = speeds(model, [](const model::Material& material, double density, const model::Part&) {
-    return solid_sound_speed(material, density);
-  });
-  const auto beam = speeds(model, [&](const model::Material& material, double density, const model::Part& part) {
-    const bool discrete = part.section && model.sections[*part.section].elform == discrete_beam;
-    return discrete ? 0 : beam_sound_speed(material, density);
-  });
-  offer(best, model::ElementKind::shell, mesh.shells, shell, [&](std::size_t i) { return sizes.shell_length[i]; });
-  offer(best, model::ElementKind::solid, mesh.solids, solid,
-        [&](std::size_t i) { return solid_length(mesh.solids.nodes[i], sizes.solid_volume[i], x); });
-  offer(best, model::ElementKind::thick_shell, mesh.thick_shells, solid,
-        [&](std::size_t i) { return solid_length(mesh.thick_shells.nodes[i], sizes.thick_shell_volume[i], x); });
-  offer(best, model::ElementKind::beam, mesh.beams, beam, [&](std::size_t i) {
-    const auto& [a, b] = mesh.beams.nodes[i];
-    return b == none<NodeIndex> ? 0 : (x[a.value] - x[b.value]).norm();
+  for_each_kind(model, sizes, [&](model::ElementKind kind, const std::vector<double>& steps) {
+    const auto least = std::min_element(steps.begin(), steps.end());
+    if (least == steps.end() || !std::isfinite(*least)) return;
+    const double bound = *least * (1 + same);
+    if (best.timestep > 0 && bound >= best.timestep) return;
+    const auto first = std::find_if(steps.begin(), steps.end(), [&](double step) { return step <= bound; });
+    best = {*first, kind, static_cast<std::uint32_t>(first - steps.begin())};
   });
   return best;
+}
+
+std::vector<ElementTimestep> smallest_element_timesteps(const model::Model& model, const ElementSizes& sizes,
+                                                        std::size_t count) {
+  std::vector<ElementTimestep> list;
+  const auto before = [](const ElementTimestep& a, const ElementTimestep& b) {
+    return std::tie(a.timestep, a.kind, a.element) < std::tie(b.timestep, b.kind, b.element);
+  };
+  for_each_kind(model, sizes, [&](model::ElementKind kind, const std::vector<double>& steps) {
+    for (std::uint32_t i = 0; i < steps.size(); ++i)
+      if (std::isfinite(steps[i])) list.push_back({steps[i], kind, i});
+    const std::size_t kept = std::min(count, list.size());
+    std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(kept), list.end(), before);
+    list.resize(kept);
+  });
+  return list;
 }
 
 }  // namespace gapcheck::contact

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "contact/element_sizes.hpp"
 
@@ -25,5 +26,9 @@ struct ElementTimestep {
 /// of equal ones the first (shells, solids, thick shells, beams). Rigid parts and materials whose constants are not
 /// read have none. Source: LS-DYNA Theory Manual, time step control; no mass scaling.
 [[nodiscard]] ElementTimestep smallest_element_timestep(const model::Model& model, const ElementSizes& sizes);
+
+/// The `count` smallest of these steps, ascending; of equal ones the first.
+[[nodiscard]] std::vector<ElementTimestep> smallest_element_timesteps(const model::Model& model,
+                                                                      const ElementSizes& sizes, std::size_t count);
 
 }  // namespace gapcheck::contact

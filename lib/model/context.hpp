@@ -98,6 +98,9 @@ void read_control_contact(Context& context, const Block& block, const Options& o
 void read_control_shell(Context& context, const Block& block, const Options& options);
 void read_control_timestep(Context& context, const Block& block, const Options& options);
 void read_control_termination(Context& context, const Block& block, const Options& options);
+void read_title(Context& context, const Block& block, const Options& options);
+void read_database(Context& context, const Block& block, const Options& options);
+void read_history_nodes(Context& context, const Block& block, const Options& options);
 void read_friction_table(Context& context, const Block& block, const Options& options);
 
 /// Yield data of one material behind its first card (`card`, fields of ten columns by position); nothing where the

@@ -13,6 +13,7 @@
 #include "model/curve.hpp"
 #include "model/initial_velocity.hpp"
 #include "model/mesh.hpp"
+#include "model/output.hpp"
 #include "model/part.hpp"
 #include "model/rigid_wall.hpp"
 #include "model/sets.hpp"
@@ -36,6 +37,7 @@ struct RigidGroup {
 };
 
 struct Model {
+  std::string title;  ///< *TITLE
   Mesh mesh;
   std::vector<Part> parts;  ///< in input order
   std::map<std::int64_t, PartIndex> part_of_id;
@@ -56,6 +58,7 @@ struct Model {
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodeVelocity> node_velocities;
   Controls controls;
+  Output output;
   std::vector<std::string> files;                         ///< paths, by FileIndex
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
   std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for

@@ -14,6 +14,13 @@ void set_once(std::string& target, std::string_view value) {
   if (target.empty()) target = value;
 }
 
+/// "gapcheck 0.1.0": what the files of our own solver have in this place.
+bool is_own_stamp(std::string_view text) {
+  constexpr std::string_view words = "gapcheck ";
+  return text.starts_with(words) && text.size() > words.size() &&
+         text.find_first_not_of("0123456789.", words.size()) == std::string_view::npos;
+}
+
 /// The text without any blanks, as spaced-out headings are compared.
 std::string squeezed(std::string_view text) {
   std::string result(text);
@@ -41,6 +48,11 @@ bool RunFacts::banner_line(std::string_view text) {
 }
 
 bool RunFacts::version_stamp(std::string_view text, std::string_view line_before) {
+  if (is_own_stamp(text)) {
+    set_once(run_.title, trimmed(line_before));
+    set_once(run_.version, text);
+    return true;
+  }
   if (!text.starts_with("ls-dyna ")) return false;
   const std::size_t date = text.find(" date ");
   if (date == std::string_view::npos) return false;

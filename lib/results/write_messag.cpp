@@ -4,18 +4,14 @@
 
 #include <iterator>
 
+#include "results/fortran_number.hpp"
+
 namespace gapcheck::results {
 namespace {
 
 using Buffer = fmt::memory_buffer;
 
-/// Fortran's 1PE11.4: four decimals, a place for the sign, no letter before an exponent of three digits.
-std::string real(double value) {
-  std::string text = fmt::format("{: .4E}", value == 0 ? 0.0 : value);
-  const std::size_t letter = text.find('E');
-  if (letter != std::string::npos && text.size() - letter > 4) text.erase(letter, 1);
-  return text;
-}
+std::string real(double value) { return scientific(value == 0 ? 0.0 : value, 11, 4); }
 
 void coordinates(const char* which, std::int64_t node, const Vector& point, Buffer& out) {
   fmt::format_to(std::back_inserter(out), "     {} coordinates of slave node     = {}\n", which, node);
@@ -75,8 +71,11 @@ void tie(const TieFailure& failure, std::int64_t contact, Buffer& out) {
 }  // namespace
 
 std::string write_messag(const Report& report) {
+  return "\n gapcheck: penetrations and ties as a messag file lists them\n" + message_blocks(report);
+}
+
+std::string message_blocks(const Report& report) {
   Buffer out;
-  out.append(std::string_view("\n gapcheck: penetrations and ties as a messag file lists them\n"));
   const auto id = [&](std::uint32_t contact) {
     return contact < report.contacts.size() ? report.contacts[contact].id : std::int64_t{0};
   };

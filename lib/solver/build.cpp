@@ -27,7 +27,7 @@ class Builder {
     State& state = structure_.state;
     const model::Mesh& mesh = model_.mesh;
     const std::size_t nodes = mesh.nodes.size();
-    state.x = mesh.nodes.x;
+    state.x = settings_.x != nullptr ? *settings_.x : mesh.nodes.x;
     state.v.assign(nodes, Vector::Zero());
     state.w.assign(nodes, Vector::Zero());
     state.mass.assign(nodes, 0);

@@ -11,6 +11,9 @@ namespace gapcheck::solver {
 /// What the deck's keywords that are not read yet would say.
 struct BuildSettings {
   Hourglass shell_hourglass, solid_hourglass;
+  /// Coordinates of the nodes at the start, where they are not the deck's: those that the contacts' initialisation has
+  /// left. Beside the model's nodes.
+  const std::vector<Vector>* x = nullptr;
 };
 
 /// The solver's material: constants of the deck, yield curve resolved. The failure names the material.

@@ -17,6 +17,8 @@ struct Failure {
     unknown_reference,  ///< a condition names a node, set, part, curve … that is not there
     not_calculated,     ///< a condition that the solver does not know
     contradiction,      ///< conditions that cannot hold together
+    no_end,             ///< neither the deck nor the caller says when the run ends
+    output,             ///< a result file that cannot be written
   } kind;
   std::string message;  ///< names the entity and says what to do
 };

@@ -31,6 +31,7 @@ void ShellElements::finish(std::size_t nodes) {
   points_.assign(first_point_.back(), {});
   force_.assign(4 * size(), Vector::Zero());
   moment_.assign(4 * size(), Vector::Zero());
+  energy_.assign(size(), {});
   std::vector<NodeIndex> corners;
   corners.reserve(4 * size());
   for (std::size_t i = 0; i < size(); ++i)
@@ -62,6 +63,8 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
     force = forces.force[k];
     moment = forces.moment[k];
   }
+  summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(shell);
+  energy_[shell].add(summary);
   return summary;
 }
 

@@ -34,6 +34,9 @@ class ShellElements {
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::uint32_t origin(std::size_t shell) const { return origin_[shell]; }
+  [[nodiscard]] const std::array<NodeIndex, 4>& nodes(std::size_t shell) const { return nodes_[shell]; }
+  [[nodiscard]] const ShellProperties& properties(std::size_t shell) const { return properties_[which_[shell]]; }
+  [[nodiscard]] const ElementEnergy& energy(std::size_t shell) const { return energy_[shell]; }
   [[nodiscard]] const ShellState& state(std::size_t shell) const { return state_[shell]; }
   [[nodiscard]] std::span<const PointState> points(std::size_t shell) const {
     return {points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]};
@@ -50,6 +53,7 @@ class ShellElements {
   std::vector<std::uint64_t> first_point_{0};
   std::vector<PointState> points_;
   std::vector<Vector> force_, moment_;  ///< four places per shell
+  std::vector<ElementEnergy> energy_;
   CornerTable table_;
 };
 

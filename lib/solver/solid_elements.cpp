@@ -30,6 +30,7 @@ double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t p
 void SolidElements::finish(std::size_t nodes) {
   points_.assign(size(), {});
   force_.assign(8 * size(), Vector::Zero());
+  energy_.assign(size(), {});
   std::vector<NodeIndex> corners;
   corners.reserve(8 * size());
   for (std::size_t i = 0; i < size(); ++i)
@@ -61,6 +62,8 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
     summary.work += state.dt / 2 * (force + forces.force[k]).dot(corners.v[k]);
     force = forces.force[k];
   }
+  summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(solid);
+  energy_[solid].add(summary);
   return summary;
 }
 

@@ -30,6 +30,7 @@ class SolidElements {
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::uint32_t origin(std::size_t solid) const { return origin_[solid]; }
+  [[nodiscard]] const ElementEnergy& energy(std::size_t solid) const { return energy_[solid]; }
   [[nodiscard]] const PointState& point(std::size_t solid) const { return points_[solid]; }
 
  private:
@@ -41,6 +42,7 @@ class SolidElements {
   std::vector<SolidState> state_;
   std::vector<PointState> points_;
   std::vector<Vector> force_;  ///< eight places per solid
+  std::vector<ElementEnergy> energy_;
   CornerTable table_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gapcheck::solver {
 namespace {
@@ -82,6 +83,26 @@ std::optional<Failure> Stepper::check_elements(const Summary& shells, const Summ
   return std::nullopt;
 }
 
+/// The step that the elements allow; notes which of them is the shortest.
+double Stepper::element_step(const Summary& shells, const Summary& solids) {
+  double least = std::numeric_limits<double>::infinity();
+  control_ = {};
+  const auto take = [&](double step, StepControl::Kind kind, std::uint32_t origin) {
+    if (step >= least) return;
+    least = step;
+    control_ = {kind, origin};
+  };
+  const double factor = settings_.time_step_factor;
+  const auto consider = [&](const Summary& part, const auto& elements, StepControl::Kind kind) {
+    if (part.manual_at != nobody) take(factor * part.manual_step, kind, elements.origin(part.manual_at));
+    if (part.stable_at != nobody && settings_.bounded_step)
+      take(part.stable_step, kind, elements.origin(part.stable_at));
+  };
+  consider(shells, structure_.shells, StepControl::Kind::shell);
+  consider(solids, structure_.solids, StepControl::Kind::solid);
+  return least;
+}
+
 std::optional<Failure> Stepper::evaluate(double& next) {
   State& state = structure_.state;
   const Summary shells = structure_.shells.update(state), solids = structure_.solids.update(state);
@@ -93,13 +114,16 @@ std::optional<Failure> Stepper::evaluate(double& next) {
   std::swap(before_, external_);
   const std::size_t nodes = state.x.size();
   external_.resize(nodes, structure_.rigid.size());
-  next = settings_.time_step_factor * std::min(shells.manual_step, solids.manual_step);
-  if (settings_.bounded_step) next = std::min({next, shells.stable_step, solids.stable_step});
-  if (settings_.greatest_step > 0) next = std::min(next, settings_.greatest_step);
-  state.coming = next;
+  next = element_step(shells, solids);
+  double limit = settings_.greatest_step > 0 ? settings_.greatest_step : std::numeric_limits<double>::infinity();
+  state.coming = std::min(next, limit);
   for (const auto& other : others_) {
     other->add(state, external_);
-    next = std::min(next, other->stable_step());
+    limit = std::min(limit, other->stable_step());
+  }
+  if (!(limit >= next)) {
+    next = limit;
+    control_ = {};
   }
   if (!(next > settings_.least_step) || !std::isfinite(next))
     return Failure{Failure::Kind::zero_time_step,
@@ -187,12 +211,15 @@ void Stepper::move(double next) {
   ++state.cycle;
 }
 
+std::optional<Failure> Stepper::begin_step() {
+  if (auto failure = evaluate(next_)) return failure;
+  if (auto failure = accelerate(next_)) return failure;
+  return check_energy();
+}
+
 std::optional<Failure> Stepper::step() {
-  double next = 0;
-  if (auto failure = evaluate(next)) return failure;
-  if (auto failure = accelerate(next)) return failure;
-  if (auto failure = check_energy()) return failure;
-  move(next);
+  if (auto failure = begin_step()) return failure;
+  end_step();
   return std::nullopt;
 }
 

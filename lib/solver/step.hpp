@@ -38,6 +38,12 @@ struct StepSettings {
   double energy_tolerance = 0.1;
 };
 
+/// What sets the time step.
+struct StepControl {
+  enum class Kind : std::uint8_t { shell, solid, other } kind = Kind::other;  ///< other: a force or the greatest step
+  std::uint32_t element = 0;  ///< position in the model
+};
+
 /// Explicit time integration by central differences (Belytschko, Liu, Moran, 6.2): forces at tₙ, accelerations,
 /// velocities at tₙ + ½, positions at tₙ₊₁. Rotations are advanced by angular velocities; the elements need nothing
 /// else of them. The result is the same, bit for bit, for any number of threads.
@@ -50,6 +56,13 @@ class Stepper {
   /// One step; nothing is returned when it went well. After a failure the positions are those at which it was seen,
   /// and no further step should be made.
   [[nodiscard]] std::optional<Failure> step();
+  /// A step in two halves. begin_step() finds forces, energies and the velocities of the middle of the coming step; in
+  /// between everything else belongs to state().time. end_step() moves on.
+  [[nodiscard]] std::optional<Failure> begin_step();
+  void end_step() { move(next_); }
+  /// Between the halves: the coming step, and what sets it.
+  [[nodiscard]] double next_step() const { return next_; }
+  [[nodiscard]] const StepControl& control() const { return control_; }
   /// Steps until state().time has reached `time`.
   [[nodiscard]] std::optional<Failure> run_until(double time);
 
@@ -63,6 +76,7 @@ class Stepper {
 
  private:
   [[nodiscard]] std::optional<Failure> evaluate(double& next);
+  [[nodiscard]] double element_step(const Summary& shells, const Summary& solids);
   [[nodiscard]] std::optional<Failure> check_elements(const Summary& shells, const Summary& solids) const;
   [[nodiscard]] std::optional<Failure> accelerate(double next);
   [[nodiscard]] std::optional<Failure> check_energy();
@@ -73,6 +87,8 @@ class Stepper {
   std::vector<std::unique_ptr<Force>> others_;
   Forces external_, before_, net_;  ///< before_: external forces at the start of the step that led here
   Energies energies_;
+  double next_ = 0;
+  StepControl control_;
   double work_ = 0;  ///< of all forces that are not the elements'
   double largest_energy_ = 0;
 };

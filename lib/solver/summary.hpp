@@ -15,13 +15,25 @@ struct Summary {
   double stable_step = std::numeric_limits<double>::infinity();
   double work = 0, hourglass_work = 0;  ///< of the step; work includes the hourglass work
   std::uint32_t bad = nobody;           ///< first element without a usable shape
+  std::uint32_t manual_at = nobody, stable_at = nobody;  ///< the first elements with these steps
 
   void add(const Summary& other) {
+    if (other.manual_step < manual_step) manual_at = other.manual_at;
+    if (other.stable_step < stable_step) stable_at = other.stable_at;
     manual_step = std::min(manual_step, other.manual_step);
     stable_step = std::min(stable_step, other.stable_step);
     work += other.work;
     hourglass_work += other.hourglass_work;
     bad = std::min(bad, other.bad);
+  }
+};
+
+/// What one element has stored and dissipated since the start.
+struct ElementEnergy {
+  double internal = 0, hourglass = 0;
+  void add(const Summary& step) {
+    internal += step.work - step.hourglass_work;
+    hourglass += step.hourglass_work;
   }
 };
 

@@ -1,0 +1,206 @@
+#include "solver/run.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "commands.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "report/describe.hpp"
+#include "run_progress.hpp"
+#include "run_summary.hpp"
+#include "solver/run_files.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+struct Arguments {
+  std::string deck, directory;
+  std::string missing_includes = "error";
+  keyword::ReadOptions read;
+  double until = 0;
+  std::uint64_t cycles = 0;
+  std::size_t jobs = 0;
+  bool ignore_unsupported = false, quiet = false, stats = false;
+};
+
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+extern "C" void interrupt(int) { interrupted = true; }
+
+/// Ctrl-C asks the run to end while this lives; a second one kills.
+class Interruptible {
+ public:
+  Interruptible() {
+    struct sigaction action {};
+    action.sa_handler = interrupt;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    ::sigaction(SIGINT, &action, &before_);
+  }
+  ~Interruptible() { ::sigaction(SIGINT, &before_, nullptr); }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  struct sigaction before_ {};
+};
+
+/// Files and the progress line.
+class Watch : public solver::Run::Observer {
+ public:
+  Watch(solver::RunFiles& files, bool progress) : files_(files), progress_(progress) {}
+  std::optional<solver::Failure> observe(const solver::Run& run, std::optional<solver::RunEnd> end) override {
+    progress_.show(run);
+    return files_.observe(run, end);
+  }
+
+ private:
+  solver::RunFiles& files_;
+  RunProgress progress_;
+};
+
+/// Keywords that nobody reads, each where it stands first.
+std::vector<Diagnostic> unread_keywords(const keyword::Deck& deck, const model::Model& model) {
+  constexpr std::string_view harmless[] = {"KEYWORD", "END", "DATABASE_", "CONTROL_", "PARAMETER", "COMMENT", "INCLUDE"};
+  std::vector<Diagnostic> list;
+  std::set<std::string> seen;
+  for (const keyword::Block& block : deck.blocks()) {
+    const auto matches = [&](std::string_view name) { return block.name.starts_with(name); };
+    if (!model.skipped_keywords.contains(block.name) || std::any_of(std::begin(harmless), std::end(harmless), matches) ||
+        !seen.insert(block.name).second)
+      continue;
+    list.push_back({Severity::error, deck.files()[block.file.value].path, block.line,
+                    fmt::format("*{} is not calculated; leave it out, or run with --ignore-unsupported", block.name)});
+  }
+  return list;
+}
+
+/// True if the run may go on.
+bool tell_unsupported(std::vector<Diagnostic> list, const Arguments& arguments) {
+  for (Diagnostic& diagnostic : list) {
+    if (arguments.ignore_unsupported) diagnostic.severity = Severity::warning;
+    if (!arguments.ignore_unsupported || !arguments.quiet) print(diagnostic);
+  }
+  return list.empty() || arguments.ignore_unsupported;
+}
+
+void tell_output_notes(const keyword::Deck& deck, const model::Model& model, Diagnostics& diagnostics) {
+  for (const model::Output::Note& note : model.output.notes)
+    diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
+}
+
+bool fail(const solver::Failure& failure) {
+  print_error(failure.message);
+  return false;
+}
+
+/// Steps to the end and tells what came of it.
+bool calculate(solver::Run& run, contact::SurfaceStore& surfaces, const Arguments& arguments) {
+  solver::RunFilesSettings settings;
+  settings.directory = arguments.directory;
+  settings.program = "gapcheck " GAPCHECK_VERSION;
+  auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
+  if (const auto* failure = std::get_if<solver::Failure>(&files)) return fail(*failure);
+  solver::RunEnd end{};
+  {
+    const Interruptible interruptible;
+    Watch watch(std::get<solver::RunFiles>(files), !arguments.quiet);
+    end = run.go(watch);
+  }
+  if (run.failure()) fail(*run.failure());
+  if (!arguments.quiet) std::fputs(run_summary(run, end).c_str(), stdout);
+  if (arguments.stats) std::fputs(run_statistics(run).c_str(), stdout);
+  return end != solver::RunEnd::failed;
+}
+
+int run_deck(const Arguments& arguments) {
+  const JobLimit limit(arguments.jobs);
+  Diagnostics diagnostics;
+  std::optional<Progress> reading;
+  reading.emplace("reading " + report::printable(arguments.deck), !arguments.quiet);
+  const auto deck = keyword::read_deck(arguments.deck, arguments.read, diagnostics);
+  if (!deck) {
+    reading.reset();
+    print(deck.error());
+    return failed;
+  }
+  const auto model = model::read_model(deck.value(), diagnostics);
+  reading.reset();
+  if (!model || diagnostics.has_errors()) {
+    print(diagnostics, arguments.quiet);
+    if (!model) print(model.error());
+    return failed;
+  }
+  tell_output_notes(deck.value(), model.value(), diagnostics);
+  if (!tell_unsupported(unread_keywords(deck.value(), model.value()), arguments)) {
+    print(diagnostics, arguments.quiet);
+    return failed;
+  }
+  solver::RunSettings settings;
+  settings.until = arguments.until;
+  settings.cycles = arguments.cycles;
+  settings.stop = [] { return interrupted.load(); };
+  contact::SurfaceStore surfaces(model.value());
+  auto run = solver::Run::prepare(model.value(), surfaces, settings, diagnostics);
+  print(diagnostics, arguments.quiet);
+  if (const auto* failure = std::get_if<solver::Failure>(&run)) {
+    fail(*failure);
+    return failed;
+  }
+  return calculate(std::get<solver::Run>(run), surfaces, arguments) ? clean : failed;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("run", "Calculate a keyword deck with the verification solver");
+  command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
+  const CLI::Validator amount(check_amount, "");
+  command->add_option("-o", arguments->directory, "Directory for the result files; made where it is not there")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--until", arguments->until, "End time, instead of that of the deck")
+      ->check(amount)
+      ->type_name("T");
+  command->add_option("--cycles", arguments->cycles, "End after so many cycles")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}).description(""))
+      ->type_name("N");
+  command->add_flag("--ignore-unsupported", arguments->ignore_unsupported,
+                    "Run without the keywords that are not calculated");
+  command->add_flag("--quiet", arguments->quiet, "No summary, no warnings");
+  command->add_flag("--stats", arguments->stats, "Show counters and times");
+  command->add_option("-I", arguments->read.include_directories, "Further directory for *INCLUDE")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("DIR");
+  command->add_option("--missing-includes", arguments->missing_includes, "What to do about missing include files")
+      ->check(CLI::IsMember({"error", "skip"}))
+      ->capture_default_str();
+  add_jobs(*command, arguments->jobs);
+  command->callback([&action, arguments] {
+    action = [arguments] {
+      arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
+      return run_deck(*arguments);
+    };
+  });
+}
+
+}  // namespace gapcheck::app

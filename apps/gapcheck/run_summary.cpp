@@ -1,0 +1,67 @@
+#include "run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include "run_progress.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+const char* words(solver::RunEnd end) {
+  switch (end) {
+    case solver::RunEnd::time:
+      return "Normal end";
+    case solver::RunEnd::cycles:
+      return "Ended after the cycles asked for";
+    case solver::RunEnd::stopped:
+      return "Stopped on request";
+    case solver::RunEnd::failed:
+      break;
+  }
+  return "Ended with an error";
+}
+
+std::string row(const char* label, double value) { return fmt::format("  {:<24}{:>14.5g}\n", label, value); }
+
+std::string contact_rows(const solver::Run& run) {
+  if (run.contacts() == nullptr || run.contacts()->states().empty()) return "";
+  std::string text = fmt::format("\n  {:>10} {:>9} {:>9} {:>9} {:>12} {:>12} {:>12}\n", "contact", "touching", "released",
+                                 "moved", "energy A", "energy B", "friction");
+  for (const solver::ContactState& c : run.contacts()->states())
+    text += fmt::format("  {:>10} {:>9} {:>9} {:>9} {:>12.4g} {:>12.4g} {:>12.4g}\n",
+                        run.model().contacts[c.contact].id.value, c.touching, c.released, c.moved, c.energy_a, c.energy_b,
+                        c.friction);
+  return text;
+}
+
+}  // namespace
+
+std::string run_summary(const solver::Run& run, solver::RunEnd end) {
+  const solver::Stepper& stepper = run.stepper();
+  const solver::Energies& e = stepper.energies();
+  std::string text = fmt::format("{} at time {:g}, cycle {}, after {}.\n\n", words(end), stepper.state().time,
+                                 stepper.state().cycle, duration(run.seconds()));
+  text += row("kinetic energy", e.kinetic) + row("internal energy", e.internal) + row("hourglass energy", e.hourglass);
+  const auto add = [&](const char* label, double value) {
+    if (value != 0) text += row(label, value);
+  };
+  add("sliding energy", e.absorbed.sliding());
+  add("spring energy", e.absorbed.springs);
+  add("stonewall energy", e.absorbed.walls);
+  add("damping energy", e.absorbed.damping);
+  text += row("external work", e.external) + row("total energy", e.total()) + row("energy ratio", e.ratio());
+  return text + contact_rows(run);
+}
+
+std::string run_statistics(const solver::Run& run) {
+  const solver::Structure& structure = run.stepper().structure();
+  const auto cycles = static_cast<double>(run.stepper().state().cycle + 1);
+  const auto elements = static_cast<double>(structure.shells.size() + structure.solids.size());
+  std::string text = fmt::format("\n  shells {}, solids {}, rigid bodies {}\n", structure.shells.size(),
+                                 structure.solids.size(), structure.rigid.size());
+  text += fmt::format("  {:.3f} s, {:.3f} ms per cycle", run.seconds(), 1000 * run.seconds() / cycles);
+  if (elements > 0) text += fmt::format(", {:.1f} ns per element and cycle", 1e9 * run.seconds() / cycles / elements);
+  return text + "\n";
+}
+
+}  // namespace gapcheck::app

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "solver/run.hpp"
+
+namespace gapcheck::app {
+
+/// What a finished run did: end, cycles, energies, and one line per contact.
+[[nodiscard]] std::string run_summary(const solver::Run& run, solver::RunEnd end);
+
+/// Counters and times of the run, for --stats.
+[[nodiscard]] std::string run_statistics(const solver::Run& run);
+
+}  // namespace gapcheck::app

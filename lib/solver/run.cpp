@@ -1,0 +1,70 @@
+#include "solver/run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace gapcheck::solver {
+namespace {
+
+/// The end of the run as caller or deck have it.
+std::variant<double, Failure> end_of_run(const model::Model& model, const RunSettings& settings) {
+  const double time = settings.until > 0 ? settings.until : model.controls.endtim;
+  if (time > 0 && std::isfinite(time)) return time;
+  if (settings.cycles > 0) return std::numeric_limits<double>::infinity();
+  return Failure{Failure::Kind::no_end,
+                 "the deck gives no end time; set ENDTIM of *CONTROL_TERMINATION, or --until"};
+}
+
+}  // namespace
+
+std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::SurfaceStore& surfaces,
+                                        const RunSettings& settings, Diagnostics& diagnostics) {
+  Run run;
+  run.model_ = &model;
+  run.settings_ = settings;
+  const auto end = end_of_run(model, settings);
+  if (const auto* failure = std::get_if<Failure>(&end)) return *failure;
+  run.end_time_ = std::get<double>(end);
+  contact::InitialCounters counters;
+  run.initial_ = std::make_unique<contact::InitialState>(
+      contact::initialise_contacts(model, surfaces, contact::InitialOptions{}, counters));
+  for (const std::string& note : run.initial_->notes) diagnostics.warning("", 0, note);
+  BuildSettings build = settings.build;
+  if (build.x == nullptr) build.x = &run.initial_->x;
+  auto structure = build_structure(model, build, diagnostics);
+  if (auto* failure = std::get_if<Failure>(&structure)) return std::move(*failure);
+  StepSettings step = settings.step;
+  step.time_step_factor = model.controls.tssfac;
+  run.stepper_ = std::make_unique<Stepper>(std::get<Structure>(std::move(structure)), step);
+  return run;
+}
+
+std::optional<RunEnd> Run::end_reached() const {
+  const State& state = stepper_->state();
+  if (state.time >= end_time_) return RunEnd::time;
+  if (settings_.cycles > 0 && state.cycle >= settings_.cycles) return RunEnd::cycles;
+  if (settings_.stop && settings_.stop()) return RunEnd::stopped;
+  return std::nullopt;
+}
+
+RunEnd Run::go(Observer& observer) {
+  start_ = std::chrono::steady_clock::now();
+  while (true) {
+    failure_ = stepper_->begin_step();
+    const std::optional<RunEnd> end = failure_ ? RunEnd::failed : end_reached();
+    if (auto problem = observer.observe(*this, end)) {
+      failure_ = std::move(problem);
+      return RunEnd::failed;
+    }
+    if (end) return *end;
+    stepper_->end_step();
+  }
+}
+
+double Run::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,73 @@
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "contact/initial.hpp"
+#include "model/model.hpp"
+#include "solver/build.hpp"
+#include "solver/contact_source.hpp"
+#include "solver/step.hpp"
+
+namespace gapcheck::solver {
+
+struct RunSettings {
+  double until = 0;          ///< end time; 0: ENDTIM of *CONTROL_TERMINATION
+  std::uint64_t cycles = 0;  ///< greatest number of steps; 0: no limit
+  BuildSettings build;
+  StepSettings step;
+  std::function<bool()> stop;  ///< asked before every step; true ends the run
+};
+
+enum class RunEnd : std::uint8_t { time, cycles, stopped, failed };
+
+/// A calculation from a model to its end. The model must outlive it.
+class Run {
+ public:
+  /// Initialises the contacts, whose moved nodes start where that leaves them, and builds the structure with all that
+  /// acts on it. `surfaces`: of this model. What is calculated otherwise than the deck says goes to `diagnostics`.
+  static std::variant<Run, Failure> prepare(const model::Model& model, contact::SurfaceStore& surfaces,
+                                            const RunSettings& settings, Diagnostics& diagnostics);
+
+  /// What result files are told of: every step, before the positions move on.
+  class Observer {
+   public:
+    virtual ~Observer() = default;
+    /// `end`: no further step follows, and why. A failure ends the run.
+    [[nodiscard]] virtual std::optional<Failure> observe(const Run& run, std::optional<RunEnd> end) = 0;
+  };
+
+  /// Steps until the end; the state then is that of the last observation. An observer's failure comes before the run's.
+  RunEnd go(Observer& observer);
+
+  void add(std::unique_ptr<Force> force) { stepper_->add(std::move(force)); }
+  /// The contacts' own report; must live as long as the run.
+  void set_contacts(const ContactSource* contacts) { contacts_ = contacts; }
+
+  [[nodiscard]] const model::Model& model() const { return *model_; }
+  [[nodiscard]] const contact::InitialState& initial() const { return *initial_; }
+  [[nodiscard]] const Stepper& stepper() const { return *stepper_; }
+  [[nodiscard]] const ContactSource* contacts() const { return contacts_; }
+  [[nodiscard]] double end_time() const { return end_time_; }
+  [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
+  /// Seconds of wall clock since go() began.
+  [[nodiscard]] double seconds() const;
+
+ private:
+  Run() = default;
+  [[nodiscard]] std::optional<RunEnd> end_reached() const;
+
+  const model::Model* model_ = nullptr;
+  RunSettings settings_;
+  double end_time_ = 0;
+  std::unique_ptr<contact::InitialState> initial_;
+  std::unique_ptr<Stepper> stepper_;
+  const ContactSource* contacts_ = nullptr;
+  std::optional<Failure> failure_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,131 @@
+#include "solver/run_states.hpp"
+
+#include <cmath>
+
+#include "solver/plot.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+/// Acceleration of the coming step; of nodes of rigid bodies that of their forces alone, which says nothing: zero.
+Vector acceleration(const Vector& force, double mass, bool rigid) {
+  return rigid || !(mass > 0) ? Vector(Vector::Zero()) : Vector(force / mass);
+}
+
+void set_control(const Run& run, results::GlobalState& global) {
+  const model::Mesh& mesh = run.model().mesh;
+  const StepControl& control = run.stepper().control();
+  const auto name = [&](const char* what, const auto& elements) {
+    global.controlled_by = what;
+    global.element = elements.id[control.element];
+    global.part = run.model().part(elements.part[control.element]).id.value;
+  };
+  switch (control.kind) {
+    case StepControl::Kind::shell:
+      return name("shell", mesh.shells);
+    case StepControl::Kind::solid:
+      return name("solid", mesh.solids);
+    case StepControl::Kind::other:
+      global.controlled_by = "force";
+  }
+}
+
+/// Velocity of the centre of mass.
+Vector global_velocity(const State& state) {
+  double mass = 0;
+  Vector momentum = Vector::Zero();
+  for (std::size_t i = 0; i < state.x.size(); ++i) {
+    mass += state.mass[i];
+    momentum += state.mass[i] * state.v[i];
+  }
+  return mass > 0 ? Vector(momentum / mass) : Vector(Vector::Zero());
+}
+
+}  // namespace
+
+results::GlobalState global_state(const Run& run) {
+  const Stepper& stepper = run.stepper();
+  const Energies& e = stepper.energies();
+  results::GlobalState global;
+  global.cycle = stepper.state().cycle + 1;
+  global.time = stepper.state().time;
+  global.time_step = stepper.next_step();
+  global.kinetic = e.kinetic;
+  global.internal = e.internal;
+  global.hourglass = e.hourglass;
+  global.springs = e.absorbed.springs;
+  global.damping = e.absorbed.damping;
+  global.sliding = e.absorbed.sliding();
+  global.external = e.external;
+  global.total = e.total();
+  global.ratio = e.ratio();
+  if (!run.model().rigid_walls.empty()) global.walls.push_back({1, e.absorbed.walls});
+  global.velocity = global_velocity(stepper.state());
+  set_control(run, global);
+  return global;
+}
+
+std::vector<results::PartState> part_states(const Run& run, const PartMasses& masses) {
+  const std::vector<ElementEnergy> energies = part_energies(run.model(), run.stepper().structure());
+  const std::vector<PartMotion> motion = masses.motion(run.stepper().state());
+  std::vector<results::PartState> parts;
+  for (std::uint32_t i = 0; i < motion.size(); ++i) {
+    results::PartState part;
+    part.part = run.model().parts[i].id.value;
+    part.internal = energies[i].internal;
+    part.hourglass = energies[i].hourglass;
+    part.kinetic = motion[i].kinetic;
+    part.momentum = motion[i].momentum;
+    if (run.model().rigid(PartIndex{i}) && motion[i].mass > 0) part.velocity = motion[i].momentum / motion[i].mass;
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+std::vector<results::NodeState> node_states(const Run& run) {
+  const Structure& structure = run.stepper().structure();
+  const State& state = structure.state;
+  const Forces& net = run.stepper().net();
+  std::vector<results::NodeState> nodes;
+  for (const model::HistoryNode& entry : run.model().output.history_nodes) {
+    const std::uint32_t i = entry.node.value;
+    const bool rigid = structure.rigid.holds(i);
+    results::NodeState node;
+    node.node = run.model().mesh.nodes.id[i];
+    node.position = state.x[i];
+    node.displacement = state.x[i] - run.initial().x[i];
+    node.velocity = state.v[i];
+    node.acceleration = acceleration(net.force[i], state.mass[i], rigid);
+    node.angular_velocity = state.w[i];
+    node.angular_acceleration = acceleration(net.moment[i], state.inertia[i], rigid);
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+std::vector<results::InterfaceState> interface_states(const Run& run) {
+  std::vector<results::InterfaceState> list;
+  if (run.contacts() == nullptr) return list;
+  for (const ContactState& state : run.contacts()->states()) {
+    results::InterfaceState contact;
+    contact.contact = run.model().contacts[state.contact].id.value;
+    contact.single_surface = state.single_surface;
+    contact.force = {state.force_a, state.force_b};
+    contact.energy = {state.energy_a, state.energy_b};
+    contact.friction = state.friction;
+    list.push_back(contact);
+  }
+  return list;
+}
+
+std::vector<results::NodeForce> node_forces(const Run& run, std::size_t contact) {
+  std::vector<results::NodeForce> list;
+  for (const ContactNode& node : run.contacts()->nodes(contact)) {
+    if (node.kind != ContactNode::Kind::touching) continue;
+    list.push_back({run.model().mesh.nodes.id[node.node.value], node.force, run.stepper().state().x[node.node.value],
+                    node.pressure});
+  }
+  return list;
+}
+
+}  // namespace gapcheck::solver

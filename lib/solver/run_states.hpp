@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+#include "results/contact_forces.hpp"
+#include "results/glstat.hpp"
+#include "results/matsum.hpp"
+#include "results/nodout.hpp"
+#include "solver/part_masses.hpp"
+#include "solver/run.hpp"
+
+namespace gapcheck::solver {
+
+// What the text files of a run say at the time that is observed.
+
+[[nodiscard]] results::GlobalState global_state(const Run& run);
+/// By part of the model.
+[[nodiscard]] std::vector<results::PartState> part_states(const Run& run, const PartMasses& masses);
+/// Of the nodes of *DATABASE_HISTORY_NODE. Rotations are not followed: only angular velocities and accelerations.
+[[nodiscard]] std::vector<results::NodeState> node_states(const Run& run);
+[[nodiscard]] std::vector<results::InterfaceState> interface_states(const Run& run);
+/// Of one contact, by its position among the states.
+[[nodiscard]] std::vector<results::NodeForce> node_forces(const Run& run, std::size_t contact);
+
+}  // namespace gapcheck::solver
