@@ -85,6 +85,8 @@ void read_box(Context& context, const Block& block, const Options& options);
 void read_nodal_rigid_body(Context& context, const Block& block, const Options& options);
 void read_extra_nodes(Context& context, const Block& block, const Options& options);
 void read_rigid_bodies(Context& context, const Block& block, const Options& options);
+void read_spot_weld(Context& context, const Block& block, const Options& options);
+void read_generalized_weld(Context& context, const Block& block, const Options& options);
 void read_rigid_wall(Context& context, const Block& block, const Options& options);
 void read_contact(Context& context, const Block& block, const Options& options);
 void read_control_contact(Context& context, const Block& block, const Options& options);

@@ -85,6 +85,8 @@ constexpr Family families[] = {
     {"CONSTRAINED_NODAL_RIGID_BODY", Phase::rest, read_nodal_rigid_body, "TITLE SPC INERTIA OVERRIDE THERMAL"},
     {"CONSTRAINED_EXTRA_NODES", Phase::rest, read_extra_nodes, "NODE SET"},
     {"CONSTRAINED_RIGID_BODIES", Phase::rest, read_rigid_bodies, "SET"},
+    {"CONSTRAINED_SPOTWELD", Phase::rest, read_spot_weld, "ID FILTERED FORCE"},
+    {"CONSTRAINED_GENERALIZED_WELD_SPOT", Phase::rest, read_generalized_weld, "ID"},
     {"RIGIDWALL_PLANAR", Phase::rest, read_rigid_wall, "ID ORTHO FINITE MOVING FORCES DISPLAY", true},
     {"RIGIDWALL_GEOMETRIC", Phase::rest, read_rigid_wall, "FLAT PRISM CYLINDER SPHERE INTERIOR MOTION DISPLAY ID",
      true},
@@ -184,8 +186,13 @@ bool Model::rigid(PartIndex index) const {
   return part.material && materials[*part.material].rigid;
 }
 
+std::string Model::file(Place place) const {
+  return place.file.value < files.size() ? files[place.file.value] : std::string();
+}
+
 Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics) {
   Model model;
+  for (const keyword::SourceFile& file : deck.files()) model.files.push_back(file.path);
   Context context{deck, diagnostics, model, {}, {}, {}, 0};
   read_blocks(context);
   sort_faults(model.faults);

@@ -14,6 +14,7 @@
 #include "model/part.hpp"
 #include "model/rigid_wall.hpp"
 #include "model/sets.hpp"
+#include "model/weld.hpp"
 
 namespace gapcheck::model {
 
@@ -46,14 +47,18 @@ struct Model {
   std::vector<ContactExclusion> exclusions;
   std::map<std::int64_t, FrictionTable> friction_tables;
   std::vector<RigidGroup> rigid_groups;
+  std::vector<Weld> welds;             ///< in input order
   std::vector<RigidWall> rigid_walls;  ///< in input order
   Controls controls;
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
   std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for
   std::uint64_t skipped_bytes = 0;
+  std::vector<std::string> files;  ///< paths, by FileIndex
 
   [[nodiscard]] const Part& part(PartIndex index) const { return parts[index.value]; }
   [[nodiscard]] bool rigid(PartIndex index) const;
+  /// The path of a place's file; empty where there is none.
+  [[nodiscard]] std::string file(Place place) const;
 };
 
 /// Builds the model from a deck's blocks. What cannot be read goes to `diagnostics` (an error there means exit code 2),
