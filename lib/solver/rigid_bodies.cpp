@@ -42,7 +42,10 @@ double RigidBodies::accelerate(const State& state, const Forces& net, double mea
         force += push;
         torque += net.moment[node.value] + (state.x[node.value] - bodies_[b].body.center()).cross(push);
       }
-      energy[b] = bodies_[b].body.accelerate(force, torque, mean, bodies_[b].held, first);
+      Body& entry = bodies_[b];
+      const RigidBody before = entry.body;
+      energy[b] = entry.body.accelerate(force, torque, mean, entry.held, first);
+      if (entry.strength.limited()) entry.failing = link_fails(entry, before, state, net, mean);
     }
   });
   double sum = 0;
@@ -62,6 +65,7 @@ void RigidBodies::move(State& state, double dt) {
         state.v[node] = (state.x[node] - before.place(entry.local[i])) / dt;
         state.w[node] = spin;
       }
+      if (entry.failing) release(entry);
     }
   });
 }

@@ -1,0 +1,13 @@
+#include "solver/build_forces.hpp"
+
+#include "solver/rigid_walls.hpp"
+
+namespace gapcheck::solver {
+
+std::optional<Failure> add_walls_and_springs(const model::Model& model, const Structure& structure,
+                                             std::vector<std::unique_ptr<Force>>& forces, Diagnostics& diagnostics) {
+  if (!model.rigid_walls.empty()) forces.push_back(std::make_unique<RigidWalls>(model, structure, diagnostics));
+  return std::nullopt;
+}
+
+}  // namespace gapcheck::solver
