@@ -73,6 +73,7 @@ constexpr Family families[] = {
     {"MAT_ADD", Phase::properties, nullptr, "*"},
     {"MAT_THERMAL", Phase::properties, nullptr, "*"},
     {"DEFINE_CURVE", Phase::properties, read_curve, "TITLE"},
+    {"DEFINE_TABLE", Phase::properties, read_table, "TITLE 2D"},
     {"SET_NODE", Phase::sets, read_set, set_options, true},
     {"SET_PART", Phase::sets, read_set, set_options, true},
     {"SET_SEGMENT", Phase::sets, read_set, set_options, true},

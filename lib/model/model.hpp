@@ -41,6 +41,7 @@ struct Model {
   std::vector<Section> sections;
   std::vector<Material> materials;
   std::map<std::int64_t, Curve> curves;  ///< *DEFINE_CURVE
+  std::map<std::int64_t, Table> tables;  ///< *DEFINE_TABLE, *DEFINE_TABLE_2D
   Sets sets;
   std::map<std::int64_t, Box> boxes;
   std::vector<Contact> contacts;  ///< every *CONTACT_ that is an interface, in input order

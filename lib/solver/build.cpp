@@ -182,7 +182,6 @@ class Builder {
     };
     name("thick shells", mesh.thick_shells.size());
     name("beams", mesh.beams.size());
-    name("springs and dampers", mesh.discrete.size());
     name("particles", mesh.particles.size());
   }
 

@@ -11,8 +11,9 @@
 
 namespace gapcheck::solver {
 
-/// Adds the rigid walls of a deck to the forces. To be called when the structure has all
-/// its constraints. What is not calculated is named in `diagnostics`.
+/// Adds the rigid walls, springs and dampers of a deck to the forces. To be called when the structure has all its masses
+/// and constraints. What is not calculated is named in `diagnostics`; springs without a material that is calculated are
+/// a failure.
 [[nodiscard]] std::optional<Failure> add_walls_and_springs(const model::Model& model, const Structure& structure,
                                                            std::vector<std::unique_ptr<Force>>& forces,
                                                            Diagnostics& diagnostics);

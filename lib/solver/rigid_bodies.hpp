@@ -30,6 +30,10 @@ class RigidBodies {
   [[nodiscard]] std::size_t size() const { return bodies_.size(); }
   [[nodiscard]] const RigidBody& operator[](std::size_t body) const { return bodies_[body].body; }
   [[nodiscard]] bool holds(std::size_t node) const { return of_node_[node] != nobody; }
+  /// The body that holds a node, nullptr where none does.
+  [[nodiscard]] const RigidBody* of_node(std::size_t node) const {
+    return holds(node) ? &bodies_[of_node_[node]].body : nullptr;
+  }
 
   /// Lets a body of two nodes fail: its nodes then go on by themselves.
   void set_strength(std::size_t body, const LinkStrength& strength) { bodies_[body].strength = strength; }
