@@ -22,7 +22,7 @@ std::optional<WallPenetration> nearest_face(std::initializer_list<Face> faces, c
   const Face face =
       *std::min_element(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.depth < b.depth; });
   if (!(face.depth > tolerance) || !std::isfinite(face.depth)) return std::nullopt;
-  return WallPenetration{face.depth, x + face.depth * face.normal};
+  return WallPenetration{face.depth, x + face.depth * face.normal, face.normal};
 }
 
 /// Rounding of the deck's numbers is no penetration.
@@ -69,8 +69,11 @@ std::optional<WallPenetration> in_round(const model::RigidWall& wall, const Vect
 }  // namespace
 
 std::optional<WallPenetration> wall_penetration(const model::RigidWall& wall, const Vector& x) {
+  return wall_penetration(wall, x, touching(wall, x));
+}
+
+std::optional<WallPenetration> wall_penetration(const model::RigidWall& wall, const Vector& x, double tolerance) {
   if (!x.allFinite()) return std::nullopt;
-  const double tolerance = touching(wall, x);
   const Vector from_tail = x - wall.tail;
   switch (wall.shape) {
     case Shape::plane:

@@ -11,12 +11,17 @@ namespace gapcheck::contact {
 struct WallPenetration {
   double depth = 0;
   Vector surface = Vector::Zero();
+  Vector normal = Vector::Zero();  ///< of the wall there, away from its material
 };
 
 /// Nothing where the point is outside, touches (up to 1e-9 of the coordinates' size), or is no finite number. Behind a
 /// plane every depth counts; of a rectangle only what lies behind it along its normal. A prism, cylinder or sphere is
 /// deep by the distance to the nearest of its faces that is not at infinity.
 [[nodiscard]] std::optional<WallPenetration> wall_penetration(const model::RigidWall& wall, const Vector& x);
+
+/// The same where a point touches up to the depth `tolerance`.
+[[nodiscard]] std::optional<WallPenetration> wall_penetration(const model::RigidWall& wall, const Vector& x,
+                                                              double tolerance);
 
 /// The nodes that rigid walls stop. What all walls share is computed once.
 class WallNodes {

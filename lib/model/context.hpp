@@ -29,6 +29,8 @@ struct Context {
   RawSets sets;
   std::map<std::int64_t, std::uint32_t> section_of_id, material_of_id;
   std::uint32_t interfaces = 0;  ///< contacts so far that count
+  /// Rows of a *DEFINE_TABLE that wait for their curves, which follow it; last first.
+  std::vector<std::pair<std::int64_t, std::size_t>> waiting_rows = {};
 
   [[nodiscard]] static Place place(const keyword::Block& block, std::uint32_t line) { return {block.file, line}; }
   /// "line 40 of a.k"
@@ -80,6 +82,7 @@ void read_section_particle(Context& context, const Block& block, const Options& 
 void read_section_other(Context& context, const Block& block, const Options& options);
 void read_material(Context& context, const Block& block, const Options& options);
 void read_curve(Context& context, const Block& block, const Options& options);
+void read_table(Context& context, const Block& block, const Options& options);
 void read_set(Context& context, const Block& block, const Options& options);
 void read_box(Context& context, const Block& block, const Options& options);
 void read_nodal_rigid_body(Context& context, const Block& block, const Options& options);
@@ -92,6 +95,8 @@ void read_initial_velocity(Context& context, const Block& block, const Options& 
 void read_initial_velocity_node(Context& context, const Block& block, const Options& options);
 void read_initial_velocity_generation(Context& context, const Block& block, const Options& options);
 void read_initial_velocity_rigid_body(Context& context, const Block& block, const Options& options);
+void read_spot_weld(Context& context, const Block& block, const Options& options);
+void read_generalized_weld(Context& context, const Block& block, const Options& options);
 void read_rigid_wall(Context& context, const Block& block, const Options& options);
 void read_contact(Context& context, const Block& block, const Options& options);
 void read_control_contact(Context& context, const Block& block, const Options& options);

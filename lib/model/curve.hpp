@@ -15,4 +15,14 @@ struct Curve {
   Place place;
 };
 
+/// *DEFINE_TABLE and *DEFINE_TABLE_2D: curves, each for one value of a second variable.
+struct Table {
+  struct Row {
+    double value = 0;        ///< (value + OFFA) SFA
+    std::int64_t curve = 0;  ///< 0: none came
+  };
+  std::vector<Row> rows;  ///< as written; values should rise
+  Place place;
+};
+
 }  // namespace gapcheck::model

@@ -106,13 +106,29 @@ struct Shells : Elements<4> {
   std::vector<ShellOffset> own_offset;        ///< ascending by shell
 };
 
+/// What *ELEMENT_BEAM says beside part and end nodes.
+struct BeamValues {
+  NodeIndex third = none<NodeIndex>;      ///< N3, in the plane of the axes r and s
+  Vector orientation = Vector::Zero();    ///< _ORIENTATION: from the first node to a third one; zero: not given
+  bool released = false, shifted = false;  ///< pin releases RT1 … RR2; _OFFSET
+};
+
+/// What *ELEMENT_DISCRETE says beside part and nodes.
+struct DiscreteValues {
+  std::int64_t orientation = 0;  ///< VID; 0: along the line between the nodes
+  double scale = 1;              ///< S, on forces
+  double offset = 0;             ///< elongation (or angle) at the start
+};
+
 struct Mesh {
   Nodes nodes;
   Shells shells;
   Elements<8> solids;
   Elements<8> thick_shells;
   Elements<2> beams;                ///< the two end nodes
-  Elements<2> discrete;             ///< springs and dampers; the second node may be none
+  std::vector<BeamValues> beam_values;  ///< beside beams
+  Elements<2> discrete;             ///< springs and dampers; the second node may be none: the ground
+  std::vector<DiscreteValues> discrete_values;  ///< beside discrete
   Elements<1> masses;               ///< *ELEMENT_MASS; part may be none
   std::vector<double> mass_values;  ///< beside masses
   Elements<1> particles;            ///< *ELEMENT_SPH

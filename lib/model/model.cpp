@@ -73,6 +73,7 @@ constexpr Family families[] = {
     {"MAT_ADD", Phase::properties, nullptr, "*"},
     {"MAT_THERMAL", Phase::properties, nullptr, "*"},
     {"DEFINE_CURVE", Phase::properties, read_curve, "TITLE"},
+    {"DEFINE_TABLE", Phase::properties, read_table, "TITLE 2D"},
     {"SET_NODE", Phase::sets, read_set, set_options, true},
     {"SET_PART", Phase::sets, read_set, set_options, true},
     {"SET_SEGMENT", Phase::sets, read_set, set_options, true},
@@ -95,6 +96,8 @@ constexpr Family families[] = {
     {"INITIAL_VELOCITY_NODE", Phase::rest, read_initial_velocity_node},
     {"INITIAL_VELOCITY_GENERATION", Phase::rest, read_initial_velocity_generation},
     {"INITIAL_VELOCITY_RIGID_BODY", Phase::rest, read_initial_velocity_rigid_body},
+    {"CONSTRAINED_SPOTWELD", Phase::rest, read_spot_weld, "ID FILTERED FORCE"},
+    {"CONSTRAINED_GENERALIZED_WELD_SPOT", Phase::rest, read_generalized_weld, "ID"},
     {"RIGIDWALL_PLANAR", Phase::rest, read_rigid_wall, "ID ORTHO FINITE MOVING FORCES DISPLAY", true},
     {"RIGIDWALL_GEOMETRIC", Phase::rest, read_rigid_wall, "FLAT PRISM CYLINDER SPHERE INTERIOR MOTION DISPLAY ID",
      true},
@@ -207,6 +210,10 @@ bool Model::rigid(PartIndex index) const {
 std::string Model::where(Place place) const {
   if (place.file.value >= files.size()) return "an unknown place";
   return fmt::format("line {} of {}", place.line, files[place.file.value]);
+}
+
+std::string Model::file(Place place) const {
+  return place.file.value < files.size() ? files[place.file.value] : std::string();
 }
 
 Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics) {

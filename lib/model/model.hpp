@@ -17,6 +17,7 @@
 #include "model/part.hpp"
 #include "model/rigid_wall.hpp"
 #include "model/sets.hpp"
+#include "model/weld.hpp"
 
 namespace gapcheck::model {
 
@@ -44,12 +45,14 @@ struct Model {
   std::vector<Section> sections;
   std::vector<Material> materials;
   std::map<std::int64_t, Curve> curves;  ///< *DEFINE_CURVE
+  std::map<std::int64_t, Table> tables;  ///< *DEFINE_TABLE, *DEFINE_TABLE_2D
   Sets sets;
   std::map<std::int64_t, Box> boxes;
   std::vector<Contact> contacts;  ///< every *CONTACT_ that is an interface, in input order
   std::vector<ContactExclusion> exclusions;
   std::map<std::int64_t, FrictionTable> friction_tables;
   std::vector<RigidGroup> rigid_groups;
+  std::vector<Weld> welds;                  ///< in input order
   std::vector<RigidWall> rigid_walls;       ///< in input order
   std::vector<SinglePointConstraint> spcs;  ///< these and what follows: in input order
   std::vector<NodeConstraint> node_constraints;
@@ -63,11 +66,14 @@ struct Model {
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
   std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for
   std::uint64_t skipped_bytes = 0;
+  std::vector<std::string> files;  ///< paths, by FileIndex
 
   [[nodiscard]] const Part& part(PartIndex index) const { return parts[index.value]; }
   [[nodiscard]] bool rigid(PartIndex index) const;
   /// "line 40 of a.k"
   [[nodiscard]] std::string where(Place place) const;
+  /// The path of a place's file; empty where there is none.
+  [[nodiscard]] std::string file(Place place) const;
 };
 
 /// Builds the model from a deck's blocks. What cannot be read goes to `diagnostics` (an error there means exit code 2),

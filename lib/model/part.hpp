@@ -45,6 +45,13 @@ struct Part {
 
 enum class SectionKind : std::uint8_t { shell, solid, thick_shell, beam, discrete, particle, other };
 
+/// Cross-section of a beam. s and t are its axes across, moments of area are taken about them.
+struct BeamSection {
+  double area = 0, iss = 0, itt = 0, torsion = 0;  ///< torsion: J
+  double shear_area = 0;                           ///< 0: rigid against transverse shear
+  double line_mass = 0;                            ///< NSM: mass per length that is not of the material
+};
+
 struct Section {
   std::int64_t id = 0;
   SectionKind kind = SectionKind::other;
@@ -55,6 +62,9 @@ struct Section {
   double shrf = 1;                    ///< shells: factor on the transverse shear
   double beam_radius = 0;             ///< beams: outer diameter / 2 of a tube, otherwise √(A/π)
   double beam_area = 0;
+  std::optional<BeamSection> beam;    ///< where its constants are given, or follow from a rectangle or tube
+  bool torsional = false;             ///< discrete: DRO
+  bool limited = false;               ///< discrete: KD, V0, CL, FD, CDL or TDL are given
   Place place;
 };
 
@@ -64,6 +74,23 @@ struct Plasticity {
   double rate_c = 0, rate_p = 0;                  ///< Cowper and Symonds
   std::int64_t lcss = 0;                          ///< curve (or table) of yield stress over plastic strain
   std::vector<std::array<double, 2>> points = {}; ///< plastic strain, yield stress; EPSi and ESi as far as they are used
+  double failure_strain = 0;                      ///< FS, FAIL; 0 or from 1e20 on: none
+  std::int64_t lcsr = 0;                          ///< curve of a factor on the yield stress over the rate
+  bool viscoplastic = false;                      ///< VP = 1
+  double anisotropy = 1;                          ///< of 037: R as written, the Lankford parameter
+};
+
+/// Material of springs and dampers. Constants are those of translation, in the model's units; those of torsion are
+/// times the square of `length_factor`.
+struct DiscreteMaterial {
+  enum class Kind : std::uint8_t {
+    spring,           ///< S01: force = constant x elongation
+    damper,           ///< S02: force = constant x its rate
+    nonlinear_spring,  ///< S04: force by a curve over the elongation
+  } kind = Kind::spring;
+  double constant = 0;
+  double length_factor = 1;
+  std::int64_t curve = 0, rate_curve = 0;  ///< S04: LCD, LCR
 };
 
 struct Material {
@@ -77,6 +104,7 @@ struct Material {
   bool spotweld = false;       ///< MAT_SPOTWELD (100)
   bool fabric = false;         ///< MAT_FABRIC (034)
   std::optional<Plasticity> plasticity;
+  std::optional<DiscreteMaterial> discrete;
   Place place;
 };
 

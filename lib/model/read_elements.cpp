@@ -37,6 +37,41 @@ ElementRows read_layered(Context& context, const Block& block, bool angle_line) 
   return rows;
 }
 
+/// Beams as written, with what stands beside the end nodes.
+struct BeamRows {
+  ElementRows rows;
+  std::vector<BeamValues> values;
+};
+
+BeamRows read_beam_rows(Context& context, const Block& block, const Options& options) {
+  const CardLayout& layout = keyword::card_layout("ELEMENT_BEAM", "card1");
+  const CardLayout& direction = keyword::card_layout("ELEMENT_BEAM_ORIENTATION", "card1.2");
+  const std::size_t before =
+      options.count({"THICKNESS", "SECTION", "SCALAR", "SCALR", "PID", "OFFSET"}),
+                    behind = options.count({"WARPAGE", "ELBOW"});
+  BeamRows beams{{2, {}, {}}, {}};
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card card = reader.next(layout);
+    append_row(beams.rows, card, 2);
+    BeamValues& values = beams.values.emplace_back();
+    if (const auto third = context.model.mesh.nodes.lookup.find(card.integer("n3"))) values.third = NodeIndex(*third);
+    for (const std::string_view field : {"rt1", "rr1", "rt2", "rr2"})
+      if (card.integer(field) != 0) values.released = true;
+    values.shifted = options.has("OFFSET");
+    skip_lines(reader, static_cast<std::int64_t>(before));
+    if (options.has("ORIENTATION")) {
+      const Card vector = reader.next(direction);
+      const Vector written(vector.real("vx"), vector.real("vy"), vector.real("vz"));
+      const keyword::Transform& transform = context.transform(block);
+      values.orientation = transform.places ? Vector(transform.matrix * written) : written;
+    }
+    skip_lines(reader, static_cast<std::int64_t>(behind));
+  }
+  return beams;
+}
+
 /// Puts point masses behind those that are there; rows have one node each.
 void append_masses(Context& context, const Block& block, const ElementRows& rows, std::vector<double> values) {
   Mesh& mesh = context.model.mesh;
@@ -110,14 +145,31 @@ void read_beams(Context& context, const Block& block, const Options& options) {
   if (options.any({"THICKNESS", "SECTION"}))
     context.warning(Context::place(block, block.line),
                     fmt::format("*{}: the beams' own section data is not used; the part's section is", block.name));
-  const std::size_t extra =
-      options.count({"THICKNESS", "SECTION", "PID", "OFFSET", "ORIENTATION", "SCALAR", "SCALR", "WARPAGE", "ELBOW"});
-  append_elements(context, block, {"beam", 2}, read_rows_with(context, block, 2, extra), context.model.mesh.beams);
+  BeamRows beams = read_beam_rows(context, block, options);
+  Mesh& mesh = context.model.mesh;
+  const auto dropped = append_elements(context, block, {"beam", 2}, beams.rows, mesh.beams);
+  erase_column(dropped, beams.values);
+  mesh.beam_values.insert(mesh.beam_values.end(), beams.values.begin(), beams.values.end());
 }
 
 void read_discrete(Context& context, const Block& block, const Options& options) {
-  const ElementRows rows = read_rows_with(context, block, 2, options.count({"LCO"}));
-  append_elements(context, block, {"discrete element", 1}, rows, context.model.mesh.discrete);
+  const CardLayout& layout = keyword::card_layout("ELEMENT_DISCRETE", "card1");
+  const double length = context.transform(block).length_factor;
+  ElementRows rows{2, {}, {}};
+  std::vector<DiscreteValues> values;
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card card = reader.next(layout);
+    append_row(rows, card, 2);
+    const double scale = card.real("s");
+    values.push_back({card.integer("vid"), scale == 0 ? 1 : scale, length * card.real("offset")});
+    if (options.has("LCO")) reader.skip();
+  }
+  Mesh& mesh = context.model.mesh;
+  const auto dropped = append_elements(context, block, {"discrete element", 1}, rows, mesh.discrete);
+  erase_column(dropped, values);
+  mesh.discrete_values.insert(mesh.discrete_values.end(), values.begin(), values.end());
 }
 
 void read_masses(Context& context, const Block& block, const Options&) {
@@ -185,8 +237,8 @@ void finish_elements(Context& context) {
   }
   finish_kind(context, "solid", mesh.solids);
   finish_kind(context, "thick shell", mesh.thick_shells);
-  finish_kind(context, "beam", mesh.beams);
-  finish_kind(context, "discrete element", mesh.discrete);
+  finish_kind(context, "beam", mesh.beams, mesh.beam_values);
+  finish_kind(context, "discrete element", mesh.discrete, mesh.discrete_values);
   finish_kind(context, "mass", mesh.masses, mesh.mass_values);
   finish_kind(context, "SPH particle", mesh.particles);
   check_part_references(context);

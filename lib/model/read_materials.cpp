@@ -89,6 +89,17 @@ constexpr ElasticFields materials[] = {
     {"MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "123", 2, 3, 0},
     {"ARUP_ADHESIVE", "169", 2, 3, 0},
     {"SIMPLIFIED_RUBBER", "181", 0, 0, 2},
+    {"SPRING_ELASTIC", "S01", 0, 0, 0},
+    {"DAMPER_VISCOUS", "S02", 0, 0, 0},
+    {"SPRING_ELASTOPLASTIC", "S03", 0, 0, 0},
+    {"SPRING_NONLINEAR_ELASTIC", "S04", 0, 0, 0},
+    {"DAMPER_NONLINEAR_VISCOUS", "S05", 0, 0, 0},
+    {"SPRING_GENERAL_NONLINEAR", "S06", 0, 0, 0},
+    {"SPRING_MAXWELL", "S07", 0, 0, 0},
+    {"SPRING_INELASTIC", "S08", 0, 0, 0},
+    {"SPRING_TRILINEAR_DEGRADING", "S13", 0, 0, 0},
+    {"SPRING_SQUAT_SHEARWALL", "S14", 0, 0, 0},
+    {"SPRING_MUSCLE", "S15", 0, 0, 0},
 };
 
 /// `name` is `prefix`, or goes on with an option behind it.
@@ -124,6 +135,35 @@ std::string padded_number(std::string_view name) {
   return std::string(3 - digits, '0') + std::string(name);
 }
 
+/// Springs and dampers have no density: their constants stand in its place.
+bool is_discrete(const ElasticFields* known) { return known != nullptr && known->number.starts_with('S'); }
+
+std::optional<DiscreteMaterial> discrete_material(const Context& context, const Block& block, const Card& card,
+                                                  std::string_view name) {
+  using Kind = DiscreteMaterial::Kind;
+  const keyword::Transform& units = context.transform(block);
+  const double time = units.time_factor;
+  DiscreteMaterial material;
+  material.length_factor = units.length_factor;
+  if (name == "SPRING_ELASTIC") {
+    material.constant = card.real(1) * units.mass_factor / (time * time);
+  } else if (name == "DAMPER_VISCOUS") {
+    material.kind = Kind::damper;
+    material.constant = card.real(1) * units.mass_factor / time;
+  } else if (name == "SPRING_NONLINEAR_ELASTIC") {
+    material.kind = Kind::nonlinear_spring;
+    const CardLayout& layout = keyword::card_layout("MAT_SPRING_NONLINEAR_ELASTIC", "card1");
+    CardReader reader(context.deck, block, context.diagnostics);
+    while (!reader.at_end() && reader.peek_line() < card.line()) reader.skip();
+    const Card curves = reader.next(layout);
+    material.curve = curves.integer("lcd");
+    material.rate_curve = curves.integer("lcr");
+  } else {
+    return std::nullopt;
+  }
+  return material;
+}
+
 }  // namespace
 
 void read_material(Context& context, const Block& block, const Options& options) {
@@ -152,8 +192,11 @@ void read_material(Context& context, const Block& block, const Options& options)
   const double length = units.length_factor;
   const double stress = units.mass_factor / (length * units.time_factor * units.time_factor);
   const auto field = [&](std::size_t index) { return index == 0 ? 0.0 : card.real(index); };
-  material.density = card.real(1) * units.mass_factor / (length * length * length);
-  if (known != nullptr) {
+  if (is_discrete(known))
+    material.discrete = discrete_material(context, block, card, known->name);
+  else
+    material.density = card.real(1) * units.mass_factor / (length * length * length);
+  if (known != nullptr && !is_discrete(known)) {
     material.young = field(known->young) * stress;
     material.poisson = field(known->poisson);
     material.bulk = field(known->bulk) * stress;

@@ -42,7 +42,9 @@ bool read_shape(CardReader& reader, const Options& options, bool planar, RigidWa
   if (planar) {
     if (options.has("ORTHO")) skip_lines(reader, 2);
     const bool good = !options.has("FINITE") || set_edges(reader.next(edges), wall);
-    skip_lines(reader, static_cast<std::int64_t>(options.count({"MOVING", "FORCES"})));
+    skip_lines(reader, static_cast<std::int64_t>(options.count({"MOVING"})));
+    if (options.has("FORCES"))
+      wall.soft = reader.next(keyword::card_layout("RIGIDWALL_PLANAR_FORCES", "card3")).integer("soft");
     return good;
   }
   bool good = true;
@@ -84,6 +86,7 @@ void place_wall(const keyword::Transform& transform, RigidWall& wall) {
 bool read_wall(Context& context, const Block& block, CardReader& reader, const Options& options, RigidWall& wall) {
   const bool planar = block.name.starts_with("RIGIDWALL_PLANAR");
   wall.place = Context::place(block, block.line);
+  wall.keyword = block.name;
   wall.id = static_cast<std::int64_t>(context.model.rigid_walls.size()) + 1;
   if (options.has("ID")) {
     const Card card = reader.next(keyword::card_layout("RIGIDWALL_GEOMETRIC", "ID"));
@@ -95,13 +98,18 @@ bool read_wall(Context& context, const Block& block, CardReader& reader, const O
   wall.node_set = card1.integer("nsid");
   wall.exempted_set = card1.integer("nsidex");
   wall.box = card1.integer("boxid");
-  wall.birth = card1.real("birth");
+  const double time = context.transform(block).time_factor;
+  wall.birth = card1.real("birth") * time;
+  wall.death = card1.real("death") * time;
   if (planar) wall.offset = card1.real("offset");
   const Card card2 = reader.next(keyword::card_layout("RIGIDWALL_GEOMETRIC", "card2"));
   if (!card2.present()) {
     context.error(wall.place, fmt::format("*{}: the card with tail and head is missing", block.name));
     return false;
   }
+  wall.friction = card2.real("fric");
+  wall.moving = options.any({"MOVING", "MOTION"});
+  wall.orthotropic = options.has("ORTHO");
   wall.shape = shape_of(options);
   wall.interior = options.has("INTERIOR");
   wall.tail = point_at(card2, "xt", "yt", "zt");

@@ -31,7 +31,12 @@ struct RigidWall {
   std::int64_t exempted_set = 0;  ///< nodes taken out again; 0: none
   std::int64_t box = 0;           ///< only nodes inside; 0: no box
   double offset = 0;              ///< planar walls: only nodes within this distance; 0: any distance
-  double birth = 0;
+  double birth = 0, death = 0;    ///< active in between; death 0: for ever
+  double friction = 0;            ///< FRIC: 0 smooth, below 1 Coulomb, 1 no sliding; 2 and 3 weld what comes fast
+  bool moving = false;            ///< _MOVING, _MOTION
+  bool orthotropic = false;       ///< _ORTHO: friction differs by direction
+  std::int64_t soft = 0;          ///< _FORCES: cycles over which the velocity is taken
+  std::string keyword;            ///< "RIGIDWALL_PLANAR_FINITE"
   Place place;
 };
 

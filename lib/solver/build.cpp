@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "solver/build_rigid.hpp"
+#include "solver/build_welds.hpp"
 #include "solver/gauss.hpp"
 #include "solver/nodal_mass.hpp"
 
@@ -40,6 +41,7 @@ class Builder {
     if (!failure_) add_solids();
     add_masses();
     if (!failure_) build_rigid_bodies(model_, std::move(rigid_), structure_);
+    if (!failure_) build_welds(model_, structure_, diagnostics_);
     name_what_is_left_out();
     if (failure_) return *failure_;
     return std::move(structure_);
@@ -175,7 +177,6 @@ class Builder {
     };
     name("thick shells", mesh.thick_shells.size());
     name("beams", mesh.beams.size());
-    name("springs and dampers", mesh.discrete.size());
     name("particles", mesh.particles.size());
   }
 

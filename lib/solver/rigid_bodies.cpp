@@ -90,11 +90,13 @@ BodyEnergies RigidBodies::accelerate(const State& state, const Forces& net, doub
         torque += net.moment[node.value] + (state.x[node.value] - body.center()).cross(push);
       }
       const Vector velocity = body.velocity(), spin = body.angular_velocity();
+      const RigidBody before = body;
       const Push push = body.accelerate(force, torque, mean, entry.imposed(state.time, next), first);
       const Vector extra_force = net.body_force[b] + push.force, extra_torque = net.body_moment[b] + push.torque;
       energy[b].kinetic = push.kinetic;
       energy[b].work = state.dt / 2 * (entry.power + extra_force.dot(velocity) + extra_torque.dot(spin));
       entry.power = extra_force.dot(body.velocity()) + extra_torque.dot(body.angular_velocity());
+      if (entry.strength.limited()) entry.failing = link_fails(entry, before, state, net, mean);
     }
   });
   BodyEnergies sum;
@@ -117,6 +119,7 @@ void RigidBodies::move(State& state, double dt) {
         state.v[node] = (state.x[node] - before.place(entry.local[i])) / dt;
         state.w[node] = spin;
       }
+      if (entry.failing) release(entry);
     }
   });
   tell(state);

@@ -18,6 +18,14 @@ struct BodyEnergies {
   double kinetic = 0, work = 0;
 };
 
+/// When a rigid link of two nodes fails: at (fn / normal)^p + (|fs| / shear)^q >= 1, with the tension fn along the link
+/// and the force fs across it (all of it where the nodes lie on one another), or at a time. Zero: never by that.
+struct LinkStrength {
+  double normal = 0, shear = 0, normal_power = 1, shear_power = 1;
+  double time = 0;
+  [[nodiscard]] bool limited() const { return normal > 0 || shear > 0 || time > 0; }
+};
+
 /// The rigid bodies of a structure and the nodes that go with them.
 class RigidBodies {
  public:
@@ -50,6 +58,14 @@ class RigidBodies {
   [[nodiscard]] const std::vector<std::pair<std::size_t, Motion>>& motions(std::size_t body) const {
     return bodies_[body].motions;
   }
+  /// The body that holds a node, nullptr where none does.
+  [[nodiscard]] const RigidBody* of_node(std::size_t node) const {
+    return holds(node) ? &bodies_[of_node_[node]].body : nullptr;
+  }
+
+  /// Lets a body of two nodes fail: its nodes then go on by themselves.
+  void set_strength(std::size_t body, const LinkStrength& strength) { bodies_[body].strength = strength; }
+  [[nodiscard]] bool failed(std::size_t body) const { return bodies_[body].nodes.empty(); }
 
   /// Velocities for the step `next` from the forces over `mean`. `first`: the first cycle.
   BodyEnergies accelerate(const State& state, const Forces& net, double mean, double next, bool first);
@@ -65,11 +81,17 @@ class RigidBodies {
     std::vector<Vector> local;  ///< of the nodes, from the centre, at the start
     unsigned held = 0;
     std::vector<std::pair<std::size_t, Motion>> motions;
+    LinkStrength strength;
+    bool failing = false;
     double power = 0;  ///< of forces at the centre and imposed motions at the start of the present step
     /// What is imposed in the step from `time` over dt.
     [[nodiscard]] Imposed imposed(double time, double dt) const;
   };
   void tell(State& state) const;
+  /// Whether the link's force reaches its strength; `before`: the body before it was accelerated.
+  static bool link_fails(const Body& entry, const RigidBody& before, const State& state, const Forces& net,
+                         double mean);
+  void release(Body& entry);
   std::vector<Body> bodies_;
   std::vector<std::uint32_t> of_node_;
 };

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/build_forces.hpp"
+#include "solver/conditions.hpp"
+
 namespace gapcheck::solver {
 namespace {
 
@@ -15,6 +18,15 @@ std::variant<double, Failure> end_of_run(const model::Model& model, const RunSet
   if (settings.cycles > 0) return std::numeric_limits<double>::infinity();
   return Failure{Failure::Kind::no_end,
                  "the deck gives no end time; set ENDTIM of *CONTROL_TERMINATION, or --until"};
+}
+
+/// By node: nothing keeps it where it is, so that the shooting-node logic may move it.
+std::vector<bool> movable_nodes(const Structure& structure) {
+  constexpr unsigned translations = 7;
+  std::vector<bool> movable(structure.state.x.size());
+  for (std::size_t i = 0; i < movable.size(); ++i)
+    movable[i] = !structure.rigid.holds(i) && (structure.constraints.mask(i) & translations) != translations;
+  return movable;
 }
 
 }  // namespace
@@ -37,7 +49,15 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   if (auto* failure = std::get_if<Failure>(&structure)) return std::move(*failure);
   StepSettings step = settings.step;
   step.time_step_factor = model.controls.tssfac;
-  run.stepper_ = std::make_unique<Stepper>(std::get<Structure>(std::move(structure)), step);
+  Structure& built = std::get<Structure>(structure);
+  std::vector<std::unique_ptr<Force>> forces;
+  if (auto failure = apply_conditions(model, built, forces, diagnostics)) return std::move(*failure);
+  if (auto failure = add_walls_and_springs(model, built, forces, diagnostics)) return std::move(*failure);
+  auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
+  run.contacts_ = contacts.get();
+  run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
+  run.stepper_->add(std::move(contacts));
+  for (auto& force : forces) run.stepper_->add(std::move(force));
   return run;
 }
 

@@ -9,7 +9,7 @@
 #include "contact/initial.hpp"
 #include "model/model.hpp"
 #include "solver/build.hpp"
-#include "solver/contact_source.hpp"
+#include "solver/contact_forces.hpp"
 #include "solver/step.hpp"
 
 namespace gapcheck::solver {
@@ -43,14 +43,10 @@ class Run {
   /// Steps until the end; the state then is that of the last observation. An observer's failure comes before the run's.
   RunEnd go(Observer& observer);
 
-  void add(std::unique_ptr<Force> force) { stepper_->add(std::move(force)); }
-  /// The contacts' own report; must live as long as the run.
-  void set_contacts(const ContactSource* contacts) { contacts_ = contacts; }
-
   [[nodiscard]] const model::Model& model() const { return *model_; }
   [[nodiscard]] const contact::InitialState& initial() const { return *initial_; }
   [[nodiscard]] const Stepper& stepper() const { return *stepper_; }
-  [[nodiscard]] const ContactSource* contacts() const { return contacts_; }
+  [[nodiscard]] const ContactForces* contacts() const { return contacts_; }
   [[nodiscard]] double end_time() const { return end_time_; }
   [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
   /// Seconds of wall clock since go() began.
@@ -65,7 +61,7 @@ class Run {
   double end_time_ = 0;
   std::unique_ptr<contact::InitialState> initial_;
   std::unique_ptr<Stepper> stepper_;
-  const ContactSource* contacts_ = nullptr;
+  const ContactForces* contacts_ = nullptr;
   std::optional<Failure> failure_;
   std::chrono::steady_clock::time_point start_;
 };

@@ -180,6 +180,29 @@ TEST(OtherElements, AreRead) {
   EXPECT_EQ(read.warnings(), 1u) << read.text();  // the beams' own thickness
 }
 
+TEST(OtherElements, BeamAndSpringValues) {
+  const Read read = read_text(start() +
+                              "*ELEMENT_BEAM\n1,1,1,2,3\n2,1,2,77\n3,1,3,4,,1\n"
+                              "*ELEMENT_BEAM_OFFSET_ORIENTATION\n4,1,3,4\n0.,0.,1.\n0.,0.5,1.\n"
+                              "*ELEMENT_DISCRETE\n"
+                              "       1       1       1       0       0             2.5       0             0.1\n"
+                              "       2       1       1       2       9\n");
+  const Mesh& mesh = read.model.mesh;
+  ASSERT_EQ(mesh.beams.id, (Ids{1, 3, 4})) << read.text();
+  ASSERT_EQ(mesh.beam_values.size(), 3u);
+  EXPECT_EQ(mesh.beam_values[0].third, NodeIndex{2});
+  EXPECT_FALSE(mesh.beam_values[0].released);
+  EXPECT_EQ(mesh.beam_values[1].third, none<NodeIndex>);
+  EXPECT_TRUE(mesh.beam_values[1].released);
+  EXPECT_TRUE(mesh.beam_values[2].shifted);
+  EXPECT_EQ(mesh.beam_values[2].orientation, Vector(0, 0.5, 1));
+  ASSERT_EQ(mesh.discrete_values.size(), 2u);
+  EXPECT_EQ(mesh.discrete_values[0].scale, 2.5);
+  EXPECT_EQ(mesh.discrete_values[0].offset, 0.1);
+  EXPECT_EQ(mesh.discrete_values[1].scale, 1);
+  EXPECT_EQ(mesh.discrete_values[1].orientation, 9);
+}
+
 TEST(Elements, FaultsAreNamed) {
   const Read read =
       read_text(start() + "*ELEMENT_SHELL\n1,1,1,2,3,77\n2,5,1,2,3,4\n3,5,1,2,3,4\n4,1,1,2\n4,1,1,2,3\n4,1,1,2,3\n");

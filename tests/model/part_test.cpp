@@ -127,6 +127,39 @@ TEST(Sections, BeamRadius) {
   EXPECT_EQ(read.warnings(), 1u) << read.text();
 }
 
+TEST(Sections, BeamConstants) {
+  const Read read = read_text(
+      "*SECTION_BEAM\n1,2,,,,,0.5\n9.,1.,2.,3.,,,,4.\n2,2\n9.,1.,2.,3.,4.\n3,3\n16.\n4,1,,,0\n2.,2.,4.,4.\n"
+      "5,1,,,1\n4.,4.,2.,2.\n6,6\n1.,2.\n");
+  const auto& sections = read.model.sections;
+  ASSERT_EQ(sections.size(), 6u) << read.text();
+  EXPECT_EQ(sections[0].beam->area, 9);
+  EXPECT_EQ(sections[0].beam->iss, 1);
+  EXPECT_EQ(sections[0].beam->itt, 2);
+  EXPECT_EQ(sections[0].beam->torsion, 3);
+  EXPECT_EQ(sections[0].beam->shear_area, 0);
+  EXPECT_EQ(sections[0].beam->line_mass, 0.5);
+  EXPECT_EQ(sections[1].beam->shear_area, 4);
+  EXPECT_EQ(sections[2].beam->area, 16);
+  EXPECT_EQ(sections[2].beam->iss, 0);
+  EXPECT_DOUBLE_EQ(sections[3].beam->iss, 2 * 64.0 / 12);  // 2 along s, 4 along t
+  EXPECT_DOUBLE_EQ(sections[3].beam->itt, 4 * 8.0 / 12);
+  EXPECT_NEAR(sections[3].beam->torsion, 0.229 * 4 * 8, 0.01 * 0.229 * 4 * 8);  // tables: 0.229 a b³ for a = 2 b
+  EXPECT_DOUBLE_EQ(sections[4].beam->iss, std::numbers::pi / 64 * (256 - 16));
+  EXPECT_DOUBLE_EQ(sections[4].beam->torsion, std::numbers::pi / 32 * (256 - 16));
+  EXPECT_FALSE(sections[5].beam.has_value());
+}
+
+TEST(Sections, Discrete) {
+  const Read read = read_text("*SECTION_DISCRETE\n5,1\n0.,0.\n6,0,0.5\n\n7\n0.,3.\n");
+  ASSERT_EQ(read.model.sections.size(), 3u) << read.text();
+  EXPECT_TRUE(read.model.sections[0].torsional);
+  EXPECT_FALSE(read.model.sections[0].limited);
+  EXPECT_FALSE(read.model.sections[1].torsional);
+  EXPECT_TRUE(read.model.sections[1].limited);
+  EXPECT_TRUE(read.model.sections[2].limited);
+}
+
 TEST(Sections, OtherKinds) {
   const Read read = read_text(
       "*SECTION_SOLID_TITLE\nt\n1,1\nt\n2,10\n*SECTION_TSHELL\n3,1,,3,,,1\n1.,2.,3.\n4,1\n*SECTION_DISCRETE\n5\n0.,0.\n"
@@ -213,6 +246,44 @@ TEST(Materials, YieldData) {
   EXPECT_EQ(piecewise.points, (std::vector<std::array<double, 2>>{{0, 20}, {0.1, 30}, {0.5, 40}}));
   EXPECT_TRUE(read.model.materials[2].plasticity->points.empty());
   EXPECT_FALSE(read.model.materials[3].plasticity.has_value());
+}
+
+TEST(Materials, FailureRatesAndAnisotropy) {
+  const Read read = read_text(
+      "*MAT_PLASTIC_KINEMATIC\n1,1.,1000.,0.3,10.,100.,0.25\n40.,5.,0.3,1.\n"
+      "*MAT_024\n2,1.,1000.,0.3,20.,50.,0.4\n30.,4.,77,78,1.\n*MAT_037\n3,1.,1000.,0.3,20.,50.,-1.5,9\n"
+      "*MAT_037\n4,1.,1000.,0.3,20.\n");
+  EXPECT_EQ(read.text(), "");
+  ASSERT_EQ(read.model.materials.size(), 4u);
+  EXPECT_EQ(read.model.materials[0].plasticity->failure_strain, 0.3);
+  EXPECT_TRUE(read.model.materials[0].plasticity->viscoplastic);
+  EXPECT_EQ(read.model.materials[1].plasticity->failure_strain, 0.4);
+  EXPECT_EQ(read.model.materials[1].plasticity->lcsr, 78);
+  EXPECT_TRUE(read.model.materials[1].plasticity->viscoplastic);
+  EXPECT_EQ(read.model.materials[2].plasticity->anisotropy, -1.5);
+  EXPECT_EQ(read.model.materials[2].plasticity->lcss, 9);
+  EXPECT_EQ(read.model.materials[3].plasticity->anisotropy, 1);
+  EXPECT_EQ(read.model.materials[3].plasticity->lcss, 0);
+}
+
+TEST(Materials, SpringsAndDampers) {
+  const Read read = read_text(
+      "*MAT_SPRING_ELASTIC\n1,250.\n*MAT_S02_TITLE\nd\n2,3.\n*MAT_SPRING_NONLINEAR_ELASTIC_TITLE\nn\n3,7,8\n*MAT_S05\n4,7\n");
+  EXPECT_EQ(read.text(), "");
+  const auto& materials = read.model.materials;
+  ASSERT_EQ(materials.size(), 4u);
+  using Kind = DiscreteMaterial::Kind;
+  EXPECT_EQ(materials[0].discrete->kind, Kind::spring);
+  EXPECT_EQ(materials[0].discrete->constant, 250);
+  EXPECT_EQ(materials[0].density, 0);
+  EXPECT_EQ(materials[1].keyword, "MAT_DAMPER_VISCOUS");
+  EXPECT_EQ(materials[1].discrete->kind, Kind::damper);
+  EXPECT_EQ(materials[1].discrete->constant, 3);
+  EXPECT_EQ(materials[2].discrete->kind, Kind::nonlinear_spring);
+  EXPECT_EQ(materials[2].discrete->curve, 7);
+  EXPECT_EQ(materials[2].discrete->rate_curve, 8);
+  EXPECT_EQ(materials[3].keyword, "MAT_DAMPER_NONLINEAR_VISCOUS");
+  EXPECT_FALSE(materials[3].discrete.has_value());
 }
 
 }  // namespace

@@ -68,6 +68,26 @@ TEST(RigidWalls, GeometricShapes) {
   EXPECT_TRUE(walls[3].interior);
 }
 
+TEST(RigidWalls, FrictionTimesAndOptions) {
+  const Read read = read_text(
+      "*RIGIDWALL_PLANAR_MOVING_FORCES\n0,0,0,0.,0.5,2.5\n0,0,0,0,0,5,0.25\n9.,1.\n7\n"
+      "*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,0,0,0,5\n\n\n"
+      "*RIGIDWALL_GEOMETRIC_SPHERE_MOTION\n0,0,0,0.5,2.5\n1,2,3,0,0,0,1.\n6\n3,0,1.,0.,0.\n");
+  ASSERT_EQ(read.model.rigid_walls.size(), 3u) << read.text();
+  const auto& walls = read.model.rigid_walls;
+  EXPECT_EQ(walls[0].keyword, "RIGIDWALL_PLANAR_MOVING_FORCES");
+  EXPECT_EQ(walls[0].friction, 0.25);
+  EXPECT_TRUE(walls[0].moving);
+  EXPECT_EQ(walls[0].soft, 7);
+  EXPECT_EQ(walls[0].birth, 0.5);
+  EXPECT_EQ(walls[0].death, 2.5);
+  EXPECT_TRUE(walls[1].orthotropic);
+  EXPECT_FALSE(walls[1].moving);
+  EXPECT_TRUE(walls[2].moving);
+  EXPECT_EQ(walls[2].death, 2.5);
+  EXPECT_EQ(walls[2].friction, 1);
+}
+
 TEST(RigidWalls, WhatIsNoShapeIsAnErrorAndLeftOut) {
   const Read read = read_text(
       "*RIGIDWALL_PLANAR\n0\n1,2,3,1,2,3\n"
