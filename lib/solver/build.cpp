@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "solver/build_rigid.hpp"
 #include "solver/build_welds.hpp"
@@ -75,6 +76,13 @@ class Builder {
       fail(failure->kind, failure->message);
       return std::nullopt;
     }
+    if (kind != SectionKind::shell && std::get<Material>(material).kind == MaterialKind::anisotropic) {
+      fail(Failure::Kind::bad_material, fmt::format("material {} is for shells only, but {} {} is of it",
+                                                    model_.materials[*part->material].id, what, id));
+      return std::nullopt;
+    }
+    if (named_.insert(*part->material).second)
+      name_what_is_not_calculated(model_, model_.materials[*part->material], diagnostics_);
     const bool one_point = kind == SectionKind::shell ? section.elform == 0 || section.elform == 2
                                                       : section.elform <= 1 || section.elform == 10;
     if (!one_point)
@@ -185,6 +193,7 @@ class Builder {
   Diagnostics& diagnostics_;
   std::vector<std::optional<std::uint32_t>> positions_;  ///< by part: its place among the properties
   std::vector<RigidPart> rigid_;                         ///< by part
+  std::set<std::uint32_t> named_;                        ///< materials whose limits were named
   Structure structure_;
   std::optional<Failure> failure_;
 };
