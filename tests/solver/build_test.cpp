@@ -138,12 +138,14 @@ TEST(Build, NodesThatAreNotThere) {
 
 TEST(Build, OtherElementsAreNamed) {
   const model::Read read = model::read_text("*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.,0.\n*ELEMENT_BEAM\n1,1,1,2,3\n" +
-                                            elastic_deck("*SECTION_BEAM\n1,1\n1.,1.\n", 1, 0.3, 1));
+                                            elastic_deck("*SECTION_BEAM\n1,6\n1.,1.\n", 1, 0.3, 1) +
+                                            "*ELEMENT_SPH\n3,1,0.5\n");
   Diagnostics diagnostics;
   const auto built = build_structure(read.model, {}, diagnostics);
   EXPECT_TRUE(std::holds_alternative<Structure>(built));
-  ASSERT_EQ(diagnostics.sorted().size(), 1u);
-  EXPECT_EQ(diagnostics.sorted()[0].message, "1 beams take no part in the calculation");
+  ASSERT_EQ(diagnostics.sorted().size(), 2u);
+  EXPECT_EQ(diagnostics.sorted()[0].message, "1 particles take no part in the calculation");
+  EXPECT_EQ(diagnostics.sorted()[1].message, "section 1: beams of ELFORM 6 take no part in the calculation");
 }
 
 }  // namespace
