@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
+#include "solver/build_beams.hpp"
 #include "solver/build_rigid.hpp"
 #include "solver/build_welds.hpp"
 #include "solver/gauss.hpp"
@@ -37,8 +39,10 @@ class Builder {
     structure_.node_id = mesh.nodes.id;
     structure_.shell_id = mesh.shells.id;
     structure_.solid_id = mesh.solids.id;
+    structure_.beam_id = mesh.beams.id;
     add_shells();
     if (!failure_) add_solids();
+    if (!failure_) add_beams();
     add_masses();
     if (!failure_) build_rigid_bodies(model_, std::move(rigid_), structure_);
     if (!failure_) build_welds(model_, structure_, diagnostics_);
@@ -75,6 +79,14 @@ class Builder {
       fail(failure->kind, failure->message);
       return std::nullopt;
     }
+    if (kind != SectionKind::shell && std::get<Material>(material).kind == MaterialKind::anisotropic) {
+      fail(Failure::Kind::bad_material, fmt::format("material {} is for shells only, but {} {} is of it",
+                                                    model_.materials[*part->material].id, what, id));
+      return std::nullopt;
+    }
+    if (named_.insert(*part->material).second)
+      name_what_is_not_calculated(model_, model_.materials[*part->material], diagnostics_);
+    if (kind == SectionKind::beam) return Properties{&section, std::get<Material>(std::move(material))};
     const bool one_point = kind == SectionKind::shell ? section.elform == 0 || section.elform == 2
                                                       : section.elform <= 1 || section.elform == 10;
     if (!one_point)
@@ -141,6 +153,38 @@ class Builder {
     }
   }
 
+  void add_beams() {
+    const model::Elements<2>& beams = model_.mesh.beams;
+    positions_.assign(model_.parts.size(), std::nullopt);
+    BeamLimits limits(model_, diagnostics_);
+    for (std::uint32_t i = 0; i < beams.size() && !failure_; ++i) {
+      const PartIndex part = beams.part[i];
+      if (!complete("beam", beams.id[i], beams.nodes[i])) return;
+      if (part != none<PartIndex> && limits.leaves_out(part)) continue;
+      if (part == none<PartIndex> || !positions_[part.value]) {
+        const auto found = properties("beam", beams.id[i], part, SectionKind::beam);
+        if (!found) return;
+        auto built = beam_properties(*found->section, found->material);
+        if (const auto* failure = std::get_if<Failure>(&built)) return fail(failure->kind, failure->message);
+        positions_[part.value] = structure_.beams.add_properties(std::get<BeamProperties>(std::move(built)));
+      }
+      double length = 0;
+      if (model_.rigid(part)) {
+        const model::Section& section = model_.sections[*model_.part(part).section];
+        const double density = model_.materials[*model_.part(part).material].density;
+        const auto points = beam_mass_points(places(beams.nodes[i]), section.beam_area, density);
+        for (const PointMass& point : points) length += point.mass;
+        add_rigid(part, beams.nodes[i], points);
+      } else {
+        const Vector third = limits.third_point(i, structure_.state);
+        length = structure_.beams.add(beams.nodes[i], *positions_[part.value], third, i, structure_.state);
+      }
+      if (!(length > 0))
+        fail(Failure::Kind::bad_element, fmt::format("beam {} has no length or mass; mend it", beams.id[i]));
+    }
+    limits.tell();
+  }
+
   template <std::size_t N>
   bool complete(std::string_view what, std::int64_t id, const std::array<NodeIndex, N>& nodes) {
     const bool all =
@@ -176,7 +220,6 @@ class Builder {
       if (count > 0) diagnostics_.warning("", 0, fmt::format("{} {} take no part in the calculation", count, what));
     };
     name("thick shells", mesh.thick_shells.size());
-    name("beams", mesh.beams.size());
     name("particles", mesh.particles.size());
   }
 
@@ -185,6 +228,7 @@ class Builder {
   Diagnostics& diagnostics_;
   std::vector<std::optional<std::uint32_t>> positions_;  ///< by part: its place among the properties
   std::vector<RigidPart> rigid_;                         ///< by part
+  std::set<std::uint32_t> named_;                        ///< materials whose limits were named
   Structure structure_;
   std::optional<Failure> failure_;
 };

@@ -20,7 +20,10 @@ struct BuildSettings {
 [[nodiscard]] std::variant<Material, Failure> build_material(const model::Model& model,
                                                              const model::Material& material);
 
-/// The structure at rest that a model describes: shells, solids, lumped masses and rigid bodies. Elements of other
+/// Names what the deck says about a material that build_material() leaves out: failure, VP, LCSR.
+void name_what_is_not_calculated(const model::Model& model, const model::Material& material, Diagnostics& diagnostics);
+
+/// The structure at rest that a model describes: shells, solids, beams, lumped masses and rigid bodies. Elements of other
 /// kinds, and shell or solid formulations other than the one-point ones, are named in `diagnostics` (warnings); the
 /// former are left out, the latter calculated as the element that is there. Elements without part, section or material,
 /// materials that are not there and elements turned inside out are failures.

@@ -31,11 +31,13 @@ double YieldCurve::stress(double plastic_strain) const {
   return points_[at].stress + slope(at) * (plastic_strain - points_[at].plastic_strain);
 }
 
-YieldCurve::Return YieldCurve::solve(double trial, double resistance, double plastic_strain, double scale) const {
+YieldCurve::Return YieldCurve::solve(double trial, double resistance, double plastic_strain, double scale,
+                                     const YieldCurve& other, double weight) const {
   constexpr double least_resistance = 1e-6;
-  double reached = 0, excess = trial - scale * stress(plastic_strain);
+  const double start = (1 - weight) * stress(plastic_strain) + weight * other.stress(plastic_strain);
+  double reached = 0, excess = trial - scale * start;
   for (std::size_t at = segment(plastic_strain);; ++at) {
-    const double hardening = scale * slope(at);
+    const double hardening = scale * ((1 - weight) * slope(at) + weight * other.slope(at));
     const double gradient = std::max(resistance + hardening, least_resistance * resistance);
     const double step = excess / gradient;
     const bool last = at + 2 >= points_.size();
@@ -43,6 +45,21 @@ YieldCurve::Return YieldCurve::solve(double trial, double resistance, double pla
     if (last || !(step > room)) return {reached + step, gradient - resistance};
     reached += room;
     excess -= gradient * room;
+  }
+}
+
+void YieldCurve::align(std::vector<YieldCurve>& curves) {
+  std::vector<double> strains;
+  for (const YieldCurve& curve : curves)
+    for (const Point& point : curve.points_) strains.push_back(point.plastic_strain);
+  std::sort(strains.begin(), strains.end());
+  strains.erase(std::unique(strains.begin(), strains.end()), strains.end());
+  if (strains.size() == 1) return;
+  for (YieldCurve& curve : curves) {
+    if (curve.empty()) continue;
+    std::vector<Point> points;
+    for (const double strain : strains) points.push_back({strain, curve.stress(strain)});
+    curve.points_ = std::move(points);
   }
 }
 

@@ -26,12 +26,33 @@ class YieldCurve {
   struct Return {
     double increment, slope;  ///< Δ and scale · dσ/dεₚ where it ends
   };
-  [[nodiscard]] Return solve(double trial, double resistance, double plastic_strain, double scale) const;
+  [[nodiscard]] Return solve(double trial, double resistance, double plastic_strain, double scale) const {
+    return solve(trial, resistance, plastic_strain, scale, *this, 0);
+  }
+  /// The same for (1 − weight) σ + weight σ', where `other` has points at the same strains.
+  [[nodiscard]] Return solve(double trial, double resistance, double plastic_strain, double scale,
+                             const YieldCurve& other, double weight) const;
+
+  /// Puts points at the strains of all curves into each of them; their shapes stay.
+  static void align(std::vector<YieldCurve>& curves);
 
  private:
   [[nodiscard]] std::size_t segment(double plastic_strain) const;
   [[nodiscard]] double slope(std::size_t segment) const;
   std::vector<Point> points_;
+};
+
+/// The yield stress of one step: between two aligned curves, times a factor.
+struct YieldLaw {
+  const YieldCurve *low, *high;
+  double weight = 0, scale = 1;
+
+  [[nodiscard]] double stress(double plastic_strain) const {
+    return scale * ((1 - weight) * low->stress(plastic_strain) + weight * high->stress(plastic_strain));
+  }
+  [[nodiscard]] YieldCurve::Return solve(double trial, double resistance, double plastic_strain) const {
+    return low->solve(trial, resistance, plastic_strain, scale, *high, weight);
+  }
 };
 
 /// Cowper and Symonds: 1 + (rate / c)^(1/p); 1 where c or p is zero.

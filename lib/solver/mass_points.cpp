@@ -55,4 +55,11 @@ std::vector<PointMass> shell_mass_points(const std::array<Vector, 4>& x, double 
   return points;
 }
 
+std::vector<PointMass> beam_mass_points(const std::array<Vector, 2>& x, double area, double density) {
+  const double mass = density * area * (x[1] - x[0]).norm();
+  if (!(mass > 0)) return {};
+  const Vector middle = (x[0] + x[1]) / 2, arm = gauss / 2 * (x[1] - x[0]);
+  return {{middle - arm, mass / 2}, {middle + arm, mass / 2}};
+}
+
 }  // namespace gapcheck::solver

@@ -15,4 +15,7 @@ namespace gapcheck::solver {
 [[nodiscard]] std::vector<PointMass> shell_mass_points(const std::array<Vector, 4>& x, double thickness,
                                                        double density);
 
+/// Beams: two Gauss points. Nothing where there is no length.
+[[nodiscard]] std::vector<PointMass> beam_mass_points(const std::array<Vector, 2>& x, double area, double density);
+
 }  // namespace gapcheck::solver

@@ -15,10 +15,10 @@ Symmetric elastic_trial(const Material& material, const Symmetric& increment, co
   return trial;
 }
 
-/// The yield stress's rate factor for one step.
-double step_scale(const Material& material, const Symmetric& increment, double dt) {
-  if (material.rate_c <= 0 || dt <= 0) return 1;
-  return rate_scale(std::sqrt(contract(increment, increment)) / dt, material.rate_c, material.rate_p);
+/// The yield stress for one step.
+YieldLaw step_yield(const Material& material, const Symmetric& increment, double dt) {
+  const bool by_rate = dt > 0 && (material.rate_c > 0 || !material.table.curves.empty());
+  return material.yield_at(by_rate ? std::sqrt(contract(increment, increment)) / dt : 0);
 }
 
 /// Stress relative to the centre of the yield surface, its size as a von Mises stress.
@@ -40,14 +40,15 @@ struct Returned {
 };
 
 /// Radial return from a trial stress.
-Returned radial_return(const Material& material, const Symmetric& trial, double scale, const PointState& start) {
+Returned radial_return(const Material& material, const Symmetric& trial, const YieldLaw& yield,
+                       const PointState& start) {
   const double shear = material.shear();
   PointState point = start;
   point.stress = trial;
   const auto [xi, size] = relative(trial, start.back_stress);
-  if (!(size > scale * material.yield.stress(start.plastic_strain))) return {point, material.wave_modulus()};
+  if (!(size > yield.stress(start.plastic_strain))) return {point, material.wave_modulus()};
   const double kinematic = material.kinematic_slope;
-  const auto [increment, slope] = material.yield.solve(size, 3 * shear + kinematic, start.plastic_strain, scale);
+  const auto [increment, slope] = yield.solve(size, 3 * shear + kinematic, start.plastic_strain);
   const double stress_part = 3 * shear * increment / size, shift_part = kinematic * increment / size;
   for (std::size_t i = 0; i < 6; ++i) {
     point.stress[i] -= stress_part * xi[i];
@@ -71,13 +72,14 @@ double elastic_plane(const Material& material, const Symmetric& increment, Symme
 }
 
 /// Plastic plane-stress step from `start`; `guess` is the elastic εzz.
-double plastic_plane(const Material& material, Symmetric increment, double scale, double guess, PointState& point) {
+double plastic_plane(const Material& material, Symmetric increment, const YieldLaw& yield, double guess,
+                     PointState& point) {
   constexpr int newton_steps = 12, most_steps = 100;
-  const double tolerance = 1e-10 * scale * material.yield.stress(point.plastic_strain);
+  const double tolerance = 1e-10 * yield.stress(point.plastic_strain);
   const PointState start = point;
   increment[zz] = guess;
   for (int step = 0; step < most_steps; ++step) {
-    const Returned result = radial_return(material, elastic_trial(material, increment, start.stress), scale, start);
+    const Returned result = radial_return(material, elastic_trial(material, increment, start.stress), yield, start);
     point = result.point;
     if (!(std::abs(point.stress[zz]) > tolerance)) break;
     // The stiffest slope always converges, if slowly: σzz rises with εzz and never faster than that.
@@ -96,12 +98,27 @@ bool Material::valid() const {
   if (!std::isfinite(density) || density <= 0) return false;
   if (kind == MaterialKind::null) return true;
   if (!std::isfinite(young) || young <= 0 || !(poisson > -1 && poisson < 0.5)) return false;
+  if (kind == MaterialKind::anisotropic)
+    return !yield.empty() && yield.stress(0) >= 0 && std::isfinite(anisotropy) && anisotropy >= 0;
   if (kind != MaterialKind::plastic) return true;
+  for (const YieldCurve& curve : table.curves)
+    if (curve.empty() || !(curve.stress(0) > 0)) return false;
   return !yield.empty() && yield.stress(0) > 0 && std::isfinite(kinematic_slope) && kinematic_slope >= 0;
 }
 
+YieldLaw Material::yield_at(double rate) const {
+  if (table.curves.empty()) return {&yield, &yield, 0, rate_scale(rate, rate_c, rate_p)};
+  const double value = table.logarithmic ? std::log(rate) : rate;
+  const auto above = std::upper_bound(table.rates.begin(), table.rates.end(), value);
+  const auto position = static_cast<std::size_t>(above - table.rates.begin());
+  const YieldCurve* high = &table.curves[std::min(position, table.curves.size() - 1)];
+  if (position == 0 || position == table.rates.size()) return {high, high, 0, 1};
+  const double low_rate = table.rates[position - 1], high_rate = table.rates[position];
+  return {&table.curves[position - 1], high, (value - low_rate) / (high_rate - low_rate), 1};
+}
+
 Material plastic_kinematic(double density, double young, double poisson, double yield, double tangent, double beta) {
-  Material material{MaterialKind::plastic, density, young, poisson, {}, 0, 0, 0};
+  Material material{MaterialKind::plastic, density, young, poisson, {}, 0, 0, 0, {}, 1};
   const double plastic_slope = young * tangent / (young - tangent);
   material.yield = YieldCurve(yield, beta * plastic_slope);
   material.kinematic_slope = (1 - beta) * plastic_slope;
@@ -114,22 +131,23 @@ void update_stress(const Material& material, const Symmetric& increment, double 
   if (material.kind == MaterialKind::elastic)
     point.stress = trial;
   else
-    point = radial_return(material, trial, step_scale(material, increment, dt), point).point;
+    point = radial_return(material, trial, step_yield(material, increment, dt), point).point;
 }
 
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
   if (!material.has_stress()) return 0;
   if (material.kind == MaterialKind::elastic) return elastic_plane(material, increment, point.stress);
+  if (material.kind == MaterialKind::anisotropic) return update_anisotropic_plane_stress(material, increment, point);
   Symmetric trial = point.stress;
   const double through = elastic_plane(material, increment, trial);
   Symmetric rate_increment = increment;
   rate_increment[zz] = through;
-  const double scale = step_scale(material, rate_increment, dt);
-  if (!(relative(trial, point.back_stress).size > scale * material.yield.stress(point.plastic_strain))) {
+  const YieldLaw yield = step_yield(material, rate_increment, dt);
+  if (!(relative(trial, point.back_stress).size > yield.stress(point.plastic_strain))) {
     point.stress = trial;
     return through;
   }
-  return plastic_plane(material, increment, scale, through, point);
+  return plastic_plane(material, increment, yield, through, point);
 }
 
 }  // namespace gapcheck::solver

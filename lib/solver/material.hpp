@@ -16,8 +16,17 @@ struct PointState {
 enum class MaterialKind : std::uint8_t {
   elastic,  ///< 001
   plastic,  ///< 003, 024
+  anisotropic,  ///< 037: plastic, in plane stress only
   null,     ///< 009: mass, no stress
   rigid,    ///< 020: no stress; elastic constants count for contact and time step only
+};
+
+/// Yield curves over the strain rate, rates rising, curves aligned. Linear in the rate (or its logarithm) between them,
+/// constant beyond.
+struct RateTable {
+  bool logarithmic = false;  ///< then rates are natural logarithms
+  std::vector<double> rates;
+  std::vector<YieldCurve> curves;
 };
 
 /// Constants of one material, in the deck's units.
@@ -27,6 +36,8 @@ struct Material {
   YieldCurve yield;               ///< of the isotropic part
   double kinematic_slope = 0;     ///< (1 − β) Eₚ of material 003
   double rate_c = 0, rate_p = 0;  ///< Cowper–Symonds on the total strain rate √(ε̇:ε̇); zero = rate independent
+  RateTable table = {};           ///< instead of `yield` where it has curves
+  double anisotropy = 1;          ///< R of 037
 
   [[nodiscard]] double shear() const { return young / (2 * (1 + poisson)); }
   [[nodiscard]] double bulk() const { return young / (3 * (1 - 2 * poisson)); }
@@ -34,7 +45,9 @@ struct Material {
   [[nodiscard]] double wave_modulus() const { return bulk() + 4.0 / 3.0 * shear(); }
   /// Of a plate: E / (1 − ν²).
   [[nodiscard]] double plate_modulus() const { return young / (1 - poisson * poisson); }
-  [[nodiscard]] bool has_stress() const { return kind == MaterialKind::elastic || kind == MaterialKind::plastic; }
+  [[nodiscard]] bool has_stress() const { return kind != MaterialKind::null && kind != MaterialKind::rigid; }
+  /// The yield stress at a strain rate.
+  [[nodiscard]] YieldLaw yield_at(double rate) const;
   /// All constants finite and in the range where the formulas mean something: density > 0; where there is stress also
   /// E > 0, −1 < ν < 0.5 and a yield stress above 0.
   [[nodiscard]] bool valid() const;
@@ -51,5 +64,11 @@ void update_stress(const Material& material, const Symmetric& increment, double 
 /// The same with σzz = 0: increment[zz] is not read but found, and returned. Plastic points iterate on it with the
 /// consistent tangent (Simo and Taylor 1985) until σzz is below 1e-10 of the yield stress.
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
+
+/// Material 037 in plane stress: transverse isotropy after Hill with the Lankford parameter R,
+/// q² = σxx² + σyy² − 2R/(1+R) σxx σyy + 2(1+2R)/(1+R) σxy² + 3 (σyz² + σzx²) <= σ(ε̄)², associated flow. Pressure,
+/// shear and transverse shear return each by a factor of its own (Simo and Taylor 1986), so one scalar equation is left,
+/// which is bracketed. R = 1 is von Mises. Returns εzz.
+double update_anisotropic_plane_stress(const Material& material, const Symmetric& increment, PointState& point);
 
 }  // namespace gapcheck::solver

@@ -30,6 +30,14 @@ PartMasses::PartMasses(const model::Model& model, const contact::ElementSizes& s
     add(mesh.solids.part[i], std::span(nodes).first(nodes[3] == nodes[7] ? 4 : 8),
         density_of(mesh.solids.part[i]) * sizes.solid_volume[i]);
   }
+  const std::vector<Vector>& x = mesh.nodes.x;
+  for (std::size_t i = 0; i < mesh.beams.size(); ++i) {
+    const auto& [a, b] = mesh.beams.nodes[i];
+    const PartIndex part = mesh.beams.part[i];
+    if (part == none<PartIndex> || !model.part(part).section || a.value >= x.size() || b.value >= x.size()) continue;
+    const double area = model.sections[*model.part(part).section].beam_area;
+    add(part, mesh.beams.nodes[i], density_of(part) * area * (x[b.value] - x[a.value]).norm());
+  }
   for (std::vector<Share>& shares : shares_) {
     std::stable_sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.node < b.node; });
     std::size_t last = 0;

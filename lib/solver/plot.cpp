@@ -98,6 +98,7 @@ std::vector<ElementEnergy> part_energies(const model::Model& model, const Struct
   };
   add(structure.shells, model.mesh.shells.part);
   add(structure.solids, model.mesh.solids.part);
+  add(structure.beams, model.mesh.beams.part);
   return parts;
 }
 

@@ -25,6 +25,8 @@ void set_control(const Run& run, results::GlobalState& global) {
       return name("shell", mesh.shells);
     case StepControl::Kind::solid:
       return name("solid", mesh.solids);
+    case StepControl::Kind::beam:
+      return name("beam", mesh.beams);
     case StepControl::Kind::other:
       global.controlled_by = "force";
   }

@@ -58,6 +58,7 @@ Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::m
   const std::size_t nodes = structure_.state.x.size();
   structure_.shells.finish(nodes);
   structure_.solids.finish(nodes);
+  structure_.beams.finish(nodes);
   structure_.constraints.finish();
   for (Forces* forces : {&external_, &before_, &net_}) forces->resize(nodes, structure_.rigid.size());
   // What is moved moves from the start.
@@ -70,7 +71,8 @@ Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::m
   structure_.rigid.start(state);
 }
 
-std::optional<Failure> Stepper::check_elements(const Summary& shells, const Summary& solids) const {
+std::optional<Failure> Stepper::check_elements(const Summary& shells, const Summary& solids,
+                                               const Summary& beams) const {
   const double time = structure_.state.time;
   if (shells.bad != nobody)
     return Failure{Failure::Kind::bad_element,
@@ -80,11 +82,15 @@ std::optional<Failure> Stepper::check_elements(const Summary& shells, const Summ
     return Failure{Failure::Kind::bad_element,
                    fmt::format("solid {} has no positive volume at time {:g}; look at what presses on it",
                                structure_.solid_id[structure_.solids.origin(solids.bad)], time)};
+  if (beams.bad != nobody)
+    return Failure{Failure::Kind::bad_element,
+                   fmt::format("beam {} has lost its length at time {:g}; look at what presses on it",
+                               structure_.beam_id[structure_.beams.origin(beams.bad)], time)};
   return std::nullopt;
 }
 
 /// The step that the elements allow; notes which of them is the shortest.
-double Stepper::element_step(const Summary& shells, const Summary& solids) {
+double Stepper::element_step(const Summary& shells, const Summary& solids, const Summary& beams) {
   double least = std::numeric_limits<double>::infinity();
   control_ = {};
   const auto take = [&](double step, StepControl::Kind kind, std::uint32_t origin) {
@@ -100,21 +106,23 @@ double Stepper::element_step(const Summary& shells, const Summary& solids) {
   };
   consider(shells, structure_.shells, StepControl::Kind::shell);
   consider(solids, structure_.solids, StepControl::Kind::solid);
+  consider(beams, structure_.beams, StepControl::Kind::beam);
   return least;
 }
 
 std::optional<Failure> Stepper::evaluate(double& next) {
   State& state = structure_.state;
-  const Summary shells = structure_.shells.update(state), solids = structure_.solids.update(state);
-  if (auto failure = check_elements(shells, solids)) return failure;
-  for (const Summary& part : {shells, solids}) {
+  const Summary shells = structure_.shells.update(state), solids = structure_.solids.update(state),
+                beams = structure_.beams.update(state);
+  if (auto failure = check_elements(shells, solids, beams)) return failure;
+  for (const Summary& part : {shells, solids, beams}) {
     energies_.internal += part.work - part.hourglass_work;
     energies_.hourglass += part.hourglass_work;
   }
   std::swap(before_, external_);
   const std::size_t nodes = state.x.size();
   external_.resize(nodes, structure_.rigid.size());
-  next = element_step(shells, solids);
+  next = element_step(shells, solids, beams);
   double limit = settings_.greatest_step > 0 ? settings_.greatest_step : std::numeric_limits<double>::infinity();
   state.coming = std::min(next, limit);
   for (const auto& other : others_) {
@@ -137,6 +145,7 @@ std::optional<Failure> Stepper::evaluate(double& next) {
       net_.moment[i] = external_.moment[i];
       structure_.shells.gather(i, net_.force[i], net_.moment[i]);
       structure_.solids.gather(i, net_.force[i]);
+      structure_.beams.gather(i, net_.force[i], net_.moment[i]);
     }
   });
   return std::nullopt;

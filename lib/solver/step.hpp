@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/beam_elements.hpp"
 #include "solver/constraints.hpp"
 #include "solver/failure.hpp"
 #include "solver/force.hpp"
@@ -20,11 +21,12 @@ struct Structure {
   State state;
   ShellElements shells;
   SolidElements solids;
+  BeamElements beams;
   RigidBodies rigid;
   Constraints constraints;                         ///< of nodes that are in no rigid body
   std::map<std::int64_t, std::size_t> body_of_id;  ///< rigid bodies by the ids of their parts or nodal rigid bodies
   // Ids as in the deck, for messages.
-  std::vector<std::int64_t> node_id, shell_id, solid_id;
+  std::vector<std::int64_t> node_id, shell_id, solid_id, beam_id;
 };
 
 struct StepSettings {
@@ -40,7 +42,8 @@ struct StepSettings {
 
 /// What sets the time step.
 struct StepControl {
-  enum class Kind : std::uint8_t { shell, solid, other } kind = Kind::other;  ///< other: a force or the greatest step
+  /// other: a force or the greatest step
+  enum class Kind : std::uint8_t { shell, solid, beam, other } kind = Kind::other;
   std::uint32_t element = 0;  ///< position in the model
 };
 
@@ -76,8 +79,9 @@ class Stepper {
 
  private:
   [[nodiscard]] std::optional<Failure> evaluate(double& next);
-  [[nodiscard]] double element_step(const Summary& shells, const Summary& solids);
-  [[nodiscard]] std::optional<Failure> check_elements(const Summary& shells, const Summary& solids) const;
+  [[nodiscard]] double element_step(const Summary& shells, const Summary& solids, const Summary& beams);
+  [[nodiscard]] std::optional<Failure> check_elements(const Summary& shells, const Summary& solids,
+                                                      const Summary& beams) const;
   [[nodiscard]] std::optional<Failure> accelerate(double next);
   [[nodiscard]] std::optional<Failure> check_energy();
   void move(double next);

@@ -10,12 +10,12 @@ namespace gapcheck::solver {
 namespace {
 
 /// A stepper with the springs of a deck.
-struct Run {
+struct Oscillation {
   Stepper stepper;
   const Springs* springs;
 };
 
-Run run_of(const std::string& deck, const std::vector<Vector>& velocity, double step,
+Oscillation run_of(const std::string& deck, const std::vector<Vector>& velocity, double step,
            const std::vector<double>& inertia = {}) {
   const model::Read read = model::read_text(deck);
   EXPECT_EQ(read.errors(), 0u) << read.text();
@@ -29,12 +29,12 @@ Run run_of(const std::string& deck, const std::vector<Vector>& velocity, double 
   EXPECT_TRUE(diagnostics.sorted().empty());
   StepSettings settings;
   settings.greatest_step = step;
-  Run run{Stepper(std::move(structure), settings), dynamic_cast<const Springs*>(forces.at(0).get())};
+  Oscillation run{Stepper(std::move(structure), settings), dynamic_cast<const Springs*>(forces.at(0).get())};
   run.stepper.add(std::move(forces[0]));
   return run;
 }
 
-void go(Run& run, int steps) {
+void go(Oscillation& run, int steps) {
   for (int i = 0; i < steps; ++i) {
     const auto failure = run.stepper.step();
     ASSERT_FALSE(failure.has_value()) << failure->message;
@@ -49,7 +49,7 @@ const std::string part = "*PART\np\n1,1,1\n*SECTION_DISCRETE\n1\n\n";
 // Central differences give x_n = v/ω' sin(n ω_d dt) with sin(ω_d dt / 2) = ω dt / 2, started half a step into it.
 TEST(Springs, PeriodOfAMassOnTheGround) {
   constexpr double mass = 2, stiffness = 50, step = 0.05, speed = 0.3;
-  Run run = run_of(one_mass + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {Vector(0, speed, 0)}, step);
+  Oscillation run = run_of(one_mass + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {Vector(0, speed, 0)}, step);
   const double omega = std::sqrt(stiffness / mass), turn = 2 * std::asin(omega * step / 2);
   // x_0 = 0, x_1 = v dt: the first force is zero.
   for (int n = 1; n <= 500; ++n) {
@@ -61,7 +61,7 @@ TEST(Springs, PeriodOfAMassOnTheGround) {
 }
 
 TEST(Springs, TwoMassesAndTheEnergyOfTheSpring) {
-  Run run = run_of(two_masses + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {Vector(-0.03, 0, 0), Vector(0.02, 0, 0)}, 1e-3);
+  Oscillation run = run_of(two_masses + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {Vector(-0.03, 0, 0), Vector(0.02, 0, 0)}, 1e-3);
   go(run, 1000);
   const double elongation = run.springs->elongation(0);
   EXPECT_NEAR(run.springs->tension(0), 50 * elongation, 1e-12);
@@ -77,7 +77,7 @@ TEST(Springs, TwoMassesAndTheEnergyOfTheSpring) {
 TEST(Springs, ScaleAndOffset) {
   const std::string deck = "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n2,2,3.\n*ELEMENT_DISCRETE\n"
                            "1,1,1,2,0,3.,0,0.01\n";
-  Run run = run_of(deck + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {}, 1e-3);
+  Oscillation run = run_of(deck + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {}, 1e-3);
   go(run, 1);
   EXPECT_NEAR(run.springs->tension(0), 3 * 50 * 0.01, 1e-14);
   EXPECT_NEAR(run.stepper.net().force[0].x(), 1.5, 1e-14);
@@ -87,7 +87,7 @@ TEST(Springs, ScaleAndOffset) {
 // A damper: v is multiplied with 1 − c dt / m in each step, with 1 − c dt / 2 m in the first.
 TEST(Springs, DamperDecay) {
   constexpr double step = 0.01;
-  Run run = run_of(one_mass + part + "*MAT_DAMPER_VISCOUS\n1,3.\n", {Vector(0.4, 0, 0)}, step);
+  Oscillation run = run_of(one_mass + part + "*MAT_DAMPER_VISCOUS\n1,3.\n", {Vector(0.4, 0, 0)}, step);
   double speed = 0.4;
   for (int n = 0; n < 300; ++n) {
     go(run, 1);
@@ -100,7 +100,7 @@ TEST(Springs, DamperDecay) {
 }
 
 TEST(Springs, NonlinearCurve) {
-  Run run = run_of(two_masses + part + "*MAT_SPRING_NONLINEAR_ELASTIC\n1,7\n*DEFINE_CURVE\n7\n-1.,-20.\n0.,0.\n0.1,1.\n0.2,9.\n",
+  Oscillation run = run_of(two_masses + part + "*MAT_SPRING_NONLINEAR_ELASTIC\n1,7\n*DEFINE_CURVE\n7\n-1.,-20.\n0.,0.\n0.1,1.\n0.2,9.\n",
                    {Vector(0, 0, 0), Vector(0.5, 0, 0)}, 1e-3);
   for (int i = 0; i < 1000; ++i) {
     go(run, 1);
@@ -114,7 +114,7 @@ TEST(Springs, NonlinearCurve) {
 // Two inertias turn against one another about the line between them.
 TEST(Springs, Torsion) {
   constexpr double step = 1e-2, stiffness = 50;
-  Run run = run_of(two_masses + "*PART\np\n1,1,1\n*SECTION_DISCRETE\n1,1\n\n*MAT_SPRING_ELASTIC\n1,50.\n",
+  Oscillation run = run_of(two_masses + "*PART\np\n1,1,1\n*SECTION_DISCRETE\n1,1\n\n*MAT_SPRING_ELASTIC\n1,50.\n",
                    {Vector(0, 0, 0), Vector(0.1, 0, 0)}, step, {2, 3});
   const double omega = std::sqrt(stiffness * 5 / 6), turn = 2 * std::asin(omega * step / 2);
   for (int n = 0; n < 100; ++n) {
@@ -134,15 +134,15 @@ TEST(Springs, StableStep) {
   for (int i = 1; i < 20; ++i) deck += fmt::format("{},1,{},{}\n", i, i, i + 1);
   std::vector<Vector> velocity(20, Vector::Zero());
   velocity[3] = {1e-3, 0, 0};
-  for (const std::string& material : {"*MAT_SPRING_ELASTIC\n1,5000.\n", "*MAT_DAMPER_VISCOUS\n1,30.\n"}) {
-    Run run = run_of(deck + part + material, velocity, 1);
+  for (const char* material : {"*MAT_SPRING_ELASTIC\n1,5000.\n", "*MAT_DAMPER_VISCOUS\n1,30.\n"}) {
+    Oscillation run = run_of(deck + part + material, velocity, 1);
     go(run, 3000);
     EXPECT_LT(run.stepper.state().dt, 1);
     EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-9);
     for (const Vector& v : run.stepper.state().v) EXPECT_LT(v.norm(), 2e-3);
   }
   // ω² = 4 k / m for the chain.
-  Run run = run_of(deck + part + "*MAT_SPRING_ELASTIC\n1,5000.\n", velocity, 1);
+  Oscillation run = run_of(deck + part + "*MAT_SPRING_ELASTIC\n1,5000.\n", velocity, 1);
   EXPECT_NEAR(run.springs->stable_step(), std::sqrt(0.19) * 2 / std::sqrt(4 * 5000 / 0.01), 1e-12);
 }
 
