@@ -46,8 +46,7 @@ struct BeamRows {
 BeamRows read_beam_rows(Context& context, const Block& block, const Options& options) {
   const CardLayout& layout = keyword::card_layout("ELEMENT_BEAM", "card1");
   const CardLayout& direction = keyword::card_layout("ELEMENT_BEAM_ORIENTATION", "card1.2");
-  const std::size_t before =
-      options.count({"THICKNESS", "SECTION", "SCALAR", "SCALR", "PID", "OFFSET"}),
+  const std::size_t before = options.count({"THICKNESS", "SECTION", "SCALAR", "SCALR", "PID", "OFFSET"}),
                     behind = options.count({"WARPAGE", "ELBOW"});
   BeamRows beams{{2, {}, {}}, {}};
   CardReader reader(context.deck, block, context.diagnostics);

@@ -100,8 +100,8 @@ Profile rectangle(double along_s, double along_t) {
 /// The constants of resultant beams and trusses.
 Profile resultants(const Card& card) {
   Profile profile = equal_area(card.real("a"));
-  profile.constants = BeamSection{card.real("a"), card.real("iss"), card.real("itt"), card.real("j"),
-                                  card.real("sas"), 0};
+  profile.constants =
+      BeamSection{card.real("a"), card.real("iss"), card.real("itt"), card.real("j"), card.real("sas"), 0};
   return profile;
 }
 

@@ -34,8 +34,7 @@ double bending_step(const BeamProperties& properties, double length, double star
   const double mass = beam_mass(properties, start_length) / 2;
   const double inertia = mass * beam_inertia(properties, start_length);
   double squared_frequency = 2 * material.young * section.area / (start_length * mass);
-  squared_frequency =
-      std::max(squared_frequency, 2 * material.shear() * section.torsion / (start_length * inertia));
+  squared_frequency = std::max(squared_frequency, 2 * material.shear() * section.torsion / (start_length * inertia));
   for (const double area : {section.iss, section.itt}) {
     const double stiffness = material.young * area / start_length;
     const double ratio = bending(properties, area, start_length).shear_ratio;
@@ -135,8 +134,8 @@ BeamForces resultant_beam_forces(const BeamProperties& properties, const BeamEnd
     forces.moment[end] = (end == 0 ? -torsion : torsion) * r + moment_s[end] * s + moment_t[end] * t;
   }
   // Shear from the balance of moments.
-  forces.force[1] = forces.axial * r + (moment_s[0] + moment_s[1]) / length * t -
-                    (moment_t[0] + moment_t[1]) / length * s;
+  forces.force[1] =
+      forces.axial * r + (moment_s[0] + moment_s[1]) / length * t - (moment_t[0] + moment_t[1]) / length * s;
   forces.force[0] = -forces.force[1];
   forces.stable_step = bending_step(properties, length, state.length);
   return forces;

@@ -20,10 +20,10 @@ struct BeamEnds {
 
 /// What one beam remembers.
 struct BeamState {
-  double length = 0;                  ///< at the start
-  Vector axis = Vector::Zero();       ///< s, unit length, across the beam; at the end of the step
-  double twist = 0;                   ///< of end 2 against end 1
-  std::array<double, 2> turn_s{}, turn_t{};  ///< of the ends about s and t, against the line between them
+  double length = 0;                                       ///< at the start
+  Vector axis = Vector::Zero();                            ///< s, unit length, across the beam; at the end of the step
+  double twist = 0;                                        ///< of end 2 against end 1
+  std::array<double, 2> turn_s{}, turn_t{};                ///< of the ends about s and t, against the line between them
   double stress = 0, back_stress = 0, plastic_strain = 0;  ///< of trusses
 };
 

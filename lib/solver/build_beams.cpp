@@ -29,9 +29,9 @@ std::variant<BeamProperties, Failure> beam_properties(const model::Section& sect
   for (const double value : {values.area, values.iss, values.itt, values.torsion, values.shear_area, values.line_mass})
     if (!(value >= 0) || !std::isfinite(value)) finite = false;
   if (!finite || !(values.area > 0))
-    return Failure{Failure::Kind::bad_element,
-                   fmt::format("section {} has a beam area of {:g} or constants out of range; mend it", section.id,
-                               values.area)};
+    return Failure{
+        Failure::Kind::bad_element,
+        fmt::format("section {} has a beam area of {:g} or constants out of range; mend it", section.id, values.area)};
   return properties;
 }
 

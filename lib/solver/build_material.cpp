@@ -88,8 +88,7 @@ std::variant<Material, Failure> build_material(const model::Model& model, const 
   return result;
 }
 
-void name_what_is_not_calculated(const model::Model& model, const model::Material& material,
-                                 Diagnostics& diagnostics) {
+void name_what_is_not_calculated(const model::Model& model, const model::Material& material, Diagnostics& diagnostics) {
   if (!material.plasticity) return;
   const model::Plasticity& data = *material.plasticity;
   const auto warn = [&](std::string_view what) {

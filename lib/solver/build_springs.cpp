@@ -30,12 +30,13 @@ class Collector {
     const model::DiscreteValues own = element < values.size() ? values[element] : model::DiscreteValues{};
     const auto& [a, b] = discrete.nodes[element];
     if (const std::string_view why = left_out(section, own, a, b); !why.empty()) {
-      diagnostics_.warning(
-          model_.file({discrete.origins.file(element), discrete.line[element]}), discrete.line[element],
-          fmt::format("discrete element {} {}; it takes no part in the calculation", id, why));
+      diagnostics_.warning(model_.file({discrete.origins.file(element), discrete.line[element]}),
+                           discrete.line[element],
+                           fmt::format("discrete element {} {}; it takes no part in the calculation", id, why));
       return;
     }
-    if (const auto law = law_of(part, section)) springs.push_back({a, b, *law, own.scale, own.offset, section.torsional});
+    if (const auto law = law_of(part, section))
+      springs.push_back({a, b, *law, own.scale, own.offset, section.torsional});
   }
 
   std::vector<SpringLaw> laws;
@@ -76,8 +77,7 @@ class Collector {
     if (data.rate_curve != 0)
       warn(material.place, fmt::format("material {}: the curve over the rate (LCR) is not calculated", material.id));
     SpringLaw law;
-    const double constant =
-        data.constant * (section.torsional ? data.length_factor * data.length_factor : 1);
+    const double constant = data.constant * (section.torsional ? data.length_factor * data.length_factor : 1);
     (data.kind == Kind::damper ? law.damping : law.stiffness) = constant;
     if (data.kind == Kind::nonlinear_spring) law.curve = curve_of(material);
     laws.push_back(std::move(law));

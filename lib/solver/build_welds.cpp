@@ -32,8 +32,8 @@ void build_welds(const model::Model& model, Structure& structure, Diagnostics& d
     };
     const auto outside = [&](NodeIndex n) { return n.value >= structure.state.x.size(); };
     if (std::any_of(weld.nodes.begin(), weld.nodes.end(), outside)) continue;
-    const auto taken = std::find_if(weld.nodes.begin(), weld.nodes.end(),
-                                    [&](NodeIndex n) { return structure.rigid.holds(n.value); });
+    const auto taken =
+        std::find_if(weld.nodes.begin(), weld.nodes.end(), [&](NodeIndex n) { return structure.rigid.holds(n.value); });
     if (taken != weld.nodes.end()) {
       warn(fmt::format("node {} is in another rigid body or weld; the weld takes no part in the calculation",
                        structure.node_id[taken->value]));

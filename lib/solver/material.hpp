@@ -14,11 +14,11 @@ struct PointState {
 };
 
 enum class MaterialKind : std::uint8_t {
-  elastic,  ///< 001
-  plastic,  ///< 003, 024
+  elastic,      ///< 001
+  plastic,      ///< 003, 024
   anisotropic,  ///< 037: plastic, in plane stress only
-  null,     ///< 009: mass, no stress
-  rigid,    ///< 020: no stress; elastic constants count for contact and time step only
+  null,         ///< 009: mass, no stress
+  rigid,        ///< 020: no stress; elastic constants count for contact and time step only
 };
 
 /// Yield curves over the strain rate, rates rising, curves aligned. Linear in the rate (or its logarithm) between them,
@@ -67,8 +67,8 @@ double update_plane_stress(const Material& material, const Symmetric& increment,
 
 /// Material 037 in plane stress: transverse isotropy after Hill with the Lankford parameter R,
 /// q² = σxx² + σyy² − 2R/(1+R) σxx σyy + 2(1+2R)/(1+R) σxy² + 3 (σyz² + σzx²) <= σ(ε̄)², associated flow. Pressure,
-/// shear and transverse shear return each by a factor of its own (Simo and Taylor 1986), so one scalar equation is left,
-/// which is bracketed. R = 1 is von Mises. Returns εzz.
+/// shear and transverse shear return each by a factor of its own (Simo and Taylor 1986), so one scalar equation is
+/// left, which is bracketed. R = 1 is von Mises. Returns εzz.
 double update_anisotropic_plane_stress(const Material& material, const Symmetric& increment, PointState& point);
 
 }  // namespace gapcheck::solver

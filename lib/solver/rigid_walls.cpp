@@ -127,8 +127,7 @@ void RigidWalls::react_one(const State& state, double mean, double next, Wall& w
 }
 
 void RigidWalls::react(const State& state, double mean, double next, Forces& net, Forces& external) {
-  for (std::size_t i = 0; i < walls_.size(); ++i)
-    react_one(state, mean, next, walls_[i], states_[i], net, external);
+  for (std::size_t i = 0; i < walls_.size(); ++i) react_one(state, mean, next, walls_[i], states_[i], net, external);
 }
 
 void RigidWalls::absorbed(Absorbed& work) const {

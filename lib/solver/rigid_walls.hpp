@@ -23,9 +23,9 @@ struct WallState {
 /// Why a wall is left out of the calculation; empty: it is calculated.
 [[nodiscard]] std::string_view wall_not_calculated(const model::RigidWall& wall);
 
-/// Rigid walls at rest: perfectly plastic stops. A node that would be behind a wall at the end of the coming step is put
-/// on its surface instead, so it loses the velocity into the wall; one that already is behind goes no deeper and is not
-/// moved out. Friction by Coulomb's law on the impulse along the wall (FRIC 1: no sliding). Of several walls at one
+/// Rigid walls at rest: perfectly plastic stops. A node that would be behind a wall at the end of the coming step is
+/// put on its surface instead, so it loses the velocity into the wall; one that already is behind goes no deeper and is
+/// not moved out. Friction by Coulomb's law on the impulse along the wall (FRIC 1: no sliding). Of several walls at one
 /// node each sees what those before it did.
 class RigidWalls : public Force {
  public:

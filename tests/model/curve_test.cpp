@@ -26,7 +26,8 @@ TEST(Curves, FaultsAreTold) {
 
 TEST(Tables, WithTheCurvesThatFollowOrTheirNames) {
   const Read read = read_text(
-      "*DEFINE_TABLE_TITLE\nrates\n5,2.,1.\n0.\n                10.0\n*DEFINE_CURVE\n7\n0.,1.\n*DEFINE_CURVE\n8\n0.,2.\n"
+      "*DEFINE_TABLE_TITLE\nrates\n5,2.,1.\n0.\n                "
+      "10.0\n*DEFINE_CURVE\n7\n0.,1.\n*DEFINE_CURVE\n8\n0.,2.\n"
       "*DEFINE_CURVE\n9\n0.,3.\n*DEFINE_TABLE_2D\n6\n                 1.0                 8\n100.,7\n");
   EXPECT_EQ(read.text(), "");
   ASSERT_EQ(read.model.tables.size(), 2u);
@@ -44,8 +45,9 @@ TEST(Tables, WithTheCurvesThatFollowOrTheirNames) {
 }
 
 TEST(Tables, FaultsAreTold) {
-  const Read read =
-      read_text("*DEFINE_TABLE\n*DEFINE_TABLE\n-5\n1.\n*DEFINE_TABLE\n5\n1.\n2.\n*DEFINE_TABLE\n5\n3.\n*DEFINE_CURVE\n4\n0.,1.\n");
+  const Read read = read_text(
+      "*DEFINE_TABLE\n*DEFINE_TABLE\n-5\n1.\n*DEFINE_TABLE\n5\n1.\n2.\n*DEFINE_TABLE\n5\n3.\n*DEFINE_CURVE\n4\n0.,1."
+      "\n");
   EXPECT_EQ(read.errors(), 2u) << read.text();
   EXPECT_EQ(read.faults(Fault::Kind::duplicate_id), 1u);
   EXPECT_EQ(read.model.tables.at(5).rows[1].curve, 0);  // no curve came before the next table

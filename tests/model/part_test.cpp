@@ -268,7 +268,8 @@ TEST(Materials, FailureRatesAndAnisotropy) {
 
 TEST(Materials, SpringsAndDampers) {
   const Read read = read_text(
-      "*MAT_SPRING_ELASTIC\n1,250.\n*MAT_S02_TITLE\nd\n2,3.\n*MAT_SPRING_NONLINEAR_ELASTIC_TITLE\nn\n3,7,8\n*MAT_S05\n4,7\n");
+      "*MAT_SPRING_ELASTIC\n1,250.\n*MAT_S02_TITLE\nd\n2,3.\n*MAT_SPRING_NONLINEAR_ELASTIC_TITLE\nn\n3,7,8\n*MAT_"
+      "S05\n4,7\n");
   EXPECT_EQ(read.text(), "");
   const auto& materials = read.model.materials;
   ASSERT_EQ(materials.size(), 4u);

@@ -46,8 +46,7 @@ TEST(Welds, GeneralizedSpotWeld) {
 }
 
 TEST(Welds, WhatIsNotThereIsNamed) {
-  const Read read = read_text(nodes_text(2) +
-                              "*CONSTRAINED_SPOTWELD\n1,9\n*CONSTRAINED_GENERALIZED_WELD_SPOT\n4\n\n");
+  const Read read = read_text(nodes_text(2) + "*CONSTRAINED_SPOTWELD\n1,9\n*CONSTRAINED_GENERALIZED_WELD_SPOT\n4\n\n");
   EXPECT_TRUE(read.model.welds.empty());
   EXPECT_EQ(read.faults(Fault::Kind::unknown_reference), 2u) << read.text();
   EXPECT_EQ(read.warnings(), 2u);

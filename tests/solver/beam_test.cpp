@@ -146,7 +146,8 @@ TEST(Truss, YieldsAndHardens) {
   }
 }
 
-std::string beam_line(int count, double length, const std::string& section = "*SECTION_BEAM\n1,2\n0.02,3e-5,5e-5,7e-5\n") {
+std::string beam_line(int count, double length,
+                      const std::string& section = "*SECTION_BEAM\n1,2\n0.02,3e-5,5e-5,7e-5\n") {
   std::string text = "*NODE\n";
   for (int i = 0; i <= count; ++i) text += fmt::format("{},{},0.,0.\n", i + 1, i * length / count);
   text += "999,0.,1.,0.\n*ELEMENT_BEAM\n";
@@ -225,8 +226,9 @@ TEST(BeamElements, ConserveEnergyAndMomentum) {
 
 // One beam alone has the element's own masses, so the bound is sharp: stable just below it, not above.
 TEST(BeamElements, StableStepIsSharp) {
-  for (const char* section : {"*SECTION_BEAM\n1,2\n0.02,3e-5,5e-5,7e-5,0.01\n", "*SECTION_BEAM\n1,2\n0.02,3e-2,5e-3,7e-5\n",
-                              "*SECTION_BEAM\n1,2\n0.02,3e-5,5e-5,7e-2\n", "*SECTION_BEAM\n1,3\n0.02\n"}) {
+  for (const char* section :
+       {"*SECTION_BEAM\n1,2\n0.02,3e-5,5e-5,7e-5,0.01\n", "*SECTION_BEAM\n1,2\n0.02,3e-2,5e-3,7e-5\n",
+        "*SECTION_BEAM\n1,2\n0.02,3e-5,5e-5,7e-2\n", "*SECTION_BEAM\n1,3\n0.02\n"}) {
     for (const double factor : {0.999, 1.02}) {
       Structure beam = structure_of(beam_line(1, 1, section));
       const double limit = beam.beams.size() == 1 ? [&] {
@@ -274,16 +276,18 @@ TEST(BeamElements, MassAndInertia) {
   EXPECT_NEAR(beam.state.mass[0], half, 1e-14);
   EXPECT_NEAR(beam.state.mass[1], 2 * half, 1e-14);
   EXPECT_NEAR(beam.state.inertia[0], half * 4 / 12, 1e-14);
-  const Structure rigid = structure_of("*NODE\n1,0.,0.,0.\n2,2.,0.,0.\n*ELEMENT_BEAM\n1,1,1,2\n*PART\np\n1,1,1\n"
-                                       "*SECTION_BEAM\n1,2\n0.02,3e-5,3e-5,7e-5\n*MAT_RIGID\n1,3.,1000.,0.3\n");
+  const Structure rigid = structure_of(
+      "*NODE\n1,0.,0.,0.\n2,2.,0.,0.\n*ELEMENT_BEAM\n1,1,1,2\n*PART\np\n1,1,1\n"
+      "*SECTION_BEAM\n1,2\n0.02,3e-5,3e-5,7e-5\n*MAT_RIGID\n1,3.,1000.,0.3\n");
   ASSERT_EQ(rigid.rigid.size(), 1u);
   EXPECT_NEAR(rigid.rigid[0].mass(), 3 * 0.02 * 2, 1e-14);
   EXPECT_NEAR(rigid.rigid[0].inertia()(2, 2), 0.12 * 4 / 12, 1e-14);
 }
 
 TEST(BeamElements, WhatIsNotCalculatedIsNamed) {
-  const std::string nodes = "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,2.,0.,0.\n*ELEMENT_BEAM\n1,1,1,2,3,1\n*ELEMENT_BEAM_OFFSET\n"
-                            "2,1,2,3\n0.,0.,1.,0.,0.,1.\n*PART\np\n1,1,1\n";
+  const std::string nodes =
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,2.,0.,0.\n*ELEMENT_BEAM\n1,1,1,2,3,1\n*ELEMENT_BEAM_OFFSET\n"
+      "2,1,2,3\n0.,0.,1.,0.,0.,1.\n*PART\np\n1,1,1\n";
   const model::Read read = model::read_text(nodes + "*SECTION_BEAM\n1,1\n0.2,0.2,0.1,0.1\n*MAT_ELASTIC\n1,1.,1.,0.3\n");
   Diagnostics diagnostics;
   EXPECT_EQ(std::get<Structure>(build_structure(read.model, {}, diagnostics)).beams.size(), 2u);
@@ -308,8 +312,9 @@ TEST(BeamElements, WhatIsNotCalculatedIsNamed) {
 
 // Beams of a null material carry mass only.
 TEST(BeamElements, NullBeams) {
-  Structure beam = structure_of("*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n*ELEMENT_BEAM\n1,1,1,2\n*PART\np\n1,1,1\n"
-                                "*SECTION_BEAM\n1,2\n0.02,3e-5,3e-5,7e-5\n*MAT_NULL\n1,3.\n");
+  Structure beam = structure_of(
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n*ELEMENT_BEAM\n1,1,1,2\n*PART\np\n1,1,1\n"
+      "*SECTION_BEAM\n1,2\n0.02,3e-5,3e-5,7e-5\n*MAT_NULL\n1,3.\n");
   beam.state.v[1] = {0.1, 0.2, 0};
   StepSettings settings;
   settings.greatest_step = 0.1;

@@ -79,9 +79,11 @@ TEST(Build, AnisotropyAndRateTables) {
   EXPECT_EQ(sheet.kind, MaterialKind::anisotropic);
   EXPECT_EQ(sheet.anisotropy, 1.5);
   EXPECT_NEAR(sheet.yield.stress(0.1), 20, 1e-12);
-  EXPECT_EQ(material_of("*MAT_037\n1,1.,1000.,0.3,10.,0.,1.,9\n*DEFINE_CURVE\n9\n0.,20.\n1.,30.\n").yield.stress(0.5), 25);
+  EXPECT_EQ(material_of("*MAT_037\n1,1.,1000.,0.3,10.,0.,1.,9\n*DEFINE_CURVE\n9\n0.,20.\n1.,30.\n").yield.stress(0.5),
+            25);
   const std::string curves = "*DEFINE_CURVE\n9\n0.,20.\n1.,30.\n*DEFINE_CURVE\n10\n0.,40.\n0.5,60.\n";
-  const Material rates = material_of("*MAT_024\n1,1.,1000.,0.3,10.,100.\n40.,5.,8\n*DEFINE_TABLE\n8\n1.\n3.\n" + curves);
+  const Material rates =
+      material_of("*MAT_024\n1,1.,1000.,0.3,10.,100.\n40.,5.,8\n*DEFINE_TABLE\n8\n1.\n3.\n" + curves);
   ASSERT_EQ(rates.table.curves.size(), 2u);
   EXPECT_NEAR(rates.yield_at(2).stress(0.5), (25 + 60) / 2.0, 1e-12);
   EXPECT_NEAR(rates.yield_at(1e3).stress(0.75), 70, 1e-12);  // no Cowper-Symonds factor beside a table
@@ -96,11 +98,12 @@ TEST(Build, WhatMaterialsLeaveOutIsNamedOnce) {
   EXPECT_TRUE(std::holds_alternative<Structure>(build_structure(read.model, {}, diagnostics)));
   std::string text;
   for (const Diagnostic& d : diagnostics.sorted()) text += d.message + "\n";
-  EXPECT_EQ(text,
-            "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): failure (FS, FAIL) is not calculated\n"
-            "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): the curve LCSR over the rate is not calculated\n"
-            "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): the viscoplastic rate (VP) is ignored; the total strain rate "
-            "counts\n");
+  EXPECT_EQ(
+      text,
+      "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): failure (FS, FAIL) is not calculated\n"
+      "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): the curve LCSR over the rate is not calculated\n"
+      "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): the viscoplastic rate (VP) is ignored; the total strain rate "
+      "counts\n");
 }
 
 TEST(Build, FailuresAreTold) {
@@ -166,9 +169,9 @@ TEST(Build, NodesThatAreNotThere) {
 }
 
 TEST(Build, OtherElementsAreNamed) {
-  const model::Read read = model::read_text("*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.,0.\n*ELEMENT_BEAM\n1,1,1,2,3\n" +
-                                            elastic_deck("*SECTION_BEAM\n1,6\n1.,1.\n", 1, 0.3, 1) +
-                                            "*ELEMENT_SPH\n3,1,0.5\n");
+  const model::Read read =
+      model::read_text("*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.,0.\n*ELEMENT_BEAM\n1,1,1,2,3\n" +
+                       elastic_deck("*SECTION_BEAM\n1,6\n1.,1.\n", 1, 0.3, 1) + "*ELEMENT_SPH\n3,1,0.5\n");
   Diagnostics diagnostics;
   const auto built = build_structure(read.model, {}, diagnostics);
   EXPECT_TRUE(std::holds_alternative<Structure>(built));

@@ -74,8 +74,8 @@ TEST(Anisotropic, WithoutAnisotropyItIsMises) {
   PointState one, other;
   for (int i = 0; i < 200; ++i) {
     const double a = i;
-    const Symmetric increment{1e-3 * std::sin(a), 2e-3 * std::cos(0.7 * a), 0, 1e-3 * std::sin(0.3 * a),
-                              5e-4 * std::cos(0.2 * a), 4e-4 * std::sin(0.5 * a)};
+    const Symmetric increment{1e-3 * std::sin(a),       2e-3 * std::cos(0.7 * a), 0,
+                              1e-3 * std::sin(0.3 * a), 5e-4 * std::cos(0.2 * a), 4e-4 * std::sin(0.5 * a)};
     const double through = update_plane_stress(sheet(1), increment, 1, one);
     EXPECT_NEAR(through, update_plane_stress(mises, increment, 1, other), 1e-12);
     for (std::size_t k = 0; k < 6; ++k) ASSERT_NEAR(one.stress[k], other.stress[k], 1e-9 * yield) << i;

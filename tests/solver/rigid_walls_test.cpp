@@ -165,7 +165,8 @@ TEST(RigidWalls, RectangleAndTimes) {
 // A mass that meets a cylinder off its middle goes on along it.
 TEST(RigidWalls, CylinderKeepsWhatIsAlong) {
   constexpr double step = 1e-5;
-  Flight flight = fly(mass_at("-0.6,0.,0.") + "*RIGIDWALL_GEOMETRIC_CYLINDER\n1\n0,0,-1,0,0,1\n0.5\n", {2, 0, 0.3}, step);
+  Flight flight =
+      fly(mass_at("-0.6,0.,0.") + "*RIGIDWALL_GEOMETRIC_CYLINDER\n1\n0,0,-1,0,0,1\n0.5\n", {2, 0, 0.3}, step);
   // Hits at (-0.5, 0): head on, only the motion along the axis is left.
   run(flight, 6000);
   EXPECT_NEAR(flight.stepper.state().v[0].x(), 0, 1e-12);
@@ -240,7 +241,8 @@ TEST(RigidWalls, WhatIsNotCalculatedIsNamed) {
 
 // Numbers without sense must not bring it down.
 TEST(RigidWalls, HostileNumbers) {
-  Flight flight = fly(mass_at("1e29,-1e29,0.") + "*RIGIDWALL_PLANAR\n1\n1e29,1e29,1e29,0,0,1\n", {1e200, 1e300, 1e300}, 1);
+  Flight flight =
+      fly(mass_at("1e29,-1e29,0.") + "*RIGIDWALL_PLANAR\n1\n1e29,1e29,1e29,0,0,1\n", {1e200, 1e300, 1e300}, 1);
   for (int i = 0; i < 5; ++i)
     if (flight.stepper.step()) break;
   SUCCEED();

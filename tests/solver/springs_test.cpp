@@ -16,13 +16,14 @@ struct Oscillation {
 };
 
 Oscillation run_of(const std::string& deck, const std::vector<Vector>& velocity, double step,
-           const std::vector<double>& inertia = {}) {
+                   const std::vector<double>& inertia = {}) {
   const model::Read read = model::read_text(deck);
   EXPECT_EQ(read.errors(), 0u) << read.text();
   Diagnostics diagnostics;
   Structure structure = std::get<Structure>(build_structure(read.model, {}, diagnostics));
   for (std::size_t i = 0; i < inertia.size(); ++i) structure.state.inertia[i] = inertia[i];
-  for (std::size_t i = 0; i < velocity.size(); ++i) (inertia.empty() ? structure.state.v : structure.state.w)[i] = velocity[i];
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    (inertia.empty() ? structure.state.v : structure.state.w)[i] = velocity[i];
   std::vector<std::unique_ptr<Force>> forces;
   const auto failure = add_walls_and_springs(read.model, structure, forces, diagnostics);
   EXPECT_FALSE(failure.has_value()) << (failure ? failure->message : "");
@@ -61,7 +62,8 @@ TEST(Springs, PeriodOfAMassOnTheGround) {
 }
 
 TEST(Springs, TwoMassesAndTheEnergyOfTheSpring) {
-  Oscillation run = run_of(two_masses + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {Vector(-0.03, 0, 0), Vector(0.02, 0, 0)}, 1e-3);
+  Oscillation run =
+      run_of(two_masses + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {Vector(-0.03, 0, 0), Vector(0.02, 0, 0)}, 1e-3);
   go(run, 1000);
   const double elongation = run.springs->elongation(0);
   EXPECT_NEAR(run.springs->tension(0), 50 * elongation, 1e-12);
@@ -75,8 +77,9 @@ TEST(Springs, TwoMassesAndTheEnergyOfTheSpring) {
 
 // S scales, the offset stretches at the start.
 TEST(Springs, ScaleAndOffset) {
-  const std::string deck = "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n2,2,3.\n*ELEMENT_DISCRETE\n"
-                           "1,1,1,2,0,3.,0,0.01\n";
+  const std::string deck =
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n2,2,3.\n*ELEMENT_DISCRETE\n"
+      "1,1,1,2,0,3.,0,0.01\n";
   Oscillation run = run_of(deck + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {}, 1e-3);
   go(run, 1);
   EXPECT_NEAR(run.springs->tension(0), 3 * 50 * 0.01, 1e-14);
@@ -100,8 +103,9 @@ TEST(Springs, DamperDecay) {
 }
 
 TEST(Springs, NonlinearCurve) {
-  Oscillation run = run_of(two_masses + part + "*MAT_SPRING_NONLINEAR_ELASTIC\n1,7\n*DEFINE_CURVE\n7\n-1.,-20.\n0.,0.\n0.1,1.\n0.2,9.\n",
-                   {Vector(0, 0, 0), Vector(0.5, 0, 0)}, 1e-3);
+  Oscillation run = run_of(
+      two_masses + part + "*MAT_SPRING_NONLINEAR_ELASTIC\n1,7\n*DEFINE_CURVE\n7\n-1.,-20.\n0.,0.\n0.1,1.\n0.2,9.\n",
+      {Vector(0, 0, 0), Vector(0.5, 0, 0)}, 1e-3);
   for (int i = 0; i < 1000; ++i) {
     go(run, 1);
     const double u = run.springs->elongation(0);
@@ -115,7 +119,7 @@ TEST(Springs, NonlinearCurve) {
 TEST(Springs, Torsion) {
   constexpr double step = 1e-2, stiffness = 50;
   Oscillation run = run_of(two_masses + "*PART\np\n1,1,1\n*SECTION_DISCRETE\n1,1\n\n*MAT_SPRING_ELASTIC\n1,50.\n",
-                   {Vector(0, 0, 0), Vector(0.1, 0, 0)}, step, {2, 3});
+                           {Vector(0, 0, 0), Vector(0.1, 0, 0)}, step, {2, 3});
   const double omega = std::sqrt(stiffness * 5 / 6), turn = 2 * std::asin(omega * step / 2);
   for (int n = 0; n < 100; ++n) {
     go(run, 1);
@@ -182,16 +186,18 @@ TEST(Springs, WhatIsMissingOrNotCalculatedIsTold) {
   EXPECT_EQ(outcome(one_mass + part + "*MAT_S05\n1,7\n", unused)->kind, Failure::Kind::bad_material);
   EXPECT_EQ(outcome(one_mass + part + "*MAT_S04\n1,7\n", unused)->kind, Failure::Kind::bad_material);
   Diagnostics diagnostics;
-  EXPECT_FALSE(outcome("*NODE\n1,0.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n*ELEMENT_DISCRETE\n1,1,1,0,5\n2,2,1,0\n3,3,1,0\n" + part +
+  EXPECT_FALSE(outcome("*NODE\n1,0.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n*ELEMENT_DISCRETE\n1,1,1,0,5\n2,2,1,0\n3,3,1,0\n" +
+                           part +
                            "*PART\nt\n2,2,1\n*PART\nl\n3,3,1\n*SECTION_DISCRETE\n2,1\n\n3,0,1.\n\n*MAT_S01\n1,1.\n",
                        diagnostics)
                    .has_value());
   std::string text;
   for (const Diagnostic& d : diagnostics.sorted()) text += d.message + "\n";
-  EXPECT_EQ(text,
-            "discrete element 1 acts along a vector (VID), which is not calculated; it takes no part in the calculation\n"
-            "discrete element 2 has no axis to turn about; it takes no part in the calculation\n"
-            "section 3: KD, V0, CL, FD, CDL and TDL are not calculated\n");
+  EXPECT_EQ(
+      text,
+      "discrete element 1 acts along a vector (VID), which is not calculated; it takes no part in the calculation\n"
+      "discrete element 2 has no axis to turn about; it takes no part in the calculation\n"
+      "section 3: KD, V0, CL, FD, CDL and TDL are not calculated\n");
 }
 
 }  // namespace

@@ -104,7 +104,8 @@ TEST(Welds, FailureTime) {
 
 TEST(Welds, SharedNodesAndWhatIsNotCalculatedAreNamed) {
   const model::Read read = model::read_text(
-      masses + "*NODE\n3,2.,0.,0.\n4,3.,0.,0.\n*SET_NODE_LIST\n1\n1,2\n*SET_NODE_LIST\n2\n2,3,4\n*SET_NODE_LIST\n3\n3,4\n" +
+      masses +
+      "*NODE\n3,2.,0.,0.\n4,3.,0.,0.\n*SET_NODE_LIST\n1\n1,2\n*SET_NODE_LIST\n2\n2,3,4\n*SET_NODE_LIST\n3\n3,4\n" +
       "*CONSTRAINED_NODAL_RIGID_BODY\n9,,1\n*CONSTRAINED_GENERALIZED_WELD_SPOT\n2\n\n"
       "*CONSTRAINED_GENERALIZED_WELD_SPOT_ID\n8\n3\n0.,0.3,1.,1.,1.,1.\n*CONSTRAINED_SPOTWELD\n3,4\n");
   Diagnostics diagnostics;
