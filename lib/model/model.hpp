@@ -41,7 +41,7 @@ struct RigidGroup {
 };
 
 struct Model {
-  std::string title;  ///< *TITLE
+  std::string title;  ///< the first *TITLE
   Mesh mesh;
   std::vector<Part> parts;  ///< in input order
   std::map<std::int64_t, PartIndex> part_of_id;

@@ -57,7 +57,8 @@ class HistoryNodes {
 
 void read_title(Context& context, const Block& block, const Options&) {
   CardReader reader(context.deck, block, context.diagnostics);
-  if (!reader.at_end()) context.model.title = reader.next(text_line()).text(std::size_t{0});
+  if (!reader.at_end() && context.model.title.empty())
+    context.model.title = reader.next(text_line()).text(std::size_t{0});
 }
 
 void read_database(Context& context, const Block& block, const Options&) {

@@ -42,7 +42,8 @@ std::string run_line(const SolverRun& run) {
   if (run.mpp) add(run.ranks > 0 ? fmt::format("{} ranks", run.ranks) : "MPP");
   if (run.termination == SolverRun::Termination::normal) add("normal termination");
   if (run.termination == SolverRun::Termination::error) add("error termination");
-  return line.empty() ? "" : "  LS-DYNA " + line + '\n';
+  if (line.empty()) return "";
+  return (run.version.starts_with("gapcheck") ? "  " : "  LS-DYNA ") + line + '\n';
 }
 
 const Timesteps* timesteps(const Report& report) {

@@ -7,7 +7,7 @@
 namespace gapcheck::results {
 
 std::string contact_header(const FileHeader& header, std::vector<LegendEntry> contacts) {
-  return header_text(header) + legend_text(std::move(contacts), 70) + "\n";
+  return header_text(header) + legend_text(std::move(contacts), 69) + "\n";
 }
 
 std::string rcforc_text(double time, std::span<const InterfaceState> contacts) {
@@ -20,7 +20,7 @@ std::string rcforc_text(double time, std::span<const InterfaceState> contacts) {
       }
       const Vector &f = contact.force[side], &m = contact.moment[side];
       const auto e = [](double value) { return scientific(value, 12, 5); };
-      text += fmt::format("  SURF{}{:12} time{}  x {}  y {}  z {}  mass {}  mx {}  my {}  mz {}\n",
+      text += fmt::format("  SURF{}{:12} time{}  x {}  y {}  z {} mass {}  mx {}  my {}  mz {}\n",
                           side == 0 ? 'A' : 'B', contact.contact, e(time), e(f.x()), e(f.y()), e(f.z()), e(0), e(m.x()),
                           e(m.y()), e(m.z()));
     }

@@ -280,6 +280,10 @@ class GeometryReader {
 
   /// Behind the numbering: rigid bodies, parents of adapted elements, then the particles.
   bool read_particles(D3plot& plot) {
+    const bool more = header_.has_rigid_bodies() || header_.adapted > 0 || header_.extra_words > 0 ||
+                      header_.ten_node_solids || header_.particles > 0;
+    if (!more) plot.geometry_words = position_;
+    plot.part_ids = part_ids_;
     if (header_.particles == 0) return true;
     Section section;
     if (!pass_rigid_bodies() || !pass(header_.adapted, list_width, "adapted elements") ||

@@ -15,8 +15,11 @@ namespace gapcheck::results {
 struct D3plot {
   std::string title;
   int word_bytes = 4;  ///< 4 or 8
+  /// Where the numbering ends, in words from the start of the family; 0: other sections follow that are not read.
+  std::uint64_t geometry_words = 0;
   std::vector<std::int64_t> node_ids;
   std::vector<std::array<double, 3>> coordinates;  ///< beside node_ids
+  std::vector<std::int64_t> part_ids;  ///< by the number that the file gives the part; empty: the numbers are the ids
   template <std::size_t N>
   struct Elements {
     std::vector<std::int64_t> ids;

@@ -32,7 +32,7 @@ struct D3plotState {
   std::vector<PartValues> parts;                ///< by number of the part
   std::vector<std::array<double, 3>> coordinates, velocities;
   std::vector<StressPoint> solids;
-  /// Points of one shell: middle, lower, upper surface, then further ones.
+  /// Points of one shell: middle, lower, upper surface; databases may have fewer.
   static constexpr std::size_t surfaces = 3;
   std::size_t layers = surfaces;
   std::vector<StressPoint> shell_points;  ///< `layers` per shell

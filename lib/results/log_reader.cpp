@@ -119,6 +119,7 @@ class FileReader {
     switch (text.front()) {
       case '|':
         return facts_.banner_line(text);
+      case 'g':
       case 'l':
         if (facts_.version_stamp(text, before)) return true;
         break;

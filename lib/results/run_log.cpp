@@ -94,7 +94,7 @@ std::string smallest_timesteps(std::span<const ElementStep> steps) {
       "\n\n 100 smallest timesteps\n ------------------------------------------------\n"
       " element       number                part    timestep\n";
   for (const ElementStep& step : steps.first(std::min<std::size_t>(steps.size(), 100)))
-    text += fmt::format(" {:<6}{:>15}{:>20}{}\n", step.kind, step.element, step.part, scientific(step.timestep, 12, 4));
+    text += fmt::format(" {:<6}{:>14}{:>20}{}\n", step.kind, step.element, step.part, scientific(step.timestep, 12, 4));
   return text + "\n";
 }
 

@@ -40,7 +40,7 @@ struct ElementStep {
 [[nodiscard]] std::string smallest_timesteps(std::span<const ElementStep> steps);
 /// "       1 t 0.0000E+00 dt 2.12E-04 write d3plot file"
 [[nodiscard]] std::string cycle_line(std::uint64_t cycle, double time, double time_step, const std::string& what);
-/// Why the run ended, its time and cycle, and the last line: normal or error termination.
+/// Why the run ended, its time and cycle (from 1), and the last line: normal or error termination.
 [[nodiscard]] std::string log_end(bool normal, const std::string& reason, double time, std::uint64_t cycle);
 /// A message block without a number.
 [[nodiscard]] std::string error_block(const std::string& text);

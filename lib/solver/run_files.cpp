@@ -20,6 +20,9 @@
 namespace gapcheck::solver {
 namespace {
 
+/// A sum of steps may miss a multiple by this much, relatively.
+constexpr double rounding = 1e-12;
+
 Failure not_written(const std::string& path, const std::string& why) {
   return {Failure::Kind::output, fmt::format("{}: cannot be written: {}", path, why)};
 }
@@ -62,8 +65,12 @@ std::vector<results::LegendEntry> node_titles(const model::Model& model) {
 
 }  // namespace
 
+bool Interval::due(double time) const {
+  return wanted() && (multiple_ == 0 || time >= multiple_ * length_ * (1 - rounding));
+}
+
 void Interval::written(double time) {
-  next_ += length_ * std::max(1.0, std::floor((time - next_) / length_) + 1);
+  multiple_ = std::max(multiple_, std::floor(time / length_ * (1 + rounding))) + 1;
 }
 
 model::Output output_intervals(const model::Model& model, double end_time) {
@@ -162,7 +169,7 @@ std::optional<Failure> RunFiles::log_end(const Run& run, RunEnd end) {
   const State& state = run.stepper().state();
   std::string text;
   if (run.failure()) text = results::error_block(run.failure()->message);
-  return log(text + results::log_end(end != RunEnd::failed, reason(end), state.time, state.cycle));
+  return log(text + results::log_end(end != RunEnd::failed, reason(end), state.time, state.cycle + 1));
 }
 
 std::string RunFiles::state_text(std::size_t which, const Run& run) const {

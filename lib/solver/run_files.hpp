@@ -30,11 +30,12 @@ class Interval {
   /// 0: never.
   explicit Interval(double length) : length_(length) {}
   [[nodiscard]] bool wanted() const { return length_ > 0; }
-  [[nodiscard]] bool due(double time) const { return wanted() && time >= next_; }
+  [[nodiscard]] bool due(double time) const;
   void written(double time);
 
  private:
-  double length_ = 0, next_ = 0;
+  double length_ = 0;
+  double multiple_ = 0;  ///< the next one, a whole number
 };
 
 /// Intervals as they are used: those of the deck; of glstat, sleout and rcforc a thousandth of the end time and of

@@ -1,0 +1,140 @@
+#include "report/vtu.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace gapcheck::report {
+namespace {
+
+constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+void add_base64(std::string_view bytes, std::string& out) {
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t triple = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      triple = triple << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) out += k <= count ? alphabet[triple >> (18 - 6 * k) & 63u] : '=';
+  }
+}
+
+/// Length in bytes and the bytes behind it, encoded as one.
+template <class Value>
+std::string encoded(const std::vector<Value>& values) {
+  const std::uint64_t length = values.size() * sizeof(Value);
+  std::string bytes(sizeof length + length, '\0');
+  std::memcpy(bytes.data(), &length, sizeof length);
+  if (!values.empty()) std::memcpy(bytes.data() + sizeof length, values.data(), length);
+  std::string text;
+  add_base64(bytes, text);
+  return text;
+}
+
+std::vector<float> single(std::span<const double> values) {
+  constexpr double most = std::numeric_limits<float>::max();
+  std::vector<float> list;
+  list.reserve(values.size());
+  for (const double value : values)
+    list.push_back(static_cast<float>(std::isnan(value) ? 0 : std::clamp(value, -most, most)));
+  return list;
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+  }
+  return result;
+}
+
+template <class Value>
+std::string array(std::string_view type, std::string_view name, unsigned components,
+                  const std::vector<Value>& values) {
+  return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n{}\n</DataArray>\n",
+                     type, escaped(name), components, encoded(values));
+}
+
+/// Ids are whole numbers that single precision may not hold.
+bool whole(const VtuArray& data) {
+  constexpr double most = 9e15;
+  return data.components == 1 && std::all_of(data.values.begin(), data.values.end(), [](double value) {
+    return std::abs(value) <= most && value == std::floor(value);
+  });
+}
+
+std::string data_arrays(const std::vector<VtuArray>& list) {
+  std::string text;
+  for (const VtuArray& data : list) {
+    if (!whole(data)) {
+      text += array("Float32", data.name, data.components, single(data.values));
+      continue;
+    }
+    std::vector<std::int64_t> integers;
+    for (const double value : data.values) integers.push_back(static_cast<std::int64_t>(value));
+    text += array("Int64", data.name, 1, integers);
+  }
+  return text;
+}
+
+const std::string head = fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{{}}\" version=\"1.0\" byte_order=\"{}\" "
+                                     "header_type=\"UInt64\">\n",
+                                     std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+
+}  // namespace
+
+void VtuGrid::add_cell(std::span<const std::uint32_t> nodes) {
+  std::size_t corners = nodes.size();
+  VtuCell type = VtuCell::line;
+  if (corners == 8) {
+    const bool four = std::all_of(nodes.begin() + 4, nodes.end(), [&](std::uint32_t node) { return node == nodes[3]; });
+    type = four ? VtuCell::tetrahedron : VtuCell::hexahedron;
+    if (four) corners = 4;
+  } else if (corners == 4) {
+    type = nodes[2] == nodes[3] ? VtuCell::triangle : VtuCell::quad;
+    if (type == VtuCell::triangle) corners = 3;
+  }
+  connectivity.insert(connectivity.end(), nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(corners));
+  offsets.push_back(connectivity.size());
+  types.push_back(type);
+}
+
+std::string vtu(const VtuGrid& grid) {
+  std::vector<double> points;
+  for (const auto& point : grid.points) points.insert(points.end(), point.begin(), point.end());
+  std::vector<std::int64_t> offsets(grid.offsets.begin(), grid.offsets.end());
+  std::vector<std::int64_t> connectivity(grid.connectivity.begin(), grid.connectivity.end());
+  std::vector<std::uint8_t> types;
+  for (const VtuCell type : grid.types) types.push_back(static_cast<std::uint8_t>(type));
+  std::string text = fmt::format(fmt::runtime(head), "UnstructuredGrid");
+  text += fmt::format("<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(),
+                      grid.types.size());
+  text += "<Points>\n" + array("Float32", "Points", 3, single(points)) + "</Points>\n";
+  text += "<Cells>\n" + array("Int64", "connectivity", 1, connectivity) + array("Int64", "offsets", 1, offsets) +
+          array("UInt8", "types", 1, types) + "</Cells>\n";
+  text += "<PointData>\n" + data_arrays(grid.point_data) + "</PointData>\n";
+  text += "<CellData>\n" + data_arrays(grid.cell_data) + "</CellData>\n";
+  return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+std::string pvd(std::span<const PvdEntry> entries) {
+  std::string text = fmt::format(fmt::runtime(head), "Collection") + "<Collection>\n";
+  for (const PvdEntry& entry : entries)
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", entry.time, escaped(entry.file));
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+}  // namespace gapcheck::report

@@ -1,0 +1,47 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gapcheck::report {
+
+/// Cells of an unstructured grid, as VTK numbers them.
+enum class VtuCell : std::uint8_t { line = 3, triangle = 5, quad = 9, tetrahedron = 10, hexahedron = 12 };
+
+/// A named array of one, three or six numbers per point or cell.
+struct VtuArray {
+  std::string name;
+  unsigned components = 1;
+  std::vector<double> values;  ///< as many as there are points or cells times `components`
+};
+
+/// An unstructured grid with its data.
+struct VtuGrid {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::uint32_t> connectivity;  ///< positions of points, cell after cell
+  std::vector<std::uint64_t> offsets;       ///< where each cell ends in it
+  std::vector<VtuCell> types;
+  std::vector<VtuArray> point_data, cell_data;
+
+  /// Adds a shell or solid of the solver: repeated corners at the end make a triangle or a tetrahedron; wedges and
+  /// pyramids stay hexahedra with repeated corners.
+  void add_cell(std::span<const std::uint32_t> nodes);
+};
+
+/// The grid as a .vtu file (VTK XML, version 1.0, binary data in base64 with 64-bit lengths): numbers in single
+/// precision, ids and places of points as integers. Numbers beyond that range are its ends, what is no number is 0.
+[[nodiscard]] std::string vtu(const VtuGrid& grid);
+
+/// One file of a series.
+struct PvdEntry {
+  double time = 0;
+  std::string file;
+};
+
+/// The collection (.pvd) that gives each file its time.
+[[nodiscard]] std::string pvd(std::span<const PvdEntry> entries);
+
+}  // namespace gapcheck::report

@@ -1,0 +1,308 @@
+#include "solver/run.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "results/d3plot_states.hpp"
+#include "results/glstat.hpp"
+#include "results/solver_log.hpp"
+#include "solver/plot.hpp"
+#include "solver/run_files.hpp"
+#include "structure.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A strip of four shells along x that ends at 0.5.
+std::string strip(const std::string& more) {
+  return "*TITLE\na strip\n*CONTROL_TERMINATION\n0.5\n" + plate(4, 1, {0.5, 0.5, 0}) +
+         elastic_deck(shell_section, 1000, 0.3, 1) + more;
+}
+
+/// Pulls the last nodes along x.
+class Pull : public Force {
+ public:
+  void add(State& state, Forces& forces) override {
+    for (const std::size_t node : {4, 9}) forces.force[node].x() += state.time < 0.25 ? 1 : 0;
+  }
+};
+
+class RunTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  struct Ended {
+    RunEnd end = RunEnd::failed;
+    std::uint64_t cycles = 0;
+    double time = 0;
+    std::string failure;
+    std::vector<std::string> names;
+    Energies energies;
+  };
+  Ended calculate(const std::string& deck, RunSettings settings = {}, RunFilesSettings files = {}) {
+    model_ = model::read_text(deck).model;
+    contact::SurfaceStore surfaces(model_);
+    Diagnostics diagnostics;
+    auto prepared = solver::Run::prepare(model_, surfaces, settings, diagnostics);
+    Ended ended;
+    if (const auto* failure = std::get_if<Failure>(&prepared)) {
+      ended.failure = failure->message;
+      return ended;
+    }
+    solver::Run& run = std::get<solver::Run>(prepared);
+    if (pulled_) run.add(std::make_unique<Pull>());
+    run.set_contacts(contacts_);
+    if (files.directory.empty()) files.directory = (folder_ / "out").string();
+    files.program = "gapcheck 0.0.0";
+    auto created = RunFiles::create(run, surfaces, files);
+    if (const auto* failure = std::get_if<Failure>(&created)) {
+      ended.failure = failure->message;
+      return ended;
+    }
+    RunFiles& all = std::get<RunFiles>(created);
+    ended.end = run.go(all);
+    ended.cycles = run.stepper().state().cycle;
+    ended.time = run.stepper().state().time;
+    ended.names = all.names();
+    ended.energies = run.stepper().energies();
+    if (run.failure()) ended.failure = run.failure()->message;
+    return ended;
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return contents(folder_ / "out" / name); }
+
+  fs::path folder_;
+  model::Model model_;
+  const ContactSource* contacts_ = nullptr;
+  bool pulled_ = true;
+};
+
+TEST_F(RunTest, FilesOfASmallDeck) {
+  const Ended ended = calculate(strip(
+      "*DATABASE_GLSTAT\n0.1\n*DATABASE_MATSUM\n0.1\n*DATABASE_NODOUT\n0.25\n*DATABASE_HISTORY_NODE\n5\n"
+      "*DATABASE_BINARY_D3PLOT\n0.1\n"));
+  ASSERT_EQ(ended.failure, "");
+  EXPECT_EQ(ended.end, RunEnd::time);
+  EXPECT_GE(ended.time, 0.5);
+  EXPECT_EQ(ended.names, (std::vector<std::string>{"messag", "d3hsp", "glstat", "matsum", "nodout", "d3plot"}));
+  const auto states = results::read_glstat(file("glstat"));
+  ASSERT_EQ(states.size(), 6u);
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    const double wanted = 0.1 * static_cast<double>(i);
+    EXPECT_GE(states[i].time, wanted - 1e-12);
+    EXPECT_LT(states[i].time, wanted + 1.01 * states[i].time_step);
+    EXPECT_NEAR(states[i].ratio, 1, 2e-3);
+    EXPECT_GT(states[i].external, 0);
+    EXPECT_NEAR(states[i].total, states[i].kinetic + states[i].internal + states[i].hourglass, 1e-4 * states[i].total);
+  }
+  // All of the force went into the momentum: 2 forces of 1 over 0.25, mass 2 x 0.5 x 0.1.
+  EXPECT_NEAR(states.back().velocity.x(), 2 * 0.25 / 0.1, 0.06 * 5);
+  EXPECT_NEAR(states.back().kinetic, ended.energies.kinetic, 1e-5 * ended.energies.kinetic);
+  const std::string matsum = file("matsum"), nodout = file("nodout");
+  EXPECT_NE(matsum.find("        1     p "), std::string::npos);
+  EXPECT_NE(nodout.find("\n        5 "), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "rcforc"));
+}
+
+TEST_F(RunTest, PlotHoldsTheState) {
+  RunFilesSettings files;
+  files.double_words = true;
+  results::D3plotState last;
+  files.on_plot = [&](const results::D3plotState& state, const solver::Run& run, std::size_t number) {
+    EXPECT_EQ(state.time, run.stepper().state().time);
+    EXPECT_GE(number, 1u);
+    last = state;
+    return std::nullopt;
+  };
+  const Ended ended = calculate(strip("*DATABASE_BINARY_D3PLOT\n0.1\n"), {}, files);
+  ASSERT_EQ(ended.failure, "");
+  const auto plot = results::D3plotStates::open((folder_ / "out" / "d3plot").string());
+  ASSERT_TRUE(plot.ok()) << plot.error().message;
+  EXPECT_EQ(plot.value().mesh().title, "a strip");
+  EXPECT_EQ(plot.value().mesh().node_ids, model_.mesh.nodes.id);
+  EXPECT_EQ(plot.value().mesh().shells.ids, model_.mesh.shells.id);
+  ASSERT_EQ(plot.value().size(), 6u);
+  const results::D3plotState state = plot.value().read(5);
+  EXPECT_EQ(state.time, ended.time);
+  EXPECT_EQ(state.coordinates, last.coordinates);
+  EXPECT_EQ(state.velocities, last.velocities);
+  EXPECT_EQ(state.kinetic, ended.energies.kinetic);
+  EXPECT_EQ(state.shells[0].thickness, 0.1);
+  // Plane stress along x: the resultant is the stress times the thickness.
+  const results::D3plotState pulled = plot.value().read(2);
+  const double stress = pulled.shell_points[0].stress[0];
+  EXPECT_GT(std::abs(stress), 1);
+  EXPECT_NEAR(pulled.shells[0].resultants[5], 0.1 * stress, 1e-4 * std::abs(stress)) << "the side turns a little";
+  EXPECT_NEAR(pulled.shell_points[1].stress[0], stress, 1e-9 * std::abs(stress)) << "no bending";
+  EXPECT_NEAR(pulled.shell_points[0].stress[2], 0, 1e-9 * std::abs(stress));
+  double energy = 0;
+  for (const results::PartValues& part : pulled.parts) energy += part.internal;
+  EXPECT_NEAR(energy, pulled.internal, 1e-9 * pulled.internal);
+}
+
+// Stresses are in global axes: the same strip along y has σyy for σxx.
+TEST(Plot, StressesAreGlobal) {
+  const auto axes = shell_axes({Vector(0, 0, 0), Vector(0, 2, 0), Vector(-1, 2, 0), Vector(-1, 0, 0)});
+  EXPECT_EQ(Vector(axes.row(0)), Vector(0, 1, 0));
+  EXPECT_EQ(Vector(axes.row(1)), Vector(-1, 0, 0));
+  EXPECT_EQ(Vector(axes.row(2)), Vector(0, 0, 1));
+}
+
+TEST_F(RunTest, IntervalsWhereTheDeckGivesNone) {
+  const Ended ended = calculate(strip(""));
+  ASSERT_EQ(ended.failure, "");
+  EXPECT_EQ(results::D3plotStates::open((folder_ / "out" / "d3plot").string()).value().size(),
+            std::min<std::size_t>(21, ended.cycles + 1));
+  const model::Output output = output_intervals(model_, 0.5);
+  EXPECT_EQ(output.glstat, 0.0005);
+  EXPECT_EQ(output.d3plot, 0.025);
+  EXPECT_EQ(output.sleout, 0) << "no contacts";
+  EXPECT_EQ(output.matsum, 0);
+}
+
+TEST_F(RunTest, Ends) {
+  EXPECT_NE(calculate("*NODE\n1,0.,0.,0.\n").failure.find("ENDTIM"), std::string::npos);
+  RunSettings settings;
+  settings.cycles = 3;
+  Ended ended = calculate(strip(""), settings);
+  EXPECT_EQ(ended.end, RunEnd::cycles);
+  EXPECT_EQ(ended.cycles, 3u);
+  settings = {};
+  settings.until = 0.05;
+  EXPECT_LT(calculate(strip(""), settings).time, 0.1);
+  settings = {};
+  int asked = 0;
+  settings.stop = [&] { return ++asked == 5; };
+  ended = calculate(strip(""), settings);
+  EXPECT_EQ(ended.end, RunEnd::stopped);
+  EXPECT_EQ(ended.cycles, 4u);
+  EXPECT_NE(file("messag").find("termination on request"), std::string::npos);
+  EXPECT_EQ(results::read_glstat(file("glstat")).back().cycle, 1u) << "the number is not read back";
+}
+
+TEST_F(RunTest, DirectoriesThatCannotBeMadeAreTold) {
+  std::ofstream(folder_ / "file") << "x";
+  RunFilesSettings files;
+  files.directory = (folder_ / "file" / "out").string();
+  EXPECT_NE(calculate(strip(""), {}, files).failure.find("file"), std::string::npos);
+}
+
+TEST_F(RunTest, OtherFilesAreLeftAlone) {
+  fs::create_directories(folder_ / "out");
+  for (const char* name : {"notes", "d3plot01", "d3plot02", "rcforc"}) std::ofstream(folder_ / "out" / name) << "old";
+  ASSERT_EQ(calculate(strip("")).failure, "");
+  EXPECT_EQ(file("notes"), "old");
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "d3plot02")) << "it would be taken for further states";
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "rcforc")) << "of another run";
+}
+
+class Contacts : public ContactSource {
+ public:
+  Contacts() {
+    ContactState state;
+    state.force_a = {1, 2, 3};
+    state.force_b = -state.force_a;
+    state.energy_a = 0.25;
+    state.friction = 0.125;
+    states_ = {state};
+  }
+  [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
+  [[nodiscard]] std::vector<ContactNode> nodes(std::size_t) const override {
+    ContactNode node, kept;
+    node.node = NodeIndex{2};
+    node.force = {0, 0, 5};
+    kept.kind = ContactNode::Kind::kept;
+    return {node, kept};
+  }
+
+ private:
+  std::vector<ContactState> states_;
+};
+
+TEST_F(RunTest, WhatTheContactsReport) {
+  const Contacts contacts;
+  contacts_ = &contacts;
+  const Ended ended = calculate(strip("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n7,a pair\n1,1,3,3\n\n\n"
+                                      "*DATABASE_NCFORC\n0.1\n"));
+  ASSERT_EQ(ended.failure, "");
+  EXPECT_NE(file("rcforc").find("  SURFB           7 time 0.00000E+00  x -1.00000E+00  y -2.00000E+00"), std::string::npos);
+  EXPECT_NE(file("sleout").find("         7   0.2500E+00   0.0000E+00                               0.1250E+00"),
+            std::string::npos);
+  const std::string ncforc = file("ncforc");
+  EXPECT_NE(ncforc.find("\n         3  0.00000E+00  0.00000E+00  5.00000E+00"), std::string::npos);
+  EXPECT_EQ(ncforc.find("\n         1  0.0"), std::string::npos) << "kept nodes carry no force";
+}
+
+// messag and d3hsp say what the initialisation found, and the run starts where it left the nodes.
+TEST_F(RunTest, ContactsAreInitialised) {
+  const std::string two =
+      "*CONTROL_TERMINATION\n0.001\n*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n"
+      "5,0.2,0.2,0.06\n6,0.8,0.2,0.06\n7,0.8,0.8,0.06\n8,0.2,0.8,0.06\n9,5.,5.,5.\n10,6.,5.,5.\n"
+      "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,5,6,7,8\n" +
+      elastic_deck(shell_section, 1000, 0.3, 1) + "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n3,all\n0\n\n\n";
+  pulled_ = false;
+  const Ended ended = calculate(two);
+  ASSERT_EQ(ended.failure, "");
+  Diagnostics diagnostics;
+  const Report report = results::read_solver_log_text(file("messag"), "messag", {}, diagnostics);
+  ASSERT_EQ(report.penetrations.size(), 4u);
+  EXPECT_EQ(report.penetrations[0].depth, 0.04);
+  EXPECT_EQ(report.run->termination, SolverRun::Termination::normal);
+  EXPECT_EQ(report.run->cycles, static_cast<std::int64_t>(ended.cycles) + 1) << "counted from 1";
+  const Report hsp = results::read_solver_log_text(file("d3hsp"), "d3hsp", {}, diagnostics);
+  EXPECT_EQ(hsp.contacts[0].title, "all");
+  EXPECT_EQ(hsp.penetrations.size(), 4u);
+  const auto plot = results::D3plotStates::open((folder_ / "out" / "d3plot").string());
+  EXPECT_NEAR(plot.value().mesh().coordinates[4][2], 0.06 + 1.002 * 0.04, 1e-6);
+}
+
+TEST_F(RunTest, TheSameBytesForAnyNumberOfThreads) {
+  std::array<std::string, 2> bytes;
+  for (const std::size_t jobs : {1, 4}) {
+    const JobLimit limit(jobs);
+    ASSERT_EQ(calculate(strip("*DATABASE_MATSUM\n0.1\n")).failure, "");
+    std::string& all = bytes[jobs == 1 ? 0 : 1];
+    for (const char* name : {"glstat", "matsum", "messag", "d3hsp", "d3plot", "d3plot01"}) all += file(name);
+  }
+  EXPECT_EQ(bytes[0], bytes[1]);
+}
+
+TEST(Interval, EachMultipleOnce) {
+  Interval interval(0.1);
+  int written = 0;
+  for (int i = 0; i <= 100; ++i)
+    if (interval.due(0.015 * i)) {
+      interval.written(0.015 * i);
+      ++written;
+    }
+  EXPECT_EQ(written, 16);
+  Interval never;
+  EXPECT_FALSE(never.due(0));
+  Interval once(std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(once.due(0));
+  once.written(0);
+  EXPECT_FALSE(once.due(1e300));
+}
+
+}  // namespace
+}  // namespace gapcheck::solver
