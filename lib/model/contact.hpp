@@ -144,8 +144,20 @@ struct Controls {
   double tssfac = 0.9;
   std::int64_t isdo = 0;
   double dt2ms = 0;  ///< mass scaling; zero = none
+  double dtinit = 0;         ///< first step; zero = none
+  std::int64_t lctm = 0;     ///< curve that limits the step over time; zero = none
+  Place timestep_place;
   // *CONTROL_TERMINATION; 0 = not given
   double endtim = 0;
+  std::int64_t endcyc = 0;
+  double dtmin = 0;   ///< the run ends when the step falls below this times the first one
+  double endeng = 0;  ///< change of the energy ratio, in percent, at which the run ends
+  // *CONTROL_HOURGLASS: for parts that name none; 0 = not given
+  std::int64_t ihq = 0;
+  double qh = 0;
+  Place hourglass_place;
+  // *CONTROL_BULK_VISCOSITY
+  double bulk_q1 = 1.5, bulk_q2 = 0.06;
   bool contact_given = false, shell_given = false;
   Place contact_place, shell_place;
 };

@@ -97,6 +97,15 @@ void read_initial_velocity_generation(Context& context, const Block& block, cons
 void read_initial_velocity_rigid_body(Context& context, const Block& block, const Options& options);
 void read_spot_weld(Context& context, const Block& block, const Options& options);
 void read_generalized_weld(Context& context, const Block& block, const Options& options);
+void read_concentrated_load(Context& context, const Block& block, const Options& options);
+void read_segment_load(Context& context, const Block& block, const Options& options);
+void read_shell_load(Context& context, const Block& block, const Options& options);
+void read_body_load(Context& context, const Block& block, const Options& options);
+void read_body_load_parts(Context& context, const Block& block, const Options& options);
+void read_global_damping(Context& context, const Block& block, const Options& options);
+void read_hourglass(Context& context, const Block& block, const Options& options);
+void read_control_hourglass(Context& context, const Block& block, const Options& options);
+void read_control_bulk_viscosity(Context& context, const Block& block, const Options& options);
 void read_rigid_wall(Context& context, const Block& block, const Options& options);
 void read_contact(Context& context, const Block& block, const Options& options);
 void read_control_contact(Context& context, const Block& block, const Options& options);
@@ -107,6 +116,9 @@ void read_title(Context& context, const Block& block, const Options& options);
 void read_database(Context& context, const Block& block, const Options& options);
 void read_history_nodes(Context& context, const Block& block, const Options& options);
 void read_friction_table(Context& context, const Block& block, const Options& options);
+
+/// The three or four cards of mass, centre, inertia and initial velocity of a rigid body.
+[[nodiscard]] BodyInertia read_body_inertia(Context& context, CardReader& reader);
 
 /// Yield data of one material behind its first card (`card`, fields of ten columns by position); nothing where the
 /// material has none that is read. `name`: "PLASTIC_KINEMATIC".

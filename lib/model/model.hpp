@@ -12,6 +12,7 @@
 #include "model/contact.hpp"
 #include "model/curve.hpp"
 #include "model/initial_velocity.hpp"
+#include "model/loads.hpp"
 #include "model/mesh.hpp"
 #include "model/output.hpp"
 #include "model/part.hpp"
@@ -34,6 +35,8 @@ struct RigidGroup {
   std::int64_t id = 0;
   std::vector<NodeIndex> nodes;  ///< nodal_rigid_body, extra_nodes
   std::vector<PartIndex> parts;  ///< extra_nodes: the one part; merged_parts: both
+  BodyConstraint constraint;     ///< nodal_rigid_body with _SPC
+  std::optional<BodyInertia> inertia;  ///< nodal_rigid_body with _INERTIA
   Place place;
 };
 
@@ -60,6 +63,8 @@ struct Model {
   std::map<std::int64_t, DirectionVector> vectors;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodeVelocity> node_velocities;
+  Loads loads;
+  std::map<std::int64_t, HourglassControl> hourglass;  ///< *HOURGLASS
   Controls controls;
   Output output;
   std::vector<std::string> files;                         ///< paths, by FileIndex

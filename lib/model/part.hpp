@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 #include <vector>
-#include <vector>
 
 #include "base/ids.hpp"
+#include "base/vector.hpp"
 
 namespace gapcheck::model {
 
@@ -31,13 +31,32 @@ struct Ply {
   std::optional<std::uint32_t> material;  ///< position in Model::materials
 };
 
+/// CMO, CON1 and CON2: how the motion of a rigid body is constrained, as written.
+struct BodyConstraint {
+  double cmo = 0;  ///< 1: global directions; -1: those of a local system
+  std::int64_t translations = 0, rotations = 0;
+};
+
+/// Mass properties and initial motion of a rigid body that do not come from its elements (*PART_INERTIA and nodal rigid
+/// bodies with _INERTIA); in the model's units and axes.
+struct BodyInertia {
+  Vector center = Vector::Zero();
+  std::int64_t center_node = 0;  ///< the centre is where this node is; 0: as above
+  double mass = 0;
+  Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();  ///< about the centre
+  Vector velocity = Vector::Zero(), spin = Vector::Zero();
+  std::int64_t system = 0;  ///< local system of the tensor that was not applied; 0: none
+};
+
 struct Part {
   PartId id;
   std::string title;
   std::int64_t section_id = 0, material_id = 0;
   std::optional<std::uint32_t> section;   ///< position in Model::sections
   std::optional<std::uint32_t> material;  ///< position in Model::materials
+  std::int64_t hourglass_id = 0;
   std::optional<PartContact> contact;
+  std::optional<BodyInertia> inertia;
   std::vector<Ply> plies;          ///< of *PART_COMPOSITE
   double composite_thickness = 0;  ///< sum of the plies of *PART_COMPOSITE; 0 = not composite
   Place place;
@@ -65,6 +84,14 @@ struct Section {
   std::optional<BeamSection> beam;    ///< where its constants are given, or follow from a rectangle or tube
   bool torsional = false;             ///< discrete: DRO
   bool limited = false;               ///< discrete: KD, V0, CL, FD, CDL or TDL are given
+  Place place;
+};
+
+/// *HOURGLASS: how the modes without strain are held. Zero = not given.
+struct HourglassControl {
+  std::int64_t ihq = 0;
+  double qm = 0;
+  double q1 = 0, q2 = 0;  ///< bulk viscosity
   Place place;
 };
 
@@ -105,6 +132,7 @@ struct Material {
   bool fabric = false;         ///< MAT_FABRIC (034)
   std::optional<Plasticity> plasticity;
   std::optional<DiscreteMaterial> discrete;
+  BodyConstraint constraint;  ///< of rigid ones
   Place place;
 };
 

@@ -24,13 +24,13 @@ bool find_part(Context& context, std::int64_t id, std::string_view user, Place p
   return true;
 }
 
-/// Lines behind the first card of a nodal rigid body.
-void skip_body_options(CardReader& reader, const Options& options) {
-  if (options.has("SPC")) reader.skip();
-  if (options.has("INERTIA")) {
-    const auto& layout = keyword::card_layout("CONSTRAINED_NODAL_RIGID_BODY_INERTIA", "card2");
-    skip_lines(reader, reader.next(layout).integer("ircs") == 1 ? 3 : 2);
+/// Cards behind the first one of a nodal rigid body.
+void read_body_options(Context& context, CardReader& reader, const Options& options, RigidGroup& group) {
+  if (options.has("SPC")) {
+    const Card card = reader.next(keyword::card_layout("CONSTRAINED_NODAL_RIGID_BODY_SPC", "card2"));
+    group.constraint = {card.real("cmo"), card.integer("con1"), card.integer("con2")};
   }
+  if (options.has("INERTIA")) group.inertia = read_body_inertia(context, reader);
   skip_lines(reader, static_cast<std::int64_t>(options.count({"OVERRIDE", "THERMAL"})));
 }
 
@@ -44,12 +44,12 @@ void read_nodal_rigid_body(Context& context, const Block& block, const Options& 
     if (reader.at_end()) break;
     if (skip_blank(reader)) continue;
     const Card card = reader.next(layout);
-    RigidGroup group{RigidGroup::Kind::nodal_rigid_body, card.integer("pid"), {}, {}, {}};
+    RigidGroup group{RigidGroup::Kind::nodal_rigid_body, card.integer("pid"), {}, {}, {}, {}, {}};
     group.place = Context::place(block, card.line());
     // Without a set of its own the body takes the node set of its number.
     const std::int64_t set = card.integer("nsid") != 0 ? card.integer("nsid") : group.id;
     group.nodes = nodes_of_set(context, set, fmt::format("nodal rigid body {}", group.id), group.place);
-    skip_body_options(reader, options);
+    read_body_options(context, reader, options, group);
     context.model.rigid_groups.push_back(std::move(group));
   }
 }
@@ -68,7 +68,7 @@ void read_extra_nodes(Context& context, const Block& block, const Options& optio
     const std::int64_t part = card.integer("pid");
     const Place place = Context::place(block, card.line());
     if (sets || !group_open || part != last_part) {
-      RigidGroup group{RigidGroup::Kind::extra_nodes, part, {}, {}, place};
+      RigidGroup group{RigidGroup::Kind::extra_nodes, part, {}, {}, {}, {}, place};
       group_open = find_part(context, part, block.name, place, group.parts);
       last_part = part;
       if (group_open) context.model.rigid_groups.push_back(std::move(group));
@@ -97,7 +97,7 @@ void read_rigid_bodies(Context& context, const Block& block, const Options& opti
     const Card card = reader.next(layout);
     const Place place = Context::place(block, card.line());
     const std::int64_t lead = card.integer("pidl"), other = card.integer("pidc");
-    RigidGroup group{RigidGroup::Kind::merged_parts, lead, {}, {}, place};
+    RigidGroup group{RigidGroup::Kind::merged_parts, lead, {}, {}, {}, {}, place};
     if (!find_part(context, lead, block.name, place, group.parts)) continue;
     if (!sets) {
       if (!find_part(context, other, block.name, place, group.parts)) continue;

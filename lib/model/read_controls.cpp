@@ -61,12 +61,49 @@ void read_control_timestep(Context& context, const Block& block, const Options&)
   controls.tssfac = or_default(card.real("tssfac"), 0.9);
   controls.isdo = card.integer("isdo");
   controls.dt2ms = card.real("dt2ms") * context.transform(block).time_factor;
+  controls.dtinit = card.real("dtinit") * context.transform(block).time_factor;
+  controls.lctm = card.integer("lctm");
+  controls.timestep_place = Context::place(block, block.line);
 }
 
 void read_control_termination(Context& context, const Block& block, const Options&) {
   CardReader reader(context.deck, block, context.diagnostics);
   const Card card = next_card(reader, "CONTROL_TERMINATION", "card1");
-  context.model.controls.endtim = card.real("endtim") * context.transform(block).time_factor;
+  Controls& controls = context.model.controls;
+  controls.endtim = card.real("endtim") * context.transform(block).time_factor;
+  controls.endcyc = card.integer("endcyc");
+  controls.dtmin = card.real("dtmin");
+  controls.endeng = card.real("endeng");
+}
+
+void read_hourglass(Context& context, const Block& block, const Options& options) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (options.has("TITLE")) reader.skip();
+    if (reader.at_end()) break;
+    if (skip_blank(reader)) continue;
+    const Card card = next_card(reader, "HOURGLASS", "card1");
+    const HourglassControl control{card.integer("ihq"), card.real("qm"), card.real("q1"), card.real("q2"),
+                                   Context::place(block, card.line())};
+    const auto [entry, is_new] = context.model.hourglass.try_emplace(card.integer("hgid"), control);
+    if (!is_new) context.duplicate("hourglass control", entry->first, entry->second.place, control.place);
+  }
+}
+
+void read_control_hourglass(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_HOURGLASS", "card1");
+  Controls& controls = context.model.controls;
+  controls.ihq = card.integer("ihq");
+  controls.qh = card.real("qh");
+  controls.hourglass_place = Context::place(block, block.line);
+}
+
+void read_control_bulk_viscosity(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_BULK_VISCOSITY", "card1");
+  context.model.controls.bulk_q1 = or_default(card.real("q1"), 1.5);
+  context.model.controls.bulk_q2 = or_default(card.real("q2"), 0.06);
 }
 
 }  // namespace gapcheck::model

@@ -121,6 +121,11 @@ const ElasticFields* find_material(std::string_view name) {
   return best;
 }
 
+/// CON1 and CON2 stand in fields of reals. In a local system the second has six digits.
+std::int64_t constraint_code(double value) {
+  return value > 0 && value < 1e6 ? static_cast<std::int64_t>(value) : 0;
+}
+
 /// Bulk modulus from Young's modulus and Poisson's ratio; incompressible materials get that of ν = 0.4999.
 double bulk_modulus(double young, double poisson) {
   constexpr double nearly_incompressible = 0.4999;
@@ -206,6 +211,11 @@ void read_material(Context& context, const Block& block, const Options& options)
     material.null_material = known->name == "NULL";
     material.spotweld = known->name == "SPOTWELD";
     material.fabric = known->name.starts_with("FABRIC");
+    if (material.rigid) {
+      const Card limits = reader.next(keyword::card_layout("MAT_RIGID", "card2"));
+      material.constraint = {limits.real("cmo"), constraint_code(limits.real("con1")),
+                             constraint_code(limits.real("con2"))};
+    }
     material.plasticity = read_plasticity(context, reader, card, known->name);
   }
   Model& model = context.model;

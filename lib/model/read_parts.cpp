@@ -20,11 +20,6 @@ PartContact read_part_contact(Context& context, CardReader& reader) {
   return contact;
 }
 
-void skip_inertia(CardReader& reader) {
-  const bool local_axes = reader.next(keyword::card_layout("PART_INERTIA", "card3")).integer("ircs") == 1;
-  skip_lines(reader, local_axes ? 3 : 2);
-}
-
 /// The plies of *PART_COMPOSITE, up to the end of the block: the sum of their thicknesses, and the first material.
 void read_part_plies(Context& context, CardReader& reader, bool one_per_line, Part& part) {
   static const CardLayout plies = [] {
@@ -75,7 +70,8 @@ void read_plain(Context& context, CardReader& reader, const Options& options, Pa
   part.section_id = card.integer("secid");
   part.material_id = card.integer("mid");
   part.place.line = card.line();
-  if (options.has("INERTIA")) skip_inertia(reader);
+  part.hourglass_id = card.integer("hgid");
+  if (options.has("INERTIA")) part.inertia = read_body_inertia(context, reader);
   if (options.has("REPOSITION")) reader.skip();
   if (options.has("CONTACT")) part.contact = read_part_contact(context, reader);
   skip_lines(reader, static_cast<std::int64_t>(options.count({"PRINT", "ATTACHMENT", "FIELD"})));

@@ -47,10 +47,22 @@ class ConditionBuilder {
   std::optional<Failure> failure_;
 };
 
+/// What the deck says about a rigid body besides its elements: constraints of the leading part's material, mass
+/// properties of a part that no other part leads, or those of the nodal rigid body; by body.
+struct BodyProperties {
+  model::BodyConstraint constraint;
+  const model::BodyInertia* inertia = nullptr;
+  std::string_view keyword;
+  model::Place place;
+};
+[[nodiscard]] std::vector<BodyProperties> body_properties(const model::Model& model, const Structure& structure);
+
 /// Nodes of elements of all kinds that belong to the parts, each once, ascending; `wanted`: by part.
 [[nodiscard]] std::vector<NodeIndex> nodes_of_parts(const model::Model& model, const std::vector<bool>& wanted);
 
 // Each puts one kind of condition on the structure.
+void apply_body_properties(ConditionBuilder& builder);
+void apply_loads(ConditionBuilder& builder);
 void apply_boundary(ConditionBuilder& builder);
 void apply_prescribed_motions(ConditionBuilder& builder);
 void apply_initial_velocities(ConditionBuilder& builder);

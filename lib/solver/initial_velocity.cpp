@@ -159,13 +159,26 @@ void move_bodies(ConditionBuilder& builder, const Given& given) {
   std::vector<bool> rigid_parts(builder.model.parts.size());
   for (std::uint32_t i = 0; i < rigid_parts.size(); ++i) rigid_parts[i] = builder.model.rigid(PartIndex{i});
   const std::vector<double> masses = nodal_masses(builder.model, rigid_parts);
+  const std::vector<BodyProperties> properties = body_properties(builder.model, structure);
   for (std::size_t body = 0; body < structure.rigid.size(); ++body) {
+    const model::BodyInertia* inertia = properties[body].inertia;
     std::vector<NodeIndex> nodes;
     std::vector<double> weights;
+    bool ignored = false;
     for (const NodeIndex node : structure.rigid.nodes(body)) {
       if (!given.node[node.value]) continue;
+      if (inertia != nullptr && !given.over_inertia[node.value]) {
+        ignored = true;
+        continue;
+      }
       nodes.push_back(node);
       weights.push_back(masses[node.value] + state.mass[node.value]);
+    }
+    if (inertia != nullptr && nodes.empty()) {
+      if (ignored)
+        builder.warn(properties[body].keyword, properties[body].place,
+                     "its velocities go over those of the nodes; IRIGID = 1 turns that round");
+      structure.rigid.set_motion(body, inertia->velocity, inertia->spin, state);
     }
     if (nodes.empty()) continue;
     if (std::none_of(weights.begin(), weights.end(), [](double weight) { return weight > 0; }))

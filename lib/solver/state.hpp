@@ -9,7 +9,8 @@ namespace gapcheck::solver {
 /// A rigid body as forces see it.
 struct BodyState {
   double mass = 0;
-  Vector center = Vector::Zero(), velocity = Vector::Zero(), angular_momentum = Vector::Zero();
+  Vector center = Vector::Zero(), velocity = Vector::Zero();
+  Vector spin = Vector::Zero(), angular_momentum = Vector::Zero();
 };
 
 /// Everything that moves; arrays by node. Velocities belong to the middle of the step that led to `time`
