@@ -11,9 +11,10 @@ std::optional<Failure> apply_conditions(const model::Model& model, Structure& st
   for (const auto apply : {apply_body_properties, apply_boundary, apply_initial_velocities, apply_prescribed_motions,
                            apply_loads}) {
     apply(builder);
-    if (builder.failed()) break;
+    if (builder.failed()) return builder.failure();
   }
-  return builder.failure();
+  structure.rigid.start(structure.state);
+  return std::nullopt;
 }
 
 }  // namespace gapcheck::solver

@@ -73,7 +73,7 @@ void Gravity::add(State& state, Forces& forces) {
     for (std::size_t i = begin; i < end; ++i)
       if (!masses_.empty())
         forces.force[i] += masses_[i] * acceleration;
-      else if (!rigid_[i])
+      else if (!state.in_body[i])
         forces.force[i] += state.mass[i] * acceleration;
   });
   if (!masses_.empty()) return;
@@ -90,7 +90,7 @@ void GlobalDamping::add(State& state, Forces& forces) {
   work_ -= sum_over_blocks<Sum>(state.x.size(), [&](std::size_t begin, std::size_t end) {
              Sum sum;
              for (std::size_t i = begin; i < end; ++i) {
-               if (rigid_[i]) continue;
+               if (state.in_body[i]) continue;
                const Vector force = state.mass[i] * move.cwiseProduct(state.v[i]);
                const Vector moment = state.inertia[i] * turn.cwiseProduct(state.w[i]);
                sum.value += half * ((last_.force[i] + force).dot(state.v[i]) + (last_.moment[i] + moment).dot(state.w[i]));
