@@ -10,8 +10,7 @@ namespace {
 using PressureKind = model::PressureLoad::Kind;
 
 /// Something must take up the load: a mass, an inertia, a rigid body or a constraint.
-void check_target(ConditionBuilder& builder, const model::ConcentratedLoad& load, NodeIndex node,
-                  std::size_t freedom) {
+void check_target(ConditionBuilder& builder, const model::ConcentratedLoad& load, NodeIndex node, std::size_t freedom) {
   const Structure& structure = builder.structure;
   const bool moment = freedom >= 3;
   const double mass = (moment ? structure.state.inertia : structure.state.mass)[node.value];
@@ -139,8 +138,7 @@ void apply_damping(ConditionBuilder& builder) {
     constant = {builder.curve(damping.curve, keyword, damping.place), damping.scale, 0};
   else
     constant.curve = std::make_shared<const TimeCurve>(std::vector<TimeCurve::Point>{{0, 1}});
-  if (!builder.failed())
-    builder.forces.push_back(std::make_unique<GlobalDamping>(constant, damping.factors));
+  if (!builder.failed()) builder.forces.push_back(std::make_unique<GlobalDamping>(constant, damping.factors));
 }
 
 }  // namespace

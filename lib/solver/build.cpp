@@ -106,10 +106,10 @@ class Builder {
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("shell", shells.id[i], part, SectionKind::shell);
         if (!found) return;
-        ShellProperties all{found->material,
-                            gauss_rule(static_cast<int>(std::clamp<std::int64_t>(found->section->nip, 1, 10))),
-                            found->section->shrf, model_.controls.istupd != 0,
-                            element_control(model_, model_.part(part), settings_.shell_hourglass, diagnostics_).hourglass};
+        ShellProperties all{
+            found->material, gauss_rule(static_cast<int>(std::clamp<std::int64_t>(found->section->nip, 1, 10))),
+            found->section->shrf, model_.controls.istupd != 0,
+            element_control(model_, model_.part(part), settings_.shell_hourglass, diagnostics_).hourglass};
         positions_[part.value] = structure_.shells.add_properties(std::move(all));
       }
       const model::Section& section = model_.sections[*model_.part(part).section];

@@ -39,7 +39,8 @@ ElementControl element_control(const model::Model& model, const model::Part& par
   }
   if (type != 0) result.hourglass.kind = type >= 1 && type <= 3 ? HourglassKind::viscous : HourglassKind::stiffness;
   if (type < 0 || type > 5)
-    warn(place, fmt::format("part {}: hourglass control IHQ {} is calculated as type 4 (stiffness)", part.id.value, type));
+    warn(place,
+         fmt::format("part {}: hourglass control IHQ {} is calculated as type 4 (stiffness)", part.id.value, type));
   result.hourglass.coefficient = given_or(coefficient, otherwise.coefficient);
   return result;
 }

@@ -37,8 +37,8 @@ void ConcentratedLoads::add_node(NodeIndex node, std::size_t freedom, const Time
 }
 
 void ConcentratedLoads::add_body(std::size_t body, std::size_t freedom, const TimedValue& value) {
-  entries_.push_back({static_cast<std::uint32_t>(body), static_cast<std::uint8_t>(freedom), true,
-                      position_in(values_, value)});
+  entries_.push_back(
+      {static_cast<std::uint32_t>(body), static_cast<std::uint8_t>(freedom), true, position_in(values_, value)});
 }
 
 void ConcentratedLoads::add(State& state, Forces& forces) {
@@ -93,7 +93,8 @@ void GlobalDamping::add(State& state, Forces& forces) {
                if (state.in_body[i]) continue;
                const Vector force = state.mass[i] * move.cwiseProduct(state.v[i]);
                const Vector moment = state.inertia[i] * turn.cwiseProduct(state.w[i]);
-               sum.value += half * ((last_.force[i] + force).dot(state.v[i]) + (last_.moment[i] + moment).dot(state.w[i]));
+               sum.value +=
+                   half * ((last_.force[i] + force).dot(state.v[i]) + (last_.moment[i] + moment).dot(state.w[i]));
                forces.force[i] += last_.force[i] = force;
                forces.moment[i] += last_.moment[i] = moment;
              }

@@ -71,8 +71,8 @@ class Gravity : public Force {
   std::vector<Axis> axes_;
 };
 
-/// −D m v on nodes, −D J ω on their rotations, −D M V and −D L on rigid bodies, with the velocities of the step that led
-/// here: a free mass has v⁺ = (1 − D dt) v⁻.
+/// −D m v on nodes, −D J ω on their rotations, −D M V and −D L on rigid bodies, with the velocities of the step that
+/// led here: a free mass has v⁺ = (1 − D dt) v⁻.
 class GlobalDamping : public Force {
  public:
   GlobalDamping(TimedValue constant, const std::array<double, 6>& factors)

@@ -79,8 +79,7 @@ void RigidBodies::tell(State& state) const {
   state.bodies.resize(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const RigidBody& body = bodies_[b].body;
-    state.bodies[b] = {body.mass(), body.center(), body.velocity(), body.angular_velocity(),
-                       body.angular_momentum()};
+    state.bodies[b] = {body.mass(), body.center(), body.velocity(), body.angular_velocity(), body.angular_momentum()};
   }
 }
 

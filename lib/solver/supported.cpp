@@ -134,8 +134,8 @@ class Finder {
 
   void find_materials() {
     constexpr std::array<std::string_view, 6> continua{
-        "MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC", "MAT_NULL", "MAT_RIGID", "MAT_PIECEWISE_LINEAR_PLASTICITY",
-        "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
+        "MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC",           "MAT_NULL",
+        "MAT_RIGID",   "MAT_PIECEWISE_LINEAR_PLASTICITY", "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
     std::vector<bool> used(model_.parts.size()), material_seen(model_.materials.size());
     mark(model_.mesh.shells, used);
     mark(model_.mesh.solids, used);
@@ -166,7 +166,7 @@ class Finder {
   }
 
   void find_contacts() {
-    constexpr std::array<std::string_view, 12> calculated{"3",  "a3",  "4",  "5",   "a5", "10",
+    constexpr std::array<std::string_view, 12> calculated{"3",   "a3", "4",   "5",  "a5", "10",
                                                           "a10", "13", "a13", "m3", "m5", "m10"};
     for (const model::Contact& contact : model_.contacts) {
       const contact::ContactType type = contact::classify(contact);
@@ -200,8 +200,7 @@ class Finder {
 
   void find_settings() {
     const model::Controls& controls = model_.controls;
-    if (controls.dt2ms != 0)
-      add("CONTROL_TIMESTEP", controls.timestep_place, "mass scaling (DT2MS) is not calculated");
+    if (controls.dt2ms != 0) add("CONTROL_TIMESTEP", controls.timestep_place, "mass scaling (DT2MS) is not calculated");
     if (controls.lctm != 0)
       add("CONTROL_TIMESTEP", controls.timestep_place, "limits of the time step by a curve (LCTM) are not calculated");
   }

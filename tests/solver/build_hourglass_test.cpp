@@ -20,7 +20,8 @@ TEST(BuildHourglass, PartBeforeControlBeforeDefault) {
   std::size_t warnings = 0;
   EXPECT_EQ(control_of("*HOURGLASS\n4\n", &warnings).hourglass.coefficient, 0.2);
   EXPECT_EQ(warnings, 0u);
-  const ElementControl general = control_of("*HOURGLASS\n4\n*CONTROL_HOURGLASS\n4,0.07\n*CONTROL_BULK_VISCOSITY\n2.,0.1\n");
+  const ElementControl general =
+      control_of("*HOURGLASS\n4\n*CONTROL_HOURGLASS\n4,0.07\n*CONTROL_BULK_VISCOSITY\n2.,0.1\n");
   EXPECT_EQ(general.hourglass.kind, HourglassKind::stiffness);
   EXPECT_EQ(general.hourglass.coefficient, 0.07);
   EXPECT_EQ(general.quadratic_viscosity, 2);

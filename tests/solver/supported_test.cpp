@@ -27,18 +27,21 @@ const std::string mesh =
     "*SECTION_SHELL\n1,2\n0.1\n";
 
 TEST(Supported, WhatIsCalculatedOrHarmlessIsNotNamed) {
-  EXPECT_EQ(text_of(unsupported_in(
-                "*KEYWORD\n*TITLE\na deck\n" + mesh +
-                "*MAT_PIECEWISE_LINEAR_PLASTICITY_TITLE\nsteel\n1,1.,1000.,0.3,10.,100.\n"
-                "*BOUNDARY_SPC_SET_ID\n1,held\n1,0,1\n*SET_NODE_LIST_TITLE\nnodes\n1\n1\n*LOAD_SEGMENT_SET_ID\n1,x\n1,1\n"
-                "*DATABASE_BINARY_D3PLOT\n1.\n*CONTROL_TERMINATION\n1.\n*CONTROL_ENERGY\n2\n*DEFINE_CURVE_TITLE\nc\n1\n0.,1.\n"
-                "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n1,c\n0\n\n\n*CONTACT_FORCE_TRANSDUCER_PENALTY\n1,0,3\n\n\n"
-                "*RIGIDWALL_PLANAR_ID\n1,w\n0\n0.,0.,0.,0.,0.,1.\n*CONTROL_TIMESTEP\n0.,0.9\n*END\n")),
-            "");
+  EXPECT_EQ(
+      text_of(unsupported_in(
+          "*KEYWORD\n*TITLE\na deck\n" + mesh +
+          "*MAT_PIECEWISE_LINEAR_PLASTICITY_TITLE\nsteel\n1,1.,1000.,0.3,10.,100.\n"
+          "*BOUNDARY_SPC_SET_ID\n1,held\n1,0,1\n*SET_NODE_LIST_TITLE\nnodes\n1\n1\n*LOAD_SEGMENT_SET_ID\n1,x\n1,1\n"
+          "*DATABASE_BINARY_D3PLOT\n1.\n*CONTROL_TERMINATION\n1.\n*CONTROL_ENERGY\n2\n*DEFINE_CURVE_TITLE\nc\n1\n0.,1."
+          "\n"
+          "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n1,c\n0\n\n\n*CONTACT_FORCE_TRANSDUCER_PENALTY\n1,0,3\n\n\n"
+          "*RIGIDWALL_PLANAR_ID\n1,w\n0\n0.,0.,0.,0.,0.,1.\n*CONTROL_TIMESTEP\n0.,0.9\n*END\n")),
+      "");
 }
 
 TEST(Supported, KeywordsWithTheirPlaces) {
-  const auto list = unsupported_in("*KEYWORD\n*CONSTRAINED_JOINT_REVOLUTE\n1,2\n*INITIAL_STRESS_SHELL\n1\n*AIRBAG_ID\n1\n");
+  const auto list =
+      unsupported_in("*KEYWORD\n*CONSTRAINED_JOINT_REVOLUTE\n1,2\n*INITIAL_STRESS_SHELL\n1\n*AIRBAG_ID\n1\n");
   ASSERT_EQ(list.size(), 3u) << text_of(list);
   EXPECT_EQ(list[0].keyword, "CONSTRAINED_JOINT_REVOLUTE");
   EXPECT_EQ(list[0].file, "a.k");
@@ -51,8 +54,8 @@ TEST(Supported, KeywordsWithTheirPlaces) {
 TEST(Supported, MaterialsOfPartsWithElements) {
   EXPECT_EQ(text_of(unsupported_in(mesh + "*MAT_FABRIC\n1,1.,1000.\n*MAT_CRUSHABLE_FOAM\n2,1.,1000.\n")),
             "13 MAT_FABRIC: material 1 is of no kind that is calculated\n");
-  const std::string failing = text_of(unsupported_in(
-      mesh + "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,1.,1000.,0.3,10.,100.,0.2\n0.,0.,0,7,1.\n"));
+  const std::string failing =
+      text_of(unsupported_in(mesh + "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,1.,1000.,0.3,10.,100.,0.2\n0.,0.,0,7,1.\n"));
   EXPECT_NE(failing.find("do not fail"), std::string::npos) << failing;
   EXPECT_NE(failing.find("LCSR"), std::string::npos) << failing;
   EXPECT_NE(failing.find("VP = 1"), std::string::npos) << failing;
