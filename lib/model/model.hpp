@@ -67,6 +67,7 @@ struct Model {
   std::map<std::int64_t, HourglassControl> hourglass;  ///< *HOURGLASS
   Controls controls;
   Output output;
+  std::vector<std::string> files;                         ///< paths, by FileIndex
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
   std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for
   std::uint64_t skipped_bytes = 0;
