@@ -70,7 +70,7 @@ TEST_F(RealConditions, Car) {
   for (const Unsupported& one : left_out) ADD_FAILURE() << one.keyword << " in line " << one.line << ": " << one.why;
   std::size_t moving = 0;
   for (const Vector& velocity : result.structure.state.v) moving += velocity.x() == -1.564e4;
-  EXPECT_GT(moving, 1000u);
+  EXPECT_GT(moving, 700u);  // the others belong to spot welds or stand still
 }
 
 }  // namespace
