@@ -9,15 +9,8 @@ namespace {
 
 using PressureKind = model::PressureLoad::Kind;
 
-std::vector<bool> rigid_nodes(const Structure& structure) {
-  std::vector<bool> rigid(structure.state.x.size());
-  for (std::size_t i = 0; i < rigid.size(); ++i) rigid[i] = structure.rigid.holds(i);
-  return rigid;
-}
-
 /// Something must take up the load: a mass, an inertia, a rigid body or a constraint.
-void check_target(ConditionBuilder& builder, const model::ConcentratedLoad& load, NodeIndex node,
-                  std::size_t freedom) {
+void check_target(ConditionBuilder& builder, const model::ConcentratedLoad& load, NodeIndex node, std::size_t freedom) {
   const Structure& structure = builder.structure;
   const bool moment = freedom >= 3;
   const double mass = (moment ? structure.state.inertia : structure.state.mass)[node.value];
@@ -128,7 +121,7 @@ std::vector<double> masses_of_parts(ConditionBuilder& builder) {
 
 void apply_gravity(ConditionBuilder& builder) {
   if (builder.model.loads.bodies.empty()) return;
-  auto gravity = std::make_unique<Gravity>(rigid_nodes(builder.structure), masses_of_parts(builder));
+  auto gravity = std::make_unique<Gravity>(masses_of_parts(builder));
   for (const model::BodyLoad& load : builder.model.loads.bodies) {
     builder.refuse_system(load.system, load.keyword, load.place);
     gravity->add_axis(load.axis, {builder.curve(load.curve, load.keyword, load.place), load.scale, 0});
@@ -145,9 +138,7 @@ void apply_damping(ConditionBuilder& builder) {
     constant = {builder.curve(damping.curve, keyword, damping.place), damping.scale, 0};
   else
     constant.curve = std::make_shared<const TimeCurve>(std::vector<TimeCurve::Point>{{0, 1}});
-  if (!builder.failed())
-    builder.forces.push_back(
-        std::make_unique<GlobalDamping>(rigid_nodes(builder.structure), constant, damping.factors));
+  if (!builder.failed()) builder.forces.push_back(std::make_unique<GlobalDamping>(constant, damping.factors));
 }
 
 }  // namespace

@@ -97,9 +97,9 @@ void check_bodies(ConditionBuilder& builder) {
                                 : model.part(group.parts[0]).id.value;
     const auto body = builder.structure.body_of_id.find(id);
     if (group.kind == GroupKind::merged_parts || body == builder.structure.body_of_id.end()) continue;
-    check_membership(
-        builder, group.nodes, body->second,
-        group.kind == GroupKind::extra_nodes ? "CONSTRAINED_EXTRA_NODES" : "CONSTRAINED_NODAL_RIGID_BODY", group.place);
+    check_membership(builder, group.nodes, body->second,
+                     group.kind == GroupKind::extra_nodes ? "CONSTRAINED_EXTRA_NODES" : "CONSTRAINED_NODAL_RIGID_BODY",
+                     group.place);
   }
 }
 

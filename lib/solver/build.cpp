@@ -6,6 +6,7 @@
 #include <set>
 
 #include "solver/build_beams.hpp"
+#include "solver/build_hourglass.hpp"
 #include "solver/build_rigid.hpp"
 #include "solver/build_welds.hpp"
 #include "solver/gauss.hpp"
@@ -105,9 +106,10 @@ class Builder {
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("shell", shells.id[i], part, SectionKind::shell);
         if (!found) return;
-        ShellProperties all{found->material,
-                            gauss_rule(static_cast<int>(std::clamp<std::int64_t>(found->section->nip, 1, 10))),
-                            found->section->shrf, model_.controls.istupd != 0, settings_.shell_hourglass};
+        ShellProperties all{
+            found->material, gauss_rule(static_cast<int>(std::clamp<std::int64_t>(found->section->nip, 1, 10))),
+            found->section->shrf, model_.controls.istupd != 0,
+            element_control(model_, model_.part(part), settings_.shell_hourglass, diagnostics_).hourglass};
         positions_[part.value] = structure_.shells.add_properties(std::move(all));
       }
       const model::Section& section = model_.sections[*model_.part(part).section];
@@ -135,8 +137,10 @@ class Builder {
       if (part == none<PartIndex> || !positions_[part.value]) {
         auto found = properties("solid", solids.id[i], part, SectionKind::solid);
         if (!found) return;
-        positions_[part.value] =
-            structure_.solids.add_properties({std::move(found->material), settings_.solid_hourglass});
+        const ElementControl control =
+            element_control(model_, model_.part(part), settings_.solid_hourglass, diagnostics_);
+        positions_[part.value] = structure_.solids.add_properties(
+            {std::move(found->material), control.hourglass, control.quadratic_viscosity, control.linear_viscosity});
       }
       double volume = 0;  // of rigid ones the mass, which is of the same sign
       if (model_.rigid(part)) {

@@ -37,8 +37,8 @@ void ConcentratedLoads::add_node(NodeIndex node, std::size_t freedom, const Time
 }
 
 void ConcentratedLoads::add_body(std::size_t body, std::size_t freedom, const TimedValue& value) {
-  entries_.push_back({static_cast<std::uint32_t>(body), static_cast<std::uint8_t>(freedom), true,
-                      position_in(values_, value)});
+  entries_.push_back(
+      {static_cast<std::uint32_t>(body), static_cast<std::uint8_t>(freedom), true, position_in(values_, value)});
 }
 
 void ConcentratedLoads::add(State& state, Forces& forces) {
@@ -73,7 +73,7 @@ void Gravity::add(State& state, Forces& forces) {
     for (std::size_t i = begin; i < end; ++i)
       if (!masses_.empty())
         forces.force[i] += masses_[i] * acceleration;
-      else if (!rigid_[i])
+      else if (!state.in_body[i])
         forces.force[i] += state.mass[i] * acceleration;
   });
   if (!masses_.empty()) return;
@@ -90,10 +90,11 @@ void GlobalDamping::add(State& state, Forces& forces) {
   work_ -= sum_over_blocks<Sum>(state.x.size(), [&](std::size_t begin, std::size_t end) {
              Sum sum;
              for (std::size_t i = begin; i < end; ++i) {
-               if (rigid_[i]) continue;
+               if (state.in_body[i]) continue;
                const Vector force = state.mass[i] * move.cwiseProduct(state.v[i]);
                const Vector moment = state.inertia[i] * turn.cwiseProduct(state.w[i]);
-               sum.value += half * ((last_.force[i] + force).dot(state.v[i]) + (last_.moment[i] + moment).dot(state.w[i]));
+               sum.value +=
+                   half * ((last_.force[i] + force).dot(state.v[i]) + (last_.moment[i] + moment).dot(state.w[i]));
                forces.force[i] += last_.force[i] = force;
                forces.moment[i] += last_.moment[i] = moment;
              }

@@ -57,8 +57,8 @@ class Pressures : public Force {
 class Gravity : public Force {
  public:
   /// `masses`: of the nodes, where only some parts feel it; empty: all masses of the state, rigid bodies at their
-  /// centres. `rigid`: nodes of rigid bodies.
-  Gravity(std::vector<bool> rigid, std::vector<double> masses) : rigid_(std::move(rigid)), masses_(std::move(masses)) {}
+  /// centres.
+  explicit Gravity(std::vector<double> masses) : masses_(std::move(masses)) {}
   void add_axis(int axis, const TimedValue& value) { axes_.push_back({axis, value}); }
   void add(State& state, Forces& forces) override;
 
@@ -67,18 +67,16 @@ class Gravity : public Force {
     int axis;
     TimedValue value;
   };
-  std::vector<bool> rigid_;
   std::vector<double> masses_;
   std::vector<Axis> axes_;
 };
 
-/// −D m v on nodes, −D J ω on their rotations, −D M V and −D L on rigid bodies, with the velocities of the step that led
-/// here: a free mass has v⁺ = (1 − D dt) v⁻.
+/// −D m v on nodes, −D J ω on their rotations, −D M V and −D L on rigid bodies, with the velocities of the step that
+/// led here: a free mass has v⁺ = (1 − D dt) v⁻.
 class GlobalDamping : public Force {
  public:
-  GlobalDamping(std::vector<bool> rigid, TimedValue constant, const std::array<double, 6>& factors)
-      : rigid_(std::move(rigid)),
-        constant_(std::move(constant)),
+  GlobalDamping(TimedValue constant, const std::array<double, 6>& factors)
+      : constant_(std::move(constant)),
         move_(factors[0], factors[1], factors[2]),
         turn_(factors[3], factors[4], factors[5]) {}
   void add(State& state, Forces& forces) override;
@@ -86,7 +84,6 @@ class GlobalDamping : public Force {
   [[nodiscard]] double stable_step() const override { return stable_step_; }
 
  private:
-  std::vector<bool> rigid_;
   TimedValue constant_;
   Vector move_, turn_;
   double work_ = 0;

@@ -1,5 +1,7 @@
 #include "solver/rigid_bodies.hpp"
 
+#include <algorithm>
+
 #include "base/parallel.hpp"
 
 namespace gapcheck::solver {
@@ -70,11 +72,14 @@ void RigidBodies::start(State& state) {
 }
 
 void RigidBodies::tell(State& state) const {
+  if (state.in_body.size() != of_node_.size()) {
+    state.in_body.resize(of_node_.size());
+    for (std::size_t i = 0; i < of_node_.size(); ++i) state.in_body[i] = holds(i);
+  }
   state.bodies.resize(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const RigidBody& body = bodies_[b].body;
-    state.bodies[b] = {body.mass(), body.center(), body.velocity(), body.angular_velocity(),
-                       body.angular_momentum()};
+    state.bodies[b] = {body.mass(), body.center(), body.velocity(), body.angular_velocity(), body.angular_momentum()};
   }
 }
 
@@ -109,6 +114,7 @@ BodyEnergies RigidBodies::accelerate(const State& state, const Forces& net, doub
 }
 
 void RigidBodies::move(State& state, double dt) {
+  const bool released = std::any_of(bodies_.begin(), bodies_.end(), [](const Body& entry) { return entry.failing; });
   parallel_for(bodies_.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
       Body& entry = bodies_[b];
@@ -123,6 +129,7 @@ void RigidBodies::move(State& state, double dt) {
       if (entry.failing) release(entry);
     }
   });
+  if (released) state.in_body.clear();
   tell(state);
 }
 

@@ -18,6 +18,7 @@ struct BodyState {
 struct State {
   std::vector<Vector> x, v, w;        ///< w: angular velocity
   std::vector<double> mass, inertia;  ///< lumped; inertia is the same about all axes
+  std::vector<bool> in_body;          ///< by node: it moves with a rigid body
   std::vector<BodyState> bodies;      ///< rigid bodies; what acts on them acts on their nodes or their centres
   double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
   double coming = 0;  ///< the step that the elements allow next; known when other forces are asked

@@ -71,9 +71,9 @@ TEST(BodyProperties, LocalAxesAndMassesOfNodes) {
 }
 
 TEST(BodyProperties, NodalRigidBody) {
-  const Conditioned result =
-      good("*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.,0.\n*ELEMENT_MASS\n1,1,2.\n2,2,2.\n3,3,2.\n*SET_NODE_LIST\n4\n1,2,3\n"
-           "*CONSTRAINED_NODAL_RIGID_BODY_SPC_INERTIA\n5,0,4\n1.,3,4\n0.,0.,0.,6.\n1.,0.,0.,1.,0.,1.\n1.,0.,0.\n");
+  const Conditioned result = good(
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.,0.\n*ELEMENT_MASS\n1,1,2.\n2,2,2.\n3,3,2.\n*SET_NODE_LIST\n4\n1,2,3\n"
+      "*CONSTRAINED_NODAL_RIGID_BODY_SPC_INERTIA\n5,0,4\n1.,3,4\n0.,0.,0.,6.\n1.,0.,0.,1.,0.,1.\n1.,0.,0.\n");
   EXPECT_EQ(result.structure.rigid.held(0), 4u + 8u + 16u);
   EXPECT_DOUBLE_EQ(result.structure.rigid[0].mass(), 12);
   EXPECT_EQ(result.structure.rigid[0].velocity(), Vector(1, 0, 0));

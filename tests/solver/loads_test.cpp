@@ -62,10 +62,10 @@ TEST(Loads, ForceOnAMassAndABody) {
 // A pressure of 3 against the normal (0, 0, 1) of a plate of 2 x 1, from t = 0.25 on by the curve's start.
 TEST(Loads, PressurePushesIntoTheSegment) {
   const std::string ramp = "*DEFINE_CURVE\n5\n0.,3.\n1.,4.\n";
-  for (const std::string load : {"*LOAD_SEGMENT\n5,1.,0.25,1,2,5,4\n5,1.,0.25,2,3,6,5\n",
-                                 "*SET_SEGMENT\n3\n1,2,5,4\n2,3,6,5\n*LOAD_SEGMENT_SET_ID\n1,push\n3,5,1.,0.25\n",
-                                 "*LOAD_SHELL_ELEMENT\n1,5,1.,0.25\n2,5,1.,0.25\n",
-                                 "*SET_SHELL_LIST\n3\n1,2\n*LOAD_SHELL_SET\n3,5,1.,0.25\n"}) {
+  for (const std::string load :
+       {"*LOAD_SEGMENT\n5,1.,0.25,1,2,5,4\n5,1.,0.25,2,3,6,5\n",
+        "*SET_SEGMENT\n3\n1,2,5,4\n2,3,6,5\n*LOAD_SEGMENT_SET_ID\n1,push\n3,5,1.,0.25\n",
+        "*LOAD_SHELL_ELEMENT\n1,5,1.,0.25\n2,5,1.,0.25\n", "*SET_SHELL_LIST\n3\n1,2\n*LOAD_SHELL_SET\n3,5,1.,0.25\n"}) {
     Conditioned result = good(plate(2, 1, {1, 1, 0}) + elastic_deck(shell_section, 1000, 0.3, 7) + ramp + load);
     ASSERT_EQ(result.forces.size(), 1u) << load;
     const auto sum_at = [&](double time) {
@@ -88,11 +88,17 @@ TEST(Loads, PressurePushesIntoTheSegment) {
 TEST(Loads, PressureInAClosedBox) {
   Pressures pressures;
   State state;
-  state.x = {{0, 0, 0}, {1, 0.1, -0.2}, {1.2, 1, 0.3}, {-0.1, 1, 0}, {0, 0.2, 1}, {1, 0, 1.4}, {1, 1.3, 1}, {0, 1, 0.8}};
+  state.x = {{0, 0, 0},   {1, 0.1, -0.2}, {1.2, 1, 0.3}, {-0.1, 1, 0},
+             {0, 0.2, 1}, {1, 0, 1.4},    {1, 1.3, 1},   {0, 1, 0.8}};
   const auto node = [](std::uint32_t i) { return NodeIndex{i}; };
   const TimedValue value{std::make_shared<const TimeCurve>(std::vector<TimeCurve::Point>{{0, 2}}), 1, 0};
-  for (const auto& s : {std::array{0u, 3u, 2u, 1u}, {4u, 5u, 6u, 7u}, {0u, 1u, 5u, 4u}, {1u, 2u, 6u, 5u}, {2u, 3u, 7u, 6u},
-                        {3u, 0u, 4u, 4u}, {3u, 4u, 7u, 7u}})
+  for (const auto& s : {std::array{0u, 3u, 2u, 1u},
+                        {4u, 5u, 6u, 7u},
+                        {0u, 1u, 5u, 4u},
+                        {1u, 2u, 6u, 5u},
+                        {2u, 3u, 7u, 6u},
+                        {3u, 0u, 4u, 4u},
+                        {3u, 4u, 7u, 7u}})
     pressures.add_segment({node(s[0]), node(s[1]), node(s[2]), node(s[3])}, value);
   Forces forces;
   forces.resize(8);
@@ -110,9 +116,9 @@ TEST(Loads, PressureInAClosedBox) {
 // v = v₀ (1 − D dt / 2) (1 − D dt)ⁿ⁻¹; what is lost is the damping's.
 TEST(Loads, GlobalDamping) {
   constexpr double damping = 1.5, dt = 0.01;
-  Stepper stepper = good(point_mass + rigid_box + rigid_material +
-                         "*DAMPING_GLOBAL\n0,1.5\n*INITIAL_VELOCITY\n0\n3.,0.,0.\n")
-                        .stepper(fixed_step(dt));
+  Stepper stepper =
+      good(point_mass + rigid_box + rigid_material + "*DAMPING_GLOBAL\n0,1.5\n*INITIAL_VELOCITY\n0\n3.,0.,0.\n")
+          .stepper(fixed_step(dt));
   run(stepper, 100);
   const double wanted = 3 * (1 - damping * dt / 2) * std::pow(1 - damping * dt, 99);
   EXPECT_NEAR(stepper.state().v[0].x(), wanted, 1e-14);
@@ -124,8 +130,8 @@ TEST(Loads, GlobalDamping) {
 }
 
 TEST(Loads, DampingByACurveAndDirection) {
-  Conditioned result = good(point_mass +
-                            "*DEFINE_CURVE\n5\n0.,2.\n1.,4.\n*DAMPING_GLOBAL\n5,0.,0.,1.\n*INITIAL_VELOCITY\n0\n3.,3.,0.\n");
+  Conditioned result = good(
+      point_mass + "*DEFINE_CURVE\n5\n0.,2.\n1.,4.\n*DAMPING_GLOBAL\n5,0.,0.,1.\n*INITIAL_VELOCITY\n0\n3.,3.,0.\n");
   Forces forces;
   forces.resize(1);
   result.structure.state.time = 0.5;

@@ -1,0 +1,219 @@
+#include "solver/supported.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <tuple>
+
+#include "base/embedded.hpp"
+#include "contact/contact_type.hpp"
+
+namespace gapcheck::embedded {
+extern const std::span<const Text> supported_keywords;
+}
+
+namespace gapcheck::solver {
+namespace {
+
+enum class Treatment : std::uint8_t { calculated, harmless, by_model, refused };
+
+struct Entry {
+  std::string_view pattern;  ///< without the `*`
+  bool prefix = false;
+  Treatment treatment = Treatment::refused;
+  std::string_view why;
+  [[nodiscard]] bool fits(std::string_view name) const { return prefix ? name.starts_with(pattern) : name == pattern; }
+};
+
+std::string_view next_word(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  const std::string_view word = text.substr(0, text.find(' '));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+Entry entry(std::string_view word, Treatment treatment, std::string_view why) {
+  const bool prefix = word.ends_with('*');
+  return {word.substr(0, word.size() - (prefix ? 1 : 0)), prefix, treatment, why};
+}
+
+void read_line(std::string_view line, std::vector<Entry>& entries) {
+  if (line.starts_with('#')) return;
+  const std::string_view head = next_word(line);
+  if (head == "refused") {
+    const std::string_view word = next_word(line);
+    line.remove_prefix(std::min<std::size_t>(1, line.size()));
+    entries.push_back(entry(word, Treatment::refused, line));
+    return;
+  }
+  const Treatment treatment = head == "calculated" ? Treatment::calculated
+                              : head == "harmless" ? Treatment::harmless
+                                                   : Treatment::by_model;
+  for (std::string_view word = next_word(line); !word.empty(); word = next_word(line))
+    entries.push_back(entry(word, treatment, ""));
+}
+
+const std::vector<Entry>& table() {
+  static const std::vector<Entry> entries = [] {
+    std::vector<Entry> list;
+    std::string_view text = embedded::supported_keywords[0].content;
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      read_line(text.substr(0, end), list);
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return list;
+  }();
+  return entries;
+}
+
+/// Without the words ID and TITLE behind the first one.
+std::string bare(std::string_view name) {
+  std::string result;
+  for (std::size_t at = 0; at <= name.size();) {
+    const std::size_t end = std::min(name.find('_', at), name.size());
+    const std::string_view word = name.substr(at, end - at);
+    if (at == 0 || (word != "ID" && word != "TITLE")) result += (at == 0 ? "" : "_") + std::string(word);
+    at = end + 1;
+  }
+  return result;
+}
+
+const Entry* find(std::string_view name) {
+  const Entry* best = nullptr;
+  for (const Entry& candidate : table())
+    if (candidate.fits(name) && (best == nullptr || candidate.pattern.size() > best->pattern.size())) best = &candidate;
+  return best;
+}
+
+/// Collects what is found with its place.
+class Finder {
+ public:
+  Finder(const keyword::Deck& deck, const model::Model& model) : deck_(deck), model_(model) {}
+
+  std::vector<Unsupported> all() {
+    find_keywords();
+    find_materials();
+    find_contacts();
+    find_rigid_walls();
+    find_settings();
+    std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+      return std::tuple(a.place.file, a.place.line) < std::tuple(b.place.file, b.place.line);
+    });
+    std::vector<Unsupported> list;
+    for (Found& one : found_) list.push_back(std::move(one.what));
+    return list;
+  }
+
+ private:
+  struct Found {
+    model::Place place;
+    Unsupported what;
+  };
+  void add(std::string_view keyword, model::Place place, std::string why) {
+    const std::string file = place.file.value < model_.files.size() ? model_.files[place.file.value] : "";
+    found_.push_back({place, {std::string(keyword), file, place.line, std::move(why)}});
+  }
+
+  void find_keywords() {
+    for (const keyword::Block& block : deck_.blocks()) {
+      const Entry* known = find(bare(block.name));
+      if (known != nullptr && known->treatment != Treatment::refused) continue;
+      add(block.name, {block.file, block.line},
+          known != nullptr ? std::string(known->why) : "the solver does not know this keyword");
+    }
+  }
+
+  template <std::size_t N>
+  void mark(const model::Elements<N>& elements, std::vector<bool>& used) const {
+    for (const PartIndex part : elements.part)
+      if (part.value < used.size()) used[part.value] = true;
+  }
+
+  void find_materials() {
+    constexpr std::array<std::string_view, 6> continua{
+        "MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC",           "MAT_NULL",
+        "MAT_RIGID",   "MAT_PIECEWISE_LINEAR_PLASTICITY", "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
+    std::vector<bool> used(model_.parts.size()), material_seen(model_.materials.size());
+    mark(model_.mesh.shells, used);
+    mark(model_.mesh.solids, used);
+    mark(model_.mesh.beams, used);
+    mark(model_.mesh.discrete, used);
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      const auto position = model_.parts[i].material;
+      if (!used[i] || !position || material_seen[*position]) continue;
+      material_seen[*position] = true;
+      const model::Material& material = model_.materials[*position];
+      const bool known = std::find(continua.begin(), continua.end(), material.keyword) != continua.end();
+      if (!known && !material.discrete) {
+        add(material.keyword, material.place, fmt::format("material {} is of no kind that is calculated", material.id));
+        continue;
+      }
+      if (material.plasticity) find_plasticity(material);
+    }
+  }
+
+  void find_plasticity(const model::Material& material) {
+    const model::Plasticity& data = *material.plasticity;
+    const auto name = [&](std::string_view what) {
+      add(material.keyword, material.place, fmt::format("material {}: {}", material.id, what));
+    };
+    if (data.failure_strain > 0 && data.failure_strain < 1e20) name("elements do not fail (FS, FAIL)");
+    if (data.lcsr != 0) name("the factor over the strain rate (LCSR) is not calculated");
+    if (data.viscoplastic) name("the viscoplastic rate (VP = 1) is not calculated");
+  }
+
+  void find_contacts() {
+    constexpr std::array<std::string_view, 12> calculated{"3",   "a3", "4",   "5",  "a5", "10",
+                                                          "a10", "13", "a13", "m3", "m5", "m10"};
+    for (const model::Contact& contact : model_.contacts) {
+      const contact::ContactType type = contact::classify(contact);
+      if (type.code == "25") continue;  // measures only
+      const bool known = contact.known && !contact.own_layout && type.pairing == contact::Pairing::nodes &&
+                         std::find(calculated.begin(), calculated.end(), type.code) != calculated.end();
+      if (!known)
+        add(contact.written, contact.place,
+            fmt::format("contact {}: {}", contact.id.value,
+                        type.pairing == contact::Pairing::segments ? "SOFT = 2 is not calculated"
+                        : type.pairing == contact::Pairing::mortar ? "mortar contacts are not calculated"
+                                                                   : "contacts of this type are not calculated"));
+    }
+  }
+
+  void find_rigid_walls() {
+    for (const keyword::Block& block : deck_.blocks()) {
+      const std::string name = bare(block.name);
+      if (!name.starts_with("RIGIDWALL_")) continue;
+      const auto has = [&](std::string_view word) { return name.find(word) != std::string::npos; };
+      std::string_view why;
+      if (has("_ORTHO")) why = "orthotropic friction is not calculated";
+      if (has("_MOVING") || has("_MOTION")) why = "moving walls are not calculated";
+      if (has("_FORCES")) why = "the card of forces is not calculated";
+      if (has("_SPHERE") || has("_PRISM") || has("_FLAT"))
+        why = "walls other than planes and cylinders are not calculated";
+      if (has("_INTERIOR")) why = "walls that keep nodes inside are not calculated";
+      if (!why.empty()) add(block.name, {block.file, block.line}, std::string(why));
+    }
+  }
+
+  void find_settings() {
+    const model::Controls& controls = model_.controls;
+    if (controls.dt2ms != 0) add("CONTROL_TIMESTEP", controls.timestep_place, "mass scaling (DT2MS) is not calculated");
+    if (controls.lctm != 0)
+      add("CONTROL_TIMESTEP", controls.timestep_place, "limits of the time step by a curve (LCTM) are not calculated");
+  }
+
+  const keyword::Deck& deck_;
+  const model::Model& model_;
+  std::vector<Found> found_;
+};
+
+}  // namespace
+
+std::vector<Unsupported> unsupported(const keyword::Deck& deck, const model::Model& model) {
+  return Finder(deck, model).all();
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,80 @@
+#include "solver/supported.hpp"
+
+#include <gtest/gtest.h>
+
+#include "../model/read.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+std::vector<Unsupported> unsupported_in(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto deck = keyword::read_deck_text(text, "a.k", {}, diagnostics);
+  EXPECT_TRUE(deck);
+  const auto model = model::read_model(deck.value(), diagnostics);
+  return unsupported(deck.value(), model.value());
+}
+
+/// "line keyword: why", one per line.
+std::string text_of(const std::vector<Unsupported>& list) {
+  std::string text;
+  for (const Unsupported& one : list) text += std::to_string(one.line) + " " + one.keyword + ": " + one.why + "\n";
+  return text;
+}
+
+const std::string mesh =
+    "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n*ELEMENT_SHELL\n1,1,1,2,3,4\n*PART\np\n1,1,1\n"
+    "*SECTION_SHELL\n1,2\n0.1\n";
+
+TEST(Supported, WhatIsCalculatedOrHarmlessIsNotNamed) {
+  EXPECT_EQ(
+      text_of(unsupported_in(
+          "*KEYWORD\n*TITLE\na deck\n" + mesh +
+          "*MAT_PIECEWISE_LINEAR_PLASTICITY_TITLE\nsteel\n1,1.,1000.,0.3,10.,100.\n"
+          "*BOUNDARY_SPC_SET_ID\n1,held\n1,0,1\n*SET_NODE_LIST_TITLE\nnodes\n1\n1\n*LOAD_SEGMENT_SET_ID\n1,x\n1,1\n"
+          "*DATABASE_BINARY_D3PLOT\n1.\n*CONTROL_TERMINATION\n1.\n*CONTROL_ENERGY\n2\n*DEFINE_CURVE_TITLE\nc\n1\n0.,1."
+          "\n"
+          "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n1,c\n0\n\n\n*CONTACT_FORCE_TRANSDUCER_PENALTY\n1,0,3\n\n\n"
+          "*RIGIDWALL_PLANAR_ID\n1,w\n0\n0.,0.,0.,0.,0.,1.\n*CONTROL_TIMESTEP\n0.,0.9\n*END\n")),
+      "");
+}
+
+TEST(Supported, KeywordsWithTheirPlaces) {
+  const auto list =
+      unsupported_in("*KEYWORD\n*CONSTRAINED_JOINT_REVOLUTE\n1,2\n*INITIAL_STRESS_SHELL\n1\n*AIRBAG_ID\n1\n");
+  ASSERT_EQ(list.size(), 3u) << text_of(list);
+  EXPECT_EQ(list[0].keyword, "CONSTRAINED_JOINT_REVOLUTE");
+  EXPECT_EQ(list[0].file, "a.k");
+  EXPECT_EQ(list[0].line, 2u);
+  EXPECT_NE(list[0].why.find("does not know"), std::string::npos);
+  EXPECT_EQ(list[1].why, "elements begin without stress");
+  EXPECT_EQ(list[2].line, 6u);
+}
+
+TEST(Supported, MaterialsOfPartsWithElements) {
+  EXPECT_EQ(text_of(unsupported_in(mesh + "*MAT_FABRIC\n1,1.,1000.\n*MAT_CRUSHABLE_FOAM\n2,1.,1000.\n")),
+            "15 MAT_FABRIC: material 1 is of no kind that is calculated\n");
+  const std::string failing =
+      text_of(unsupported_in(mesh + "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,1.,1000.,0.3,10.,100.,0.2\n0.,0.,0,7,1.\n"));
+  EXPECT_NE(failing.find("do not fail"), std::string::npos) << failing;
+  EXPECT_NE(failing.find("LCSR"), std::string::npos) << failing;
+  EXPECT_NE(failing.find("VP = 1"), std::string::npos) << failing;
+}
+
+TEST(Supported, ContactsWallsAndSettings) {
+  const std::string text = text_of(unsupported_in(
+      "*CONTACT_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n2\n*CONTACT_TIED_NODES_TO_SURFACE\n1,2\n\n\n"
+      "*CONTACT_AUTOMATIC_GENERAL\n0\n\n\n*CONTACT_AUTOMATIC_SINGLE_SURFACE_MORTAR\n0\n\n\n"
+      "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n1,2,3,3\n\n\n1\n*CONTACT_ERODING_SINGLE_SURFACE\n0\n\n\n1\n"
+      "*RIGIDWALL_GEOMETRIC_SPHERE\n0\n0.,0.,0.,0.,0.,1.\n1.\n*RIGIDWALL_PLANAR_MOVING\n0\n0.,0.,0.,0.,0.,1.\n1.\n"
+      "*CONTROL_TIMESTEP\n0.,0.9,0,0.,-1e-6,4\n"));
+  for (const std::string expected :
+       {"CONTACT_SURFACE_TO_SURFACE: contact 1: SOFT = 2", "CONTACT_TIED_NODES_TO_SURFACE: contact 2",
+        "CONTACT_AUTOMATIC_GENERAL: contact 3", "MORTAR: contact 4: mortar", "TIEBREAK: contact 5",
+        "CONTACT_ERODING_SINGLE_SURFACE: contact 6", "RIGIDWALL_GEOMETRIC_SPHERE", "RIGIDWALL_PLANAR_MOVING", "DT2MS",
+        "LCTM"})
+    EXPECT_NE(text.find(expected), std::string::npos) << expected << " in\n" << text;
+}
+
+}  // namespace
+}  // namespace gapcheck::solver
