@@ -29,19 +29,12 @@ std::string contents(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A strip of four shells along x that ends at 0.5.
+/// A strip of four shells along x, whose last nodes are pulled until 0.25; it ends at 0.5.
 std::string strip(const std::string& more) {
   return "*TITLE\na strip\n*CONTROL_TERMINATION\n0.5\n" + plate(4, 1, {0.5, 0.5, 0}) +
-         elastic_deck(shell_section, 1000, 0.3, 1) + more;
+         elastic_deck(shell_section, 1000, 0.3, 1) +
+         "*LOAD_NODE_POINT\n5,1,1,1.\n10,1,1,1.\n*DEFINE_CURVE\n1\n0.,1.\n0.25,1.\n0.2501,0.\n1.,0.\n" + more;
 }
-
-/// Pulls the last nodes along x.
-class Pull : public Force {
- public:
-  void add(State& state, Forces& forces) override {
-    for (const std::size_t node : {4, 9}) forces.force[node].x() += state.time < 0.25 ? 1 : 0;
-  }
-};
 
 class RunTest : public testing::Test {
  protected:
@@ -71,7 +64,6 @@ class RunTest : public testing::Test {
       return ended;
     }
     solver::Run& run = std::get<solver::Run>(prepared);
-    if (pulled_) run.add(std::make_unique<Pull>());
     if (files.directory.empty()) files.directory = (folder_ / "out").string();
     files.program = "gapcheck 0.0.0";
     auto created = RunFiles::create(run, surfaces, files);
@@ -92,7 +84,6 @@ class RunTest : public testing::Test {
 
   fs::path folder_;
   model::Model model_;
-  bool pulled_ = true;
 };
 
 TEST_F(RunTest, FilesOfASmallDeck) {
@@ -216,7 +207,6 @@ TEST_F(RunTest, OtherFilesAreLeftAlone) {
 
 // Two plates that meet: forces of the contact in rcforc and ncforc, its work in sleout and glstat.
 TEST_F(RunTest, WhatTheContactsReport) {
-  pulled_ = false;
   const Ended ended = calculate(
       "*CONTROL_TERMINATION\n0.02\n*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n"
       "5,0.2,0.2,0.11\n6,0.8,0.2,0.11\n7,0.8,0.8,0.11\n8,0.2,0.8,0.11\n"
@@ -254,7 +244,6 @@ TEST_F(RunTest, ContactsAreInitialised) {
       "5,0.2,0.2,0.06\n6,0.8,0.2,0.06\n7,0.8,0.8,0.06\n8,0.2,0.8,0.06\n9,5.,5.,5.\n10,6.,5.,5.\n"
       "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,5,6,7,8\n" +
       elastic_deck(shell_section, 1000, 0.3, 1) + "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n3,all\n0\n\n\n";
-  pulled_ = false;
   const Ended ended = calculate(two);
   ASSERT_EQ(ended.failure, "");
   Diagnostics diagnostics;
