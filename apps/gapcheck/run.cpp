@@ -24,6 +24,7 @@
 #include "report/describe.hpp"
 #include "run_progress.hpp"
 #include "run_summary.hpp"
+#include "run_vtu.hpp"
 #include "solver/run_files.hpp"
 
 namespace gapcheck::app {
@@ -36,7 +37,7 @@ struct Arguments {
   double until = 0;
   std::uint64_t cycles = 0;
   std::size_t jobs = 0;
-  bool ignore_unsupported = false, quiet = false, stats = false;
+  bool ignore_unsupported = false, vtu = false, quiet = false, stats = false;
 };
 
 std::atomic<bool> interrupted = false;
@@ -77,13 +78,14 @@ class Watch : public solver::Run::Observer {
 
 /// Keywords that nobody reads, each where it stands first.
 std::vector<Diagnostic> unread_keywords(const keyword::Deck& deck, const model::Model& model) {
-  constexpr std::string_view harmless[] = {"KEYWORD", "END", "DATABASE_", "CONTROL_", "PARAMETER", "COMMENT", "INCLUDE"};
+  constexpr std::string_view harmless[] = {"KEYWORD",   "END",     "DATABASE_", "CONTROL_",
+                                           "PARAMETER", "COMMENT", "INCLUDE"};
   std::vector<Diagnostic> list;
   std::set<std::string> seen;
   for (const keyword::Block& block : deck.blocks()) {
     const auto matches = [&](std::string_view name) { return block.name.starts_with(name); };
-    if (!model.skipped_keywords.contains(block.name) || std::any_of(std::begin(harmless), std::end(harmless), matches) ||
-        !seen.insert(block.name).second)
+    if (!model.skipped_keywords.contains(block.name) ||
+        std::any_of(std::begin(harmless), std::end(harmless), matches) || !seen.insert(block.name).second)
       continue;
     list.push_back({Severity::error, deck.files()[block.file.value].path, block.line,
                     fmt::format("*{} is not calculated; leave it out, or run with --ignore-unsupported", block.name)});
@@ -115,6 +117,13 @@ bool calculate(solver::Run& run, contact::SurfaceStore& surfaces, const Argument
   solver::RunFilesSettings settings;
   settings.directory = arguments.directory;
   settings.program = "gapcheck " GAPCHECK_VERSION;
+  std::optional<VtuSeries> series;
+  if (arguments.vtu) {
+    series.emplace(run, arguments.directory);
+    settings.on_plot = [&](const results::D3plotState& state, const solver::Run& at, std::size_t) {
+      return series->add(state, at);
+    };
+  }
   auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
   if (const auto* failure = std::get_if<solver::Failure>(&files)) return fail(*failure);
   solver::RunEnd end{};
@@ -185,6 +194,7 @@ void add_run(CLI::App& app, Action& action) {
       ->type_name("N");
   command->add_flag("--ignore-unsupported", arguments->ignore_unsupported,
                     "Run without the keywords that are not calculated");
+  command->add_flag("--vtu", arguments->vtu, "Also write each plot state as a .vtu file, and run.pvd that lists them");
   command->add_flag("--quiet", arguments->quiet, "No summary, no warnings");
   command->add_flag("--stats", arguments->stats, "Show counters and times");
   command->add_option("-I", arguments->read.include_directories, "Further directory for *INCLUDE")

@@ -31,9 +31,9 @@ void RunProgress::show(const solver::Run& run) {
   const solver::Stepper& stepper = run.stepper();
   const double time = stepper.state().time, end = run.end_time();
   const double left = time > 0 ? seconds * (end - time) / time : INFINITY;
-  const std::string line = fmt::format("\r\x1b[Kgapcheck: cycle {}, time {:.4g} of {:.4g}, step {:.3g}, energy ratio {:.4f}, {} left",
-                                       stepper.state().cycle, time, end, stepper.next_step(), stepper.energies().ratio(),
-                                       duration(left));
+  const std::string line =
+      fmt::format("\r\x1b[Kgapcheck: cycle {}, time {:.4g} of {:.4g}, step {:.3g}, energy ratio {:.4f}, {} left",
+                  stepper.state().cycle, time, end, stepper.next_step(), stepper.energies().ratio(), duration(left));
   std::fputs(line.c_str(), stderr);
 }
 

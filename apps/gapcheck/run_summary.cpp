@@ -25,12 +25,12 @@ std::string row(const char* label, double value) { return fmt::format("  {:<24}{
 
 std::string contact_rows(const solver::Run& run) {
   if (run.contacts() == nullptr || run.contacts()->states().empty()) return "";
-  std::string text = fmt::format("\n  {:>10} {:>9} {:>9} {:>9} {:>12} {:>12} {:>12}\n", "contact", "touching", "released",
-                                 "moved", "energy A", "energy B", "friction");
+  std::string text = fmt::format("\n  {:>10} {:>9} {:>9} {:>9} {:>12} {:>12} {:>12}\n", "contact", "touching",
+                                 "released", "moved", "energy A", "energy B", "friction");
   for (const solver::ContactState& c : run.contacts()->states())
     text += fmt::format("  {:>10} {:>9} {:>9} {:>9} {:>12.4g} {:>12.4g} {:>12.4g}\n",
-                        run.model().contacts[c.contact].id.value, c.touching, c.released, c.moved, c.energy_a, c.energy_b,
-                        c.friction);
+                        run.model().contacts[c.contact].id.value, c.touching, c.released, c.moved, c.energy_a,
+                        c.energy_b, c.friction);
   return text;
 }
 

@@ -66,8 +66,7 @@ void for_each_kind(const model::Model& model, const ElementSizes& sizes, const T
     const bool discrete = part.section && model.sections[*part.section].elform == discrete_beam;
     return discrete ? 0 : beam_sound_speed(material, density);
   });
-  take(model::ElementKind::shell,
-       steps_of(mesh.shells, shell, [&](std::size_t i) { return sizes.shell_length[i]; }));
+  take(model::ElementKind::shell, steps_of(mesh.shells, shell, [&](std::size_t i) { return sizes.shell_length[i]; }));
   take(model::ElementKind::solid, steps_of(mesh.solids, solid, [&](std::size_t i) {
          return solid_length(mesh.solids.nodes[i], sizes.solid_volume[i], x);
        }));

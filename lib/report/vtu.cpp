@@ -62,37 +62,31 @@ std::string escaped(std::string_view text) {
 }
 
 template <class Value>
-std::string array(std::string_view type, std::string_view name, unsigned components,
-                  const std::vector<Value>& values) {
-  return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n{}\n</DataArray>\n",
-                     type, escaped(name), components, encoded(values));
-}
-
-/// Ids are whole numbers that single precision may not hold.
-bool whole(const VtuArray& data) {
-  constexpr double most = 9e15;
-  return data.components == 1 && std::all_of(data.values.begin(), data.values.end(), [](double value) {
-    return std::abs(value) <= most && value == std::floor(value);
-  });
+std::string array(std::string_view type, std::string_view name, unsigned components, const std::vector<Value>& values) {
+  return fmt::format(
+      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n{}\n</DataArray>\n", type,
+      escaped(name), components, encoded(values));
 }
 
 std::string data_arrays(const std::vector<VtuArray>& list) {
   std::string text;
   for (const VtuArray& data : list) {
-    if (!whole(data)) {
+    if (!data.whole) {
       text += array("Float32", data.name, data.components, single(data.values));
       continue;
     }
     std::vector<std::int64_t> integers;
-    for (const double value : data.values) integers.push_back(static_cast<std::int64_t>(value));
-    text += array("Int64", data.name, 1, integers);
+    for (const double value : data.values)
+      integers.push_back(std::abs(value) < 9e18 ? static_cast<std::int64_t>(value) : 0);
+    text += array("Int64", data.name, data.components, integers);
   }
   return text;
 }
 
-const std::string head = fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{{}}\" version=\"1.0\" byte_order=\"{}\" "
-                                     "header_type=\"UInt64\">\n",
-                                     std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+const std::string head = fmt::format(
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"{{}}\" version=\"1.0\" byte_order=\"{}\" "
+    "header_type=\"UInt64\">\n",
+    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
 
 }  // namespace
 

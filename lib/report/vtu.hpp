@@ -15,7 +15,8 @@ enum class VtuCell : std::uint8_t { line = 3, triangle = 5, quad = 9, tetrahedro
 struct VtuArray {
   std::string name;
   unsigned components = 1;
-  std::vector<double> values;  ///< as many as there are points or cells times `components`
+  std::vector<double> values = {};  ///< as many as there are points or cells times `components`
+  bool whole = false;               ///< ids and the like: written as integers
 };
 
 /// An unstructured grid with its data.

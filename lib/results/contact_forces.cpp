@@ -20,9 +20,9 @@ std::string rcforc_text(double time, std::span<const InterfaceState> contacts) {
       }
       const Vector &f = contact.force[side], &m = contact.moment[side];
       const auto e = [](double value) { return scientific(value, 12, 5); };
-      text += fmt::format("  SURF{}{:12} time{}  x {}  y {}  z {} mass {}  mx {}  my {}  mz {}\n",
-                          side == 0 ? 'A' : 'B', contact.contact, e(time), e(f.x()), e(f.y()), e(f.z()), e(0), e(m.x()),
-                          e(m.y()), e(m.z()));
+      text +=
+          fmt::format("  SURF{}{:12} time{}  x {}  y {}  z {} mass {}  mx {}  my {}  mz {}\n", side == 0 ? 'A' : 'B',
+                      contact.contact, e(time), e(f.x()), e(f.y()), e(f.z()), e(0), e(m.x()), e(m.y()), e(m.z()));
     }
   return text;
 }
@@ -45,11 +45,10 @@ std::string sleout_text(double time, std::uint64_t cycle, std::span<const Interf
                     sum(sides[0]), sum(sides[1]), sum(sides[0] + sides[1]), sum(friction));
 }
 
-std::string ncforc_text(double time, std::int64_t contact, char side, std::span<const NodeForce> nodes) {
-  std::string text = fmt::format("\n forces of contact{:10} on nodes, SURF{} side, time={}\n", contact, side,
-                                 scientific(time, 13, 5));
-  text +=
-      "      node      x-force      y-force      z-force     pressure       x-coor       y-coor       z-coor\n";
+std::string ncforc_text(double time, std::int64_t contact, std::span<const NodeForce> nodes) {
+  std::string text =
+      fmt::format("\n forces of contact{:10} on tracked nodes, time={}\n", contact, scientific(time, 13, 5));
+  text += "      node      x-force      y-force      z-force     pressure       x-coor       y-coor       z-coor\n";
   for (const NodeForce& node : nodes) {
     text += fmt::format("{:10}", node.node);
     for (const double value : {node.force.x(), node.force.y(), node.force.z(), node.pressure, node.position.x(),

@@ -15,7 +15,7 @@ struct StressPoint {
 struct ShellValues {
   std::array<double, 8> resultants{};  ///< mxx myy mxy qxz qyz nxx nyy nxy, per length, axes of the element
   double thickness = 0;
-  double internal_energy = 0;          ///< per volume
+  double internal_energy = 0;  ///< per volume
 };
 
 /// What a d3plot says of one part.
@@ -37,6 +37,8 @@ struct D3plotState {
   std::size_t layers = surfaces;
   std::vector<StressPoint> shell_points;  ///< `layers` per shell
   std::vector<ShellValues> shells;
+  /// Of beams: axial force, shear forces s t, bending moments s t, torsion; their own axes.
+  std::vector<std::array<double, 6>> beams;
 };
 
 /// The word that ends a file of the family.

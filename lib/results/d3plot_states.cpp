@@ -17,6 +17,7 @@ using control_words::Place;
 
 constexpr std::int64_t most_values = 1'000'000;  ///< per node, element or state
 constexpr std::uint64_t point_values = 7;        ///< six stresses and a plastic strain
+constexpr std::uint64_t beam_values = 6;
 constexpr std::int64_t rigid_material = 20;
 /// Kinds of titles behind the geometry.
 constexpr std::int64_t first_titles = 90000, last_titles = 90100;
@@ -59,6 +60,8 @@ class LayoutReader {
     layout_.solid_words = solid;
     take(mesh_.solids.ids.size() * solid);
     take(mesh_.thick_shells.ids.size() * thick_shell);
+    layout_.beams = mesh_.beams.ids.empty() || beam < beam_values ? 0 : position_;
+    layout_.beam_words = beam;
     take(mesh_.beams.ids.size() * beam);
     if (!find_shells()) return false;
     set_layers(shell);
@@ -115,7 +118,8 @@ class LayoutReader {
     list.resize(mesh_.shells.ids.size());
     std::iota(list.begin(), list.end(), 0u);
     if (word(Place::ndim) != 5) return true;
-    const std::uint64_t start = D3plotHeader::words + static_cast<std::uint64_t>(std::max<std::int64_t>(0, word(Place::extra)));
+    const std::uint64_t start =
+        D3plotHeader::words + static_cast<std::uint64_t>(std::max<std::int64_t>(0, word(Place::extra)));
     const std::int64_t rigid = word(start), types = word(start + 1);
     std::unordered_map<std::int64_t, std::int64_t> number_of;
     for (std::size_t i = 0; i < mesh_.part_ids.size(); ++i)
@@ -123,8 +127,7 @@ class LayoutReader {
     std::erase_if(list, [&](std::uint32_t shell) {
       const auto found = number_of.find(mesh_.shells.parts[shell]);
       const std::int64_t number = found == number_of.end() ? mesh_.shells.parts[shell] : found->second;
-      return number >= 1 && number <= types &&
-             word(start + 1 + static_cast<std::uint64_t>(number)) == rigid_material;
+      return number >= 1 && number <= types && word(start + 1 + static_cast<std::uint64_t>(number)) == rigid_material;
     });
     if (static_cast<std::int64_t>(mesh_.shells.ids.size() - list.size()) == rigid) return true;
     return fail(fmt::format("damaged: it gives {} rigid shells, its material types {}", rigid,
@@ -132,7 +135,9 @@ class LayoutReader {
   }
 
   void set_layers(std::uint64_t shell) {
-    const auto given = [&](std::size_t flag) { return word(Place::ioshl + flag) == 1000 || word(Place::ioshl + flag) == 1; };
+    const auto given = [&](std::size_t flag) {
+      return word(Place::ioshl + flag) == 1000 || word(Place::ioshl + flag) == 1;
+    };
     std::int64_t layers = word(Place::maxint);
     if (layers < 0) layers = layers <= -10000 ? -(layers + 10000) : -layers;
     layers = std::clamp<std::int64_t>(layers, 0, most_values);
@@ -270,6 +275,12 @@ D3plotState D3plotStates::read(std::size_t i) const {
   if (layout_.solids != 0)
     for (std::uint64_t k = 0; k < mesh_.solids.ids.size(); ++k)
       state.solids.push_back(point(start + layout_.solids + k * layout_.solid_words, true, true));
+  if (layout_.beams != 0)
+    for (std::uint64_t k = 0; k < mesh_.beams.ids.size(); ++k) {
+      state.beams.emplace_back();
+      for (std::uint64_t j = 0; j < beam_values; ++j)
+        state.beams.back()[j] = words.real(start + layout_.beams + k * layout_.beam_words + j);
+    }
   state.layers = std::min<std::size_t>(layout_.layers, D3plotState::surfaces);
   if (layout_.shells == 0) return state;
   state.shells.resize(mesh_.shells.ids.size());

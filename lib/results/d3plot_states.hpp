@@ -17,9 +17,9 @@ namespace gapcheck::results {
 struct D3plotStateLayout {
   std::uint64_t words = 0;  ///< of a whole state
   std::uint64_t globals = 0, parts = 0;
-  std::uint64_t coordinates = 0, velocities = 0, solids = 0, shells = 0;  ///< 0: not there
-  std::uint64_t solid_words = 0, shell_words = 0;                         ///< of one element
-  std::uint64_t layers = 0, layer_words = 0;                              ///< of a shell
+  std::uint64_t coordinates = 0, velocities = 0, solids = 0, beams = 0, shells = 0;  ///< 0: not there
+  std::uint64_t solid_words = 0, beam_words = 0, shell_words = 0;                    ///< of one element
+  std::uint64_t layers = 0, layer_words = 0;                                         ///< of a shell
   bool layer_stress = false, layer_strain = false, shell_resultants = false, shell_thickness = false;
   std::vector<std::uint32_t> shells_with_values;  ///< positions; the others are rigid and have none
   unsigned dimensions = 3;
@@ -27,7 +27,7 @@ struct D3plotStateLayout {
 
 /// The states of a d3plot and its file family: found when it is opened, read one by one. States follow the geometry
 /// in its own file or begin with the next one; each lies in one file.
-/// Limits: models with particles, fluids, airbags or road surfaces are an error; values of beams and thick shells,
+/// Limits: models with particles, fluids, airbags or road surfaces are an error; values of thick shells,
 /// accelerations, temperatures, strains, history variables and layers beyond the three surfaces are passed over.
 class D3plotStates {
  public:

@@ -226,8 +226,8 @@ std::optional<Diagnostic> D3plotWriter::open_member() {
 
 std::optional<Diagnostic> D3plotWriter::append(const D3plotState& state) {
   if (state.parts.size() != parts_ || state.coordinates.size() != nodes_ || state.velocities.size() != nodes_ ||
-      state.solids.size() != solids_ || state.shells.size() != shells_ || state.layers != D3plotState::surfaces ||
-      state.shell_points.size() != shells_ * D3plotState::surfaces)
+      state.solids.size() != solids_ || state.shells.size() != shells_ || state.beams.size() != beams_ ||
+      state.layers != D3plotState::surfaces || state.shell_points.size() != shells_ * D3plotState::surfaces)
     return failure(path_, "a state does not have the sizes of the mesh");
   WordBuffer out(settings_.word_bytes);
   out.reals(std::array{state.time, state.kinetic, state.internal, state.total});
@@ -246,7 +246,7 @@ std::optional<Diagnostic> D3plotWriter::append(const D3plotState& state) {
   };
   for (const StressPoint& solid : state.solids) point(solid);
   out.zeros(thick_shells_ * static_cast<std::uint64_t>(thick_shell_values));
-  out.zeros(beams_ * static_cast<std::uint64_t>(beam_values));
+  for (const auto& beam : state.beams) out.reals(beam);
   for (std::size_t i = 0; i < shells_; ++i) {
     for (std::size_t k = 0; k < D3plotState::surfaces; ++k) point(state.shell_points[i * D3plotState::surfaces + k]);
     out.reals(state.shells[i].resultants);

@@ -19,9 +19,9 @@ struct D3plotWriteSettings {
   std::uint64_t member_words = 7 * 512 * 512;
 };
 
-/// Writes a d3plot database: the first file holds the mesh and the parts' titles, files with 01, 02, … behind their name
-/// the states. Layout: LS-DYNA database manual, NDIM = 4, coordinates and velocities of nodes, seven values per solid,
-/// three layers, resultants, thickness and energy per shell; beams and thick shells have zeros.
+/// Writes a d3plot database: the first file holds the mesh and the parts' titles, files with 01, 02, … behind their
+/// name the states. Layout: LS-DYNA database manual, NDIM = 4, coordinates and velocities of nodes, seven values per
+/// solid, three layers, resultants, thickness and energy per shell, six per beam; thick shells have zeros.
 class D3plotWriter {
  public:
   /// Creates the files' first and removes further ones of an older family. `mesh`: element parts are ids of `parts`;

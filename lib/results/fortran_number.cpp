@@ -41,9 +41,9 @@ Parts parts_of(double value, int digits) {
 std::string scientific(double value, int width, int decimals) {
   if (!std::isfinite(value)) return aligned(not_finite(value), width);
   const Parts parts = parts_of(value, decimals + 1);
-  return aligned((parts.negative ? "-" : "") + parts.digits.substr(0, 1) + "." + parts.digits.substr(1) +
-                     exponent(parts.exponent),
-                 width);
+  return aligned(
+      (parts.negative ? "-" : "") + parts.digits.substr(0, 1) + "." + parts.digits.substr(1) + exponent(parts.exponent),
+      width);
 }
 
 std::string normalised(double value, int width, int decimals) {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 #include "base/number.hpp"
 #include "results/fortran_number.hpp"
@@ -47,6 +49,19 @@ std::string row(std::string_view label, double value) {
 
 std::string_view before_dots(std::string_view text) { return trimmed(text.substr(0, text.find(".."))); }
 
+void set(const Row& entry, std::string_view label, double value, GlobalState& state) {
+  if (entry.value != nullptr && before_dots(entry.label) == label) state.*entry.value = value;
+}
+
+/// The number behind "dt of cycle".
+std::optional<std::uint64_t> cycle_of(std::string_view line) {
+  constexpr std::string_view words = "dt of cycle";
+  if (!line.starts_with(words)) return std::nullopt;
+  std::string_view rest = line.substr(words.size());
+  const auto cycle = take_integer(rest);
+  return cycle && *cycle >= 0 ? std::optional(static_cast<std::uint64_t>(*cycle)) : std::nullopt;
+}
+
 }  // namespace
 
 std::string glstat_header(const FileHeader& header) { return header_text(header); }
@@ -54,9 +69,7 @@ std::string glstat_header(const FileHeader& header) { return header_text(header)
 std::string glstat_text(const GlobalState& state) {
   std::string text = fmt::format("\n\n dt of cycle{:8} is controlled by {:<10}", state.cycle, state.controlled_by);
   text += state.element != 0 ? fmt::format("{:10} of part{:10}\n\n", state.element, state.part) : "\n\n";
-  const auto add = [&](const Row& entry) {
-    text += row(entry.label, entry.value != nullptr ? state.*entry.value : 0);
-  };
+  const auto add = [&](const Row& entry) { text += row(entry.label, entry.value != nullptr ? state.*entry.value : 0); };
   for (const Row& entry : rows_before_walls) add(entry);
   for (const GlobalState::Wall& wall : state.walls)
     text += fmt::format(" {}{} wall#{:5}\n", wall_label, scientific(wall.energy, 14, 5), wall.number);
@@ -68,19 +81,20 @@ std::string glstat_text(const GlobalState& state) {
 
 std::vector<GlobalState> read_glstat(std::string_view text) {
   std::vector<GlobalState> states;
+  std::uint64_t cycle = 1;
   for (Lines lines(text); !lines.done(); lines.advance()) {
     const std::string_view line = trimmed(lines.line());
+    if (const auto given = cycle_of(line)) cycle = *given;
     const std::size_t dots = line.find("..");
     if (dots == std::string_view::npos) continue;
     const std::string_view label = before_dots(line);
     std::string_view rest = trimmed(line.substr(std::min(line.find_first_not_of('.', dots), line.size())));
     const double value = take_real(rest).value_or(0);
-    if (label == "time") states.emplace_back();
+    if (label == "time") states.emplace_back().cycle = cycle;
     if (states.empty()) continue;
     GlobalState& state = states.back();
-    for (const auto* rows : {rows_before_walls.data(), rows_behind_walls.data()})
-      for (std::size_t i = 0; i < (rows == rows_before_walls.data() ? rows_before_walls.size() : rows_behind_walls.size()); ++i)
-        if (rows[i].value != nullptr && before_dots(rows[i].label) == label) state.*rows[i].value = value;
+    for (const Row& entry : rows_before_walls) set(entry, label, value, state);
+    for (const Row& entry : rows_behind_walls) set(entry, label, value, state);
     for (int axis = 0; axis < 3; ++axis)
       if (label == fmt::format("global {} velocity", "xyz"[axis])) state.velocity[axis] = value;
     if (label == before_dots(wall_label)) {

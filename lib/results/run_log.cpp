@@ -21,7 +21,9 @@ std::string spaced_type(const std::string& type, int width) {
 std::string echo(std::string_view label, double value) {
   return fmt::format("       {:.<45}{}\n", label, normalised(value, 15, 5));
 }
-std::string echo(std::string_view label, std::int64_t value) { return fmt::format("       {:.<45}{:9}\n", label, value); }
+std::string echo(std::string_view label, std::int64_t value) {
+  return fmt::format("       {:.<45}{:9}\n", label, value);
+}
 
 std::string definition(const ContactDefinition& c) {
   std::string text = rule + fmt::format("\n Contact Interface {:6}\n\n{}\n\n\n", c.id, column_text(c.title, 70));
@@ -83,9 +85,10 @@ std::string surface_timesteps(const Timesteps& timesteps, std::span<const Contac
     row("current minimum time step", scientific(least, 10, 3));
   }
   if (text.empty()) return text;
-  return text + fmt::format("\n The time step size should not exceed {}\n to avoid contact instabilities.  If the "
-                            "step size is\n bigger then scale the penalty of the offending surface.\n",
-                            scientific(least, 13, 3));
+  return text + fmt::format(
+                    "\n The time step size should not exceed {}\n to avoid contact instabilities.  If the "
+                    "step size is\n bigger then scale the penalty of the offending surface.\n",
+                    scientific(least, 13, 3));
 }
 
 std::string smallest_timesteps(std::span<const ElementStep> steps) {

@@ -14,7 +14,7 @@ namespace gapcheck::results {
 struct ContactDefinition {
   std::int64_t id = 0;
   std::uint32_t order = 0;
-  std::string type;   ///< "13", "a3"
+  std::string type;  ///< "13", "a3"
   std::string title;
   std::uint64_t segments_a = 0, segments_b = 0;
   double static_friction = 0, kinetic_friction = 0, friction_decay = 0, viscous_friction = 0;

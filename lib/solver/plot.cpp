@@ -10,17 +10,20 @@ namespace {
 
 std::array<double, 3> array_of(const Vector& v) { return {v.x(), v.y(), v.z()}; }
 
+/// Its part and nodes are there.
 template <std::size_t N>
-void add_elements(const model::Elements<N>& elements, const model::Model& model,
-                  results::D3plot::Elements<N>& plot) {
+bool complete(const model::Elements<N>& elements, std::size_t i, const model::Model& model) {
+  return elements.part[i] != none<PartIndex> &&
+         std::all_of(elements.nodes[i].begin(), elements.nodes[i].end(),
+                     [&](NodeIndex node) { return node.value < model.mesh.nodes.size(); });
+}
+
+template <std::size_t N>
+void add_elements(const model::Elements<N>& elements, const model::Model& model, results::D3plot::Elements<N>& plot) {
   for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (!complete(elements, i, model)) continue;
     std::array<std::uint32_t, N> nodes;
-    bool complete = elements.part[i] != none<PartIndex>;
-    for (std::size_t k = 0; k < N; ++k) {
-      nodes[k] = elements.nodes[i][k].value;
-      complete = complete && nodes[k] < model.mesh.nodes.size();
-    }
-    if (!complete) continue;
+    for (std::size_t k = 0; k < N; ++k) nodes[k] = elements.nodes[i][k].value;
     plot.ids.push_back(elements.id[i]);
     plot.nodes.push_back(nodes);
     plot.parts.push_back(model.part(elements.part[i]).id.value);
@@ -29,6 +32,26 @@ void add_elements(const model::Elements<N>& elements, const model::Model& model,
 
 results::StressPoint global_point(const PointState& point, const Matrix& to_global) {
   return {rotated(point.stress, to_global), point.plastic_strain};
+}
+
+/// Axial force, shear s t, moments s t, torsion on the second end, by beam of the plot.
+void beam_values(const model::Model& model, const Structure& structure, results::D3plotState& plot) {
+  const model::Elements<2>& beams = model.mesh.beams;
+  constexpr std::uint32_t left_out = 0xffffffffu;
+  std::vector<std::uint32_t> place(beams.size(), left_out);
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < beams.size(); ++i)
+    if (complete(beams, i, model)) place[i] = count++;
+  plot.beams.assign(count, {});
+  for (std::size_t i = 0; i < structure.beams.size(); ++i) {
+    const auto [a, b] = structure.beams.nodes(i);
+    if (place[structure.beams.origin(i)] == left_out) continue;
+    const Vector r = (structure.state.x[b.value] - structure.state.x[a.value]).normalized();
+    const Vector s = structure.beams.state(i).axis, t = r.cross(s);
+    const Vector &force = structure.beams.end_force(i), &moment = structure.beams.end_moment(i);
+    plot.beams[place[structure.beams.origin(i)]] = {
+        structure.beams.axial(i), force.dot(s), force.dot(t), moment.dot(s), moment.dot(t), moment.dot(r)};
+  }
 }
 
 /// Between the two middle layers where there is an even number of them.
@@ -49,9 +72,14 @@ std::array<double, 8> resultants(const ShellProperties& properties, std::span<co
     const double share = thickness / 2 * properties.layers[i].weight;
     const double lever = share * thickness / 2 * properties.layers[i].place;
     const Symmetric& s = points[i].stress;
-    const std::array<double, 8> add{lever * s[xx], lever * s[yy], lever * s[xy],
-                                    share * properties.shear_factor * s[zx], share * properties.shear_factor * s[yz],
-                                    share * s[xx], share * s[yy], share * s[xy]};
+    const std::array<double, 8> add{lever * s[xx],
+                                    lever * s[yy],
+                                    lever * s[xy],
+                                    share * properties.shear_factor * s[zx],
+                                    share * properties.shear_factor * s[yz],
+                                    share * s[xx],
+                                    share * s[yy],
+                                    share * s[xy]};
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += add[k];
   }
   return sum;
@@ -131,13 +159,15 @@ results::D3plotState plot_state(const model::Model& model, const Structure& stru
   }
   plot.solids.resize(model.mesh.solids.size());
   for (std::size_t i = 0; i < structure.solids.size(); ++i)
-    plot.solids[structure.solids.origin(i)] = {structure.solids.point(i).stress, structure.solids.point(i).plastic_strain};
+    plot.solids[structure.solids.origin(i)] = {structure.solids.point(i).stress,
+                                               structure.solids.point(i).plastic_strain};
   plot.shell_points.resize(plot.layers * model.mesh.shells.size());
   plot.shells.resize(model.mesh.shells.size());
   for (std::size_t i = 0; i < plot.shells.size(); ++i) plot.shells[i].thickness = sizes.shell_thickness[i];
   parallel_for(structure.shells.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) shell_values(structure, i, plot);
   });
+  beam_values(model, structure, plot);
   const std::vector<ElementEnergy> energies = part_energies(model, structure);
   double mass = 0;
   Vector momentum = Vector::Zero();

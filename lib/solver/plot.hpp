@@ -21,11 +21,11 @@ namespace gapcheck::solver {
 /// The model's mesh as a d3plot has it: all elements whose nodes and part are there, nodes at their starting places.
 [[nodiscard]] results::D3plot plot_mesh(const model::Model& model, const std::vector<Vector>& x);
 
-/// What a d3plot holds beside energies: positions, velocities (of the middle of the coming step), stresses in global axes,
-/// plastic strains, resultants and thickness of all shells and solids of plot_mesh(). Elements of rigid parts have no stress.
+/// What a d3plot holds beside energies: positions, velocities (of the middle of the coming step), stresses in global
+/// axes, plastic strains, resultants and thickness of all shells and solids of plot_mesh(). Elements of rigid parts
+/// have no stress.
 [[nodiscard]] results::D3plotState plot_state(const model::Model& model, const Structure& structure,
-                                              const contact::ElementSizes& sizes,
-                                              std::span<const PartMotion> motion);
+                                              const contact::ElementSizes& sizes, std::span<const PartMotion> motion);
 
 /// Axes of a shell's layers as rows: the third is normal to both diagonals, the first lies along side 1-2.
 [[nodiscard]] Matrix shell_axes(const std::array<Vector, 4>& x);

@@ -16,8 +16,7 @@ std::variant<double, Failure> end_of_run(const model::Model& model, const RunSet
   const double time = settings.until > 0 ? settings.until : model.controls.endtim;
   if (time > 0 && std::isfinite(time)) return time;
   if (settings.cycles > 0) return std::numeric_limits<double>::infinity();
-  return Failure{Failure::Kind::no_end,
-                 "the deck gives no end time; set ENDTIM of *CONTROL_TERMINATION, or --until"};
+  return Failure{Failure::Kind::no_end, "the deck gives no end time; set ENDTIM of *CONTROL_TERMINATION, or --until"};
 }
 
 /// By node: nothing keeps it where it is, so that the shooting-node logic may move it.
@@ -83,8 +82,6 @@ RunEnd Run::go(Observer& observer) {
   }
 }
 
-double Run::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
+double Run::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
 }  // namespace gapcheck::solver

@@ -26,9 +26,7 @@ constexpr double rounding = 1e-12;
 Failure not_written(const std::string& path, const std::string& why) {
   return {Failure::Kind::output, fmt::format("{}: cannot be written: {}", path, why)};
 }
-Failure not_written(const std::string& path) {
-  return not_written(path, std::strerror(errno != 0 ? errno : EIO));
-}
+Failure not_written(const std::string& path) { return not_written(path, std::strerror(errno != 0 ? errno : EIO)); }
 
 /// All of the text, and at once on the disk as far as other programs see it.
 bool write(std::FILE* file, const std::string& text) {
@@ -101,7 +99,8 @@ std::variant<RunFiles, Failure> RunFiles::create(const Run& run, contact::Surfac
   const std::string& directory = files.settings_.directory;
   std::error_code error;
   std::filesystem::create_directories(directory, error);
-  if (error) return Failure{Failure::Kind::output, fmt::format("{}: cannot be created: {}", directory, error.message())};
+  if (error)
+    return Failure{Failure::Kind::output, fmt::format("{}: cannot be created: {}", directory, error.message())};
   files.sizes_ = contact::element_sizes(run.model());
   files.masses_ = std::make_unique<PartMasses>(run.model(), files.sizes_);
   auto problem = files.open_logs(run, surfaces);
@@ -191,19 +190,18 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
   std::string text;
   const auto contacts = run.contacts() != nullptr ? run.contacts()->states() : std::span<const ContactState>{};
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    text += results::ncforc_text(state.time, run.model().contacts[contacts[i].contact].id.value, 'A',
-                                 node_forces(run, i));
+    text += results::ncforc_text(state.time, run.model().contacts[contacts[i].contact].id.value, node_forces(run, i));
   return text;
 }
 
 std::optional<Failure> RunFiles::plot(const Run& run) {
   const Stepper& stepper = run.stepper();
-  results::D3plotState state =
-      plot_state(run.model(), stepper.structure(), sizes_, masses_->motion(stepper.state()));
+  results::D3plotState state = plot_state(run.model(), stepper.structure(), sizes_, masses_->motion(stepper.state()));
   state.kinetic = stepper.energies().kinetic;
   state.internal = stepper.energies().internal;
   state.total = stepper.energies().total();
-  if (auto problem = plot_->append(state)) return Failure{Failure::Kind::output, problem->file + ": " + problem->message};
+  if (auto problem = plot_->append(state))
+    return Failure{Failure::Kind::output, problem->file + ": " + problem->message};
   ++plotted_;
   if (settings_.on_plot) return settings_.on_plot(state, run, plotted_);
   return std::nullopt;
@@ -219,7 +217,8 @@ std::optional<Failure> RunFiles::observe(const Run& run, std::optional<RunEnd> e
   }
   if (plot_interval_.due(state.time) || end) {
     plot_interval_.written(state.time);
-    if (auto problem = log(results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), "write d3plot file")))
+    if (auto problem =
+            log(results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), "write d3plot file")))
       return problem;
     if (auto problem = plot(run)) return problem;
   }

@@ -17,7 +17,7 @@ namespace gapcheck::solver {
 
 struct RunFilesSettings {
   std::string directory;
-  std::string program;  ///< "gapcheck 0.1.0", below the title of every file
+  std::string program;        ///< "gapcheck 0.1.0", below the title of every file
   bool double_words = false;  ///< d3plot in words of eight bytes
   /// Told of every state that goes to the d3plot, with its number from 1; what it returns ends the run.
   std::function<std::optional<Failure>(const results::D3plotState&, const Run&, std::size_t)> on_plot;

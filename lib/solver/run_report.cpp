@@ -17,9 +17,10 @@ Report run_report(const Run& run, contact::SurfaceStore& surfaces) {
   report.penetrations = run.initial().penetrations;
   for (const contact::JudgedNode& judged : run.initial().judged)
     if (!judged.tied()) report.tie_failures.push_back(contact::record_tie(judged, model));
-  std::stable_sort(report.tie_failures.begin(), report.tie_failures.end(), [](const TieFailure& a, const TieFailure& b) {
-    return std::tie(a.contact, a.reason, a.node) < std::tie(b.contact, b.reason, b.node);
-  });
+  std::stable_sort(report.tie_failures.begin(), report.tie_failures.end(),
+                   [](const TieFailure& a, const TieFailure& b) {
+                     return std::tie(a.contact, a.reason, a.node) < std::tie(b.contact, b.reason, b.node);
+                   });
   std::vector<std::uint32_t> all(model.contacts.size());
   std::iota(all.begin(), all.end(), 0u);
   report.predicted = contact::predict_timesteps(model, surfaces, all).timesteps;
@@ -63,7 +64,8 @@ std::vector<results::ElementStep> element_steps(const model::Model& model, const
   std::vector<results::ElementStep> list;
   const auto add = [&](const char* kind, const auto& elements, const contact::ElementTimestep& step) {
     const PartIndex part = elements.part[step.element];
-    list.push_back({kind, elements.id[step.element], part == none<PartIndex> ? 0 : model.part(part).id.value, step.timestep});
+    list.push_back(
+        {kind, elements.id[step.element], part == none<PartIndex> ? 0 : model.part(part).id.value, step.timestep});
   };
   for (const contact::ElementTimestep& step : contact::smallest_element_timesteps(model, sizes, 100)) {
     switch (step.kind) {

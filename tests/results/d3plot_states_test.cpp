@@ -69,8 +69,7 @@ D3plotState sample_state(double time) {
   for (double* one : {&state.kinetic, &state.internal, &state.total}) *one = value();
   for (double& v : state.velocity) v = value();
   state.parts.resize(parts.size());
-  for (PartValues& part : state.parts)
-    part = {value(), value(), value(), value(), {value(), value(), value()}};
+  for (PartValues& part : state.parts) part = {value(), value(), value(), value(), {value(), value(), value()}};
   for (int i = 0; i < 9; ++i) {
     state.coordinates.push_back({value(), value(), value()});
     state.velocities.push_back({value(), value(), value()});
@@ -82,6 +81,7 @@ D3plotState sample_state(double time) {
     return p;
   };
   state.solids = {point()};
+  state.beams = {{value(), value(), value(), value(), value(), value()}};
   for (int i = 0; i < 6; ++i) state.shell_points.push_back(point());
   state.shells.resize(2);
   for (ShellValues& shell : state.shells) {
@@ -115,6 +115,7 @@ void expect_equal(const D3plotState& a, const D3plotState& b) {
   EXPECT_EQ(a.velocities, b.velocities);
   ASSERT_EQ(a.solids.size(), b.solids.size());
   for (std::size_t i = 0; i < a.solids.size(); ++i) expect_equal(a.solids[i], b.solids[i]);
+  EXPECT_EQ(a.beams, b.beams);
   ASSERT_EQ(a.layers, b.layers);
   ASSERT_EQ(a.shell_points.size(), b.shell_points.size());
   for (std::size_t i = 0; i < a.shell_points.size(); ++i) expect_equal(a.shell_points[i], b.shell_points[i]);
@@ -299,9 +300,9 @@ TEST(RealD3plot, StatesOfAnImpact) {
 }
 
 TEST(RealD3plot, StatesOfShells) {
-  for (const char* name : {"d3plot_lasso/test/test_data/d3plot_solid_int/d3plot",
-                           "d3plot_lasso/test/test_data/simple_d3plot/d3plot",
-                           "d3plot_examples/result_files/d3plot_beam/d3plot"}) {
+  for (const char* name :
+       {"d3plot_lasso/test/test_data/d3plot_solid_int/d3plot", "d3plot_lasso/test/test_data/simple_d3plot/d3plot",
+        "d3plot_examples/result_files/d3plot_beam/d3plot"}) {
     const fs::path path = real(name);
     if (!fs::exists(path)) GTEST_SKIP() << "no real result files here";
     SCOPED_TRACE(name);

@@ -96,6 +96,7 @@ TEST(Glstat, IsReadBack) {
   const auto states = read_glstat(text);
   ASSERT_EQ(states.size(), 2u);
   EXPECT_EQ(states[0].kinetic, 9.93442e-6);
+  EXPECT_EQ(states[0].cycle, 24u);
   EXPECT_EQ(states[0].velocity, global_state().velocity);
   EXPECT_EQ(states[0].walls.size(), 0u);
   EXPECT_EQ(states[1].time, 1);
@@ -180,23 +181,24 @@ TEST(ContactFiles, Rcforc) {
   single.single_surface = true;
   pair.contact = 80085;
   pair.force = {Vector(1, -2, 0), Vector(-1, 2, 0)};
-  EXPECT_EQ(contact_header(header, {{80085, "Left_on_left_action"}, {8009, "Mortar silent backup for contact       8008"}}) +
-                rcforc_text(4.87301e-3, std::vector{single, pair}),
-            " Bolted Connection Type b                                                \n"
-            "                    gapcheck 0.1.0\n"
-            "\n"
-            "{BEGIN LEGEND}\n"
-            " Entity #        Title\n"
-            "     8009     Mortar silent backup for contact       8008                          \n"
-            "    80085     Left_on_left_action                                                  \n"
-            "{END LEGEND}\n"
-            "\n"
-            " interface number,     10001,is single surface-resultants are undefined\n"
-            " interface number,     10001,is single surface-resultants are undefined\n"
-            "  SURFA       80085 time 4.87301E-03  x  1.00000E+00  y -2.00000E+00  z  0.00000E+00 mass  0.00000E+00  "
-            "mx  0.00000E+00  my  0.00000E+00  mz  0.00000E+00\n"
-            "  SURFB       80085 time 4.87301E-03  x -1.00000E+00  y  2.00000E+00  z  0.00000E+00 mass  0.00000E+00  "
-            "mx  0.00000E+00  my  0.00000E+00  mz  0.00000E+00\n");
+  EXPECT_EQ(
+      contact_header(header, {{80085, "Left_on_left_action"}, {8009, "Mortar silent backup for contact       8008"}}) +
+          rcforc_text(4.87301e-3, std::vector{single, pair}),
+      " Bolted Connection Type b                                                \n"
+      "                    gapcheck 0.1.0\n"
+      "\n"
+      "{BEGIN LEGEND}\n"
+      " Entity #        Title\n"
+      "     8009     Mortar silent backup for contact       8008                          \n"
+      "    80085     Left_on_left_action                                                  \n"
+      "{END LEGEND}\n"
+      "\n"
+      " interface number,     10001,is single surface-resultants are undefined\n"
+      " interface number,     10001,is single surface-resultants are undefined\n"
+      "  SURFA       80085 time 4.87301E-03  x  1.00000E+00  y -2.00000E+00  z  0.00000E+00 mass  0.00000E+00  "
+      "mx  0.00000E+00  my  0.00000E+00  mz  0.00000E+00\n"
+      "  SURFB       80085 time 4.87301E-03  x -1.00000E+00  y  2.00000E+00  z  0.00000E+00 mass  0.00000E+00  "
+      "mx  0.00000E+00  my  0.00000E+00  mz  0.00000E+00\n");
 }
 
 TEST(ContactFiles, Sleout) {
@@ -226,8 +228,8 @@ TEST(ContactFiles, Ncforc) {
   node.force = {0, 0, -2.5};
   node.position = {1, 2, 3};
   node.pressure = 0.5;
-  EXPECT_EQ(ncforc_text(0.1, 3, 'A', std::vector{node}),
-            "\n forces of contact         3 on nodes, SURFA side, time=  1.00000E-01\n"
+  EXPECT_EQ(ncforc_text(0.1, 3, std::vector{node}),
+            "\n forces of contact         3 on tracked nodes, time=  1.00000E-01\n"
             "      node      x-force      y-force      z-force     pressure       x-coor       y-coor       z-coor\n"
             "        14  0.00000E+00  0.00000E+00 -2.50000E+00  5.00000E-01  1.00000E+00  2.00000E+00  3.00000E+00\n");
 }

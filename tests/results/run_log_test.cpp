@@ -37,7 +37,8 @@ TEST(RunLog, ContactDefinitionsAsInD3hsp) {
   expect_line(text, "       static coefficient of friction ..............    0.00000E+00");
   expect_line(text, "       scale factor on surfb thickness (def.=1.0)...    0.10000E+01");
   expect_line(text, "       death time ..................................    0.10000E+21");
-  expect_line(text, "        1       80085    a 3 Left_on_left_action                                                   ");
+  expect_line(text,
+              "        1       80085    a 3 Left_on_left_action                                                   ");
   EXPECT_EQ(contact_definitions({}), "");
 }
 
@@ -83,11 +84,10 @@ TEST(RunLog, IsReadBack) {
   report.penetrations = {p};
   Timesteps steps;
   steps.surface_timesteps = {{0, 'A', "a3", 1.669e-7, 1, 1, false}};
-  const std::string text = log_banner(header) + contact_definitions(std::vector{definition()}) +
-                           message_blocks(report) + surface_timesteps(steps, report.contacts) +
-                           smallest_timesteps(std::vector{ElementStep{"shell", 5, 2, 2.5e-7}}) +
-                           cycle_line(1, 0, 2.12e-4, "write d3plot file") +
-                           log_end(true, "termination time reached", 0.125, 1234);
+  const std::string text =
+      log_banner(header) + contact_definitions(std::vector{definition()}) + message_blocks(report) +
+      surface_timesteps(steps, report.contacts) + smallest_timesteps(std::vector{ElementStep{"shell", 5, 2, 2.5e-7}}) +
+      cycle_line(1, 0, 2.12e-4, "write d3plot file") + log_end(true, "termination time reached", 0.125, 1234);
   Diagnostics diagnostics;
   const Report read = read_solver_log_text(text, "d3hsp", {}, diagnostics);
   EXPECT_TRUE(diagnostics.sorted().empty());

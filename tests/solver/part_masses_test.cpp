@@ -27,8 +27,9 @@ TEST(PartMasses, SharedNodesAreSharedByMass) {
 }
 
 TEST(PartMasses, HostileElementsCountNothing) {
-  const model::Read read = model::read_text("*NODE\n1,0.,0.,0.\n2,1e30,0.,0.\n3,1e30,1e30,0.\n*ELEMENT_SHELL\n1,1,1,2,3,3\n2,9,1,2,3,3\n" +
-                                            elastic_deck("*SECTION_SHELL\n1,2\n1e30\n", 1, 0.3, 1e300));
+  const model::Read read =
+      model::read_text("*NODE\n1,0.,0.,0.\n2,1e30,0.,0.\n3,1e30,1e30,0.\n*ELEMENT_SHELL\n1,1,1,2,3,3\n2,9,1,2,3,3\n" +
+                       elastic_deck("*SECTION_SHELL\n1,2\n1e30\n", 1, 0.3, 1e300));
   const PartMasses masses(read.model, contact::element_sizes(read.model));
   State state;
   state.v.assign(3, Vector::Zero());

@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/vtu.hpp"
+#include "results/d3plot.hpp"
+#include "results/d3plot_state.hpp"
+#include "solver/run.hpp"
+
+namespace gapcheck::app {
+
+/// A run as files for VTK: state_0001.vtu, … and the collection run.pvd, which is written anew with every state.
+class VtuSeries {
+ public:
+  /// `directory` must be there.
+  VtuSeries(const solver::Run& run, std::string directory);
+  /// The error of the file that could not be written.
+  [[nodiscard]] std::optional<solver::Failure> add(const results::D3plotState& state, const solver::Run& run);
+
+ private:
+  std::string directory_;
+  results::D3plot mesh_;
+  std::vector<report::PvdEntry> entries_;
+};
+
+/// The grid of one state: shells, solids, beams; displacement, velocity and what the contacts say at the points; part,
+/// id, stress, plastic strain and thickness in the cells.
+[[nodiscard]] report::VtuGrid vtu_grid(const results::D3plot& mesh, const results::D3plotState& state,
+                                       const solver::Run& run);
+
+}  // namespace gapcheck::app

@@ -1,0 +1,72 @@
+// gapcheck run as users and scripts see it.
+#include "program.hpp"
+#include "results/d3plot_states.hpp"
+#include "results/glstat.hpp"
+
+namespace gapcheck {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RunCommand : public Program {
+ protected:
+  static std::string data(const std::string& name) { return "'" + (project / "data" / name).string() + "'"; }
+};
+
+TEST_F(RunCommand, AnExampleEndsNormally) {
+  const Ended run = gapcheck("run " + data("two_plates.k") + " -o out --stats");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.find("Normal end at time 0.001"), 0u) << run.out;
+  EXPECT_NE(run.out.find("touching"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("shells 18"), std::string::npos);
+  for (const char* name : {"messag", "d3hsp", "glstat", "rcforc", "sleout", "d3plot", "d3plot01"})
+    EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
+  const auto states = results::read_glstat(content(folder_ / "out" / "glstat"));
+  EXPECT_EQ(states.size(), 101u) << "an interval of 1e-5 up to 1e-3";
+  const auto plot = results::D3plotStates::open((folder_ / "out" / "d3plot").string());
+  ASSERT_TRUE(plot.ok());
+  EXPECT_EQ(plot.value().size(), 21u);
+}
+
+// The messages of the run are what the audit predicts.
+TEST_F(RunCommand, ItsMessagesAreTheAudits) {
+  for (const char* name : {"two_plates.k", "contact_chain.k", "ignore_2.k", "triangle.k"}) {
+    const Ended run = gapcheck("run " + data(name) + " -o out --cycles 2 --quiet --ignore-unsupported");
+    ASSERT_EQ(run.code, 0) << name << run.err;
+    EXPECT_EQ(run.out, "");
+    const Ended compared = gapcheck("compare " + data(name) + " out");
+    EXPECT_EQ(compared.code, 0) << name << compared.out;
+    EXPECT_NE(compared.out.find("no differences"), std::string::npos) << compared.out;
+    const Ended read = gapcheck("messag out/messag --fail-on never");
+    EXPECT_EQ(read.code, 0);
+    EXPECT_NE(read.out.find("gapcheck"), std::string::npos) << read.out;
+    EXPECT_NE(read.out.find("normal termination"), std::string::npos) << read.out;
+  }
+}
+
+TEST_F(RunCommand, GridsForVtk) {
+  const Ended run = gapcheck("run " + data("two_plates.k") + " -o out --cycles 3 --vtu");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const std::string series = content(folder_ / "out" / "run.pvd"), grid = content(folder_ / "out" / "state_0001.vtu");
+  EXPECT_NE(series.find("file=\"state_0002.vtu\""), std::string::npos) << series;
+  EXPECT_NE(grid.find("NumberOfPoints=\"32\" NumberOfCells=\"18\""), std::string::npos) << grid.substr(0, 300);
+  for (const char* name : {"displacement", "contact_state", "stress", "plastic_strain"})
+    EXPECT_NE(grid.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
+}
+
+TEST_F(RunCommand, WhatGoesWrongIsExitCode2) {
+  EXPECT_EQ(gapcheck("run " + data("two_plates.k")).code, 2) << "no directory";
+  EXPECT_EQ(gapcheck("run none.k -o out").code, 2);
+  EXPECT_EQ(gapcheck("run " + data("two_plates.k") + " -o out --until nan").code, 2);
+  file("taken", "");
+  const Ended taken = gapcheck("run " + data("two_plates.k") + " -o taken");
+  EXPECT_EQ(taken.code, 2);
+  EXPECT_EQ(taken.err.find("gapcheck: error: taken: cannot be created: "), 0u) << taken.err;
+  file("open.k", "*KEYWORD\n*NODE\n1,0.,0.,0.\n*END\n");
+  const Ended open = gapcheck("run open.k -o out");
+  EXPECT_EQ(open.code, 2);
+  EXPECT_NE(open.err.find("ENDTIM"), std::string::npos) << open.err;
+}
+
+}  // namespace
+}  // namespace gapcheck
