@@ -4,16 +4,12 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
-#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <iterator>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -26,6 +22,7 @@
 #include "run_summary.hpp"
 #include "run_vtu.hpp"
 #include "solver/run_files.hpp"
+#include "solver/supported.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -76,30 +73,18 @@ class Watch : public solver::Run::Observer {
   RunProgress progress_;
 };
 
-/// Keywords that nobody reads, each where it stands first.
-std::vector<Diagnostic> unread_keywords(const keyword::Deck& deck, const model::Model& model) {
-  constexpr std::string_view harmless[] = {"KEYWORD",   "END",     "DATABASE_", "CONTROL_",
-                                           "PARAMETER", "COMMENT", "INCLUDE"};
-  std::vector<Diagnostic> list;
-  std::set<std::string> seen;
-  for (const keyword::Block& block : deck.blocks()) {
-    const auto matches = [&](std::string_view name) { return block.name.starts_with(name); };
-    if (!model.skipped_keywords.contains(block.name) ||
-        std::any_of(std::begin(harmless), std::end(harmless), matches) || !seen.insert(block.name).second)
-      continue;
-    list.push_back({Severity::error, deck.files()[block.file.value].path, block.line,
-                    fmt::format("*{} is not calculated; leave it out, or run with --ignore-unsupported", block.name)});
-  }
-  return list;
-}
-
 /// True if the run may go on.
-bool tell_unsupported(std::vector<Diagnostic> list, const Arguments& arguments) {
-  for (Diagnostic& diagnostic : list) {
-    if (arguments.ignore_unsupported) diagnostic.severity = Severity::warning;
-    if (!arguments.ignore_unsupported || !arguments.quiet) print(diagnostic);
-  }
-  return list.empty() || arguments.ignore_unsupported;
+bool tell_unsupported(const std::vector<solver::Unsupported>& list, const Arguments& arguments) {
+  const Severity severity = arguments.ignore_unsupported ? Severity::warning : Severity::error;
+  for (const solver::Unsupported& one : list)
+    if (!arguments.ignore_unsupported || !arguments.quiet)
+      print(Diagnostic{severity, one.file, one.line,
+                       fmt::format("*{} {}: {}", one.keyword,
+                                   arguments.ignore_unsupported ? "is left out" : "is not supported", one.why)});
+  if (list.empty() || arguments.ignore_unsupported) return true;
+  print_error(fmt::format("{} of the deck is not calculated; change it, or run with --ignore-unsupported",
+                          list.size() == 1 ? "a part" : "some"));
+  return false;
 }
 
 void tell_output_notes(const keyword::Deck& deck, const model::Model& model, Diagnostics& diagnostics) {
@@ -157,7 +142,7 @@ int run_deck(const Arguments& arguments) {
     return failed;
   }
   tell_output_notes(deck.value(), model.value(), diagnostics);
-  if (!tell_unsupported(unread_keywords(deck.value(), model.value()), arguments)) {
+  if (!tell_unsupported(solver::unsupported(deck.value(), model.value()), arguments)) {
     print(diagnostics, arguments.quiet);
     return failed;
   }

@@ -61,7 +61,15 @@ std::string run_statistics(const solver::Run& run) {
                                  structure.solids.size(), structure.rigid.size());
   text += fmt::format("  {:.3f} s, {:.3f} ms per cycle", run.seconds(), 1000 * run.seconds() / cycles);
   if (elements > 0) text += fmt::format(", {:.1f} ns per element and cycle", 1e9 * run.seconds() / cycles / elements);
-  return text + "\n";
+  text += "\n";
+  if (run.contacts() == nullptr || run.contacts()->states().empty()) return text;
+  const solver::ContactCounters& c = run.contacts()->counters();
+  const auto per_cycle = [&](std::uint64_t count) { return static_cast<double>(count) / cycles; };
+  text += fmt::format("  contact {:.0f} % of the time: {} searches, {} candidate pairs; {:.1f} nodes and {:.1f} pairs "
+                      "looked at per cycle\n",
+                      100 * (c.force_s + c.search_s) / std::max(run.seconds(), 1e-9), c.searches, c.candidates,
+                      per_cycle(c.nodes), per_cycle(c.pairs));
+  return text;
 }
 
 }  // namespace gapcheck::app

@@ -1,6 +1,7 @@
 #include "solver/contact_forces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/parallel.hpp"
@@ -47,12 +48,20 @@ struct Edges {
 
 }  // namespace
 
-bool ContactForces::calculates(const model::Contact& contact) {
+std::string_view ContactForces::why_not(const model::Contact& contact) {
+  constexpr std::array<std::string_view, 12> types{"3",   "a3", "4",   "5",  "a5", "10",
+                                                   "a10", "13", "a13", "m3", "m5", "m10"};
+  if (!contact.known || contact.own_layout) return "contacts of this kind are not calculated";
   const contact::ContactType type = contact::classify(contact);
-  const bool family =
-      type.family == Family::old || type.family == Family::automatic || type.family == Family::forming;
-  return family && type.checked() && !type.edges && type.treatment != Treatment::none && type.code != "14" &&
-         type.code != "15" && type.code != "16" && type.code != "1";
+  if (type.pairing == contact::Pairing::segments) return "SOFT = 2 is not calculated";
+  if (type.pairing == contact::Pairing::mortar) return "mortar contacts are not calculated";
+  if (type.code == "25") return "a force transducer only measures";
+  if (std::find(types.begin(), types.end(), type.code) == types.end() || type.edges)
+    return "contacts of this type are not calculated";
+  if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2) return "only SOFT = 0 and 1 are calculated";
+  if (contact.lcidab != 0) return "thickness over time (LCIDAB) is not calculated";
+  if (contact::active_time(contact).by_curve) return "birth and death by a curve (DT = -9999) are not calculated";
+  return "";
 }
 
 ContactForces::ContactForces(const model::Model& model, contact::SurfaceStore& surfaces,
@@ -84,7 +93,7 @@ void ContactForces::build(State& state) {
   interfaces_.reserve(model_.contacts.size());  // passes refer to the surfaces in them
   for (std::uint32_t c = 0; c < model_.contacts.size(); ++c) {
     const model::Contact& contact = model_.contacts[c];
-    if (!contact.known || contact.own_layout || !calculates(contact)) continue;
+    if (!calculates(contact)) continue;
     Interface& interface = interfaces_.emplace_back();
     interface.contact = c;
     if (moved_) interface.own = store_.build(c, state.x);

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "contact/initial.hpp"
@@ -28,8 +29,9 @@ class ContactForces : public Force {
   [[nodiscard]] std::vector<ContactNode> nodes(std::size_t contact) const;
   [[nodiscard]] const ContactCounters& counters() const { return counters_; }
 
-  /// Whether this room calculates a contact; force transducers do nothing and need no calculation.
-  [[nodiscard]] static bool calculates(const model::Contact& contact);
+  /// Why a contact is not calculated; empty: it is. Force transducers are not, and do nothing.
+  [[nodiscard]] static std::string_view why_not(const model::Contact& contact);
+  [[nodiscard]] static bool calculates(const model::Contact& contact) { return why_not(contact).empty(); }
 
  private:
   struct Interface {

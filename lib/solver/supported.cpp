@@ -9,6 +9,7 @@
 
 #include "base/embedded.hpp"
 #include "contact/contact_type.hpp"
+#include "solver/contact_forces.hpp"
 
 namespace gapcheck::embedded {
 extern const std::span<const Text> supported_keywords;
@@ -166,19 +167,10 @@ class Finder {
   }
 
   void find_contacts() {
-    constexpr std::array<std::string_view, 12> calculated{"3",   "a3", "4",   "5",  "a5", "10",
-                                                          "a10", "13", "a13", "m3", "m5", "m10"};
     for (const model::Contact& contact : model_.contacts) {
-      const contact::ContactType type = contact::classify(contact);
-      if (type.code == "25") continue;  // measures only
-      const bool known = contact.known && !contact.own_layout && type.pairing == contact::Pairing::nodes &&
-                         std::find(calculated.begin(), calculated.end(), type.code) != calculated.end();
-      if (!known)
-        add(contact.written, contact.place,
-            fmt::format("contact {}: {}", contact.id.value,
-                        type.pairing == contact::Pairing::segments ? "SOFT = 2 is not calculated"
-                        : type.pairing == contact::Pairing::mortar ? "mortar contacts are not calculated"
-                                                                   : "contacts of this type are not calculated"));
+      const std::string_view why = ContactForces::why_not(contact);
+      if (why.empty() || contact::classify(contact).code == "25") continue;
+      add(contact.written, contact.place, fmt::format("contact {}: {}", contact.id.value, why));
     }
   }
 
@@ -191,8 +183,6 @@ class Finder {
       if (has("_ORTHO")) why = "orthotropic friction is not calculated";
       if (has("_MOVING") || has("_MOTION")) why = "moving walls are not calculated";
       if (has("_FORCES")) why = "the card of forces is not calculated";
-      if (has("_SPHERE") || has("_PRISM") || has("_FLAT"))
-        why = "walls other than planes and cylinders are not calculated";
       if (has("_INTERIOR")) why = "walls that keep nodes inside are not calculated";
       if (!why.empty()) add(block.name, {block.file, block.line}, std::string(why));
     }
