@@ -13,6 +13,10 @@ const char* words(solver::RunEnd end) {
       return "Normal end";
     case solver::RunEnd::cycles:
       return "Ended after the cycles asked for";
+    case solver::RunEnd::energy:
+      return "Ended by the change of energy that ENDENG allows";
+    case solver::RunEnd::step:
+      return "Ended by the smallest step that DTMIN allows";
     case solver::RunEnd::stopped:
       return "Stopped on request";
     case solver::RunEnd::failed:
@@ -49,6 +53,7 @@ std::string run_summary(const solver::Run& run, solver::RunEnd end) {
   add("spring energy", e.absorbed.springs);
   add("stonewall energy", e.absorbed.walls);
   add("damping energy", e.absorbed.damping);
+  add("added mass", stepper.structure().added_mass);
   text += row("external work", e.external) + row("total energy", e.total()) + row("energy ratio", e.ratio());
   return text + contact_rows(run);
 }

@@ -24,6 +24,7 @@ class Builder {
       : model_(model),
         settings_(settings),
         diagnostics_(diagnostics),
+        scaling_(model.controls),
         positions_(model.parts.size()),
         rigid_(model.parts.size()) {}
 
@@ -123,7 +124,8 @@ class Builder {
         const double density = model_.materials[*model_.part(part).material].density;
         add_rigid(part, shells.nodes[i], shell_mass_points(places(shells.nodes[i]), thickness, density));
       } else {
-        structure_.shells.add(shells.nodes[i], *positions_[part.value], thickness, i, structure_.state);
+        structure_.added_mass +=
+            structure_.shells.add(shells.nodes[i], *positions_[part.value], thickness, i, structure_.state, scaling_);
       }
     }
   }
@@ -149,7 +151,8 @@ class Builder {
         for (const PointMass& point : points) volume += point.mass;
         add_rigid(part, solids.nodes[i], points);
       } else {
-        volume = structure_.solids.add(solids.nodes[i], *positions_[part.value], i, structure_.state);
+        volume = structure_.solids.add(solids.nodes[i], *positions_[part.value], i, structure_.state, scaling_,
+                                       &structure_.added_mass);
       }
       if (!(volume > 0))
         fail(Failure::Kind::bad_element,
@@ -230,6 +233,7 @@ class Builder {
   const model::Model& model_;
   const BuildSettings& settings_;
   Diagnostics& diagnostics_;
+  MassScaling scaling_;
   std::vector<std::optional<std::uint32_t>> positions_;  ///< by part: its place among the properties
   std::vector<RigidPart> rigid_;                         ///< by part
   std::set<std::uint32_t> named_;                        ///< materials whose limits were named

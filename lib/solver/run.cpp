@@ -35,7 +35,9 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   Run run;
   run.model_ = &model;
   run.settings_ = settings;
-  const auto end = end_of_run(model, settings);
+  if (settings.cycles == 0 && model.controls.endcyc > 0)
+    run.settings_.cycles = static_cast<std::uint64_t>(model.controls.endcyc);
+  const auto end = end_of_run(model, run.settings_);
   if (const auto* failure = std::get_if<Failure>(&end)) return *failure;
   run.end_time_ = std::get<double>(end);
   contact::InitialCounters counters;
@@ -48,6 +50,7 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   if (auto* failure = std::get_if<Failure>(&structure)) return std::move(*failure);
   StepSettings step = settings.step;
   step.time_step_factor = model.controls.tssfac;
+  step.first_step = model.controls.dtinit;
   Structure& built = std::get<Structure>(structure);
   std::vector<std::unique_ptr<Force>> forces;
   if (auto failure = apply_conditions(model, built, forces, diagnostics)) return std::move(*failure);
@@ -64,6 +67,9 @@ std::optional<RunEnd> Run::end_reached() const {
   const State& state = stepper_->state();
   if (state.time >= end_time_) return RunEnd::time;
   if (settings_.cycles > 0 && state.cycle >= settings_.cycles) return RunEnd::cycles;
+  const model::Controls& controls = model_->controls;
+  if (controls.endeng > 0 && std::abs(stepper_->energies().ratio() - 1) > controls.endeng / 100) return RunEnd::energy;
+  if (controls.dtmin > 0 && stepper_->next_step() < controls.dtmin * first_step_) return RunEnd::step;
   if (settings_.stop && settings_.stop()) return RunEnd::stopped;
   return std::nullopt;
 }
@@ -72,6 +78,7 @@ RunEnd Run::go(Observer& observer) {
   start_ = std::chrono::steady_clock::now();
   while (true) {
     failure_ = stepper_->begin_step();
+    if (stepper_->state().cycle == 0) first_step_ = stepper_->next_step();
     const std::optional<RunEnd> end = failure_ ? RunEnd::failed : end_reached();
     if (auto problem = observer.observe(*this, end)) {
       failure_ = std::move(problem);

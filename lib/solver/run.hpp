@@ -22,7 +22,14 @@ struct RunSettings {
   std::function<bool()> stop;  ///< asked before every step; true ends the run
 };
 
-enum class RunEnd : std::uint8_t { time, cycles, stopped, failed };
+enum class RunEnd : std::uint8_t {
+  time,
+  cycles,
+  energy,   ///< ENDENG: the energy ratio has changed by as many percent
+  step,     ///< DTMIN: the step has fallen to this share of the first one
+  stopped,  ///< on request
+  failed,
+};
 
 /// A calculation from a model to its end. The model must outlive it.
 class Run {
@@ -58,7 +65,7 @@ class Run {
 
   const model::Model* model_ = nullptr;
   RunSettings settings_;
-  double end_time_ = 0;
+  double end_time_ = 0, first_step_ = 0;
   std::unique_ptr<contact::InitialState> initial_;
   std::unique_ptr<Stepper> stepper_;
   const ContactForces* contacts_ = nullptr;

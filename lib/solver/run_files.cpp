@@ -40,6 +40,10 @@ const char* reason(RunEnd end) {
       return "termination time reached";
     case RunEnd::cycles:
       return "termination cycle reached";
+    case RunEnd::energy:
+      return "the change of energy that ENDENG allows";
+    case RunEnd::step:
+      return "the smallest step that DTMIN allows";
     case RunEnd::stopped:
       return "termination on request";
     case RunEnd::failed:

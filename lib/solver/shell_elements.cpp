@@ -7,8 +7,21 @@ std::uint32_t ShellElements::add_properties(ShellProperties properties) {
   return static_cast<std::uint32_t>(properties_.size() - 1);
 }
 
-void ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness,
-                        std::uint32_t origin, State& state) {
+ShellForces ShellElements::at_rest(std::size_t shell, const std::vector<Vector>& x) const {
+  ShellCorners corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    corners.x[k] = x[nodes_[shell][k].value];
+    corners.v[k] = corners.w[k] = Vector::Zero();
+  }
+  const ShellProperties& properties = properties_[which_[shell]];
+  ShellState state = state_[shell];
+  std::vector<PointState> points(properties.layers.size());
+  return triangle(shell) ? triangle_forces(properties, corners, 0, state, points)
+                         : quad_forces(properties, corners, 0, state, points);
+}
+
+double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness,
+                          std::uint32_t origin, State& state, const MassScaling& scaling) {
   nodes_.push_back(nodes);
   which_.push_back(properties);
   origin_.push_back(origin);
@@ -19,12 +32,20 @@ void ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t pro
   // With corners 3 and 4 equal this is the triangle's area too.
   const std::vector<Vector>& x = state.x;
   const double area = (x[nodes[2].value] - x[nodes[0].value]).cross(x[nodes[3].value] - x[nodes[1].value]).norm() / 2;
-  const double share = properties_[properties].material.density * area * thickness / static_cast<double>(corners);
+  double factor = 1;
+  if (scaling.step > 0) {
+    const ShellForces steps = at_rest(size() - 1, x);
+    factor = scaling.factor(steps.manual_step, steps.stable_step);
+    step_factor_.push_back(std::sqrt(factor));
+  }
+  const double mass = properties_[properties].material.density * area * thickness;
+  const double share = factor * mass / static_cast<double>(corners);
   for (std::size_t i = 0; i < corners; ++i) {
     state.mass[nodes[i].value] += share;
     state.inertia[nodes[i].value] += share * rotational_inertia(area, thickness);
   }
   first_point_.push_back(first_point_.back() + properties_[properties].layers.size());
+  return (factor - 1) * mass;
 }
 
 void ShellElements::finish(std::size_t nodes) {
@@ -54,6 +75,10 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
   Summary summary;
   summary.manual_step = forces.manual_step;
   summary.stable_step = forces.stable_step;
+  if (!step_factor_.empty()) {
+    summary.manual_step *= step_factor_[shell];
+    summary.stable_step *= step_factor_[shell];
+  }
   summary.hourglass_work = forces.hourglass_work;
   if (!forces.good) summary.bad = static_cast<std::uint32_t>(shell);
   for (std::size_t k = 0; k < 4; ++k) {

@@ -5,6 +5,7 @@
 
 #include "base/ids.hpp"
 #include "solver/assembly.hpp"
+#include "solver/mass_scaling.hpp"
 #include "solver/shell.hpp"
 #include "solver/summary.hpp"
 
@@ -17,8 +18,9 @@ class ShellElements {
   std::uint32_t add_properties(ShellProperties properties);
   /// Adds a shell (a triangle repeats its third corner) at positions `x` of all nodes and its share of mass and
   /// rotational inertia to the nodes. `origin`: its position in the model, for messages.
-  void add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness, std::uint32_t origin,
-           State& state);
+  /// Returns the mass that `scaling` has added.
+  double add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness, std::uint32_t origin,
+             State& state, const MassScaling& scaling = {});
   /// Once all shells are there.
   void finish(std::size_t nodes);
 
@@ -43,6 +45,7 @@ class ShellElements {
   }
 
  private:
+  [[nodiscard]] ShellForces at_rest(std::size_t shell, const std::vector<Vector>& x) const;
   [[nodiscard]] bool triangle(std::size_t shell) const { return nodes_[shell][2] == nodes_[shell][3]; }
   [[nodiscard]] Summary update_one(const State& state, std::size_t shell);
 
@@ -50,6 +53,7 @@ class ShellElements {
   std::vector<std::array<NodeIndex, 4>> nodes_;
   std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
   std::vector<ShellState> state_;
+  std::vector<double> step_factor_;  ///< root of the factor on the mass; empty: no shell is scaled
   std::vector<std::uint64_t> first_point_{0};
   std::vector<PointState> points_;
   std::vector<Vector> force_, moment_;  ///< four places per shell

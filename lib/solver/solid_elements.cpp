@@ -10,7 +10,7 @@ std::uint32_t SolidElements::add_properties(SolidProperties properties) {
 }
 
 double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t properties, std::uint32_t origin,
-                          State& state) {
+                          State& state, const MassScaling& scaling, double* added) {
   std::array<Vector, 8> x;
   for (std::size_t k = 0; k < 8; ++k) x[k] = state.x[nodes[k].value];
   const bool four = model::is_tetrahedron(nodes);
@@ -21,6 +21,18 @@ double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t p
   origin_.push_back(origin);
   SolidState solid;
   solid.mass = properties_[properties].material.density * volume;
+  if (scaling.step > 0) {
+    SolidCorners at_rest;
+    at_rest.x = x;
+    at_rest.v.fill(Vector::Zero());
+    SolidState state_at_rest = solid;
+    PointState point;
+    const SolidForces steps =
+        (four ? tetrahedron_forces : brick_forces)(properties_[properties], at_rest, 0, state_at_rest, point);
+    const double own = solid.mass;
+    solid.mass *= scaling.factor(steps.manual_step, steps.stable_step);
+    if (added != nullptr) *added += solid.mass - own;
+  }
   const std::size_t corners = four ? 4 : 8;
   for (std::size_t k = 0; k < corners; ++k) state.mass[nodes[k].value] += solid.mass / static_cast<double>(corners);
   state_.push_back(solid);

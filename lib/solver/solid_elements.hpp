@@ -5,6 +5,7 @@
 
 #include "base/ids.hpp"
 #include "solver/assembly.hpp"
+#include "solver/mass_scaling.hpp"
 #include "solver/solid.hpp"
 #include "solver/summary.hpp"
 
@@ -17,7 +18,9 @@ class SolidElements {
   std::uint32_t add_properties(SolidProperties properties);
   /// Adds a solid (a tetrahedron repeats its fourth corner) at positions `x` of all nodes and its share of mass to the
   /// nodes. `origin`: its position in the model, for messages. Returns its volume; not above zero: it was not added.
-  double add(const std::array<NodeIndex, 8>& nodes, std::uint32_t properties, std::uint32_t origin, State& state);
+  /// `added`: takes the mass that `scaling` adds.
+  double add(const std::array<NodeIndex, 8>& nodes, std::uint32_t properties, std::uint32_t origin, State& state,
+             const MassScaling& scaling = {}, double* added = nullptr);
   /// Once all solids are there.
   void finish(std::size_t nodes);
 

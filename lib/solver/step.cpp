@@ -124,6 +124,7 @@ std::optional<Failure> Stepper::evaluate(double& next) {
   external_.resize(nodes, structure_.rigid.size());
   next = element_step(shells, solids, beams);
   double limit = settings_.greatest_step > 0 ? settings_.greatest_step : std::numeric_limits<double>::infinity();
+  if (settings_.first_step > 0 && state.cycle == 0) limit = std::min(limit, settings_.first_step);
   state.coming = std::min(next, limit);
   for (const auto& other : others_) {
     other->add(state, external_);

@@ -25,6 +25,7 @@ struct Structure {
   RigidBodies rigid;
   Constraints constraints;                         ///< of nodes that are in no rigid body
   std::map<std::int64_t, std::size_t> body_of_id;  ///< rigid bodies by the ids of their parts or nodal rigid bodies
+  double added_mass = 0;  ///< by mass scaling
   // Ids as in the deck, for messages.
   std::vector<std::int64_t> node_id, shell_id, solid_id, beam_id;
 };
@@ -32,6 +33,7 @@ struct Structure {
 struct StepSettings {
   double time_step_factor = 0.9;  ///< TSSFAC, on the manual's element steps
   double greatest_step = 0;       ///< 0 = no limit
+  double first_step = 0;          ///< DTINIT: limit of the first step; 0 = none
   /// Also stay below the bound of every element's highest frequency. The manual's lengths alone are not safe for
   /// lone bricks and tetrahedra.
   bool bounded_step = true;

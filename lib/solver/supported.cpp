@@ -190,7 +190,6 @@ class Finder {
 
   void find_settings() {
     const model::Controls& controls = model_.controls;
-    if (controls.dt2ms != 0) add("CONTROL_TIMESTEP", controls.timestep_place, "mass scaling (DT2MS) is not calculated");
     if (controls.lctm != 0)
       add("CONTROL_TIMESTEP", controls.timestep_place, "limits of the time step by a curve (LCTM) are not calculated");
   }
