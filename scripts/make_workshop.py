@@ -49,11 +49,11 @@ class Scene(Deck):
         self.controls += ["*SET_NODE_LIST", card(sid)]
         self.controls += [card(*nodes[i:i + 8]) for i in range(0, len(nodes), 8)]
 
-    def touch(self, sst=0.0, soft=0, snlog=0, ignore=0, sldthk=0.0, sldstf=0.0):
+    def touch(self, sst=0.0, soft=0, snlog=0, ignore=0, sldthk=0.0):
         """One contact of all parts."""
         self.contacts.append("\n".join([
             "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", f"{1:>10}all parts", card(0, 0, 5, 0, 0, 0, 1, 1), card(0.0),
-            card(1.0, 1.0, sst, sst), card(soft), card(0.0, 0, 0, snlog, 0, 0, sldthk, sldstf), card(1, ignore)]))
+            card(1.0, 1.0, sst, sst), card(soft), card(0.0, 0, 0, snlog, 0, 0, sldthk), card(1, ignore)]))
 
     def write(self, folder):
         (folder / f"{self.name}.k").write_text(self.deck_text(), encoding="ascii")
@@ -63,7 +63,7 @@ class Scene(Deck):
         lines = ["*KEYWORD", *(f"$ {line}".rstrip() for line in (self.name, "", *text)), "*TITLE",
                  f"gapcheck workshop {self.name}", "*CONTROL_TERMINATION", card(self.end)]
         for keyword in ("GLSTAT", "SLEOUT", "NCFORC") + (("NODOUT",) if self.watched else ()):
-            lines += [f"*DATABASE_{keyword}", card(round(self.end / 200, 9))]
+            lines += [f"*DATABASE_{keyword}", card(round(self.end / 400, 9))]
         if self.watched:
             lines += ["*DATABASE_HISTORY_NODE", card(*self.watched)]
         for pid, title, kind, thickness, optt, diameter in self.parts:
@@ -127,15 +127,15 @@ def lay(deck, pid, kind, cells, size, origin, faces_up):
 
 
 def push(name, text, upper, lower, size=5.0, **contact):
-    """A 10 x 10 plate 1.2 above a held one of 20 x 20, pushed down by 2.2. Both keep their shape. No node of the lower
+    """A 10 x 10 plate 1.2 above a held one of 20 x 20, pushed down by 2.1. Both keep their shape. No node of the lower
     one lies less than 1 beside the upper one."""
-    deck = Scene(name, text, 0.22)
+    deck = Scene(name, text, 0.21)
     deck.body(1, "held lower", lower)
     deck.body(2, "pushed upper", upper)
     held = lay(deck, 1, lower, round(20 / size), size, (0.0, 0.0, 0.0), True)
     moved = lay(deck, 2, upper, round(10 / size), size, (6.3, 6.3, 1.2), False)
     deck.hold(held)
-    deck.drive(moved, 2.2)
+    deck.drive(moved, 2.1)
     deck.touch(snlog=1, **contact)
     return deck
 
@@ -144,8 +144,8 @@ def pushes():
     yield push("push_shell_shell", "Curve A: shells 1 thick are pushed into shells.", "shell", "shell")
     yield push("push_shell_solid", "Curve B: shells 1 thick are pushed into bricks 1 thick.", "shell", "solid")
     yield push("push_solid_solid", "Curve C: bricks 1 thick are pushed into bricks.", "solid", "solid")
-    yield push("push_solid_solid_sldthk", "Curve D: push_solid_solid with SLDTHK = 1.", "solid", "solid", sldthk=1.0)
-    yield push("push_shell_solid_sldthk", "push_shell_solid with SLDTHK = 1.", "shell", "solid", sldthk=1.0)
+    yield push("push_shell_solid_sldthk", "Curve D: push_shell_solid with SLDTHK = 1.", "shell", "solid", sldthk=1.0)
+    yield push("push_solid_solid_sldthk", "push_solid_solid with SLDTHK = 1.", "solid", "solid", sldthk=1.0)
     yield push("push_shell_shell_fine", "push_shell_shell with half the element size.", "shell", "shell", size=2.5)
 
 
