@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the decks of data/workshop/: rebounds, plates pushed into one another, initial penetrations. Units: mm, ms, kg,
-so kN and GPa. Deterministic. docs/workshop/ says what they show, tests/solver/workshop_test.cpp asserts it."""
+"""Writes the decks of data/workshop/: rebounds, plates pushed into one another, initial penetrations. Units: mm, ms,
+kg, so kN and GPa. Deterministic. docs/workshop/ says what they show, tests/solver/workshop_test.cpp asserts it."""
 
 import argparse
 import pathlib
@@ -127,15 +127,15 @@ def lay(deck, pid, kind, cells, size, origin, faces_up):
 
 
 def push(name, text, upper, lower, size=5.0, **contact):
-    """A 10 x 10 plate 1.2 above a held one of 20 x 20, pushed down by 2.1. Both keep their shape. No node of the lower
+    """A 10 x 10 plate 1.2 above a held one of 20 x 20, pushed down by 2.15. Both keep their shape. No node of the lower
     one lies less than 1 beside the upper one."""
-    deck = Scene(name, text, 0.21)
+    deck = Scene(name, text, 0.215)
     deck.body(1, "held lower", lower)
     deck.body(2, "pushed upper", upper)
     held = lay(deck, 1, lower, round(20 / size), size, (0.0, 0.0, 0.0), True)
     moved = lay(deck, 2, upper, round(10 / size), size, (6.3, 6.3, 1.2), False)
     deck.hold(held)
-    deck.drive(moved, 2.1)
+    deck.drive(moved, 2.15)
     deck.touch(snlog=1, **contact)
     return deck
 

@@ -11,7 +11,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-COLOURS = ("#1f4e9c", "#c0392b", "#2e8b57", "#8e44ad")
+# Broken lines, so that a curve beneath shows.
+STROKES = ('stroke="#1f4e9c"', 'stroke="#c0392b"', 'stroke="#2e8b57" stroke-dasharray="10 4"',
+           'stroke="#8e44ad" stroke-dasharray="4 4"')
 FIRST_UPPER_NODE = 2001  # of what is thrown or pushed
 
 # Result files -------------------------------------------------------------------------------------------------------
@@ -85,8 +87,8 @@ class Axis:
         return [(self(i * self.step), f"{i * self.step:g}") for i in range(self.first, self.last + 1)]
 
 
-def svg(curves, x_label, y_label, bands=()):
-    """curves: {label: points}; bands: (from y, to y, label) shaded."""
+def svg(curves, x_label, y_label, bands=(), legend=(LEFT + 10, TOP + 12)):
+    """curves: {label: points}; bands: (from y, to y, label) shaded; legend: its upper left corner."""
     points = [p for curve in curves.values() for p in curve]
     x = Axis([p[0] for p in points], LEFT, WIDTH - RIGHT)
     y = Axis([p[1] for p in points] + [v for b in bands for v in b[:2]], HEIGHT - BOTTOM, TOP)
@@ -106,12 +108,13 @@ def svg(curves, x_label, y_label, bands=()):
     out.append(f'<rect x="{LEFT}" y="{TOP}" width="{right - LEFT}" height="{bottom - TOP}" fill="none" stroke="#333"/>')
     for i, (label, curve) in enumerate(curves.items()):
         path = " ".join(f"{x(a):.1f},{y(b):.1f}" for a, b in curve)
-        out.append(f'<polyline points="{path}" fill="none" stroke="{COLOURS[i]}" stroke-width="1.6"/>')
-        line = TOP + 16 + 17 * i
-        out.append(f'<path d="M{LEFT + 10} {line - 4}h22" stroke="{COLOURS[i]}" stroke-width="2"/>')
-        out.append(f'<text x="{LEFT + 38}" y="{line}">{label}</text>')
+        out.append(f'<polyline points="{path}" fill="none" {STROKES[i]} stroke-width="1.6"/>')
+        left, line = legend[0], legend[1] + 17 * i
+        out.append(f'<path d="M{left} {line}h22" {STROKES[i]} stroke-width="2"/>')
+        out.append(f'<text x="{left + 28}" y="{line + 4}">{label}</text>')
     out.append(f'<text x="{(LEFT + right) / 2}" y="{HEIGHT - 12}" text-anchor="middle">{x_label}</text>')
-    out.append(f'<text transform="translate(16 {(TOP + bottom) / 2}) rotate(-90)" text-anchor="middle">{y_label}</text>')
+    out.append(f'<text transform="translate(16 {(TOP + bottom) / 2}) rotate(-90)" text-anchor="middle">{y_label}'
+               "</text>")
     return "\n".join(out + ["</svg>"]) + "\n"
 
 
@@ -138,17 +141,18 @@ def figures(results):
         rebound_soft_plate_soft_1="E ratio 0.01, SOFT = 1"), TIME, HEIGHT_LABEL)
     yield "push_curves", svg(curves(
         force, push_shell_shell="A shell into shell", push_shell_solid="B shell into solid",
-        push_solid_solid="C solid into solid", push_shell_solid_sldthk="D shell into solid, SLDTHK = 1"), WAY, FORCE)
+        push_solid_solid="C solid into solid", push_shell_solid_sldthk="D shell into solid, SLDTHK = 1"), WAY, FORCE,
+        legend=(400, TOP + 12))
     yield "push_coat", svg(curves(
-        force, push_shell_shell="shell into shell", push_solid_solid="solid into solid",
-        push_solid_solid_sldthk="solid into solid, SLDTHK = 1"), WAY, FORCE)
+        force, push_shell_shell="shells", push_solid_solid="solids", push_solid_solid_sldthk="solids, SLDTHK = 1"), WAY, FORCE)
     yield "push_mesh", svg(curves(
         force, push_shell_shell="elements of 5: 13 nodes in contact",
         push_shell_shell_fine="elements of 2.5: 41 nodes in contact"), WAY, FORCE)
     start = {"penetration_snlog_0": "IGNORE = 0, SNLOG = 0", "penetration_snlog_1": "IGNORE = 0, SNLOG = 1",
              "penetration_ignore_1": "IGNORE = 1"}
     yield "penetration_height", svg(curves(Results.height, **start), TIME, HEIGHT_LABEL)
-    yield "penetration_energy", svg(curves(Results.sliding_energy, **start), TIME, ENERGY)
+    yield "penetration_energy", svg(curves(Results.sliding_energy, **start), TIME, ENERGY,
+                                     legend=(300, 180))
     yield "penetration_mid_face", svg(curves(
         Results.height, penetration_mid_face="starts 0.85 deep"), TIME, HEIGHT_LABEL,
         bands=((-1.0, 1.0, "contact zone of the plate"), (-5.0, -3.0, "contact zone of the second plate")))
