@@ -120,42 +120,40 @@ def svg(curves, x_label, y_label, bands=(), legend=(LEFT + 10, TOP + 12)):
 
 # The figures --------------------------------------------------------------------------------------------------------
 
-TIME, HEIGHT_LABEL, ENERGY = "time [ms]", "height over the plate's mid-surface [mm]", "sliding energy [J]"
-WAY, FORCE = "way of the upper body [mm]", "contact force [kN]"
-PUSH_SPEED = 10.0
+def push_force(results):
+    return results.force(speed=10.0)
 
 
-def figures(results):
-    """Yields (file name, SVG); results: from the name of a deck to its Results."""
-    def curves(what, **labels):
-        return {label: what(results(name)) for name, label in labels.items()}
+# What is drawn, and the words at its axes.
+HEIGHT_PLOT = (Results.height, "time [ms]", "height over the plate's mid-surface [mm]")
+ENERGY_PLOT = (Results.sliding_energy, "time [ms]", "sliding energy [J]")
+FORCE_PLOT = (push_force, "way of the upper body [mm]", "contact force [kN]")
 
-    def force(deck):
-        return deck.force(PUSH_SPEED)
+STARTS = {"penetration_snlog_0": "IGNORE = 0, SNLOG = 0", "penetration_snlog_1": "IGNORE = 0, SNLOG = 1",
+          "penetration_ignore_1": "IGNORE = 1"}
 
-    yield "rebound_thickness", svg(curves(
-        Results.height, rebound_double="SST = 2", rebound_reference="as it is: 1", rebound_half="SST = 0.5",
-        rebound_thin="SST = 0.15: released"), TIME, HEIGHT_LABEL)
-    yield "rebound_stiffness", svg(curves(
-        Results.height, rebound_reference="E ratio 1, SOFT = 0", rebound_soft_plate="E ratio 0.01, SOFT = 0: released",
-        rebound_soft_plate_soft_1="E ratio 0.01, SOFT = 1"), TIME, HEIGHT_LABEL)
-    yield "push_curves", svg(curves(
-        force, push_shell_shell="A shell into shell", push_shell_solid="B shell into solid",
-        push_solid_solid="C solid into solid", push_shell_solid_sldthk="D shell into solid, SLDTHK = 1"), WAY, FORCE,
-        legend=(400, TOP + 12))
-    yield "push_coat", svg(curves(
-        force, push_shell_shell="shells", push_solid_solid="solids", push_solid_solid_sldthk="solids, SLDTHK = 1"), WAY, FORCE)
-    yield "push_mesh", svg(curves(
-        force, push_shell_shell="elements of 5: 13 nodes in contact",
-        push_shell_shell_fine="elements of 2.5: 41 nodes in contact"), WAY, FORCE)
-    start = {"penetration_snlog_0": "IGNORE = 0, SNLOG = 0", "penetration_snlog_1": "IGNORE = 0, SNLOG = 1",
-             "penetration_ignore_1": "IGNORE = 1"}
-    yield "penetration_height", svg(curves(Results.height, **start), TIME, HEIGHT_LABEL)
-    yield "penetration_energy", svg(curves(Results.sliding_energy, **start), TIME, ENERGY,
-                                     legend=(300, 180))
-    yield "penetration_mid_face", svg(curves(
-        Results.height, penetration_mid_face="starts 0.85 deep"), TIME, HEIGHT_LABEL,
-        bands=((-1.0, 1.0, "contact zone of the plate"), (-5.0, -3.0, "contact zone of the second plate")))
+# Name of the file, what is drawn, decks with their labels, further arguments of svg().
+FIGURES = [
+    ("rebound_thickness", HEIGHT_PLOT,
+     {"rebound_double": "SST = 2", "rebound_reference": "as it is: 1", "rebound_half": "SST = 0.5",
+      "rebound_thin": "SST = 0.15: released"}, {}),
+    ("rebound_stiffness", HEIGHT_PLOT,
+     {"rebound_reference": "E ratio 1, SOFT = 0", "rebound_soft_plate": "E ratio 0.01, SOFT = 0: released",
+      "rebound_soft_plate_soft_1": "E ratio 0.01, SOFT = 1"}, {}),
+    ("push_curves", FORCE_PLOT,
+     {"push_shell_shell": "A shell into shell", "push_shell_solid": "B shell into solid",
+      "push_solid_solid": "C solid into solid", "push_shell_solid_sldthk": "D shell into solid, SLDTHK = 1"},
+     {"legend": (400, TOP + 12)}),
+    ("push_coat", FORCE_PLOT,
+     {"push_shell_shell": "shells", "push_solid_solid": "solids", "push_solid_solid_sldthk": "solids, SLDTHK = 1"}, {}),
+    ("push_mesh", FORCE_PLOT,
+     {"push_shell_shell": "elements of 5: 13 nodes in contact",
+      "push_shell_shell_fine": "elements of 2.5: 41 nodes in contact"}, {}),
+    ("penetration_height", HEIGHT_PLOT, STARTS, {}),
+    ("penetration_energy", ENERGY_PLOT, STARTS, {"legend": (300, 180)}),
+    ("penetration_mid_face", HEIGHT_PLOT, {"penetration_mid_face": "starts 0.85 deep"},
+     {"bands": ((-1.0, 1.0, "contact zone of the plate"), (-5.0, -3.0, "contact zone of the second plate"))}),
+]
 
 
 def main():
@@ -165,15 +163,9 @@ def main():
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
-        done = {}
-
-        def results(name):
-            if name not in done:
-                done[name] = Results(arguments.program, name, folder)
-            return done[name]
-
-        for name, text in figures(results):
-            (arguments.output / f"{name}.svg").write_text(text, encoding="ascii")
+        for name, (draw, x_label, y_label), decks, more in FIGURES:
+            curves = {label: draw(Results(arguments.program, deck, folder)) for deck, label in decks.items()}
+            (arguments.output / f"{name}.svg").write_text(svg(curves, x_label, y_label, **more), encoding="ascii")
     return 0
 
 
