@@ -27,7 +27,7 @@ def stale_files(folder):
         write_all(fresh)
         names = {path.relative_to(top) for top in (folder, fresh) for path in top.rglob("*") if path.is_file()}
         return sorted(str(name) for name in names - {pathlib.Path("README.md")}
-                      if not ((folder / name).exists() and (fresh / name).exists()
+                      if name.parts[0] != "workshop" and not ((folder / name).exists() and (fresh / name).exists()
                               and filecmp.cmp(folder / name, fresh / name, shallow=False)))
 
 

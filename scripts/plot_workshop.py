@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+"""Runs the decks of data/workshop/ with `PROGRAM run` and draws what their result files say, as the SVG files of
+docs/workshop/."""
+
+import argparse
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# Broken lines, so that a curve beneath shows.
+STROKES = ('stroke="#1f4e9c"', 'stroke="#c0392b"', 'stroke="#2e8b57" stroke-dasharray="10 4"',
+           'stroke="#8e44ad" stroke-dasharray="4 4"')
+FIRST_UPPER_NODE = 2001  # of what is thrown or pushed
+
+# Result files -------------------------------------------------------------------------------------------------------
+
+
+class Results:
+    """Curves of one deck, as lists of (x, y)."""
+
+    def __init__(self, program, name, folder):
+        self.folder = pathlib.Path(folder) / name
+        deck = ROOT / "data" / "workshop" / f"{name}.k"
+        subprocess.run([program, "run", deck, "-o", self.folder, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+
+    def text(self, file):
+        return (self.folder / file).read_text(encoding="ascii")
+
+    def height(self):
+        """z of the first thrown node over time, from nodout."""
+        curve, time = [], None
+        for line in self.text("nodout").splitlines():
+            if found := re.search(r"at time\s*(\S+)\s*\)", line):
+                time = float(found[1])
+            elif line.startswith(f"{FIRST_UPPER_NODE:>9}") and len(line) > 150:
+                curve.append((time, float(line[-12:])))
+        return curve
+
+    def sliding_energy(self):
+        """Over time, from glstat."""
+        text = self.text("glstat")
+        times = re.findall(r"^ time\.+\s*(\S+)", text, re.MULTILINE)
+        energies = re.findall(r"^ sliding interface energy\.+\s*(\S+)", text, re.MULTILINE)
+        return [(float(t), float(e)) for t, e in zip(times, energies, strict=True)]
+
+    def force(self, speed):
+        """Force on the upper body over its way, from ncforc: on its own nodes, and against its segments."""
+        curve = []
+        for block in self.text("ncforc").split("forces of contact")[1:]:
+            time = float(re.search(r"time=\s*(\S+)", block)[1])
+            force = 0.0
+            for line in block.splitlines()[2:]:
+                if line.strip():
+                    z_force = float(line[36:49])
+                    force += z_force if int(line[:10]) >= FIRST_UPPER_NODE else -z_force
+            curve.append((speed * time, force))
+        return curve
+
+
+# Drawing ------------------------------------------------------------------------------------------------------------
+
+WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 640, 380, 70, 20, 20, 50
+
+
+def round_step(span):
+    """A step of 1, 2 or 5 times a power of ten that divides the span into four to ten."""
+    power = 10 ** math.floor(math.log10(span / 4))
+    return max((m * power for m in (1, 2, 5) if span / (m * power) >= 4), default=power)
+
+
+class Axis:
+    def __init__(self, values, start, end):
+        low, high = min(values), max(values)
+        step = round_step(high - low)
+        self.first, self.last = math.floor(low / step + 1e-9), math.ceil(high / step - 1e-9)
+        self.step, self.start, self.end = step, start, end
+
+    def __call__(self, value):
+        share = (value - self.first * self.step) / ((self.last - self.first) * self.step)
+        return self.start + share * (self.end - self.start)
+
+    def ticks(self):
+        return [(self(i * self.step), f"{i * self.step:g}") for i in range(self.first, self.last + 1)]
+
+
+def svg(curves, x_label, y_label, bands=(), legend=(LEFT + 10, TOP + 12)):
+    """curves: {label: points}; bands: (from y, to y, label) shaded; legend: its upper left corner."""
+    points = [p for curve in curves.values() for p in curve]
+    x = Axis([p[0] for p in points], LEFT, WIDTH - RIGHT)
+    y = Axis([p[1] for p in points] + [v for b in bands for v in b[:2]], HEIGHT - BOTTOM, TOP)
+    right, bottom = WIDTH - RIGHT, HEIGHT - BOTTOM
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
+           f'font-size="12">', f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>']
+    for low, high, label in bands:
+        out.append(f'<rect x="{LEFT}" y="{y(high):.1f}" width="{right - LEFT}" height="{y(low) - y(high):.1f}" '
+                   f'fill="#eeeecc"/>')
+        out.append(f'<text x="{right - 6}" y="{y(high) + 14:.1f}" text-anchor="end" fill="#666">{label}</text>')
+    for place, text in x.ticks():
+        out.append(f'<path d="M{place:.1f} {TOP}V{bottom}" stroke="#ddd"/>')
+        out.append(f'<text x="{place:.1f}" y="{bottom + 16}" text-anchor="middle">{text}</text>')
+    for place, text in y.ticks():
+        out.append(f'<path d="M{LEFT} {place:.1f}H{right}" stroke="#ddd"/>')
+        out.append(f'<text x="{LEFT - 6}" y="{place + 4:.1f}" text-anchor="end">{text}</text>')
+    out.append(f'<rect x="{LEFT}" y="{TOP}" width="{right - LEFT}" height="{bottom - TOP}" fill="none" stroke="#333"/>')
+    for i, (label, curve) in enumerate(curves.items()):
+        path = " ".join(f"{x(a):.1f},{y(b):.1f}" for a, b in curve)
+        out.append(f'<polyline points="{path}" fill="none" {STROKES[i]} stroke-width="1.6"/>')
+        left, line = legend[0], legend[1] + 17 * i
+        out.append(f'<path d="M{left} {line}h22" {STROKES[i]} stroke-width="2"/>')
+        out.append(f'<text x="{left + 28}" y="{line + 4}">{label}</text>')
+    out.append(f'<text x="{(LEFT + right) / 2}" y="{HEIGHT - 12}" text-anchor="middle">{x_label}</text>')
+    out.append(f'<text transform="translate(16 {(TOP + bottom) / 2}) rotate(-90)" text-anchor="middle">{y_label}'
+               "</text>")
+    return "\n".join(out + ["</svg>"]) + "\n"
+
+
+# The figures --------------------------------------------------------------------------------------------------------
+
+def push_force(results):
+    return results.force(speed=10.0)
+
+
+# What is drawn, and the words at its axes.
+HEIGHT_PLOT = (Results.height, "time [ms]", "height over the plate's mid-surface [mm]")
+ENERGY_PLOT = (Results.sliding_energy, "time [ms]", "sliding energy [J]")
+FORCE_PLOT = (push_force, "way of the upper body [mm]", "contact force [kN]")
+
+STARTS = {"penetration_snlog_0": "IGNORE = 0, SNLOG = 0", "penetration_snlog_1": "IGNORE = 0, SNLOG = 1",
+          "penetration_ignore_1": "IGNORE = 1"}
+
+# Name of the file, what is drawn, decks with their labels, further arguments of svg().
+FIGURES = [
+    ("rebound_thickness", HEIGHT_PLOT,
+     {"rebound_double": "SST = 2", "rebound_reference": "as it is: 1", "rebound_half": "SST = 0.5",
+      "rebound_thin": "SST = 0.15: released"}, {}),
+    ("rebound_stiffness", HEIGHT_PLOT,
+     {"rebound_reference": "E ratio 1, SOFT = 0", "rebound_soft_plate": "E ratio 0.01, SOFT = 0: released",
+      "rebound_soft_plate_soft_1": "E ratio 0.01, SOFT = 1"}, {}),
+    ("push_curves", FORCE_PLOT,
+     {"push_shell_shell": "A shell into shell", "push_shell_solid": "B shell into solid",
+      "push_solid_solid": "C solid into solid", "push_shell_solid_sldthk": "D shell into solid, SLDTHK = 1"},
+     {"legend": (400, TOP + 12)}),
+    ("push_coat", FORCE_PLOT,
+     {"push_shell_shell": "shells", "push_solid_solid": "solids", "push_solid_solid_sldthk": "solids, SLDTHK = 1"}, {}),
+    ("push_mesh", FORCE_PLOT,
+     {"push_shell_shell": "elements of 5: 13 nodes in contact",
+      "push_shell_shell_fine": "elements of 2.5: 41 nodes in contact"}, {}),
+    ("penetration_height", HEIGHT_PLOT, STARTS, {}),
+    ("penetration_energy", ENERGY_PLOT, STARTS, {"legend": (300, 180)}),
+    ("penetration_mid_face", HEIGHT_PLOT, {"penetration_mid_face": "starts 0.85 deep"},
+     {"bands": ((-1.0, 1.0, "contact zone of the plate"), (-5.0, -3.0, "contact zone of the second plate"))}),
+]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", help="path of gapcheck")
+    parser.add_argument("output", nargs="?", type=pathlib.Path, default=ROOT / "docs" / "workshop")
+    arguments = parser.parse_args()
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        for name, (draw, x_label, y_label), decks, more in FIGURES:
+            curves = {label: draw(Results(arguments.program, deck, folder)) for deck, label in decks.items()}
+            (arguments.output / f"{name}.svg").write_text(svg(curves, x_label, y_label, **more), encoding="ascii")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
