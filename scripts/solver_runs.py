@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+"""Runs decks by others with the verification solver and writes docs/solver-runs.md with its pictures.
+
+    scripts/solver_runs.py GAPCHECK DECKS    GAPCHECK: the program; DECKS: the folder with the decks
+"""
+import base64
+import math
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+
+from plot_workshop import svg
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE, PICTURES = ROOT / "docs" / "solver-runs.md", ROOT / "docs" / "solver-runs"
+
+# Roll forming comes without its parts: sections and materials have the numbers of the parts.
+PARTS = "".join(f"*PART\npart {i}\n{i:10}{i:10}{i:10}\n" for i in range(1, 6))
+
+# Name, deck, end time (None: the deck's own), keywords in front of it, arguments, viewing direction, interval of forces.
+RUNS = [
+    ("two_body_impact", "two_body_impact/main.k", None, "", [], (1, -2, 1), 1.5e-5),
+    ("ball_plate", "ball_plate/ball_plate.k", None, "", [], (1, -2, 1), 0.02),
+    ("car6", "car6/car6_crash.k", 0.02, "", [], (1, -2, 1), 2e-5),
+    ("roll_forming", "roll_forming/model.k", 0.01, PARTS, ["--ignore-unsupported"], (1, -1, 2), 1e-5),
+]
+
+# Reading results ----------------------------------------------------------------------------------------------------
+
+
+def array(text, name):
+    """A data array of a .vtu file, flat."""
+    tag, data = re.search(rf'<DataArray ([^>]*Name="{name}"[^>]*)>\s*([^<]*)<', text).groups()
+    raw = base64.b64decode(data)
+    size, code = {"Float32": (4, "f"), "Float64": (8, "d"), "Int64": (8, "q"), "UInt8": (1, "B")}[
+        re.search(r'type="(\w+)"', tag)[1]]
+    count = struct.unpack_from("<Q", raw)[0] // size
+    return struct.unpack_from(f"<{count}{code}", raw, 8)
+
+
+def glstat(folder):
+    """Columns over time: energy ratio, and the last state's energies."""
+    text = (folder / "glstat").read_text(encoding="ascii")
+
+    def column(label):
+        return [float(v) for v in re.findall(rf"^ {re.escape(label)}\.*\s*(\S+)", text, re.MULTILINE)]
+    return {label: column(label) for label in
+            ("time.", "kinetic energy", "internal energy", "hourglass energy ", "sliding interface energy",
+             "external work", "total energy.", "total energy / initial energy")}
+
+
+def forces(folder):
+    """Sum of the sizes of all nodal contact forces over time, from ncforc."""
+    sums = {}
+    for block in (folder / "ncforc").read_text(encoding="ascii").split("forces of contact")[1:]:
+        time = float(re.search(r"time=\s*(\S+)", block)[1])
+        total = sum(math.hypot(float(line[10:23]), float(line[23:36]), float(line[36:49]))
+                    for line in block.splitlines()[2:] if line.strip())
+        sums[time] = sums.get(time, 0) + total
+    return sorted(sums.items())
+
+
+# Picture ------------------------------------------------------------------------------------------------------------
+
+HEX_FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+TET_FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3))
+
+
+def outer_faces(text):
+    """Polygons (positions of points) with their cell: shells, and faces of solids that no other solid has."""
+    connectivity, offsets, types = (array(text, name) for name in ("connectivity", "offsets", "types"))
+    faces, solids, start = [], {}, 0
+    for cell, (end, kind) in enumerate(zip(offsets, types)):
+        nodes = connectivity[start:end]
+        start = end
+        if kind in (5, 9):
+            faces.append((nodes, cell))
+        for corners in {12: HEX_FACES, 10: TET_FACES}.get(kind, ()):
+            face = tuple(nodes[i] for i in corners)
+            key = tuple(sorted(face))
+            solids[key] = None if key in solids else (face, cell)
+    return faces + [face for face in solids.values() if face]
+
+
+def unit(v):
+    length = math.sqrt(sum(c * c for c in v)) or 1.0
+    return tuple(c / length for c in v)
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a, b):
+    return sum(p * q for p, q in zip(a, b))
+
+
+def colour(share, shade):
+    """Grey without plastic strain, over yellow to red."""
+    low, high = ((190, 200, 210), (250, 210, 60)) if share < 0.5 else ((250, 210, 60), (200, 30, 30))
+    t = 2 * share if share < 0.5 else 2 * share - 1
+    return "#" + "".join(f"{int(shade * (a + t * (b - a))):02x}" for a, b in zip(low, high))
+
+
+def picture(path, view, size=640):
+    """The deformed mesh seen along `view`, coloured by plastic strain."""
+    text = path.read_text(encoding="ascii")
+    flat, strain = array(text, "Points"), array(text, "plastic_strain")
+    points = [flat[i:i + 3] for i in range(0, len(flat), 3)]
+    toward = unit(view)
+    right = unit(cross((0, 0, 1), toward))
+    up = cross(toward, right)
+    flat_points = [(dot(p, right), dot(p, up), dot(p, toward)) for p in points]
+    faces = sorted(outer_faces(text), key=lambda f: sum(flat_points[n][2] for n in f[0]) / len(f[0]))
+    used = [flat_points[n] for nodes, _ in faces for n in nodes]
+    low = [min(p[i] for p in used) for i in (0, 1)]
+    high = [max(p[i] for p in used) for i in (0, 1)]
+    scale = (size - 20) / max(high[0] - low[0], high[1] - low[1])
+    height = int((high[1] - low[1]) * scale) + 20
+    most = max(strain) if strain else 0
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {size} {height}">',
+           f'<rect width="{size}" height="{height}" fill="white"/>',
+           '<g stroke="#333" stroke-width="0.3" stroke-linejoin="round">']
+    for nodes, cell in faces:
+        corners = [points[n] for n in nodes]
+        a = tuple(q - p for p, q in zip(corners[0], corners[2]))
+        b = tuple(q - p for p, q in zip(corners[1], corners[-1]))
+        shade = 0.55 + 0.45 * abs(dot(unit(cross(a, b)), toward))
+        place = " ".join(f"{10 + (flat_points[n][0] - low[0]) * scale:.1f},"
+                         f"{height - 10 - (flat_points[n][1] - low[1]) * scale:.1f}" for n in nodes)
+        out.append(f'<polygon points="{place}" fill="{colour(strain[cell] / most if most > 0 else 0, shade)}"/>')
+    return "\n".join(out + ["</g></svg>"]) + "\n", most
+
+
+# The page -----------------------------------------------------------------------------------------------------------
+
+
+def run(program, decks, folder, name, deck, until, front, more, view, interval):
+    path, results = folder / f"run_{name}.k", folder / name
+    path.write_text(f"*KEYWORD\n{front}*DATABASE_NCFORC\n{interval}\n*INCLUDE\n{pathlib.Path(deck).name}\n*END\n",
+                    encoding="ascii")
+    command = [program, "run", path, "-o", results, "--vtu", "-I", decks / pathlib.Path(deck).parent, *more]
+    command += ["--until", str(until)] if until else []
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"{deck}: {done.stderr.strip()}")
+    end = re.search(r"at time (\S+), cycle (\d+)", done.stdout)
+    energies = glstat(results)
+    drawn, strain = picture(sorted(results.glob("*.vtu"))[-1], view)
+    (PICTURES / f"{name}.svg").write_text(drawn, encoding="ascii")
+    curve = forces(results)
+    (PICTURES / f"{name}_force.svg").write_text(svg({"contact force": curve}, "time", "sum of nodal contact forces"),
+                                                encoding="ascii")
+    ratio = energies["total energy / initial energy"]
+    total = energies["total energy."][-1]
+    row = (f"| {name} | {end[1]} | {int(end[2]):,} | {min(ratio):.4f} to {max(ratio):.4f} | "
+           f"{100 * energies['hourglass energy '][-1] / total:.1f} % | "
+           f"{100 * energies['sliding interface energy'][-1] / total:.2f} % | "
+           f"{max((f for _, f in curve), default=0):.4g} | {strain:.3g} |")
+    return row, f"## {name}\n\n![deformed](solver-runs/{name}.svg)\n\n![force](solver-runs/{name}_force.svg)\n"
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    program, decks = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+    PICTURES.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        done = [run(program, decks, pathlib.Path(folder), *one) for one in RUNS]
+    PAGE.write_text("""# Runs of decks by others
+
+What the verification solver makes of decks that were not written for it; `scripts/solver_runs.py` runs them and writes
+this page. Units are those of the decks. The pictures show the last state, coloured by plastic strain (grey: none, red:
+the most). Contact forces are summed as sizes over all tracked nodes, since a single-surface contact has no resultant.
+
+| deck | end time | cycles | energy ratio | hourglass share | sliding share | largest contact force | plastic strain |
+|---|---:|---:|---|---:|---:|---:|---:|
+""" + "\n".join(row for row, _ in done) + """
+
+Shares are of the total energy at the end. The deck of roll_forming comes without `*PART`: its parts were added with the
+sections and materials of the same numbers, and mesh refinement (`*CONTROL_ADAPTIVE`) is left out. The nodes of rigid
+bodies and welds of car6 pass through its pole, which a warning says.
+
+""" + "\n".join(text for _, text in done), encoding="ascii")
+
+
+if __name__ == "__main__":
+    main()
