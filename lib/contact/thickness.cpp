@@ -15,6 +15,7 @@ ThicknessSide thickness_side(const model::Contact& contact, const ContactSetting
                              const model::Controls& controls, bool side_b) {
   ThicknessSide side;
   side.override_value = std::abs(side_b ? contact.mst : contact.sst);
+  if (contact.airbag_thickness > 0) side.override_value = contact.airbag_thickness;
   const double scale = side_b ? contact.sfmt : contact.sfst;
   side.scale = scale != 0 ? scale : 1;
   side.global_value = controls.th;

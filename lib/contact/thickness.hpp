@@ -17,7 +17,7 @@ struct Thickness {
 
 /// The fields of one side of a contact that change thickness.
 struct ThicknessSide {
-  double override_value = 0;  ///< SST or MST; zero = not given
+  double override_value = 0;  ///< SST or MST, of airbags LCIDAB at time 0; zero = not given
   double scale = 1;           ///< SFST or SFMT
   double global_value = 0;    ///< TH; zero = not given
   double global_scale = 1;    ///< TH_SF

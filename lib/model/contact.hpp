@@ -72,7 +72,8 @@ struct Contact {
   // A
   std::int64_t soft = 0;
   double sofscl = 0.1;
-  std::int64_t lcidab = 0;
+  std::int64_t lcidab = 0;        ///< curve of the thickness over time, *CONTACT_AIRBAG_SINGLE_SURFACE alone
+  double airbag_thickness = 0;    ///< that curve at time 0; 0 = not given
   double maxpar = 0;  ///< 0 = not given
   std::int64_t sbopt = 2, depth = 2, bsort = 0;
   // B

@@ -74,12 +74,24 @@ void check_side(Context& context, const Contact& contact, const SurfaceInput& si
                     contact.place);
 }
 
+/// Airbags: the thickness that LCIDAB gives at the start.
+void resolve_thickness_curve(Context& context, Contact& contact) {
+  if (contact.lcidab <= 0 || contact.keyword != "CONTACT_AIRBAG_SINGLE_SURFACE") return;
+  const auto curve = context.model.curves.find(contact.lcidab);
+  if (curve == context.model.curves.end())
+    context.unknown(fmt::format("contact {}: curve {} of LCIDAB is not defined", contact.id.value, contact.lcidab),
+                    contact.place);
+  else
+    contact.airbag_thickness = curve->second.at(0);
+}
+
 }  // namespace
 
 void finish_contacts(Context& context) {
   number_contacts(context);
-  for (const Contact& contact : context.model.contacts) {
+  for (Contact& contact : context.model.contacts) {
     if (contact.own_layout || !contact.known) continue;
+    resolve_thickness_curve(context, contact);
     check_side(context, contact, contact.a, "SURFA");
     check_side(context, contact, contact.b, "SURFB");
   }

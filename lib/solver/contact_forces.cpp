@@ -59,7 +59,6 @@ std::string_view ContactForces::why_not(const model::Contact& contact) {
   if (std::find(types.begin(), types.end(), type.code) == types.end() || type.edges)
     return "contacts of this type are not calculated";
   if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2) return "only SOFT = 0 and 1 are calculated";
-  if (contact.lcidab != 0) return "thickness over time (LCIDAB) is not calculated";
   if (contact::active_time(contact).by_curve) return "birth and death by a curve (DT = -9999) are not calculated";
   return "";
 }
@@ -96,8 +95,11 @@ void ContactForces::build(State& state) {
     if (!calculates(contact)) continue;
     Interface& interface = interfaces_.emplace_back();
     interface.contact = c;
-    if (moved_) interface.own = store_.build(c, state.x);
-    interface.surfaces = moved_ ? &interface.own : &store_.at(c);
+    if (contact.airbag_thickness > 0) interface.thickness = &model_.curves.at(contact.lcidab);
+    const bool own = moved_ || interface.thickness != nullptr;
+    if (own) interface.own = store_.build(c, state.x);
+    interface.surfaces = own ? &interface.own : &store_.at(c);
+    interface.searched_thickness = contact.airbag_thickness;
     const contact::ActiveTime time = contact::active_time(contact);
     interface.start = time.start;
     interface.end = time.end;
@@ -147,8 +149,20 @@ void ContactForces::search(const State& state) {
   drift_ = (velocities.low + velocities.high) / 2;
   for (Interface& interface : interfaces_)
     for (const auto& pass : interface.passes) pass->search(margin_, counters_);
+  for (Interface& interface : interfaces_)
+    if (interface.thickness != nullptr) interface.searched_thickness = interface.present_thickness;
   used_ = 0;
   searched_ = state.cycle;
+}
+
+double ContactForces::grow(Interface& interface, double time) {
+  if (interface.thickness == nullptr) return 0;
+  interface.present_thickness = interface.thickness->at(time);
+  contact::ContactSide& side = interface.own.a;
+  std::fill(side.nodes.half.begin(), side.nodes.half.end(), interface.present_thickness / 2);
+  contact::Segments& segments = side.selection.segments;
+  std::fill(segments.half.begin(), segments.half.end(), interface.present_thickness / 2);
+  return interface.present_thickness - interface.searched_thickness;
 }
 
 void ContactForces::add(State& state, Forces& forces) {
@@ -171,9 +185,13 @@ void ContactForces::add(State& state, Forces& forces) {
         if (interface.active) pass->rest(state, result);
         continue;
       }
-      // A node that one pass has moved is nearer to something than the search knew.
-      if (!(used_ <= margin_)) search(state);
-      used_ += pass->update(state, used_, counters_) * rounding;
+      // A node that one pass has moved is nearer to something than the search knew; so is one that has grown thicker.
+      double growth = grow(interface, state.time);
+      if (!(used_ + growth <= margin_)) {
+        search(state);
+        growth = 0;
+      }
+      used_ += pass->update(state, used_ + growth, counters_) * rounding;
       pass->apply(forces, result);
     }
     interface.active = active;

@@ -41,7 +41,11 @@ class ContactForces : public Force {
     std::vector<std::unique_ptr<ContactPass>> passes;
     double start = 0, end = 0;
     bool active = false;
+    const model::Curve* thickness = nullptr;  ///< over time (LCIDAB); nullptr: constant
+    double present_thickness = 0, searched_thickness = 0;  ///< now, and at the last search
   };
+  /// Sets the thickness of the time; returns by how much both halves together have grown since the last search.
+  static double grow(Interface& interface, double time);
   void build(State& state);
   void remember(Interface& interface) const;
   void search(const State& state);

@@ -261,6 +261,17 @@ TEST(Contacts, Exclusions) {
   EXPECT_EQ(read.model.exclusions[0].pairs[1].a, 6);
 }
 
+TEST(Contacts, AirbagThicknessIsTheCurveAtTimeZero) {
+  const std::string curve = "*DEFINE_CURVE\n4\n-1.,1.\n1.,2.\n";
+  const Read read = read_text(curve + "*CONTACT_AIRBAG_SINGLE_SURFACE\n0\n\n\n0,0.1,4\n" +
+                              "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n\n\n0,0.1,4\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(read.model.contacts.at(0).airbag_thickness, 1.5);
+  EXPECT_EQ(read.model.contacts.at(1).airbag_thickness, 0);
+  const Read missing = read_text("*CONTACT_AIRBAG_SINGLE_SURFACE\n0\n\n\n0,0.1,4\n");
+  EXPECT_EQ(missing.faults(Fault::Kind::unknown_reference), 1u);
+}
+
 TEST(FrictionTables, LawsAndPairs) {
   const Read read = read_text(
       "*DEFINE_FRICTION_TITLE\nwheels\n5,0.1,0.2\n1,2,0.3,0.2,5.,6.\n1,3,0.4,0.,0.,0.,,PSET\n*DEFINE_FRICTION\n6\n"

@@ -278,6 +278,30 @@ TEST(ContactForces, BirthAndDeath) {
   }
 }
 
+// LCIDAB: the contact grows thicker with time and pushes a node that rests above the surface; the same with a search in
+// every cycle.
+TEST(ContactForces, ThicknessOverTime) {
+  const auto run = [&](int bsort) {
+    const std::string deck = fmt::format(
+        "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n11,.4,.4,0.2\n12,.6,.4,0.2\n13,.6,.6,.2\n14,.4,.6,.2\n"
+        "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,2,11,12,13,14\n*PART\np\n1,1,1\n*PART\nq\n2,1,1\n*SECTION_SHELL\n1,2\n0.01\n"
+        "*MAT_ELASTIC\n1,100.,1000.,0.25\n*DEFINE_CURVE\n7\n0.,0.1\n0.1,0.1\n0.3,0.25\n"
+        "*CONTACT_AIRBAG_SINGLE_SURFACE\n0,0,2\n\n\n0,0.1,7,1.025,0.,2,{}\n0.,0,0,1\n",
+        bsort);
+    ContactScene scene(deck, hold_quad, steps(1e-3));
+    double first = -1;
+    for (int i = 0; i < 400; ++i) {
+      scene.step();
+      if (first < 0 && scene.result().touching > 0) first = scene.state().time;
+    }
+    // The zone reaches 0.2 when the thickness is 0.2, two thirds of the way up.
+    EXPECT_NEAR(first, 0.1 + 0.2 * 2 / 3, 2e-3);
+    EXPECT_GT(scene.state().v[4].z(), 0);
+    return scene.state().x;
+  };
+  EXPECT_EQ(run(0), run(1));
+}
+
 /// Two plates of elastic shells, 6 x 6 and 5 x 7, one thrown at the other.
 std::string two_plates(const std::string& keyword, const std::string& options) {
   std::string nodes = "*NODE\n", shells = "*ELEMENT_SHELL\n";

@@ -130,8 +130,9 @@ void expect_same(const std::string& path) {
 
 std::vector<std::string> data_decks() {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(fs::path(GAPCHECK_ROOT) / "data"))
-    if (entry.path().extension() == ".k") names.push_back(entry.path().filename().string());
+  for (const std::string folder : {"", "workshop/"})
+    for (const auto& entry : fs::directory_iterator(fs::path(GAPCHECK_ROOT) / "data" / folder))
+      if (entry.path().extension() == ".k") names.push_back(folder + entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }
