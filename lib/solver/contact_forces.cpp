@@ -79,11 +79,13 @@ ContactForces::ContactForces(const model::Model& model, contact::SurfaceStore& s
 }
 
 void ContactForces::remember(Interface& interface) const {
-  for (const Penetration& record : found_) {
-    if (record.contact != interface.contact) continue;
-    const auto pair = contact::find_pair(*interface.surfaces, model_.mesh, record);
+  // Records come contact by contact.
+  const auto before = [](const Penetration& record, std::uint32_t contact) { return record.contact < contact; };
+  auto record = std::lower_bound(found_.begin(), found_.end(), interface.contact, before);
+  for (; record != found_.end() && record->contact == interface.contact; ++record) {
+    const auto pair = contact::find_pair(*interface.surfaces, model_.mesh, *record);
     const std::size_t pass = pair && pair->node_on_b ? 1 : 0;
-    if (pair && pass < interface.passes.size()) interface.passes[pass]->set_memory(pair->slot, memory_of(record));
+    if (pair && pass < interface.passes.size()) interface.passes[pass]->set_memory(pair->slot, memory_of(*record));
   }
 }
 

@@ -30,22 +30,31 @@ ContactSprings::ContactSprings(const model::Model& model, const contact::SideSce
   for (std::size_t s = 0; s < segments.size(); ++s)
     segments_.push_back(masses.springs(segments, s, slsfac * segment_scale, false, solid_modulus).stiffness);
 
+  // Thousands of small contacts must not each go through all nodes of the model.
+  std::vector<NodeIndex> touched;
+  for (const auto& corners : side.tracked().selection.segments.nodes)
+    touched.insert(touched.end(), corners.begin(), corners.end());
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  const auto place = [&](NodeIndex node) {
+    return static_cast<std::size_t>(std::lower_bound(touched.begin(), touched.end(), node) - touched.begin());
+  };
   constexpr double none_yet = std::numeric_limits<double>::infinity();
-  std::vector<double> least(model.mesh.nodes.size(), none_yet);
-  std::vector<contact::NodeStiffness> sums(model.mesh.nodes.size());
+  std::vector<double> least(touched.size(), none_yet);
+  std::vector<contact::NodeStiffness> sums(touched.size());
   const contact::Segments& own = side.tracked().selection.segments;
   for (std::size_t s = 0; s < own.size(); ++s) {
     const contact::SegmentSpring spring = masses.springs(own, s, slsfac * node_scale, false, solid_modulus);
     if (!(spring.weight > 0)) continue;
     for (std::size_t c = 0; c < corner_count(own.nodes[s]); ++c) {
-      const std::uint32_t node = own.nodes[s][c].value;
+      const std::size_t node = place(own.nodes[s][c]);
       least[node] = std::min(least[node], spring.stiffness);
       sums[node] += {spring.weight, spring.weight * spring.stiffness};
     }
   }
   for (std::size_t slot = 0; slot < nodes_.size(); ++slot) {
-    const std::uint32_t node = scene_.nodes.node[slot].value;
-    if (least[node] == none_yet) continue;
+    const std::size_t node = place(scene_.nodes.node[slot]);
+    if (node == touched.size() || touched[node] != scene_.nodes.node[slot] || least[node] == none_yet) continue;
     nodes_[slot] = {least[node], sums[node].value(), 2 * scene_.nodes.half[slot]};
   }
 }
