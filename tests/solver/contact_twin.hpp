@@ -117,6 +117,13 @@ class ContactTwin {
     best.weights = weights;
   }
 
+  /// Outside the ball around the first corner that holds the facet and all that is nearer to it than `bound`.
+  static bool is_far(const std::array<Point, 4>& c, const Point& q, Real bound) {
+    Real reach = 0;
+    for (const Point& corner : c) reach = std::max(reach, std::sqrt(dot(minus(corner, c[0]), minus(corner, c[0]))));
+    return std::sqrt(dot(minus(q, c[0]), minus(q, c[0]))) > reach + bound;
+  }
+
   /// The closest point, and whether the projection lies in the band.
   static bool meet(const Facet& facet, const std::array<Point, 4>& c, const Point& q, Meeting& best) {
     best.distance = -1;
@@ -168,6 +175,7 @@ class ContactTwin {
         for (std::size_t i = 0; i < 4; ++i) corners[i] = point(facet.nodes[i]);
         Meeting here;
         const Real bound = node.half + facet.half;
+        if (is_far(corners, point(n), bound)) continue;
         const bool in_band = meet(facet, corners, point(n), here);
         const Real tolerance = 1e-9L * bound + 4 * largest * std::numeric_limits<double>::epsilon();
         if (here.distance >= bound - tolerance) continue;

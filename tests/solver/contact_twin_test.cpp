@@ -57,7 +57,7 @@ struct RandomScene {
           add_shell({a, b, c, d}, part, thickness);
         }
       }
-    cards += fmt::format("*PART\nplate\n{0},{0},1\n*SECTION_SHELL\n{0},2\n{1}\n", part, thickness);
+    cards += fmt::format("*PART\nplate\n{0},{0},1\n*SECTION_SHELL\n{0},2\n{1},\n", part, thickness);
   }
   /// n x n x 1 bricks with their top near z = 0.
   void add_block(int part, int n, double size, double height, std::mt19937& random) {

@@ -9,7 +9,7 @@
 namespace gapcheck::solver {
 namespace {
 
-constexpr double poisson = 0.3, reach = 0.05;  // E = ρ = R = 1; how far the ball is pressed
+constexpr double poisson = 0.3, reach = 0.06;  // E = ρ = R = 1; how far the ball is pressed
 
 /// An eighth of a ball of n³ bricks, fine at its pole on the z axis; node ids from 1, x fastest.
 std::string eighth_of_a_ball(int n, double grading) {
@@ -39,9 +39,9 @@ std::string eighth_of_a_ball(int n, double grading) {
 }
 
 TEST(Hertz, BallOnARigidPlate) {
-  constexpr double end = 15, speed = reach / end;
+  constexpr double end = 8, speed = reach / end;
   RunScene scene(
-      eighth_of_a_ball(10, 1.5) +
+      eighth_of_a_ball(8, 1.5) +
       "*NODE\n90001,-0.5,-0.5,1.05\n90002,1.,-0.5,1.05\n90003,1.,1.,1.05\n90004,-0.5,1.,1.05\n"
       "*ELEMENT_SHELL\n90001,2,90001,90004,90003,90002\n*PART\nball\n1,1,1\n*PART\nplate\n2,2,2\n*SECTION_SOLID\n1,1\n"
       "*SECTION_SHELL\n2,2\n0.1\n" +
@@ -55,7 +55,11 @@ TEST(Hertz, BallOnARigidPlate) {
   const double constant = 4.0 / 3 / (1 - poisson * poisson);
   double x = 0, y = 0, xx = 0, xy = 0, count = 0, ratio = 0, deepest = 0;
   scene.go([&](const solver::Run& run) {
-    const double approach = speed * run.stepper().state().time;
+    // The penalty gives way as well: the deepest node is where the plate's face would be.
+    double penetration = 0;
+    for (const ContactNode& node : run.contacts()->nodes(0)) penetration = std::max(penetration, node.penetration);
+    deepest = std::max(deepest, penetration);
+    const double approach = speed * run.stepper().state().time - penetration;
     const double force = 4 * run.contacts()->states()[0].force_b.z();
     if (approach < 0.3 * reach || force <= 0) return;
     const double a = std::log(approach), b = std::log(force);
@@ -65,7 +69,6 @@ TEST(Hertz, BallOnARigidPlate) {
     xy += a * b;
     count += 1;
     ratio += force / (constant * std::pow(approach, 1.5));
-    for (const ContactNode& node : run.contacts()->nodes(0)) deepest = std::max(deepest, node.penetration);
   });
   ASSERT_GT(count, 100);
   const double exponent = (count * xy - x * y) / (count * xx - x * x);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "run_scene.hpp"
 
@@ -50,6 +51,7 @@ TEST_P(HostileDeck, EndsClearly) {
   std::string said = scene.message() + "\n" + scene.read().text();
   for (const Diagnostic& d : scene.diagnostics().sorted()) said += d.message + "\n";
   const bool failed = !end || *end == RunEnd::failed;
+  if(getenv("SHOW"))std::cout<<"## "<<hostile.name<<(failed?" FAILED: ":" runs: ")<<said<<"\n";
   switch (hostile.wanted) {
     case Wanted::refused: EXPECT_FALSE(scene.prepared()) << said; break;
     case Wanted::stopped: EXPECT_TRUE(failed) << said; break;
