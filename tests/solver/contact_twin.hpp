@@ -11,8 +11,8 @@
 
 namespace gapcheck::solver {
 
-/// A slow and obvious second version of a contact cycle: every node against every facet, in long double. It knows shells
-/// without friction, SOFT = 0, PENOPT = 1 and automatic types, and solids as long as nodes are in front of their
+/// A slow and obvious second version of a contact cycle: every node against every facet, in long double. It knows
+/// shells without friction, SOFT = 0, PENOPT = 1 and automatic types, and solids as long as nodes are in front of their
 /// faces. It shares no code with the contact rooms.
 class ContactTwin {
  public:
@@ -29,11 +29,17 @@ class ContactTwin {
     Real stiffness = 0;
     Real release = 0;  ///< of solids: the penetration that is too deep
     [[nodiscard]] bool triangle() const { return nodes[2] == nodes[3]; }
-    [[nodiscard]] bool has(std::size_t node) const { return std::find(nodes.begin(), nodes.end(), node) != nodes.end(); }
+    [[nodiscard]] bool has(std::size_t node) const {
+      return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+    }
   };
 
   ContactTwin(std::vector<Facet> facets, std::vector<int> body_of_node, bool single, Start start)
-      : facets_(std::move(facets)), body_(std::move(body_of_node)), single_(single), start_(start), nodes_(body_.size()) {
+      : facets_(std::move(facets)),
+        body_(std::move(body_of_node)),
+        single_(single),
+        start_(start),
+        nodes_(body_.size()) {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
       nodes_[n].stiffness = std::numeric_limits<Real>::infinity();
       for (const Facet& facet : facets_)
@@ -108,7 +114,8 @@ class ContactTwin {
   }
 
   /// Keeps the nearest of what is tried.
-  static void attempt(const std::array<Point, 4>& c, const Point& q, const std::array<Real, 4>& weights, Meeting& best) {
+  static void attempt(const std::array<Point, 4>& c, const Point& q, const std::array<Real, 4>& weights,
+                      Meeting& best) {
     const Point from = minus(q, blend(c, weights));
     const Real distance = std::sqrt(dot(from, from));
     if (best.distance >= 0 && distance >= best.distance) return;
@@ -218,8 +225,7 @@ class ContactTwin {
     if (first && start_ == Start::moved) {
       ++moved_;
       for (std::size_t axis = 0; axis < 3; ++axis)
-        x[n][static_cast<int>(axis)] +=
-            static_cast<double>(1.002L * met.penetration * met.from[axis] / met.distance);
+        x[n][static_cast<int>(axis)] += static_cast<double>(1.002L * met.penetration * met.from[axis] / met.distance);
       return;
     }
     const Real force = std::min(node.stiffness, facet.stiffness) * (met.penetration - node.forgiven);

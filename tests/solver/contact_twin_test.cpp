@@ -44,8 +44,9 @@ struct RandomScene {
     const std::size_t first = x.size();
     for (int j = 0; j <= m; ++j)
       for (int i = 0; i <= n; ++i)
-        add_node({size * (i + 0.15 * jitter(random)) / n, size * (j + 0.15 * jitter(random)) / m,
-                  z + 0.01 * jitter(random)}, part);
+        add_node(
+            {size * (i + 0.15 * jitter(random)) / n, size * (j + 0.15 * jitter(random)) / m, z + 0.01 * jitter(random)},
+            part);
     for (int j = 0; j < m; ++j)
       for (int i = 0; i < n; ++i) {
         const std::size_t a = first + static_cast<std::size_t>(j * (n + 1) + i), b = a + 1,
@@ -68,12 +69,19 @@ struct RandomScene {
       for (int j = 0; j <= n; ++j)
         for (int i = 0; i <= n; ++i)
           add_node({size * (i + 0.1 * jitter(random)) / n - 0.1, size * (j + 0.1 * jitter(random)) / n - 0.1,
-                    height * (k - 1) + 0.005 * jitter(random)}, part);
+                    height * (k - 1) + 0.005 * jitter(random)},
+                   part);
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
         const std::size_t a = first + static_cast<std::size_t>(j) * row + static_cast<std::size_t>(i);
-        const std::array<std::size_t, 8> c{a, a + 1, a + 1 + row, a + row, a + row * row, a + 1 + row * row,
-                                           a + 1 + row + row * row, a + row + row * row};
+        const std::array<std::size_t, 8> c{a,
+                                           a + 1,
+                                           a + 1 + row,
+                                           a + row,
+                                           a + row * row,
+                                           a + 1 + row * row,
+                                           a + 1 + row + row * row,
+                                           a + row + row * row};
         solids += fmt::format("{},{}", ++elements, part);
         for (const std::size_t node : c) solids += fmt::format(",{}", node + 1);
         solids += "\n";
@@ -123,7 +131,8 @@ TEST_P(Twin, AgreesInEveryCycle) {
       scene.add_plate(1, 4, 3, 1, 0, 0.03 + 0.01 * jitter(random), random);
     const std::size_t lower = scene.x.size();
     scene.add_plate(2, 3, 4, 0.9, one.block ? 0.04 : 0.07, 0.05, random);
-    std::string contact = one.single ? "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n" : "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n";
+    std::string contact =
+        one.single ? "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n" : "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n";
     contact += "0.\n1.,1.\n0\n";
     contact += one.start == Start::forced ? "0.,0,0,1\n" : one.start == Start::moved ? "0.\n" : "0.\n1,1\n";
     StepSettings settings;
@@ -131,12 +140,15 @@ TEST_P(Twin, AgreesInEveryCycle) {
     settings.energy_tolerance = 0;
     // Fast plates go too deep, blocks must stay in front.
     const double speed = one.block ? 0.6 : seed % 2 == 0 ? 1 : 12;
-    ContactScene run(scene.deck(contact), [&](Structure& s) {
-      for (std::size_t i = 0; i < s.state.x.size(); ++i) {
-        s.state.v[i] = 0.2 * Vector(jitter(random), jitter(random), jitter(random));
-        if (i >= lower) s.state.v[i].z() -= speed;
-      }
-    }, settings);
+    ContactScene run(
+        scene.deck(contact),
+        [&](Structure& s) {
+          for (std::size_t i = 0; i < s.state.x.size(); ++i) {
+            s.state.v[i] = 0.2 * Vector(jitter(random), jitter(random), jitter(random));
+            if (i >= lower) s.state.v[i].z() -= speed;
+          }
+        },
+        settings);
     ASSERT_TRUE(run.stepper) << run.why_not;
     for (const Penetration& p : run.initial.penetrations)
       ADD_FAILURE() << "seed " << seed << " node " << p.node << " penetrates by " << p.depth << " kind " << int(p.kind);
@@ -156,7 +168,8 @@ TEST_P(Twin, AgreesInEveryCycle) {
           ASSERT_LE(std::abs(forces[n][axis] - run.stepper->external().force[n][static_cast<int>(axis)]),
                     1e-9L * (largest + 1e-3L))
               << "node " << n + 1 << " cycle " << cycle << " seed " << seed;
-        ASSERT_LE((x[n] - run.state().x[n]).norm(), 1e-12) << "node " << n + 1 << " cycle " << cycle << " seed " << seed;
+        ASSERT_LE((x[n] - run.state().x[n]).norm(), 1e-12)
+            << "node " << n + 1 << " cycle " << cycle << " seed " << seed;
       }
       std::map<std::size_t, ContactNode::Kind> seen;
       for (const ContactNode& node : run.contacts->nodes(0)) seen[node.node.value] = node.kind;
@@ -177,13 +190,16 @@ TEST_P(Twin, AgreesInEveryCycle) {
   EXPECT_EQ(moved > 0, one.start == Start::moved);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Twin,
-    testing::Values(Case{"two_way_forced", false, Start::forced, false}, Case{"two_way_ignored", false, Start::ignored, false},
-                    Case{"two_way_moved", false, Start::moved, false}, Case{"single_forced", true, Start::forced, false},
-                    Case{"single_ignored", true, Start::ignored, false}, Case{"single_moved", true, Start::moved, false},
-                    Case{"block_forced", false, Start::forced, true}, Case{"block_ignored", false, Start::ignored, true}),
-    [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, Twin,
+                         testing::Values(Case{"two_way_forced", false, Start::forced, false},
+                                         Case{"two_way_ignored", false, Start::ignored, false},
+                                         Case{"two_way_moved", false, Start::moved, false},
+                                         Case{"single_forced", true, Start::forced, false},
+                                         Case{"single_ignored", true, Start::ignored, false},
+                                         Case{"single_moved", true, Start::moved, false},
+                                         Case{"block_forced", false, Start::forced, true},
+                                         Case{"block_ignored", false, Start::ignored, true}),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
 }  // namespace gapcheck::solver

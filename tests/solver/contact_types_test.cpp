@@ -41,12 +41,13 @@ TEST_P(ContactTypes, ThrowTheUpperPlateBack) {
   RunSettings settings;
   settings.until = 0.4;
   // Upper plate: part 2, side A.
-  RunScene scene(sheet(1, 3, 1, 0, 0, true) + sheet(2, 3, 0.8, 0.1, type.distance + 0.01, false) +
-                     "*SECTION_SHELL\n1,2\n0.04\n*MAT_ELASTIC\n1,1.,1000.,0.3\n*CONTROL_TERMINATION\n1.\n" +
-                     fmt::format("*INITIAL_VELOCITY_GENERATION\n2,2,0.,0.,0.,{}\n0.,0.,0.,0.,0.,1.\n", -speed) +
-                     "*SET_PART_LIST\n1\n1,2\n*CONTACT_" + type.keyword +
-                     (type.way == Way::single ? "\n1,0,2\n0.\n1.,1.\n0\n0.,0,0,1\n" : "\n2,1,3,3\n0.\n1.,1.\n0\n0.,0,0,1\n"),
-                 settings);
+  RunScene scene(
+      sheet(1, 3, 1, 0, 0, true) + sheet(2, 3, 0.8, 0.1, type.distance + 0.01, false) +
+          "*SECTION_SHELL\n1,2\n0.04\n*MAT_ELASTIC\n1,1.,1000.,0.3\n*CONTROL_TERMINATION\n1.\n" +
+          fmt::format("*INITIAL_VELOCITY_GENERATION\n2,2,0.,0.,0.,{}\n0.,0.,0.,0.,0.,1.\n", -speed) +
+          "*SET_PART_LIST\n1\n1,2\n*CONTACT_" + type.keyword +
+          (type.way == Way::single ? "\n1,0,2\n0.\n1.,1.\n0\n0.,0,0,1\n" : "\n2,1,3,3\n0.\n1.,1.\n0\n0.,0,0,1\n"),
+      settings);
   ASSERT_TRUE(scene.prepared()) << scene.message();
   const Vector momentum = scene.momentum();
   const auto upper = [&](NodeIndex node) { return scene.read().model.mesh.nodes.id[node.value] >= 2000; };
@@ -83,19 +84,20 @@ TEST_P(ContactTypes, ThrowTheUpperPlateBack) {
   EXPECT_NEAR(scene.energies().ratio(), 1, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, ContactTypes,
-    testing::Values(Type{"t3", "SURFACE_TO_SURFACE", Way::two, 0}, Type{"a3", "AUTOMATIC_SURFACE_TO_SURFACE", Way::two, 0.04},
-                    Type{"t4", "SINGLE_SURFACE", Way::single, 0.04}, Type{"t5", "NODES_TO_SURFACE", Way::one, 0},
-                    Type{"a5", "AUTOMATIC_NODES_TO_SURFACE", Way::one, 0.04},
-                    Type{"t10", "ONE_WAY_SURFACE_TO_SURFACE", Way::one, 0},
-                    Type{"a10", "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", Way::one, 0.04},
-                    Type{"t13", "AUTOMATIC_SINGLE_SURFACE", Way::single, 0.04},
-                    Type{"a13", "AIRBAG_SINGLE_SURFACE", Way::single, 0.04},
-                    Type{"m3", "FORMING_SURFACE_TO_SURFACE", Way::two, 0.04},
-                    Type{"m5", "FORMING_NODES_TO_SURFACE", Way::one, 0.04},
-                    Type{"m10", "FORMING_ONE_WAY_SURFACE_TO_SURFACE", Way::one, 0.04}),
-    [](const auto& one) { return std::string(one.param.code); });
+INSTANTIATE_TEST_SUITE_P(All, ContactTypes,
+                         testing::Values(Type{"t3", "SURFACE_TO_SURFACE", Way::two, 0},
+                                         Type{"a3", "AUTOMATIC_SURFACE_TO_SURFACE", Way::two, 0.04},
+                                         Type{"t4", "SINGLE_SURFACE", Way::single, 0.04},
+                                         Type{"t5", "NODES_TO_SURFACE", Way::one, 0},
+                                         Type{"a5", "AUTOMATIC_NODES_TO_SURFACE", Way::one, 0.04},
+                                         Type{"t10", "ONE_WAY_SURFACE_TO_SURFACE", Way::one, 0},
+                                         Type{"a10", "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", Way::one, 0.04},
+                                         Type{"t13", "AUTOMATIC_SINGLE_SURFACE", Way::single, 0.04},
+                                         Type{"a13", "AIRBAG_SINGLE_SURFACE", Way::single, 0.04},
+                                         Type{"m3", "FORMING_SURFACE_TO_SURFACE", Way::two, 0.04},
+                                         Type{"m5", "FORMING_NODES_TO_SURFACE", Way::one, 0.04},
+                                         Type{"m10", "FORMING_ONE_WAY_SURFACE_TO_SURFACE", Way::one, 0.04}),
+                         [](const auto& one) { return std::string(one.param.code); });
 
 }  // namespace
 }  // namespace gapcheck::solver

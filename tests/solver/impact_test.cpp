@@ -20,7 +20,8 @@ std::string rod(int part, int n, double start) {
   const int first = part * 1000;
   for (int i = 0; i <= n; ++i)
     for (int c = 0; c < 4; ++c)
-      text += fmt::format("{},{:.17g},{},{}\n", first + 4 * i + c, start + i * h, c == 1 || c == 2 ? h : 0., c >= 2 ? h : 0.);
+      text += fmt::format("{},{:.17g},{},{}\n", first + 4 * i + c, start + i * h, c == 1 || c == 2 ? h : 0.,
+                          c >= 2 ? h : 0.);
   text += "*ELEMENT_SOLID\n";
   for (int i = 0; i < n; ++i) {
     text += fmt::format("{},{}", first + i, part);
@@ -36,8 +37,9 @@ std::string throws(int part, double velocity) {
 
 /// Materials, sections and a run to `end`; the linear bulk viscosity is small enough to leave the plateau of a wave.
 std::string rest(double end, double factor = 0.9) {
-  return fmt::format("*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,{},{},0.\n*CONTROL_TERMINATION\n{}\n*CONTROL_TIMESTEP\n0.,{}\n",
-                     density, young, end, factor);
+  return fmt::format(
+      "*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,{},{},0.\n*CONTROL_TERMINATION\n{}\n*CONTROL_TIMESTEP\n0.,{}\n", density,
+      young, end, factor);
 }
 
 const std::string contact_of_parts = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n0.\n";
@@ -98,6 +100,8 @@ TEST(Impact, EqualRodsExchangeTheirVelocities) {
     const Impact impact = watch_impact(scene, h * h);
     EXPECT_NEAR(impact.plateau / (density * wave * speed / 2), 1, 0.01) << n;
     error[i] = impact.error;
+    if (n == 80)
+      RecordProperty("rods_stress_error_80", fmt::format("{:.4f}", impact.plateau / (density * wave * speed / 2) - 1));
     EXPECT_NEAR(scene.momentum().x(), density * length * h * h * speed, 1e-12 * density * length * h * h * speed);
     EXPECT_NEAR(mean_velocity(scene, n, 0) / speed, 0, 0.02) << n;
     EXPECT_NEAR(mean_velocity(scene, n, 4 * static_cast<std::size_t>(n + 1)) / speed, 1, 0.02) << n;
@@ -158,12 +162,14 @@ std::string block_in_box() {
             at[static_cast<std::size_t>((axis + 2) % 3)] = b + db;
             return id(at[0], at[1], at[2]);
           };
-          shells += fmt::format("{},1,{},{},{},{}\n", ++element, corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1));
+          shells +=
+              fmt::format("{},1,{},{},{},{}\n", ++element, corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1));
         }
   for (int k = 0; k < 2; ++k)
     for (int c = 0; c < 4; ++c)
       nodes += fmt::format("{},{},{},{}\n", 101 + 4 * k + c, c == 1 || c == 2 ? 1.6 : 0.6, c >= 2 ? 1.7 : 0.7, 0.5 + k);
-  return nodes + shells + "*ELEMENT_SOLID\n101,2,101,102,103,104,105,106,107,108\n*PART\nbox\n1,2,1\n*PART\nblock\n2,1,1\n"
+  return nodes + shells +
+         "*ELEMENT_SOLID\n101,2,101,102,103,104,105,106,107,108\n*PART\nbox\n1,2,1\n*PART\nblock\n2,1,1\n"
          "*SECTION_SHELL\n2,2\n0.2\n";
 }
 
@@ -175,7 +181,8 @@ TEST_P(LongImpacts, KeepEnergyAndMomentum) {
   settings.step.greatest_step = 0.01;
   RunScene scene(block_in_box() + rest(1e9) +
                      "*INITIAL_VELOCITY_GENERATION\n2,2,0.,0.5,0.3,-0.4\n0.,0.,0.,0.,0.,1.\n"
-                     "*CONTROL_BULK_VISCOSITY\n1e-30,1e-30\n*CONTROL_HOURGLASS\n4,0.05\n" + GetParam().contact,
+                     "*CONTROL_BULK_VISCOSITY\n1e-30,1e-30\n*CONTROL_HOURGLASS\n4,0.05\n" +
+                     GetParam().contact,
                  settings);
   ASSERT_TRUE(scene.prepared()) << scene.message();
   const Vector before = scene.momentum();

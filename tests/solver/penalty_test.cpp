@@ -16,10 +16,12 @@ constexpr double pi = std::numbers::pi;
 /// A held quad of 1 x 1 in z = 0 of thickness 0.1, modulus 1000, and node 5 of mass 1 above its middle. `cards`: of the
 /// contact from card 3 on; `more`: further keywords.
 std::string node_over_held_quad(double height, const std::string& cards, const std::string& more) {
-  return fmt::format("*NODE\n1,0.,0.,0.,7,7\n2,1.,0.,0.,7,7\n3,1.,1.,0.,7,7\n4,0.,1.,0.,7,7\n5,0.5,0.5,{:.17g}\n", height) +
+  return fmt::format("*NODE\n1,0.,0.,0.,7,7\n2,1.,0.,0.,7,7\n3,1.,1.,0.,7,7\n4,0.,1.,0.,7,7\n5,0.5,0.5,{:.17g}\n",
+                     height) +
          "*ELEMENT_SHELL\n1,1,1,2,3,4\n*PART\np\n1,1,1\n*SECTION_SHELL\n1,2\n0.1\n*MAT_ELASTIC\n1,1.,1000.,0.25\n"
          "*ELEMENT_MASS\n5,5,1.\n1,1,1.\n2,2,1.\n3,3,1.\n4,4,1.\n*SET_NODE_LIST\n1\n5\n*SET_PART_LIST\n1\n1\n"
-         "*CONTROL_TERMINATION\n1e9\n" + more + "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n1,1,4,2\n0.\n" + cards;
+         "*CONTROL_TERMINATION\n1e9\n" +
+         more + "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n1,1,4,2\n0.\n" + cards;
 }
 
 /// Slope of y over x in logarithms, by least squares.
@@ -91,8 +93,8 @@ TEST(Penalty, PenoptChoosesTheSpring) {
                k_small = shell_segment_stiffness(slsfac * sfs, 4000 / 1.5, 0.08, 0.4);
   contact::NodeStiffness sum{0.18 / 4, 0.18 / 4 * k_large};
   sum += {0.08 / 4, 0.08 / 4 * k_small};
-  const contact::PairStiffness pair{std::min(k_large, k_small),
-                                    shell_segment_stiffness(slsfac * sfm, 1000 / 1.5, 1, std::sqrt(2.0)), sum.value(), t};
+  const contact::PairStiffness pair{
+      std::min(k_large, k_small), shell_segment_stiffness(slsfac * sfm, 1000 / 1.5, 1, std::sqrt(2.0)), sum.value(), t};
   std::array<double, 5> found{};
   for (int penopt = 1; penopt <= 5; ++penopt) {
     const double stiffness = measured_stiffness(
@@ -128,7 +130,8 @@ TEST(Penalty, CoatOfSolids) {
   for (const double modulus : {0.0, 5000.0}) {
     const double stiffness = measured_stiffness(
         "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n5,0.,0.,2.\n6,1.,0.,2.\n7,1.,1.,2.\n8,0.,1.,2.\n"
-        "9,0.5,0.5,2.04\n*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n*ELEMENT_MASS\n1,9,1.\n*PART\np\n1,1,1\n*SECTION_SOLID\n1,1\n"
+        "9,0.5,0.5,2.04\n*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n*ELEMENT_MASS\n1,9,1.\n*PART\np\n1,1,1\n*SECTION_"
+        "SOLID\n1,1\n"
         "*MAT_ELASTIC\n1,1.,1000.,0.25\n*SET_NODE_LIST\n1\n9\n*CONTROL_TERMINATION\n1.\n"
         "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n1,1,4,3\n0.\n1.,1.\n0\n" +
         fmt::format("0.,0,0,1,0,0,0.1,{}\n", modulus));

@@ -74,14 +74,16 @@ double plate_frequency(int n, bool triangles) {
         deck += fmt::format("{},1,{},{},{},{}\n", id++, a, b, c, d);
       }
     }
-  Structure plate = structure_of(deck + elastic_deck(fmt::format("*SECTION_SHELL\n1,{},0.8333333333,2\n{}\n",
-                                                                 triangles ? 4 : 2, thickness), 1, poisson, 1),
-                                 {{HourglassKind::stiffness, 0.02}, {}});
+  Structure plate = structure_of(
+      deck + elastic_deck(fmt::format("*SECTION_SHELL\n1,{},0.8333333333,2\n{}\n", triangles ? 4 : 2, thickness), 1,
+                          poisson, 1),
+      {{HourglassKind::stiffness, 0.02}, {}});
   for (std::uint32_t k = 0; k < plate.state.x.size(); ++k) {
     const double x = plate.state.x[k].x(), y = plate.state.x[k].y();
     const int i = static_cast<int>(k) % (n + 1), j = static_cast<int>(k) / (n + 1);
     plate.state.v[k].z() = amplitude * std::sin(pi * x) * std::sin(pi * y);
-    plate.state.w[k] = amplitude * pi * Vector(std::sin(pi * x) * std::cos(pi * y), -std::cos(pi * x) * std::sin(pi * y), 0);
+    plate.state.w[k] =
+        amplitude * pi * Vector(std::sin(pi * x) * std::cos(pi * y), -std::cos(pi * x) * std::sin(pi * y), 0);
     unsigned held = 1u | 2u | 32u;
     if (i == 0 || i == n) held |= 4u | 8u;
     if (j == 0 || j == n) held |= 4u | 16u;
@@ -149,8 +151,8 @@ TEST(Vibration, BeamOfBricks) {
     for (int k = 0, id = 1; k < layers; ++k)
       for (int i = 0; i < n; ++i, ++id) {
         const int a = 1 + i + k * layer;
-        deck += fmt::format("{},1,{},{},{},{},{},{},{},{}\n", id, a, a + 1, a + 1 + row, a + row, a + layer, a + 1 + layer,
-                            a + 1 + row + layer, a + row + layer);
+        deck += fmt::format("{},1,{},{},{},{},{},{},{},{}\n", id, a, a + 1, a + 1 + row, a + row, a + layer,
+                            a + 1 + layer, a + 1 + row + layer, a + row + layer);
       }
     Structure bar = structure_of(deck + elastic_deck(solid_section, 1, 0, 1) + no_viscosity,
                                  {{}, {HourglassKind::stiffness, 0.005}});
@@ -172,8 +174,9 @@ TEST(Vibration, BeamOfBricks) {
 /// A strip of shells or bricks whose free vibration starts with a smooth velocity.
 Structure free_strip(bool bricks) {
   const std::string mesh = bricks ? brick_bar(6, {0.5, 0.5, 0.5}) : plate(6, 1, {0.5, 0.5, 0});
-  Structure strip = structure_of(mesh + elastic_deck(bricks ? solid_section : shell_section, 100, 0.3, 1) + no_viscosity,
-                                 {{HourglassKind::stiffness, 0.05}, {HourglassKind::stiffness, 0.05}});
+  Structure strip =
+      structure_of(mesh + elastic_deck(bricks ? solid_section : shell_section, 100, 0.3, 1) + no_viscosity,
+                   {{HourglassKind::stiffness, 0.05}, {HourglassKind::stiffness, 0.05}});
   for (std::size_t i = 0; i < strip.state.v.size(); ++i) {
     const double x = strip.state.x[i].x();
     strip.state.v[i] = {0.05 * std::cos(pi * x / 3), 0.02 * std::sin(x), 0.3 * std::sin(pi * x / 3)};
@@ -203,7 +206,8 @@ TEST_P(TimeStep, PositionsAreOfSecondOrder) {
   }
   const double order = std::log2(std::sqrt(first / second));
   EXPECT_NEAR(order, 2, 0.1);
-  RecordProperty(fmt::format("positions_over_dt_{}_order", GetParam() ? "bricks" : "shells"), fmt::format("{:.2f}", order));
+  RecordProperty(fmt::format("positions_over_dt_{}_order", GetParam() ? "bricks" : "shells"),
+                 fmt::format("{:.2f}", order));
 }
 
 // The sum of energies with v⁻·v⁺ is kept to rounding; with the velocity of the time itself its error falls with dt².
@@ -236,7 +240,8 @@ TEST_P(TimeStep, EnergyErrorIsOfSecondOrder) {
   const double order = std::log2(error[1] / error[2]);
   EXPECT_NEAR(order, 2, 0.15);
   EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.4);
-  RecordProperty(fmt::format("energy_over_dt_{}_order", GetParam() ? "bricks" : "shells"), fmt::format("{:.2f}", order));
+  RecordProperty(fmt::format("energy_over_dt_{}_order", GetParam() ? "bricks" : "shells"),
+                 fmt::format("{:.2f}", order));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TimeStep, testing::Bool(),
