@@ -62,6 +62,7 @@ for kind, name in (("two_way", "two-way"), ("single", "single surface")):
         ROWS += [
             (f"{name}, {text}: least energy ratio", "1", key + "least_energy_ratio"),
             (f"{name}, {text}: largest energy ratio", "1", key + "largest_energy_ratio"),
+            (f"{name}, {text}: contact energy left between impacts, in initial energies", "0", key + "contact_energy_error"),
             (f"{name}, {text}: error of the momentum", "0", key + "momentum_error"),
         ]
 
@@ -81,6 +82,8 @@ TAIL = """
   elements, so that the order is one.
 - The ball's mesh is coarse: its zone of contact is a few bricks wide. The exponent is fitted between 40 % and all of the
   approach. A half-space would give 1.5; a mesh in which node after node comes into contact lies above.
+- The energy ratio counts the work of the contact, so it says that the sum is kept. Whether springs give back what they
+  took is the contact energy left between impacts.
 - The energy over dt has kinetic energy from the mean of the velocities before and after. The sum that the solver
   reports, with their product, is constant to rounding.
 """
