@@ -107,8 +107,12 @@ class Builder {
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("shell", shells.id[i], part, SectionKind::shell);
         if (!found) return;
+        const std::int64_t asked = found->section->nip, layers = std::clamp<std::int64_t>(asked, 1, 10);
+        if (asked != layers)
+          diagnostics_.warning("", 0, fmt::format("part {}: NIP of its section is {}; {} points are calculated",
+                                                  model_.part(part).id.value, asked, layers));
         ShellProperties all{
-            found->material, gauss_rule(static_cast<int>(std::clamp<std::int64_t>(found->section->nip, 1, 10))),
+            found->material, gauss_rule(static_cast<int>(layers)),
             found->section->shrf, model_.controls.istupd != 0,
             element_control(model_, model_.part(part), settings_.shell_hourglass, diagnostics_).hourglass};
         positions_[part.value] = structure_.shells.add_properties(std::move(all));
@@ -216,9 +220,14 @@ class Builder {
 
   void add_masses() {
     const model::Mesh& mesh = model_.mesh;
-    for (std::size_t i = 0; i < mesh.masses.size(); ++i)
-      if (const NodeIndex node = mesh.masses.nodes[i][0]; node.value < mesh.nodes.size() && mesh.mass_values[i] > 0)
-        structure_.state.mass[node.value] += mesh.mass_values[i];
+    for (std::size_t i = 0; i < mesh.masses.size(); ++i) {
+      const double mass = mesh.mass_values[i];
+      if (const NodeIndex node = mesh.masses.nodes[i][0]; node.value < mesh.nodes.size() && mass > 0)
+        structure_.state.mass[node.value] += mass;
+      if (mass < 0)
+        fail(Failure::Kind::contradiction,
+             fmt::format("mass {} is {:g}; set a number that is not below zero", mesh.masses.id[i], mass));
+    }
   }
 
   void name_what_is_left_out() {

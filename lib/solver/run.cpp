@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "solver/build_forces.hpp"
+#include "solver/check_deck.hpp"
 #include "solver/conditions.hpp"
 
 namespace gapcheck::solver {
@@ -40,6 +41,7 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   const auto end = end_of_run(model, run.settings_);
   if (const auto* failure = std::get_if<Failure>(&end)) return *failure;
   run.end_time_ = std::get<double>(end);
+  if (auto failure = check_deck(model, surfaces, diagnostics)) return std::move(*failure);
   contact::InitialCounters counters;
   run.initial_ = std::make_unique<contact::InitialState>(
       contact::initialise_contacts(model, surfaces, contact::InitialOptions{}, counters));
@@ -74,11 +76,22 @@ std::optional<RunEnd> Run::end_reached() const {
   return std::nullopt;
 }
 
+std::optional<Failure> Run::check_length() const {
+  constexpr double most_cycles = 1e12;  // years, of the smallest model
+  const double left = end_time_ - stepper_->state().time, step = stepper_->next_step();
+  if (settings_.cycles > 0 || left < most_cycles * step) return std::nullopt;
+  return Failure{Failure::Kind::zero_time_step,
+                 fmt::format("with the time step {:g} the run would not come to its end at {:g}; look at the smallest "
+                             "element, its material and TSSFAC",
+                             step, end_time_)};
+}
+
 RunEnd Run::go(Observer& observer) {
   start_ = std::chrono::steady_clock::now();
   while (true) {
     failure_ = stepper_->begin_step();
     if (stepper_->state().cycle == 0) first_step_ = stepper_->next_step();
+    if (!failure_) failure_ = check_length();
     const std::optional<RunEnd> end = failure_ ? RunEnd::failed : end_reached();
     if (auto problem = observer.observe(*this, end)) {
       failure_ = std::move(problem);

@@ -62,6 +62,8 @@ class Run {
  private:
   Run() = default;
   [[nodiscard]] std::optional<RunEnd> end_reached() const;
+  /// A failure where the time left is more steps than can be made.
+  [[nodiscard]] std::optional<Failure> check_length() const;
 
   const model::Model* model_ = nullptr;
   RunSettings settings_;

@@ -1,0 +1,53 @@
+#include "solver/check_deck.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "solver/contact_forces.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+/// Why a side has nothing to offer; empty: it has something.
+std::string nothing_on(const contact::ContactSide& side, std::string_view name, bool as_reference) {
+  const contact::Selection& selection = side.selection;
+  if (!selection.segments.nodes.empty() || (!as_reference && !selection.nodes.empty())) return "";
+  if (!selection.empty_reason.empty()) return fmt::format("{}: {}", name, selection.empty_reason);
+  return fmt::format("{} has no {}", name, as_reference ? "segments" : "nodes");
+}
+
+std::string why_idle(const contact::ContactSurfaces& surfaces) {
+  std::string why = nothing_on(surfaces.a, "SURFA", !surfaces.two_sided());
+  if (why.empty() && surfaces.two_sided()) why = nothing_on(surfaces.b, "SURFB", true);
+  return why;
+}
+
+}  // namespace
+
+std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceStore& surfaces,
+                                  Diagnostics& diagnostics) {
+  const model::Controls& controls = model.controls;
+  if (controls.tssfac < 0)
+    return Failure{
+        Failure::Kind::zero_time_step,
+        fmt::format("TSSFAC of *CONTROL_TIMESTEP is {:g}; set a number above 0, at most 0.9", controls.tssfac)};
+  for (std::uint32_t c = 0; c < model.contacts.size(); ++c) {
+    const model::Contact& contact = model.contacts[c];
+    if (!ContactForces::calculates(contact)) continue;
+    if (controls.slsfac < 0)
+      return Failure{Failure::Kind::contradiction,
+                     fmt::format("SLSFAC of *CONTROL_CONTACT is {:g}, with which contacts pull; set a number above 0",
+                                 controls.slsfac)};
+    if (contact.sfs < 0 || contact.sfm < 0)
+      return Failure{Failure::Kind::contradiction,
+                     fmt::format("SFSA or SFSB of contact {} is below 0, so that it pulls; set a number above 0",
+                                 contact.id.value)};
+    if (const std::string why = why_idle(surfaces.at(c)); !why.empty())
+      diagnostics.warning("", 0, fmt::format("contact {} does nothing ({}); correct its sides", contact.id.value, why));
+  }
+  return std::nullopt;
+}
+
+}  // namespace gapcheck::solver
