@@ -24,6 +24,8 @@ bool behind_another(const PairScene& scene, const Hit& hit, std::span<const Hit>
 }  // namespace
 
 std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits, std::span<const Hit> measured) {
+  // What is in front needs no comparison with others.
+  if (hits.size() == 1 && !std::signbit(hits[0].distance)) return hits[0];
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double in_band = infinity, outside = infinity;
   for (const Hit& hit : hits) {

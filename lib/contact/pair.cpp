@@ -1,8 +1,8 @@
 #include "contact/pair.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
 
 namespace gapcheck::contact {
 namespace {
@@ -55,7 +55,8 @@ double largest_coordinate(const geometry::Facet& facet, const Vector& query) {
 }
 
 double default_tolerance(double contact_distance, double largest) {
-  const double ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  // std::nextafter() upwards: the bits of numbers that are not negative rise with them.
+  const double ulp = std::bit_cast<double>(std::bit_cast<std::uint64_t>(largest) + 1) - largest;
   return relative_tolerance * contact_distance + tolerance_in_ulps * ulp;
 }
 
@@ -66,12 +67,6 @@ geometry::Facet PairScene::facet(std::uint32_t s) const {
   const Vector shift = segments.offset[s] * facet_normal(f).stableNormalized();
   for (Vector& corner : f.x) corner += shift;
   return f;
-}
-
-bool PairScene::oriented(std::uint32_t s) const {
-  if (segments.kind[s] == SegmentKind::solid) return true;
-  if (type.by_segments()) return false;
-  return segments.kind[s] == SegmentKind::shell && (type.family == Family::old || type.family == Family::forming);
 }
 
 double PairScene::behind(std::uint32_t s) const {

@@ -48,7 +48,11 @@ struct PairScene {
   }
   [[nodiscard]] bool line(std::uint32_t s) const { return segments.kind[s] == SegmentKind::line; }
   /// Automatic types see both sides of a shell; solid facets and segments of old types have a front.
-  [[nodiscard]] bool oriented(std::uint32_t segment) const;
+  [[nodiscard]] bool oriented(std::uint32_t s) const {
+    if (segments.kind[s] == SegmentKind::solid) return true;
+    if (type.by_segments()) return false;
+    return segments.kind[s] == SegmentKind::shell && (type.family == Family::old || type.family == Family::forming);
+  }
   /// A beam axis in a contact that does not look for beams: there for its neighbours only.
   [[nodiscard]] bool passive(std::uint32_t s) const { return line(s) && !type.edges; }
   /// How far behind an oriented segment a node still counts: as far as the facet's own solid reaches; for shells half the

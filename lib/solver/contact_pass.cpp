@@ -19,7 +19,8 @@ using contact::PairResult;
 
 namespace {
 
-constexpr std::size_t grain = 256;
+/// Places that are looked at in one go.
+constexpr std::size_t block_size = 256;
 
 /// Weights of a segment's corners at parametric coordinates; of a triangle the last two belong to one node.
 std::array<double, 4> corner_weights(double s, double t) {
@@ -31,12 +32,36 @@ double segment_area(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f
 
 }  // namespace
 
-/// How a tracked node lies to the segments of the other side.
+/// Where meet() keeps the pairs of one node.
+struct ContactPass::Scratch {
+  std::vector<Hit> hits, measured;
+  std::vector<PairResult> results;  ///< of the hits
+  void clear() {
+    hits.clear();
+    measured.clear();
+    results.clear();
+  }
+};
+
+/// How a tracked node lies to the segments of the other side. Good until the next meeting.
 struct ContactPass::Meeting {
   std::optional<Hit> hit;
-  PairResult pair;       ///< with the hit's segment
-  bool in_zone = false;  ///< some segment is nearer than the contact distance
+  const PairResult* pair = nullptr;  ///< with the hit's segment
+  bool in_zone = false;              ///< some segment is nearer than the contact distance
 };
+
+void ContactPass::Block::clear() {
+  nodes = pairs = released = 0;
+  busy.clear();
+  moves.clear();
+}
+
+/// That of the node against the segment's point with these weights.
+Vector ContactPass::Velocities::relative(const std::array<double, 4>& weights) const {
+  Vector velocity = node;
+  for (std::size_t c = 0; c < 4; ++c) velocity -= weights[c] * corners[c];
+  return velocity;
+}
 
 ContactPass::ContactPass(const ContactSetting& setting, std::uint32_t contact, const contact::ContactSurfaces& surfaces,
                          bool exchanged, const std::vector<Vector>& x)
@@ -65,7 +90,7 @@ void ContactPass::search(double margin, ContactCounters& counters) {
   for (const std::uint32_t slot : candidates_.slots()) {
     found[slot] = true;
     tracked_[slot].sleep = 0;
-    tracked_[slot].release_segment = 0;
+    tracked_[slot].partner.segment = 0;
   }
   lost_.clear();
   for (std::uint32_t slot = 0; slot < tracked_.size(); ++slot)
@@ -73,106 +98,120 @@ void ContactPass::search(double margin, ContactCounters& counters) {
       lost_.push_back(slot);
 }
 
+std::uint32_t ContactPass::slot_at(std::size_t place) const {
+  const std::span<const std::uint32_t> near = candidates_.slots();
+  return place < near.size() ? near[place] : lost_[place - near.size()];
+}
+
 ContactPass::Meeting ContactPass::meet(std::uint32_t slot, std::span<Candidate> candidates, double used,
-                                       Tracked& tracked, Look& out) const {
-  static thread_local std::vector<Hit> hits, measured;
-  static thread_local std::vector<PairResult> results;
-  hits.clear();
-  measured.clear();
-  results.clear();
+                                       Scratch& scratch, Tracked& tracked, Block& block) const {
+  scratch.clear();
   double wake = std::numeric_limits<double>::infinity();
+  std::uint64_t pairs = 0;
   for (Candidate& candidate : candidates) {
     if (!(candidate.wake > used)) {
       const std::uint32_t s = candidate.segment;
       const PairResult pair = contact::decide_pair(scene_, slot, s);
-      ++out.pairs;
+      ++pairs;
       const double h = scene_.nodes.half[slot] + scene_.segments.half[s];
       const bool oriented = scene_.oriented(s);
       candidate.wake = used + std::abs(pair.distance) - (oriented ? greatest_reach_ : h);
       if (pair.penetrates) {
-        hits.push_back({slot, s, pair.distance, pair.in_band});
-        results.push_back(pair);
+        scratch.hits.push_back({slot, s, pair.distance, pair.in_band});
+        scratch.results.push_back(pair);
       } else if (oriented) {
-        measured.push_back({slot, s, pair.distance, pair.in_band});
+        scratch.measured.push_back({slot, s, pair.distance, pair.in_band});
       }
     }
     wake = std::min(wake, candidate.wake);
   }
+  block.pairs += pairs;
+  block.nodes += pairs > 0;
   Meeting meeting;
-  meeting.in_zone = !hits.empty();
+  meeting.in_zone = !scratch.hits.empty();
   if (meeting.in_zone) {
-    meeting.hit = contact::choose_hit(scene_, hits, measured);
-    for (std::size_t i = 0; meeting.hit && i < hits.size(); ++i)
-      if (hits[i].segment == meeting.hit->segment) meeting.pair = results[i];
+    meeting.hit = contact::choose_hit(scene_, scratch.hits, scratch.measured);
+    for (std::size_t i = 0; meeting.hit && i < scratch.hits.size(); ++i)
+      if (scratch.hits[i].segment == meeting.hit->segment) meeting.pair = &scratch.results[i];
   }
   tracked.sleep = meeting.in_zone ? 0 : wake;
   return meeting;
 }
 
-ContactPass::Look ContactPass::look(std::size_t place, const State& state, double used) {
-  Look out;
-  const bool lost = place >= candidates_.slots().size();
-  const std::uint32_t slot = lost ? lost_[place - candidates_.slots().size()] : candidates_.slots()[place];
-  Tracked& tracked = tracked_[slot];
-  tracked.worked = false;
-  if (tracked.sleep > used && !lost) return out;
-  tracked.work = {};
-  const Tracked before = tracked;
-  if (before.active) add_work(slot, before.link, state, tracked.work);
-  const Meeting meeting =
-      meet(slot, lost ? std::span<Candidate>{} : candidates_.of(place), used, tracked, out);
+contact::NodeEncounter ContactPass::encounter(std::uint32_t slot, const Meeting& meeting, Tracked& tracked) const {
   contact::NodeEncounter encounter;
   encounter.in_zone = meeting.in_zone;
-  if (meeting.hit && meeting.hit->in_band) {
-    const std::uint32_t segment = meeting.hit->segment;
-    encounter.penetrates = true;
-    encounter.penetration = scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.pair.distance;
-    // It follows from thickness and the size of elements, which change little from one search to the next.
-    if (tracked.release_segment != segment + 1) {
-      tracked.release_depth = contact::release_depth(scene_, slot, segment);
-      tracked.release_segment = segment + 1;
-    }
-    encounter.release_depth = tracked.release_depth;
-    encounter.movable = setting_.movable[scene_.nodes.node[slot].value];
+  if (!meeting.hit || !meeting.hit->in_band) return encounter;
+  const std::uint32_t segment = meeting.hit->segment;
+  encounter.penetrates = true;
+  encounter.penetration = scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.pair->distance;
+  if (tracked.partner.segment != segment + 1)
+    tracked.partner = {segment + 1, contact::release_depth(scene_, slot, segment), springs_(slot, segment)};
+  encounter.release_depth = tracked.partner.release_depth;
+  encounter.movable = setting_.movable[scene_.nodes.node[slot].value];
+  return encounter;
+}
+
+void ContactPass::look(std::size_t place, const State& state, double used, Scratch& scratch, Block& block) {
+  const bool lost = place >= candidates_.slots().size();
+  const std::uint32_t slot = slot_at(place);
+  Tracked& tracked = tracked_[slot];
+  tracked.worked = false;
+  if (tracked.sleep > used && !lost) {
+    if (tracked.active) block.busy.push_back(slot);
+    block.released += tracked.memory.state == NodeContact::State::released;
+    return;
   }
+  const bool was_active = tracked.active;
+  Work work;
+  Velocities speeds;
+  if (was_active) {
+    speeds = velocities(slot, tracked.link.segment, state);
+    add_work(tracked.link, speeds, state.dt, work);
+  }
+  const Meeting meeting =
+      meet(slot, lost ? std::span<Candidate>{} : candidates_.of(place), used, scratch, tracked, block);
+  const contact::NodeEncounter encounter = this->encounter(slot, meeting, tracked);
   tracked.penetration = encounter.penetration;
   const NodeAction action = contact::advance(tracked.memory, scene_.settings, encounter);
   tracked.active = action == NodeAction::force;
-  tracked.link = {};
-  if (encounter.penetrates) tracked.link.segment = meeting.hit->segment;
   if (tracked.active) {
-    tracked.link = link(slot, meeting, before, state);
-    tracked.link.push = std::max(0.0, tracked.link.push);
-    add_work(slot, tracked.link, state, tracked.work);
+    const std::uint32_t segment = meeting.hit->segment;
+    if (!was_active || tracked.link.segment != segment) speeds = velocities(slot, segment, state);
+    tracked.link = link(slot, meeting, tracked, was_active ? tracked.link.friction : Vector::Zero(), speeds, state.dt);
+    add_work(tracked.link, speeds, state.dt, work);
+  } else {
+    tracked.link = {};
+    if (encounter.penetrates) tracked.link.segment = meeting.hit->segment;
   }
   if (action == NodeAction::move) {
-    out.moves = true;
-    out.move = contact::shooting_move * encounter.penetration *
-               contact::free_direction(scene_, slot, meeting.hit->segment, meeting.pair);
+    block.moves.push_back({slot, contact::shooting_move * encounter.penetration *
+                                     contact::free_direction(scene_, slot, meeting.hit->segment, *meeting.pair)});
     tracked.sleep = 0;
   }
-  tracked.worked = before.active || tracked.active;
-  return out;
+  tracked.work = work;
+  tracked.worked = was_active || tracked.active;
+  if (tracked.worked) block.busy.push_back(slot);
+  block.released += tracked.memory.state == NodeContact::State::released;
 }
 
-ContactPass::Link ContactPass::link(std::uint32_t slot, const Meeting& meeting, const Tracked& before,
-                                    const State& state) const {
+ContactPass::Link ContactPass::link(std::uint32_t slot, const Meeting& meeting, const Tracked& now,
+                                    const Vector& friction_before, const Velocities& velocities, double dt) const {
   Link link;
   link.segment = meeting.hit->segment;
-  link.weights = corner_weights(meeting.pair.closest.s, meeting.pair.closest.t);
-  link.normal = contact::free_direction(scene_, slot, link.segment, meeting.pair);
-  const ContactSprings::Spring spring = springs_(slot, link.segment);
-  const Tracked& now = tracked_[slot];
+  link.weights = corner_weights(meeting.pair->closest.s, meeting.pair->closest.t);
+  link.normal = contact::free_direction(scene_, slot, link.segment, *meeting.pair);
+  const ContactSprings::Spring& spring = now.partner.spring;
   link.push = spring.stiffness * (now.penetration - now.memory.forgiven);
   const double percent = scene_.contact.vdc;
-  if (percent <= 0 && !friction_.any()) return link;
-  const Vector velocity = relative_velocity(slot, link, state);
-  // Damping slows both ways but never pulls.
-  if (percent > 0)
-    link.damping = std::max(-link.push, -ContactSprings::damping(spring, percent) * velocity.dot(link.normal));
-  if (friction_.any())
-    link.friction = friction(slot, link, before.active ? before.link.friction : Vector::Zero(), spring.stiffness,
-                             velocity, state.dt);
+  if (percent > 0 || friction_.any()) {
+    const Vector velocity = velocities.relative(link.weights);
+    // Damping slows both ways but never pulls.
+    if (percent > 0)
+      link.damping = std::max(-link.push, -ContactSprings::damping(spring, percent) * velocity.dot(link.normal));
+    if (friction_.any()) link.friction = friction(slot, link, friction_before, spring.stiffness, velocity, dt);
+  }
+  link.push = std::max(0.0, link.push);
   return link;
 }
 
@@ -191,44 +230,42 @@ Vector ContactPass::friction(std::uint32_t slot, const Link& link, const Vector&
   return force;
 }
 
-Vector ContactPass::relative_velocity(std::uint32_t slot, const Link& link, const State& state) const {
-  Vector velocity = state.v[scene_.nodes.node[slot].value];
-  const model::SegmentNodes& corners = scene_.segments.nodes[link.segment];
-  for (std::size_t c = 0; c < 4; ++c) velocity -= link.weights[c] * state.v[corners[c].value];
-  return velocity;
+ContactPass::Velocities ContactPass::velocities(std::uint32_t slot, std::uint32_t segment, const State& state) const {
+  const model::SegmentNodes& n = scene_.segments.nodes[segment];
+  return {state.v[scene_.nodes.node[slot].value],
+          {state.v[n[0].value], state.v[n[1].value], state.v[n[2].value], state.v[n[3].value]}};
 }
 
-void ContactPass::add_work(std::uint32_t slot, const Link& link, const State& state, Work& work) const {
-  const double half = state.dt / 2;
-  const Vector velocity = relative_velocity(slot, link, state);
-  const Vector& of_node = state.v[scene_.nodes.node[slot].value];
-  const Vector force = link.force();
-  work.normal -= half * link.push * link.normal.dot(velocity);
+void ContactPass::add_work(const Link& link, const Velocities& velocities, double dt, Work& work) const {
+  const double half = dt / 2;
+  const Vector velocity = velocities.relative(link.weights), force = link.force();
   work.damping -= half * link.damping * link.normal.dot(velocity);
   work.friction -= half * link.friction.dot(velocity);
-  work.on_node -= half * force.dot(of_node);
-  work.on_segment += half * force.dot(of_node - velocity);
+  work.on_node -= half * force.dot(velocities.node);
+  work.on_segment += half * force.dot(velocities.node - velocity);
 }
 
 double ContactPass::update(State& state, double used, ContactCounters& counters) {
-  const std::size_t near = candidates_.slots().size(), places = near + lost_.size();
-  looks_.assign(places, {});
-  parallel_for(places, grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) looks_[i] = look(i, state, used);
+  const std::size_t places = candidates_.slots().size() + lost_.size();
+  blocks_.resize((places + block_size - 1) / block_size);
+  parallel_for(blocks_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    static thread_local Scratch scratch;
+    Scratch& own = scratch;
+    for (std::size_t b = begin; b < end; ++b) {
+      Block& block = blocks_[b];
+      block.clear();
+      const std::size_t last = std::min(places, (b + 1) * block_size);
+      for (std::size_t place = b * block_size; place < last; ++place) look(place, state, used, own, block);
+    }
   });
-  busy_.clear();
   double longest = 0;
-  moved_ = released_ = 0;
-  for (std::size_t i = 0; i < places; ++i) {
-    const std::uint32_t slot = i < near ? candidates_.slots()[i] : lost_[i - near];
-    counters.nodes += looks_[i].pairs > 0;
-    counters.pairs += looks_[i].pairs;
-    released_ += tracked_[slot].memory.state == NodeContact::State::released;
-    if (tracked_[slot].active || tracked_[slot].worked) busy_.push_back(slot);
-    if (!looks_[i].moves) continue;
-    state.x[scene_.nodes.node[slot].value] += looks_[i].move;
-    longest = std::max(longest, looks_[i].move.norm());
-    ++moved_;
+  for (const Block& block : blocks_) {
+    counters.nodes += block.nodes;
+    counters.pairs += block.pairs;
+    for (const Move& move : block.moves) {
+      state.x[scene_.nodes.node[move.slot].value] += move.way;
+      longest = std::max(longest, move.way.norm());
+    }
   }
   // What is lost has nothing to be looked at again; of those far from everything the memory is gone.
   lost_.clear();
@@ -236,48 +273,52 @@ double ContactPass::update(State& state, double used, ContactCounters& counters)
 }
 
 void ContactPass::apply(Forces& forces, ContactState& result) const {
-  result.moved += moved_;
-  result.released += released_;
-  for (const std::uint32_t slot : busy_) {
-    const Tracked& tracked = tracked_[slot];
-    if (tracked.worked) {
-      const Work& work = tracked.work;
-      result.friction += work.friction;
-      result.damping += work.damping;
-      const bool all_a = result.single_surface;
-      (exchanged_ && !all_a ? result.energy_b : result.energy_a) += work.on_node;
-      (exchanged_ || all_a ? result.energy_a : result.energy_b) += work.on_segment;
-    }
-    if (!tracked.active) continue;
-    const Vector force = tracked.link.force();
-    result.touching += tracked.link.push > 0;
-    forces.force[scene_.nodes.node[slot].value] += force;
-    const model::SegmentNodes& corners = scene_.segments.nodes[tracked.link.segment];
-    for (std::size_t c = 0; c < 4; ++c) forces.force[corners[c].value] -= tracked.link.weights[c] * force;
-    if (result.single_surface) continue;
-    result.force_a += exchanged_ ? Vector(-force) : force;
-    result.force_b -= exchanged_ ? Vector(-force) : force;
+  for (const Block& block : blocks_) {
+    result.moved += block.moves.size();
+    result.released += block.released;
+    for (const std::uint32_t slot : block.busy) apply_one(slot, forces, result);
   }
 }
 
+void ContactPass::apply_one(std::uint32_t slot, Forces& forces, ContactState& result) const {
+  const Tracked& tracked = tracked_[slot];
+  if (tracked.worked) {
+    const Work& work = tracked.work;
+    result.friction += work.friction;
+    result.damping += work.damping;
+    const bool all_a = result.single_surface;
+    (exchanged_ && !all_a ? result.energy_b : result.energy_a) += work.on_node;
+    (exchanged_ || all_a ? result.energy_a : result.energy_b) += work.on_segment;
+  }
+  if (!tracked.active) return;
+  const Link& link = tracked.link;
+  const Vector force = link.force();
+  result.touching += link.push > 0;
+  forces.force[scene_.nodes.node[slot].value] += force;
+  const model::SegmentNodes& corners = scene_.segments.nodes[link.segment];
+  for (std::size_t c = 0; c < 4; ++c) forces.force[corners[c].value] -= link.weights[c] * force;
+  if (result.single_surface) return;
+  result.force_a += exchanged_ ? Vector(-force) : force;
+  result.force_b -= exchanged_ ? Vector(-force) : force;
+}
+
 void ContactPass::rest(const State& state, ContactState& result) {
-  moved_ = released_ = 0;
-  busy_.clear();
-  Forces nothing;
+  blocks_.assign(1, {});
   for (std::uint32_t slot = 0; slot < tracked_.size(); ++slot) {
     Tracked& tracked = tracked_[slot];
     tracked.worked = tracked.active;
     tracked.work = {};
     if (tracked.active) {
-      add_work(slot, tracked.link, state, tracked.work);
-      busy_.push_back(slot);
+      add_work(tracked.link, velocities(slot, tracked.link.segment, state), state.dt, tracked.work);
+      blocks_[0].busy.push_back(slot);
     }
     tracked.active = false;
     tracked.memory = {};
     tracked.sleep = 0;
   }
+  Forces nothing;
   apply(nothing, result);
-  busy_.clear();
+  blocks_.clear();
 }
 
 std::vector<ContactNode> ContactPass::nodes() const {

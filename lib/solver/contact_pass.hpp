@@ -69,37 +69,58 @@ class ContactPass {
     double push = 0, damping = 0;  ///< along the normal
     [[nodiscard]] Vector force() const { return (push + damping) * normal + friction; }
   };
-  /// Work of one step, by cause; `on_node`, `on_segment`: by side.
+  /// Work of one step: of friction and damping, and all of it by side.
   struct Work {
-    double normal = 0, friction = 0, damping = 0, on_node = 0, on_segment = 0;
+    double friction = 0, damping = 0, on_node = 0, on_segment = 0;
+  };
+  /// What is needed of a node and a segment and changes little from one search to the next: it follows from thickness,
+  /// mass and the size of elements.
+  struct Partner {
+    std::uint32_t segment = 0;  ///< from 1; 0: not known
+    double release_depth = 0;
+    ContactSprings::Spring spring;
   };
   struct Tracked {
     contact::NodeContact memory;
     bool active = false;  ///< `link` carries a force
     bool worked = false;  ///< `work` is of this cycle
     double penetration = 0;
-    double release_depth = 0;           ///< of the segment that it is in
-    std::uint32_t release_segment = 0;  ///< that segment, from 1; 0: not known
     double sleep = 0;  ///< until so much of the margin is used up there is nothing to look at
+    Partner partner;
     Link link;
     Work work;
   };
-  /// What looking at one node gave beside its Tracked.
-  struct Look {
-    std::uint64_t pairs = 0;
-    Vector move = Vector::Zero();
-    bool moves = false;
+  struct Move {
+    std::uint32_t slot = 0;
+    Vector way = Vector::Zero();
+  };
+  /// What looking at consecutive places gave beside their Tracked.
+  struct Block {
+    std::uint64_t nodes = 0, pairs = 0, released = 0;
+    std::vector<std::uint32_t> busy;
+    std::vector<Move> moves;
+    void clear();
+  };
+  struct Velocities {
+    Vector node;
+    std::array<Vector, 4> corners;
+    [[nodiscard]] Vector relative(const std::array<double, 4>& weights) const;
   };
   struct Meeting;
+  struct Scratch;
 
-  [[nodiscard]] Look look(std::size_t place, const State& state, double used);
+  [[nodiscard]] std::uint32_t slot_at(std::size_t place) const;
+  void look(std::size_t place, const State& state, double used, Scratch& scratch, Block& block);
   [[nodiscard]] Meeting meet(std::uint32_t slot, std::span<contact::Candidate> candidates, double used,
-                             Tracked& tracked, Look& out) const;
-  [[nodiscard]] Link link(std::uint32_t slot, const Meeting& meeting, const Tracked& before, const State& state) const;
+                             Scratch& scratch, Tracked& tracked, Block& block) const;
+  [[nodiscard]] contact::NodeEncounter encounter(std::uint32_t slot, const Meeting& meeting, Tracked& tracked) const;
+  [[nodiscard]] Link link(std::uint32_t slot, const Meeting& meeting, const Tracked& now, const Vector& friction_before,
+                          const Velocities& velocities, double dt) const;
   [[nodiscard]] Vector friction(std::uint32_t slot, const Link& link, const Vector& before, double stiffness,
                                 const Vector& velocity, double dt) const;
-  [[nodiscard]] Vector relative_velocity(std::uint32_t slot, const Link& link, const State& state) const;
-  void add_work(std::uint32_t slot, const Link& link, const State& state, Work& work) const;
+  [[nodiscard]] Velocities velocities(std::uint32_t slot, std::uint32_t segment, const State& state) const;
+  void apply_one(std::uint32_t slot, Forces& forces, ContactState& result) const;
+  void add_work(const Link& link, const Velocities& velocities, double dt, Work& work) const;
 
   const ContactSetting& setting_;
   contact::SideScene side_;
@@ -112,10 +133,8 @@ class ContactPass {
   bool exchanged_;
   contact::CandidateTable candidates_;
   std::vector<Tracked> tracked_;           // by slot
-  std::vector<std::uint32_t> busy_;        // slots with a force now or before, ascending
   std::vector<std::uint32_t> lost_;        // slots with a memory but without candidates since the search
-  std::vector<Look> looks_;                // of the present cycle
-  std::uint64_t moved_ = 0, released_ = 0;  // nodes, in the present cycle
+  std::vector<Block> blocks_;              // of the present cycle
 };
 
 }  // namespace gapcheck::solver
