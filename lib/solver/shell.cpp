@@ -40,13 +40,13 @@ ShellResultants integrate_layers(const ShellProperties& properties, const ShellS
 void set_time_steps(const ShellProperties& properties, const ShellShape& shape, ShellForces& forces) {
   const Material& material = properties.material;
   const double squared_speed = material.plate_modulus() / material.density;
-  forces.manual_step = shape.length / std::sqrt(squared_speed);
+  forces.manual_step = std::sqrt(shape.squared_length / squared_speed);
   // The strain energy is at most plate (1 + |ν|) |∇u|²; each corner has 1 / corners of the mass. Bending and transverse
   // shear share the rotations, so their bounds add up.
-  const double membrane = squared_speed * (1 + std::abs(material.poisson)) * shape.gradient.largest();
+  const double membrane = squared_speed * (1 + std::abs(material.poisson)) * shape.gradient;
   const double bending =
       membrane * shape.thickness * shape.thickness / 12 / rotational_inertia(shape.area, shape.thickness);
-  const double transverse = properties.shear_factor * material.shear() / material.density * shape.shear.largest();
+  const double transverse = properties.shear_factor * material.shear() / material.density * shape.shear;
   forces.stable_step = 2 / std::sqrt(shape.corners * std::max(membrane, bending + transverse));
 }
 

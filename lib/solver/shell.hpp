@@ -93,9 +93,10 @@ struct Gram {
 /// What the time step of a shell depends on.
 struct ShellShape {
   double corners = 4, area = 0, thickness = 0;
-  double length = 0;  ///< characteristic
-  Gram gradient;      ///< of the membrane
-  Gram shear;         ///< of the transverse shear, rotations divided by the root of their inertia per mass
+  double squared_length = 0;  ///< characteristic
+  // Larger eigenvalues of the Gram matrices.
+  double gradient = 0;  ///< of the membrane
+  double shear = 0;     ///< of the transverse shear, rotations divided by the root of their inertia per mass
 };
 
 /// Sets both time steps.

@@ -88,23 +88,23 @@ void spread(const Frame& frame, const ShellResultants& n, ShellForces& out) {
 }
 
 void set_steps(const ShellProperties& properties, const Frame& frame, double thickness, ShellForces& out) {
-  ShellShape shape{3, frame.area, thickness, 0, {}, {}};
+  Gram gradient, shear;
   const double inertia = rotational_inertia(frame.area, thickness);
   double squared_side = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t last = (i + 2) % 3;
-    shape.gradient.add(frame.bx[i], frame.by[i]);
+    gradient.add(frame.bx[i], frame.by[i]);
     // Corner i: its deflection, then its two rotations, through the sides that meet there.
-    shape.shear.add(frame.shear_x[last] - frame.shear_x[i], frame.shear_y[last] - frame.shear_y[i]);
+    shear.add(frame.shear_x[last] - frame.shear_x[i], frame.shear_y[last] - frame.shear_y[i]);
     for (const std::array<double, 3>& side : {frame.side_x, frame.side_y}) {
       const double half = 0.5 / std::sqrt(inertia);
-      shape.shear.add(half * (frame.shear_x[i] * side[i] + frame.shear_x[last] * side[last]),
-                      half * (frame.shear_y[i] * side[i] + frame.shear_y[last] * side[last]));
+      shear.add(half * (frame.shear_x[i] * side[i] + frame.shear_x[last] * side[last]),
+                half * (frame.shear_y[i] * side[i] + frame.shear_y[last] * side[last]));
     }
     squared_side = std::max(squared_side, frame.side_x[i] * frame.side_x[i] + frame.side_y[i] * frame.side_y[i]);
   }
-  shape.length = 2 * frame.area / std::sqrt(squared_side);
-  set_time_steps(properties, shape, out);
+  const double squared_length = 4 * frame.area * frame.area / squared_side;
+  set_time_steps(properties, {3, frame.area, thickness, squared_length, gradient.largest(), shear.largest()}, out);
 }
 
 }  // namespace

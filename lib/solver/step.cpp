@@ -37,15 +37,17 @@ template <class Imposed>
 void accelerate_node(const Freedoms& f, unsigned bits, const Imposed& imposed, double mean, double last_step,
                      bool first, NodeSums& sums) {
   const Vector old = f.velocity;
-  for (int axis = 0; axis < 3; ++axis) {
+  const double per_force = f.mass > 0 ? mean / f.mass : 0;
+  if (bits == 0 && f.mass > 0) f.velocity += per_force * f.net;
+  for (int axis = 0; bits != 0 && axis < 3; ++axis) {
     if ((bits >> axis & 1u) != 0) {
       const double wanted = imposed(axis);
       const double reaction = f.mass * (wanted - old[axis]) / mean - f.net[axis];
       f.external[axis] += reaction;
       f.net[axis] += reaction;
       f.velocity[axis] = wanted;
-    } else if (f.mass > 0) {
-      f.velocity[axis] += f.net[axis] / f.mass * mean;
+    } else {
+      f.velocity[axis] += per_force * f.net[axis];
     }
   }
   sums.kinetic += f.mass / 2 * (first ? Vector(2 * old - f.velocity) : old).dot(f.velocity);
