@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Times gapcheck and check-c as processes and the single stages, and rewrites the tables of docs/benchmarks.md.
+"""Times gapcheck and check-c as processes, the single stages and the solver, and rewrites the tables of
+docs/benchmarks.md.
 
 usage: measure.py BUILD_FOLDER WORK_FOLDER DOC [--runs N] [--sizes 100,300,700] [--messag BLOCKS]
-                  [--only timings,rules,stages,messag]
+                  [--only timings,rules,stages,messag,solver] [--plates 100]
 """
 
 import argparse
@@ -10,6 +11,7 @@ import json
 import os
 import pathlib
 import platform
+import re
 import statistics
 import subprocess
 import time
@@ -127,6 +129,41 @@ def messag(arguments):
     return rows + ["", f"check-c / grep: {medians[0] / medians[1]:.1f}."]
 
 
+def speeds(arguments, n, cycles, jobs, far):
+    """One run of gapcheck_solver_speed: the figures of elements alone and of contact."""
+    out = subprocess.run([arguments.solver_speed, str(n), str(cycles), str(jobs), str(far)], check=True,
+                         capture_output=True, text=True).stdout
+    line = re.compile(r"(\d+) shells, [a-z ]+: ([\d.]+) million .* contact ([\d.]+) % .* (\d+) nodes and (\d+) pairs")
+    found = [[float(value) for value in match.groups()] for match in line.finditer(out)]
+    if len(found) != 2:
+        raise SystemExit(f"gapcheck_solver_speed {n} {cycles} {jobs} {far}: not understood: {out}")
+    return found
+
+
+def solver(arguments):
+    """Shell cycles per second; the cases in turn, so that all of them see the same machine."""
+    n = arguments.plates
+    many = os.cpu_count()
+    cases = [(300, 1, 0), (300, many, 0), (20, many, 100 * n)]
+    samples = [[] for _ in cases]
+    for run in range(arguments.runs):
+        for case, sample in zip(cases, samples):
+            if case[2] == 0 or run < 2:  # a million shells take minutes
+                sample.append(speeds(arguments, n, *case))
+    rows = ["| shells | of them far away | threads | elements alone | with contact | share of contact "
+            "| contact per cycle | nodes per cycle | pairs per cycle |", "|---|---|---|---|---|---|---|---|---|"]
+    for (_, jobs, far), sample in zip(cases, samples):
+        def median(row, column):
+            return statistics.median(run[row][column] for run in sample)
+        shells = median(1, 0)
+        per_cycle = statistics.median(run[1][2] / 100 * run[1][0] / (run[1][1] * 1e6) for run in sample)
+        rows.append(f"| {shells:,.0f} | {n * far:,} | {jobs} "
+                    f"| {median(0, 1):.2f} million/s | {median(1, 1):.2f} million/s | {median(1, 2):.0f} % "
+                    f"| {per_cycle * 1e3:.2f} ms | {median(1, 3):,.0f} | {median(1, 4):,.0f} |")
+        print(rows[-1], flush=True)
+    return rows
+
+
 def main():
     parser = argparse.ArgumentParser()
     for name in ("build", "work", "doc"):
@@ -134,19 +171,23 @@ def main():
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--sizes", type=lambda text: [int(n) for n in text.split(",")], default=[100, 300, 700])
     parser.add_argument("--messag", type=int, default=1000000, help="blocks in the messag")
-    parser.add_argument("--only", type=lambda text: text.split(","), default=["timings", "rules", "stages", "messag"],
+    parser.add_argument("--plates", type=int, default=100, help="shells along an edge of the solver's plates")
+    parser.add_argument("--only", type=lambda text: text.split(","), default=["timings", "rules", "stages", "messag", "solver"],
                         help="tables to measure")
     arguments = parser.parse_args()
     arguments.gapcheck = arguments.build / "apps/gapcheck/gapcheck"
     arguments.check_c = arguments.build / "apps/check-c/check-c"
     arguments.make_plates = arguments.build / "tests/bench/gapcheck_make_plates"
     arguments.make_messag = arguments.build / "tests/bench/gapcheck_make_messag"
+    arguments.solver_speed = arguments.build / "tests/bench/gapcheck_solver_speed"
     arguments.bench = arguments.build / "tests/bench/gapcheck_bench"
     arguments.work.mkdir(parents=True, exist_ok=True)
     text = arguments.doc.read_text(encoding="utf-8")
     caption = machine() + f"; {arguments.runs} runs each after one to warm the file cache."
     tables = {"timings": lambda: [caption, "", *table(arguments)], "rules": lambda: rules(arguments),
-              "stages": lambda: stages(arguments), "messag": lambda: messag(arguments)}
+              "stages": lambda: stages(arguments), "messag": lambda: messag(arguments),
+              "solver": lambda: [machine() + f"; medians of {arguments.runs} runs, the cases in turn.", "",
+                                 *solver(arguments)]}
     for name in arguments.only:
         text = section(name, text, "\n".join(tables[name]()))
     arguments.doc.write_text(text, encoding="utf-8")

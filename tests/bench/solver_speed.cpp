@@ -118,11 +118,12 @@ int main(int argc, char** argv) {
   for (const bool with_contact : {false, true}) {
     const Speed r = run(text, n, cycles, with_contact);
     const double per_cycle = static_cast<double>(cycles);
-    fmt::print("{} shells, {}: {:.2f} million shell cycles per second, contact {:.0f} % of the time, {:.0f} nodes and "
+    fmt::print("{} shells, {}: {:.2f} million shell cycles per second, contact {:.1f} % of the time, {:.0f} nodes and "
                "{:.0f} pairs looked at and {:.3f} searches per cycle, {} touching\n",
                r.shells, with_contact ? "contact" : "elements alone",
                static_cast<double>(r.shells) * per_cycle / r.seconds / 1e6, 100 * r.contact_s / r.seconds,
-               static_cast<double>(r.nodes) / per_cycle, static_cast<double>(r.pairs) / per_cycle, static_cast<double>(r.searches) / per_cycle, r.touching);
+               static_cast<double>(r.nodes) / per_cycle, static_cast<double>(r.pairs) / per_cycle,
+               static_cast<double>(r.searches) / per_cycle, r.touching);
   }
   return 0;
 }
