@@ -1,5 +1,7 @@
 #include "solver/shell.hpp"
 
+#include <utility>
+
 namespace gapcheck::solver {
 namespace {
 
@@ -12,27 +14,44 @@ struct Frame {
   double shape_x, shape_y, warp;  ///< x₁ − x₂ + x₃ − x₄ in the three axes
 };
 
-Frame make_frame(const std::array<Vector, 4>& x) {
-  const Vector d31 = x[2] - x[0], d42 = x[3] - x[1];
-  Frame frame;
-  const Vector normal = d31.cross(d42), side = x[1] - x[0];
+/// Two numbers that the same is done to: roots and divisions of both cost as much as of one.
+using Both = Eigen::Array2d;
+
+struct BothVectors {
+  Both x, y, z;
+  BothVectors(Both x_, Both y_, Both z_) : x(std::move(x_)), y(std::move(y_)), z(std::move(z_)) {}
+  BothVectors(const Vector& a, const Vector& b) : x(a.x(), b.x()), y(a.y(), b.y()), z(a.z(), b.z()) {}
+  [[nodiscard]] Both dot(const BothVectors& o) const { return x * o.x + y * o.y + z * o.z; }
+  [[nodiscard]] BothVectors cross(const BothVectors& o) const {
+    return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x};
+  }
+  [[nodiscard]] Vector at(int i) const { return {x[i], y[i], z[i]}; }
+};
+
+BothVectors operator-(const BothVectors& a, const BothVectors& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+BothVectors operator*(const Both& f, const BothVectors& a) { return {f * a.x, f * a.y, f * a.z}; }
+
+/// The frames in the middle and at the end of the step.
+std::array<Frame, 2> make_frames(const std::array<Vector, 4>& middle, const std::array<Vector, 4>& end) {
+  const auto difference = [&](std::size_t i, std::size_t j) {
+    return BothVectors(middle[i] - middle[j], end[i] - end[j]);
+  };
+  const BothVectors d31 = difference(2, 0), d42 = difference(3, 1), side = difference(1, 0);
+  const BothVectors normal = d31.cross(d42);
   // Roots and divisions that do not wait for one another: this is the slowest part of the element.
-  const double square = normal.squaredNorm(), inverse_square = 1 / square, twice_area = std::sqrt(square);
-  const Vector along = side - side.dot(normal) * inverse_square * normal;
-  const double inverse = twice_area * inverse_square;
-  frame.area = twice_area / 2;
-  frame.e3 = inverse * normal;
-  frame.e1 = 1 / std::sqrt(along.squaredNorm()) * along;
-  frame.e2 = frame.e3.cross(frame.e1);
-  frame.bx1 = -d42.dot(frame.e2) * inverse;
-  frame.bx2 = d31.dot(frame.e2) * inverse;
-  frame.by1 = d42.dot(frame.e1) * inverse;
-  frame.by2 = -d31.dot(frame.e1) * inverse;
-  const Vector shape = x[0] - x[1] + x[2] - x[3];
-  frame.shape_x = shape.dot(frame.e1);
-  frame.shape_y = shape.dot(frame.e2);
-  frame.warp = shape.dot(frame.e3);
-  return frame;
+  const Both square = normal.dot(normal), inverse_square = 1 / square, twice_area = square.sqrt();
+  const BothVectors along = side - Both(side.dot(normal) * inverse_square) * normal;
+  const Both inverse = twice_area * inverse_square;
+  const BothVectors e3 = inverse * normal, e1 = Both(1 / along.dot(along).sqrt()) * along, e2 = e3.cross(e1);
+  const Both bx1 = -d42.dot(e2) * inverse, bx2 = d31.dot(e2) * inverse;
+  const Both by1 = d42.dot(e1) * inverse, by2 = -d31.dot(e1) * inverse;
+  const BothVectors shape = difference(0, 1) - difference(3, 2);
+  const Both shape_x = shape.dot(e1), shape_y = shape.dot(e2), warp = shape.dot(e3);
+  const auto frame = [&](int i) {
+    return Frame{e1.at(i), e2.at(i), e3.at(i), twice_area[i] / 2, bx1[i], bx2[i], by1[i], by2[i],
+                 shape_x[i], shape_y[i], warp[i]};
+  };
+  return {frame(0), frame(1)};
 }
 
 /// A field of vectors at the corners, seen in the frame: derivatives in the plane, hourglass part, mean.
@@ -158,7 +177,7 @@ ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& c
   ShellForces out;
   std::array<Vector, 4> middle_x;
   for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
-  const Frame middle = make_frame(middle_x), end = make_frame(corners.x);
+  const auto [middle, end] = make_frames(middle_x, corners.x);
   const Field v = field_of(middle, corners.v), w = field_of(middle, corners.w);
   out.hourglass_work = update_hourglass(properties, middle, hourglass_rates(middle, v, w), dt, state);
   const ShellResultants resultants =
