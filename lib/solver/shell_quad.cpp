@@ -40,7 +40,9 @@ std::array<Frame, 2> make_frames(const std::array<Vector, 4>& middle, const std:
   const BothVectors normal = d31.cross(d42);
   // Roots and divisions that do not wait for one another: this is the slowest part of the element.
   const Both square = normal.dot(normal), inverse_square = 1 / square, twice_area = square.sqrt();
-  const BothVectors along = side - Both(side.dot(normal) * inverse_square) * normal;
+  BothVectors along = side - Both(side.dot(normal) * inverse_square) * normal;
+  // Corners 1 and 2 on one point give no direction: the diagonal does.
+  if (!(along.dot(along) > 0).all()) along = d31;
   const Both inverse = twice_area * inverse_square;
   const BothVectors e3 = inverse * normal, e1 = Both(1 / along.dot(along).sqrt()) * along, e2 = e3.cross(e1);
   const Both bx1 = -d42.dot(e2) * inverse, bx2 = d31.dot(e2) * inverse;

@@ -206,8 +206,8 @@ TEST_F(CommandLine, HelpAndVersion) {
   }
   const Outcome help = run("--help");
   EXPECT_EQ(help.code, 0);
-  for (const char* later : {"\n  run ", "\n  fix "})
-    EXPECT_EQ(help.out.find(later), std::string::npos);
+  EXPECT_NE(help.out.find("\n  run "), std::string::npos);
+  EXPECT_EQ(help.out.find("\n  fix "), std::string::npos);
   EXPECT_EQ(run("audit --help").code, 0);
 }
 

@@ -156,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"mass_negative", with(&Cards::more, "*ELEMENT_MASS\n1,5,-100.\n"), Wanted::refused, "mass 1"},
         Hostile{"mass_not_a_number", with(&Cards::more, "*ELEMENT_MASS\n1,5,nan\n"), Wanted::refused,
                 "is not a number"},
-        Hostile{"damping_negative", with(&Cards::more, "*DAMPING_GLOBAL\n0,-1e6\n"), Wanted::stopped, "out of balance"},
+        Hostile{"damping_negative", with(&Cards::more, "*DAMPING_GLOBAL\n0,-1e6\n"), Wanted::stopped, "at time"},
         Hostile{"damping_huge", with(&Cards::more, "*DAMPING_GLOBAL\n0,1e300\n"), Wanted::refused,
                 "is larger than 1e30"}),
     [](const auto& one) { return std::string(one.param.name); });
