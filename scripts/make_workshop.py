@@ -2,14 +2,12 @@
 """Writes the decks of data/workshop/: rebounds, plates pushed into one another, initial penetrations. Units: mm, ms,
 kg, so kN and GPa. Deterministic. docs/workshop/ says what they show, tests/solver/workshop_test.cpp asserts it."""
 
-import argparse
-import pathlib
 import sys
-import tempfile
 import textwrap
 
 sys.dont_write_bytecode = True  # keeps the source tree clean
 
+import generated
 from data_decks.deck import Deck, card
 
 DENSITY, STEEL, POISSON = 7.85e-06, 210.0, 0.3
@@ -170,36 +168,9 @@ def penetrations():
 
 def write_all(folder):
     folder.mkdir(parents=True, exist_ok=True)
-    decks = [*rebounds(), *pushes(), *penetrations()]
-    for deck in decks:
+    for deck in [*rebounds(), *pushes(), *penetrations()]:
         deck.write(folder)
-    return {f"{deck.name}.k" for deck in decks}
-
-
-def stale_files(folder):
-    """Files of the folder that differ from what would be written, or should not be there."""
-    with tempfile.TemporaryDirectory() as fresh:
-        fresh = pathlib.Path(fresh)
-        written = write_all(fresh)
-        present = {path.name for path in folder.glob("*.k")}
-        return sorted((written ^ present) | {name for name in written & present
-                                             if (folder / name).read_bytes() != (fresh / name).read_bytes()})
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    root = pathlib.Path(__file__).resolve().parent.parent
-    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=root / "data" / "workshop")
-    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 if a file is not as generated")
-    arguments = parser.parse_args()
-    if not arguments.check:
-        write_all(arguments.folder)
-        return 0
-    stale = stale_files(arguments.folder)
-    for name in stale:
-        print(f"{name}: not as scripts/make_workshop.py writes it; run the script", file=sys.stderr)
-    return 1 if stale else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(generated.main(__doc__, "make_workshop.py", "data/workshop", write_all))

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/context.hpp"
 
@@ -81,8 +82,8 @@ void resolve_thickness_curve(Context& context, Contact& contact) {
   if (curve == context.model.curves.end())
     context.unknown(fmt::format("contact {}: curve {} of LCIDAB is not defined", contact.id.value, contact.lcidab),
                     contact.place);
-  else
-    contact.airbag_thickness = curve->second.at(0);
+  else if (const double thickness = curve->second.at(0); std::isfinite(thickness))
+    contact.airbag_thickness = thickness;
 }
 
 }  // namespace
