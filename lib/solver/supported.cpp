@@ -10,6 +10,7 @@
 #include "base/embedded.hpp"
 #include "contact/contact_type.hpp"
 #include "solver/contact_forces.hpp"
+#include "solver/rigid_walls.hpp"
 
 namespace gapcheck::embedded {
 extern const std::span<const Text> supported_keywords;
@@ -175,17 +176,9 @@ class Finder {
   }
 
   void find_rigid_walls() {
-    for (const keyword::Block& block : deck_.blocks()) {
-      const std::string name = bare(block.name);
-      if (!name.starts_with("RIGIDWALL_")) continue;
-      const auto has = [&](std::string_view word) { return name.find(word) != std::string::npos; };
-      std::string_view why;
-      if (has("_ORTHO")) why = "orthotropic friction is not calculated";
-      if (has("_MOVING") || has("_MOTION")) why = "moving walls are not calculated";
-      if (has("_FORCES")) why = "the card of forces is not calculated";
-      if (has("_INTERIOR")) why = "walls that keep nodes inside are not calculated";
-      if (!why.empty()) add(block.name, {block.file, block.line}, std::string(why));
-    }
+    for (const model::RigidWall& wall : model_.rigid_walls)
+      if (const std::string_view why = wall_not_calculated(wall); !why.empty())
+        add(wall.keyword, wall.place, fmt::format("wall {}: {}", wall.id, why));
   }
 
   void find_settings() {
