@@ -28,13 +28,16 @@ const char* words(solver::RunEnd end) {
 std::string row(const char* label, double value) { return fmt::format("  {:<24}{:>14.5g}\n", label, value); }
 
 std::string contact_rows(const solver::Run& run) {
-  if (run.contacts() == nullptr || run.contacts()->states().empty()) return "";
+  const std::vector<solver::ContactView> contacts = run.contacts();
+  if (contacts.empty()) return "";
   std::string text = fmt::format("\n  {:>10} {:>9} {:>9} {:>9} {:>12} {:>12} {:>12}\n", "contact", "touching",
                                  "released", "moved", "energy A", "energy B", "friction");
-  for (const solver::ContactState& c : run.contacts()->states())
+  for (const solver::ContactView& contact : contacts) {
+    const solver::ContactState& c = contact.state();
     text += fmt::format("  {:>10} {:>9} {:>9} {:>9} {:>12.4g} {:>12.4g} {:>12.4g}\n",
                         run.model().contacts[c.contact].id.value, c.touching, c.released, c.moved, c.energy_a,
                         c.energy_b, c.friction);
+  }
   return text;
 }
 
@@ -67,8 +70,8 @@ std::string run_statistics(const solver::Run& run) {
   text += fmt::format("  {:.3f} s, {:.3f} ms per cycle", run.seconds(), 1000 * run.seconds() / cycles);
   if (elements > 0) text += fmt::format(", {:.1f} ns per element and cycle", 1e9 * run.seconds() / cycles / elements);
   text += "\n";
-  if (run.contacts() == nullptr || run.contacts()->states().empty()) return text;
-  const solver::ContactCounters& c = run.contacts()->counters();
+  if (run.contacts().empty()) return text;
+  const solver::ContactCounters& c = run.contact_counters();
   const auto per_cycle = [&](std::uint64_t count) { return static_cast<double>(count) / cycles; };
   text += fmt::format("  contact {:.0f} % of the time: {} searches, {} candidate pairs; {:.1f} nodes and {:.1f} pairs "
                       "looked at per cycle\n",

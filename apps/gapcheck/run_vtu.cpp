@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "common/files.hpp"
-#include "solver/contact_forces.hpp"
 #include "solver/plot.hpp"
 
 namespace gapcheck::app {
@@ -21,9 +20,8 @@ void add_contacts(const solver::Run& run, VtuGrid& grid) {
   VtuArray penetration{"contact_penetration", 1, none};
   VtuArray pressure{"contact_pressure", 1, none};
   VtuArray state{"contact_state", 1, none, true};
-  const std::size_t contacts = run.contacts() != nullptr ? run.contacts()->states().size() : 0;
-  for (std::size_t i = 0; i < contacts; ++i)
-    for (const solver::ContactNode& node : run.contacts()->nodes(i)) {
+  for (const solver::ContactView& contact : run.contacts())
+    for (const solver::ContactNode& node : contact.nodes()) {
       const std::uint32_t at = node.node.value;
       if (state.values[at] != 0 && node.penetration <= penetration.values[at]) continue;
       penetration.values[at] = node.penetration;

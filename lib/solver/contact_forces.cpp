@@ -1,18 +1,15 @@
 #include "solver/contact_forces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "contact/active_time.hpp"
-#include "contact/record_pair.hpp"
 
 namespace gapcheck::solver {
 namespace {
 
-using contact::Family;
 using contact::NodeContact;
 using contact::Treatment;
 
@@ -48,21 +45,6 @@ struct Edges {
 
 }  // namespace
 
-std::string_view ContactForces::why_not(const model::Contact& contact) {
-  constexpr std::array<std::string_view, 12> types{"3",   "a3", "4",   "5",  "a5", "10",
-                                                   "a10", "13", "a13", "m3", "m5", "m10"};
-  if (!contact.known || contact.own_layout) return "contacts of this kind are not calculated";
-  const contact::ContactType type = contact::classify(contact);
-  if (type.pairing == contact::Pairing::segments) return "SOFT = 2 is not calculated";
-  if (type.pairing == contact::Pairing::mortar) return "mortar contacts are not calculated";
-  if (type.code == "25") return "a force transducer only measures";
-  if (std::find(types.begin(), types.end(), type.code) == types.end() || type.edges)
-    return "contacts of this type are not calculated";
-  if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2) return "only SOFT = 0 and 1 are calculated";
-  if (contact::active_time(contact).by_curve) return "birth and death by a curve (DT = -9999) are not calculated";
-  return "";
-}
-
 ContactForces::ContactForces(const model::Model& model, contact::SurfaceStore& surfaces,
                              const contact::InitialState& initial, std::vector<bool> movable)
     : model_(model),
@@ -82,11 +64,17 @@ void ContactForces::remember(Interface& interface) const {
   // Records come contact by contact.
   const auto before = [](const Penetration& record, std::uint32_t contact) { return record.contact < contact; };
   auto record = std::lower_bound(found_.begin(), found_.end(), interface.contact, before);
-  for (; record != found_.end() && record->contact == interface.contact; ++record) {
-    const auto pair = contact::find_pair(*interface.surfaces, model_.mesh, *record);
-    const std::size_t pass = pair && pair->node_on_b ? 1 : 0;
-    if (pair && pass < interface.passes.size()) interface.passes[pass]->set_memory(pair->slot, memory_of(*record));
-  }
+  for (; record != found_.end() && record->contact == interface.contact; ++record)
+    for (const auto& pass : interface.passes) pass->remember(*record, memory_of(*record));
+}
+
+void ContactForces::add_passes(Interface& interface, const std::vector<Vector>& x) {
+  const contact::ContactSurfaces& surfaces = *interface.surfaces;
+  const auto nodes_in_segments = [&](bool exchanged) {
+    interface.passes.push_back(std::make_unique<ContactPass>(setting_, interface.contact, surfaces, exchanged, x));
+  };
+  nodes_in_segments(false);
+  if (surfaces.type.treatment == Treatment::two_way) nodes_in_segments(true);
 }
 
 void ContactForces::build(State& state) {
@@ -106,17 +94,16 @@ void ContactForces::build(State& state) {
     interface.start = time.start;
     interface.end = time.end;
     const contact::ContactSurfaces& surfaces = *interface.surfaces;
-    const auto pass = [&](bool exchanged) {
-      interface.passes.push_back(std::make_unique<ContactPass>(setting_, c, surfaces, exchanged, state.x));
-      const contact::SideScene& side = interface.passes.back()->side();
-      edges.add(side.reference().selection.segments, state.x);
-      for (const NodeIndex node : side.tracked().nodes.node) nodes_.push_back(node.value);
-      for (const auto& corners : side.reference().selection.segments.nodes)
+    for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
+      const contact::Segments& segments = side->selection.segments;
+      edges.add(segments, state.x);
+      for (const NodeIndex node : side->nodes.node) nodes_.push_back(node.value);
+      for (const auto& corners : segments.nodes)
         for (const NodeIndex node : corners) nodes_.push_back(node.value);
-      interface.passes.back()->set_timestep(contact.dtstif > 0 ? contact.dtstif : state.coming);
-    };
-    pass(false);
-    if (surfaces.type.treatment == Treatment::two_way) pass(true);
+    }
+    add_passes(interface, state.x);
+    for (const auto& pass : interface.passes)
+      pass->set_timestep(contact.dtstif > 0 ? contact.dtstif : state.coming);
     remember(interface);
     if (contact.bsort > 0 && (sort_interval_ == 0 || contact.bsort < sort_interval_)) sort_interval_ = contact.bsort;
     ContactState& result = states_.emplace_back();
@@ -180,6 +167,8 @@ void ContactForces::add(State& state, Forces& forces) {
     ContactState& result = states_[i];
     result.force_a.setZero();
     result.force_b.setZero();
+    result.moment_a.setZero();
+    result.moment_b.setZero();
     result.touching = result.released = 0;
     const bool active = state.time >= interface.start && state.time < interface.end;
     for (const auto& pass : interface.passes) {
@@ -194,7 +183,7 @@ void ContactForces::add(State& state, Forces& forces) {
         growth = 0;
       }
       used_ += pass->update(state, used_ + growth, counters_) * rounding;
-      pass->apply(forces, result);
+      pass->apply(state, forces, result);
     }
     interface.active = active;
   }
@@ -208,13 +197,17 @@ void ContactForces::absorbed(Absorbed& work) const {
   }
 }
 
-std::vector<ContactNode> ContactForces::nodes(std::size_t contact) const {
+std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {
   std::vector<ContactNode> all;
-  for (const auto& pass : interfaces_[contact].passes) {
+  for (const auto& pass : interfaces_[position].passes) {
     const std::vector<ContactNode> more = pass->nodes();
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
+}
+
+void ContactForces::links(std::size_t position, std::vector<ContactLink>& links) const {
+  for (const auto& pass : interfaces_[position].passes) pass->links(links);
 }
 
 }  // namespace gapcheck::solver

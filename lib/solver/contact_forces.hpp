@@ -1,18 +1,18 @@
 #pragma once
 #include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "contact/initial.hpp"
+#include "solver/contact_method.hpp"
 #include "solver/contact_pass.hpp"
 #include "solver/force.hpp"
 
 namespace gapcheck::solver {
 
-/// The penalty contacts of a model: types 3, a3, 4, 5, a5, 10, a10, 13 and the forming ones, SOFT = 0 and 1. In deck
-/// order, SURFA's nodes before SURFB's, each on the coordinates that the one before has left. Others are left out.
-class ContactForces : public Force {
+/// The penalty contacts of a model. In deck order, SURFA's nodes before SURFB's, each on the coordinates that the one
+/// before has left. Others are left out.
+class ContactForces : public Force, public ContactSource {
  public:
   /// `surfaces` and `initial` are of this model and of one initialisation; the calculation must start from initial.x.
   /// `movable`: by node, whether a shooting node may be moved. Model and surfaces must outlive it, and the state that
@@ -23,22 +23,21 @@ class ContactForces : public Force {
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override;
 
-  /// One for each contact that is calculated, in deck order.
-  [[nodiscard]] std::span<const ContactState> states() const { return states_; }
-  /// The tracked nodes in the contact zone of one of them.
-  [[nodiscard]] std::vector<ContactNode> nodes(std::size_t contact) const;
+  [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
+  [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
+  void links(std::size_t position, std::vector<ContactLink>& links) const override;
   [[nodiscard]] const ContactCounters& counters() const { return counters_; }
 
-  /// Why a contact is not calculated; empty: it is. Force transducers are not, and do nothing.
-  [[nodiscard]] static std::string_view why_not(const model::Contact& contact);
-  [[nodiscard]] static bool calculates(const model::Contact& contact) { return why_not(contact).empty(); }
+  [[nodiscard]] static bool calculates(const model::Contact& contact) {
+    return choose_method(contact).method == ContactMethod::penalty;
+  }
 
  private:
   struct Interface {
     std::uint32_t contact = 0;
     const contact::ContactSurfaces* surfaces = nullptr;
     contact::ContactSurfaces own;  ///< where the initialisation has moved nodes
-    std::vector<std::unique_ptr<ContactPass>> passes;
+    std::vector<std::unique_ptr<InterfacePass>> passes;
     double start = 0, end = 0;
     bool active = false;
     const model::Curve* thickness = nullptr;  ///< over time (LCIDAB); nullptr: constant
@@ -47,6 +46,7 @@ class ContactForces : public Force {
   /// Sets the thickness of the time; returns by how much both halves together have grown since the last search.
   static double grow(Interface& interface, double time);
   void build(State& state);
+  void add_passes(Interface& interface, const std::vector<Vector>& x);
   void remember(Interface& interface) const;
   void search(const State& state);
   /// How far anything has come closer to anything else in the last step, at most.

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "contact/orientation.hpp"
 #include "contact/outcome.hpp"
+#include "contact/record_pair.hpp"
 #include "contact/release.hpp"
 
 namespace gapcheck::solver {
@@ -66,6 +67,7 @@ Vector ContactPass::Velocities::relative(const std::array<double, 4>& weights) c
 ContactPass::ContactPass(const ContactSetting& setting, std::uint32_t contact, const contact::ContactSurfaces& surfaces,
                          bool exchanged, const std::vector<Vector>& x)
     : setting_(setting),
+      surfaces_(surfaces),
       side_(setting.model, contact, surfaces, exchanged, x),
       scene_(side_.scene()),
       exclusions_(setting.model, setting.model.contacts[contact].id),
@@ -80,6 +82,11 @@ ContactPass::ContactPass(const ContactSetting& setting, std::uint32_t contact, c
   for (const double half : scene_.nodes.half) largest_half = std::max(largest_half, half);
   for (std::uint32_t s = 0; s < scene_.segments.size(); ++s)
     greatest_reach_ = std::max(greatest_reach_, scene_.reach(s, largest_half));
+}
+
+void ContactPass::remember(const Penetration& record, const NodeContact& memory) {
+  const auto pair = contact::find_pair(surfaces_, setting_.model.mesh, record);
+  if (pair && pair->node_on_b == exchanged_) tracked_[pair->slot].memory = memory;
 }
 
 void ContactPass::search(double margin, ContactCounters& counters) {
@@ -272,52 +279,67 @@ double ContactPass::update(State& state, double used, ContactCounters& counters)
   return longest;
 }
 
-void ContactPass::apply(Forces& forces, ContactState& result) const {
+void ContactPass::apply(const State& state, Forces& forces, ContactState& result) const {
   for (const Block& block : blocks_) {
     result.moved += block.moves.size();
     result.released += block.released;
-    for (const std::uint32_t slot : block.busy) apply_one(slot, forces, result);
+    for (const std::uint32_t slot : block.busy) apply_one(slot, state, forces, result);
   }
 }
 
-void ContactPass::apply_one(std::uint32_t slot, Forces& forces, ContactState& result) const {
+void ContactPass::add_energies(const Work& work, ContactState& result) const {
+  result.friction += work.friction;
+  result.damping += work.damping;
+  const bool all_a = result.single_surface;
+  (exchanged_ && !all_a ? result.energy_b : result.energy_a) += work.on_node;
+  (exchanged_ || all_a ? result.energy_a : result.energy_b) += work.on_segment;
+}
+
+void ContactPass::apply_one(std::uint32_t slot, const State& state, Forces& forces, ContactState& result) const {
   const Tracked& tracked = tracked_[slot];
-  if (tracked.worked) {
-    const Work& work = tracked.work;
-    result.friction += work.friction;
-    result.damping += work.damping;
-    const bool all_a = result.single_surface;
-    (exchanged_ && !all_a ? result.energy_b : result.energy_a) += work.on_node;
-    (exchanged_ || all_a ? result.energy_a : result.energy_b) += work.on_segment;
-  }
+  if (tracked.worked) add_energies(tracked.work, result);
   if (!tracked.active) return;
   const Link& link = tracked.link;
   const Vector force = link.force();
   result.touching += link.push > 0;
-  forces.force[scene_.nodes.node[slot].value] += force;
+  const std::uint32_t node = scene_.nodes.node[slot].value;
+  forces.force[node] += force;
   const model::SegmentNodes& corners = scene_.segments.nodes[link.segment];
   for (std::size_t c = 0; c < 4; ++c) forces.force[corners[c].value] -= link.weights[c] * force;
   if (result.single_surface) return;
-  result.force_a += exchanged_ ? Vector(-force) : force;
-  result.force_b -= exchanged_ ? Vector(-force) : force;
+  Vector foot = Vector::Zero();
+  for (std::size_t c = 0; c < 4; ++c) foot += link.weights[c] * state.x[corners[c].value];
+  (exchanged_ ? result.force_b : result.force_a) += force;
+  (exchanged_ ? result.force_a : result.force_b) -= force;
+  (exchanged_ ? result.moment_b : result.moment_a) += state.x[node].cross(force);
+  (exchanged_ ? result.moment_a : result.moment_b) -= foot.cross(force);
+}
+
+void ContactPass::links(std::vector<ContactLink>& links) const {
+  for (std::uint32_t slot = 0; slot < tracked_.size(); ++slot) {
+    const Tracked& tracked = tracked_[slot];
+    if (!tracked.active) continue;
+    ContactLink& link = links.emplace_back();
+    link.tracked = {{scene_.nodes.node[slot]}, {1}};
+    link.reference = {scene_.segments.nodes[tracked.link.segment], tracked.link.weights};
+    link.exchanged = exchanged_;
+    link.force = tracked.link.force();
+  }
 }
 
 void ContactPass::rest(const State& state, ContactState& result) {
-  blocks_.assign(1, {});
-  for (std::uint32_t slot = 0; slot < tracked_.size(); ++slot) {
-    Tracked& tracked = tracked_[slot];
-    tracked.worked = tracked.active;
-    tracked.work = {};
+  for (Tracked& tracked : tracked_) {
     if (tracked.active) {
-      add_work(tracked.link, velocities(slot, tracked.link.segment, state), state.dt, tracked.work);
-      blocks_[0].busy.push_back(slot);
+      Work work;
+      add_work(tracked.link, velocities(static_cast<std::uint32_t>(&tracked - tracked_.data()), tracked.link.segment, state),
+               state.dt, work);
+      add_energies(work, result);
     }
-    tracked.active = false;
+    tracked.active = tracked.worked = false;
+    tracked.work = {};
     tracked.memory = {};
     tracked.sleep = 0;
   }
-  Forces nothing;
-  apply(nothing, result);
   blocks_.clear();
 }
 

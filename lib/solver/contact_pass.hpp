@@ -7,22 +7,11 @@
 
 #include "contact/candidates.hpp"
 #include "contact/friction.hpp"
-#include "contact/node_contact.hpp"
 #include "contact/side_scene.hpp"
 #include "solver/contact_spring.hpp"
-#include "solver/contact_state.hpp"
-#include "solver/state.hpp"
+#include "solver/interface_pass.hpp"
 
 namespace gapcheck::solver {
-
-/// What contact did not need to do, and did.
-struct ContactCounters {
-  std::uint64_t searches = 0;    ///< global ones
-  std::uint64_t candidates = 0;  ///< pairs that these left
-  std::uint64_t nodes = 0;       ///< looked at, of all cycles
-  std::uint64_t pairs = 0;       ///< decided, of all cycles
-  double search_s = 0, force_s = 0;
-};
 
 /// What all passes of a run share. All references must outlive them.
 struct ContactSetting {
@@ -35,7 +24,7 @@ struct ContactSetting {
 
 /// One side's nodes against the other side's segments of one contact. Candidates, distances, which segment counts, what
 /// happens to the node and how stiff the spring is come from lib/contact; here they become forces and work.
-class ContactPass {
+class ContactPass : public InterfacePass {
  public:
   /// `contact`: position in Model::contacts. `x` must be the coordinates of every state that comes.
   ContactPass(const ContactSetting& setting, std::uint32_t contact, const contact::ContactSurfaces& surfaces,
@@ -43,22 +32,14 @@ class ContactPass {
   ContactPass(const ContactPass&) = delete;
   ContactPass& operator=(const ContactPass&) = delete;
 
-  [[nodiscard]] const contact::SideScene& side() const { return side_; }
-  /// What the initialisation did to a node.
-  void set_memory(std::uint32_t slot, const contact::NodeContact& memory) { tracked_[slot].memory = memory; }
-  void set_timestep(double timestep) { springs_.set_timestep(timestep); }
-
-  /// Global search, good until nodes and segments have come closer by `margin`.
-  void search(double margin, ContactCounters& counters);
-  /// Looks at all nodes that can have come into contact since the search; `used`: how far anything can have come closer
-  /// since then. Moves shooting nodes in `state`, returns the longest such move.
-  double update(State& state, double used, ContactCounters& counters);
-  /// Adds the forces, and what they did since the last cycle.
-  void apply(Forces& forces, ContactState& result) const;
-  /// The contact is not active: forces end, memory is lost.
-  void rest(const State& state, ContactState& result);
-
-  [[nodiscard]] std::vector<ContactNode> nodes() const;
+  void remember(const Penetration& record, const contact::NodeContact& memory) override;
+  void set_timestep(double timestep) override { springs_.set_timestep(timestep); }
+  void search(double margin, ContactCounters& counters) override;
+  double update(State& state, double used, ContactCounters& counters) override;
+  void apply(const State& state, Forces& forces, ContactState& result) const override;
+  void rest(const State& state, ContactState& result) override;
+  [[nodiscard]] std::vector<ContactNode> nodes() const override;
+  void links(std::vector<ContactLink>& links) const override;
 
  private:
   /// The spring between a node and a segment; forces are those on the node.
@@ -119,10 +100,12 @@ class ContactPass {
   [[nodiscard]] Vector friction(std::uint32_t slot, const Link& link, const Vector& before, double stiffness,
                                 const Vector& velocity, double dt) const;
   [[nodiscard]] Velocities velocities(std::uint32_t slot, std::uint32_t segment, const State& state) const;
-  void apply_one(std::uint32_t slot, Forces& forces, ContactState& result) const;
+  void add_energies(const Work& work, ContactState& result) const;
+  void apply_one(std::uint32_t slot, const State& state, Forces& forces, ContactState& result) const;
   void add_work(const Link& link, const Velocities& velocities, double dt, Work& work) const;
 
   const ContactSetting& setting_;
+  const contact::ContactSurfaces& surfaces_;
   contact::SideScene side_;
   const contact::PairScene& scene_;
   contact::Exclusions exclusions_;

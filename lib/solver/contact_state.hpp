@@ -13,6 +13,8 @@ struct ContactState {
   bool single_surface = false;  ///< then all is side A
   /// Sum of the forces on the nodes of each side; they are opposite. Of single surfaces zero: undefined.
   Vector force_a = Vector::Zero(), force_b = Vector::Zero();
+  /// Moments about the origin of those forces, with what acts on rotations.
+  Vector moment_a = Vector::Zero(), moment_b = Vector::Zero();
   /// Work taken from the nodes of each side (energy_a + energy_b is what the contact holds and has dissipated), of it
   /// that of friction and of damping.
   double energy_a = 0, energy_b = 0, friction = 0, damping = 0;
@@ -26,6 +28,8 @@ struct ContactNode {
     touching,  ///< carries a force
     kept,      ///< IGNORE: penetrates no deeper than the depth that is forgiven
     released,  ///< too deep: no force until it has left the whole contact zone
+    tied,      ///< moves with the segment
+    broken,    ///< was tied, and has failed
   } kind = Kind::touching;
   NodeIndex node;
   std::array<NodeIndex, 4> segment;

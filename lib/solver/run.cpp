@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -59,10 +60,20 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   if (auto failure = add_walls_and_springs(model, built, forces, diagnostics)) return std::move(*failure);
   auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
   run.contacts_ = contacts.get();
+  run.sources_ = {contacts.get()};
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
   run.stepper_->add(std::move(contacts));
   for (auto& force : forces) run.stepper_->add(std::move(force));
   return run;
+}
+
+std::vector<ContactView> Run::contacts() const {
+  std::vector<ContactView> views;
+  for (const ContactSource* source : sources_)
+    for (std::size_t i = 0; i < source->states().size(); ++i) views.push_back({source, i});
+  std::stable_sort(views.begin(), views.end(),
+                   [](const ContactView& a, const ContactView& b) { return a.state().contact < b.state().contact; });
+  return views;
 }
 
 std::optional<RunEnd> Run::end_reached() const {

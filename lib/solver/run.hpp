@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "contact/initial.hpp"
 #include "model/model.hpp"
@@ -53,7 +54,9 @@ class Run {
   [[nodiscard]] const model::Model& model() const { return *model_; }
   [[nodiscard]] const contact::InitialState& initial() const { return *initial_; }
   [[nodiscard]] const Stepper& stepper() const { return *stepper_; }
-  [[nodiscard]] const ContactForces* contacts() const { return contacts_; }
+  /// The contacts that are calculated, in deck order.
+  [[nodiscard]] std::vector<ContactView> contacts() const;
+  [[nodiscard]] const ContactCounters& contact_counters() const { return contacts_->counters(); }
   [[nodiscard]] double end_time() const { return end_time_; }
   [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
   /// Seconds of wall clock since go() began.
@@ -71,6 +74,7 @@ class Run {
   std::unique_ptr<contact::InitialState> initial_;
   std::unique_ptr<Stepper> stepper_;
   const ContactForces* contacts_ = nullptr;
+  std::vector<ContactSource*> sources_;  ///< of contacts; all owned by the stepper
   std::optional<Failure> failure_;
   std::chrono::steady_clock::time_point start_;
 };

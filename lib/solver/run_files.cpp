@@ -192,9 +192,9 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
       break;
   }
   std::string text;
-  const auto contacts = run.contacts() != nullptr ? run.contacts()->states() : std::span<const ContactState>{};
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    text += results::ncforc_text(state.time, run.model().contacts[contacts[i].contact].id.value, node_forces(run, i));
+  for (const ContactView& view : run.contacts())
+    text += results::ncforc_text(state.time, run.model().contacts[view.state().contact].id.value,
+                                 node_forces(run, view));
   return text;
 }
 

@@ -107,12 +107,13 @@ std::vector<results::NodeState> node_states(const Run& run) {
 
 std::vector<results::InterfaceState> interface_states(const Run& run) {
   std::vector<results::InterfaceState> list;
-  if (run.contacts() == nullptr) return list;
-  for (const ContactState& state : run.contacts()->states()) {
+  for (const ContactView& view : run.contacts()) {
+    const ContactState& state = view.state();
     results::InterfaceState contact;
     contact.contact = run.model().contacts[state.contact].id.value;
     contact.single_surface = state.single_surface;
     contact.force = {state.force_a, state.force_b};
+    contact.moment = {state.moment_a, state.moment_b};
     contact.energy = {state.energy_a, state.energy_b};
     contact.friction = state.friction;
     list.push_back(contact);
@@ -120,9 +121,9 @@ std::vector<results::InterfaceState> interface_states(const Run& run) {
   return list;
 }
 
-std::vector<results::NodeForce> node_forces(const Run& run, std::size_t contact) {
+std::vector<results::NodeForce> node_forces(const Run& run, const ContactView& contact) {
   std::vector<results::NodeForce> list;
-  for (const ContactNode& node : run.contacts()->nodes(contact)) {
+  for (const ContactNode& node : contact.nodes()) {
     if (node.kind != ContactNode::Kind::touching) continue;
     list.push_back({run.model().mesh.nodes.id[node.node.value], node.force, run.stepper().state().x[node.node.value],
                     node.pressure});

@@ -18,7 +18,6 @@ namespace gapcheck::solver {
 /// Of the nodes of *DATABASE_HISTORY_NODE. Rotations are not followed: only angular velocities and accelerations.
 [[nodiscard]] std::vector<results::NodeState> node_states(const Run& run);
 [[nodiscard]] std::vector<results::InterfaceState> interface_states(const Run& run);
-/// Of one contact, by its position among the states.
-[[nodiscard]] std::vector<results::NodeForce> node_forces(const Run& run, std::size_t contact);
+[[nodiscard]] std::vector<results::NodeForce> node_forces(const Run& run, const ContactView& contact);
 
 }  // namespace gapcheck::solver

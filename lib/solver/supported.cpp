@@ -9,7 +9,7 @@
 
 #include "base/embedded.hpp"
 #include "contact/contact_type.hpp"
-#include "solver/contact_forces.hpp"
+#include "solver/contact_method.hpp"
 #include "solver/rigid_walls.hpp"
 
 namespace gapcheck::embedded {
@@ -169,8 +169,8 @@ class Finder {
 
   void find_contacts() {
     for (const model::Contact& contact : model_.contacts) {
-      const std::string_view why = ContactForces::why_not(contact);
-      if (why.empty() || contact::classify(contact).code == "25") continue;
+      const std::string_view why = choose_method(contact).why_not;
+      if (why.empty()) continue;
       add(contact.written, contact.place, fmt::format("contact {}: {}", contact.id.value, why));
     }
   }

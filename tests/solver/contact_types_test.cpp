@@ -54,8 +54,8 @@ TEST_P(ContactTypes, ThrowTheUpperPlateBack) {
   bool of_upper = false, of_lower = false;
   double greatest = 0, first = -1, impulse = 0;
   scene.go([&](const solver::Run& run) {
-    ASSERT_EQ(run.contacts()->states().size(), 1u);
-    const ContactState& state = run.contacts()->states()[0];
+    ASSERT_EQ(run.contacts().size(), 1u);
+    const ContactState& state = run.contacts()[0].state();
     Vector on_upper = Vector::Zero(), all = Vector::Zero();
     const Forces& external = run.stepper().external();
     for (std::uint32_t i = 0; i < external.force.size(); ++i) {
@@ -70,7 +70,7 @@ TEST_P(ContactTypes, ThrowTheUpperPlateBack) {
       ASSERT_LE((state.force_a - on_upper).norm(), 1e-12 * (1 + on_upper.norm()));
       ASSERT_LE((state.force_a + state.force_b).norm(), 1e-12 * (1 + on_upper.norm()));
     }
-    for (const ContactNode& node : run.contacts()->nodes(0)) (upper(node.node) ? of_upper : of_lower) = true;
+    for (const ContactNode& node : run.contacts()[0].nodes()) (upper(node.node) ? of_upper : of_lower) = true;
     if (on_upper.z() > 0 && first < 0) first = run.stepper().state().time;
     greatest = std::max(greatest, on_upper.z());
     impulse += on_upper.z() * run.stepper().next_step();

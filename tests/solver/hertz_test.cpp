@@ -55,9 +55,9 @@ TEST(Hertz, BallOnARigidPlate) {
   const double constant = 4.0 / 3 / (1 - poisson * poisson);
   double x = 0, y = 0, xx = 0, xy = 0, count = 0, ratio = 0, deepest = 0;
   scene.go([&](const solver::Run& run) {
-    for (const ContactNode& node : run.contacts()->nodes(0)) deepest = std::max(deepest, node.penetration);
+    for (const ContactNode& node : run.contacts()[0].nodes()) deepest = std::max(deepest, node.penetration);
     const double approach = speed * run.stepper().state().time;
-    const double force = 4 * run.contacts()->states()[0].force_b.z();
+    const double force = 4 * run.contacts()[0].state().force_b.z();
     if (approach < 0.4 * reach || force <= 0) return;
     const double a = std::log(approach), b = std::log(force);
     x += a;

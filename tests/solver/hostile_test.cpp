@@ -177,7 +177,7 @@ TEST(HostileContact, ZeroScaleIsTheDefault) {
   for (std::size_t i = 0; i < 2; ++i) {
     RunScene scene(with(&Cards::contact, contact_with(i == 0 ? "0.,0." : "1.,1.")).deck());
     scene.go(
-        [&](const solver::Run& run) { force[i] = std::max(force[i], run.contacts()->states()[0].force_a.norm()); });
+        [&](const solver::Run& run) { force[i] = std::max(force[i], run.contacts()[0].state().force_a.norm()); });
   }
   EXPECT_GT(force[1], 0);
   EXPECT_EQ(force[0], force[1]);
@@ -186,7 +186,7 @@ TEST(HostileContact, ZeroScaleIsTheDefault) {
 TEST(HostileContact, OneElementWithItself) {
   for (const char* type : {"AUTOMATIC_SURFACE_TO_SURFACE\n2,2,3,3\n", "AUTOMATIC_SINGLE_SURFACE\n2,0,3\n"}) {
     RunScene scene(with(&Cards::contact, std::string("*CONTACT_") + type + "0.\n1.,1.\n").deck());
-    scene.go([&](const solver::Run& run) { ASSERT_EQ(run.contacts()->states()[0].touching, 0u) << type; });
+    scene.go([&](const solver::Run& run) { ASSERT_EQ(run.contacts()[0].state().touching, 0u) << type; });
   }
 }
 

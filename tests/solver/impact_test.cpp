@@ -65,7 +65,7 @@ Impact watch_impact(RunScene& scene, double section) {
   int samples = 0;
   const double whole = 2 * length / wave;
   scene.go([&](const solver::Run& run) {
-    const double time = run.stepper().state().time, force = run.contacts()->states()[0].force_a.norm();
+    const double time = run.stepper().state().time, force = run.contacts()[0].state().force_a.norm();
     if (force > 0 && first == 0) first = time;
     if (force > 0) impact.duration = time - first;
     if (first > 0 && time > first + 0.4 * whole && time < first + 0.8 * whole) {
@@ -195,7 +195,7 @@ TEST_P(LongImpacts, KeepEnergyAndMomentum) {
     const double ratio = run.stepper().energies().ratio();
     least = std::min(least, ratio);
     most = std::max(most, ratio);
-    const bool now = run.contacts()->states()[0].touching > 0;
+    const bool now = run.contacts()[0].state().touching > 0;
     if (now && !touches) ++impacts;
     touches = now;
     const Energies& energies = run.stepper().energies();

@@ -53,7 +53,7 @@ TEST(Penalty, DepthAndTimeFallWithTheRootOfTheScale) {
     ASSERT_TRUE(scene.prepared()) << scene.message();
     double deepest = 0, inside = 0;
     scene.go([&](const solver::Run& run) {
-      for (const ContactNode& node : run.contacts()->nodes(0)) {
+      for (const ContactNode& node : run.contacts()[0].nodes()) {
         deepest = std::max(deepest, node.penetration);
         inside += run.stepper().next_step();
       }
@@ -78,7 +78,7 @@ double measured_stiffness(const std::string& deck) {
   RunScene scene(deck, settings);
   double stiffness = 0;
   scene.go([&](const solver::Run& run) {
-    const auto nodes = run.contacts()->nodes(0);
+    const auto nodes = run.contacts()[0].nodes();
     ASSERT_EQ(nodes.size(), 1u);
     stiffness = nodes[0].force.norm() / nodes[0].penetration;
   });

@@ -43,12 +43,12 @@ class Recorder : public Run::Observer {
     const State& state = run.stepper().state();
     const auto& ids = run.model().mesh.nodes.id;
     const auto place = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), first_upper) - ids.begin());
-    const ContactState& contact = run.contacts()->states()[0];
+    const ContactState& contact = run.contacts()[0].state();
     Sample sample{state.time,          run.stepper().next_step(),
                   state.x.at(place).z(), state.v[place].z(),
                   0,                   contact.energy_a + contact.energy_b,
                   contact.touching,    contact.released};
-    for (const ContactNode& node : run.contacts()->nodes(0))
+    for (const ContactNode& node : run.contacts()[0].nodes())
       sample.force += ids[node.node.value] >= first_upper ? node.force.z() : -node.force.z();
     samples.push_back(sample);
     return std::nullopt;
