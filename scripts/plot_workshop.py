@@ -48,15 +48,14 @@ class Results:
         return [(float(t), float(e)) for t, e in zip(times, energies, strict=True)]
 
     def force(self, speed):
-        """Force on the upper body over its way, from ncforc: on its own nodes, and against its segments."""
+        """Force on the upper body over its way: the sum of ncforc on its nodes."""
         curve = []
         for block in self.text("ncforc").split("forces of contact")[1:]:
             time = float(re.search(r"time=\s*(\S+)", block)[1])
             force = 0.0
             for line in block.splitlines()[2:]:
-                if line.strip():
-                    z_force = float(line[36:49])
-                    force += z_force if int(line[:10]) >= FIRST_UPPER_NODE else -z_force
+                if line.strip() and int(line[:10]) >= FIRST_UPPER_NODE:
+                    force += float(line[36:49])
             curve.append((speed * time, force))
         return curve
 

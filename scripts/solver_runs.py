@@ -53,11 +53,11 @@ def glstat(folder):
 
 
 def forces(folder):
-    """Sum of the sizes of all nodal contact forces over time, from ncforc."""
+    """Half the sum of the sizes of all nodal contact forces over time, from ncforc: both sides are in it."""
     sums = {}
     for block in (folder / "ncforc").read_text(encoding="ascii").split("forces of contact")[1:]:
         time = float(re.search(r"time=\s*(\S+)", block)[1])
-        total = sum(math.hypot(float(line[10:23]), float(line[23:36]), float(line[36:49]))
+        total = sum(math.hypot(float(line[10:23]), float(line[23:36]), float(line[36:49])) / 2
                     for line in block.splitlines()[2:] if line.strip())
         sums[time] = sums.get(time, 0) + total
     return sorted(sums.items())
@@ -174,7 +174,7 @@ def main():
 
 What the verification solver makes of decks that were not written for it; `scripts/solver_runs.py` runs them and writes
 this page. Units are those of the decks. The pictures show the last state, coloured by plastic strain (grey: none, red:
-the most). Contact forces are summed as sizes over all tracked nodes, since a single-surface contact has no resultant.
+the most). Contact forces are summed as sizes over all nodes of both sides and halved, since a single-surface contact has no resultant.
 
 | deck | end time | cycles | energy ratio | hourglass share | sliding share | largest contact force | plastic strain |
 |---|---:|---:|---|---:|---:|---:|---:|

@@ -56,7 +56,7 @@ ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& 
     if (!b || s.type.treatment == Treatment::two_way || s.type.by_segments())
       side.nodes = tracked_nodes(side.selection, model, thickness, x, index);
     side.lines = count_lines(side.selection.segments);
-    if (s.two_sided()) drop_lines(side);
+    if (s.two_sided() && s.type.code != "25") drop_lines(side);  // transducers measure at beams too
     if (tied) take_negative(side, b ? contact.mst : contact.sst);
   };
   build(s.a, false);

@@ -4,6 +4,9 @@
 #include <array>
 #include <bitset>
 #include <limits>
+#include <string>
+
+#include "contact/ties.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -65,6 +68,23 @@ std::vector<Sides> sides_of_nodes(const model::Mesh& mesh, const std::vector<con
 }
 
 }  // namespace
+
+bool has_second_surface(const model::Contact& transducer) {
+  const model::SurfaceInput& b = transducer.b;
+  return b.given && (b.id != 0 || b.type == static_cast<std::int64_t>(model::SurfaceType::all));
+}
+
+bool measures_between(const model::Contact& transducer) {
+  return has_second_surface(transducer) && !transducer.keyword.ends_with("_CONSTRAINT");
+}
+
+bool tells_surfaces(const model::Contact& contact) { return contact.keyword.find("_AUTOMATIC") != std::string::npos; }
+
+bool measures(const model::Contact& transducer, const model::Contact& contact) {
+  const ContactType type = classify(contact);
+  const bool by_constraint = ties_by_constraint(type) || type.family == Family::constraint;
+  return transducer.keyword.ends_with("_CONSTRAINT") == by_constraint;
+}
 
 std::vector<std::optional<std::uint32_t>> overlapping_transducers(const model::Mesh& mesh,
                                                                   const std::vector<Transducer>& transducers) {

@@ -13,6 +13,17 @@ struct Transducer {
   const Selection* b = nullptr;
 };
 
+/// Whether SURFB of a force transducer counts: only FORCE_TRANSDUCER_PENALTY measures between two surfaces, and then
+/// only what automatic contacts do. Source: workshop slides, contact output.
+[[nodiscard]] bool measures_between(const model::Contact& transducer);
+/// Whether SURFB names anything.
+[[nodiscard]] bool has_second_surface(const model::Contact& transducer);
+/// Whether a contact says which of its forces act between two surfaces.
+[[nodiscard]] bool tells_surfaces(const model::Contact& contact);
+/// Whether a transducer measures a contact at all: _CONSTRAINT those that work by constraints (types 2, 6, 7 and their c
+/// forms, 17, 18), the others those that work by penalty.
+[[nodiscard]] bool measures(const model::Contact& transducer, const model::Contact& contact);
+
 /// For each transducer the first one before it (position in the list) that measures some of the same forces: both
 /// sides share an element with the other's, straight or crosswise. Sides that name nodes alone share their nodes.
 /// At most `max_transducers` are compared; the later ones get nothing.

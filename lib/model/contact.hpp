@@ -58,6 +58,7 @@ struct Contact {
   CardLines cards;
 
   SurfaceInput a, b;
+  bool print_a = false, print_b = false;  ///< SAPR, SBPR: forces on the nodes of that side go to ncforc
   // Card 2
   double fs = 0, fd = 0, dc = 0, vc = 0, vdc = 0;
   std::int64_t penchk = 0;

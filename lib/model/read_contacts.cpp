@@ -79,6 +79,8 @@ bool read_mandatory(Context& context, CardReader& reader, const ContactName& nam
   const Card card1 = reader.next(layout("card1"));
   contact.a = read_surface(context, block, card1, "surfa", "surfatyp", "saboxid");
   contact.b = read_surface(context, block, card1, "surfb", "surfbtyp", "sbboxid");
+  contact.print_a = card1.integer("sapr") != 0;
+  contact.print_b = card1.integer("sbpr") != 0;
   // A transducer needs neither friction nor stiffness.
   if (!name.transducer) has_card(reader, contact, "card 2 (friction, birth and death)");
   const Card card2 = reader.next(layout("card2"));

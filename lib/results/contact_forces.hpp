@@ -36,7 +36,7 @@ struct NodeForce {
 [[nodiscard]] std::string rcforc_text(double time, std::span<const InterfaceState> contacts);
 [[nodiscard]] std::string sleout_text(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts);
 
-/// The tracked nodes of one contact. No file of the solver with such data is public; this layout is our own: a heading
+/// Nodes of one contact. No file of the solver with such data is public; this layout is our own: a heading
 /// with contact and time, then per node id, force, pressure and position, (i10, 7e13.5).
 [[nodiscard]] std::string ncforc_text(double time, std::int64_t contact, std::span<const NodeForce> nodes);
 

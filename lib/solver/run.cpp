@@ -61,6 +61,7 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
   run.contacts_ = contacts.get();
   run.sources_ = {contacts.get()};
+  run.transducers_ = std::make_unique<Transducers>(model, surfaces);
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
   run.stepper_->add(std::move(contacts));
   for (auto& force : forces) run.stepper_->add(std::move(force));

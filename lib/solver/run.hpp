@@ -12,6 +12,7 @@
 #include "solver/build.hpp"
 #include "solver/contact_forces.hpp"
 #include "solver/step.hpp"
+#include "solver/transducers.hpp"
 
 namespace gapcheck::solver {
 
@@ -56,6 +57,10 @@ class Run {
   [[nodiscard]] const Stepper& stepper() const { return *stepper_; }
   /// The contacts that are calculated, in deck order.
   [[nodiscard]] std::vector<ContactView> contacts() const;
+  /// What the force transducers measure, in deck order.
+  [[nodiscard]] std::vector<ContactState> transducers() const {
+    return transducers_->measure(contacts(), stepper_->state());
+  }
   [[nodiscard]] const ContactCounters& contact_counters() const { return contacts_->counters(); }
   [[nodiscard]] double end_time() const { return end_time_; }
   [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
@@ -74,6 +79,7 @@ class Run {
   std::unique_ptr<contact::InitialState> initial_;
   std::unique_ptr<Stepper> stepper_;
   const ContactForces* contacts_ = nullptr;
+  std::unique_ptr<Transducers> transducers_;
   std::vector<ContactSource*> sources_;  ///< of contacts; all owned by the stepper
   std::optional<Failure> failure_;
   std::chrono::steady_clock::time_point start_;

@@ -185,16 +185,18 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
     case nodout:
       return results::nodout_text(state.cycle + 1, state.time, node_states(run));
     case rcforc:
-      return results::rcforc_text(state.time, interface_states(run));
+      return results::rcforc_text(state.time, interface_states(run, true));
     case sleout:
-      return results::sleout_text(state.time, state.cycle + 1, interface_states(run));
+      return results::sleout_text(state.time, state.cycle + 1, interface_states(run, false));
     default:
       break;
   }
   std::string text;
-  for (const ContactView& view : run.contacts())
-    text += results::ncforc_text(state.time, run.model().contacts[view.state().contact].id.value,
-                                 node_forces(run, view));
+  for (const ContactView& view : run.contacts()) {
+    const std::vector<results::NodeForce> nodes = node_forces(run, view);
+    const std::int64_t contact = run.model().contacts[view.state().contact].id.value;
+    if (!nodes.empty()) text += results::ncforc_text(state.time, contact, nodes);
+  }
   return text;
 }
 

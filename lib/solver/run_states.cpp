@@ -1,6 +1,8 @@
 #include "solver/run_states.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "solver/plot.hpp"
 
@@ -105,10 +107,15 @@ std::vector<results::NodeState> node_states(const Run& run) {
   return nodes;
 }
 
-std::vector<results::InterfaceState> interface_states(const Run& run) {
+std::vector<results::InterfaceState> interface_states(const Run& run, bool transducers) {
+  std::vector<ContactState> states;
+  for (const ContactView& view : run.contacts()) states.push_back(view.state());
+  if (transducers)
+    for (const ContactState& state : run.transducers()) states.push_back(state);
+  std::stable_sort(states.begin(), states.end(),
+                   [](const ContactState& a, const ContactState& b) { return a.contact < b.contact; });
   std::vector<results::InterfaceState> list;
-  for (const ContactView& view : run.contacts()) {
-    const ContactState& state = view.state();
+  for (const ContactState& state : states) {
     results::InterfaceState contact;
     contact.contact = run.model().contacts[state.contact].id.value;
     contact.single_surface = state.single_surface;
@@ -122,11 +129,32 @@ std::vector<results::InterfaceState> interface_states(const Run& run) {
 }
 
 std::vector<results::NodeForce> node_forces(const Run& run, const ContactView& contact) {
+  const model::Contact& card = run.model().contacts[contact.state().contact];
+  const auto& cards = run.model().contacts;
+  const bool all =
+      std::none_of(cards.begin(), cards.end(), [](const model::Contact& c) { return c.print_a || c.print_b; });
+  const State& state = run.stepper().state();
   std::vector<results::NodeForce> list;
-  for (const ContactNode& node : contact.nodes()) {
-    if (node.kind != ContactNode::Kind::touching) continue;
-    list.push_back({run.model().mesh.nodes.id[node.node.value], node.force, run.stepper().state().x[node.node.value],
-                    node.pressure});
+  std::map<NodeIndex, results::NodeForce> by_node;
+  const auto add = [&](const ContactPoint& point, const Vector& force, bool side_b) {
+    if (!all && !(side_b ? card.print_b : card.print_a)) return;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (point.weights[i] != 0) by_node[point.nodes[i]].force += point.weights[i] * force;
+  };
+  std::vector<ContactLink> links;
+  contact.source->links(contact.position, links);
+  const bool single = contact.state().single_surface;
+  for (const ContactLink& link : links) {
+    add(link.tracked, link.force, link.exchanged && !single);
+    add(link.reference, -link.force, !link.exchanged && !single);
+  }
+  for (const ContactNode& node : contact.nodes())
+    if (const auto at = by_node.find(node.node); at != by_node.end())
+      at->second.pressure = std::max(at->second.pressure, node.pressure);
+  for (auto& [node, entry] : by_node) {
+    entry.node = run.model().mesh.nodes.id[node.value];
+    entry.position = state.x[node.value];
+    list.push_back(entry);
   }
   return list;
 }

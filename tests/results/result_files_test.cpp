@@ -229,7 +229,7 @@ TEST(ContactFiles, Ncforc) {
   node.position = {1, 2, 3};
   node.pressure = 0.5;
   EXPECT_EQ(ncforc_text(0.1, 3, std::vector{node}),
-            "\n forces of contact         3 on tracked nodes, time=  1.00000E-01\n"
+            "\n forces of contact         3 on nodes, time=  1.00000E-01\n"
             "      node      x-force      y-force      z-force     pressure       x-coor       y-coor       z-coor\n"
             "        14  0.00000E+00  0.00000E+00 -2.50000E+00  5.00000E-01  1.00000E+00  2.00000E+00  3.00000E+00\n");
 }

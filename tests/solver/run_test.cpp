@@ -213,14 +213,23 @@ TEST_F(RunTest, WhatTheContactsReport) {
       "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,2,5,6,7,8\n" +
       elastic_deck(shell_section, 1000, 0.3, 1) +
       "*PART\nq\n2,1,1\n*SET_NODE_LIST\n4\n5,6,7,8\n*INITIAL_VELOCITY\n4\n0.,0.,-2.\n"
-      "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n7,a pair\n2,1,3,3\n\n\n"
+      "*CONTACT_FORCE_TRANSDUCER_PENALTY_ID\n9,upper\n2,0,3,0\n"
+      "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n7,a pair\n2,1,3,3,0,0,1,0\n\n\n"
       "*DATABASE_RCFORC\n0.001\n*DATABASE_SLEOUT\n0.001\n*DATABASE_NCFORC\n0.001\n*DATABASE_GLSTAT\n0.001\n");
   ASSERT_EQ(ended.failure, "");
   const std::string rcforc = file("rcforc"), ncforc = file("ncforc");
   EXPECT_NE(rcforc.find("        7     a pair "), std::string::npos);
+  // The transducer comes first, as in the deck, and says what the contact says of its side A.
+  const std::size_t pair = rcforc.find("  SURFA           7"), measured = rcforc.find("  SURFA           9");
+  ASSERT_LT(measured, pair);
+  for (std::size_t at = pair; at != std::string::npos; at = rcforc.find("  SURFA           7", at + 1)) {
+    const std::size_t other = rcforc.rfind("  SURFA           9", at);
+    EXPECT_EQ(rcforc.substr(at + 19, 80), rcforc.substr(other + 19, 80));
+  }
+  EXPECT_EQ(file("sleout").find("\n         9  "), std::string::npos) << "it has no energies";
   // Both sides: opposite forces. The upper plate is pushed up.
   double greatest = 0;
-  for (std::size_t at = rcforc.find("  SURFA"); at != std::string::npos; at = rcforc.find("  SURFA", at + 1)) {
+  for (std::size_t at = rcforc.find("  SURFA           7"); at != std::string::npos; at = rcforc.find("  SURFA           7", at + 1)) {
     const std::size_t b = rcforc.find("  SURFB", at), z = rcforc.find(" z ", at), other = rcforc.find(" z ", b);
     const double force = std::atof(rcforc.c_str() + z + 3);
     EXPECT_NEAR(force, -std::atof(rcforc.c_str() + other + 3), 1e-4 * std::abs(force));
@@ -228,6 +237,7 @@ TEST_F(RunTest, WhatTheContactsReport) {
   }
   EXPECT_GT(greatest, 0.1);
   EXPECT_NE(ncforc.find("\n         5 "), std::string::npos);
+  EXPECT_EQ(ncforc.find("\n         1 "), std::string::npos) << "only side A is printed (SAPR)";
   EXPECT_NE(file("sleout").find("\n         7  "), std::string::npos);
   double sliding = 0;
   for (const results::GlobalState& state : results::read_glstat(file("glstat"))) {

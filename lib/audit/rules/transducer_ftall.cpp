@@ -9,15 +9,9 @@
 namespace gapcheck::audit {
 namespace {
 
-bool two_sided(const model::Contact& contact) {
-  return contact.b.given && (contact.b.id != 0 || contact.b.type == static_cast<std::int64_t>(model::SurfaceType::all));
-}
-
 /// Only automatic contacts say which of their forces act between two surfaces.
 bool has_automatic_contact(const model::Model& model) {
-  return std::any_of(model.contacts.begin(), model.contacts.end(), [](const model::Contact& contact) {
-    return contact.keyword.find("_AUTOMATIC") != std::string::npos;
-  });
+  return std::any_of(model.contacts.begin(), model.contacts.end(), contact::tells_surfaces);
 }
 
 /// Transducers whose second surface does not do what it seems to; keeps the others of `transducers`.
@@ -26,7 +20,7 @@ void check_second_surfaces(const RuleInfo& rule, Context& context, std::vector<s
   const bool automatic = has_automatic_contact(context.model());
   std::erase_if(transducers, [&](std::uint32_t i) {
     const model::Contact& contact = context.model().contacts[i];
-    const bool constraint = contact.keyword.ends_with("_CONSTRAINT");
+    const bool constraint = !contact::measures_between(contact);
     if (automatic && !constraint) return false;
     found.push_back(finding_at(
         rule, context, contact,
@@ -67,7 +61,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   std::vector<std::uint32_t> transducers = context.read_contacts();
   std::erase_if(transducers, [&](std::uint32_t i) {
     const model::Contact& contact = context.model().contacts[i];
-    return contact::classify(contact).code != "25" || !two_sided(contact);
+    return contact::classify(contact).code != "25" || !contact::has_second_surface(contact);
   });
   std::vector<Finding> found;
   check_second_surfaces(rule, context, transducers, found);
