@@ -32,7 +32,7 @@ class Reader {
     if (text.starts_with("n o d a l")) return heading(text);
     if (text.starts_with("nodal point")) {
       quantities_ = text.find("x-rot") != std::string_view::npos ? std::span<const Place>(rotations)
-                                                                : std::span<const Place>(translations);
+                                                                 : std::span<const Place>(translations);
       position_ = 0;
       return;
     }

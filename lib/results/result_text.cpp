@@ -64,8 +64,7 @@ bool ResultText::take_legend(std::vector<LegendEntry>& entries) {
 
 void ResultText::finish() {
   if (unreadable_.count > 0)
-    diagnostics_.error(name_, unreadable_.first,
-                       "a number cannot be read and is left out" + others(unreadable_.count));
+    diagnostics_.error(name_, unreadable_.first, "a number cannot be read and is left out" + others(unreadable_.count));
   if (lines_.first_nul() > 0)
     diagnostics_.error(name_, lines_.first_nul(), "there are NUL bytes; the file is damaged or no text file");
   if (lines_.cut_lines() > 0)

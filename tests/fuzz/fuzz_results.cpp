@@ -1,5 +1,5 @@
-// The functions under test: any bytes as each of the text files of a run. They must neither crash nor hang nor need more
-// memory than a small multiple of the input.
+// The functions under test: any bytes as each of the text files of a run. They must neither crash nor hang nor need
+// more memory than a small multiple of the input.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

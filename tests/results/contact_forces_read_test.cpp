@@ -137,9 +137,8 @@ TEST(ReadSleout, IsReadBack) {
   b.energy = {-1.504e-3, 2.2e120};
   b.friction = 6.964e-4;
   Diagnostics diagnostics;
-  const InterfaceHistory read =
-      read_sleout(contact_header({"t", "p"}, {{1, "x"}}) + sleout_text(2.49993e-3, 9260, std::vector{a, b}), "sleout",
-                  diagnostics);
+  const InterfaceHistory read = read_sleout(
+      contact_header({"t", "p"}, {{1, "x"}}) + sleout_text(2.49993e-3, 9260, std::vector{a, b}), "sleout", diagnostics);
   EXPECT_EQ(said(diagnostics), "");
   ASSERT_EQ(read.states.size(), 1u);
   EXPECT_EQ(read.states[0].cycle, 9260u);

@@ -43,7 +43,8 @@ TEST(ReadMatsum, ShortRowsAndMassIncreaseOfTheSolver) {
   const std::string text =
       "       Maximum mass increase in solid elements      =   0.2122E-07 ID=   36456\n"
       " time =   9.9981E-04\n"
-      " mat.#=    1             inten=   1.0000E+00     kinen=   2.0000E+00     eroded_ie=   0.0000E+00     eroded_ke=   "
+      " mat.#=    1             inten=   1.0000E+00     kinen=   2.0000E+00     eroded_ie=   0.0000E+00     eroded_ke= "
+      "  "
       "0.0000E+00\n"
       "                         hgeng=   3.0000E+00\n";
   Diagnostics diagnostics;
