@@ -15,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "commands.hpp"
 #include "common/input_kind.hpp"
+#include "compare_curves.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -34,6 +35,7 @@ struct Arguments {
   bool quiet = false;
   audit::AuditOptions audit;
   results::LogOptions log;
+  CurveArguments curves;
 };
 
 /// A deck is audited, everything else read. Diagnostics are printed.
@@ -77,13 +79,15 @@ int compare_sources(const Arguments& arguments) {
   const auto first = read(arguments.first, arguments, complete), second = read(arguments.second, arguments, complete);
   if (!first || !second) return failed;
   const report::Comparison comparison = report::compare(first.value(), second.value(), arguments.tolerance);
+  CurvesOfBoth curves(arguments.first, arguments.second, arguments.contacts, arguments.curves, arguments.quiet);
+  const report::CurveComparison* compared = curves.comparison();
   Output output(arguments.output);
   output.write(arguments.format == "json"
-                   ? report::comparison_json(comparison, first.value(), second.value())
-                   : report::comparison_text(comparison, first.value(), second.value(), arguments.top));
-  const bool written = output.close();
-  if (!written || !contacts_exist(comparison, arguments.contacts) || !complete) return failed;
-  return comparison.equal() ? clean : findings;
+                   ? report::comparison_json(comparison, first.value(), second.value(), compared)
+                   : report::comparison_text(comparison, first.value(), second.value(), arguments.top, compared));
+  const bool written = output.close() && curves.write_plots(arguments.top);
+  if (!written || !contacts_exist(comparison, arguments.contacts) || !complete || !curves.complete()) return failed;
+  return comparison.equal() && (compared == nullptr || compared->differ == 0) ? clean : findings;
 }
 
 void add_options(CLI::App& command, Arguments& arguments) {
@@ -98,7 +102,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
       ->capture_default_str();
   command.add_option("--output", arguments.output, "Write the results there instead of to standard output")
       ->type_name("FILE");
-  command.add_option("--top", arguments.top, "Largest differences to show per contact")
+  command.add_option("--top", arguments.top, "Largest differences to show per contact, and of the curves")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
       ->type_name("N")
       ->capture_default_str();
@@ -110,12 +114,13 @@ void add_options(CLI::App& command, Arguments& arguments) {
       ->allow_extra_args(false)
       ->type_name("DIR");
   add_jobs(command, arguments.jobs);
+  add_curve_options(command, arguments.curves);
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("compare", "Compare the penetrations of two decks or runs, node by node");
+  CLI::App* command = app.add_subcommand("compare", "Compare two decks or runs: penetrations and ties node by node, result curves");
   command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
   const auto arguments = std::make_shared<Arguments>();
   const char* what = "Keyword deck, messag or d3hsp file, or the directory of a run";

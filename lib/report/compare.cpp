@@ -49,6 +49,11 @@ std::map<std::int64_t, std::uint32_t> positions(const Report& report) {
   return result;
 }
 
+std::optional<std::uint32_t> place_of(const std::map<std::int64_t, std::uint32_t>& positions, std::int64_t id) {
+  const auto found = positions.find(id);
+  return found == positions.end() ? std::nullopt : std::optional(found->second);
+}
+
 /// Half a unit in the fifth digit of `value`, a little more than the printing can take away.
 double printing_error(double value) {
   if (!(value > 0) || !std::isfinite(value)) return 0;
@@ -137,7 +142,7 @@ ContactComparison compare_contact(const Side& first, const Side& second, double 
 
 bool Comparison::equal() const {
   return std::all_of(contacts.begin(), contacts.end(), [](const ContactComparison& contact) {
-    return contact.depth_differs + contact.only_first + contact.only_second == 0;
+    return contact.depth_differs + contact.only_first + contact.only_second == 0 && contact.ties_equal();
   });
 }
 
@@ -149,13 +154,14 @@ Comparison compare(const Report& first, const Report& second, double tolerance) 
   Comparison result;
   const bool listed_only = first.source != "deck" || second.source != "deck";
   const auto in_first = positions(first), in_second = positions(second);
-  const auto side = [&](const Report& report, const std::map<std::int64_t, std::uint32_t>& places, std::int64_t id) {
-    const auto found = places.find(id);
-    return found == places.end() ? Side{} : Side{&report.contacts[found->second], nodes_of(report, found->second, listed_only)};
+  const auto side = [&](const Report& report, std::optional<std::uint32_t> place) {
+    return place ? Side{&report.contacts[*place], nodes_of(report, *place, listed_only)} : Side{};
   };
   const auto add = [&](std::int64_t id) {
-    result.contacts.push_back(compare_contact(side(first, in_first, id), side(second, in_second, id), tolerance,
-                                              listed_only, result.differences));
+    const auto a = place_of(in_first, id), b = place_of(in_second, id);
+    result.contacts.push_back(
+        compare_contact(side(first, a), side(second, b), tolerance, listed_only, result.differences));
+    compare_ties(first, a, second, b, result.contacts.back(), result.tie_differences);
   };
   for (std::uint32_t i = 0; i < first.contacts.size(); ++i)
     if (in_first.at(first.contacts[i].id) == i) add(first.contacts[i].id);

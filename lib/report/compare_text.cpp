@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "report/compare.hpp"
 #include "report/describe.hpp"
@@ -13,7 +14,7 @@ namespace gapcheck::report {
 namespace {
 
 std::string note(const ContactComparison& contact) {
-  if (contact.not_checked) return "not checked in one of them";
+  if (contact.not_checked) return contact.ties_compared ? "tied" : "not checked in one of them";
   std::string text = contact.counts_only ? "only numbers of nodes are known" : "";
   const auto add = [&](std::string_view part) { text += (text.empty() ? "" : ", ") + std::string(part); };
   if (contact.missing_in_first) add("not in A");
@@ -61,60 +62,120 @@ void append_differences(std::span<const Difference> differences, std::size_t top
       "  ", out);
 }
 
-nlohmann::ordered_json contact_json(const ContactComparison& c) {
-  nlohmann::ordered_json json{{"id", c.id}};
-  if (!c.title.empty()) json["title"] = c.title;
-  if (!c.type.empty()) json["type"] = c.type;
-  json["agree"] = c.agree;
-  json["depth_differs"] = c.depth_differs;
-  json["only_first"] = c.only_first;
-  json["only_second"] = c.only_second;
-  json["largest_difference"] = c.largest_difference;
-  if (c.missing_in_first) json["missing_in_first"] = true;
-  if (c.missing_in_second) json["missing_in_second"] = true;
-  if (c.not_checked) json["not_checked"] = true;
-  if (c.counts_only) json["counts_only"] = true;
-  return json;
+void append_ties(const Comparison& comparison, std::string& out) {
+  std::vector<const ContactComparison*> tied;
+  for (const ContactComparison& contact : comparison.contacts)
+    if (contact.ties_compared) tied.push_back(&contact);
+  if (tied.empty()) return;
+  constexpr std::array columns{Column{"untied nodes of contact"}, Column{"agree"},  Column{"other reason"},
+                               Column{"only A"},                  Column{"only B"}, Column{"", Align::left}};
+  out += '\n';
+  append_table(
+      columns, tied.size(),
+      [&](std::size_t i, auto& row) {
+        const ContactComparison& c = *tied[i];
+        row = {fmt::format("{}", c.id),
+               fmt::format("{}", c.ties_agree),
+               fmt::format("{}", c.ties_other_reason),
+               fmt::format("{}", c.ties_only_first),
+               fmt::format("{}", c.ties_only_second),
+               c.ties_out_of_reach > 0 ? fmt::format("{} out of reach", c.ties_out_of_reach) : ""};
+      },
+      "  ", out);
 }
 
-}  // namespace
+void append_tie_differences(std::span<const TieDifference> differences, std::size_t top, std::string& out) {
+  constexpr std::array columns{Column{"node"}, Column{"A", Align::left}, Column{"B", Align::left}};
+  const std::size_t rows = std::min(top, differences.size());
+  out += fmt::format("\ncontact {}: {} untied node{} differ{}", differences.front().contact, differences.size(),
+                     differences.size() == 1 ? "" : "s", differences.size() == 1 ? "s" : "");
+  out += rows < differences.size() ? fmt::format(", first {}\n", rows) : "\n";
+  if (rows == 0) return;
+  const auto reason = [](const std::optional<TieReason>& r) { return r ? std::string(name(*r)) : std::string("-"); };
+  append_table(
+      columns, rows,
+      [&](std::size_t i, auto& row) {
+        row = {fmt::format("{}", differences[i].node), reason(differences[i].first), reason(differences[i].second)};
+      },
+      "  ", out);
+}
 
-std::string comparison_text(const Comparison& comparison, const Report& first, const Report& second, std::size_t top) {
-  std::string out = fmt::format("A: {}\nB: {}\n\n", printable(first.input), printable(second.input));
-  append_contacts(comparison, out);
-  std::span<const Difference> rest = comparison.differences;
+/// Calls `append` with what stands together of one contact.
+template <class Difference, class Append>
+void by_contact(std::span<const Difference> rest, const Append& append) {
   while (!rest.empty()) {
     const auto end =
         std::find_if(rest.begin(), rest.end(), [&](const Difference& d) { return d.contact != rest.front().contact; });
     const auto length = static_cast<std::size_t>(end - rest.begin());
-    append_differences(rest.first(length), top, out);
+    append(rest.first(length));
     rest = rest.subspan(length);
   }
-  const auto open = std::count_if(comparison.contacts.begin(), comparison.contacts.end(),
-                                  [](const ContactComparison& c) { return c.not_checked; });
-  std::uint64_t agree = 0;
-  for (const ContactComparison& contact : comparison.contacts) agree += contact.agree;
-  out += comparison.equal() ? "\nno differences" : "\nthe two differ";
-  out += fmt::format(", {} node{} agree{}", agree, agree == 1 ? "" : "s", agree == 1 ? "s" : "");
-  if (open > 0) out += fmt::format(", {} contact{} not compared", open, open == 1 ? "" : "s");
-  return out + '\n';
 }
 
-std::string comparison_json(const Comparison& comparison, const Report& first, const Report& second) {
-  nlohmann::ordered_json json{{"schema", "gapcheck-compare/1"},
-                              {"first", {{"source", first.source}, {"input", first.input}}},
-                              {"second", {{"source", second.source}, {"input", second.input}}},
-                              {"equal", comparison.equal()},
-                              {"contacts", nlohmann::ordered_json::array()},
-                              {"differences", nlohmann::ordered_json::array()}};
-  for (const ContactComparison& contact : comparison.contacts) json["contacts"].push_back(contact_json(contact));
-  for (const Difference& d : comparison.differences) {
-    nlohmann::ordered_json entry{{"contact", d.contact}, {"node", d.node}};
-    if (d.first >= 0) entry["first"] = d.first;
-    if (d.second >= 0) entry["second"] = d.second;
-    json["differences"].push_back(std::move(entry));
+void append_only(std::string_view side, const std::vector<std::string>& names, std::size_t top, std::string& out) {
+  if (names.empty()) return;
+  const std::size_t shown = std::min(top, names.size());
+  out += fmt::format("  only in {}: ", side);
+  for (std::size_t i = 0; i < shown; ++i) out += (i > 0 ? ", " : "") + printable(names[i]);
+  out += shown < names.size() ? fmt::format("{}{} more\n", shown > 0 ? " and " : "", names.size() - shown) : "\n";
+}
+
+void append_pairs(const CurveComparison& curves, std::size_t rows, std::string& out) {
+  constexpr std::array columns{Column{"curve", Align::left}, Column{"relative"}, Column{"L2"},
+                               Column{"by at most"},         Column{"at time"},  Column{"largest A"},
+                               Column{"largest B"},          Column{"", Align::left}};
+  append_table(
+      columns, rows,
+      [&](std::size_t i, auto& row) {
+        const CurvePair& p = curves.pairs[i];
+        row = {printable(p.name),
+               fmt::format("{:.2e}", p.relative_difference),
+               fmt::format("{:.2e}", p.l2_difference),
+               fmt::format("{:.5g}", p.largest_difference),
+               fmt::format("{:.6g}", p.time),
+               fmt::format("{:.5g}", p.largest_first),
+               fmt::format("{:.5g}", p.largest_second),
+               p.not_numbers ? "NaN in one of them" : ""};
+      },
+      "  ", out);
+}
+
+void append_curves(const CurveComparison& curves, std::size_t top, std::string& out) {
+  out += fmt::format("\ncurves: {} compared, {} differ{} by more than {:g} of the larger one\n",
+                     curves.agree + curves.differ, curves.differ, curves.differ == 1 ? "s" : "", curves.tolerance);
+  if (const std::size_t rows = std::min(top, curves.differ); rows > 0) {
+    append_pairs(curves, rows, out);
+    if (rows < curves.differ) out += fmt::format("  … and {} more\n", curves.differ - rows);
   }
-  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  if (curves.end_first != curves.end_second)
+    out += fmt::format("  A ends at time {:g}, B at {:g}\n", curves.end_first, curves.end_second);
+  if (curves.without_common_times > 0)
+    out += fmt::format("  without common times: {}\n", curves.without_common_times);
+  append_only("A", curves.only_first, top, out);
+  append_only("B", curves.only_second, top, out);
+}
+
+}  // namespace
+
+std::string comparison_text(const Comparison& comparison, const Report& first, const Report& second, std::size_t top,
+                            const CurveComparison* curves) {
+  std::string out = fmt::format("A: {}\nB: {}\n\n", printable(first.input), printable(second.input));
+  append_contacts(comparison, out);
+  append_ties(comparison, out);
+  by_contact(std::span(comparison.differences), [&](auto part) { append_differences(part, top, out); });
+  by_contact(std::span(comparison.tie_differences), [&](auto part) { append_tie_differences(part, top, out); });
+  if (curves != nullptr) append_curves(*curves, top, out);
+  const auto open = std::count_if(comparison.contacts.begin(), comparison.contacts.end(),
+                                  [](const ContactComparison& c) { return c.not_checked && !c.ties_compared; });
+  std::uint64_t agree = 0;
+  for (const ContactComparison& contact : comparison.contacts) agree += contact.agree + contact.ties_agree;
+  const bool equal = comparison.equal() && (curves == nullptr || curves->differ == 0);
+  out += equal ? "\nno differences" : "\nthe two differ";
+  out += fmt::format(", {} node{} agree{}", agree, agree == 1 ? "" : "s", agree == 1 ? "s" : "");
+  if (curves != nullptr) out += fmt::format(", {} curve{} agree{}", curves->agree, curves->agree == 1 ? "" : "s",
+                                            curves->agree == 1 ? "s" : "");
+  if (open > 0) out += fmt::format(", {} contact{} not compared", open, open == 1 ? "" : "s");
+  return out + '\n';
 }
 
 }  // namespace gapcheck::report

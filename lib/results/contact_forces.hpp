@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/vector.hpp"
 #include "results/file_header.hpp"
 
@@ -23,6 +25,20 @@ struct InterfaceState {
   double friction = 0;  ///< of the energies: dissipated by friction
 };
 
+/// All contacts at one time.
+struct InterfaceStates {
+  double time = 0;
+  std::uint64_t cycle = 0;  ///< from 1; 0: the file does not say
+  std::vector<InterfaceState> contacts;
+};
+
+/// What a file says over the whole run.
+struct InterfaceHistory {
+  std::vector<LegendEntry> titles;
+  std::vector<std::int64_t> single_surface;  ///< contacts without resultants, ascending
+  std::vector<InterfaceStates> states;       ///< in order of the file
+};
+
 /// Force of a contact on one node.
 struct NodeForce {
   std::int64_t node = 0;
@@ -35,6 +51,12 @@ struct NodeForce {
 
 [[nodiscard]] std::string rcforc_text(double time, std::span<const InterfaceState> contacts);
 [[nodiscard]] std::string sleout_text(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts);
+
+/// The states of rcforc (forces, moments) and sleout (energies, friction) files, old and new words. A state is all that
+/// has one time and names no side twice. Rows that cannot be read, and a last state with fewer rows than the one before
+/// it, are left out; `diagnostics` say so. A number that the run calls none is NaN.
+[[nodiscard]] InterfaceHistory read_rcforc(std::string_view text, const std::string& name, Diagnostics& diagnostics);
+[[nodiscard]] InterfaceHistory read_sleout(std::string_view text, const std::string& name, Diagnostics& diagnostics);
 
 /// Nodes of one contact. No file of the solver with such data is public; this layout is our own: a heading
 /// with contact and time, then per node id, force, pressure and position, (i10, 7e13.5).

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 
 #include "base/number.hpp"
 #include "results/fortran_number.hpp"
-#include "results/lines.hpp"
 #include "results/printed_number.hpp"
+#include "results/result_text.hpp"
 
 namespace gapcheck::results {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 struct Row {
   std::string_view label;
   double GlobalState::*value = nullptr;
+  bool written_only = false;  ///< with erosion the solver's value is another one
 };
 
 constexpr std::array<Row, 8> rows_before_walls{{
@@ -38,9 +40,10 @@ constexpr std::array<Row, 7> rows_behind_walls{{
     {"eroded hourglass energy........"},
     {"total energy...................", &GlobalState::total},
     {"total energy / initial energy..", &GlobalState::ratio},
-    {"energy ratio w/o eroded energy.", &GlobalState::ratio},
+    {"energy ratio w/o eroded energy.", &GlobalState::ratio, true},
 }};
 
+constexpr std::string_view total_label = "total energy";
 constexpr std::string_view wall_label = "stonewall energy...............";
 
 std::string row(std::string_view label, double value) {
@@ -49,8 +52,27 @@ std::string row(std::string_view label, double value) {
 
 std::string_view before_dots(std::string_view text) { return trimmed(text.substr(0, text.find(".."))); }
 
-void set(const Row& entry, std::string_view label, double value, GlobalState& state) {
-  if (entry.value != nullptr && before_dots(entry.label) == label) state.*entry.value = value;
+/// Where a row's value is kept; nullptr where it is not. Of the two ratios the one with eroded energy counts.
+double* place_of(std::string_view label, GlobalState& state) {
+  for (const auto& rows : {std::span<const Row>(rows_before_walls), std::span<const Row>(rows_behind_walls)})
+    for (const Row& entry : rows)
+      if (entry.value != nullptr && !entry.written_only && before_dots(entry.label) == label)
+        return &(state.*entry.value);
+  for (int axis = 0; axis < 3; ++axis)
+    if (label == fmt::format("global {} velocity", "xyz"[axis])) return &state.velocity[axis];
+  return nullptr;
+}
+
+void take_row(std::string_view label, std::string_view rest, ResultText& file, GlobalState& state) {
+  if (double* place = place_of(label, state)) {
+    *place = file.take(rest);
+  } else if (label == before_dots(wall_label)) {
+    constexpr std::string_view words = "wall#";
+    const double energy = file.take(rest);
+    const std::size_t at = rest.find(words);
+    std::string_view number = at == std::string_view::npos ? std::string_view{} : rest.substr(at + words.size());
+    state.walls.push_back({take_integer(number).value_or(0), energy});
+  }
 }
 
 /// The number behind "dt of cycle".
@@ -79,32 +101,43 @@ std::string glstat_text(const GlobalState& state) {
   return text + fmt::format(" time per zone cycle.(nanosec)..{:14}\n", state.nanoseconds);
 }
 
-std::vector<GlobalState> read_glstat(std::string_view text) {
+std::vector<GlobalState> read_glstat(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
   std::vector<GlobalState> states;
   std::uint64_t cycle = 1;
-  for (Lines lines(text); !lines.done(); lines.advance()) {
-    const std::string_view line = trimmed(lines.line());
+  bool open = false;  // the last state has no total energy yet
+  ResultText file(text, name, diagnostics);
+  const auto drop_open = [&] {
+    if (open) states.pop_back();
+    if (open) file.incomplete();
+    open = false;
+  };
+  for (; !file.done(); file.advance()) {
+    const std::string_view line = trimmed(file.line());
     if (const auto given = cycle_of(line)) cycle = *given;
     const std::size_t dots = line.find("..");
     if (dots == std::string_view::npos) continue;
     const std::string_view label = before_dots(line);
-    std::string_view rest = trimmed(line.substr(std::min(line.find_first_not_of('.', dots), line.size())));
-    const double value = take_real(rest).value_or(0);
-    if (label == "time") states.emplace_back().cycle = cycle;
-    if (states.empty()) continue;
-    GlobalState& state = states.back();
-    for (const Row& entry : rows_before_walls) set(entry, label, value, state);
-    for (const Row& entry : rows_behind_walls) set(entry, label, value, state);
-    for (int axis = 0; axis < 3; ++axis)
-      if (label == fmt::format("global {} velocity", "xyz"[axis])) state.velocity[axis] = value;
-    if (label == before_dots(wall_label)) {
-      constexpr std::string_view words = "wall#";
-      const std::size_t at = rest.find(words);
-      std::string_view number = at == std::string_view::npos ? std::string_view{} : rest.substr(at + words.size());
-      state.walls.push_back({take_integer(number).value_or(0), value});
+    std::string_view rest = line.substr(std::min(line.find_first_not_of('.', dots), line.size()));
+    if (label == before_dots(rows_before_walls.front().label)) {
+      drop_open();
+      const double time = file.take(rest);
+      open = time == time;
+      if (!open) continue;
+      states.emplace_back().cycle = cycle;
+      states.back().time = time;
+    } else if (!states.empty()) {
+      take_row(label, rest, file, states.back());
+      if (label == total_label) open = false;
     }
   }
+  drop_open();
+  file.finish();
   return states;
+}
+
+std::vector<GlobalState> read_glstat(std::string_view text) {
+  Diagnostics diagnostics;
+  return read_glstat(text, "glstat", diagnostics);
 }
 
 }  // namespace gapcheck::results

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostic.hpp"
 #include "base/vector.hpp"
 #include "results/file_header.hpp"
 
@@ -32,8 +33,12 @@ struct GlobalState {
 [[nodiscard]] std::string glstat_header(const FileHeader& header);
 [[nodiscard]] std::string glstat_text(const GlobalState& state);
 
-/// The states of a glstat file, but for what controls the step. Rows that are not known are passed over, numbers that
-/// cannot be read are zero; a state begins at its "time" row.
+/// The states of a glstat file, but for what controls the step. Rows that are not known are passed over; a state begins
+/// at its "time" row and is left out where it does not get as far as its total energy. A number that the run calls none,
+/// and one that cannot be read, is NaN; `diagnostics` name the latter, and what was left out.
+[[nodiscard]] std::vector<GlobalState> read_glstat(std::string_view text, const std::string& name,
+                                                   Diagnostics& diagnostics);
+/// For files that are known to be whole.
 [[nodiscard]] std::vector<GlobalState> read_glstat(std::string_view text);
 
 }  // namespace gapcheck::results

@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/number.hpp"
 #include "results/fortran_number.hpp"
+#include "results/printed_number.hpp"
+#include "results/result_text.hpp"
 
 namespace gapcheck::results {
 namespace {
@@ -11,6 +16,77 @@ std::string vector_row(std::string_view what, const Vector& v) {
   return fmt::format(" x-{0}={1}     y-{0}={2}     z-{0}={3}\n", what, scientific(v.x(), 13, 4),
                      scientific(v.y(), 13, 4), scientific(v.z(), 13, 4));
 }
+
+/// The word that ends at `end`; only its last letters where it is longer than any label.
+std::string_view label_before(std::string_view line, std::size_t end) {
+  constexpr std::size_t longest = 16;
+  const std::string_view near = line.substr(end > longest ? end - longest : 0, std::min(end, longest));
+  return near.substr(near.find_last_of(' ') + 1);
+}
+
+double* place_of(std::string_view label, PartState& part) {
+  if (label == "inten") return &part.internal;
+  if (label == "kinen") return &part.kinetic;
+  if (label == "hgeng") return &part.hourglass;
+  if (label.size() != 5 || label[0] < 'x' || label[0] > 'z') return nullptr;
+  if (label.substr(1) == "-mom") return &part.momentum[label[0] - 'x'];
+  return label.substr(1) == "-rbv" ? &part.velocity[label[0] - 'x'] : nullptr;
+}
+
+/// Reads states; counts the values of each to see where the last one was cut off.
+class Reader {
+ public:
+  Reader(ResultText& file, PartHistory& history) : file_(file), history_(history) {}
+
+  void line(std::string_view line) {
+    const std::size_t first = line.find('=');
+    for (std::size_t at = first; at != std::string_view::npos; at = line.find('=', at + 1)) {
+      std::string_view rest = line.substr(at + 1);
+      const std::string_view label = label_before(line, at);
+      if (at == first && trimmed(line.substr(0, at)) == "time")
+        begin(file_.take(rest));
+      else if (label == "mat.#")
+        part(rest);
+      else if (in_part_)
+        value(label, rest);
+    }
+  }
+
+  void finish() {
+    if (values_ >= values_before_) return;
+    history_.states.pop_back();
+    file_.incomplete();
+  }
+
+ private:
+  void begin(double time) {
+    in_part_ = false;
+    in_state_ = time == time;
+    if (!in_state_) return;
+    history_.states.push_back({time, {}});
+    values_before_ = values_;
+    values_ = 0;
+  }
+
+  void part(std::string_view rest) {
+    const auto id = take_integer(rest);
+    if (!id) file_.unreadable();
+    in_part_ = id && in_state_;
+    if (in_part_) history_.states.back().parts.emplace_back().part = *id;
+  }
+
+  void value(std::string_view label, std::string_view rest) {
+    double* place = place_of(label, history_.states.back().parts.back());
+    if (place == nullptr) return;
+    *place = file_.take(rest);
+    ++values_;
+  }
+
+  ResultText& file_;
+  PartHistory& history_;
+  bool in_state_ = false, in_part_ = false;
+  std::size_t values_ = 0, values_before_ = 0;
+};
 
 }  // namespace
 
@@ -30,6 +106,17 @@ std::string matsum_text(double time, std::span<const PartState> parts) {
                         scientific(part.hourglass, 13, 4), zero, zero);
   }
   return text;
+}
+
+PartHistory read_matsum(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
+  PartHistory history;
+  ResultText file(text, name, diagnostics);
+  Reader reader(file, history);
+  for (; !file.done(); file.advance())
+    if (!file.take_legend(history.titles)) reader.line(file.line());
+  reader.finish();
+  file.finish();
+  return history;
 }
 
 }  // namespace gapcheck::results

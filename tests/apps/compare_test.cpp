@@ -92,6 +92,55 @@ TEST_F(Compare, Directories) {
   EXPECT_NE(run.err.find("none: the directory has no messag"), std::string::npos) << run.err;
 }
 
+// The same deck calculated with and without the shooting node logic: the records agree, the energies do not.
+TEST_F(Compare, CurvesOfTwoRuns) {
+  for (const char* name : {"0", "1"})
+    ASSERT_EQ(gapcheck("run " + data("workshop/penetration_snlog_" + std::string(name) + ".k") + " -o run" + name).code, 0);
+  const Ended same = gapcheck("compare run0 run0");
+  EXPECT_EQ(same.code, 0) << same.out;
+  EXPECT_NE(same.out.find(" compared, 0 differ"), std::string::npos) << same.out;
+  const Ended run = gapcheck("compare run0 run1 --top 3 --svg plots");
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_NE(run.out.find("glstat sliding interface energy"), std::string::npos) << run.out;
+  EXPECT_TRUE(fs::exists(folder_ / "plots/glstat_sliding_interface_energy.svg"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "plots"), {}), 3);
+  const auto json = nlohmann::json::parse(gapcheck("compare run0 run1 --format json").out);
+  EXPECT_EQ(json["equal"], false);
+  EXPECT_TRUE(json["differences"].empty());
+  EXPECT_GT(json["curves"]["differ"], 5);
+  EXPECT_EQ(gapcheck("compare run0 run1 --no-curves").code, 0);
+  EXPECT_EQ(gapcheck("compare run0 run1/messag").code, 0) << "a file stands for itself";
+  EXPECT_EQ(gapcheck("compare run0 run1 --curve-tol 2").code, 0);
+  EXPECT_EQ(gapcheck("compare run0 run1 --curves 'external work' --svg chosen").code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "chosen/glstat_external_work.svg")) << "named curves are plotted, equal or not";
+  EXPECT_EQ(gapcheck("compare run0 run1 --curves friction,misspelt").code, 0);
+  EXPECT_EQ(gapcheck("compare run0 run1 --curves misspelt").code, 2);
+  EXPECT_EQ(gapcheck("compare run0 run1/messag --svg plots").code, 2);
+  EXPECT_EQ(gapcheck("compare run0 run1 --curve-tol -1").code, 2);
+}
+
+TEST_F(Compare, FilesOfOneRunAloneAreNamed) {
+  ASSERT_EQ(gapcheck("run " + data("workshop/penetration_snlog_0.k") + " -o run0").code, 0);
+  fs::copy(folder_ / "run0", folder_ / "half");
+  fs::remove(folder_ / "half/sleout");
+  const Ended run = gapcheck("compare run0 half");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.out.find("only in A: sleout\n"), std::string::npos) << run.out;
+  file("half/glstat", content(folder_ / "run0/glstat").substr(0, 3000) + "*****");
+  const Ended cut = gapcheck("compare run0 half");
+  EXPECT_EQ(cut.code, 0);
+  EXPECT_NE(cut.err.find("glstat:"), std::string::npos) << cut.err;
+}
+
+TEST_F(Compare, UntiedNodesOfADeckAgreeWithItsPredictedMessag) {
+  const fs::path deck = project / "data/tied_then_contact.k";
+  std::string text = predicted(deck);
+  file("messag", text);
+  const Ended run = gapcheck("compare '" + deck.string() + "' messag");
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_NE(run.out.find("untied nodes of contact"), std::string::npos) << run.out;
+}
+
 TEST_F(Compare, ADeckIsRecognisedByItsFirstLine) {
   file("model", "$ a comment\n\n" + content(project / "data/two_plates.k"));
   EXPECT_EQ(gapcheck("compare model " + data("two_plates.k")).code, 0);

@@ -106,7 +106,7 @@ TEST(Glstat, IsReadBack) {
   EXPECT_EQ(states[1].walls[1].number, 12);
   EXPECT_EQ(states[1].walls[1].energy, -3);
   EXPECT_TRUE(read_glstat("").empty());
-  EXPECT_EQ(read_glstat(" time..\n stonewall energy......\n").size(), 1u);
+  EXPECT_TRUE(read_glstat(" time..\n stonewall energy......\n").empty());
 }
 
 TEST(Matsum, ColumnForColumn) {

@@ -1,0 +1,105 @@
+#include "compare_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "common/files.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "report/plot_svg.hpp"
+#include "results/run_results.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "rcforc_contact_3_side_A_x-force.svg".
+std::string file_name(std::string name) {
+  for (char& letter : name)
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '-') letter = '_';
+  return name + ".svg";
+}
+
+}  // namespace
+
+void add_curve_options(CLI::App& command, CurveArguments& arguments) {
+  const std::vector<CLI::Option*> options{
+      command.add_option("--curve-tol", arguments.tolerance, "Curves may differ by this share of the larger one")
+          ->check(CLI::Validator(check_amount, ""))
+          ->type_name("X")
+          ->capture_default_str(),
+      add_list(command, "--curves", arguments.names, "Only curves with one of these texts in their name")
+          ->type_name("TEXTS"),
+      command.add_flag("--no-curves", arguments.none, "Do not compare curves"),
+      command.add_option("--svg", arguments.svg, "Plot the curves that differ most, or those of --curves, into DIR")
+          ->type_name("DIR")};
+  for (CLI::Option* option : options) option->group("Curves of two directories");
+}
+
+CurvesOfBoth::CurvesOfBoth(const std::string& first, const std::string& second,
+                           const std::vector<std::int64_t>& contacts, const CurveArguments& arguments, bool quiet)
+    : arguments_(arguments), first_name_(first), second_name_(second) {
+  std::error_code failed;
+  if (!arguments.none && fs::is_directory(first, failed) && fs::is_directory(second, failed)) {
+    first_ = read(first, contacts, quiet);
+    second_ = read(second, contacts, quiet);
+    if (!first_.empty() || !second_.empty())
+      comparison_ = report::compare_curves(first_, second_, {arguments.tolerance, arguments.names});
+  }
+  const auto must_exist = [&](bool asked, const char* option) {
+    if (!asked || (comparison_ && !comparison_->pairs.empty())) return;
+    print_error(fmt::format("{}: there are no such curves that both A and B have", option));
+    complete_ = false;
+  };
+  must_exist(!arguments.names.empty(), "--curves");
+  must_exist(!arguments.svg.empty() && arguments.names.empty(), "--svg");
+}
+
+std::vector<report::Curve> CurvesOfBoth::read(const std::string& path, const std::vector<std::int64_t>& contacts,
+                                              bool quiet) {
+  Diagnostics diagnostics;
+  std::vector<report::Curve> list = report::curves(results::read_run_results(path, true, diagnostics));
+  print(diagnostics, quiet);
+  complete_ = complete_ && !diagnostics.has_errors();
+  if (!contacts.empty())
+    std::erase_if(list, [&](const report::Curve& curve) {
+      return curve.contact != 0 && std::find(contacts.begin(), contacts.end(), curve.contact) == contacts.end();
+    });
+  return list;
+}
+
+std::string CurvesOfBoth::plot(const report::CurvePair& pair) const {
+  const report::Curve &a = first_[pair.first], &b = second_[pair.second];
+  return report::plot_svg({pair.name,
+                           "time",
+                           a.quantity + " (units of the model)",
+                           {{"A: " + first_name_, a.times, a.values}, {"B: " + second_name_, b.times, b.values}}});
+}
+
+bool CurvesOfBoth::write_plots(std::size_t top) const {
+  if (arguments_.svg.empty() || !comparison_) return true;
+  std::error_code failed;
+  fs::create_directories(arguments_.svg, failed);
+  const bool named = !arguments_.names.empty();
+  std::size_t written = 0;
+  for (const report::CurvePair& pair : comparison_->pairs) {
+    if (written == top || (!named && pair.verdict != report::CurvePair::Verdict::differs)) break;
+    const std::string path = (fs::path(arguments_.svg) / file_name(pair.name)).string();
+    if (const auto problem = write_file(path, plot(pair))) {
+      print(*problem);
+      return false;
+    }
+    ++written;
+  }
+  return true;
+}
+
+}  // namespace gapcheck::app
