@@ -5,7 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "solver/contact_forces.hpp"
+#include "contact/rigid_nodes.hpp"
+#include "solver/contact_method.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -24,6 +25,31 @@ std::string why_idle(const contact::ContactSurfaces& surfaces) {
   return why;
 }
 
+/// Constraint contacts move nodes that follow nothing else.
+std::optional<Failure> no_rigid_nodes(const model::Model& model, const model::Contact& contact,
+                                      const contact::ContactSurfaces& surfaces) {
+  const contact::RigidNodes rigid(model);
+  const auto refusal = [&](NodeIndex node) -> std::optional<Failure> {
+    const contact::RigidOwner owner = rigid.owner(node);
+    if (!owner) return std::nullopt;
+    const std::string who = owner.kind == contact::RigidOwner::Kind::part
+                                ? fmt::format("rigid part {}", model.parts[owner.index].id.value)
+                                : "a nodal rigid body";
+    return Failure{Failure::Kind::not_calculated,
+                   fmt::format("contact {} (*{}) has node {} of {}, which its constraints cannot move; use a penalty "
+                               "type, for instance *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE",
+                               contact.id.value, contact.written, model.mesh.nodes.id[node.value], who)};
+  };
+  for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
+    for (const NodeIndex node : side->nodes.node)
+      if (auto failure = refusal(node)) return failure;
+    for (const auto& corners : side->selection.segments.nodes)
+      for (const NodeIndex node : corners)
+        if (auto failure = refusal(node)) return failure;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceStore& surfaces,
@@ -35,7 +61,10 @@ std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceSto
         fmt::format("TSSFAC of *CONTROL_TIMESTEP is {:g}; set a number above 0, at most 0.9", controls.tssfac)};
   for (std::uint32_t c = 0; c < model.contacts.size(); ++c) {
     const model::Contact& contact = model.contacts[c];
-    if (!ContactForces::calculates(contact)) continue;
+    const ContactMethod method = choose_method(contact).method;
+    if (method != ContactMethod::penalty && method != ContactMethod::constraint) continue;
+    if (method == ContactMethod::constraint)
+      if (auto failure = no_rigid_nodes(model, contact, surfaces.at(c))) return failure;
     if (controls.slsfac < 0)
       return Failure{Failure::Kind::contradiction,
                      fmt::format("SLSFAC of *CONTROL_CONTACT is {:g}, with which contacts pull; set a number above 0",

@@ -10,6 +10,7 @@ namespace gapcheck::solver {
 enum class ContactMethod : std::uint8_t {
   none,        ///< nothing does
   penalty,     ///< ContactForces: nodes in segments, SOFT = 0 and 1
+  constraint,  ///< ConstraintContact: types 17 and 18
   transducer,  ///< Transducers: it only measures
 };
 

@@ -9,6 +9,7 @@
 #include "solver/build_forces.hpp"
 #include "solver/check_deck.hpp"
 #include "solver/conditions.hpp"
+#include "solver/constraint_contact.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -62,8 +63,15 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   run.contacts_ = contacts.get();
   run.sources_ = {contacts.get()};
   run.transducers_ = std::make_unique<Transducers>(model, surfaces);
+  auto constraints = ConstraintContact::create(model, surfaces, *run.initial_, built, movable_nodes(built));
+  if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
+  auto& constraint = std::get<std::unique_ptr<ConstraintContact>>(constraints);
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
   run.stepper_->add(std::move(contacts));
+  if (constraint) {
+    run.sources_.push_back(constraint.get());
+    run.stepper_->add(std::move(constraint));
+  }
   for (auto& force : forces) run.stepper_->add(std::move(force));
   return run;
 }
