@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/crossings.hpp"
+#include "contact/edge_scene.hpp"
 
 namespace gapcheck::contact {
 
@@ -16,10 +17,6 @@ struct EdgeCrossing {
 
 /// Lines nearer to each other than this fraction of the mean of their lengths cross: decks are written in decimals.
 inline constexpr double crossed_edge_tolerance = 1e-5;
-
-/// True for contacts that hold edges against edges: types 26, and SOFT = 2 with a DEPTH that ends in 5.
-/// Source: LS-DYNA Keyword User's Manual, Vol. I, *CONTACT card A, as commonly quoted.
-[[nodiscard]] bool looks_at_edges(const model::Contact& contact, const ContactType& type);
 
 /// All pairs of lines of one contact that cross, to within crossed_edge_tolerance: free shell
 /// edges (type i26: all), in types 26 beam axes. Lines around one element, and pairs that CrossingPairs leaves out, do

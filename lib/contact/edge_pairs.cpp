@@ -72,22 +72,48 @@ Bounds box_of(const SurfaceEdge& edge) {
   return grown(box, edge.half);
 }
 
-double largest_coordinate(const SurfaceEdge& e) {
-  return std::max(e.x[0].cwiseAbs().maxCoeff(), e.x[1].cwiseAbs().maxCoeff());
+double largest_coordinate(const geometry::Edge& e) {
+  return std::max(e[0].cwiseAbs().maxCoeff(), e[1].cwiseAbs().maxCoeff());
 }
 
-bool in_ring(const PairScene& scene, const SurfaceEdge& e, const SurfaceEdge& f) {
+}  // namespace
+
+geometry::Edge ends_of(const PairScene& scene, const SurfaceEdge& edge) {
+  const auto& n = scene.segments.nodes[edge.segment];
+  const geometry::Facet facet = scene.facet(edge.segment);
+  const auto corner = [&](NodeIndex node) -> const Vector& {
+    return facet.x[static_cast<std::size_t>(std::find(n.begin(), n.end() - 1, node) - n.begin())];
+  };
+  return {corner(edge.a), corner(edge.b)};
+}
+
+EdgeMeeting meet_edges(const PairScene& scene, const geometry::Edge& e, const geometry::Edge& f, double h) {
+  EdgeMeeting meeting;
+  meeting.closest = geometry::closest_points(e, f);
+  meeting.between = meeting.closest.interior && !seen_by_nodes(meeting.closest, h);
+  if (!meeting.between) return meeting;
+  const double tolerance = scene.tolerance >= 0
+                               ? scene.tolerance
+                               : default_tolerance(h, std::max(largest_coordinate(e), largest_coordinate(f)));
+  const geometry::Decision decision = geometry::decide_edges(e, f, h - tolerance, scene.mode, &meeting.closest);
+  meeting.penetrates = decision.closer;
+  meeting.stage = decision.stage;
+  return meeting;
+}
+
+bool edges_are_joined(const PairScene& scene, const SurfaceEdge& e, const SurfaceEdge& f) {
+  if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return true;
   const Neighbours& around = scene.neighbours;
   return around.in_ring(e.a, f.segment) || around.in_ring(e.b, f.segment) || around.in_ring(f.a, e.segment) ||
          around.in_ring(f.b, e.segment);
 }
 
-/// Of the two ends the one that the nearest point lies nearer to.
-NodeIndex nearest_end(const SurfaceEdge& tracked, const EdgeHit& hit) {
-  return hit.closest.s <= 0 ? tracked.a : tracked.b;
+bool EdgeRules::operator()(const SurfaceEdge& e, const SurfaceEdge& f) const {
+  const PartIndex part_e = part_of(scene_.model.mesh, scene_.segments, e.segment);
+  const PartIndex part_f = part_of(scene_.model.mesh, scene_.segments, f.segment);
+  if (!exclusions_.empty() && exclusions_.excluded(part_e, part_f)) return false;
+  return !ties_.tied(e.a, part_f) && !ties_.tied(e.b, part_f) && !ties_.tied(f.a, part_e) && !ties_.tied(f.b, part_e);
 }
-
-}  // namespace
 
 std::vector<SurfaceEdge> surface_edges(const PairScene& scene, bool interior) {
   constexpr std::size_t grain = 4096;
@@ -122,17 +148,12 @@ std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector
         const std::uint32_t tracked = swap ? k : i, other = swap ? i : k;
         const SurfaceEdge &e = edges[tracked], &f = edges[other];
         if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return;
-        const geometry::EdgesClosest closest = geometry::closest_points(e.x, f.x);
-        if (!closest.interior) return;
-        const double h = e.half + f.half;
-        if (seen_by_nodes(closest, h)) return;
-        const double tolerance = scene.tolerance >= 0
-                                     ? scene.tolerance
-                                     : default_tolerance(h, std::max(largest_coordinate(e), largest_coordinate(f)));
-        const geometry::Decision decision = geometry::decide_edges(e.x, f.x, h - tolerance, scene.mode, &closest);
+        const EdgeMeeting meeting = meet_edges(scene, e.x, f.x, e.half + f.half);
+        if (!meeting.between) return;
         Mine& mine = found.local();
-        ++mine.stages[static_cast<std::size_t>(decision.stage)];
-        if (decision.closer && !in_ring(scene, e, f) && allowed(e, f)) mine.hits.push_back({tracked, other, closest});
+        ++mine.stages[static_cast<std::size_t>(meeting.stage)];
+        if (meeting.penetrates && !edges_are_joined(scene, e, f) && allowed(e, f))
+          mine.hits.push_back({tracked, other, meeting.closest});
       },
       search);
   std::vector<EdgeHit> all;
@@ -156,7 +177,7 @@ std::vector<Penetration> edge_records(const PairScene& scene, std::uint32_t cont
   };
   std::map<NodeIndex, const EdgeHit*> deepest;
   for (const EdgeHit& hit : hits) {
-    const EdgeHit*& best = deepest[nearest_end(edges[hit.tracked], hit)];
+    const EdgeHit*& best = deepest[nearest_end(edges[hit.tracked], hit.closest.s)];
     if (best == nullptr || depth(hit) > depth(*best)) best = &hit;
   }
   const auto part_id = [&](std::uint32_t segment) {

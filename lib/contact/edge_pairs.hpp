@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "contact/box_pairs.hpp"
+#include "contact/exclusions.hpp"
 #include "contact/pair.hpp"
+#include "contact/ties.hpp"
 #include "geometry/edge_distance.hpp"
 #include "records/penetration.hpp"
 
@@ -21,6 +23,41 @@ struct SurfaceEdge {
 /// The edges that types 26 look at, in the order of the segments: free edges of shells, with `interior` (type i26) also
 /// those between shells, and beam axes. An edge is free if no other shell or solid facet of the surface has it.
 [[nodiscard]] std::vector<SurfaceEdge> surface_edges(const PairScene& scene, bool interior);
+
+/// The ends of an edge on the scene's present coordinates.
+[[nodiscard]] geometry::Edge ends_of(const PairScene& scene, const SurfaceEdge& edge);
+
+/// How two edges lie to one another.
+struct EdgeMeeting {
+  geometry::EdgesClosest closest;
+  /// Nearest between the ends of both, and no end penetrates nearly as deep: not a matter of nodes and segments.
+  bool between = false;
+  bool penetrates = false;  ///< between, and nearer than the contact distance; decided exactly
+  geometry::Stage stage = geometry::Stage::filter;  ///< which stage decided; only where `between`
+};
+
+/// Decides two edges against each other at the contact distance h.
+[[nodiscard]] EdgeMeeting meet_edges(const PairScene& scene, const geometry::Edge& e, const geometry::Edge& f, double h);
+
+/// Edges with a common node, or in the ring around each other's segment, never meet.
+[[nodiscard]] bool edges_are_joined(const PairScene& scene, const SurfaceEdge& e, const SurfaceEdge& f);
+
+/// False for edges of parts between which there is no contact, and where an end is tied to the other's part. May be asked
+/// from any thread while nothing is added to the ties.
+class EdgeRules {
+ public:
+  EdgeRules(const PairScene& scene, const Exclusions& exclusions, const Ties& ties)
+      : scene_(scene), exclusions_(exclusions), ties_(ties) {}
+  [[nodiscard]] bool operator()(const SurfaceEdge& e, const SurfaceEdge& f) const;
+
+ private:
+  const PairScene& scene_;
+  const Exclusions& exclusions_;
+  const Ties& ties_;
+};
+
+/// Of the two ends of the edge the one that a point at this place (-1 to 1) lies nearer to.
+[[nodiscard]] inline NodeIndex nearest_end(const SurfaceEdge& edge, double place) { return place <= 0 ? edge.a : edge.b; }
 
 /// Two edges that penetrate each other between their ends.
 struct EdgeHit {

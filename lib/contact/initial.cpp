@@ -232,14 +232,8 @@ class Initialiser {
     const Stopwatch watch(counters_.search_s);
     const std::vector<SurfaceEdge> edges = surface_edges(scene, scene.type.interior_edges);
     counters_.edges += edges.size();
-    const auto allowed = [&](const SurfaceEdge& e, const SurfaceEdge& f) {
-      const PartIndex part_e = part_of(model_.mesh, scene.segments, e.segment);
-      const PartIndex part_f = part_of(model_.mesh, scene.segments, f.segment);
-      if (!exclusions.empty() && exclusions.excluded(part_e, part_f)) return false;
-      return !ties_.tied(e.a, part_f) && !ties_.tied(e.b, part_f) && !ties_.tied(f.a, part_e) && !ties_.tied(f.b, part_e);
-    };
     const BoxSearch search = options_.brute_force ? BoxSearch::brute_force : BoxSearch::tree;
-    const auto hits = penetrating_edges(scene, edges, allowed, search, counters_.decisions);
+    const auto hits = penetrating_edges(scene, edges, EdgeRules(scene, exclusions, ties_), search, counters_.decisions);
     const auto records = edge_records(scene, c, edges, hits);
     state_.penetrations.insert(state_.penetrations.end(), records.begin(), records.end());
   }

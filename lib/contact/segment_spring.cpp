@@ -27,11 +27,24 @@ SegmentSprings::SegmentSprings(const model::Model& model, const ElementSizes& si
   }
 }
 
+SegmentSpring SegmentSprings::beam(const model::SegmentNodes& nodes, PartIndex part, double scale) const {
+  if (!model_.part(part).section) return {};
+  const std::vector<Vector>& x = model_.mesh.nodes.x;
+  const double length = (x[nodes[0].value] - x[nodes[1].value]).norm();
+  const double area = 2 * model_.sections[*model_.part(part).section].beam_radius * length;
+  const double stiffness = shell_segment_stiffness(scale, moduli_[part.value], area, length);
+  const double weight = area / 2;
+  if (!(weight > 0) || !std::isfinite(weight * stiffness)) return {};
+  return {stiffness, weight};
+}
+
 SegmentSpring SegmentSprings::operator()(const Segments& s, std::size_t i, double scale, bool printed,
                                          double solid_modulus) const {
-  if (s.element[i] == unknown || s.element_kind[i] == model::ElementKind::beam) return {};
+  const bool of_beam = s.element_kind[i] == model::ElementKind::beam;
+  if (s.element[i] == unknown || (of_beam && printed)) return {};
   const PartIndex part = part_of(model_.mesh, s, i);
   if (part == none<PartIndex>) return {};
+  if (of_beam) return beam(s.nodes[i], part, scale);
   const std::vector<Vector>& x = model_.mesh.nodes.x;
   const double modulus = moduli_[part.value];
   const std::uint32_t e = s.element[i];

@@ -18,7 +18,7 @@ using contact::PairResult;
 
 /// Corners of a segment with their weights; of a triangle the third has those of both last ones.
 ContactPoint point_of(const model::SegmentNodes& nodes, const geometry::ClosestPoint& closest) {
-  ContactPoint point{nodes, corner_weights(closest.s, closest.t)};
+  ContactPoint point{nodes, corner_weights(false, closest.s, closest.t)};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = i + 1; k < 4; ++k)
       if (nodes[k] == nodes[i]) {

@@ -42,7 +42,7 @@ struct ContactPass::Scratch {
 /// How a tracked node lies to the segments of the other side. Good until the next meeting.
 struct ContactPass::Meeting {
   std::optional<Hit> hit;
-  const PairResult* pair = nullptr;  ///< with the hit's segment
+  PairResult* pair = nullptr;  ///< with the hit's segment
   bool in_zone = false;              ///< some segment is nearer than the contact distance
 };
 
@@ -52,10 +52,9 @@ void ContactPass::Block::clear() {
   moves.clear();
 }
 
-/// That of the node against the segment's point with these weights.
-Vector ContactPass::Velocities::relative(const std::array<double, 4>& weights) const {
-  Vector velocity = node;
-  for (std::size_t c = 0; c < 4; ++c) velocity -= weights[c] * corners[c];
+Vector ContactPass::Velocities::of_segment(const std::array<double, 4>& weights) const {
+  Vector velocity = Vector::Zero();
+  for (std::size_t c = 0; c < 4; ++c) velocity += weights[c] * corners[c];
   return velocity;
 }
 
@@ -148,7 +147,7 @@ contact::NodeEncounter ContactPass::encounter(std::uint32_t slot, const Meeting&
   encounter.penetrates = true;
   encounter.penetration = scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.pair->distance;
   if (tracked.partner.segment != segment + 1)
-    tracked.partner = {segment + 1, contact::release_depth(scene_, slot, segment), springs_(slot, segment)};
+    tracked.partner = {segment + 1, release_depth(slot, segment), spring(slot, segment)};
   encounter.release_depth = tracked.partner.release_depth;
   encounter.movable = setting_.movable[scene_.nodes.node[slot].value];
   return encounter;
@@ -173,9 +172,10 @@ void ContactPass::look(std::size_t place, const State& state, double used, Scrat
   }
   const Meeting meeting =
       meet(slot, lost ? std::span<Candidate>{} : candidates_.of(place), used, scratch, tracked, block);
+  orient(slot, meeting.hit && meeting.hit->in_band ? meeting.pair : nullptr);
   const contact::NodeEncounter encounter = this->encounter(slot, meeting, tracked);
   tracked.penetration = encounter.penetration;
-  const NodeAction action = contact::advance(tracked.memory, scene_.settings, encounter);
+  const NodeAction action = advance(tracked.memory, encounter);
   tracked.active = action == NodeAction::force;
   if (tracked.active) {
     const std::uint32_t segment = meeting.hit->segment;
@@ -201,35 +201,30 @@ ContactPass::Link ContactPass::link(std::uint32_t slot, const Meeting& meeting, 
                                     const Vector& friction_before, const Velocities& velocities, double dt) const {
   Link link;
   link.segment = meeting.hit->segment;
-  link.weights = corner_weights(meeting.pair->closest.s, meeting.pair->closest.t);
+  link.weights = corner_weights(scene_.line(link.segment), meeting.pair->closest.s, meeting.pair->closest.t);
   link.normal = contact::free_direction(scene_, slot, link.segment, *meeting.pair);
   const ContactSprings::Spring& spring = now.partner.spring;
-  link.push = spring.stiffness * (now.penetration - now.memory.forgiven);
-  const double percent = scene_.contact.vdc;
-  if (percent > 0 || friction_.any()) {
-    const Vector velocity = velocities.relative(link.weights);
-    // Damping slows both ways but never pulls.
-    if (percent > 0)
-      link.damping = std::max(-link.push, -ContactSprings::damping(spring, percent) * velocity.dot(link.normal));
-    if (friction_.any()) link.friction = friction(slot, link, friction_before, spring.stiffness, velocity, dt);
+  LinkSpring law{spring.stiffness, ContactSprings::damping(spring, scene_.contact.vdc), friction_.any(), {}, 0};
+  if (law.rubs) {
+    law.friction = friction_.between(scene_.nodes.part[slot],
+                                     contact::part_of(setting_.model.mesh, scene_.segments, link.segment));
+    law.area = segment_area(scene_.facet(link.segment));
   }
-  link.push = std::max(0.0, link.push);
+  link.press(law, now.penetration - now.memory.forgiven, velocities.node - velocities.of_segment(link.weights),
+             friction_before, dt);
   return link;
 }
 
-Vector ContactPass::friction(std::uint32_t slot, const Link& link, const Vector& before, double stiffness,
-                             const Vector& velocity, double dt) const {
-  const Vector& n = link.normal;
-  const Vector sliding = velocity - velocity.dot(n) * n;
-  const PartIndex part = contact::part_of(setting_.model.mesh, scene_.segments, link.segment);
-  const model::FrictionLaw law = friction_.between(scene_.nodes.part[slot], part);
-  const double limit = contact::friction_limit(law, sliding.norm(), link.push + link.damping,
-                                               segment_area(scene_.facet(link.segment)));
-  // Elastic sticking up to the limit, with the stiffness of the normal spring.
-  Vector force = before - before.dot(n) * n - stiffness * dt * sliding;
-  const double size = force.norm();
-  if (size > limit) force *= size > 0 ? limit / size : 0;
-  return force;
+double ContactPass::release_depth(std::uint32_t slot, std::uint32_t segment) const {
+  return contact::release_depth(scene_, slot, segment);
+}
+
+NodeAction ContactPass::advance(NodeContact& memory, const contact::NodeEncounter& encounter) const {
+  return contact::advance(memory, scene_.settings, encounter);
+}
+
+void ContactPass::forget_partners() {
+  for (Tracked& tracked : tracked_) tracked.partner = {};
 }
 
 ContactPass::Velocities ContactPass::velocities(std::uint32_t slot, std::uint32_t segment, const State& state) const {
@@ -239,12 +234,7 @@ ContactPass::Velocities ContactPass::velocities(std::uint32_t slot, std::uint32_
 }
 
 void ContactPass::add_work(const Link& link, const Velocities& velocities, double dt, Work& work) const {
-  const double half = dt / 2;
-  const Vector velocity = velocities.relative(link.weights), force = link.force();
-  work.damping -= half * link.damping * link.normal.dot(velocity);
-  work.friction -= half * link.friction.dot(velocity);
-  work.on_node -= half * force.dot(velocities.node);
-  work.on_segment += half * force.dot(velocities.node - velocity);
+  work.add(link, velocities.node, velocities.of_segment(link.weights), dt);
 }
 
 double ContactPass::update(State& state, double used, ContactCounters& counters) {
@@ -286,8 +276,8 @@ void ContactPass::add_energies(const Work& work, ContactState& result) const {
   result.friction += work.friction;
   result.damping += work.damping;
   const bool all_a = result.single_surface;
-  (exchanged_ && !all_a ? result.energy_b : result.energy_a) += work.on_node;
-  (exchanged_ || all_a ? result.energy_a : result.energy_b) += work.on_segment;
+  (exchanged_ && !all_a ? result.energy_b : result.energy_a) += work.on_tracked;
+  (exchanged_ || all_a ? result.energy_a : result.energy_b) += work.on_reference;
 }
 
 void ContactPass::apply_one(std::uint32_t slot, const State& state, Forces& forces, ContactState& result) const {

@@ -8,6 +8,7 @@
 #include "contact/candidates.hpp"
 #include "contact/friction.hpp"
 #include "contact/side_scene.hpp"
+#include "solver/contact_link.hpp"
 #include "solver/contact_spring.hpp"
 #include "solver/interface_pass.hpp"
 
@@ -41,19 +42,30 @@ class ContactPass : public InterfacePass {
   [[nodiscard]] std::vector<ContactNode> nodes() const override;
   void links(std::vector<ContactLink>& links) const override;
 
+ protected:
+  [[nodiscard]] const ContactSetting& setting() const { return setting_; }
+  [[nodiscard]] const contact::SideScene& side() const { return side_; }
+  /// Springs and release depths are asked for again.
+  void forget_partners();
+
+  // What segment-based contact does in another way.
+  [[nodiscard]] virtual ContactSprings::Spring spring(std::uint32_t slot, std::uint32_t segment) const {
+    return springs_(slot, segment);
+  }
+  [[nodiscard]] virtual double release_depth(std::uint32_t slot, std::uint32_t segment) const;
+  /// Takes back a node that has passed the surface: changes the sign of pair.distance. Asked once per look; `pair`:
+  /// none where it penetrates nothing.
+  virtual void orient(std::uint32_t /*slot*/, contact::PairResult* /*pair*/) {}
+  [[nodiscard]] virtual contact::NodeAction advance(contact::NodeContact& memory,
+                                                    const contact::NodeEncounter& encounter) const;
+
  private:
-  /// The spring between a node and a segment; forces are those on the node.
-  struct Link {
+  /// The spring between a node and a segment.
+  struct Link : LinkForce {
     std::uint32_t segment = 0;
     std::array<double, 4> weights{};
-    Vector normal = Vector::Zero(), friction = Vector::Zero();
-    double push = 0, damping = 0;  ///< along the normal
-    [[nodiscard]] Vector force() const { return (push + damping) * normal + friction; }
   };
-  /// Work of one step: of friction and damping, and all of it by side.
-  struct Work {
-    double friction = 0, damping = 0, on_node = 0, on_segment = 0;
-  };
+  using Work = LinkWork;
   /// What is needed of a node and a segment and changes little from one search to the next: it follows from thickness,
   /// mass and the size of elements.
   struct Partner {
@@ -85,7 +97,8 @@ class ContactPass : public InterfacePass {
   struct Velocities {
     Vector node;
     std::array<Vector, 4> corners;
-    [[nodiscard]] Vector relative(const std::array<double, 4>& weights) const;
+    /// Of the segment's point with these weights.
+    [[nodiscard]] Vector of_segment(const std::array<double, 4>& weights) const;
   };
   struct Meeting;
   struct Scratch;
@@ -97,8 +110,6 @@ class ContactPass : public InterfacePass {
   [[nodiscard]] contact::NodeEncounter encounter(std::uint32_t slot, const Meeting& meeting, Tracked& tracked) const;
   [[nodiscard]] Link link(std::uint32_t slot, const Meeting& meeting, const Tracked& now, const Vector& friction_before,
                           const Velocities& velocities, double dt) const;
-  [[nodiscard]] Vector friction(std::uint32_t slot, const Link& link, const Vector& before, double stiffness,
-                                const Vector& velocity, double dt) const;
   [[nodiscard]] Velocities velocities(std::uint32_t slot, std::uint32_t segment, const State& state) const;
   void add_energies(const Work& work, ContactState& result) const;
   void apply_one(std::uint32_t slot, const State& state, Forces& forces, ContactState& result) const;

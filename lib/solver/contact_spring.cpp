@@ -44,6 +44,8 @@ ContactSprings::ContactSprings(const model::Model& model, const contact::SideSce
   std::vector<contact::NodeStiffness> sums(touched.size());
   const contact::Segments& own = side.tracked().selection.segments;
   for (std::size_t s = 0; s < own.size(); ++s) {
+    // Where beams are no reference, the segment that their nodes meet decides.
+    if (own.kind[s] == contact::SegmentKind::line && !scene_.type.edges) continue;
     const contact::SegmentSpring spring = masses.springs(own, s, slsfac * node_scale, false, solid_modulus);
     if (!(spring.weight > 0)) continue;
     for (std::size_t c = 0; c < corner_count(own.nodes[s]); ++c) {
