@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "solver/contact_forces.hpp"
+#include "solver/contact_method.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -35,7 +35,8 @@ std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceSto
         fmt::format("TSSFAC of *CONTROL_TIMESTEP is {:g}; set a number above 0, at most 0.9", controls.tssfac)};
   for (std::uint32_t c = 0; c < model.contacts.size(); ++c) {
     const model::Contact& contact = model.contacts[c];
-    if (!ContactForces::calculates(contact)) continue;
+    const ContactMethod method = choose_method(contact).method;
+    if (method != ContactMethod::penalty && method != ContactMethod::tie) continue;
     if (controls.slsfac < 0)
       return Failure{Failure::Kind::contradiction,
                      fmt::format("SLSFAC of *CONTROL_CONTACT is {:g}, with which contacts pull; set a number above 0",

@@ -10,6 +10,7 @@ namespace gapcheck::solver {
 enum class ContactMethod : std::uint8_t {
   none,        ///< nothing does
   penalty,     ///< ContactForces: nodes in segments, SOFT = 0 and 1
+  tie,         ///< TieConstraints and TieForces: which of them is said node by node
   transducer,  ///< Transducers: it only measures
 };
 

@@ -9,6 +9,7 @@
 #include "contact/outcome.hpp"
 #include "contact/record_pair.hpp"
 #include "contact/release.hpp"
+#include "solver/corner_weights.hpp"
 
 namespace gapcheck::solver {
 
@@ -22,12 +23,6 @@ namespace {
 
 /// Places that are looked at in one go.
 constexpr std::size_t block_size = 256;
-
-/// Weights of a segment's corners at parametric coordinates; of a triangle the last two belong to one node.
-std::array<double, 4> corner_weights(double s, double t) {
-  const double left = (1 - s) / 2, right = (1 + s) / 2, low = (1 - t) / 2, high = (1 + t) / 2;
-  return {left * low, right * low, right * high, left * high};
-}
 
 double segment_area(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]).norm() / 2; }
 

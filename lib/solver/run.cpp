@@ -9,6 +9,8 @@
 #include "solver/build_forces.hpp"
 #include "solver/check_deck.hpp"
 #include "solver/conditions.hpp"
+#include "solver/tie_constraints.hpp"
+#include "solver/tie_forces.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -60,10 +62,15 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   if (auto failure = add_walls_and_springs(model, built, forces, diagnostics)) return std::move(*failure);
   auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
   run.contacts_ = contacts.get();
-  run.sources_ = {contacts.get()};
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
+  const Structure& stepped = run.stepper_->structure();
+  auto springs = std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped);
+  auto ties = std::make_unique<TieConstraints>(model, surfaces, *run.initial_, stepped, diagnostics);
+  run.sources_ = {contacts.get(), springs.get(), ties.get()};
   run.stepper_->add(std::move(contacts));
+  run.stepper_->add(std::move(springs));
   for (auto& force : forces) run.stepper_->add(std::move(force));
+  run.stepper_->add(std::move(ties));  // last: they hold whatever else acts
   return run;
 }
 
