@@ -62,7 +62,7 @@ std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceSto
   for (std::uint32_t c = 0; c < model.contacts.size(); ++c) {
     const model::Contact& contact = model.contacts[c];
     const ContactMethod method = choose_method(contact).method;
-    if (method != ContactMethod::penalty && method != ContactMethod::constraint) continue;
+    if (method == ContactMethod::none || method == ContactMethod::transducer) continue;
     if (method == ContactMethod::constraint)
       if (auto failure = no_rigid_nodes(model, contact, surfaces.at(c))) return failure;
     if (controls.slsfac < 0)

@@ -10,6 +10,8 @@
 #include "solver/check_deck.hpp"
 #include "solver/conditions.hpp"
 #include "solver/constraint_contact.hpp"
+#include "solver/tie_constraints.hpp"
+#include "solver/tie_forces.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -32,6 +34,13 @@ std::vector<bool> movable_nodes(const Structure& structure) {
 }
 
 }  // namespace
+
+template <class Contacts>
+void Run::add_contacts(std::unique_ptr<Contacts> contacts) {
+  if (!contacts) return;
+  sources_.push_back(contacts.get());
+  stepper_->add(std::move(contacts));
+}
 
 std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::SurfaceStore& surfaces,
                                         const RunSettings& settings, Diagnostics& diagnostics) {
@@ -59,20 +68,19 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   std::vector<std::unique_ptr<Force>> forces;
   if (auto failure = apply_conditions(model, built, forces, diagnostics)) return std::move(*failure);
   if (auto failure = add_walls_and_springs(model, built, forces, diagnostics)) return std::move(*failure);
-  auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
-  run.contacts_ = contacts.get();
-  run.sources_ = {contacts.get()};
-  run.transducers_ = std::make_unique<Transducers>(model, surfaces);
   auto constraints = ConstraintContact::create(model, surfaces, *run.initial_, built, movable_nodes(built));
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
-  auto& constraint = std::get<std::unique_ptr<ConstraintContact>>(constraints);
+  auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
+  run.contacts_ = contacts.get();
+  run.transducers_ = std::make_unique<Transducers>(model, surfaces);
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
-  run.stepper_->add(std::move(contacts));
-  if (constraint) {
-    run.sources_.push_back(constraint.get());
-    run.stepper_->add(std::move(constraint));
-  }
+  const Structure& stepped = run.stepper_->structure();
+  run.add_contacts(std::move(contacts));
+  run.add_contacts(std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped));
+  run.add_contacts(std::move(std::get<std::unique_ptr<ConstraintContact>>(constraints)));
   for (auto& force : forces) run.stepper_->add(std::move(force));
+  // Last: they hold whatever else acts.
+  run.add_contacts(std::make_unique<TieConstraints>(model, surfaces, *run.initial_, stepped, diagnostics));
   return run;
 }
 

@@ -69,6 +69,9 @@ class Run {
 
  private:
   Run() = default;
+  /// Takes a force that is a source of contacts too; nullptr: nothing.
+  template <class Contacts>
+  void add_contacts(std::unique_ptr<Contacts> contacts);
   [[nodiscard]] std::optional<RunEnd> end_reached() const;
   /// A failure where the time left is more steps than can be made.
   [[nodiscard]] std::optional<Failure> check_length() const;
