@@ -225,16 +225,16 @@ def joints():
     yield joint("joint_translations", "joint_rotations tied by type 6, which leaves rotations free: a hinge.",
                 "NODES_TO_SURFACE", 3, 1e-4, end=8.0)
     yield joint("joint_offset", """Two halves one above the other, tied with an offset of 1 and loaded along: type o7
-        leaves the moment of the offset out.""", "SHELL_EDGE_TO_SURFACE_OFFSET", 1, 0.01, gap=1.0)
+        leaves the moment of the offset out.""", "SHELL_EDGE_TO_SURFACE_OFFSET", 1, 0.001, gap=1.0)
     yield joint("joint_beam_offset", "joint_offset with type b7, which carries the moment.",
-                "SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", 1, 0.01, gap=1.0)
+                "SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", 1, 0.001, gap=1.0)
 
 
-FLANGE = 2.5  # height of what is not meant to tie
+FLANGE = 2.2  # height of what is not meant to tie
 
 
 def reach(name, text, a, a_type, **thickness):
-    """A fine plate over a coarse one that it overhangs: near at z = 1, then a flange at z = 2.5."""
+    """A fine plate over a coarse one that it overhangs: near at z = 1, then a flange at z = 2.2."""
     deck = Scene(name, text, 0.01)
     deck.body(1, "coarse plate")
     deck.body(2, "fine plate")
