@@ -15,6 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 STROKES = ('stroke="#1f4e9c"', 'stroke="#c0392b"', 'stroke="#2e8b57" stroke-dasharray="10 4"',
            'stroke="#8e44ad" stroke-dasharray="4 4"')
 FIRST_UPPER_NODE = 2001  # of what is thrown or pushed
+TIP = 2009  # a corner of the loaded edge of joined plates
 
 # Result files -------------------------------------------------------------------------------------------------------
 
@@ -30,15 +31,24 @@ class Results:
     def text(self, file):
         return (self.folder / file).read_text(encoding="ascii")
 
-    def height(self):
-        """z of the first thrown node over time, from nodout."""
+    def height(self, node=None):
+        """z of a node, of the first thrown one if none is given, over time, from nodout."""
         curve, time = [], None
         for line in self.text("nodout").splitlines():
             if found := re.search(r"at time\s*(\S+)\s*\)", line):
                 time = float(found[1])
-            elif line.startswith(f"{FIRST_UPPER_NODE:>9}") and len(line) > 150:
+            elif line.startswith(f"{node or FIRST_UPPER_NODE:>9}") and len(line) > 150:
                 curve.append((time, float(line[-12:])))
         return curve
+
+    def tip(self, rest=0.0):
+        """Deflection of the loaded edge, which lies `rest` high at the start."""
+        return [(time, z - rest) for time, z in self.height(TIP)]
+
+    def transducer(self, number):
+        """z force on side A of a force transducer over time, from rcforc."""
+        rows = re.findall(rf"^  SURFA +{number} time +(\S+) .* z +(\S+) mass", self.text("rcforc"), re.MULTILINE)
+        return [(float(time), float(force)) for time, force in rows]
 
     def sliding_energy(self):
         """Over time, from glstat."""
@@ -131,6 +141,9 @@ FORCE_PLOT = (push_force, "way of the upper body [mm]", "contact force [kN]")
 STARTS = {"penetration_snlog_0": "IGNORE = 0, SNLOG = 0", "penetration_snlog_1": "IGNORE = 0, SNLOG = 1",
           "penetration_ignore_1": "IGNORE = 1"}
 
+TIP_PLOT = (Results.tip, "time [ms]", "deflection of the loaded edge [mm]")
+OFFSET_PLOT = (lambda results: results.tip(1.0), "time [ms]", "deflection of the loaded edge [mm]")
+
 # Name of the file, what is drawn, decks with their labels, further arguments of svg().
 FIGURES = [
     ("rebound_thickness", HEIGHT_PLOT,
@@ -152,7 +165,21 @@ FIGURES = [
     ("penetration_energy", ENERGY_PLOT, STARTS, {"legend": (300, 180)}),
     ("penetration_mid_face", HEIGHT_PLOT, {"penetration_mid_face": "starts 0.85 deep"},
      {"bands": ((-1.0, 1.0, "contact zone of the plate"), (-5.0, -3.0, "contact zone of the second plate"))}),
+    ("ties_rotations", TIP_PLOT,
+     {"joint_rotations": "type 7: with rotations", "joint_translations": "type 6: without"}, {}),
+    ("ties_offset", OFFSET_PLOT,
+     {"joint_offset": "type o7 (OFFSET)", "joint_beam_offset": "type b7 (BEAM_OFFSET)"}, {"legend": (400, 180)}),
+    ("push_general", FORCE_PLOT,
+     {"push_shell_shell": "type 13: released at 0.8", "push_general": "type 26"}, {}),
 ]
+
+
+def transducer_figure(program, folder):
+    """One run, three curves."""
+    results = Results(program, "transducer_sum", folder)
+    names = {2: "all on the upper plate", 3: "upper and left", 4: "upper and right"}
+    return svg({label: results.transducer(number) for number, label in names.items()}, "time [ms]",
+               "force along z [kN]")
 
 
 def main():
@@ -165,6 +192,8 @@ def main():
         for name, (draw, x_label, y_label), decks, more in FIGURES:
             curves = {label: draw(Results(arguments.program, deck, folder)) for deck, label in decks.items()}
             (arguments.output / f"{name}.svg").write_text(svg(curves, x_label, y_label, **more), encoding="ascii")
+        (arguments.output / "transducer_sum.svg").write_text(transducer_figure(arguments.program, folder),
+                                                             encoding="ascii")
     return 0
 
 
