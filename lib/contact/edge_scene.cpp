@@ -1,5 +1,8 @@
 #include "contact/edge_scene.hpp"
 
+#include <algorithm>
+#include <map>
+
 namespace gapcheck::contact {
 namespace {
 
@@ -58,6 +61,47 @@ std::vector<SurfaceEdge> EdgeScene::edges() const {
   if (!scene_.type.edges)
     std::erase_if(edges, [&](const SurfaceEdge& e) { return segments_.kind[e.segment] == SegmentKind::line; });
   return edges;
+}
+
+ContactSurfaces free_edge_surface(const model::Model& model, std::uint32_t contact, const ContactSurfaces& surfaces,
+                                  const std::vector<Vector>& x) {
+  constexpr double limit = 0.2;  // of the shortest edge, for half a thickness
+  ContactSurfaces lines{surfaces.type, surfaces.settings, {}, {}};
+  lines.type.treatment = Treatment::single_surface;
+  lines.type.family = Family::automatic;
+  lines.type.pairing = Pairing::nodes;
+  lines.type.edges = true;
+  ContactSurfaces shells{surfaces.type, surfaces.settings, {}, {}};
+  shells.type.treatment = Treatment::single_surface;
+  shells.a.selection = surfaces.a.selection;
+  const EdgeScene scene(model, contact, shells, x, false);
+  const Segments& of = scene.scene().segments;
+  Segments& s = lines.a.selection.segments;
+  std::map<NodeIndex, std::uint32_t> ends;  // by node: the thickest line
+  for (const SurfaceEdge& edge : scene.edges()) {
+    const std::uint32_t i = edge.segment;
+    const double most = model.controls.ssthk == 0 ? limit * shortest_edge(of.nodes[i], x) : edge.half;
+    s.nodes.push_back({edge.a, edge.b, edge.b, edge.b});
+    s.element.push_back(of.element[i]);
+    s.element_kind.push_back(of.element_kind[i]);
+    s.kind.push_back(SegmentKind::line);
+    s.half.push_back(std::min(edge.half, most));
+    s.rule.push_back(of.rule[i]);
+    const auto line = static_cast<std::uint32_t>(s.size() - 1);
+    for (const NodeIndex end : {edge.a, edge.b}) {
+      const auto known = ends.emplace(end, line).first;
+      if (s.half[line] > s.half[known->second]) known->second = line;
+    }
+  }
+  lines.a.lines = s.size();
+  TrackedNodes& nodes = lines.a.nodes;
+  for (const auto& [node, line] : ends) {
+    nodes.node.push_back(node);
+    nodes.half.push_back(s.half[line]);
+    nodes.rule.push_back(s.rule[line]);
+    nodes.part.push_back(part_of(model.mesh, s, line));
+  }
+  return lines;
 }
 
 }  // namespace gapcheck::contact

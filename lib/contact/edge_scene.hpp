@@ -43,4 +43,9 @@ class EdgeScene {
   PairScene scene_;
 };
 
+/// The free shell edges of SURFA as a single surface of lines, with their ends as tracked nodes: what type 22 keeps
+/// apart. Half thicknesses stay below a fifth of the shell's shortest edge, as in single surfaces, unless SSTHK = 1.
+[[nodiscard]] ContactSurfaces free_edge_surface(const model::Model& model, std::uint32_t contact,
+                                                const ContactSurfaces& surfaces, const std::vector<Vector>& x);
+
 }  // namespace gapcheck::contact

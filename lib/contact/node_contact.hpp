@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "contact/contact_type.hpp"
+#include "model/model.hpp"
 
 namespace gapcheck::contact {
 
@@ -35,5 +36,15 @@ enum class NodeAction : std::uint8_t {
 /// which follows the penetration downwards only; thickness is full again once the node has left. A node that cannot be
 /// moved gets its force at once. Source: contact rules, sections 5 and 7.
 [[nodiscard]] NodeAction advance(NodeContact& node, const ContactSettings& settings, const NodeEncounter& encounter);
+
+/// The same for SOFT = 2: the depth found in the `first` cycle is the baseline without force. It follows the penetration
+/// downwards only and loses the share `reduction` in every cycle. What penetrates later is forced from its first cycle
+/// on; nothing is moved or released. Source: contact rules, section 7.
+[[nodiscard]] NodeAction advance_from_baseline(NodeContact& node, const NodeEncounter& encounter, bool first,
+                                               double reduction);
+
+/// DPRFAC at a time: the share of the baseline that goes in each cycle, 0 to 1. Negative: number of a curve over time.
+/// Source: LS-DYNA Keyword User's Manual, Vol. I, *CONTACT card C, as commonly quoted.
+[[nodiscard]] double baseline_reduction(const model::Model& model, const model::Contact& contact, double time);
 
 }  // namespace gapcheck::contact

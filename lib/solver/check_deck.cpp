@@ -20,8 +20,9 @@ std::string nothing_on(const contact::ContactSide& side, std::string_view name, 
 }
 
 std::string why_idle(const contact::ContactSurfaces& surfaces) {
-  std::string why = nothing_on(surfaces.a, "SURFA", !surfaces.two_sided());
-  if (why.empty() && surfaces.two_sided()) why = nothing_on(surfaces.b, "SURFB", true);
+  const bool one_side = surfaces.type.treatment == contact::Treatment::single_surface || surfaces.type.code == "22";
+  std::string why = nothing_on(surfaces.a, "SURFA", one_side);
+  if (why.empty() && !one_side) why = nothing_on(surfaces.b, "SURFB", true);
   return why;
 }
 

@@ -6,6 +6,8 @@
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "contact/active_time.hpp"
+#include "contact/edge_scene.hpp"
+#include "solver/edge_pass.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -75,6 +77,8 @@ void ContactForces::add_passes(Interface& interface, const std::vector<Vector>& 
   };
   nodes_in_segments(false);
   if (surfaces.type.treatment == Treatment::two_way) nodes_in_segments(true);
+  if (contact::looks_at_edges(model_.contacts[interface.contact], surfaces.type))
+    interface.passes.push_back(std::make_unique<EdgePass>(setting_, interface.contact, surfaces, x));
 }
 
 void ContactForces::build(State& state) {
@@ -89,6 +93,10 @@ void ContactForces::build(State& state) {
     const bool own = moved_ || interface.thickness != nullptr;
     if (own) interface.own = store_.build(c, state.x);
     interface.surfaces = own ? &interface.own : &store_.at(c);
+    if (interface.surfaces->type.code == "22") {
+      interface.own = contact::free_edge_surface(model_, c, *interface.surfaces, state.x);
+      interface.surfaces = &interface.own;
+    }
     interface.searched_thickness = contact.airbag_thickness;
     const contact::ActiveTime time = contact::active_time(contact);
     interface.start = time.start;
