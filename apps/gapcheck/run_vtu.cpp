@@ -51,7 +51,9 @@ VtuGrid vtu_grid(const results::D3plot& mesh, const results::D3plotState& state,
   VtuGrid grid;
   grid.points = state.coordinates;
   CellData cells;
+  const auto deleted = [](const std::vector<bool>& list, std::size_t i) { return i < list.size() && list[i]; };
   for (std::size_t i = 0; i < mesh.shells.ids.size(); ++i) {
+    if (deleted(state.deleted_shells, i)) continue;
     grid.add_cell(mesh.shells.nodes[i]);
     double strain = 0;
     for (std::size_t k = 0; k < state.layers; ++k)
@@ -60,6 +62,7 @@ VtuGrid vtu_grid(const results::D3plot& mesh, const results::D3plotState& state,
               state.shell_points[i * state.layers].stress);
   }
   for (std::size_t i = 0; i < mesh.solids.ids.size(); ++i) {
+    if (deleted(state.deleted_solids, i)) continue;
     grid.add_cell(mesh.solids.nodes[i]);
     cells.add(mesh.solids.parts[i], mesh.solids.ids[i], 0, state.solids[i].plastic_strain, state.solids[i].stress);
   }

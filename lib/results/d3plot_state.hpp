@@ -39,6 +39,7 @@ struct D3plotState {
   std::vector<ShellValues> shells;
   /// Of beams: axial force, shear forces s t, bending moments s t, torsion; their own axes.
   std::vector<std::array<double, 6>> beams;
+  std::vector<bool> deleted_solids, deleted_shells;  ///< failed elements
 };
 
 /// The word that ends a file of the family.

@@ -154,10 +154,12 @@ class LayoutReader {
 
   void add_deletion_table() {
     const std::int64_t layers = word(Place::maxint);
-    if (layers <= -10000)
+    if (layers <= -10000) {
+      layout_.deletion = position_;
       take(mesh_.solids.ids.size() + mesh_.thick_shells.ids.size() + mesh_.shells.ids.size() + mesh_.beams.ids.size());
-    else if (layers < 0)
+    } else if (layers < 0) {
       take(mesh_.node_ids.size());
+    }
   }
 
   const FileWords& words_;
@@ -281,6 +283,14 @@ D3plotState D3plotStates::read(std::size_t i) const {
       for (std::uint64_t j = 0; j < beam_values; ++j)
         state.beams.back()[j] = words.real(start + layout_.beams + k * layout_.beam_words + j);
     }
+  if (layout_.deletion != 0) {
+    const auto deleted = [&](std::size_t from, std::size_t count, std::vector<bool>& list) {
+      for (std::size_t k = 0; k < count; ++k) list.push_back(words.real(start + layout_.deletion + from + k) == 0);
+    };
+    const std::size_t solids = mesh_.solids.ids.size();
+    deleted(0, solids, state.deleted_solids);
+    deleted(solids + mesh_.thick_shells.ids.size(), mesh_.shells.ids.size(), state.deleted_shells);
+  }
   state.layers = std::min<std::size_t>(layout_.layers, D3plotState::surfaces);
   if (layout_.shells == 0) return state;
   state.shells.resize(mesh_.shells.ids.size());

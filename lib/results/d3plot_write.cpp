@@ -21,6 +21,8 @@ constexpr std::uint64_t block = D3plotWords::block_words;
 constexpr std::int64_t solid_values = 7, beam_values = 6, shell_values = 7 * D3plotState::surfaces + 8 + 4;
 constexpr std::int64_t thick_shell_values = 7 * D3plotState::surfaces;
 constexpr std::int64_t global_values = 6, part_values = 7;
+/// MAXINT is -(this + layers) where states end in a table of the elements that are there (MDLOPT = 2).
+constexpr std::int64_t element_deletion = 10000;
 constexpr std::int64_t part_titles = 90001;
 constexpr std::size_t part_title_bytes = 72;
 
@@ -38,8 +40,12 @@ std::int64_t count(std::size_t size) { return static_cast<std::int64_t>(size); }
 /// Writes the sections in front of the states.
 class GeometryWriter {
  public:
-  GeometryWriter(const D3plot& mesh, const std::vector<LegendEntry>& parts, int word_bytes)
-      : mesh_(mesh), parts_(parts), word_bytes_(word_bytes), out_(word_bytes) {
+  GeometryWriter(const D3plot& mesh, const std::vector<LegendEntry>& parts, const D3plotWriteSettings& settings)
+      : mesh_(mesh),
+        parts_(parts),
+        word_bytes_(settings.word_bytes),
+        deletion_(settings.deletion),
+        out_(settings.word_bytes) {
     for (std::size_t i = 0; i < parts.size(); ++i) number_.try_emplace(parts[i].id, count(i) + 1);
   }
 
@@ -54,6 +60,14 @@ class GeometryWriter {
     titles();
     out_.pad(block);
     return out_.bytes();
+  }
+
+  /// Of each solid, thick shell, shell and beam.
+  [[nodiscard]] std::vector<std::int64_t> part_numbers() const {
+    std::vector<std::int64_t> numbers;
+    for (const auto* list : {&mesh_.solids.parts, &mesh_.thick_shells.parts, &mesh_.shells.parts, &mesh_.beams.parts})
+      for (const std::int64_t part : *list) numbers.push_back(number_.at(part));
+    return numbers;
   }
 
  private:
@@ -72,7 +86,8 @@ class GeometryWriter {
     words[control_words::nv1d] = beam_values;
     words[control_words::nel4] = count(mesh_.shells.ids.size());
     words[control_words::nv2d] = shell_values;
-    words[control_words::maxint] = D3plotState::surfaces;
+    const std::int64_t layers = D3plotState::surfaces;
+    words[control_words::maxint] = deletion_ ? -(element_deletion + layers) : layers;
     words[control_words::narbs] = numbering_words();
     words[control_words::nelt] = count(mesh_.thick_shells.ids.size());
     words[control_words::nv3dt] = thick_shell_values;
@@ -150,6 +165,7 @@ class GeometryWriter {
   const D3plot& mesh_;
   const std::vector<LegendEntry>& parts_;
   int word_bytes_;
+  bool deletion_;
   std::map<std::int64_t, std::int64_t> number_;  ///< of a part's id, from 1
   WordBuffer out_;
 };
@@ -210,7 +226,8 @@ Result<D3plotWriter> D3plotWriter::create(const std::string& path, const D3plot&
   remove_members(path);
   errno = 0;
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "wb"));
-  GeometryWriter geometry(mesh, parts, writer.settings_.word_bytes);
+  GeometryWriter geometry(mesh, parts, writer.settings_);
+  if (settings.deletion) writer.part_numbers_ = geometry.part_numbers();
   if (!file || !write_bytes(file.get(), geometry.write())) return not_written(path);
   return Result<D3plotWriter>(std::move(writer));
 }
@@ -229,6 +246,11 @@ std::optional<Diagnostic> D3plotWriter::append(const D3plotState& state) {
       state.solids.size() != solids_ || state.shells.size() != shells_ || state.beams.size() != beams_ ||
       state.layers != D3plotState::surfaces || state.shell_points.size() != shells_ * D3plotState::surfaces)
     return failure(path_, "a state does not have the sizes of the mesh");
+  const auto fits = [&](const std::vector<bool>& deleted, std::size_t size) {
+    return deleted.empty() || (settings_.deletion && deleted.size() == size);
+  };
+  if (!fits(state.deleted_solids, solids_) || !fits(state.deleted_shells, shells_))
+    return failure(path_, "elements are deleted in a database that does not say which");
   WordBuffer out(settings_.word_bytes);
   out.reals(std::array{state.time, state.kinetic, state.internal, state.total});
   out.reals(state.velocity);
@@ -251,6 +273,12 @@ std::optional<Diagnostic> D3plotWriter::append(const D3plotState& state) {
     for (std::size_t k = 0; k < D3plotState::surfaces; ++k) point(state.shell_points[i * D3plotState::surfaces + k]);
     out.reals(state.shells[i].resultants);
     out.reals(std::array{state.shells[i].thickness, 0.0, 0.0, state.shells[i].internal_energy});
+  }
+  const auto gone = [](const std::vector<bool>& deleted, std::size_t i) { return i < deleted.size() && deleted[i]; };
+  for (std::size_t i = 0; i < part_numbers_.size(); ++i) {
+    const std::size_t shell = i - solids_ - thick_shells_;  // wraps for others
+    const bool deleted = i < solids_ ? gone(state.deleted_solids, i) : gone(state.deleted_shells, shell);
+    out.real(deleted ? 0 : static_cast<double>(part_numbers_[i]));
   }
   const std::uint64_t words = out.words();
   if (!file_ || position_ + words + 1 > settings_.member_words)

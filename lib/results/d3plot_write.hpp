@@ -14,6 +14,7 @@
 namespace gapcheck::results {
 
 struct D3plotWriteSettings {
+  bool deletion = false;  ///< states say which elements are deleted; otherwise none may be
   int word_bytes = 4;  ///< 4 or 8; ids beyond 32 bits are written in words of 8 whatever is asked for
   /// Words of a file of the family; a state that does not fit begins the next one, also where it is alone too large.
   std::uint64_t member_words = 7 * 512 * 512;
@@ -39,6 +40,8 @@ class D3plotWriter {
 
   std::string path_, member_path_;
   D3plotWriteSettings settings_;
+  /// For each solid, thick shell, shell and beam its part's number, 0 where it is deleted.
+  std::vector<std::int64_t> part_numbers_;
   std::size_t nodes_ = 0, solids_ = 0, thick_shells_ = 0, beams_ = 0, shells_ = 0, parts_ = 0;
   std::uint32_t member_ = 0;
   std::uint64_t position_ = 0;  ///< words of states in the member

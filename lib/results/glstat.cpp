@@ -36,11 +36,11 @@ constexpr std::array<Row, 8> rows_before_walls{{
 constexpr std::array<Row, 7> rows_behind_walls{{
     {"external work..................", &GlobalState::external},
     {"eroded kinetic energy.........."},
-    {"eroded internal energy........."},
-    {"eroded hourglass energy........"},
+    {"eroded internal energy.........", &GlobalState::eroded_internal},
+    {"eroded hourglass energy........", &GlobalState::eroded_hourglass},
     {"total energy...................", &GlobalState::total},
     {"total energy / initial energy..", &GlobalState::ratio},
-    {"energy ratio w/o eroded energy.", &GlobalState::ratio, true},
+    {"energy ratio w/o eroded energy.", &GlobalState::ratio_without_eroded, true},
 }};
 
 constexpr std::string_view total_label = "total energy";

@@ -21,6 +21,8 @@ struct GlobalState {
   double external = 0;  ///< work
   double total = 0;
   double ratio = 1;                  ///< total / initial energy, external work counted as there from the start
+  double eroded_internal = 0, eroded_hourglass = 0;  ///< of deleted elements; in internal and hourglass too
+  double ratio_without_eroded = 1;                   ///< the same without these
   Vector velocity = Vector::Zero();  ///< of the centre of mass
   struct Wall {
     std::int64_t number = 0;

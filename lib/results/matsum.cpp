@@ -99,11 +99,12 @@ std::string matsum_text(double time, std::span<const PartState> parts) {
   std::string text = fmt::format("\n\n\n time ={}\n", scientific(time, 13, 4));
   for (const PartState& part : parts) {
     text += fmt::format(" mat.#={:5}             inten={}     kinen={}     eroded_ie={}     eroded_ke={}\n", part.part,
-                        scientific(part.internal, 13, 4), scientific(part.kinetic, 13, 4), zero, zero);
+                        scientific(part.internal, 13, 4), scientific(part.kinetic, 13, 4),
+                        scientific(part.eroded_internal, 13, 4), zero);
     text += vector_row("mom", part.momentum);
     text += vector_row("rbv", part.velocity);
     text += fmt::format("                         hgeng={}     +mass={}     eroded_he={}\n\n\n",
-                        scientific(part.hourglass, 13, 4), zero, zero);
+                        scientific(part.hourglass, 13, 4), zero, scientific(part.eroded_hourglass, 13, 4));
   }
   return text;
 }

@@ -15,6 +15,7 @@ namespace gapcheck::results {
 struct PartState {
   std::int64_t part = 0;
   double internal = 0, kinetic = 0, hourglass = 0;
+  double eroded_internal = 0, eroded_hourglass = 0;  ///< of deleted elements; not in the ones above
   Vector momentum = Vector::Zero();
   Vector velocity = Vector::Zero();  ///< of the rigid body
 };

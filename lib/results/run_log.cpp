@@ -101,6 +101,10 @@ std::string smallest_timesteps(std::span<const ElementStep> steps) {
   return text + "\n";
 }
 
+std::string failed_element(const std::string& kind, std::int64_t element, double time) {
+  return fmt::format(" {} element {:9} failed at time {}\n", kind, element, scientific(time, 11, 4));
+}
+
 std::string cycle_line(std::uint64_t cycle, double time, double time_step, const std::string& what) {
   return fmt::format("{:8} t{} dt{} {}\n", cycle, scientific(time, 11, 4), scientific(time_step, 9, 2), what);
 }

@@ -40,6 +40,8 @@ struct ElementStep {
 [[nodiscard]] std::string smallest_timesteps(std::span<const ElementStep> steps);
 /// "       1 t 0.0000E+00 dt 2.12E-04 write d3plot file"
 [[nodiscard]] std::string cycle_line(std::uint64_t cycle, double time, double time_step, const std::string& what);
+/// " shell element        12 failed at time  1.2345E-03". `kind`: "shell" or "solid"
+[[nodiscard]] std::string failed_element(const std::string& kind, std::int64_t element, double time);
 /// Why the run ended, its time and cycle (from 1), and the last line: normal or error termination.
 [[nodiscard]] std::string log_end(bool normal, const std::string& reason, double time, std::uint64_t cycle);
 /// A message block without a number.

@@ -88,6 +88,9 @@ class Builder {
     }
     if (named_.insert(*part->material).second)
       name_what_is_not_calculated(model_, model_.materials[*part->material], diagnostics_);
+    if (kind == SectionKind::beam && std::get<Material>(material).failure_strain > 0)
+      diagnostics_.warning("", 0, fmt::format("{} {} and others of material {} do not fail (FS, FAIL)", what, id,
+                                              model_.materials[*part->material].id));
     if (kind == SectionKind::beam) return Properties{&section, std::get<Material>(std::move(material))};
     const bool one_point = kind == SectionKind::shell ? section.elform == 0 || section.elform == 2
                                                       : section.elform <= 1 || section.elform == 10;

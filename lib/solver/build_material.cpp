@@ -47,6 +47,12 @@ YieldCurve piecewise_linear(const model::Model& model, const model::Material& ma
   return YieldCurve(data.sigy, material.young * data.etan / (material.young - data.etan));
 }
 
+/// FS or FAIL is an effective plastic strain.
+bool fails(const model::Plasticity& data) {
+  constexpr double never = 1e20;
+  return data.failure_strain > 0 && data.failure_strain < never;
+}
+
 }  // namespace
 
 std::variant<Material, Failure> build_material(const model::Model& model, const model::Material& material) {
@@ -81,6 +87,7 @@ std::variant<Material, Failure> build_material(const model::Model& model, const 
     }
     result.rate_c = data.rate_c;
     result.rate_p = data.rate_p;
+    if (fails(data)) result.failure_strain = data.failure_strain;
   } else if (material.keyword != "MAT_ELASTIC") {
     return refused("is none of 001, 003, 009, 020, 024 and 037; replace it for this run");
   }
@@ -95,8 +102,7 @@ void name_what_is_not_calculated(const model::Model& model, const model::Materia
     diagnostics.warning(model.file(material.place), material.place.line,
                         fmt::format("material {} (*{}): {}", material.id, material.keyword, what));
   };
-  constexpr double never = 1e20;
-  if (data.failure_strain != 0 && data.failure_strain < never) warn("failure (FS, FAIL) is not calculated");
+  if (data.failure_strain < 0) warn("failure by a subroutine (FAIL < 0) is not calculated");
   if (data.viscoplastic) warn("the viscoplastic rate (VP) is ignored; the total strain rate counts");
   if (data.lcsr != 0) warn("the curve LCSR over the rate is not calculated");
   const bool anisotropic = material.keyword == "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC";

@@ -92,6 +92,29 @@ double plastic_plane(const Material& material, Symmetric increment, const YieldL
   return increment[zz];
 }
 
+/// Takes the stress from a point that has reached the failure strain.
+void fail_when_due(const Material& material, PointState& point) {
+  if (!(material.failure_strain > 0) || !(point.plastic_strain >= material.failure_strain)) return;
+  point.failed = true;
+  point.stress = point.back_stress = {};
+}
+
+/// update_plane_stress() of a point that can carry stress.
+double plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
+  if (material.kind == MaterialKind::elastic) return elastic_plane(material, increment, point.stress);
+  if (material.kind == MaterialKind::anisotropic) return update_anisotropic_plane_stress(material, increment, point);
+  Symmetric trial = point.stress;
+  const double through = elastic_plane(material, increment, trial);
+  Symmetric rate_increment = increment;
+  rate_increment[zz] = through;
+  const YieldLaw yield = step_yield(material, rate_increment, dt);
+  if (!(relative(trial, point.back_stress).size > yield.stress(point.plastic_strain))) {
+    point.stress = trial;
+    return through;
+  }
+  return plastic_plane(material, increment, yield, through, point);
+}
+
 }  // namespace
 
 bool Material::valid() const {
@@ -126,28 +149,20 @@ Material plastic_kinematic(double density, double young, double poisson, double 
 }
 
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
-  if (!material.has_stress()) return;
+  if (!material.has_stress() || point.failed) return;
   const Symmetric trial = elastic_trial(material, increment, point.stress);
   if (material.kind == MaterialKind::elastic)
     point.stress = trial;
   else
     point = radial_return(material, trial, step_yield(material, increment, dt), point).point;
+  fail_when_due(material, point);
 }
 
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
-  if (!material.has_stress()) return 0;
-  if (material.kind == MaterialKind::elastic) return elastic_plane(material, increment, point.stress);
-  if (material.kind == MaterialKind::anisotropic) return update_anisotropic_plane_stress(material, increment, point);
-  Symmetric trial = point.stress;
-  const double through = elastic_plane(material, increment, trial);
-  Symmetric rate_increment = increment;
-  rate_increment[zz] = through;
-  const YieldLaw yield = step_yield(material, rate_increment, dt);
-  if (!(relative(trial, point.back_stress).size > yield.stress(point.plastic_strain))) {
-    point.stress = trial;
-    return through;
-  }
-  return plastic_plane(material, increment, yield, through, point);
+  if (!material.has_stress() || point.failed) return 0;
+  const double through = plane_stress(material, increment, dt, point);
+  fail_when_due(material, point);
+  return through;
 }
 
 }  // namespace gapcheck::solver

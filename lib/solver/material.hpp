@@ -11,6 +11,7 @@ struct PointState {
   Symmetric stress{};
   Symmetric back_stress{};    ///< centre of the yield surface, deviatoric
   double plastic_strain = 0;  ///< effective
+  bool failed = false;        ///< without stress from then on
 };
 
 enum class MaterialKind : std::uint8_t {
@@ -38,6 +39,7 @@ struct Material {
   double rate_c = 0, rate_p = 0;  ///< Cowper–Symonds on the total strain rate √(ε̇:ε̇); zero = rate independent
   RateTable table = {};           ///< instead of `yield` where it has curves
   double anisotropy = 1;          ///< R of 037
+  double failure_strain = 0;      ///< effective plastic strain at which a point fails; 0: it never does
 
   [[nodiscard]] double shear() const { return young / (2 * (1 + poisson)); }
   [[nodiscard]] double bulk() const { return young / (3 * (1 - 2 * poisson)); }
@@ -58,7 +60,7 @@ struct Material {
                                          double beta);
 
 /// Adds the strain increment (over dt) to a point in three dimensions. Plasticity: radial return to the von Mises
-/// cylinder (Wilkins; Krieg and Key), exact for a piecewise linear curve. Null and rigid: stress stays zero.
+/// cylinder (Wilkins; Krieg and Key), exact for a piecewise linear curve. Null, rigid and failed: stress stays zero.
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
 
 /// The same with σzz = 0: increment[zz] is not read but found, and returned. Plastic points iterate on it with the

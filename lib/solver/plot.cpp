@@ -103,6 +103,10 @@ void shell_values(const Structure& structure, std::size_t shell, results::D3plot
   values.internal_energy = shells.energy(shell).internal / (area * thickness);
 }
 
+bool failed(const ShellElements& shells, std::size_t i) { return shells.failed(i); }
+bool failed(const SolidElements& solids, std::size_t i) { return solids.failed(i); }
+bool failed(const BeamElements& /*beams*/, std::size_t /*i*/) { return false; }
+
 }  // namespace
 
 Matrix shell_axes(const std::array<Vector, 4>& x) {
@@ -115,11 +119,12 @@ Matrix shell_axes(const std::array<Vector, 4>& x) {
   return axes;
 }
 
-std::vector<ElementEnergy> part_energies(const model::Model& model, const Structure& structure) {
-  std::vector<ElementEnergy> parts(model.parts.size());
+std::vector<PartEnergy> part_energies(const model::Model& model, const Structure& structure) {
+  std::vector<PartEnergy> parts(model.parts.size());
   const auto add = [&](const auto& elements, const std::vector<PartIndex>& part_of) {
     for (std::size_t i = 0; i < elements.size(); ++i) {
-      ElementEnergy& part = parts[part_of[elements.origin(i)].value];
+      PartEnergy& both = parts[part_of[elements.origin(i)].value];
+      ElementEnergy& part = failed(elements, i) ? both.eroded : both.present;
       part.internal += elements.energy(i).internal;
       part.hourglass += elements.energy(i).hourglass;
     }
@@ -129,6 +134,8 @@ std::vector<ElementEnergy> part_energies(const model::Model& model, const Struct
   add(structure.beams, model.mesh.beams.part);
   return parts;
 }
+
+bool can_fail(const Structure& structure) { return structure.shells.can_fail() || structure.solids.can_fail(); }
 
 std::vector<results::LegendEntry> part_titles(const model::Model& model) {
   std::vector<results::LegendEntry> list;
@@ -167,13 +174,20 @@ results::D3plotState plot_state(const model::Model& model, const Structure& stru
   parallel_for(structure.shells.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) shell_values(structure, i, plot);
   });
+  if (state.failed.count > 0) {
+    plot.deleted_solids = state.failed.solids;
+    plot.deleted_solids.resize(plot.solids.size(), false);
+    plot.deleted_shells = state.failed.shells;
+    plot.deleted_shells.resize(plot.shells.size(), false);
+  }
   beam_values(model, structure, plot);
-  const std::vector<ElementEnergy> energies = part_energies(model, structure);
+  const std::vector<PartEnergy> energies = part_energies(model, structure);
   double mass = 0;
   Vector momentum = Vector::Zero();
   for (std::size_t part = 0; part < model.parts.size(); ++part) {
     const PartMotion& m = motion[part];
-    results::PartValues values{energies[part].internal, m.kinetic, m.mass, energies[part].hourglass, {}};
+    const ElementEnergy& energy = energies[part].present;
+    results::PartValues values{energy.internal, m.kinetic, m.mass, energy.hourglass, {}};
     if (m.mass > 0) values.velocity = array_of(m.momentum / m.mass);
     plot.parts.push_back(values);
     mass += m.mass;

@@ -12,8 +12,14 @@
 
 namespace gapcheck::solver {
 
-/// Energies that the elements of one part have taken up.
-[[nodiscard]] std::vector<ElementEnergy> part_energies(const model::Model& model, const Structure& structure);
+/// Energies that the elements of one part have taken up: those that are there, and those that have failed.
+struct PartEnergy {
+  ElementEnergy present, eroded;
+};
+[[nodiscard]] std::vector<PartEnergy> part_energies(const model::Model& model, const Structure& structure);
+
+/// Elements of the structure may fail, so that plots say which are there.
+[[nodiscard]] bool can_fail(const Structure& structure);
 
 /// Parts with their titles, in the model's order.
 [[nodiscard]] std::vector<results::LegendEntry> part_titles(const model::Model& model);

@@ -155,6 +155,7 @@ std::optional<Failure> RunFiles::open_logs(const Run& run, contact::SurfaceStore
 std::optional<Failure> RunFiles::open_plot(const Run& run) {
   results::D3plotWriteSettings form;
   form.word_bytes = settings_.double_words ? 8 : 4;
+  form.deletion = can_fail(run.stepper().structure());
   auto plot = results::D3plotWriter::create((std::filesystem::path(settings_.directory) / "d3plot").string(),
                                             plot_mesh(run.model(), run.initial().x), part_titles(run.model()), form);
   if (!plot) return Failure{Failure::Kind::output, plot.error().file + ": " + plot.error().message};
@@ -166,6 +167,18 @@ std::optional<Failure> RunFiles::log(const std::string& text) {
   for (const Text& file : logs_)
     if (!write(file.file.get(), text)) return not_written(file.path);
   return std::nullopt;
+}
+
+std::optional<Failure> RunFiles::log_failures(const Run& run) {
+  const std::vector<ElementFailure>& failures = run.stepper().failures();
+  const model::Mesh& mesh = run.model().mesh;
+  std::string text;
+  for (; logged_failures_ < failures.size(); ++logged_failures_) {
+    const auto& [kind, element, time] = failures[logged_failures_];
+    text += kind == StepControl::Kind::solid ? results::failed_element("solid", mesh.solids.id[element], time)
+                                             : results::failed_element("shell", mesh.shells.id[element], time);
+  }
+  return text.empty() ? std::nullopt : log(text);
 }
 
 std::optional<Failure> RunFiles::log_end(const Run& run, RunEnd end) {
@@ -215,6 +228,7 @@ std::optional<Failure> RunFiles::plot(const Run& run) {
 
 std::optional<Failure> RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
   const State& state = run.stepper().state();
+  if (auto problem = log_failures(run)) return problem;
   for (std::size_t i = 0; i < texts_.size(); ++i) {
     Text& text = texts_[i];
     if (!text.file || !(text.interval.due(state.time) || end)) continue;

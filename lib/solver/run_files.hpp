@@ -73,6 +73,7 @@ class RunFiles : public Run::Observer {
   [[nodiscard]] std::optional<Failure> open_logs(const Run& run, contact::SurfaceStore& surfaces);
   [[nodiscard]] std::optional<Failure> open_plot(const Run& run);
   [[nodiscard]] std::optional<Failure> log(const std::string& text);
+  [[nodiscard]] std::optional<Failure> log_failures(const Run& run);
   [[nodiscard]] std::optional<Failure> log_end(const Run& run, RunEnd end);
   [[nodiscard]] std::string state_text(std::size_t which, const Run& run) const;
   [[nodiscard]] std::optional<Failure> plot(const Run& run);
@@ -81,6 +82,7 @@ class RunFiles : public Run::Observer {
   std::vector<Text> texts_, logs_;  ///< logs: messag, d3hsp
   Interval plot_interval_;
   std::size_t plotted_ = 0;
+  std::size_t logged_failures_ = 0;  ///< of the stepper's
   std::unique_ptr<results::D3plotWriter> plot_;
   contact::ElementSizes sizes_;
   std::unique_ptr<PartMasses> masses_;

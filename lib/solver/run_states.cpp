@@ -62,7 +62,16 @@ results::GlobalState global_state(const Run& run) {
   global.sliding = e.absorbed.sliding();
   global.external = e.external;
   global.total = e.total();
-  global.ratio = e.ratio();
+  global.ratio = global.ratio_without_eroded = e.ratio();
+  if (stepper.state().failed.count > 0) {
+    for (const PartEnergy& part : part_energies(run.model(), stepper.structure())) {
+      global.eroded_internal += part.eroded.internal;
+      global.eroded_hourglass += part.eroded.hourglass;
+    }
+    const double supplied = e.initial + e.external;
+    if (supplied != 0)
+      global.ratio_without_eroded = (e.total() - global.eroded_internal - global.eroded_hourglass) / supplied;
+  }
   if (!run.model().rigid_walls.empty()) global.walls.push_back({1, e.absorbed.walls});
   global.velocity = global_velocity(stepper.state());
   set_control(run, global);
@@ -70,14 +79,16 @@ results::GlobalState global_state(const Run& run) {
 }
 
 std::vector<results::PartState> part_states(const Run& run, const PartMasses& masses) {
-  const std::vector<ElementEnergy> energies = part_energies(run.model(), run.stepper().structure());
+  const std::vector<PartEnergy> energies = part_energies(run.model(), run.stepper().structure());
   const std::vector<PartMotion> motion = masses.motion(run.stepper().state());
   std::vector<results::PartState> parts;
   for (std::uint32_t i = 0; i < motion.size(); ++i) {
     results::PartState part;
     part.part = run.model().parts[i].id.value;
-    part.internal = energies[i].internal;
-    part.hourglass = energies[i].hourglass;
+    part.internal = energies[i].present.internal;
+    part.hourglass = energies[i].present.hourglass;
+    part.eroded_internal = energies[i].eroded.internal;
+    part.eroded_hourglass = energies[i].eroded.hourglass;
     part.kinetic = motion[i].kinetic;
     part.momentum = motion[i].momentum;
     if (run.model().rigid(PartIndex{i}) && motion[i].mass > 0) part.velocity = motion[i].momentum / motion[i].mass;

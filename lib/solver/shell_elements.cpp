@@ -1,5 +1,7 @@
 #include "solver/shell_elements.hpp"
 
+#include <limits>
+
 namespace gapcheck::solver {
 
 std::uint32_t ShellElements::add_properties(ShellProperties properties) {
@@ -53,6 +55,7 @@ void ShellElements::finish(std::size_t nodes) {
   force_.assign(4 * size(), Vector::Zero());
   moment_.assign(4 * size(), Vector::Zero());
   energy_.assign(size(), {});
+  failed_.assign(size(), 0);
   std::vector<NodeIndex> corners;
   corners.reserve(4 * size());
   for (std::size_t i = 0; i < size(); ++i)
@@ -60,7 +63,12 @@ void ShellElements::finish(std::size_t nodes) {
   table_ = CornerTable(nodes, corners);
 }
 
+bool ShellElements::all_failed(std::span<const PointState> points) {
+  return !points.empty() && std::all_of(points.begin(), points.end(), [](const PointState& p) { return p.failed; });
+}
+
 Summary ShellElements::update_one(const State& state, std::size_t shell) {
+  if (failed_[shell] != 0) return {};
   ShellCorners corners;
   for (std::size_t k = 0; k < 4; ++k) {
     const std::uint32_t node = nodes_[shell][k].value;
@@ -70,9 +78,18 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
   }
   const ShellProperties& properties = properties_[which_[shell]];
   const std::span<PointState> points(points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]);
-  const ShellForces forces = triangle(shell) ? triangle_forces(properties, corners, state.dt, state_[shell], points)
-                                             : quad_forces(properties, corners, state.dt, state_[shell], points);
+  ShellForces forces = triangle(shell) ? triangle_forces(properties, corners, state.dt, state_[shell], points)
+                                       : quad_forces(properties, corners, state.dt, state_[shell], points);
   Summary summary;
+  if (all_failed(points)) {
+    failed_[shell] = 1;
+    forces = {};
+    forces.good = true;
+    forces.manual_step = forces.stable_step = std::numeric_limits<double>::infinity();
+    forces.force.fill(Vector::Zero());
+    forces.moment.fill(Vector::Zero());
+    summary.failed = 1;
+  }
   summary.manual_step = forces.manual_step;
   summary.stable_step = forces.stable_step;
   if (!step_factor_.empty()) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -38,6 +39,13 @@ class ShellElements {
   [[nodiscard]] std::uint32_t origin(std::size_t shell) const { return origin_[shell]; }
   [[nodiscard]] const std::array<NodeIndex, 4>& nodes(std::size_t shell) const { return nodes_[shell]; }
   [[nodiscard]] const ShellProperties& properties(std::size_t shell) const { return properties_[which_[shell]]; }
+  /// False: none ever fails.
+  [[nodiscard]] bool can_fail() const {
+    return std::any_of(properties_.begin(), properties_.end(),
+                       [](const ShellProperties& p) { return p.material.failure_strain > 0; });
+  }
+  /// All its layers have failed: it has no stress, no force and no time step any more.
+  [[nodiscard]] bool failed(std::size_t shell) const { return failed_[shell]; }
   [[nodiscard]] const ElementEnergy& energy(std::size_t shell) const { return energy_[shell]; }
   [[nodiscard]] const ShellState& state(std::size_t shell) const { return state_[shell]; }
   [[nodiscard]] std::span<const PointState> points(std::size_t shell) const {
@@ -47,6 +55,7 @@ class ShellElements {
  private:
   [[nodiscard]] ShellForces at_rest(std::size_t shell, const std::vector<Vector>& x) const;
   [[nodiscard]] bool triangle(std::size_t shell) const { return nodes_[shell][2] == nodes_[shell][3]; }
+  [[nodiscard]] static bool all_failed(std::span<const PointState> points);
   [[nodiscard]] Summary update_one(const State& state, std::size_t shell);
 
   std::vector<ShellProperties> properties_;
@@ -58,6 +67,7 @@ class ShellElements {
   std::vector<PointState> points_;
   std::vector<Vector> force_, moment_;  ///< four places per shell
   std::vector<ElementEnergy> energy_;
+  std::vector<char> failed_;  ///< not bits: written by several threads
   CornerTable table_;
 };
 

@@ -43,6 +43,7 @@ void SolidElements::finish(std::size_t nodes) {
   points_.assign(size(), {});
   force_.assign(8 * size(), Vector::Zero());
   energy_.assign(size(), {});
+  failed_.assign(size(), 0);
   std::vector<NodeIndex> corners;
   corners.reserve(8 * size());
   for (std::size_t i = 0; i < size(); ++i)
@@ -52,6 +53,7 @@ void SolidElements::finish(std::size_t nodes) {
 }
 
 Summary SolidElements::update_one(const State& state, std::size_t solid) {
+  if (failed_[solid] != 0) return {};
   SolidCorners corners;
   for (std::size_t k = 0; k < 8; ++k) {
     const std::uint32_t node = nodes_[solid][k].value;
@@ -60,9 +62,15 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   }
   const SolidProperties& properties = properties_[which_[solid]];
   const auto kernel = model::is_tetrahedron(nodes_[solid]) ? tetrahedron_forces : brick_forces;
-  const SolidForces forces = kernel(properties, corners, state.dt, state_[solid], points_[solid]);
+  SolidForces forces = kernel(properties, corners, state.dt, state_[solid], points_[solid]);
   Summary summary;
-  if (forces.good) {
+  if (points_[solid].failed || (inverted_fail_ && !forces.good)) {
+    failed_[solid] = 1;
+    points_[solid].stress = {};
+    forces = {};
+    forces.force.fill(Vector::Zero());
+    summary.failed = 1;
+  } else if (forces.good) {
     summary.manual_step = forces.manual_step;
     summary.stable_step = forces.stable_step;
   } else {

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -33,6 +34,16 @@ class SolidElements {
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::uint32_t origin(std::size_t solid) const { return origin_[solid]; }
+  /// False: none ever fails.
+  [[nodiscard]] bool can_fail() const {
+    return inverted_fail_ || std::any_of(properties_.begin(), properties_.end(), [](const SolidProperties& p) {
+             return p.material.failure_strain > 0;
+           });
+  }
+  /// Its point has failed: it has no stress, no force and no time step any more.
+  [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }
+  /// A solid that loses its volume fails, too, instead of ending the run.
+  void let_inverted_fail() { inverted_fail_ = true; }
   [[nodiscard]] const ElementEnergy& energy(std::size_t solid) const { return energy_[solid]; }
   [[nodiscard]] const PointState& point(std::size_t solid) const { return points_[solid]; }
 
@@ -46,6 +57,8 @@ class SolidElements {
   std::vector<PointState> points_;
   std::vector<Vector> force_;  ///< eight places per solid
   std::vector<ElementEnergy> energy_;
+  std::vector<char> failed_;  ///< not bits: written by several threads
+  bool inverted_fail_ = false;
   CornerTable table_;
 };
 

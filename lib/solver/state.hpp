@@ -13,6 +13,12 @@ struct BodyState {
   Vector spin = Vector::Zero(), angular_momentum = Vector::Zero();
 };
 
+/// Elements that have failed; by position in the model, as far as the structure has elements there.
+struct FailedElements {
+  std::vector<bool> shells, solids;
+  std::uint64_t count = 0;
+};
+
 /// Everything that moves; arrays by node. Velocities belong to the middle of the step that led to `time`
 /// (central difference), positions to `time` itself.
 struct State {
@@ -23,6 +29,7 @@ struct State {
   double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
   double coming = 0;  ///< the step that the elements allow next; known when other forces are asked
   std::uint64_t cycle = 0;
+  FailedElements failed;  ///< these take no more part; their mass stays at their nodes
 };
 
 /// Force and moment by node, and by rigid body at its centre.

@@ -112,10 +112,28 @@ double Stepper::element_step(const Summary& shells, const Summary& solids, const
   return least;
 }
 
+void Stepper::note_failures() {
+  State& state = structure_.state;
+  const auto note = [&](const auto& elements, std::vector<bool>& flags, StepControl::Kind kind) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const std::uint32_t origin = elements.origin(i);
+      if (!elements.failed(i)) continue;
+      if (origin >= flags.size()) flags.resize(std::size_t{origin} + 1, false);
+      if (flags[origin]) continue;
+      flags[origin] = true;
+      failures_.push_back({kind, origin, state.time});
+    }
+  };
+  note(structure_.shells, state.failed.shells, StepControl::Kind::shell);
+  note(structure_.solids, state.failed.solids, StepControl::Kind::solid);
+  state.failed.count = failures_.size();
+}
+
 std::optional<Failure> Stepper::evaluate(double& next) {
   State& state = structure_.state;
   const Summary shells = structure_.shells.update(state), solids = structure_.solids.update(state),
                 beams = structure_.beams.update(state);
+  if (shells.failed + solids.failed > 0) note_failures();
   if (auto failure = check_elements(shells, solids, beams)) return failure;
   for (const Summary& part : {shells, solids, beams}) {
     energies_.internal += part.work - part.hourglass_work;
@@ -132,6 +150,8 @@ std::optional<Failure> Stepper::evaluate(double& next) {
     other->add(state, external_);
     limit = std::min(limit, other->stable_step());
   }
+  // Where all elements have failed the last step goes on.
+  if (state.failed.count > 0 && !std::isfinite(next)) limit = std::min(limit, state.dt);
   if (!(limit >= next)) {
     next = limit;
     control_ = {};

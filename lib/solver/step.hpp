@@ -49,6 +49,13 @@ struct StepControl {
   std::uint32_t element = 0;  ///< position in the model
 };
 
+/// An element that has failed.
+struct ElementFailure {
+  StepControl::Kind kind = StepControl::Kind::shell;
+  std::uint32_t element = 0;  ///< position in the model
+  double time = 0;
+};
+
 /// Explicit time integration by central differences (Belytschko, Liu, Moran, 6.2): forces at tₙ, accelerations,
 /// velocities at tₙ + ½, positions at tₙ₊₁. Rotations are advanced by angular velocities; the elements need nothing
 /// else of them. The result is the same, bit for bit, for any number of threads.
@@ -73,6 +80,8 @@ class Stepper {
 
   [[nodiscard]] const State& state() const { return structure_.state; }
   [[nodiscard]] const Structure& structure() const { return structure_; }
+  /// All that have failed so far, in the order in which they did; of one cycle shells before solids, each by position.
+  [[nodiscard]] const std::vector<ElementFailure>& failures() const { return failures_; }
   /// At the time of the last force evaluation: that at which the last step began.
   [[nodiscard]] const Energies& energies() const { return energies_; }
   /// Sum of internal and other forces at that time, and what constraints added to them.
@@ -86,6 +95,7 @@ class Stepper {
                                                       const Summary& beams) const;
   [[nodiscard]] std::optional<Failure> accelerate(double next);
   [[nodiscard]] std::optional<Failure> check_energy();
+  void note_failures();
   void move(double next);
 
   Structure structure_;
@@ -95,6 +105,7 @@ class Stepper {
   Energies energies_;
   double next_ = 0;
   StepControl control_;
+  std::vector<ElementFailure> failures_;
   double work_ = 0;  ///< of all forces that are not the elements'
   double largest_energy_ = 0;
 };

@@ -14,6 +14,7 @@ struct Summary {
   double manual_step = std::numeric_limits<double>::infinity();
   double stable_step = std::numeric_limits<double>::infinity();
   double work = 0, hourglass_work = 0;  ///< of the step; work includes the hourglass work
+  std::uint64_t failed = 0;             ///< elements that fail now
   std::uint32_t bad = nobody;           ///< first element without a usable shape
   std::uint32_t manual_at = nobody, stable_at = nobody;  ///< the first elements with these steps
 
@@ -24,6 +25,7 @@ struct Summary {
     stable_step = std::min(stable_step, other.stable_step);
     work += other.work;
     hourglass_work += other.hourglass_work;
+    failed += other.failed;
     bad = std::min(bad, other.bad);
   }
 };

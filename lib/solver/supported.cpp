@@ -138,10 +138,11 @@ class Finder {
     constexpr std::array<std::string_view, 6> continua{
         "MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC",           "MAT_NULL",
         "MAT_RIGID",   "MAT_PIECEWISE_LINEAR_PLASTICITY", "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
-    std::vector<bool> used(model_.parts.size()), material_seen(model_.materials.size());
+    std::vector<bool> used(model_.parts.size()), beams(model_.parts.size()), material_seen(model_.materials.size());
     mark(model_.mesh.shells, used);
     mark(model_.mesh.solids, used);
     mark(model_.mesh.beams, used);
+    mark(model_.mesh.beams, beams);
     mark(model_.mesh.discrete, used);
     for (std::size_t i = 0; i < used.size(); ++i) {
       const auto position = model_.parts[i].material;
@@ -153,16 +154,17 @@ class Finder {
         add(material.keyword, material.place, fmt::format("material {} is of no kind that is calculated", material.id));
         continue;
       }
-      if (material.plasticity) find_plasticity(material);
+      if (material.plasticity) find_plasticity(material, beams[i]);
     }
   }
 
-  void find_plasticity(const model::Material& material) {
+  void find_plasticity(const model::Material& material, bool of_beams) {
     const model::Plasticity& data = *material.plasticity;
     const auto name = [&](std::string_view what) {
       add(material.keyword, material.place, fmt::format("material {}: {}", material.id, what));
     };
-    if (data.failure_strain > 0 && data.failure_strain < 1e20) name("elements do not fail (FS, FAIL)");
+    if (of_beams && data.failure_strain > 0 && data.failure_strain < 1e20) name("beams do not fail (FS, FAIL)");
+    if (data.failure_strain < 0) name("failure by a subroutine (FAIL < 0) is not calculated");
     if (data.lcsr != 0) name("the factor over the strain rate (LCSR) is not calculated");
     if (data.viscoplastic) name("the viscoplastic rate (VP = 1) is not calculated");
   }
