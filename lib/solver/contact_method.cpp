@@ -8,11 +8,20 @@
 namespace gapcheck::solver {
 namespace {
 
+constexpr std::string_view times_by_curve = "birth and death by a curve (DT = -9999) are not calculated";
+
 using Codes = std::initializer_list<std::string_view>;
 
 bool among(std::string_view code, Codes codes) { return std::find(codes.begin(), codes.end(), code) != codes.end(); }
 
 ContactChoice no(std::string_view why) { return {ContactMethod::none, why}; }
+
+ContactChoice choose_tie(const model::Contact& contact, const contact::ContactType& type) {
+  if (contact.keyword.ends_with("_FAILURE")) return no("the failure of ties is not calculated");
+  if (type.treatment == contact::Treatment::single_surface) return no("ties of a single surface are not calculated");
+  if (contact::active_time(contact).by_curve) return no(times_by_curve);
+  return {ContactMethod::tie, ""};
+}
 
 }  // namespace
 
@@ -23,11 +32,12 @@ ContactChoice choose_method(const model::Contact& contact) {
   if (type.pairing == contact::Pairing::mortar) return no("mortar contacts are not calculated");
   if (type.code == "25") return {ContactMethod::transducer, ""};
   const bool constraint = among(type.code, {"17", "18"});
+  if (type.family == contact::Family::tied && !among(type.code, {"8", "9"})) return choose_tie(contact, type);
   if ((!constraint &&
        !among(type.code, {"3", "a3", "4", "5", "a5", "10", "a10", "13", "a13", "m3", "m5", "m10"})) || type.edges)
     return no("contacts of this type are not calculated");
   if (!constraint && contact.soft != 0 && contact.soft != 1 && contact.soft != 2) return no("only SOFT = 0 and 1 are calculated");
-  if (contact::active_time(contact).by_curve) return no("birth and death by a curve (DT = -9999) are not calculated");
+  if (contact::active_time(contact).by_curve) return no(times_by_curve);
   return {constraint ? ContactMethod::constraint : ContactMethod::penalty, ""};
 }
 

@@ -11,6 +11,7 @@ enum class ContactMethod : std::uint8_t {
   none,        ///< nothing does
   penalty,     ///< ContactForces: nodes in segments, SOFT = 0 and 1
   constraint,  ///< ConstraintContact: types 17 and 18
+  tie,         ///< TieConstraints and TieForces: which of them is said node by node
   transducer,  ///< Transducers: it only measures
 };
 

@@ -9,7 +9,12 @@
 #include "solver/build_forces.hpp"
 #include "solver/check_deck.hpp"
 #include "solver/conditions.hpp"
+<<<<<<< HEAD
 #include "solver/constraint_contact.hpp"
+=======
+#include "solver/tie_constraints.hpp"
+#include "solver/tie_forces.hpp"
+>>>>>>> ca97d11 (Ties in the solver: springs with offsets, and constraints by Lagrange multipliers)
 
 namespace gapcheck::solver {
 namespace {
@@ -61,18 +66,23 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   if (auto failure = add_walls_and_springs(model, built, forces, diagnostics)) return std::move(*failure);
   auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
   run.contacts_ = contacts.get();
-  run.sources_ = {contacts.get()};
   run.transducers_ = std::make_unique<Transducers>(model, surfaces);
   auto constraints = ConstraintContact::create(model, surfaces, *run.initial_, built, movable_nodes(built));
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
   auto& constraint = std::get<std::unique_ptr<ConstraintContact>>(constraints);
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
+  const Structure& stepped = run.stepper_->structure();
+  auto springs = std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped);
+  auto ties = std::make_unique<TieConstraints>(model, surfaces, *run.initial_, stepped, diagnostics);
+  run.sources_ = {contacts.get(), springs.get(), ties.get()};
   run.stepper_->add(std::move(contacts));
+  run.stepper_->add(std::move(springs));
   if (constraint) {
     run.sources_.push_back(constraint.get());
     run.stepper_->add(std::move(constraint));
   }
   for (auto& force : forces) run.stepper_->add(std::move(force));
+  run.stepper_->add(std::move(ties));  // last: they hold whatever else acts
   return run;
 }
 

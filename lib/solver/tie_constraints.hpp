@@ -1,0 +1,74 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "solver/force.hpp"
+#include "solver/tie_system.hpp"
+
+namespace gapcheck::solver {
+
+/// Ties by constraints: 2, 6, 7 and their c forms. When all other forces are known, the forces that keep all tied nodes
+/// on the points of their segments are found at once (Lagrange multipliers), so that ties may share nodes and follow on
+/// one another. Equations without arms hold the velocities of the coming step; arms (c forms) are turned over the step
+/// first. Forces act at the places of the beginning of the step, so that momentum and angular momentum stay, and do no
+/// work but for what a turn over a finite step leaves.
+class TieConstraints : public Force, public ContactSource {
+ public:
+  /// `initial` is of this model and these surfaces, `structure` the one that is stepped from initial.x; it must outlive
+  /// the ties. What cannot be tied goes to `diagnostics`.
+  TieConstraints(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
+                 const Structure& structure, Diagnostics& diagnostics);
+
+  void add(State& /*state*/, Forces& /*forces*/) override {}
+  [[nodiscard]] bool reacts() const override { return true; }
+  void react(const State& state, double mean, double next, Forces& net, Forces& external) override;
+  void absorbed(Absorbed& work) const override;
+
+  [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
+  [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
+  void links(std::size_t position, std::vector<ContactLink>& links) const override;
+  [[nodiscard]] std::vector<ContactEvent> take_events() override;
+
+ private:
+  /// What changes of a tie.
+  struct Present {
+    SegmentAxes axes;
+    TieOffset offset;
+    TieLoads loads;
+    bool started = false;
+  };
+  struct Interface {
+    std::uint32_t contact = 0;
+    std::size_t first = 0, last = 0;  ///< of the ties
+    double start = 0, end = 0;
+    bool active = false;
+  };
+  void keep_sound(const model::Model& model, Diagnostics& diagnostics);
+  bool activate(double time);
+  void place(const State& state);
+  bool hold(double time, double next);
+  void free_velocities(const State& state, double mean, double next, const Forces& net);
+  [[nodiscard]] Eigen::VectorXd targets(const State& state, double next);
+  void put(const Eigen::VectorXd& lambda, double mean);
+  void sum_up(const State& state, Forces& net, Forces& external);
+  void name_dependent(double time);
+
+  const Structure& structure_;
+  std::vector<Tie> ties_;
+  std::vector<Present> present_;  ///< by tie
+  std::vector<TieEquation> equations_;
+  std::vector<Interface> interfaces_;
+  std::vector<ContactState> states_;
+  std::vector<NodeIndex> used_;
+  std::vector<std::uint8_t> held_;  ///< beside used_
+  Mobility mobility_;
+  std::vector<Vector> free_v_, free_w_, v_, w_, x_;  ///< by node: without ties, with them, and at the step's end
+  std::vector<ContactEvent> events_;
+  std::unique_ptr<TieSystem> system_;
+  bool arms_ = false;     ///< some tie has an arm: its equation changes from step to step
+  bool varying_ = false;  ///< some equations do
+};
+
+}  // namespace gapcheck::solver

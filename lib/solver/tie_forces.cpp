@@ -1,0 +1,193 @@
+#include "solver/tie_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.hpp"
+#include "contact/active_time.hpp"
+#include "contact/stiffness.hpp"
+#include "solver/contact_spring.hpp"
+#include "solver/tie_stability.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+/// Squared frequency times squared step that the springs may add to the elements', which take up to 3.24 of 4.
+constexpr double room_for_springs = 0.76;
+
+/// Frequency times step that fills this room with a share `ratio` of the critical damping: (ω dt)² + 4 ratio ω dt.
+double greatest_angle(double ratio) { return std::sqrt(4 * ratio * ratio + room_for_springs) - 2 * ratio; }
+
+/// Squared radius of gyration of the node's rotation, or of the segment's nodes where the node is on a rigid body; of
+/// shells' nodes where both are.
+double squared_radius(const Tie& tie, const Structure& structure) {
+  const State& state = structure.state;
+  const auto of_node = [&](NodeIndex node) {
+    const std::uint32_t n = node.value;
+    return structure.rigid.holds(n) || !(state.mass[n] > 0) ? 0 : state.inertia[n] / state.mass[n];
+  };
+  if (const double own = of_node(tie.node); own > 0) return own;
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i) sum += tie.point.weights[i] * of_node(tie.point.nodes[i]);
+  if (sum > 0) return sum;
+  const auto at = [&](std::size_t i) -> const Vector& { return state.x[tie.point.nodes[i].value]; };
+  constexpr double share_of_area = 8;  // of the rotational inertia of shells
+  return (at(2) - at(0)).cross(at(3) - at(1)).norm() / 2 / share_of_area;
+}
+
+}  // namespace
+
+TieForces::TieForces(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
+                     const Structure& structure)
+    : model_(model),
+      store_(surfaces),
+      initial_(initial),
+      structure_(&structure),
+      stable_step_(std::numeric_limits<double>::infinity()) {
+  for (const Tie& tie : tie_list(model, surfaces, initial, structure, false)) {
+    if (interfaces_.empty() || interfaces_.back().contact != tie.contact) {
+      const contact::ActiveTime time = contact::active_time(model.contacts[tie.contact]);
+      interfaces_.push_back({tie.contact, springs_.size(), springs_.size(), time.start, time.end});
+      states_.emplace_back().contact = tie.contact;
+    }
+    Spring& spring = springs_.emplace_back();
+    spring.tie = tie;
+    spring.percent = std::max(0.0, model.contacts[tie.contact].vdc);
+    ++interfaces_.back().last;
+  }
+}
+
+void TieForces::build(const State& state) {
+  built_ = true;
+  const ContactMasses masses(model_);
+  TieStability stability(*structure_);
+  double ratio = 0;
+  for (const Interface& interface : interfaces_) {
+    const model::Contact& contact = model_.contacts[interface.contact];
+    const contact::ContactSurfaces& surfaces = store_.at(interface.contact);
+    const contact::SideScene side(model_, interface.contact, surfaces, false, initial_.x);
+    ContactSprings springs(model_, side, masses, contact.sfs, contact.sfm);
+    const double timestep = contact.dtstif > 0 ? contact.dtstif : state.coming;
+    springs.set_timestep(timestep);
+    const std::vector<NodeIndex>& nodes = side.scene().nodes.node;
+    for (std::size_t i = interface.first; i < interface.last; ++i) {
+      Spring& spring = springs_[i];
+      const Tie& tie = spring.tie;
+      const auto slot = std::lower_bound(nodes.begin(), nodes.end(), tie.node) - nodes.begin();
+      const ContactSprings::Spring found = springs(static_cast<std::uint32_t>(slot), tie.segment);
+      spring.stiffness = std::isfinite(found.stiffness) ? std::max(0.0, found.stiffness) : 0;
+      if (spring.stiffness == 0)  // no modulus is known on either side
+        spring.stiffness =
+            contact.sofscl * contact::soft_1_stiffness(found.node_mass, found.segment_mass, timestep);
+      if (tie.rotations) spring.rotational = spring.stiffness * squared_radius(tie, *structure_);
+      spring.damping = ContactSprings::damping(found, spring.percent);
+      ratio = std::max(ratio, spring.percent / 100);
+      const SegmentAxes axes(tie.point.nodes, state.x);
+      stability.add(tie, axes, state.x[tie.node.value] - tie.point.of(state.x), spring.stiffness, spring.rotational);
+    }
+  }
+  const double angle = greatest_angle(ratio);
+  const bool limited = state.coming > 0 && std::isfinite(state.coming);
+  const std::vector<double> shares = stability.shares(
+      limited ? angle * angle / (state.coming * state.coming) : std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    springs_[i].stiffness *= shares[2 * i];
+    springs_[i].rotational *= shares[2 * i + 1];
+    springs_[i].damping *= std::sqrt(shares[2 * i]);
+  }
+  // Rounding must not make the step that the springs were made for a hair too long.
+  constexpr double rounding = 1 + 1e-9;
+  const double squared = stability.squared_frequency(shares);
+  if (squared > 0) stable_step_ = rounding * angle / std::sqrt(squared);
+  structure_ = nullptr;
+}
+
+void TieForces::calculate(Spring& spring, const State& state, bool active) {
+  const Tie& tie = spring.tie;
+  const double half = state.dt / 2;
+  spring.on_node = -half * spring.loads.on_node(tie, state);
+  spring.on_segment = -half * spring.loads.on_segment(tie, state);
+  spring.damped = 0;
+  if (!active) {
+    spring.loads = {};
+    spring.active = false;
+    return;
+  }
+  const SegmentAxes axes(tie.point.nodes, state.x);
+  const TieMotion moving = motion(tie, axes, state.v, state.w);
+  if (!spring.active) {
+    spring.active = true;
+    spring.offset.start(tie, axes, state.x);
+    spring.turned = Vector::Zero();
+  } else {
+    spring.offset.move(tie, axes, moving.spin, state.dt);
+    // The node's turn against the segment goes with the segment.
+    const Vector of_segment = state.w[tie.node.value] - moving.turn;
+    if (tie.rotations)
+      spring.turned = spin_rotation(state.dt * of_segment) * spring.turned + state.dt * moving.turn;
+  }
+  const Vector arm = state.x[tie.node.value] - tie.point.of(state.x);
+  const Vector velocity = moving.velocity - moving.spin.cross(spring.offset.value());
+  const Vector damping = -spring.damping * velocity;
+  spring.loads.set(tie, axes, arm, -spring.stiffness * (arm - spring.offset.value()) + damping,
+                   -spring.rotational * spring.turned);
+  spring.damped = -state.dt * damping.dot(velocity);
+  spring.on_node -= half * spring.loads.on_node(tie, state);
+  spring.on_segment -= half * spring.loads.on_segment(tie, state);
+}
+
+void TieForces::add(State& state, Forces& forces) {
+  if (springs_.empty()) return;
+  if (!built_) build(state);
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+    const Interface& interface = interfaces_[i];
+    const bool active = state.time >= interface.start && state.time < interface.end;
+    parallel_for(interface.last - interface.first, 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) calculate(springs_[interface.first + s], state, active);
+    });
+    ContactState& result = states_[i];
+    result.force_a = result.force_b = result.moment_a = result.moment_b = Vector::Zero();
+    result.touching = active ? interface.last - interface.first : 0;
+    for (std::size_t s = interface.first; s < interface.last; ++s) {
+      const Spring& spring = springs_[s];
+      spring.loads.add_to(spring.tie, forces);
+      spring.loads.add_to(spring.tie, state, result);
+      result.energy_a += spring.on_node;
+      result.energy_b += spring.on_segment;
+      result.damping += spring.damped;
+    }
+  }
+}
+
+void TieForces::absorbed(Absorbed& work) const {
+  for (const ContactState& state : states_) {
+    work.contact_damping += state.damping;
+    work.contact_normal += state.energy_a + state.energy_b - state.damping;
+  }
+}
+
+std::vector<ContactNode> TieForces::nodes(std::size_t position) const {
+  std::vector<ContactNode> all;
+  for (std::size_t s = interfaces_[position].first; s < interfaces_[position].last; ++s) {
+    if (!springs_[s].active) continue;
+    ContactNode& node = all.emplace_back();
+    node.kind = ContactNode::Kind::tied;
+    node.node = springs_[s].tie.node;
+    node.segment = springs_[s].tie.point.nodes;
+    node.force = springs_[s].loads.force;
+  }
+  return all;
+}
+
+void TieForces::links(std::size_t position, std::vector<ContactLink>& links) const {
+  for (std::size_t s = interfaces_[position].first; s < interfaces_[position].last; ++s) {
+    if (!springs_[s].active) continue;
+    ContactLink& link = links.emplace_back();
+    link.tracked = {{springs_[s].tie.node}, {1}};
+    link.reference = springs_[s].tie.point;
+    link.force = springs_[s].loads.force;
+  }
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,60 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "solver/force.hpp"
+#include "solver/tie.hpp"
+
+namespace gapcheck::solver {
+
+/// Ties by springs: the offset forms, and the nodes that IPBACK ties since a constraint cannot. A spring between the
+/// node and the place that turns with its segment, as stiff as that of a penalty contact, or as stiff as the elements'
+/// step of the first cycle allows where that is less; types 7 tie rotations by springs of the same frequency. The o
+/// forms leave the moment of the offset out, the b forms carry it.
+class TieForces : public Force, public ContactSource {
+ public:
+  /// `initial` is of this model and these surfaces, `structure` the one that will be stepped from initial.x; model,
+  /// surfaces and initial must outlive it.
+  TieForces(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
+            const Structure& structure);
+
+  void add(State& state, Forces& forces) override;
+  void absorbed(Absorbed& work) const override;
+  [[nodiscard]] double stable_step() const override { return stable_step_; }
+
+  [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
+  [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
+  void links(std::size_t position, std::vector<ContactLink>& links) const override;
+
+ private:
+  struct Spring {
+    Tie tie;
+    double stiffness = 0, rotational = 0, damping = 0;
+    double percent = 0;  ///< of the critical damping: VDC
+    bool active = false;
+    TieOffset offset;
+    Vector turned = Vector::Zero();  ///< rotation of the node against the segment
+    TieLoads loads;
+    double on_node = 0, on_segment = 0, damped = 0;  ///< work taken in the last step
+  };
+  /// One contact's springs, [first, last).
+  struct Interface {
+    std::uint32_t contact = 0;
+    std::size_t first = 0, last = 0;
+    double start = 0, end = 0;
+  };
+  void build(const State& state);
+  static void calculate(Spring& spring, const State& state, bool active);
+
+  const model::Model& model_;
+  contact::SurfaceStore& store_;
+  const contact::InitialState& initial_;
+  const Structure* structure_;  ///< until the first cycle
+  std::vector<Spring> springs_;
+  std::vector<Interface> interfaces_;
+  std::vector<ContactState> states_;
+  double stable_step_;
+  bool built_ = false;
+};
+
+}  // namespace gapcheck::solver
