@@ -10,10 +10,17 @@ constexpr double least_sine = 1e-10;
 
 }  // namespace
 
-SegmentAxes::SegmentAxes(const model::SegmentNodes& nodes, const std::vector<Vector>& x) : SegmentAxes() {
-  const bool triangle = nodes[2] == nodes[3];
-  const auto at = [&](std::size_t i) -> const Vector& { return x[nodes[i].value]; };
-  const Vector first = triangle ? at(1) - at(0) : at(2) - at(0), second = triangle ? at(2) - at(0) : at(3) - at(1);
+SegmentAxes::SegmentAxes(const model::SegmentNodes& nodes, const std::vector<Vector>& x)
+    : SegmentAxes({x[nodes[0].value], x[nodes[1].value], x[nodes[2].value], x[nodes[3].value]}, nodes[2] == nodes[3]) {}
+
+SegmentAxes::SegmentAxes(const model::SegmentNodes& nodes, const std::vector<Vector>& x, const std::vector<Vector>& v,
+                         double time)
+    : SegmentAxes({x[nodes[0].value] + time * v[nodes[0].value], x[nodes[1].value] + time * v[nodes[1].value],
+                   x[nodes[2].value] + time * v[nodes[2].value], x[nodes[3].value] + time * v[nodes[3].value]},
+                  nodes[2] == nodes[3]) {}
+
+SegmentAxes::SegmentAxes(const std::array<Vector, 4>& at, bool triangle) : SegmentAxes() {
+  const Vector first = triangle ? at[1] - at[0] : at[2] - at[0], second = triangle ? at[2] - at[0] : at[3] - at[1];
   const Vector cross = first.cross(second);
   const double size = cross.norm(), lengths = first.norm() * second.norm();
   if (!(size > least_sine * lengths) || !std::isfinite(lengths)) return;

@@ -32,7 +32,6 @@ TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore&
       states_.emplace_back().contact = tie.contact;
     }
     ++interfaces_.back().last;
-    arms_ = arms_ || tie.carries;
     varying_ = varying_ || tie.carries || tie.rotation == Turning::axes;
     used_.push_back(tie.node);
     used_.insert(used_.end(), tie.point.nodes.begin(), tie.point.nodes.end());
@@ -43,7 +42,7 @@ TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore&
   const std::size_t nodes = structure.state.x.size();
   system_ = std::make_unique<TieSystem>(ties_, nodes);
   mobility_.assign(6 * nodes, 0);
-  for (std::vector<Vector>* vectors : {&free_v_, &free_w_, &v_, &w_, &x_}) vectors->assign(nodes, Vector::Zero());
+  for (std::vector<Vector>* vectors : {&free_v_, &free_w_, &v_, &w_}) vectors->assign(nodes, Vector::Zero());
   present_.resize(ties_.size());
   for (std::size_t t = 0; t < ties_.size(); ++t)
     equations_.push_back({&ties_[t], &present_[t].axes, Vector::Zero(), false});
@@ -146,9 +145,9 @@ void TieConstraints::free_velocities(const State& state, double mean, double nex
   }
 }
 
-/// What the equations ask for: the places of the end of the step, with the arms turned by the velocities v_ and w_.
+/// What the equations ask for: the places of the end of the step, with the arms turned by the velocities v_ and w_, and
+/// the turn of axes in the middle of the step.
 Eigen::VectorXd TieConstraints::targets(const State& state, double next) {
-  for (const NodeIndex node : used_) x_[node.value] = state.x[node.value] + next * v_[node.value];
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system_->size()));
   parallel_for(ties_.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
@@ -159,12 +158,16 @@ Eigen::VectorXd TieConstraints::targets(const State& state, double next) {
       if (tie.carries) {
         const Vector spin = motion(tie, present_[t].axes, v_, w_).spin;
         TieOffset offset = present_[t].offset;
-        offset.move(tie, SegmentAxes(tie.point.nodes, x_), spin, next);
+        offset.move(tie, SegmentAxes(tie.point.nodes, state.x, v_, next), spin, next);
         velocity = (offset.value() - arm) / next - spin.cross(arm);
       } else {
         velocity = (present_[t].offset.value() - arm) / next;
       }
-      wanted.segment<3>(static_cast<Eigen::Index>(system_->row(t))) = velocity;
+      const auto row = static_cast<Eigen::Index>(system_->row(t));
+      wanted.segment<3>(row) = velocity;
+      if (tie.rotation == Turning::axes)
+        wanted.segment<3>(row + 3) = SegmentAxes(tie.point.nodes, state.x, v_, next / 2).spin(tie.point.nodes, v_) -
+                                     present_[t].axes.spin(tie.point.nodes, v_);
     }
   });
   return wanted;
@@ -252,7 +255,7 @@ void TieConstraints::react(const State& state, double mean, double next, Forces&
   Eigen::VectorXd wanted = targets(state, next);
   for (int round = 0; round < most_rounds; ++round) {
     put(system_->solve(wanted - at_rest), mean);
-    if (!arms_) break;
+    if (!varying_) break;
     Eigen::VectorXd better = targets(state, next);
     const double change = (better - wanted).lpNorm<Eigen::Infinity>(), size = at_rest.lpNorm<Eigen::Infinity>();
     wanted = std::move(better);

@@ -64,11 +64,10 @@ class TieConstraints : public Force, public ContactSource {
   std::vector<NodeIndex> used_;
   std::vector<std::uint8_t> held_;  ///< beside used_
   Mobility mobility_;
-  std::vector<Vector> free_v_, free_w_, v_, w_, x_;  ///< by node: without ties, with them, and at the step's end
+  std::vector<Vector> free_v_, free_w_, v_, w_;  ///< by node: without ties, and with them
   std::vector<ContactEvent> events_;
   std::unique_ptr<TieSystem> system_;
-  bool arms_ = false;     ///< some tie has an arm: its equation changes from step to step
-  bool varying_ = false;  ///< some equations do
+  bool varying_ = false;  ///< some equation has an arm or axes, which turn from step to step
 };
 
 }  // namespace gapcheck::solver

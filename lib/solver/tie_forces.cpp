@@ -13,11 +13,17 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Squared frequency times squared step that the springs may add to the elements', which take up to 3.24 of 4.
-constexpr double room_for_springs = 0.76;
+/// Squared frequency of the elements times their squared step, at most.
+constexpr double elements_share = 4 * 0.9 * 0.9;
+/// How far springs may shorten the elements' step before they are made softer.
+constexpr double shortest_step = 0.5;
 
-/// Frequency times step that fills this room with a share `ratio` of the critical damping: (ω dt)² + 4 ratio ω dt.
-double greatest_angle(double ratio) { return std::sqrt(4 * ratio * ratio + room_for_springs) - 2 * ratio; }
+/// Factor of a spring's squared frequency that makes it as bad for the step as it is with this share of the critical
+/// damping.
+double damped(double ratio) {
+  const double left = std::sqrt(1 + ratio * ratio) - ratio;
+  return 1 / (left * left);
+}
 
 /// Squared radius of gyration of the node's rotation, or of the segment's nodes where the node is on a rigid body; of
 /// shells' nodes where both are.
@@ -43,8 +49,7 @@ TieForces::TieForces(const model::Model& model, contact::SurfaceStore& surfaces,
     : model_(model),
       store_(surfaces),
       initial_(initial),
-      structure_(&structure),
-      stable_step_(std::numeric_limits<double>::infinity()) {
+      structure_(&structure) {
   for (const Tie& tie : tie_list(model, surfaces, initial, structure, false)) {
     if (interfaces_.empty() || interfaces_.back().contact != tie.contact) {
       const contact::ActiveTime time = contact::active_time(model.contacts[tie.contact]);
@@ -87,20 +92,27 @@ void TieForces::build(const State& state) {
       stability.add(tie, axes, state.x[tie.node.value] - tie.point.of(state.x), spring.stiffness, spring.rotational);
     }
   }
-  const double angle = greatest_angle(ratio);
   const bool limited = state.coming > 0 && std::isfinite(state.coming);
-  const std::vector<double> shares = stability.shares(
-      limited ? angle * angle / (state.coming * state.coming) : std::numeric_limits<double>::infinity());
+  const double room = 4 / (shortest_step * shortest_step) - elements_share;
+  const std::vector<double> shares =
+      stability.shares(limited ? room / damped(ratio) / (state.coming * state.coming)
+                               : std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     springs_[i].stiffness *= shares[2 * i];
     springs_[i].rotational *= shares[2 * i + 1];
     springs_[i].damping *= std::sqrt(shares[2 * i]);
   }
-  // Rounding must not make the step that the springs were made for a hair too long.
-  constexpr double rounding = 1 + 1e-9;
-  const double squared = stability.squared_frequency(shares);
-  if (squared > 0) stable_step_ = rounding * angle / std::sqrt(squared);
+  squared_frequency_ = damped(ratio) * stability.squared_frequency(shares);
   structure_ = nullptr;
+}
+
+/// The node's turn against the segment grows, and goes with the segment.
+void TieForces::turn(Spring& spring, const State& state) {
+  const Tie& tie = spring.tie;
+  const SegmentAxes middle(tie.point.nodes, state.x, state.v, -state.dt / 2);
+  const Vector turn = motion(tie, middle, state.v, state.w).turn;
+  const Vector of_segment = state.w[tie.node.value] - turn;
+  spring.turned = spin_rotation(state.dt * of_segment) * spring.turned + state.dt * turn;
 }
 
 void TieForces::calculate(Spring& spring, const State& state, bool active) {
@@ -122,10 +134,7 @@ void TieForces::calculate(Spring& spring, const State& state, bool active) {
     spring.turned = Vector::Zero();
   } else {
     spring.offset.move(tie, axes, moving.spin, state.dt);
-    // The node's turn against the segment goes with the segment.
-    const Vector of_segment = state.w[tie.node.value] - moving.turn;
-    if (tie.rotations)
-      spring.turned = spin_rotation(state.dt * of_segment) * spring.turned + state.dt * moving.turn;
+    if (tie.rotations) turn(spring, state);
   }
   const Vector arm = state.x[tie.node.value] - tie.point.of(state.x);
   const Vector velocity = moving.velocity - moving.spin.cross(spring.offset.value());
@@ -140,6 +149,7 @@ void TieForces::calculate(Spring& spring, const State& state, bool active) {
 void TieForces::add(State& state, Forces& forces) {
   if (springs_.empty()) return;
   if (!built_) build(state);
+  coming_ = state.coming;
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
     const Interface& interface = interfaces_[i];
     const bool active = state.time >= interface.start && state.time < interface.end;
@@ -158,6 +168,14 @@ void TieForces::add(State& state, Forces& forces) {
       result.damping += spring.damped;
     }
   }
+}
+
+double TieForces::stable_step() const {
+  const double of_elements = std::isfinite(coming_) && coming_ > 0 ? elements_share / (coming_ * coming_) : 0;
+  const double squared = of_elements + squared_frequency_;
+  const bool cut = squared_frequency_ > (4 - elements_share) / elements_share * of_elements;
+  return cut ? 2 * (of_elements > 0 ? 1 : std::sqrt(elements_share) / 2) / std::sqrt(squared)
+             : std::numeric_limits<double>::infinity();
 }
 
 void TieForces::absorbed(Absorbed& work) const {

@@ -8,8 +8,8 @@
 namespace gapcheck::solver {
 
 /// Ties by springs: the offset forms, and the nodes that IPBACK ties since a constraint cannot. A spring between the
-/// node and the place that turns with its segment, as stiff as that of a penalty contact, or as stiff as the elements'
-/// step of the first cycle allows where that is less; types 7 tie rotations by springs of the same frequency. The o
+/// node and the place that turns with its segment, as stiff as that of a penalty contact; one with which the step
+/// would fall below half that of the elements in the first cycle is made softer. Types 7 tie rotations by springs of the same frequency. The o
 /// forms leave the moment of the offset out, the b forms carry it.
 class TieForces : public Force, public ContactSource {
  public:
@@ -20,7 +20,7 @@ class TieForces : public Force, public ContactSource {
 
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override;
-  [[nodiscard]] double stable_step() const override { return stable_step_; }
+  [[nodiscard]] double stable_step() const override;
 
   [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
   [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
@@ -44,6 +44,7 @@ class TieForces : public Force, public ContactSource {
     double start = 0, end = 0;
   };
   void build(const State& state);
+  static void turn(Spring& spring, const State& state);
   static void calculate(Spring& spring, const State& state, bool active);
 
   const model::Model& model_;
@@ -53,7 +54,8 @@ class TieForces : public Force, public ContactSource {
   std::vector<Spring> springs_;
   std::vector<Interface> interfaces_;
   std::vector<ContactState> states_;
-  double stable_step_;
+  double squared_frequency_ = 0;  ///< upper bound of the springs'
+  double coming_ = 0;             ///< step that the elements allow
   bool built_ = false;
 };
 
