@@ -48,7 +48,7 @@ std::vector<SlidingHistory> sliding_energies(const RunContext& context) {
 }
 
 std::string share_text(double energy, const ReferenceEnergy& reference) {
-  return fmt::format("{:.3g} % of {}", 100 * (energy / reference.value), reference.words());
+  return fmt::format("{:.4g} % of {}", 100 * (energy / reference.value), reference.words());
 }
 
 }  // namespace gapcheck::audit

@@ -11,6 +11,8 @@ namespace {
 
 /// What four printed digits take away.
 constexpr double printing = 1e-3;
+/// Beyond so many times the smallest step of the elements a run is implicit, whatever its mass scaling.
+constexpr double implicit_factor = 100;
 
 /// The surface with the smallest step; nullptr: the log names none.
 const SurfaceTimestep* controlling(const RunContext& context) {
@@ -31,6 +33,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
   const auto largest = std::max_element(first, states.end(), [](const auto& a, const auto& b) {
     return !std::isfinite(a.time_step) || a.time_step < b.time_step;
   });
+  const double elements = context.log().element_timestep;
+  if (elements > 0 && largest->time_step > implicit_factor * elements)
+    return context.skipped(rule, "steps of this size are implicit");
   const SurfaceTimestep* side = controlling(context);
   std::string who;
   if (side != nullptr && side->node != 0) who = fmt::format(" (surface {}, node {})", side->side, side->node);

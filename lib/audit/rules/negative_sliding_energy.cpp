@@ -16,7 +16,7 @@ std::string share_then(const RunContext& context, const SlidingState& lowest) {
   const auto& states = context.files().glstat;
   const auto later = std::find_if(states.begin(), states.end(), [&](const auto& s) { return s.time >= lowest.time; });
   if (later == states.end() || !(later->internal > 0)) return "";
-  return fmt::format(", {:.3g} % of the internal energy then", 100 * (lowest.energy / later->internal));
+  return fmt::format(", {:.4g} % of the internal energy then", 100 * (lowest.energy / later->internal));
 }
 
 void judge(const RuleInfo& rule, RunContext& context, Report& report) {

@@ -32,6 +32,15 @@ TEST(ContactStep, EqualButForPrintingIsNone) {
   EXPECT_EQ(run_at(1.68e-7).findings("GC605").size(), 1u);
 }
 
+TEST(ContactStep, ImplicitSteps) {
+  JudgedRun run = run_at(2.1e-7);
+  run.log.element_timestep = 1.7e-7;
+  EXPECT_EQ(run.findings("GC605").size(), 1u);
+  run.files.glstat.back().time_step = 0.1;
+  EXPECT_TRUE(run.findings("GC605").empty());
+  EXPECT_EQ(run.skips.size(), 1u);
+}
+
 TEST(ContactStep, LogsThatNameNoLimitOrNoSurface) {
   JudgedRun run = run_at(1);
   run.log.surface_timesteps.clear();
