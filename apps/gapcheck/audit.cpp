@@ -38,16 +38,9 @@ const std::map<std::string, double> unit_systems{
     {"cm-s-g", 10},  {"m-s-kg", 1000}, {"in-s-lbf", 25.4}, {"ft-s-lbf", 304.8},
 };
 
-/// Every entry of --select and --ignore must pick a rule: a misspelt one would hide findings in silence.
-std::string check_rule(const std::string& text) {
-  for (const auto& rule : audit::rules())
-    if (audit::selected(rule, {text}, {})) return "";
-  return "'" + text + "' is no rule; gapcheck rules lists them";
-}
-
 void add_selection(CLI::App& command, Arguments& arguments) {
   audit::AuditOptions& audit = arguments.audit;
-  const CLI::Validator rule(check_rule, ""), amount(check_amount, ""), id(check_id, "");
+  const CLI::Validator rule(check_deck_rule, ""), amount(check_amount, ""), id(check_id, "");
   const std::vector<CLI::Option*> options{
       add_list(command, "--select", audit.select, "Only these rules: ids, names or beginnings of them")
           ->check(rule)

@@ -2,28 +2,34 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "audit/judge.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
+#include "common/input_kind.hpp"
 #include "common/mesh.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "report/check_c_view.hpp"
 #include "report/describe.hpp"
+#include "results/run_results.hpp"
 #include "results/solver_log.hpp"
 
 namespace gapcheck::app {
 namespace {
 
 struct Arguments {
-  std::vector<std::string> files;
+  std::vector<std::string> files;  ///< or directories
   results::LogOptions log;
   report::CheckCOptions pick;
+  audit::JudgeOptions judge;
   std::string deck, d3plot;
   OutputOptions output;
   ExportOptions exports;
@@ -39,7 +45,13 @@ void add_selection(CLI::App& command, Arguments& arguments) {
           ->type_name("X"),
       command.add_option("--rtol", arguments.pick.rtol, "Only penetrations with a remaining distance below X")
           ->check(amount)
-          ->type_name("X")};
+          ->type_name("X"),
+      add_list(command, "--select", arguments.judge.select, "Judge the run by these rules only (GC6xx)")
+          ->check(CLI::Validator(check_run_rule, ""))
+          ->type_name("RULES"),
+      add_list(command, "--ignore", arguments.judge.ignore, "Judge it without these rules")
+          ->check(CLI::Validator(check_run_rule, ""))
+          ->type_name("RULES")};
   for (CLI::Option* option : options) option->group("Selection");
 }
 
@@ -58,15 +70,52 @@ void add_input(CLI::App& command, Arguments& arguments) {
   for (CLI::Option* option : options) option->group("Input");
 }
 
+/// What to read: a directory stands for the log files in it. An error ends the list.
+Result<std::vector<std::string>> log_files(const std::vector<std::string>& given) {
+  std::vector<std::string> files;
+  for (const std::string& path : given) {
+    std::error_code failed;
+    if (!std::filesystem::is_directory(path, failed)) {
+      files.push_back(path);
+      continue;
+    }
+    auto input = recognise(path);
+    if (!input) return input.error();
+    files.insert(files.end(), input.value().files.begin(), input.value().files.end());
+  }
+  return files;
+}
+
+/// Judges the run by the result files beside its first log. Says what was not judged where the user may expect it: where
+/// there is any such file, or a directory was given.
+void judge(const Arguments& arguments, const std::string& first_file, Report& report, Diagnostics& diagnostics) {
+  const std::string directory = std::filesystem::path(first_file).parent_path().string();
+  const results::RunResults files = results::read_run_results(directory, false, diagnostics);
+  audit::JudgeOptions options = arguments.judge;
+  options.contacts = arguments.pick.sid;
+  const std::vector<std::string> skips = audit::judge_run(files, options, report);
+  const bool nothing_there = files.missing.size() == 4 && first_file == arguments.files.front();
+  if (nothing_there || arguments.output.text.quiet) return;
+  for (const std::string& skip : skips) print(Diagnostic{Severity::note, directory, 0, "not judged: " + skip});
+}
+
 int show_logs(const Arguments& arguments) {
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
   const bool talk = !arguments.output.text.quiet;
+  const auto files = log_files(arguments.files);
+  if (!files) {
+    print(files.error());
+    return failed;
+  }
+  const std::string& first_file = files.value().front();
   auto read = [&] {
     const Progress progress("reading " + report::printable(arguments.files.front()), talk);
-    return results::read_solver_logs(arguments.files, arguments.log, diagnostics);
+    auto report = results::read_solver_logs(files.value(), arguments.log, diagnostics);
+    if (report) judge(arguments, first_file, report.value(), diagnostics);
+    return report;
   }();
-  auto mesh = find_mesh(arguments.deck, arguments.d3plot, arguments.files.front(), diagnostics);
+  auto mesh = find_mesh(arguments.deck, arguments.d3plot, first_file, diagnostics);
   print(diagnostics, !talk);
   if (!read || !mesh) {
     print(!read ? read.error() : mesh.error());
@@ -85,10 +134,10 @@ int show_logs(const Arguments& arguments) {
 }  // namespace
 
 void add_messag(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("messag", "Show what the solver's message files say of the contacts");
+  CLI::App* command = app.add_subcommand("messag", "Show what the solver's message files say of the contacts, and judge the run");
   command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("FILE", arguments->files, "messag, mesNNNN, d3hsp, status.out files of one run")
+  command->add_option("FILE", arguments->files, "messag, mesNNNN, d3hsp, status.out files of one run, or its directory")
       ->required()
       ->type_name("");
   add_selection(*command, *arguments);

@@ -1,17 +1,32 @@
 #include "options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
+#include "audit/registry.hpp"
 #include "base/number.hpp"
 #include "commands.hpp"
 #include "common/files.hpp"
 #include "output.hpp"
 
 namespace gapcheck::app {
+namespace {
+
+std::string check_rule(const std::string& text, bool of_runs) {
+  for (const auto& rule : audit::rules())
+    if (rule.of_runs == of_runs && audit::selected(rule, {text}, {})) return "";
+  return fmt::format("'{}' is no rule on {}; gapcheck rules lists them", text, of_runs ? "runs" : "decks");
+}
+
+}  // namespace
+
+std::string check_deck_rule(const std::string& text) { return check_rule(text, false); }
+std::string check_run_rule(const std::string& text) { return check_rule(text, true); }
 
 std::string check_amount(const std::string& text) {
   double value = -1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "audit/run_context.hpp"
 #include "audit/run_rules.hpp"
 #include "base/embedded.hpp"
 
@@ -42,7 +43,10 @@ bool matches(const RuleInfo& rule, std::string_view pattern) {
 std::span<const RuleInfo> rules() {
   static const std::vector<RuleInfo> infos = [] {
     std::vector<RuleInfo> list;
-    for (const Rule* rule : all_rules()) list.push_back(rule->info);
+    for (const Rule* rule : all_rules()) {
+      list.push_back(rule->info);
+      list.back().of_runs = rule->judge != nullptr;
+    }
     return list;
   }();
   return infos;
@@ -68,8 +72,17 @@ std::string_view page(const RuleInfo& rule) {
 }
 
 void run_rules(Context& context, Report& report) {
+  const AuditOptions& options = context.options();
   for (const Rule* rule : all_rules())
-    if (selected(rule->info, context.options().select, context.options().ignore)) rule->run(rule->info, context, report);
+    if (rule->run != nullptr && selected(rule->info, options.select, options.ignore))
+      rule->run(rule->info, context, report);
+}
+
+void run_rules(RunContext& context, Report& report) {
+  const JudgeOptions& options = context.options();
+  for (const Rule* rule : all_rules())
+    if (rule->judge != nullptr && selected(rule->info, options.select, options.ignore))
+      rule->judge(rule->info, context, report);
 }
 
 }  // namespace gapcheck::audit

@@ -14,6 +14,7 @@ struct RuleInfo {
   std::string_view name;     ///< "initial-penetration"
   Severity severity;
   std::string_view summary;  ///< one line
+  bool of_runs = false;      ///< judges what a run has written, not a deck
 };
 
 /// All rules, ascending by id.

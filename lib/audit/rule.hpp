@@ -76,10 +76,13 @@ class Context {
   std::bitset<8> wanted_ties_;
 };
 
-/// One rule: what it is, and what it adds to a report.
+class RunContext;
+
+/// One rule: what it is, and what it adds to a report. A rule looks at decks or at runs.
 struct Rule {
   RuleInfo info;
-  void (*run)(const RuleInfo& info, Context& context, Report& report);
+  void (*run)(const RuleInfo& info, Context& context, Report& report) = nullptr;
+  void (*judge)(const RuleInfo& info, RunContext& context, Report& report) = nullptr;
 };
 
 /// A finding with the rule's id, name and severity filled in.

@@ -8,7 +8,8 @@ namespace gapcheck::audit {
 /// Every rule, in the order of the build's list (lib/audit/CMakeLists.txt).
 [[nodiscard]] std::span<const Rule* const> listed_rules();
 
-/// Runs the selected rules in order of their ids.
+/// Runs the selected rules on decks, or on runs, in order of their ids.
 void run_rules(Context& context, Report& report);
+void run_rules(RunContext& context, Report& report);
 
 }  // namespace gapcheck::audit

@@ -33,6 +33,7 @@ struct SolverRun : Timesteps {
   std::uint32_t ranks = 0;
   enum class Termination : std::uint8_t { unknown, normal, error } termination = Termination::unknown;
   double problem_time = 0;
+  double end_time = 0;  ///< that the deck asks for
   std::int64_t cycles = 0;
   std::vector<RigidwallPenetration> rigidwalls;
   std::vector<SolverMessage> messages;  ///< by code, then file and line

@@ -133,6 +133,9 @@ class FileReader {
       case 'I':
         if (echo_.timing_row(text)) return true;
         break;
+      case 't':
+        if (facts_.end_time(text)) return true;
+        break;
       case 'T':
         if (facts_.contact_limit(text, lines_.number())) return true;
         break;

@@ -116,6 +116,14 @@ bool RunFacts::problem_line(std::string_view text) {
   return true;
 }
 
+bool RunFacts::end_time(std::string_view text) {
+  constexpr std::string_view words = "termination time...";
+  if (!text.starts_with(words)) return false;
+  text.remove_prefix(std::min(text.find_first_not_of('.', words.size()), text.size()));
+  if (const auto time = take_real(text); time && *time > 0 && run_.end_time == 0) run_.end_time = *time;
+  return true;
+}
+
 bool RunFacts::contact_limit(std::string_view text, std::uint32_t line) {
   constexpr std::string_view words = "time step size should not exceed";
   const std::size_t at = text.find(words);

@@ -22,6 +22,8 @@ class RunFacts {
   /// "9 t 1.0000E-01 dt 0.00E+00 write d3plot file", "Problem time = ...", "Problem cycle = ...".
   bool cycle_line(std::string_view text);
   bool problem_line(std::string_view text);
+  /// "termination time...............................    0.2400E+03", as a d3hsp echoes it.
+  bool end_time(std::string_view text);
   /// "The LS-DYNA time step size should not exceed     3.179E-04".
   bool contact_limit(std::string_view text, std::uint32_t line);
   /// "100 smallest timesteps" and the table below it.

@@ -1,11 +1,14 @@
 // gapcheck messag as users and scripts see it.
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "program.hpp"
 
 namespace gapcheck {
 namespace {
+
+namespace fs = std::filesystem;
 
 class Messag : public Program {};
 
@@ -110,6 +113,49 @@ TEST_F(Messag, AD3plotThatNobodyAskedForIsNoError) {
   EXPECT_EQ(run.code, 0);
   EXPECT_NE(run.err.find("gapcheck: warning: "), std::string::npos) << run.err;
   EXPECT_EQ(gapcheck("messag messag -g d3plot").code, 2);
+}
+
+/// Ids of the rules that found something.
+std::set<std::string> rules_in(const Ended& run) {
+  std::set<std::string> ids;
+  const auto json = nlohmann::json::parse(run.out);
+  for (const auto& finding : json["findings"]) ids.insert(finding["id"].get<std::string>());
+  return ids;
+}
+
+TEST_F(Messag, JudgesTheRunBesideItsLog) {
+  for (const char* name : {"0", "1"}) {
+    const fs::path deck = project / ("data/workshop/penetration_snlog_" + std::string(name) + ".k");
+    ASSERT_EQ(gapcheck("run '" + deck.string() + "' --quiet -o run" + name).code, 0);
+  }
+  const Ended clean = gapcheck("messag run0 --format json"), bad = gapcheck("messag run1 --format json");
+  EXPECT_EQ(clean.code, 0) << clean.out;
+  EXPECT_EQ(bad.code, 1) << "an error of GC601";
+  EXPECT_FALSE(rules_in(clean).contains("GC601")) << clean.out;
+  EXPECT_TRUE(rules_in(bad).contains("GC601"));
+  EXPECT_TRUE(rules_in(bad).contains("GC606"));
+  EXPECT_NE(bad.err.find("gapcheck: note: run1: not judged: GC604"), std::string::npos) << bad.err;
+  EXPECT_EQ(rules_in(gapcheck("messag run1/messag --format json")), rules_in(bad)) << "a file's neighbours are read too";
+  EXPECT_EQ(rules_in(gapcheck("messag run1 --format json --ignore GC6")), std::set<std::string>{"GC101"});
+  EXPECT_EQ(rules_in(gapcheck("messag run1 --format json --select GC601")),
+            (std::set<std::string>{"GC101", "GC601"}));
+  EXPECT_EQ(gapcheck("messag run1 --quiet").err, "");
+  EXPECT_EQ(check_c("run1/messag").out.find("GC6"), std::string::npos);
+  EXPECT_EQ(gapcheck("messag run1 --select GC101").code, 2) << "no rule on runs";
+  EXPECT_EQ(gapcheck("audit '" + (project / "data/two_plates.k").string() + "' --select GC6").code, 2);
+}
+
+TEST_F(Messag, ResultFilesThatAreDamagedOrBeingWritten) {
+  use("smp");
+  EXPECT_EQ(gapcheck("messag messag").err, "") << "no files to judge, none expected";
+  file("glstat", " time...........................   1.00000E+00\n kinetic energy");
+  const Ended open = gapcheck("messag messag");
+  EXPECT_EQ(open.code, 0);
+  EXPECT_NE(open.err.find("gapcheck: warning: glstat:"), std::string::npos) << open.err;
+  file("glstat", " time...........................   1.00000E+00\n total energy...................   **********\n");
+  EXPECT_EQ(gapcheck("messag messag").code, 2);
+  fs::create_directory(folder_ / "empty");
+  EXPECT_EQ(gapcheck("messag empty").code, 2);
 }
 
 TEST_F(Messag, BeamsOfAnAuditCanBeAuditedAgain) {
