@@ -64,7 +64,7 @@ void SegmentPass::orient(std::uint32_t slot, contact::PairResult* pair) {
     side.setZero();
     return;
   }
-  const contact::PairScene& scene = side().scene();
+  const contact::PairScene& scene = ContactPass::side().scene();
   const Vector way = scene.position(slot) - pair->closest.point;
   // Oriented segments know their front. Of a node on the surface nothing new can be said.
   if (pair->distance < 0 || !(way.squaredNorm() > 0)) return;
