@@ -115,6 +115,8 @@ std::string log_end(bool normal, const std::string& reason, double time, std::ui
                      normal ? "N o r m a l    t e r m i n a t i o n" : "E r r o r   t e r m i n a t i o n");
 }
 
+std::string warning_block(const std::string& text) { return " \n *** Warning\n     " + text + "\n \n"; }
+
 std::string error_block(const std::string& text) { return " \n *** Error\n     " + text + "\n \n"; }
 
 }  // namespace gapcheck::results

@@ -44,7 +44,8 @@ struct ElementStep {
 [[nodiscard]] std::string failed_element(const std::string& kind, std::int64_t element, double time);
 /// Why the run ended, its time and cycle (from 1), and the last line: normal or error termination.
 [[nodiscard]] std::string log_end(bool normal, const std::string& reason, double time, std::uint64_t cycle);
-/// A message block without a number.
+/// Message blocks without a number; `text`: lines, the first without its blanks and the last without its end.
+[[nodiscard]] std::string warning_block(const std::string& text);
 [[nodiscard]] std::string error_block(const std::string& text);
 
 }  // namespace gapcheck::results

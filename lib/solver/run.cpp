@@ -93,6 +93,13 @@ std::vector<ContactView> Run::contacts() const {
   return views;
 }
 
+std::vector<ContactEvent> Run::take_events() const {
+  std::vector<ContactEvent> events;
+  for (ContactSource* source : sources_)
+    for (ContactEvent& event : source->take_events()) events.push_back(std::move(event));
+  return events;
+}
+
 std::optional<RunEnd> Run::end_reached() const {
   const State& state = stepper_->state();
   if (state.time >= end_time_) return RunEnd::time;

@@ -61,6 +61,8 @@ class Run {
   [[nodiscard]] std::vector<ContactState> transducers() const {
     return transducers_->measure(contacts(), stepper_->state());
   }
+  /// What the contacts have done once since the last call.
+  [[nodiscard]] std::vector<ContactEvent> take_events() const;
   [[nodiscard]] const ContactCounters& contact_counters() const { return contacts_->counters(); }
   [[nodiscard]] double end_time() const { return end_time_; }
   [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }

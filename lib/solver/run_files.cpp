@@ -58,6 +58,15 @@ std::vector<results::LegendEntry> contact_titles(const model::Model& model) {
   return list;
 }
 
+/// Message blocks of what contacts have done once.
+std::string events_text(const Run& run) {
+  std::string text;
+  for (const ContactEvent& event : run.take_events())
+    text += results::warning_block(fmt::format("{}\n     contact interface #        = {}\n     time                       = {:.4E}",
+                                               event.text, run.model().contacts[event.contact].id.value, event.time));
+  return text;
+}
+
 std::vector<results::LegendEntry> node_titles(const model::Model& model) {
   std::vector<results::LegendEntry> list;
   for (const model::HistoryNode& entry : model.output.history_nodes)
@@ -205,10 +214,9 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
       break;
   }
   std::string text;
-  for (const ContactView& view : run.contacts()) {
-    const std::vector<results::NodeForce> nodes = node_forces(run, view);
-    const std::int64_t contact = run.model().contacts[view.state().contact].id.value;
-    if (!nodes.empty()) text += results::ncforc_text(state.time, contact, nodes);
+  for (std::uint32_t contact = 0; contact < run.model().contacts.size(); ++contact) {
+    const std::vector<results::NodeForce> nodes = node_forces(run, contact);
+    if (!nodes.empty()) text += results::ncforc_text(state.time, run.model().contacts[contact].id.value, nodes);
   }
   return text;
 }
@@ -235,6 +243,7 @@ std::optional<Failure> RunFiles::observe(const Run& run, std::optional<RunEnd> e
     if (!write(text.file.get(), state_text(i, run))) return not_written(text.path);
     text.interval.written(state.time);
   }
+  if (auto problem = log(events_text(run))) return problem;
   if (plot_interval_.due(state.time) || end) {
     plot_interval_.written(state.time);
     if (auto problem =

@@ -45,6 +45,17 @@ Vector global_velocity(const State& state) {
   return mass > 0 ? Vector(momentum / mass) : Vector(Vector::Zero());
 }
 
+/// One contact of two sources.
+void add(const ContactState& part, ContactState& sum) {
+  sum.force_a += part.force_a;
+  sum.force_b += part.force_b;
+  sum.moment_a += part.moment_a;
+  sum.moment_b += part.moment_b;
+  sum.energy_a += part.energy_a;
+  sum.energy_b += part.energy_b;
+  sum.friction += part.friction;
+}
+
 }  // namespace
 
 results::GlobalState global_state(const Run& run) {
@@ -126,7 +137,9 @@ std::vector<results::InterfaceState> interface_states(const Run& run, bool trans
   std::stable_sort(states.begin(), states.end(),
                    [](const ContactState& a, const ContactState& b) { return a.contact < b.contact; });
   std::vector<results::InterfaceState> list;
-  for (const ContactState& state : states) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    ContactState state = states[i];
+    for (; i + 1 < states.size() && states[i + 1].contact == state.contact; ++i) add(states[i + 1], state);
     results::InterfaceState contact;
     contact.contact = run.model().contacts[state.contact].id.value;
     contact.single_surface = state.single_surface;
@@ -139,8 +152,8 @@ std::vector<results::InterfaceState> interface_states(const Run& run, bool trans
   return list;
 }
 
-std::vector<results::NodeForce> node_forces(const Run& run, const ContactView& contact) {
-  const model::Contact& card = run.model().contacts[contact.state().contact];
+std::vector<results::NodeForce> node_forces(const Run& run, std::uint32_t contact) {
+  const model::Contact& card = run.model().contacts[contact];
   const auto& cards = run.model().contacts;
   const bool all =
       std::none_of(cards.begin(), cards.end(), [](const model::Contact& c) { return c.print_a || c.print_b; });
@@ -152,16 +165,19 @@ std::vector<results::NodeForce> node_forces(const Run& run, const ContactView& c
     for (std::size_t i = 0; i < 4; ++i)
       if (point.weights[i] != 0) by_node[point.nodes[i]].force += point.weights[i] * force;
   };
-  std::vector<ContactLink> links;
-  contact.source->links(contact.position, links);
-  const bool single = contact.state().single_surface;
-  for (const ContactLink& link : links) {
-    add(link.tracked, link.force, link.exchanged && !single);
-    add(link.reference, -link.force, !link.exchanged && !single);
+  for (const ContactView& view : run.contacts()) {
+    if (view.state().contact != contact) continue;
+    std::vector<ContactLink> links;
+    view.source->links(view.position, links);
+    const bool single = view.state().single_surface;
+    for (const ContactLink& link : links) {
+      add(link.tracked, link.force, link.exchanged && !single);
+      add(link.reference, -link.force, !link.exchanged && !single);
+    }
+    for (const ContactNode& node : view.nodes())
+      if (const auto at = by_node.find(node.node); at != by_node.end())
+        at->second.pressure = std::max(at->second.pressure, node.pressure);
   }
-  for (const ContactNode& node : contact.nodes())
-    if (const auto at = by_node.find(node.node); at != by_node.end())
-      at->second.pressure = std::max(at->second.pressure, node.pressure);
   for (auto& [node, entry] : by_node) {
     entry.node = run.model().mesh.nodes.id[node.value];
     entry.position = state.x[node.value];

@@ -1,5 +1,6 @@
 #include "solver/tie.hpp"
 
+#include "contact/active_time.hpp"
 #include "geometry/closest_point.hpp"
 #include "solver/contact_method.hpp"
 #include "solver/corner_weights.hpp"
@@ -124,6 +125,22 @@ void TieLoads::add_to(const Tie& tie, const State& state, ContactState& result) 
     result.force_b += forces[i];
     result.moment_b += state.x[tie.point.nodes[i].value].cross(forces[i]) + moments[i];
   }
+}
+
+std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties, bool by_constraint) {
+  std::vector<TieRange> ranges;
+  std::size_t next = 0;
+  for (std::uint32_t c = 0; c < model.contacts.size(); ++c) {
+    const model::Contact& contact = model.contacts[c];
+    const std::size_t first = next;
+    while (next < ties.size() && ties[next].contact == c) ++next;
+    const bool own = choose_method(contact).method == ContactMethod::tie &&
+                     contact::ties_by_constraint(contact::classify(contact)) == by_constraint;
+    if (!own && next == first) continue;
+    const contact::ActiveTime time = contact::active_time(contact);
+    ranges.push_back({c, first, next, time.start, time.end});
+  }
+  return ranges;
 }
 
 std::vector<Tie> tie_list(const model::Model& model, contact::SurfaceStore& surfaces,

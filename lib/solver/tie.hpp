@@ -66,6 +66,17 @@ struct TieLoads {
   void add_to(const Tie& tie, const State& state, ContactState& result) const;
 };
 
+/// One contact's ties among those of all, [first, last), and when they act.
+struct TieRange {
+  std::uint32_t contact = 0;  ///< position in Model::contacts
+  std::size_t first = 0, last = 0;
+  double start = 0, end = 0;
+  [[nodiscard]] bool active(double time) const { return time >= start && time < end; }
+};
+/// Of the contacts that tie by constraints, or by springs, and of others that have ties in the list.
+[[nodiscard]] std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties,
+                                               bool by_constraint);
+
 /// The ties of all calculated contacts, by contact, then node: those by constraints, or those by springs. What is tied
 /// is what the initialisation has found.
 [[nodiscard]] std::vector<Tie> tie_list(const model::Model& model, contact::SurfaceStore& surfaces,

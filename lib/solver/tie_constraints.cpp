@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "contact/active_time.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -24,14 +23,10 @@ TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore&
                                Diagnostics& diagnostics)
     : structure_(structure), ties_(tie_list(model, surfaces, initial, structure, true)) {
   keep_sound(model, diagnostics);
-  for (std::size_t t = 0; t < ties_.size(); ++t) {
-    const Tie& tie = ties_[t];
-    if (interfaces_.empty() || interfaces_.back().contact != tie.contact) {
-      const contact::ActiveTime time = contact::active_time(model.contacts[tie.contact]);
-      interfaces_.push_back({tie.contact, t, t, time.start, time.end, false});
-      states_.emplace_back().contact = tie.contact;
-    }
-    ++interfaces_.back().last;
+  interfaces_ = tie_ranges(model, ties_, true);
+  active_.assign(interfaces_.size(), false);
+  for (const TieRange& interface : interfaces_) states_.emplace_back().contact = interface.contact;
+  for (const Tie& tie : ties_) {
     varying_ = varying_ || tie.carries || tie.rotation == Turning::axes;
     used_.push_back(tie.node);
     used_.insert(used_.end(), tie.point.nodes.begin(), tie.point.nodes.end());
@@ -80,11 +75,11 @@ void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnost
 
 bool TieConstraints::activate(double time) {
   bool changed = false;
-  for (Interface& interface : interfaces_) {
-    const bool active = time >= interface.start && time < interface.end;
-    changed = changed || active != interface.active;
-    interface.active = active;
-    for (std::size_t t = interface.first; t < interface.last; ++t) equations_[t].active = active;
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+    const bool active = interfaces_[i].active(time);
+    changed = changed || active != active_[i];
+    active_[i] = active;
+    for (std::size_t t = interfaces_[i].first; t < interfaces_[i].last; ++t) equations_[t].active = active;
   }
   return changed;
 }
@@ -197,10 +192,10 @@ void TieConstraints::put(const Eigen::VectorXd& lambda, double mean) {
 
 void TieConstraints::sum_up(const State& state, Forces& net, Forces& external) {
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-    const Interface& interface = interfaces_[i];
+    const TieRange& interface = interfaces_[i];
     ContactState& result = states_[i];
     result.force_a = result.force_b = result.moment_a = result.moment_b = Vector::Zero();
-    result.touching = interface.active ? interface.last - interface.first : 0;
+    result.touching = active_[i] ? interface.last - interface.first : 0;
     for (std::size_t t = interface.first; t < interface.last; ++t) {
       const TieLoads& loads = present_[t].loads;
       loads.add_to(ties_[t], net);
@@ -213,7 +208,7 @@ void TieConstraints::sum_up(const State& state, Forces& net, Forces& external) {
 }
 
 void TieConstraints::name_dependent(double time) {
-  for (const Interface& interface : interfaces_) {
+  for (const TieRange& interface : interfaces_) {
     std::size_t count = 0;
     for (std::size_t t = interface.first; t < interface.last; ++t) {
       const std::size_t last = t + 1 < ties_.size() ? system_->row(t + 1) : system_->size();
@@ -223,9 +218,7 @@ void TieConstraints::name_dependent(double time) {
     }
     if (count > 0)
       events_.push_back({interface.contact, time,
-                         fmt::format("{} equations of its ties follow from others or\n     contradict them and are left "
-                                     "out.\n",
-                                     count)});
+                         fmt::format("{} equations of ties follow from others or\n     contradict them and are left out.", count)});
   }
 }
 
@@ -270,7 +263,7 @@ void TieConstraints::absorbed(Absorbed& work) const {
 
 std::vector<ContactNode> TieConstraints::nodes(std::size_t position) const {
   std::vector<ContactNode> all;
-  if (!interfaces_[position].active) return all;
+  if (!active_[position]) return all;
   for (std::size_t t = interfaces_[position].first; t < interfaces_[position].last; ++t) {
     ContactNode& node = all.emplace_back();
     node.kind = ContactNode::Kind::tied;
@@ -282,7 +275,7 @@ std::vector<ContactNode> TieConstraints::nodes(std::size_t position) const {
 }
 
 void TieConstraints::links(std::size_t position, std::vector<ContactLink>& links) const {
-  if (!interfaces_[position].active) return;
+  if (!active_[position]) return;
   for (std::size_t t = interfaces_[position].first; t < interfaces_[position].last; ++t) {
     ContactLink& link = links.emplace_back();
     link.tracked = {{ties_[t].node}, {1}};

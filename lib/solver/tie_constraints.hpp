@@ -39,12 +39,6 @@ class TieConstraints : public Force, public ContactSource {
     TieLoads loads;
     bool started = false;
   };
-  struct Interface {
-    std::uint32_t contact = 0;
-    std::size_t first = 0, last = 0;  ///< of the ties
-    double start = 0, end = 0;
-    bool active = false;
-  };
   void keep_sound(const model::Model& model, Diagnostics& diagnostics);
   bool activate(double time);
   void place(const State& state);
@@ -59,7 +53,8 @@ class TieConstraints : public Force, public ContactSource {
   std::vector<Tie> ties_;
   std::vector<Present> present_;  ///< by tie
   std::vector<TieEquation> equations_;
-  std::vector<Interface> interfaces_;
+  std::vector<TieRange> interfaces_;
+  std::vector<bool> active_;  ///< by interface
   std::vector<ContactState> states_;
   std::vector<NodeIndex> used_;
   std::vector<std::uint8_t> held_;  ///< beside used_

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/parallel.hpp"
-#include "contact/active_time.hpp"
 #include "contact/stiffness.hpp"
 #include "solver/contact_spring.hpp"
 #include "solver/tie_stability.hpp"
@@ -50,17 +49,14 @@ TieForces::TieForces(const model::Model& model, contact::SurfaceStore& surfaces,
       store_(surfaces),
       initial_(initial),
       structure_(&structure) {
-  for (const Tie& tie : tie_list(model, surfaces, initial, structure, false)) {
-    if (interfaces_.empty() || interfaces_.back().contact != tie.contact) {
-      const contact::ActiveTime time = contact::active_time(model.contacts[tie.contact]);
-      interfaces_.push_back({tie.contact, springs_.size(), springs_.size(), time.start, time.end});
-      states_.emplace_back().contact = tie.contact;
-    }
+  const std::vector<Tie> ties = tie_list(model, surfaces, initial, structure, false);
+  for (const Tie& tie : ties) {
     Spring& spring = springs_.emplace_back();
     spring.tie = tie;
     spring.percent = std::max(0.0, model.contacts[tie.contact].vdc);
-    ++interfaces_.back().last;
   }
+  interfaces_ = tie_ranges(model, ties, false);
+  for (const TieRange& interface : interfaces_) states_.emplace_back().contact = interface.contact;
 }
 
 void TieForces::build(const State& state) {
@@ -68,7 +64,7 @@ void TieForces::build(const State& state) {
   const ContactMasses masses(model_);
   TieStability stability(*structure_);
   double ratio = 0;
-  for (const Interface& interface : interfaces_) {
+  for (const TieRange& interface : interfaces_) {
     const model::Contact& contact = model_.contacts[interface.contact];
     const contact::ContactSurfaces& surfaces = store_.at(interface.contact);
     const contact::SideScene side(model_, interface.contact, surfaces, false, initial_.x);
@@ -151,8 +147,8 @@ void TieForces::add(State& state, Forces& forces) {
   if (!built_) build(state);
   coming_ = state.coming;
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-    const Interface& interface = interfaces_[i];
-    const bool active = state.time >= interface.start && state.time < interface.end;
+    const TieRange& interface = interfaces_[i];
+    const bool active = interface.active(state.time);
     parallel_for(interface.last - interface.first, 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) calculate(springs_[interface.first + s], state, active);
     });

@@ -37,12 +37,6 @@ class TieForces : public Force, public ContactSource {
     TieLoads loads;
     double on_node = 0, on_segment = 0, damped = 0;  ///< work taken in the last step
   };
-  /// One contact's springs, [first, last).
-  struct Interface {
-    std::uint32_t contact = 0;
-    std::size_t first = 0, last = 0;
-    double start = 0, end = 0;
-  };
   void build(const State& state);
   static void turn(Spring& spring, const State& state);
   static void calculate(Spring& spring, const State& state, bool active);
@@ -52,7 +46,7 @@ class TieForces : public Force, public ContactSource {
   const contact::InitialState& initial_;
   const Structure* structure_;  ///< until the first cycle
   std::vector<Spring> springs_;
-  std::vector<Interface> interfaces_;
+  std::vector<TieRange> interfaces_;
   std::vector<ContactState> states_;
   double squared_frequency_ = 0;  ///< upper bound of the springs'
   double coming_ = 0;             ///< step that the elements allow
