@@ -23,7 +23,8 @@ ContactChoice choose_method(const model::Contact& contact) {
   if (type.pairing == contact::Pairing::mortar) return no("mortar contacts are not calculated");
   if (type.code == "25") return {ContactMethod::transducer, ""};
   const bool constraint = among(type.code, {"17", "18"});
-  const bool penalty = among(type.code, {"3", "a3", "4", "5", "a5", "10", "a10", "13", "a13", "m3", "m5", "m10"});
+  const bool penalty = among(type.code, {"3", "a3", "4", "5", "a5", "10", "a10", "13", "a13", "14", "15", "16", "m3", "m5",
+                                         "m10"});
   if (!(constraint || penalty) || type.edges) return no("contacts of this type are not calculated");
   if (penalty && contact.soft != 0 && contact.soft != 1 && contact.soft != 2)
     return no("only SOFT = 0 and 1 are calculated");

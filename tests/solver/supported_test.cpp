@@ -72,7 +72,7 @@ TEST(Supported, ContactsWallsAndSettings) {
   for (const std::string expected :
        {"CONTACT_SURFACE_TO_SURFACE: contact 1: SOFT = 2", "CONTACT_TIED_NODES_TO_SURFACE: contact 2",
         "CONTACT_AUTOMATIC_GENERAL: contact 3", "MORTAR: contact 4: mortar", "TIEBREAK: contact 5",
-        "CONTACT_ERODING_SINGLE_SURFACE: contact 6", "RIGIDWALL_PLANAR_MOVING: wall 2", "RIGIDWALL_PLANAR: wall 3: FRIC", "LCTM"})
+        "CONTACT_ERODING_SINGLE_SURFACE: contact 6: faces on planes", "RIGIDWALL_PLANAR_MOVING: wall 2", "RIGIDWALL_PLANAR: wall 3: FRIC", "LCTM"})
     EXPECT_NE(text.find(expected), std::string::npos) << expected << " in\n" << text;
   for (const std::string calculated : {"SPHERE", "DT2MS"}) EXPECT_EQ(text.find(calculated), std::string::npos) << text;
 }
