@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/stopwatch.hpp"
+#include "contact/erosion.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -81,6 +82,11 @@ const ContactSurfaces& SurfaceStore::at(std::uint32_t contact) {
 ContactSurfaces SurfaceStore::build(std::uint32_t contact, const std::vector<Vector>& x) {
   const ThicknessChange change = changes_.empty() ? ThicknessChange{} : changes_[contact];
   return build_surfaces(model_, model_.contacts[contact], x, index_, change);
+}
+
+ContactSurfaces SurfaceStore::erode(std::uint32_t contact, const ContactSurfaces& now, const GoneElements& gone,
+                                    const std::vector<Vector>& x) {
+  return erode_surfaces(model_, model_.contacts[contact], at(contact), now, gone, x, index_);
 }
 
 }  // namespace gapcheck::contact

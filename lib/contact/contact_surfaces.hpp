@@ -33,6 +33,8 @@ struct ContactSurfaces {
                                              const std::vector<Vector>& x, MeshIndex& index,
                                              const ThicknessChange& change = {});
 
+struct GoneElements;
+
 /// The surfaces of a model's contacts on the deck's own coordinates, each built when it is first asked for and kept.
 /// Not for use from several threads. The model must outlive it. `changes`: of thickness, by contact; empty: none.
 class SurfaceStore {
@@ -43,6 +45,9 @@ class SurfaceStore {
   [[nodiscard]] const ContactSurfaces& at(std::uint32_t contact);
   /// The same on other coordinates; not kept.
   [[nodiscard]] ContactSurfaces build(std::uint32_t contact, const std::vector<Vector>& x);
+  /// What is left of a contact's surfaces once elements have failed (contact/erosion.hpp). `x`: present coordinates.
+  [[nodiscard]] ContactSurfaces erode(std::uint32_t contact, const ContactSurfaces& now, const GoneElements& gone,
+                                      const std::vector<Vector>& x);
   [[nodiscard]] std::uint64_t built() const { return count_; }
   [[nodiscard]] double seconds() const { return seconds_; }
 

@@ -67,6 +67,10 @@ struct Contact {
   double sfs = 1, sfm = 1, sst = 0, mst = 0, sfst = 1, sfmt = 1, fsf = 1, vsf = 1;
   // Card 4 of tiebreak types: OPTION
   std::int64_t tiebreak_option = 0;
+  // Card 4 of eroding types
+  std::int64_t erosop = 0;  ///< EROSOP: 1 = surfaces follow the elements that are left
+  std::int64_t iadj = 0;    ///< IADJ: 1 = also inside a body
+  std::int64_t symmetry_faces = 0;  ///< ISYM: 1 = faces on planes of symmetry are left out
   // MPP card
   std::optional<std::int64_t> mpp_ignore;
   double parmax = 0;  ///< 0 = not given
@@ -130,6 +134,7 @@ struct Controls {
   double slsfac = 0.1;
   double rwpnal = 0;  ///< 0: rigid walls do not see the nodes of rigid bodies
   std::int64_t shlthk = 0, penopt = 1, orien = 1;
+  std::int64_t enmass = 0;  ///< nodes of failed elements stay in contact: 1 = of solids, 2 = of solids and shells
   // card 2
   double xpene = 4;
   std::int64_t ssthk = 0, ecdt = 0, tiedprj = 0;

@@ -112,6 +112,12 @@ void check_type_card(const CardReader& reader, const ContactName& name, Contact&
   contact.cards.expected = card_words(*card);
 }
 
+void read_eroding(const Card& card, Contact& contact) {
+  contact.symmetry_faces = card.integer("isym");
+  contact.erosop = card.integer("erosop");
+  contact.iadj = card.integer("iadj");
+}
+
 /// Cards of the type, thermal and frictional ones. The filter card (RFILTF) that new versions allow behind the cards
 /// of a tiebreak cannot be told from card A, and is taken for card A.
 void read_type_cards(CardReader& reader, const ContactName& name, Contact& contact) {
@@ -127,6 +133,8 @@ void read_type_cards(CardReader& reader, const ContactName& name, Contact& conta
     case ExtraCards::one:
       if (contact.keyword.find("_TIEBREAK_") != std::string::npos && contact.keyword.starts_with("CONTACT_AUTOMATIC_"))
         contact.tiebreak_option = reader.next(layout("TIEBREAK")).integer("option");
+      else if (contact.keyword.starts_with("CONTACT_ERODING") && contact.cards.misread == 0)
+        read_eroding(reader.next(layout("ERODING")), contact);
       else
         reader.skip();
       break;

@@ -24,6 +24,7 @@ void read_control_contact(Context& context, const Block& block, const Options&) 
   controls.rwpnal = card1.real("rwpnal");
   controls.shlthk = card1.integer("shlthk");
   controls.penopt = or_default(card1.integer("penopt"), 1);
+  controls.enmass = card1.integer("enmass");
   controls.orien = or_default(card1.integer("orien"), 1);
   const Card card2 = next_card(reader, "CONTROL_CONTACT", "card2");
   controls.xpene = or_default(card2.real("xpene"), 4);

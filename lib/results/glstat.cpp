@@ -40,7 +40,7 @@ constexpr std::array<Row, 7> rows_behind_walls{{
     {"eroded hourglass energy........", &GlobalState::eroded_hourglass},
     {"total energy...................", &GlobalState::total},
     {"total energy / initial energy..", &GlobalState::ratio},
-    {"energy ratio w/o eroded energy.", &GlobalState::ratio_without_eroded, true},
+    {"energy ratio w/o eroded energy.", &GlobalState::ratio_without_eroded},
 }};
 
 constexpr std::string_view total_label = "total energy";

@@ -9,6 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/active_time.hpp"
+#include "contact/erosion.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -92,18 +93,38 @@ void ConstraintContact::build(const std::vector<Vector>& x) {
   response_.moved.assign(x.size(), Vector::Zero());
   std::vector<const contact::Segments*> segments;
   for (Interface& interface : interfaces_) {
-    if (moved_) interface.own = store_.build(interface.contact, x);
-    interface.surfaces = moved_ ? &interface.own : &store_.at(interface.contact);
-    const bool both = interface.surfaces->type.treatment == contact::Treatment::two_way;
-    for (const bool exchanged : {false, true})
-      if (!exchanged || both)
-        interface.passes.push_back(std::make_unique<ConstraintPass>(
-            model_, interface.contact, *interface.surfaces, exchanged, *search_, ties_, movable_, at_));
+    if (moved_) interface.own = std::make_unique<contact::ContactSurfaces>(store_.build(interface.contact, x));
+    interface.surfaces = moved_ ? interface.own.get() : &store_.at(interface.contact);
+    add_passes(interface);
     for (const contact::ContactSide* side : {&interface.surfaces->a, &interface.surfaces->b})
       segments.push_back(&side->selection.segments);
   }
   margin_ = margin_in_edges * mean_edge(segments, x);
   built_ = true;
+}
+
+void ConstraintContact::add_passes(Interface& interface) {
+  const bool both = interface.surfaces->type.treatment == contact::Treatment::two_way;
+  for (const bool exchanged : {false, true})
+    if (!exchanged || both)
+      interface.passes.push_back(std::make_unique<ConstraintPass>(
+          model_, interface.contact, *interface.surfaces, exchanged, *search_, ties_, movable_, at_));
+}
+
+void ConstraintContact::erode(const State& state) {
+  failures_ = state.failed.count;
+  const contact::GoneElements gone{state.failed.shells, state.failed.solids};
+  for (Interface& interface : interfaces_) {
+    auto left = std::make_unique<contact::ContactSurfaces>(
+        store_.erode(interface.contact, *interface.surfaces, gone, state.x));
+    std::vector<std::unique_ptr<ConstraintPass>> before;
+    before.swap(interface.passes);
+    std::swap(interface.own, left);  // the old passes still see the old ones
+    interface.surfaces = interface.own.get();
+    add_passes(interface);
+    for (std::size_t k = 0; k < before.size(); ++k) interface.passes[k]->carry_over(*before[k]);
+  }
+  searched_.clear();
 }
 
 void ConstraintContact::follow() {
@@ -123,6 +144,7 @@ void ConstraintContact::follow() {
 void ConstraintContact::add(State& state, Forces& /*forces*/) {
   if (!built_) build(state.x);
   for (const std::uint32_t node : nodes_) at_[node] = state.x[node];
+  if (state.failed.count != failures_) erode(state);
   follow();
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
     Interface& interface = interfaces_[i];

@@ -50,7 +50,8 @@ class ConstraintContact : public Force, public ContactSource {
   struct Interface {
     std::uint32_t contact = 0;
     const contact::ContactSurfaces* surfaces = nullptr;
-    contact::ContactSurfaces own;  ///< where the initialisation has moved nodes
+    /// Where the initialisation has moved nodes or elements have failed.
+    std::unique_ptr<contact::ContactSurfaces> own;
     std::vector<std::unique_ptr<ConstraintPass>> passes;
     double start = 0, end = 0;
     bool active = false;
@@ -64,6 +65,9 @@ class ConstraintContact : public Force, public ContactSource {
                     const Structure& structure, std::vector<bool> movable);
   [[nodiscard]] std::optional<Failure> rigid_nodes(const Structure& structure) const;
   void build(const std::vector<Vector>& x);
+  void add_passes(Interface& interface);
+  /// Elements have failed since the last call.
+  void erode(const State& state);
   /// Searches again where anything may have come too near since the last time.
   void follow();
   void predict(const State& state, double mean, double next, const Forces& net);
@@ -90,6 +94,7 @@ class ConstraintContact : public Force, public ContactSource {
   std::vector<Origin> origins_;
   ConstraintSolution solution_;
   double margin_ = 0, step_ = 0;
+  std::uint64_t failures_ = 0;  ///< FailedElements::count that the surfaces know
   bool built_ = false;
 };
 

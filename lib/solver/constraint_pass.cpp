@@ -150,6 +150,18 @@ std::vector<ConstraintPass::Hit> ConstraintPass::hits() {
   return hits;
 }
 
+void ConstraintPass::carry_over(const ConstraintPass& before) {
+  const std::vector<NodeIndex>& nodes = scene_.nodes.node;
+  for (std::size_t slot = 0; slot < before.memory_.size(); ++slot) {
+    const NodeIndex node = before.scene_.nodes.node[slot];
+    const auto at = std::lower_bound(nodes.begin(), nodes.end(), node,
+                                     [](NodeIndex a, NodeIndex b) { return a.value < b.value; });
+    if (at == nodes.end() || *at != node) continue;
+    Memory& memory = memory_[static_cast<std::size_t>(at - nodes.begin())];
+    memory.contact = before.memory_[slot].contact;
+  }
+}
+
 void ConstraintPass::rest() { memory_.assign(memory_.size(), {}); }
 
 std::uint64_t ConstraintPass::released() const {

@@ -45,6 +45,8 @@ class ConstraintPass {
   /// Nodes that are behind the surface and not released, ascending by slot.
   [[nodiscard]] std::vector<Hit> hits();
 
+  /// Takes over what a pass on other surfaces of the same contact remembers of its nodes.
+  void carry_over(const ConstraintPass& before);
   /// Forgets all; the contact is not active.
   void rest();
   [[nodiscard]] std::uint64_t released() const;

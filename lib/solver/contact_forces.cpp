@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "contact/active_time.hpp"
 #include "contact/edge_scene.hpp"
+#include "contact/erosion.hpp"
 #include "solver/edge_pass.hpp"
 #include "solver/segment_pass.hpp"
 
@@ -90,6 +91,7 @@ void ContactForces::add_passes(Interface& interface, const std::vector<Vector>& 
 
 void ContactForces::build(State& state) {
   Edges edges;
+  first_step_ = state.coming;
   interfaces_.reserve(model_.contacts.size());  // passes refer to the surfaces in them
   for (std::uint32_t c = 0; c < model_.contacts.size(); ++c) {
     const model::Contact& contact = model_.contacts[c];
@@ -98,24 +100,19 @@ void ContactForces::build(State& state) {
     interface.contact = c;
     if (contact.airbag_thickness > 0) interface.thickness = &model_.curves.at(contact.lcidab);
     const bool own = moved_ || interface.thickness != nullptr;
-    if (own) interface.own = store_.build(c, state.x);
-    interface.surfaces = own ? &interface.own : &store_.at(c);
+    if (own) interface.own = std::make_unique<contact::ContactSurfaces>(store_.build(c, state.x));
+    interface.surfaces = own ? interface.own.get() : &store_.at(c);
     if (interface.surfaces->type.code == "22") {
-      interface.own = contact::free_edge_surface(model_, c, *interface.surfaces, state.x);
-      interface.surfaces = &interface.own;
+      interface.own = std::make_unique<contact::ContactSurfaces>(
+          contact::free_edge_surface(model_, c, *interface.surfaces, state.x));
+      interface.surfaces = interface.own.get();
     }
     interface.searched_thickness = contact.airbag_thickness;
     const contact::ActiveTime time = contact::active_time(contact);
     interface.start = time.start;
     interface.end = time.end;
     const contact::ContactSurfaces& surfaces = *interface.surfaces;
-    for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
-      const contact::Segments& segments = side->selection.segments;
-      edges.add(segments, state.x);
-      for (const NodeIndex node : side->nodes.node) nodes_.push_back(node.value);
-      for (const auto& corners : segments.nodes)
-        for (const NodeIndex node : corners) nodes_.push_back(node.value);
-    }
+    for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) edges.add(side->selection.segments, state.x);
     add_passes(interface, state.x);
     for (const auto& pass : interface.passes)
       pass->set_timestep(contact.dtstif > 0 ? contact.dtstif : state.coming);
@@ -129,10 +126,58 @@ void ContactForces::build(State& state) {
     result.contact = c;
     result.single_surface = surfaces.type.treatment == Treatment::single_surface;
   }
-  std::sort(nodes_.begin(), nodes_.end());
-  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  gather_nodes();
+  limit_step();
   if (edges.count > 0) margin_ = margin_in_edges * edges.length / static_cast<double>(edges.count);
   built_ = true;
+}
+
+void ContactForces::gather_nodes() {
+  nodes_.clear();
+  for (const Interface& interface : interfaces_)
+    for (const contact::ContactSide* side : {&interface.surfaces->a, &interface.surfaces->b}) {
+      for (const NodeIndex node : side->nodes.node) nodes_.push_back(node.value);
+      for (const auto& corners : side->selection.segments.nodes)
+        for (const NodeIndex node : corners) nodes_.push_back(node.value);
+    }
+  std::sort(nodes_.begin(), nodes_.end());
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+}
+
+void ContactForces::limit_step() {
+  stable_step_ = std::numeric_limits<double>::infinity();
+  if (model_.controls.ecdt != 0) return;
+  for (const Interface& interface : interfaces_) {
+    if (!contact::is_eroding(interface.surfaces->type)) continue;
+    if (!estimate_) estimate_ = std::make_unique<contact::TimestepEstimate>(model_, masses_.sizes);
+    const model::Contact& contact = model_.contacts[interface.contact];
+    for (const auto& [side, scale] :
+         {std::pair(&interface.surfaces->a, contact.sfs), std::pair(&interface.surfaces->b, contact.sfm)})
+      stable_step_ = std::min(
+          stable_step_, estimate_->side(side->selection.segments, model_.controls.slsfac * scale).timestep);
+  }
+}
+
+void ContactForces::erode(const State& state) {
+  failures_ = state.failed.count;
+  const contact::GoneElements gone{state.failed.shells, state.failed.solids};
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+    Interface& interface = interfaces_[i];
+    auto left = std::make_unique<contact::ContactSurfaces>(
+        store_.erode(interface.contact, *interface.surfaces, gone, state.x));
+    std::vector<std::unique_ptr<InterfacePass>> before;
+    before.swap(interface.passes);
+    std::swap(interface.own, left);  // the old passes still see the old ones
+    interface.surfaces = interface.own.get();
+    add_passes(interface, state.x);
+    const double fixed = model_.contacts[interface.contact].dtstif;
+    for (std::size_t k = 0; k < interface.passes.size(); ++k) {
+      interface.passes[k]->set_timestep(fixed > 0 ? fixed : first_step_);
+      interface.passes[k]->carry_over(*before[k], state, states_[i]);
+    }
+  }
+  gather_nodes();
+  limit_step();
 }
 
 double ContactForces::approach(const State& state) const {
@@ -175,7 +220,7 @@ void ContactForces::search(const State& state) {
 double ContactForces::grow(Interface& interface, double time) {
   if (interface.thickness == nullptr) return 0;
   interface.present_thickness = interface.thickness->at(time);
-  contact::ContactSide& side = interface.own.a;
+  contact::ContactSide& side = interface.own->a;
   std::fill(side.nodes.half.begin(), side.nodes.half.end(), interface.present_thickness / 2);
   contact::Segments& segments = side.selection.segments;
   std::fill(segments.half.begin(), segments.half.end(), interface.present_thickness / 2);
@@ -187,8 +232,10 @@ void ContactForces::add(State& state, Forces& forces) {
   if (first) build(state);
   if (interfaces_.empty()) return;
   if (!first) used_ += approach(state);
+  const bool eroded = state.failed.count != failures_;
+  if (eroded) erode(state);
   const auto due = static_cast<std::uint64_t>(sort_interval_);
-  if (first || !(used_ <= margin_) || (due > 0 && state.cycle >= searched_ + due)) search(state);
+  if (first || eroded || !(used_ <= margin_) || (due > 0 && state.cycle >= searched_ + due)) search(state);
   const Stopwatch watch(counters_.force_s);
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
     Interface& interface = interfaces_[i];

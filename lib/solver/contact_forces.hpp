@@ -1,9 +1,11 @@
 #pragma once
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "contact/contact_timestep.hpp"
 #include "contact/initial.hpp"
 #include "solver/contact_method.hpp"
 #include "solver/contact_pass.hpp"
@@ -24,6 +26,8 @@ class ContactForces : public Force, public ContactSource {
 
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override;
+  /// That of the springs of eroding types, unless ECDT of *CONTROL_CONTACT says that they do not count.
+  [[nodiscard]] double stable_step() const override { return stable_step_; }
 
   [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
   [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
@@ -39,7 +43,8 @@ class ContactForces : public Force, public ContactSource {
   struct Interface {
     std::uint32_t contact = 0;
     const contact::ContactSurfaces* surfaces = nullptr;
-    contact::ContactSurfaces own;  ///< where the initialisation has moved nodes
+    /// Where the initialisation has moved nodes, thickness changes or elements have failed.
+    std::unique_ptr<contact::ContactSurfaces> own;
     std::vector<std::unique_ptr<InterfacePass>> passes;
     double start = 0, end = 0;
     bool active = false;
@@ -51,6 +56,10 @@ class ContactForces : public Force, public ContactSource {
   /// Sets the thickness of the time; returns by how much both halves together have grown since the last search.
   static double grow(Interface& interface, double time);
   void build(State& state);
+  /// Elements have failed since the last call.
+  void erode(const State& state);
+  void limit_step();
+  void gather_nodes();
   void add_passes(Interface& interface, const std::vector<Vector>& x);
   void remember(Interface& interface) const;
   void search(const State& state);
@@ -75,8 +84,12 @@ class ContactForces : public Force, public ContactSource {
   ContactCounters counters_;
   Vector drift_ = Vector::Zero();  ///< middle of all velocities at the last search: moving together brings nothing closer
   double margin_ = 0, used_ = 0;
+  double first_step_ = 0;
   std::int64_t sort_interval_ = 0;  ///< least BSORT; 0: none is given
   std::uint64_t searched_ = 0;      ///< cycle of the last search
+  std::uint64_t failures_ = 0;      ///< FailedElements::count that the surfaces know
+  std::unique_ptr<contact::TimestepEstimate> estimate_;
+  double stable_step_ = std::numeric_limits<double>::infinity();
   bool built_ = false;
 };
 

@@ -33,7 +33,8 @@ ContactChoice choose_method(const model::Contact& contact) {
   if (type.family == contact::Family::tied && !among(type.code, {"8", "9"})) return choose_tie(contact, type);
   if (contact::active_time(contact).by_curve) return no(times_by_curve);
   if (type.family == contact::Family::constraint) return {ContactMethod::constraint, ""};
-  if (!among(type.code, {"3", "a3", "4", "5", "a5", "10", "a10", "13", "a13", "m3", "m5", "m10", "22", "26", "i26"}))
+  if (!among(type.code, {"3", "a3", "4", "5", "a5", "10", "a10", "13", "a13", "14", "15", "16",
+                         "m3", "m5", "m10", "22", "26", "i26"}))
     return no("contacts of this type are not calculated");
   if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2)
     return no("only SOFT = 0, 1 and 2 are calculated");

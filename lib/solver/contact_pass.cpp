@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include "base/parallel.hpp"
 #include "contact/orientation.hpp"
 #include "contact/outcome.hpp"
 #include "contact/record_pair.hpp"
 #include "contact/release.hpp"
+#include "contact/segment_elements.hpp"
 #include "solver/corner_weights.hpp"
 
 namespace gapcheck::solver {
@@ -309,6 +311,46 @@ void ContactPass::links(std::vector<ContactLink>& links) const {
     link.reference = {scene_.segments.nodes[tracked.link.segment], tracked.link.weights};
     link.exchanged = exchanged_;
     link.force = tracked.link.force();
+  }
+}
+
+void ContactPass::carry_over(InterfacePass& before, const State& state, ContactState& result) {
+  auto* const old = dynamic_cast<ContactPass*>(&before);
+  if (old == nullptr) return before.rest(state, result);
+  std::unordered_map<contact::SegmentKey, std::uint32_t, contact::SegmentKeyHash> segments;
+  for (std::uint32_t s = 0; s < scene_.segments.size(); ++s)
+    segments.try_emplace(contact::segment_key(scene_.segments.nodes[s]), s);
+  // Which side of a segment is its front does not change.
+  std::vector<bool>& flipped = side_.scene().flipped;
+  for (std::uint32_t s = 0; s < old->scene_.segments.size() && !(flipped.empty() && old->scene_.flipped.empty()); ++s) {
+    const auto now = segments.find(contact::segment_key(old->scene_.segments.nodes[s]));
+    flipped.resize(scene_.segments.size(), false);
+    if (now != segments.end()) flipped[now->second] = !old->scene_.flipped.empty() && old->scene_.flipped[s];
+  }
+  const std::vector<NodeIndex>& nodes = scene_.nodes.node;
+  for (std::uint32_t slot = 0; slot < old->tracked_.size(); ++slot) {
+    const Tracked& was = old->tracked_[slot];
+    const auto at = std::lower_bound(nodes.begin(), nodes.end(), old->scene_.nodes.node[slot],
+                                     [](NodeIndex a, NodeIndex b) { return a.value < b.value; });
+    const bool there = at != nodes.end() && *at == old->scene_.nodes.node[slot];
+    const auto segment = was.active
+                             ? segments.find(contact::segment_key(old->scene_.segments.nodes[was.link.segment]))
+                             : segments.end();
+    const bool goes_on = there && segment != segments.end();
+    if (was.active && !goes_on) {
+      Work work;
+      old->add_work(was.link, old->velocities(slot, was.link.segment, state), state.dt, work);
+      old->add_energies(work, result);
+    }
+    if (!there) continue;
+    Tracked& tracked = tracked_[static_cast<std::size_t>(at - nodes.begin())];
+    tracked = {};
+    tracked.memory = was.memory;
+    if (!goes_on) continue;
+    tracked.active = true;
+    tracked.penetration = was.penetration;
+    tracked.link = was.link;
+    tracked.link.segment = segment->second;
   }
 }
 

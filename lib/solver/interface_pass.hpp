@@ -32,6 +32,11 @@ class InterfacePass {
   virtual double update(State& state, double used, ContactCounters& counters) = 0;
   /// Adds the forces, and what they did since the last cycle.
   virtual void apply(const State& state, Forces& forces, ContactState& result) const = 0;
+  /// Goes on where the pass `before` has been, which had other surfaces of the same contact: memory of nodes, forces
+  /// whose segments are still there; the other forces end. Comes before the first search.
+  virtual void carry_over(InterfacePass& before, const State& state, ContactState& result) {
+    before.rest(state, result);
+  }
   /// The contact is not active: forces end, memory is lost.
   virtual void rest(const State& state, ContactState& result) = 0;
   [[nodiscard]] virtual std::vector<ContactNode> nodes() const = 0;

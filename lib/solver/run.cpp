@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/erosion.hpp"
 #include "solver/build_forces.hpp"
 #include "solver/check_deck.hpp"
 #include "solver/conditions.hpp"
@@ -68,6 +69,10 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   std::vector<std::unique_ptr<Force>> forces;
   if (auto failure = apply_conditions(model, built, forces, diagnostics)) return std::move(*failure);
   if (auto failure = add_walls_and_springs(model, built, forces, diagnostics)) return std::move(*failure);
+  // A side effect of eroding contacts in the solver.
+  if (std::any_of(model.contacts.begin(), model.contacts.end(),
+                  [](const model::Contact& c) { return contact::is_eroding(contact::classify(c)); }))
+    built.solids.let_inverted_fail();
   auto constraints = ConstraintContact::create(model, surfaces, *run.initial_, built, movable_nodes(built));
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
   auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));

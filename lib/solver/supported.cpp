@@ -171,6 +171,9 @@ class Finder {
 
   void find_contacts() {
     for (const model::Contact& contact : model_.contacts) {
+      if (contact.symmetry_faces != 0)
+        add(contact.written, contact.place,
+            fmt::format("contact {}: faces on planes of symmetry are not left out (ISYM)", contact.id.value));
       const std::string_view why = choose_method(contact).why_not;
       if (why.empty()) continue;
       add(contact.written, contact.place, fmt::format("contact {}: {}", contact.id.value, why));

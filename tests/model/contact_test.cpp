@@ -161,6 +161,15 @@ TEST(Contacts, TiebreakOption) {
   EXPECT_EQ(only(read).tiebreak_option, 9);
 }
 
+TEST(Contacts, CardOfErodingTypes) {
+  const Contact contact = only(
+      read_text("*CONTACT_ERODING_NODES_TO_SURFACE\n" + cards_1_to_3 + "         1         2         3\n"));
+  EXPECT_EQ(contact.symmetry_faces, 1);
+  EXPECT_EQ(contact.erosop, 2);
+  EXPECT_EQ(contact.iadj, 3);
+  EXPECT_EQ(only(read_text("*CONTACT_ERODING_SINGLE_SURFACE\n0,0,5\n\n\n")).erosop, 0);
+}
+
 TEST(Contacts, MissingCards) {
   const Read none = read_text("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n*NODE\n1\n");
   EXPECT_FALSE(only(none).cards.any);
@@ -297,7 +306,7 @@ TEST(Controls, DefaultsAndValues) {
   EXPECT_FALSE(none.model.controls.contact_given);
   EXPECT_EQ(none.model.controls.xpene, 4.0);
   const Read read = read_text(
-      "*CONTROL_CONTACT\n       0.2       0.0         1         2         3         0         4\n"
+      "*CONTROL_CONTACT\n       0.2       0.0         1         2         3         0         4         2\n"
       "         0         0         0         0       5.0         1         1\n"
       "       0.3       0.2       0.0       0.5       0.6       0.7\n"
       "         2\n"
@@ -311,6 +320,7 @@ TEST(Controls, DefaultsAndValues) {
   EXPECT_EQ(controls.shlthk, 2);
   EXPECT_EQ(controls.penopt, 3);
   EXPECT_EQ(controls.orien, 4);
+  EXPECT_EQ(controls.enmass, 2);
   EXPECT_EQ(controls.xpene, 5.0);
   EXPECT_EQ(controls.ssthk, 1);
   EXPECT_EQ(controls.ecdt, 1);

@@ -136,6 +136,38 @@ void write(const std::string& path, std::size_t states, const D3plotWriteSetting
   }
 }
 
+// A table of deleted elements behind each state (MDLOPT = 2).
+TEST_F(D3plotFamily, DeletedElements) {
+  D3plotState state = sample_state(1);
+  state.deleted_solids = {true};
+  state.deleted_shells = {false, true};
+  D3plotWriteSettings settings;
+  auto plain = D3plotWriter::create(path(), sample_mesh(), parts, settings);
+  ASSERT_TRUE(plain.ok());
+  EXPECT_TRUE(plain.value().append(state));
+  settings.deletion = true;
+  for (const int word_bytes : {4, 8}) {
+    settings.word_bytes = word_bytes;
+    auto writer = D3plotWriter::create(path(), sample_mesh(), parts, settings);
+    ASSERT_TRUE(writer.ok());
+    ASSERT_FALSE(writer.value().append(sample_state(0)));
+    ASSERT_FALSE(writer.value().append(state));
+    const auto read = D3plotStates::open(path());
+    ASSERT_TRUE(read.ok());
+    ASSERT_EQ(read.value().size(), 2u);
+    EXPECT_EQ(read.value().read(0).deleted_solids, std::vector<bool>{false});
+    EXPECT_EQ(read.value().read(0).deleted_shells, (std::vector<bool>{false, false}));
+    const D3plotState back = read.value().read(1);
+    expect_equal(back, state);
+    EXPECT_EQ(back.deleted_solids, state.deleted_solids);
+    EXPECT_EQ(back.deleted_shells, state.deleted_shells);
+  }
+  state.deleted_shells = {true};
+  auto writer = D3plotWriter::create(path(), sample_mesh(), parts, settings);
+  ASSERT_TRUE(writer.ok());
+  EXPECT_TRUE(writer.value().append(state));
+}
+
 TEST_F(D3plotFamily, WhatIsWrittenIsRead) {
   for (const int word_bytes : {4, 8})
     for (const std::uint64_t member_words : {1u, 512u, 1u << 20}) {

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
 #include "audit/rules.hpp"
+#include "contact/erosion.hpp"
 
 namespace gapcheck::audit {
 namespace {
-
-bool eroding(const std::string& code) { return code == "14" || code == "15" || code == "16"; }
 
 /// The smallest step of the contact's sides; no_timestep_limit without any.
 double step_of(const Timesteps& steps, std::uint32_t contact) {
@@ -20,7 +19,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   if (controls.ecdt != 0) return;
   for (const std::uint32_t i : context.contacts()) {
     const model::Contact& contact = context.model().contacts[i];
-    if ((contact.soft != 0 && contact.soft != 1) || !eroding(contact::classify(contact).code)) continue;
+    if ((contact.soft != 0 && contact.soft != 1) || !contact::is_eroding(contact::classify(contact))) continue;
     const auto& predicted = context.timesteps();
     const double step = step_of(predicted.timesteps, i);
     std::string message = "ECDT of *CONTROL_CONTACT is not set, so this eroding contact may set the time step of the run";
