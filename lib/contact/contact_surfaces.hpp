@@ -45,6 +45,10 @@ class SurfaceStore {
   [[nodiscard]] const ContactSurfaces& at(std::uint32_t contact);
   /// The same on other coordinates; not kept.
   [[nodiscard]] ContactSurfaces build(std::uint32_t contact, const std::vector<Vector>& x);
+  /// Of a contact that is not in the model, without any change of thickness.
+  [[nodiscard]] ContactSurfaces build(const model::Contact& contact, const std::vector<Vector>& x) {
+    return build_surfaces(model_, contact, x, index_);
+  }
   /// What is left of a contact's surfaces once elements have failed (contact/erosion.hpp). `x`: present coordinates.
   [[nodiscard]] ContactSurfaces erode(std::uint32_t contact, const ContactSurfaces& now, const GoneElements& gone,
                                       const std::vector<Vector>& x);

@@ -1,6 +1,7 @@
 #include "contact/contact_type.hpp"
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace gapcheck::contact {
@@ -147,6 +148,15 @@ ContactType classify(const model::Contact& contact) {
   type.code = "?";
   type.not_checked = "*" + contact.keyword + " is none of the contact types whose rules are known";
   return type;
+}
+
+model::Contact after_failure(const model::Contact& tiebreak) {
+  model::Contact contact = tiebreak;
+  for (const std::string_view token : {"_TIEBREAK_USER", "_TIEBREAK_DAMPING", "_TIEBREAK", "_ONLY"})
+    take(contact.keyword, token);
+  contact.sst = std::abs(tiebreak.sst);
+  contact.mst = std::abs(tiebreak.mst);
+  return contact;
 }
 
 bool has_soft_2(const ContactType& type) {

@@ -38,6 +38,10 @@ struct ContactType {
 /// Type of a contact definition. SOFT = 2 counts only for types that have it; the solver switches others to SOFT = 1.
 [[nodiscard]] ContactType classify(const model::Contact& contact);
 
+/// The contact that a tiebreak is where its ties have failed: of the same surfaces, types 5 and 3 and their automatic
+/// forms; tie thicknesses count with their amount.
+[[nodiscard]] model::Contact after_failure(const model::Contact& tiebreak);
+
 /// True for the types that have the segment-based contact of SOFT = 2; for others the solver takes SOFT = 1.
 [[nodiscard]] bool has_soft_2(const ContactType& type);
 

@@ -198,6 +198,11 @@ bool leaves_rotations_free(const ContactType& type) {
   return type.family == Family::tied && form && one_of(type.code, "26");
 }
 
+void Ties::remove(NodeIndex node, PartIndex part) {
+  const auto found = pairs_.find(key(node, part));
+  if (found != pairs_.end() && --found->second == 0) pairs_.erase(found);
+}
+
 void Ties::constrain(NodeIndex node, std::uint32_t contact) {
   if (holder_.empty()) holder_.assign(model_.mesh.nodes.size(), free);
   if (holder_[node.value] == free) holder_[node.value] = contact;

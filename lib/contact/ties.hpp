@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <unordered_set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -60,7 +60,9 @@ struct JudgedNode {
 class Ties {
  public:
   explicit Ties(const model::Model& model) : model_(model) {}
-  void add(NodeIndex node, PartIndex part) { pairs_.insert(key(node, part)); }
+  void add(NodeIndex node, PartIndex part) { ++pairs_[key(node, part)]; }
+  /// Takes back one add(): a tie has failed.
+  void remove(NodeIndex node, PartIndex part);
   /// A constraint of this contact (position in Model::contacts) has the node: no other constraint can take it.
   void constrain(NodeIndex node, std::uint32_t contact);
   [[nodiscard]] bool tied(NodeIndex node, PartIndex part) const { return pairs_.contains(key(node, part)); }
@@ -77,7 +79,7 @@ class Ties {
   static constexpr std::uint32_t free = std::numeric_limits<std::uint32_t>::max();
 
   const model::Model& model_;
-  std::unordered_set<std::uint64_t> pairs_;
+  std::unordered_map<std::uint64_t, std::uint32_t> pairs_;  // with the number of ties
   std::vector<std::uint32_t> holder_;  // by node: contact; empty: nothing is constrained
   std::optional<RigidNodes> rigid_;
   std::vector<std::pair<NodeIndex, NodeIndex>> beams_;  // both ways, ascending

@@ -41,6 +41,15 @@ struct CardLines {
   std::uint32_t first_surplus = 0;  ///< line of the first of them
 };
 
+/// Card 4 of tiebreak types: when a tie fails, by (tension / normal)^normal_power + (shear / shear)^shear_power >= 1.
+struct TiebreakStrength {
+  /// NFLF and SFLF, forces on a node, of TIEBREAK_NODES; else NFLS and SFLS, stresses. 0: never by it.
+  double normal = 0, shear = 0;
+  double normal_power = 2, shear_power = 2;  ///< NEN, MES
+  double param = 0;                          ///< PARAM; of OPTION 6 the critical opening CCRIT
+  std::int64_t curve = 0;                    ///< TBLCID: stress over the gap after failure; 0 = none
+};
+
 /// One 3D *CONTACT definition with all its cards. Defaults are the solver's; where "not given" matters, it is an
 /// optional. Old and new field names as in contact_rules: A = slave = tracked, B = master = reference.
 struct Contact {
@@ -67,6 +76,7 @@ struct Contact {
   double sfs = 1, sfm = 1, sst = 0, mst = 0, sfst = 1, sfmt = 1, fsf = 1, vsf = 1;
   // Card 4 of tiebreak types: OPTION
   std::int64_t tiebreak_option = 0;
+  TiebreakStrength tiebreak;
   // Card 4 of eroding types
   std::int64_t erosop = 0;  ///< EROSOP: 1 = surfaces follow the elements that are left
   std::int64_t iadj = 0;    ///< IADJ: 1 = also inside a body

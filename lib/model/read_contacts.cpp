@@ -118,9 +118,42 @@ void read_eroding(const Card& card, Contact& contact) {
   contact.iadj = card.integer("iadj");
 }
 
+/// OPTION and the strengths of *CONTACT_AUTOMATIC_…_TIEBREAK.
+void read_tiebreak(Context& context, CardReader& reader, Contact& contact) {
+  const auto& units = context.transform(reader.block());
+  const double stress = units.mass_factor / (units.length_factor * units.time_factor * units.time_factor);
+  constexpr std::int64_t linear_damage = 6;
+  const Card card = reader.next(layout("TIEBREAK"));
+  contact.tiebreak_option = card.integer("option");
+  contact.tiebreak.normal = card.real("nfls") * stress;
+  contact.tiebreak.shear = card.real("sfls") * stress;
+  contact.tiebreak.param =
+      card.real("param") * (contact.tiebreak_option == linear_damage ? units.length_factor : 1);
+}
+
+/// Strengths of *CONTACT_TIEBREAK_NODES (forces) and *CONTACT_TIEBREAK_SURFACE (stresses).
+void read_old_tiebreak(Context& context, CardReader& reader, Contact& contact) {
+  const auto& units = context.transform(reader.block());
+  const double force = units.mass_factor * units.length_factor / (units.time_factor * units.time_factor);
+  const bool nodes = contact.keyword.starts_with("CONTACT_TIEBREAK_NODES");
+  const Card card = reader.next(layout(nodes ? "TIEBREAK_NODES" : "TIEBREAK_SURFACE"));
+  TiebreakStrength& strength = contact.tiebreak;
+  if (nodes) {
+    strength.normal = card.real("nflf") * force;
+    strength.shear = card.real("sflf") * force;
+    strength.normal_power = or_default(card.real("nen"), strength.normal_power);
+    strength.shear_power = or_default(card.real("mes"), strength.shear_power);
+    return;
+  }
+  const double stress = force / (units.length_factor * units.length_factor);
+  strength.normal = card.real("nfls") * stress;
+  strength.shear = card.real("sfls") * stress;
+  strength.curve = card.integer("tblcid");
+}
+
 /// Cards of the type, thermal and frictional ones. The filter card (RFILTF) that new versions allow behind the cards
 /// of a tiebreak cannot be told from card A, and is taken for card A.
-void read_type_cards(CardReader& reader, const ContactName& name, Contact& contact) {
+void read_type_cards(Context& context, CardReader& reader, const ContactName& name, Contact& contact) {
   const auto has_cohesive_law = [&] {
     return contact.tiebreak_option == 13 || contact.tiebreak_option == 14 || contact.tiebreak_option == -13 ||
            contact.tiebreak_option == -14;
@@ -132,15 +165,17 @@ void read_type_cards(CardReader& reader, const ContactName& name, Contact& conta
       break;
     case ExtraCards::one:
       if (contact.keyword.find("_TIEBREAK_") != std::string::npos && contact.keyword.starts_with("CONTACT_AUTOMATIC_"))
-        contact.tiebreak_option = reader.next(layout("TIEBREAK")).integer("option");
+        read_tiebreak(context, reader, contact);
       else if (contact.keyword.starts_with("CONTACT_ERODING") && contact.cards.misread == 0)
         read_eroding(reader.next(layout("ERODING")), contact);
+      else if (contact.keyword.starts_with("CONTACT_TIEBREAK_"))
+        read_old_tiebreak(context, reader, contact);
       else
         reader.skip();
       break;
     case ExtraCards::tiebreak:
     case ExtraCards::tiebreak_damping:
-      contact.tiebreak_option = reader.next(layout("TIEBREAK")).integer("option");
+      read_tiebreak(context, reader, contact);
       if (name.extra == ExtraCards::tiebreak_damping) skip_cards(reader, contact, "the damping card (DMP_1)", 1);
       if (has_cohesive_law()) skip_cards(reader, contact, "the cards of the cohesive law (G1C_0, G2C_0)", 2);
       break;
@@ -289,7 +324,7 @@ void read_contact(Context& context, const Block& block, const Options&) {
   if (name.known && !contact.own_layout) {
     if (name.mpp) read_mpp(reader, contact);
     if (read_mandatory(context, reader, name, contact)) {
-      read_type_cards(reader, name, contact);
+      read_type_cards(context, reader, name, contact);
       read_optional(context, reader, contact);
       count_surplus(reader, contact);
     }

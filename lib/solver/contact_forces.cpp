@@ -84,6 +84,7 @@ void ContactForces::add_passes(Interface& interface, const std::vector<Vector>& 
       interface.passes.push_back(std::make_unique<ContactPass>(setting_, interface.contact, surfaces, exchanged, x));
   };
   nodes_in_segments(false);
+  if (choose_method(model_.contacts[interface.contact]).method == ContactMethod::tiebreak) return;
   if (surfaces.type.treatment == Treatment::two_way || (by_segments && surfaces.two_sided())) nodes_in_segments(true);
   if (contact::looks_at_edges(model_.contacts[interface.contact], surfaces.type))
     interface.passes.push_back(std::make_unique<EdgePass>(setting_, interface.contact, surfaces, x));
@@ -99,8 +100,11 @@ void ContactForces::build(State& state) {
     Interface& interface = interfaces_.emplace_back();
     interface.contact = c;
     if (contact.airbag_thickness > 0) interface.thickness = &model_.curves.at(contact.lcidab);
-    const bool own = moved_ || interface.thickness != nullptr;
-    if (own) interface.own = std::make_unique<contact::ContactSurfaces>(store_.build(c, state.x));
+    const bool tiebreak = choose_method(contact).method == ContactMethod::tiebreak;
+    const bool own = moved_ || interface.thickness != nullptr || tiebreak;
+    if (own)
+      interface.own = std::make_unique<contact::ContactSurfaces>(
+          tiebreak ? store_.build(contact::after_failure(contact), state.x) : store_.build(c, state.x));
     interface.surfaces = own ? interface.own.get() : &store_.at(c);
     if (interface.surfaces->type.code == "22") {
       interface.own = std::make_unique<contact::ContactSurfaces>(
@@ -215,6 +219,12 @@ void ContactForces::search(const State& state) {
     if (interface.thickness != nullptr) interface.searched_thickness = interface.present_thickness;
   used_ = 0;
   searched_ = state.cycle;
+  released_ = false;
+}
+
+void ContactForces::release(NodeIndex node, PartIndex part) {
+  ties_.remove(node, part);
+  released_ = true;
 }
 
 double ContactForces::grow(Interface& interface, double time) {
@@ -235,7 +245,7 @@ void ContactForces::add(State& state, Forces& forces) {
   const bool eroded = state.failed.count != failures_;
   if (eroded) erode(state);
   const auto due = static_cast<std::uint64_t>(sort_interval_);
-  if (first || eroded || !(used_ <= margin_) || (due > 0 && state.cycle >= searched_ + due)) search(state);
+  if (first || eroded || released_ || !(used_ <= margin_) || (due > 0 && state.cycle >= searched_ + due)) search(state);
   const Stopwatch watch(counters_.force_s);
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
     Interface& interface = interfaces_[i];

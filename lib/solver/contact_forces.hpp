@@ -14,7 +14,8 @@
 
 namespace gapcheck::solver {
 
-/// The penalty contacts of a model. In deck order, SURFA's nodes before SURFB's, each on the coordinates that the one
+/// The penalty contacts of a model, and what tiebreak contacts are beside their ties: side A's nodes in side B's
+/// segments. In deck order, SURFA's nodes before SURFB's, each on the coordinates that the one
 /// before has left. Others are left out.
 class ContactForces : public Force, public ContactSource {
  public:
@@ -36,8 +37,12 @@ class ContactForces : public Force, public ContactSource {
   [[nodiscard]] const ContactCounters& counters() const { return counters_; }
 
   [[nodiscard]] static bool calculates(const model::Contact& contact) {
-    return choose_method(contact).method == ContactMethod::penalty;
+    const ContactMethod method = choose_method(contact).method;
+    return method == ContactMethod::penalty ||
+           (method == ContactMethod::tiebreak && !contact.keyword.ends_with("_ONLY"));
   }
+  /// A tie of this node to a segment of this part has failed: from the next cycle on they meet like others.
+  void release(NodeIndex node, PartIndex part);
 
  private:
   struct Interface {
@@ -91,6 +96,7 @@ class ContactForces : public Force, public ContactSource {
   std::unique_ptr<contact::TimestepEstimate> estimate_;
   double stable_step_ = std::numeric_limits<double>::infinity();
   bool built_ = false;
+  bool released_ = false;  ///< a tie has failed since the last search
 };
 
 }  // namespace gapcheck::solver

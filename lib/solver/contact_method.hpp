@@ -12,6 +12,7 @@ enum class ContactMethod : std::uint8_t {
   penalty,     ///< ContactForces: nodes in segments, SOFT = 0 and 1
   constraint,  ///< ConstraintContact: types 17 and 18
   tie,         ///< TieConstraints and TieForces: which of them is said node by node
+  tiebreak,    ///< TieForces until a tie fails, then ContactForces
   transducer,  ///< Transducers: it only measures
 };
 

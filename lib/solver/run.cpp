@@ -77,11 +77,14 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
   auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
   run.contacts_ = contacts.get();
+  const auto release = [after = contacts.get()](NodeIndex node, PartIndex part) { after->release(node, part); };
   run.transducers_ = std::make_unique<Transducers>(model, surfaces);
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
   const Structure& stepped = run.stepper_->structure();
   run.add_contacts(std::move(contacts));
-  run.add_contacts(std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped));
+  auto springs = std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped);
+  springs->on_failure(release);
+  run.add_contacts(std::move(springs));
   run.add_contacts(std::move(std::get<std::unique_ptr<ConstraintContact>>(constraints)));
   for (auto& force : forces) run.stepper_->add(std::move(force));
   // Last: they hold whatever else acts.

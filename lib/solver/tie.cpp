@@ -8,6 +8,11 @@
 namespace gapcheck::solver {
 namespace {
 
+bool tied(const model::Contact& contact) {
+  const ContactMethod method = choose_method(contact).method;
+  return method == ContactMethod::tie || method == ContactMethod::tiebreak;
+}
+
 /// Rotations that forces can work on.
 bool turns(const Structure& structure, NodeIndex node) {
   return structure.rigid.holds(node.value) || structure.state.inertia[node.value] > 0;
@@ -33,6 +38,7 @@ Tie tie_of(const contact::JudgedNode& judged, const contact::ContactSurfaces& su
   Tie tie;
   tie.contact = judged.contact;
   tie.segment = judged.segment;
+  tie.segment_part = judged.segment_part;
   tie.node = judged.node;
   tie.point = point_of(segments.nodes[judged.segment], x[judged.node.value], x);
   const bool sound = SegmentAxes(tie.point.nodes, x).sound, nodal = nodes_turn(structure, tie.point);
@@ -134,8 +140,7 @@ std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Ti
     const model::Contact& contact = model.contacts[c];
     const std::size_t first = next;
     while (next < ties.size() && ties[next].contact == c) ++next;
-    const bool own = choose_method(contact).method == ContactMethod::tie &&
-                     contact::ties_by_constraint(contact::classify(contact)) == by_constraint;
+    const bool own = tied(contact) && contact::ties_by_constraint(contact::classify(contact)) == by_constraint;
     if (!own && next == first) continue;
     const contact::ActiveTime time = contact::active_time(contact);
     ranges.push_back({c, first, next, time.start, time.end});
@@ -148,7 +153,7 @@ std::vector<Tie> tie_list(const model::Model& model, contact::SurfaceStore& surf
   std::vector<Tie> ties;
   for (const contact::JudgedNode& judged : initial.judged) {
     const model::Contact& contact = model.contacts[judged.contact];
-    if (!judged.tied() || choose_method(contact).method != ContactMethod::tie) continue;
+    if (!judged.tied() || !tied(contact)) continue;
     const contact::ContactSurfaces& sides = surfaces.at(judged.contact);
     if ((contact::ties_by_constraint(sides.type) && !judged.penalty) != by_constraint) continue;
     ties.push_back(tie_of(judged, sides, initial.x, structure));

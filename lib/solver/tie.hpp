@@ -21,6 +21,7 @@ enum class Turning : std::uint8_t {
 struct Tie {
   std::uint32_t contact = 0;  ///< position in Model::contacts
   std::uint32_t segment = 0;  ///< of the reference side
+  PartIndex segment_part = none<PartIndex>;
   NodeIndex node;
   ContactPoint point;                  ///< of the segment
   Turning offset = Turning::none;      ///< what turns the offset from the point to the node

@@ -1,11 +1,17 @@
 #include "solver/tie_forces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
+#include <utility>
 
 #include "base/parallel.hpp"
+#include "contact/element_sizes.hpp"
 #include "contact/stiffness.hpp"
+#include "solver/contact_method.hpp"
 #include "solver/contact_spring.hpp"
 #include "solver/tie_stability.hpp"
 
@@ -59,6 +65,55 @@ TieForces::TieForces(const model::Model& model, contact::SurfaceStore& surfaces,
   for (const TieRange& interface : interfaces_) states_.emplace_back().contact = interface.contact;
 }
 
+/// Strengths of a tiebreak's ties as forces: stresses count with the area of the node, or of the segment where the node
+/// is given without segments.
+void TieForces::find_strength(const TieRange& interface, const contact::SideScene& side, const std::vector<Vector>& x) {
+  const model::Contact& contact = model_.contacts[interface.contact];
+  if (choose_method(contact).method != ContactMethod::tiebreak) return;
+  const contact::Segments& own = side.tracked().selection.segments;
+  std::unordered_map<std::uint32_t, double> areas;
+  for (const model::SegmentNodes& corners : own.nodes) {
+    const std::size_t count = contact::corner_count(corners);
+    for (std::size_t i = 0; i < count; ++i)
+      areas[corners[i].value] += contact::shell_area(corners, x) / static_cast<double>(count);
+  }
+  const bool forces = contact.keyword.starts_with("CONTACT_TIEBREAK_NODES");
+  constexpr std::int64_t linear_damage = 6;
+  for (std::size_t i = interface.first; i < interface.last; ++i) {
+    Spring& spring = springs_[i];
+    const Tie& tie = spring.tie;
+    const auto found = areas.find(tie.node.value);
+    const double area = forces ? 1 : found != areas.end() ? found->second : contact::shell_area(tie.point.nodes, x);
+    const model::TiebreakStrength& card = contact.tiebreak;
+    const double opening = contact.tiebreak_option == linear_damage ? card.param : 0;
+    spring.strength = {card.normal * area, card.shear * area, card.normal_power, card.shear_power, opening, 1};
+    // Old types look at the order of the segment's nodes, automatic ones at the side on which the node lies.
+    const SegmentAxes axes(tie.point.nodes, x);
+    const double height = axes.axes.col(2).dot(x[tie.node.value] - tie.point.of(x));
+    constexpr double on_the_surface = 1e-6;  // of the segment's size: facets that touch
+    if (contact.keyword.starts_with("CONTACT_AUTOMATIC_") &&
+        height < -on_the_surface * std::sqrt(contact::shell_area(tie.point.nodes, x)))
+      spring.strength.side = -1;
+  }
+}
+
+void TieForces::tell_failures(const TieRange& interface, double time) {
+  constexpr std::size_t most_ids = 10;
+  std::size_t count = 0;
+  std::string ids;
+  for (std::size_t i = interface.first; i < interface.last; ++i) {
+    Spring& spring = springs_[i];
+    if (!spring.damage.broken || spring.told) continue;
+    spring.told = true;
+    if (released_) released_(spring.tie.node, spring.tie.segment_part);
+    if (++count <= most_ids) ids += fmt::format(" {}", model_.mesh.nodes.id[spring.tie.node.value]);
+  }
+  if (count > 0)
+    events_.push_back({interface.contact, time,
+                       fmt::format("Tiebreak: the ties of {} nodes have failed:{}{}", count, ids,
+                                   count > most_ids ? " and others" : "")});
+}
+
 void TieForces::build(const State& state) {
   built_ = true;
   const ContactMasses masses(model_);
@@ -71,6 +126,7 @@ void TieForces::build(const State& state) {
     ContactSprings springs(model_, side, masses, contact.sfs, contact.sfm);
     const double timestep = contact.dtstif > 0 ? contact.dtstif : state.coming;
     springs.set_timestep(timestep);
+    find_strength(interface, side, state.x);
     const std::vector<NodeIndex>& nodes = side.scene().nodes.node;
     for (std::size_t i = interface.first; i < interface.last; ++i) {
       Spring& spring = springs_[i];
@@ -117,7 +173,7 @@ void TieForces::calculate(Spring& spring, const State& state, bool active) {
   spring.on_node = -half * spring.loads.on_node(tie, state);
   spring.on_segment = -half * spring.loads.on_segment(tie, state);
   spring.damped = 0;
-  if (!active) {
+  if (!active || spring.damage.broken) {
     spring.loads = {};
     spring.active = false;
     return;
@@ -134,9 +190,19 @@ void TieForces::calculate(Spring& spring, const State& state, bool active) {
   }
   const Vector arm = state.x[tie.node.value] - tie.point.of(state.x);
   const Vector velocity = moving.velocity - moving.spin.cross(spring.offset.value());
-  const Vector damping = -spring.damping * velocity;
-  spring.loads.set(tie, axes, arm, -spring.stiffness * (arm - spring.offset.value()) + damping,
-                   -spring.rotational * spring.turned);
+  const Vector stretch = arm - spring.offset.value();
+  Vector force = -spring.stiffness * stretch, damping = -spring.damping * velocity;
+  if (spring.strength.limited()) {
+    const Vector normal = axes.sound ? Vector(axes.axes.col(2)) : Vector(Vector::Zero());
+    const double share = spring.damage.share(spring.strength, force, normal, stretch.norm());
+    // What presses stays whole until the tie is gone.
+    const double push = spring.damage.broken ? 0 : std::max(0.0, spring.strength.side * force.dot(normal));
+    const Vector whole = spring.strength.side * push * normal;
+    force = share * (force - whole) + whole;
+    damping *= share;
+  }
+  spring.loads.set(tie, axes, arm, force + damping, -spring.rotational * spring.turned);
+  if (spring.damage.broken) spring.active = false;
   spring.damped = -state.dt * damping.dot(velocity);
   spring.on_node -= half * spring.loads.on_node(tie, state);
   spring.on_segment -= half * spring.loads.on_segment(tie, state);
@@ -152,11 +218,13 @@ void TieForces::add(State& state, Forces& forces) {
     parallel_for(interface.last - interface.first, 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) calculate(springs_[interface.first + s], state, active);
     });
+    tell_failures(interface, state.time);
     ContactState& result = states_[i];
     result.force_a = result.force_b = result.moment_a = result.moment_b = Vector::Zero();
-    result.touching = active ? interface.last - interface.first : 0;
+    result.touching = 0;
     for (std::size_t s = interface.first; s < interface.last; ++s) {
       const Spring& spring = springs_[s];
+      result.touching += spring.active;
       spring.loads.add_to(spring.tie, forces);
       spring.loads.add_to(spring.tie, state, result);
       result.energy_a += spring.on_node;
@@ -184,9 +252,9 @@ void TieForces::absorbed(Absorbed& work) const {
 std::vector<ContactNode> TieForces::nodes(std::size_t position) const {
   std::vector<ContactNode> all;
   for (std::size_t s = interfaces_[position].first; s < interfaces_[position].last; ++s) {
-    if (!springs_[s].active) continue;
+    if (!springs_[s].active && !springs_[s].damage.broken) continue;
     ContactNode& node = all.emplace_back();
-    node.kind = ContactNode::Kind::tied;
+    node.kind = springs_[s].damage.broken ? ContactNode::Kind::broken : ContactNode::Kind::tied;
     node.node = springs_[s].tie.node;
     node.segment = springs_[s].tie.point.nodes;
     node.force = springs_[s].loads.force;
@@ -203,5 +271,7 @@ void TieForces::links(std::size_t position, std::vector<ContactLink>& links) con
     link.force = springs_[s].loads.force;
   }
 }
+
+std::vector<ContactEvent> TieForces::take_events() { return std::exchange(events_, {}); }
 
 }  // namespace gapcheck::solver

@@ -170,6 +170,27 @@ TEST(Contacts, CardOfErodingTypes) {
   EXPECT_EQ(only(read_text("*CONTACT_ERODING_SINGLE_SURFACE\n0,0,5\n\n\n")).erosop, 0);
 }
 
+TEST(Contacts, TiebreakStrengths) {
+  const auto strength = [](const std::string& name, const std::string& card) {
+    const Read read = read_text("*CONTACT_" + name + "\n" + cards_1_to_3 + card + "\n         1\n");
+    EXPECT_EQ(only(read).soft, 1) << name;
+    return only(read).tiebreak;
+  };
+  const TiebreakStrength nodes = strength("TIEBREAK_NODES_TO_SURFACE", "3.,4.,1.,1.5");
+  EXPECT_EQ(nodes.normal, 3);
+  EXPECT_EQ(nodes.shear, 4);
+  EXPECT_EQ(nodes.normal_power, 1);
+  EXPECT_EQ(nodes.shear_power, 1.5);
+  const TiebreakStrength surface = strength("TIEBREAK_SURFACE_TO_SURFACE", "3.,4.,7");
+  EXPECT_EQ(surface.normal, 3);
+  EXPECT_EQ(surface.shear_power, 2);
+  EXPECT_EQ(surface.curve, 7);
+  const TiebreakStrength damage = strength("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "6,5.,6.,0.2");
+  EXPECT_EQ(damage.normal, 5);
+  EXPECT_EQ(damage.shear, 6);
+  EXPECT_EQ(damage.param, 0.2);
+}
+
 TEST(Contacts, MissingCards) {
   const Read none = read_text("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n*NODE\n1\n");
   EXPECT_FALSE(only(none).cards.any);

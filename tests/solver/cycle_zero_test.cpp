@@ -7,12 +7,18 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "keyword/deck.hpp"
+#include "contact/record_tie.hpp"
+#include "results/solver_log.hpp"
+#include "results/write_messag.hpp"
 #include "solver/contact_forces.hpp"
+#include "solver/tie_constraints.hpp"
+#include "solver/tie_forces.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -105,9 +111,75 @@ bool all_calculated(const CycleZero& run) {
   return true;
 }
 
+/// A structure of single nodes of mass 1, so that decks count whose parts the solver does not know.
+Structure loose_nodes(const CycleZero& run) {
+  const std::size_t nodes = run.audit.x.size();
+  Structure structure;
+  State& state = structure.state;
+  state.x = run.audit.x;
+  state.v.assign(nodes, Vector::Zero());
+  state.w = state.v;
+  state.mass.assign(nodes, 1);
+  state.inertia.assign(nodes, 1);
+  state.coming = 1e-6;
+  structure.constraints.resize(nodes);
+  structure.rigid.resize(nodes);
+  return structure;
+}
+
+/// What is tied in the first cycle: contact and node ids of a source.
+std::set<Key> tied_nodes(const CycleZero& run, const ContactSource& source) {
+  std::set<Key> list;
+  for (std::size_t i = 0; i < source.states().size(); ++i)
+    for (const ContactNode& node : source.nodes(i))
+      if (node.kind == ContactNode::Kind::tied)
+        list.insert({source.states()[i].contact, run.model.mesh.nodes.id[node.node.value]});
+  return list;
+}
+
+/// The solver ties the nodes that the audit calls tied, by constraints or by springs as it says, and the message file of
+/// a run says of the others what the audit says.
+void expect_same_ties(const CycleZero& run, contact::SurfaceStore& surfaces) {
+  std::set<Key> by_constraint, by_spring;
+  Report report;
+  report.contacts = run.audit.contacts;
+  for (const contact::JudgedNode& judged : run.audit.judged) {
+    const model::Contact& contact = run.model.contacts[judged.contact];
+    const ContactMethod method = choose_method(contact).method;
+    const std::int64_t node = run.model.mesh.nodes.id[judged.node.value];
+    if (!judged.tied()) report.tie_failures.push_back(contact::record_tie(judged, run.model));
+    if (!judged.tied() || (method != ContactMethod::tie && method != ContactMethod::tiebreak)) continue;
+    const bool constraint = contact::ties_by_constraint(contact::classify(contact)) && !judged.penalty;
+    (constraint ? by_constraint : by_spring).insert({judged.contact, node});
+  }
+  const Structure structure = loose_nodes(run);
+  State state = structure.state;
+  Diagnostics diagnostics;
+  TieForces springs(run.model, surfaces, run.audit, structure);
+  TieConstraints constraints(run.model, surfaces, run.audit, structure, diagnostics);
+  Forces net, external;
+  net.resize(state.x.size());
+  external.resize(state.x.size());
+  springs.add(state, net);
+  constraints.react(state, 5e-7, 1e-6, net, external);
+  EXPECT_EQ(tied_nodes(run, constraints), by_constraint);
+  EXPECT_EQ(tied_nodes(run, springs), by_spring);
+
+  std::multiset<std::tuple<std::int64_t, std::int64_t, TieReason>> said, meant;
+  const Report read = results::read_solver_log_text(results::message_blocks(report), "messag", {}, diagnostics);
+  for (const TieFailure& failure : read.tie_failures)
+    said.insert({read.contacts.at(failure.contact).id, failure.node, failure.reason});
+  for (const TieFailure& failure : report.tie_failures)
+    meant.insert({report.contacts.at(failure.contact).id, failure.node, failure.reason});
+  EXPECT_EQ(said, meant);
+  testing::Test::RecordProperty("tied", static_cast<int>(by_constraint.size() + by_spring.size()));
+  testing::Test::RecordProperty("untied", static_cast<int>(meant.size()));
+}
+
 void expect_same(const std::string& path) {
   CycleZero run(path);
   if (!run.surfaces) return;
+  expect_same_ties(run, *run.surfaces);
   // From the deck's own coordinates: the solver finds all by itself, and moves the nodes where the audit says.
   if (all_calculated(run)) {
     run.first_cycle(run.model.mesh.nodes.x, false);
@@ -159,7 +231,7 @@ INSTANTIATE_TEST_SUITE_P(CycleZero, RealDeck,
                                          "car5/car5.k", "car6/car6_crash.k", "car6_refined/lsopt_car6/main_v22.k",
                                          "car6_refined/lsopt_car6/main_v222.k", "roll_forming/model.k",
                                          "small_decks/tests/testfiles/run/case-keywords/projectile.k",
-                                         "two_body_impact/main.k"),
+                                         "tied_plate_with_run/main.k", "two_body_impact/main.k"),
                          test_name);
 
 }  // namespace

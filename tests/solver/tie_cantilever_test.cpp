@@ -122,6 +122,7 @@ TEST_P(TiedShells, BendsLikeOnePiece) {
   EXPECT_NEAR(frequency / shells("").frequency(), 1, 0.01);
   const Cantilever tied = shells(GetParam().keyword);
   const double deflection = tied.static_deflection() / in_one_piece;
+  RecordProperty("scale", fmt::format("{:g}", GetParam().scale));
   RecordProperty("deflection", fmt::format("{:.4f}", deflection));
   if (!GetParam().bending) {
     // A hinge: nothing but inertia and damping holds the second half.
@@ -155,6 +156,7 @@ TEST_P(TiedBricks, BendsLikeOnePiece) {
   static const double in_one_piece = bricks("").static_deflection(), frequency = bricks("").free_frequency();
   const Cantilever tied = bricks(GetParam().keyword, GetParam().scale);
   const double deflection = tied.static_deflection() / in_one_piece, ratio = tied.free_frequency() / frequency;
+  RecordProperty("scale", fmt::format("{:g}", GetParam().scale));
   RecordProperty("deflection", fmt::format("{:.4f}", deflection));
   RecordProperty("frequency", fmt::format("{:.4f}", ratio));
   EXPECT_NEAR(deflection, 1, 0.02);
@@ -192,6 +194,7 @@ TEST_P(ShellOnBlock, IsClamped) {
   const bool moved = std::string(GetParam().name) == "type_7";
   const double deflection =
       tied.static_deflection() / tied.deflection() / std::pow(1 + (moved ? gap / length : 0), 3);
+  RecordProperty("scale", fmt::format("{:g}", GetParam().scale));
   RecordProperty("deflection", fmt::format("{:.4f}", deflection));
   if (GetParam().bending)
     EXPECT_NEAR(deflection, 1, 0.03);  // the face gives way by 0.02
@@ -224,6 +227,7 @@ TEST_P(LapJoint, OffsetBendsTheFirstHalf) {
   const double stiffness = both.moment_of_area(), other = length - half;
   const double deflection = -(mean_of(scene, scene.state().x, both.tip).z() - offset) /
                             (pull * offset * (half * half / 2 + half * other) / stiffness);
+  RecordProperty("scale", fmt::format("{:g}", GetParam().scale));
   RecordProperty("deflection", fmt::format("{:.4f}", deflection));
   EXPECT_NEAR(deflection, GetParam().bending ? 1 : 0, 0.02);
 }
