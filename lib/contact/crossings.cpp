@@ -35,8 +35,13 @@ struct Side {
   double fraction;  ///< of a segment's size: the tolerance
   std::vector<Bounds> boxes;
 
-  Side(const Segments& s, const model::Model& model, const CrossingPairs& pairs, bool lines, double tolerance_fraction)
-      : segments(s), x(model.mesh.nodes.x), mesh(model.mesh), fraction(tolerance_fraction), boxes(s.size()) {
+  Side(const Segments& s, const model::Model& model, const CrossingPairs& pairs, bool lines,
+       const CrossingOptions& options)
+      : segments(s),
+        x(options.x != nullptr ? *options.x : model.mesh.nodes.x),
+        mesh(model.mesh),
+        fraction(options.tolerance),
+        boxes(s.size()) {
     parallel_for(s.size(), 8192, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         if ((s.kind[i] == SegmentKind::line && !lines) || !pairs.takes_part(part_of(mesh, s, i))) continue;
@@ -293,10 +298,10 @@ std::vector<Crossing> find_crossings(const model::Model& model, std::uint32_t co
   const Segments& segments_b = surfaces.two_sided() ? surfaces.b.selection.segments : segments_a;
   if (segments_a.size() == 0 || segments_b.size() == 0) return found;
   const CrossingPairs pairs(model, model.contacts[contact].id);
-  Side a(segments_a, model, pairs, surfaces.type.edges, options.tolerance);
+  Side a(segments_a, model, pairs, surfaces.type.edges, options);
   std::optional<Side> other;
   if (surfaces.two_sided()) {
-    other.emplace(segments_b, model, pairs, surfaces.type.edges, options.tolerance);
+    other.emplace(segments_b, model, pairs, surfaces.type.edges, options);
     a.keep(other->bounds());
     other->keep(a.bounds());
   }

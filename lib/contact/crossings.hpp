@@ -36,6 +36,7 @@ struct CrossingOptions {
   geometry::Mode mode = geometry::Mode::filtered;
   BoxSearch search = BoxSearch::tree;
   double tolerance = crossing_tolerance;  ///< of crossing elements
+  const std::vector<Vector>* x = nullptr;  ///< coordinates by node; nullptr: the deck's
 };
 
 struct CrossingCounters {

@@ -8,6 +8,7 @@
 #include "contact/active_time.hpp"
 #include "contact/edge_scene.hpp"
 #include "solver/edge_pass.hpp"
+#include "solver/segment_pass.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -17,6 +18,8 @@ using contact::Treatment;
 
 /// Search margin in mean edges of the segments.
 constexpr double margin_in_edges = 0.5;
+/// SOFT = 2 takes a new step where it has grown by more than this (contact rules, section 6).
+constexpr double step_growth = 1.05;
 /// Motion is summed up in doubles; this covers their rounding.
 constexpr double rounding = 1 + 1e-12;
 
@@ -72,11 +75,15 @@ void ContactForces::remember(Interface& interface) const {
 
 void ContactForces::add_passes(Interface& interface, const std::vector<Vector>& x) {
   const contact::ContactSurfaces& surfaces = *interface.surfaces;
+  const bool by_segments = surfaces.type.by_segments();
   const auto nodes_in_segments = [&](bool exchanged) {
-    interface.passes.push_back(std::make_unique<ContactPass>(setting_, interface.contact, surfaces, exchanged, x));
+    if (by_segments)
+      interface.passes.push_back(std::make_unique<SegmentPass>(setting_, interface.contact, surfaces, exchanged, x));
+    else
+      interface.passes.push_back(std::make_unique<ContactPass>(setting_, interface.contact, surfaces, exchanged, x));
   };
   nodes_in_segments(false);
-  if (surfaces.type.treatment == Treatment::two_way) nodes_in_segments(true);
+  if (surfaces.type.treatment == Treatment::two_way || (by_segments && surfaces.two_sided())) nodes_in_segments(true);
   if (contact::looks_at_edges(model_.contacts[interface.contact], surfaces.type))
     interface.passes.push_back(std::make_unique<EdgePass>(setting_, interface.contact, surfaces, x));
 }
@@ -112,6 +119,10 @@ void ContactForces::build(State& state) {
     add_passes(interface, state.x);
     for (const auto& pass : interface.passes)
       pass->set_timestep(contact.dtstif > 0 ? contact.dtstif : state.coming);
+    if (surfaces.type.by_segments()) {
+      interface.step = contact.dtstif > 0 ? 0 : state.coming;
+      interface.crossings = SegmentCrossings(contact.dtpchk);
+    }
     remember(interface);
     if (contact.bsort > 0 && (sort_interval_ == 0 || contact.bsort < sort_interval_)) sort_interval_ = contact.bsort;
     ContactState& result = states_.emplace_back();
@@ -136,6 +147,15 @@ double ContactForces::approach(const State& state) const {
   double squared = 0;
   for (const double of_block : fastest) squared = std::max(squared, of_block);
   return 2 * std::sqrt(squared) * state.dt * rounding;
+}
+
+void ContactForces::follow(Interface& interface, const State& state) {
+  if (interface.step > 0 && state.coming > step_growth * interface.step) {
+    interface.step = state.coming;
+    for (const auto& pass : interface.passes) pass->set_timestep(interface.step);
+  }
+  if (auto event = interface.crossings.look(model_, interface.contact, *interface.surfaces, state))
+    events_.push_back(std::move(*event));
 }
 
 void ContactForces::search(const State& state) {
@@ -179,6 +199,7 @@ void ContactForces::add(State& state, Forces& forces) {
     result.moment_b.setZero();
     result.touching = result.released = 0;
     const bool active = state.time >= interface.start && state.time < interface.end;
+    if (active) follow(interface, state);
     for (const auto& pass : interface.passes) {
       if (!active) {
         if (interface.active) pass->rest(state, result);

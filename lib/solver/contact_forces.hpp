@@ -1,12 +1,14 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/initial.hpp"
 #include "solver/contact_method.hpp"
 #include "solver/contact_pass.hpp"
 #include "solver/force.hpp"
+#include "solver/segment_crossings.hpp"
 
 namespace gapcheck::solver {
 
@@ -26,6 +28,7 @@ class ContactForces : public Force, public ContactSource {
   [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
   [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
   void links(std::size_t position, std::vector<ContactLink>& links) const override;
+  [[nodiscard]] std::vector<ContactEvent> take_events() override { return std::exchange(events_, {}); }
   [[nodiscard]] const ContactCounters& counters() const { return counters_; }
 
   [[nodiscard]] static bool calculates(const model::Contact& contact) {
@@ -42,6 +45,8 @@ class ContactForces : public Force, public ContactSource {
     bool active = false;
     const model::Curve* thickness = nullptr;  ///< over time (LCIDAB); nullptr: constant
     double present_thickness = 0, searched_thickness = 0;  ///< now, and at the last search
+    double step = 0;  ///< that stiffness reckons with; 0: it stays that of the first cycle, or DTSTIF
+    SegmentCrossings crossings;
   };
   /// Sets the thickness of the time; returns by how much both halves together have grown since the last search.
   static double grow(Interface& interface, double time);
@@ -49,6 +54,8 @@ class ContactForces : public Force, public ContactSource {
   void add_passes(Interface& interface, const std::vector<Vector>& x);
   void remember(Interface& interface) const;
   void search(const State& state);
+  /// SOFT = 2: stiffness follows the step, and what DTPCHK asks for.
+  void follow(Interface& interface, const State& state);
   /// How far anything has come closer to anything else in the last step, at most.
   [[nodiscard]] double approach(const State& state) const;
 
@@ -63,6 +70,7 @@ class ContactForces : public Force, public ContactSource {
   ContactSetting setting_;
   std::vector<Interface> interfaces_;
   std::vector<ContactState> states_;
+  std::vector<ContactEvent> events_;
   std::vector<std::uint32_t> nodes_;  ///< of all interfaces
   ContactCounters counters_;
   Vector drift_ = Vector::Zero();  ///< middle of all velocities at the last search: moving together brings nothing closer

@@ -28,16 +28,15 @@ ContactChoice choose_tie(const model::Contact& contact, const contact::ContactTy
 ContactChoice choose_method(const model::Contact& contact) {
   if (!contact.known || contact.own_layout) return no("contacts of this kind are not calculated");
   const contact::ContactType type = contact::classify(contact);
-  if (type.pairing == contact::Pairing::segments) return no("SOFT = 2 is not calculated");
   if (type.pairing == contact::Pairing::mortar) return no("mortar contacts are not calculated");
   if (type.code == "25") return {ContactMethod::transducer, ""};
   if (type.family == contact::Family::tied && !among(type.code, {"8", "9"})) return choose_tie(contact, type);
   if (contact::active_time(contact).by_curve) return no(times_by_curve);
   if (type.family == contact::Family::constraint) return {ContactMethod::constraint, ""};
-  if (!among(type.code, {"3", "a3", "4", "5", "a5", "10", "a10", "13", "a13", "m3", "m5", "m10",
-                         "22", "26", "i26"}))
+  if (!among(type.code, {"3", "a3", "4", "5", "a5", "10", "a10", "13", "a13", "m3", "m5", "m10", "22", "26", "i26"}))
     return no("contacts of this type are not calculated");
-  if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2) return no("only SOFT = 0 and 1 are calculated");
+  if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2)
+    return no("only SOFT = 0, 1 and 2 are calculated");
   return {ContactMethod::penalty, ""};
 }
 

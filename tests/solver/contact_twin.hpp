@@ -12,13 +12,13 @@
 namespace gapcheck::solver {
 
 /// A slow and obvious second version of a contact cycle: every node against every facet, in long double. It knows
-/// shells without friction, SOFT = 0, PENOPT = 1 and automatic types, and solids as long as nodes are in front of their
-/// faces. It shares no code with the contact rooms.
+/// shells without friction, SOFT = 0 and 2, PENOPT = 1 and automatic types, and solids as long as nodes are in front of
+/// their faces. It shares no code with the contact rooms.
 class ContactTwin {
  public:
   using Real = long double;
   using Point = std::array<Real, 3>;
-  enum class Start : std::uint8_t { forced, ignored, moved };
+  enum class Start : std::uint8_t { forced, ignored, moved, segments };
   enum class Memory : std::uint8_t { apart, touching, released };
 
   struct Facet {
@@ -28,6 +28,7 @@ class ContactTwin {
     Real half = 0;  ///< half of the thickness, of shells
     Real stiffness = 0;
     Real release = 0;  ///< of solids: the penetration that is too deep
+    Real mass = 0;     ///< of the segment, for SOFT = 2
     [[nodiscard]] bool triangle() const { return nodes[2] == nodes[3]; }
     [[nodiscard]] bool has(std::size_t node) const {
       return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
@@ -62,14 +63,19 @@ class ContactTwin {
     }
     return forces;
   }
+  /// That of the run, for SOFT = 2.
+  void set_step(Real step) { step_ = step; }
   [[nodiscard]] Memory memory(std::size_t node) const { return nodes_[node].memory; }
   [[nodiscard]] std::size_t moved() const { return moved_; }
+  /// Nodes behind the mid-surface of what they touch, SOFT = 2.
+  [[nodiscard]] std::size_t passed() const { return passed_; }
 
  private:
   struct Node {
     Real half = 0, stiffness = 0, forgiven = 0;
     std::set<std::size_t> own;  ///< nodes of its elements
     Memory memory = Memory::apart;
+    Point side{};  ///< where the node was last seen from the facet, SOFT = 2
   };
   struct Meeting {
     const Facet* facet = nullptr;
@@ -196,14 +202,52 @@ class ContactTwin {
         nearest.facet = &facet;
         nearest.penetration = bound - here.distance;
       }
-      act(n, nearest, in_zone, x, forces);
+      if (start_ == Start::segments)
+        press(n, nearest, forces);
+      else
+        act(n, nearest, in_zone, x, forces);
+    }
+    first_ = first_ && b == 2;
+  }
+
+  /// SOFT = 2: nothing is released or moved, and the side stays.
+  void press(std::size_t n, Meeting met, std::vector<Point>& forces) {
+    Node& node = nodes_[n];
+    if (met.facet == nullptr) {
+      node.memory = Memory::apart;
+      node.forgiven = 0;
+      node.side = {};
+      return;
+    }
+    const Facet& facet = *met.facet;
+    if (!facet.solid && dot(node.side, met.from) < 0) {
+      met.penetration += 2 * met.distance;
+      for (Real& component : met.from) component = -component;
+      ++passed_;
+    }
+    node.side = met.from;
+    if (node.memory == Memory::apart && first_) node.forgiven = met.penetration;
+    node.memory = Memory::touching;
+    node.forgiven = std::min(node.forgiven, met.penetration);
+    Real stiffness = 0;
+    for (const Facet& own : facets_)
+      if (own.has(n))
+        stiffness += 0.05L / (own.triangle() ? 3 : 4) * own.mass * facet.mass / (own.mass + facet.mass) / (step_ * step_);
+    give(n, met, stiffness * (met.penetration - node.forgiven), forces);
+  }
+
+  static void give(std::size_t n, const Meeting& met, Real force, std::vector<Point>& forces) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Real part = force * met.from[axis] / met.distance;
+      forces[n][axis] += part;
+      for (std::size_t i = 0; i < 4; ++i) forces[met.facet->nodes[i]][axis] -= met.weights[i] * part;
     }
   }
 
   void act(std::size_t n, const Meeting& met, bool in_zone, std::vector<Vector>& x, std::vector<Point>& forces) {
     Node& node = nodes_[n];
     if (node.memory == Memory::released) {
-      if (!in_zone) node = {node.half, node.stiffness, 0, node.own, Memory::apart};
+      if (!in_zone) node = {node.half, node.stiffness, 0, node.own, Memory::apart, {}};
       return;
     }
     if (met.facet == nullptr) {
@@ -228,12 +272,7 @@ class ContactTwin {
         x[n][static_cast<int>(axis)] += static_cast<double>(1.002L * met.penetration * met.from[axis] / met.distance);
       return;
     }
-    const Real force = std::min(node.stiffness, facet.stiffness) * (met.penetration - node.forgiven);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Real part = force * met.from[axis] / met.distance;
-      forces[n][axis] += part;
-      for (std::size_t i = 0; i < 4; ++i) forces[facet.nodes[i]][axis] -= met.weights[i] * part;
-    }
+    give(n, met, std::min(node.stiffness, facet.stiffness) * (met.penetration - node.forgiven), forces);
   }
 
   std::vector<Facet> facets_;
@@ -241,7 +280,9 @@ class ContactTwin {
   bool single_;
   Start start_;
   std::vector<Node> nodes_;
-  std::size_t moved_ = 0;
+  std::size_t moved_ = 0, passed_ = 0;
+  Real step_ = 0;
+  bool first_ = true;  ///< both sides of the first cycle
 };
 
 }  // namespace gapcheck::solver

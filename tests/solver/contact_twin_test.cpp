@@ -35,7 +35,8 @@ struct RandomScene {
     shells += fmt::format("{},{},{},{},{},{}\n", ++elements, part, n[0] + 1, n[1] + 1, n[2] + 1, n[3] + 1);
     double longest = std::max((x[n[2]] - x[n[0]]).norm(), (x[n[3]] - x[n[1]]).norm());
     if (n[2] == n[3]) longest = std::max(longest, (x[n[1]] - x[n[0]]).norm());
-    ContactTwin::Facet facet{n, part, false, thickness / 2, scale * bulk * area(n) / longest, 0};
+    ContactTwin::Facet facet{n, part, false, thickness / 2, scale * bulk * area(n) / longest, 0,
+                             area(n) * thickness};
     facets.push_back(facet);
   }
   /// n x m shells, jittered; every third quad is cut into triangles.
@@ -92,7 +93,7 @@ struct RandomScene {
           if (!outer) return;
           const std::array<std::size_t, 4> nodes_of{c[p], c[q], c[r], c[s]};
           const double k = scale * bulk * area(nodes_of) * area(nodes_of) / volume;
-          facets.push_back({nodes_of, part, true, 0, k, 1});
+          facets.push_back({nodes_of, part, true, 0, k, 1, volume / 2});
         };
         face(true, 3, 2, 1, 0);
         face(true, 4, 5, 6, 7);
@@ -120,7 +121,7 @@ class Twin : public testing::TestWithParam<Case> {};
 
 TEST_P(Twin, AgreesInEveryCycle) {
   const Case& one = GetParam();
-  std::size_t forced = 0, released = 0, moved = 0;
+  std::size_t forced = 0, released = 0, moved = 0, passed = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> jitter(-1, 1);
@@ -133,7 +134,8 @@ TEST_P(Twin, AgreesInEveryCycle) {
     scene.add_plate(2, 3, 4, 0.9, one.block ? 0.04 : 0.07, 0.05, random);
     std::string contact =
         one.single ? "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n" : "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n";
-    contact += "0.\n1.,1.\n0\n";
+    const bool segments = one.start == Start::segments;
+    contact += segments ? "0.\n1.,1.\n2\n" : "0.\n1.,1.\n0\n";
     contact += one.start == Start::forced ? "0.,0,0,1\n" : one.start == Start::moved ? "0.\n" : "0.\n1,1\n";
     StepSettings settings;
     settings.greatest_step = one.block ? 2e-4 : 5e-4;
@@ -153,6 +155,7 @@ TEST_P(Twin, AgreesInEveryCycle) {
     for (const Penetration& p : run.initial.penetrations)
       ADD_FAILURE() << "seed " << seed << " node " << p.node << " penetrates by " << p.depth << " kind " << int(p.kind);
     ContactTwin twin(scene.facets, scene.body, one.single, one.start);
+    twin.set_step(settings.greatest_step);
     for (int cycle = 0; cycle < 300; ++cycle) {
       std::vector<Vector> x = run.state().x;
       const std::size_t moves = twin.moved();
@@ -184,9 +187,11 @@ TEST_P(Twin, AgreesInEveryCycle) {
       moved += twin.moved() - moves;
       run.stepper->end_step();
     }
+    passed += twin.passed();
   }
   EXPECT_GT(forced, 100u);
-  EXPECT_EQ(released > 0, !one.block);
+  EXPECT_EQ(released > 0, !one.block && one.start != Start::segments);
+  EXPECT_EQ(passed > 0, !one.block && one.start == Start::segments);
   EXPECT_EQ(moved > 0, one.start == Start::moved);
 }
 
@@ -198,7 +203,10 @@ INSTANTIATE_TEST_SUITE_P(All, Twin,
                                          Case{"single_ignored", true, Start::ignored, false},
                                          Case{"single_moved", true, Start::moved, false},
                                          Case{"block_forced", false, Start::forced, true},
-                                         Case{"block_ignored", false, Start::ignored, true}),
+                                         Case{"block_ignored", false, Start::ignored, true},
+                                         Case{"two_way_segments", false, Start::segments, false},
+                                         Case{"single_segments", true, Start::segments, false},
+                                         Case{"block_segments", false, Start::segments, true}),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

@@ -1,0 +1,94 @@
+#include "solver/segment_pass.hpp"
+
+#include <limits>
+
+#include "contact/segment_mass.hpp"
+#include "contact/stiffness.hpp"
+
+namespace gapcheck::solver {
+
+using contact::corner_count;
+
+SegmentPass::SegmentPass(const ContactSetting& setting, std::uint32_t contact, const contact::ContactSurfaces& surfaces,
+                         bool exchanged, const std::vector<Vector>& x)
+    : ContactPass(setting, contact, surfaces, exchanged, x),
+      model_(setting.model),
+      node_mass_(setting.masses.mass),
+      side_(side().scene().nodes.size(), Vector::Zero()) {
+  const contact::PairScene& scene = side().scene();
+  const model::Contact& card = scene.contact;
+  const double scale = model_.controls.slsfac * (exchanged ? card.sfm : card.sfs);
+  const auto mass = [&](const contact::Segments& segments, std::size_t i) {
+    return contact::segment_mass(model_, setting.masses.sizes, node_mass_, segments, i);
+  };
+  const contact::Segments& own = side().tracked().selection.segments;
+  const contact::Neighbours around(own, model_.mesh);
+  for (const NodeIndex node : scene.nodes.node) {
+    start_.push_back(static_cast<std::uint32_t>(own_.size()));
+    for (const std::uint32_t i : around.at(node)) {
+      if (own.kind[i] == contact::SegmentKind::line) continue;
+      const PartIndex part = contact::part_of(model_.mesh, own, i);
+      const auto* options = part != none<PartIndex> && model_.part(part).contact ? &*model_.part(part).contact : nullptr;
+      const double factor = options != nullptr && options->ssf > 0 ? options->ssf : 1;
+      own_.push_back({mass(own, i), scale * factor / static_cast<double>(corner_count(own.nodes[i]))});
+    }
+    if (own_.size() == start_.back()) own_.push_back({node_mass_[node.value], scale});
+  }
+  start_.push_back(static_cast<std::uint32_t>(own_.size()));
+  for (std::size_t s = 0; s < scene.segments.size(); ++s) mass_.push_back(mass(scene.segments, s));
+}
+
+void SegmentPass::set_timestep(double timestep) {
+  timestep_ = timestep;
+  forget_partners();
+}
+
+ContactSprings::Spring SegmentPass::spring(std::uint32_t slot, std::uint32_t segment) const {
+  ContactSprings::Spring spring;
+  for (std::uint32_t i = start_[slot]; i < start_[slot + 1]; ++i)
+    spring.stiffness += contact::soft_2_stiffness(own_[i].share, own_[i].mass, mass_[segment], timestep_);
+  const contact::PairScene& scene = side().scene();
+  spring.node_mass = node_mass_[scene.nodes.node[slot].value];
+  const model::SegmentNodes& corners = scene.segments.nodes[segment];
+  for (std::size_t c = 0; c < corner_count(corners); ++c) spring.segment_mass += node_mass_[corners[c].value];
+  return spring;
+}
+
+double SegmentPass::release_depth(std::uint32_t /*slot*/, std::uint32_t /*segment*/) const {
+  return std::numeric_limits<double>::infinity();
+}
+
+void SegmentPass::orient(std::uint32_t slot, contact::PairResult* pair) {
+  Vector& side = side_[slot];
+  if (pair == nullptr) {
+    side.setZero();
+    return;
+  }
+  const contact::PairScene& scene = ContactPass::side().scene();
+  const Vector way = scene.position(slot) - pair->closest.point;
+  // Oriented segments know their front. Of a node on the surface nothing new can be said.
+  if (pair->distance < 0 || !(way.squaredNorm() > 0)) return;
+  const Vector direction = way.stableNormalized();
+  const bool passed = side.dot(direction) < 0;
+  if (passed) pair->distance = -pair->distance;
+  side = passed ? Vector(-direction) : direction;
+}
+
+contact::NodeAction SegmentPass::advance(contact::NodeContact& memory, const contact::NodeEncounter& encounter) const {
+  return contact::advance_from_baseline(memory, encounter, first_, reduction_);
+}
+
+double SegmentPass::update(State& state, double used, ContactCounters& counters) {
+  reduction_ = contact::baseline_reduction(model_, side().scene().contact, state.time);
+  const double moved = ContactPass::update(state, used, counters);
+  first_ = false;
+  return moved;
+}
+
+void SegmentPass::rest(const State& state, ContactState& result) {
+  ContactPass::rest(state, result);
+  side_.assign(side_.size(), Vector::Zero());
+  first_ = true;
+}
+
+}  // namespace gapcheck::solver
