@@ -118,6 +118,9 @@ RunEnd Run::go(Observer& observer) {
   start_ = std::chrono::steady_clock::now();
   while (true) {
     failure_ = stepper_->begin_step();
+    events_.clear();
+    for (ContactSource* source : sources_)
+      for (ContactEvent& event : source->take_events()) events_.push_back(std::move(event));
     if (stepper_->state().cycle == 0) first_step_ = stepper_->next_step();
     if (!failure_) failure_ = check_length();
     const std::optional<RunEnd> end = failure_ ? RunEnd::failed : end_reached();
