@@ -115,7 +115,19 @@ std::string log_end(bool normal, const std::string& reason, double time, std::ui
                      normal ? "N o r m a l    t e r m i n a t i o n" : "E r r o r   t e r m i n a t i o n");
 }
 
-std::string warning_block(const std::string& text) { return " \n *** Warning\n     " + text + "\n \n"; }
+std::string contact_warning(std::int64_t contact, double time, const std::string& text) {
+  return fmt::format(" \n *** Warning\n     contact interface # = {}\n     time = {:.4E}\n     {}{} \n", contact, time,
+                     text, text.ends_with('\n') ? "" : "\n");
+}
+
+std::string soft_switch_block(std::int64_t contact) {
+  return fmt::format(
+      " \n *** Warning 20535 (STR+535)\n     contact interface # {} was switched from SOFT=2 to SOFT=1\n"
+      "     and the value of DEPTH was switched to the default value.\n"
+      "     The segment based contact option is only valid for\n"
+      "     contact types 3, a3, 4, 13, 14, 15, 10, and a10\n",
+      contact);
+}
 
 std::string error_block(const std::string& text) { return " \n *** Error\n     " + text + "\n \n"; }
 

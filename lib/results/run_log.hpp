@@ -44,8 +44,11 @@ struct ElementStep {
 [[nodiscard]] std::string failed_element(const std::string& kind, std::int64_t element, double time);
 /// Why the run ended, its time and cycle (from 1), and the last line: normal or error termination.
 [[nodiscard]] std::string log_end(bool normal, const std::string& reason, double time, std::uint64_t cycle);
-/// Message blocks without a number; `text`: lines, the first without its blanks and the last without its end.
-[[nodiscard]] std::string warning_block(const std::string& text);
+/// A warning without a number about a contact; `text`: lines, the first without its blanks.
+[[nodiscard]] std::string contact_warning(std::int64_t contact, double time, const std::string& text);
+/// The warning that a contact's SOFT = 2 is taken as 1.
+[[nodiscard]] std::string soft_switch_block(std::int64_t contact);
+/// An error without a number.
 [[nodiscard]] std::string error_block(const std::string& text);
 
 }  // namespace gapcheck::results

@@ -51,6 +51,28 @@ std::optional<Failure> no_rigid_nodes(const model::Model& model, const model::Co
   return std::nullopt;
 }
 
+/// What a contact asks for and is calculated otherwise.
+void name_differences(const model::Contact& contact, const contact::ContactSurfaces& surfaces,
+                      Diagnostics& diagnostics) {
+  const auto warn = [&](const std::string& text) {
+    diagnostics.warning("", 0, fmt::format("contact {}: {}", contact.id.value, text));
+  };
+  if (contact.keyword.ends_with("_EDGEONLY")) warn("EDGEONLY: nodes are held off segments as well");
+  if (!surfaces.type.by_segments()) return;
+  if (surfaces.settings.shlthk == 0)
+    warn("SOFT = 2 holds shells apart by their thickness, which is left out here; set SHLTHK = 1");
+  if (contact.sbopt == 4 || contact.sbopt == 5)
+    warn(fmt::format("SBOPT = {}: the sliding option is not calculated; segments are curved patches in any case",
+                     contact.sbopt));
+  // The last digit says what is measured: 2 nodes, 5 edges too.
+  const std::int64_t measured = contact.depth % 10;
+  if (contact.depth != 0 && measured != 2 && measured != 5)
+    warn(fmt::format("DEPTH = {}: depths are measured at the corners of segments, as with DEPTH = 2", contact.depth));
+  if (contact.depth >= 10) warn(fmt::format("DEPTH = {}: only its last digit counts", contact.depth));
+  if (contact.dtpchk < 0) warn("DTPCHK below 0: intersections are told, and the run goes on");
+  if (contact.penmax > 0) warn("PENMAX has no meaning here: with SOFT = 2 no node is released");
+}
+
 }  // namespace
 
 std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceStore& surfaces,
@@ -74,6 +96,7 @@ std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceSto
       return Failure{Failure::Kind::contradiction,
                      fmt::format("SFSA or SFSB of contact {} is below 0, so that it pulls; set a number above 0",
                                  contact.id.value)};
+    name_differences(contact, surfaces.at(c), diagnostics);
     if (const std::string why = why_idle(surfaces.at(c)); !why.empty())
       diagnostics.warning("", 0, fmt::format("contact {} does nothing ({}); correct its sides", contact.id.value, why));
   }

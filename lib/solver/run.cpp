@@ -101,13 +101,6 @@ std::vector<ContactView> Run::contacts() const {
   return views;
 }
 
-std::vector<ContactEvent> Run::take_events() const {
-  std::vector<ContactEvent> events;
-  for (ContactSource* source : sources_)
-    for (ContactEvent& event : source->take_events()) events.push_back(std::move(event));
-  return events;
-}
-
 std::optional<RunEnd> Run::end_reached() const {
   const State& state = stepper_->state();
   if (state.time >= end_time_) return RunEnd::time;
@@ -133,6 +126,9 @@ RunEnd Run::go(Observer& observer) {
   start_ = std::chrono::steady_clock::now();
   while (true) {
     failure_ = stepper_->begin_step();
+    events_.clear();
+    for (ContactSource* source : sources_)
+      for (ContactEvent& event : source->take_events()) events_.push_back(std::move(event));
     if (stepper_->state().cycle == 0) first_step_ = stepper_->next_step();
     if (!failure_) failure_ = check_length();
     const std::optional<RunEnd> end = failure_ ? RunEnd::failed : end_reached();

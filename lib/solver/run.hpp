@@ -61,8 +61,8 @@ class Run {
   [[nodiscard]] std::vector<ContactState> transducers() const {
     return transducers_->measure(contacts(), stepper_->state());
   }
-  /// What the contacts have done once since the last call.
-  [[nodiscard]] std::vector<ContactEvent> take_events() const;
+  /// What contacts have done once in the last force evaluation.
+  [[nodiscard]] const std::vector<ContactEvent>& events() const { return events_; }
   [[nodiscard]] const ContactCounters& contact_counters() const { return contacts_->counters(); }
   [[nodiscard]] double end_time() const { return end_time_; }
   [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
@@ -86,6 +86,7 @@ class Run {
   const ContactForces* contacts_ = nullptr;
   std::unique_ptr<Transducers> transducers_;
   std::vector<ContactSource*> sources_;  ///< of contacts; all owned by the stepper
+  std::vector<ContactEvent> events_;
   std::optional<Failure> failure_;
   std::chrono::steady_clock::time_point start_;
 };

@@ -58,15 +58,6 @@ std::vector<results::LegendEntry> contact_titles(const model::Model& model) {
   return list;
 }
 
-/// Message blocks of what contacts have done once.
-std::string events_text(const Run& run) {
-  std::string text;
-  for (const ContactEvent& event : run.take_events())
-    text += results::warning_block(fmt::format("{}\n     contact interface #        = {}\n     time                       = {:.4E}",
-                                               event.text, run.model().contacts[event.contact].id.value, event.time));
-  return text;
-}
-
 std::vector<results::LegendEntry> node_titles(const model::Model& model) {
   std::vector<results::LegendEntry> list;
   for (const model::HistoryNode& entry : model.output.history_nodes)
@@ -148,8 +139,12 @@ std::optional<Failure> RunFiles::open_logs(const Run& run, contact::SurfaceStore
   const model::Model& model = run.model();
   const results::FileHeader header{model.title, settings_.program};
   const Report report = run_report(run, surfaces);
+  std::string switched;
+  for (const model::Contact& contact : model.contacts)
+    if (contact.soft == 2 && ContactForces::calculates(contact) && !contact::has_soft_2(contact::classify(contact)))
+      switched += results::soft_switch_block(contact.id.value);
   const std::string found =
-      results::message_blocks(report) + results::surface_timesteps(*report.predicted, report.contacts);
+      switched + results::message_blocks(report) + results::surface_timesteps(*report.predicted, report.contacts);
   const std::string banner = results::log_banner(header);
   for (const auto& [name, text] :
        {std::pair("messag", banner + found),
@@ -237,13 +232,16 @@ std::optional<Failure> RunFiles::plot(const Run& run) {
 std::optional<Failure> RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
   const State& state = run.stepper().state();
   if (auto problem = log_failures(run)) return problem;
+  for (const ContactEvent& event : run.events())
+    if (auto problem = log(results::contact_warning(run.model().contacts[event.contact].id.value, event.time,
+                                                    event.text)))
+      return problem;
   for (std::size_t i = 0; i < texts_.size(); ++i) {
     Text& text = texts_[i];
     if (!text.file || !(text.interval.due(state.time) || end)) continue;
     if (!write(text.file.get(), state_text(i, run))) return not_written(text.path);
     text.interval.written(state.time);
   }
-  if (auto problem = log(events_text(run))) return problem;
   if (plot_interval_.due(state.time) || end) {
     plot_interval_.written(state.time);
     if (auto problem =

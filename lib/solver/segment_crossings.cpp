@@ -55,8 +55,7 @@ std::optional<ContactEvent> SegmentCrossings::look(const model::Model& model, st
   told_ = text;
   if (found.empty()) return std::nullopt;
   return ContactEvent{contact, state.time,
-                      fmt::format("     contact interface # {}: segments that intersect = {}\n{}",
-                                  model.contacts[contact].id.value, found.size(), text)};
+                      fmt::format("segments that intersect = {}\n{}", found.size(), text)};
 }
 
 }  // namespace gapcheck::solver

@@ -49,7 +49,7 @@ Pull pull(const std::string& keyword, const std::string& card, double x, double 
     if (pull.kind) {
       pull.time = run.stepper().state().time;
       pull.force = rate * pull.time;
-      pull.events = run.take_events();
+      pull.events = run.events();
     }
   });
   return pull;
