@@ -160,6 +160,10 @@ TEST_P(TiedBricks, BendsLikeOnePiece) {
   RecordProperty("scale", fmt::format("{:g}", GetParam().scale));
   RecordProperty("deflection", fmt::format("{:.4f}", deflection));
   RecordProperty("frequency", fmt::format("{:.4f}", ratio));
+  if (!GetParam().bending) {
+    EXPECT_GT(deflection, 1.05);  // springs as soft as those of a contact yield
+    return;
+  }
   EXPECT_NEAR(deflection, 1, 0.02);
   EXPECT_NEAR(ratio, 1, 0.01);
 }
@@ -171,6 +175,8 @@ INSTANTIATE_TEST_SUITE_P(Cantilever, TiedBricks,
                                          Case{"type_o2", "TIED_SURFACE_TO_SURFACE_OFFSET", true, 20},
                                          Case{"type_o6", "TIED_NODES_TO_SURFACE_OFFSET", true, 20},
                                          Case{"type_b2", "TIED_SURFACE_TO_SURFACE_BEAM_OFFSET", true, 20},
+                                         Case{"type_b6", "TIED_NODES_TO_SURFACE_BEAM_OFFSET", true, 20},
+                                         Case{"type_b6_by_default", "TIED_NODES_TO_SURFACE_BEAM_OFFSET", false},
                                          Case{"type_b7", "TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", true, 20},
                                          Case{"type_c2", "TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET", true},
                                          Case{"type_c6", "TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", true}),

@@ -281,6 +281,30 @@ TEST(TieTimes, BirthAndDeath) {
   }
 }
 
+/// Four nodes on one facet of a brick: the stretch is F/4 over SLSFAC SFS K A²/V.
+TEST(TieForces, StiffnessIsThatOfAContact) {
+  const Grid base{1, {0, 0, 0}, {1, 1, 1}, 1, 1, 1}, upper{2, {0.2, 0.2, 1}, {0.6, 0.6, 0.5}, 1, 1, 1};
+  const double stiffness = 0.1 * 1.5 / 3;
+  TieDeck deck;
+  deck.add(base).add(upper).hold(TieDeck::nodes(base, -1)).hold(TieDeck::nodes(upper, -1), "0,1,1");
+  deck.tie("TIED_NODES_TO_SURFACE_OFFSET", TieDeck::nodes(upper, -1, -1, 0), 1, 0.1, "", 1.5);
+  deck.load(TieDeck::nodes(upper, -1, -1, 0), 1, 4e-4).also("*DAMPING_GLOBAL\n0,1.\n");
+  RunScene scene(deck.text(60));
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  scene.go();
+  const ContactView view = scene.run().contacts().front();
+  std::vector<ContactLink> links;
+  view.source->links(view.position, links);
+  ASSERT_EQ(links.size(), 4u);
+  const std::vector<Vector>&now = scene.state().x, &start = scene.run().initial().x;
+  for (const ContactLink& link : links) {
+    const Vector stretch =
+        (link.tracked.of(now) - link.reference.of(now)) - (link.tracked.of(start) - link.reference.of(start));
+    EXPECT_NEAR(stretch.x() * stiffness / 1e-4, 1, 1e-3);
+    EXPECT_NEAR(link.force.x() / -1e-4, 1, 1e-3);
+  }
+}
+
 /// Springs between very different masses and moduli stay stable, whatever PENOPT takes.
 TEST(TieForces, StableForAnyStiffnessRatio) {
   for (const double ratio : {1e-6, 1e-3, 1e3, 1e6})
