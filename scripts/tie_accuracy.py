@@ -34,7 +34,7 @@ def table(found):
     lines = ["| joint | tie | SFS, SFM | deflection | first frequency |", "|---|---|---|---|---|"]
     for suite, what in SUITES:
         for test in found[suite]:
-            name = test["name"].split("/")[1].removeprefix("type_")
+            name = test["name"].split("/")[1].removeprefix("type_").replace("_", " ")
             scale = float(test.get("scale", 1))
             lines.append(f"| {what} | {name} | {scale:g} | {test['deflection']} | {test.get('frequency', '')} |")
     return "\n".join(lines) + "\n"

@@ -31,8 +31,7 @@ SegmentAxes::SegmentAxes(const std::array<Vector, 4>& at, bool triangle) : Segme
   // The normal turns with the slopes of both lines, the bisector with the mean of their turns about the normal.
   const Vector dual_first = second.cross(normal) / size, dual_second = normal.cross(first) / size;
   const auto part = [&](const Vector& line, const Vector& dual) -> Matrix {
-    return normal * normal.cross(line).transpose() / (2 * line.squaredNorm()) -
-           normal.cross(dual) * normal.transpose();
+    return normal * normal.cross(line).transpose() / (2 * line.squaredNorm()) - normal.cross(dual) * normal.transpose();
   };
   const Matrix of_first = part(first, dual_first), of_second = part(second, dual_second);
   if (triangle)

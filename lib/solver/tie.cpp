@@ -39,6 +39,8 @@ Tie tie_of(const contact::JudgedNode& judged, const contact::ContactSurfaces& su
   tie.contact = judged.contact;
   tie.segment = judged.segment;
   tie.segment_part = judged.segment_part;
+  tie.element_kind = segments.element_kind[judged.segment];
+  tie.element = segments.element[judged.segment];
   tie.node = judged.node;
   tie.point = point_of(segments.nodes[judged.segment], x[judged.node.value], x);
   const bool sound = SegmentAxes(tie.point.nodes, x).sound, nodal = nodes_turn(structure, tie.point);
@@ -55,6 +57,13 @@ Tie tie_of(const contact::JudgedNode& judged, const contact::ContactSurfaces& su
 }
 
 }  // namespace
+
+bool segment_gone(const Tie& tie, const FailedElements& failed) {
+  const bool shell = tie.element_kind == model::ElementKind::shell;
+  if (!shell && tie.element_kind != model::ElementKind::solid) return false;
+  const std::vector<bool>& gone = shell ? failed.shells : failed.solids;
+  return tie.element < gone.size() && gone[tie.element];
+}
 
 TieMotion motion(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& v, const std::vector<Vector>& w) {
   const auto spin = [&](Turning turning) -> Vector {

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "contact/initial.hpp"
@@ -22,13 +23,18 @@ struct Tie {
   std::uint32_t contact = 0;  ///< position in Model::contacts
   std::uint32_t segment = 0;  ///< of the reference side
   PartIndex segment_part = none<PartIndex>;
+  model::ElementKind element_kind = model::ElementKind::shell;
+  std::uint32_t element = std::numeric_limits<std::uint32_t>::max();  ///< of the segment; max: not known
   NodeIndex node;
-  ContactPoint point;                  ///< of the segment
-  Turning offset = Turning::none;      ///< what turns the offset from the point to the node
-  bool carries = false;                ///< the moment of the offset acts on the segment
-  bool rotations = false;              ///< the node's rotations are tied too
-  Turning rotation = Turning::none;    ///< to what
+  ContactPoint point;                ///< of the segment
+  Turning offset = Turning::none;    ///< what turns the offset from the point to the node
+  bool carries = false;              ///< the moment of the offset acts on the segment
+  bool rotations = false;            ///< the node's rotations are tied too
+  Turning rotation = Turning::none;  ///< to what
 };
+
+/// The element of the segment has failed: nothing is there to be tied to.
+[[nodiscard]] bool segment_gone(const Tie& tie, const FailedElements& failed);
 
 /// How the node and the point it is tied to move.
 struct TieMotion {

@@ -15,6 +15,8 @@ namespace {
 /// Turning the arms over the step converges by the angle per step; this many rounds are more than enough.
 constexpr int most_rounds = 8;
 constexpr double settled = 1e-13;
+/// Rounding moves a node less than this share of its segment from its place.
+constexpr double largest_drift = 1e-6;
 
 }  // namespace
 
@@ -73,13 +75,17 @@ void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnost
   }
 }
 
-bool TieConstraints::activate(double time) {
-  bool changed = false;
+bool TieConstraints::activate(const State& state) {
+  bool changed = state.failed.count != failures_;
+  if (changed)
+    for (std::size_t t = 0; t < ties_.size(); ++t) present_[t].gone = segment_gone(ties_[t], state.failed);
+  failures_ = state.failed.count;
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-    const bool active = interfaces_[i].active(time);
+    const bool active = interfaces_[i].active(state.time);
     changed = changed || active != active_[i];
     active_[i] = active;
-    for (std::size_t t = interfaces_[i].first; t < interfaces_[i].last; ++t) equations_[t].active = active;
+    for (std::size_t t = interfaces_[i].first; t < interfaces_[i].last; ++t)
+      equations_[t].active = active && !present_[t].gone;
   }
   return changed;
 }
@@ -100,7 +106,12 @@ void TieConstraints::place(const State& state) {
       else
         present.offset.start(tie, present.axes, state.x);
       present.started = true;
-      if (tie.carries) equations_[t].arm = state.x[tie.node.value] - tie.point.of(state.x);
+      const Vector arm = state.x[tie.node.value] - tie.point.of(state.x);
+      if (tie.carries) equations_[t].arm = arm;
+      // Whatever has moved a node without velocity, as shooting nodes are, has moved its place too.
+      const double size = arm.norm() + (state.x[tie.point.nodes[2].value] - state.x[tie.point.nodes[0].value]).norm();
+      if (!((arm - present.offset.value()).norm() <= largest_drift * size))
+        present.offset.start(tie, present.axes, state.x);
     }
   });
 }
@@ -217,8 +228,9 @@ void TieConstraints::name_dependent(double time) {
                      system_->dependent().begin() + static_cast<std::ptrdiff_t>(last), true));
     }
     if (count > 0)
-      events_.push_back({interface.contact, time,
-                         fmt::format("{} equations of ties follow from others or\n     contradict them and are left out.", count)});
+      events_.push_back(
+          {interface.contact, time,
+           fmt::format("{} equations of ties follow from others or\n     contradict them and are left out.", count)});
   }
 }
 
@@ -230,7 +242,7 @@ void TieConstraints::react(const State& state, double mean, double next, Forces&
       states_[i].energy_a -= state.dt / 2 * present_[t].loads.on_node(ties_[t], state);
       states_[i].energy_b -= state.dt / 2 * present_[t].loads.on_segment(ties_[t], state);
     }
-  const bool other_ties = activate(state.time);
+  const bool other_ties = activate(state);
   place(state);
   const bool fresh = hold(state.time, next) || other_ties;
   if (fresh || varying_) system_->set(equations_, mobility_, fresh);
@@ -265,6 +277,7 @@ std::vector<ContactNode> TieConstraints::nodes(std::size_t position) const {
   std::vector<ContactNode> all;
   if (!active_[position]) return all;
   for (std::size_t t = interfaces_[position].first; t < interfaces_[position].last; ++t) {
+    if (present_[t].gone) continue;
     ContactNode& node = all.emplace_back();
     node.kind = ContactNode::Kind::tied;
     node.node = ties_[t].node;
@@ -277,6 +290,7 @@ std::vector<ContactNode> TieConstraints::nodes(std::size_t position) const {
 void TieConstraints::links(std::size_t position, std::vector<ContactLink>& links) const {
   if (!active_[position]) return;
   for (std::size_t t = interfaces_[position].first; t < interfaces_[position].last; ++t) {
+    if (present_[t].gone) continue;
     ContactLink& link = links.emplace_back();
     link.tracked = {{ties_[t].node}, {1}};
     link.reference = ties_[t].point;

@@ -38,9 +38,10 @@ class TieConstraints : public Force, public ContactSource {
     TieOffset offset;
     TieLoads loads;
     bool started = false;
+    bool gone = false;  ///< with the element of its segment
   };
   void keep_sound(const model::Model& model, Diagnostics& diagnostics);
-  bool activate(double time);
+  bool activate(const State& state);
   void place(const State& state);
   bool hold(double time, double next);
   void free_velocities(const State& state, double mean, double next, const Forces& net);
@@ -62,7 +63,8 @@ class TieConstraints : public Force, public ContactSource {
   std::vector<Vector> free_v_, free_w_, v_, w_;  ///< by node: without ties, and with them
   std::vector<ContactEvent> events_;
   std::unique_ptr<TieSystem> system_;
-  bool varying_ = false;  ///< some equation has an arm or axes, which turn from step to step
+  std::uint64_t failures_ = 0;  ///< elements that have failed, when this was last asked
+  bool varying_ = false;        ///< some equation has an arm or axes, which turn from step to step
 };
 
 }  // namespace gapcheck::solver

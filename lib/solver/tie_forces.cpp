@@ -51,10 +51,7 @@ double squared_radius(const Tie& tie, const Structure& structure) {
 
 TieForces::TieForces(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
                      const Structure& structure)
-    : model_(model),
-      store_(surfaces),
-      initial_(initial),
-      structure_(&structure) {
+    : model_(model), store_(surfaces), initial_(initial), structure_(&structure) {
   const std::vector<Tie> ties = tie_list(model, surfaces, initial, structure, false);
   for (const Tie& tie : ties) {
     Spring& spring = springs_.emplace_back();
@@ -109,9 +106,9 @@ void TieForces::tell_failures(const TieRange& interface, double time) {
     if (++count <= most_ids) ids += fmt::format(" {}", model_.mesh.nodes.id[spring.tie.node.value]);
   }
   if (count > 0)
-    events_.push_back({interface.contact, time,
-                       fmt::format("Tiebreak: the ties of {} nodes have failed:{}{}", count, ids,
-                                   count > most_ids ? " and others" : "")});
+    events_.push_back(
+        {interface.contact, time,
+         fmt::format("The ties of {} nodes have failed:{}{}", count, ids, count > most_ids ? " and others" : "")});
 }
 
 void TieForces::build(const State& state) {
@@ -135,8 +132,7 @@ void TieForces::build(const State& state) {
       const ContactSprings::Spring found = springs(static_cast<std::uint32_t>(slot), tie.segment);
       spring.stiffness = std::isfinite(found.stiffness) ? std::max(0.0, found.stiffness) : 0;
       if (spring.stiffness == 0)  // no modulus is known on either side
-        spring.stiffness =
-            contact.sofscl * contact::soft_1_stiffness(found.node_mass, found.segment_mass, timestep);
+        spring.stiffness = contact.sofscl * contact::soft_1_stiffness(found.node_mass, found.segment_mass, timestep);
       if (tie.rotations) spring.rotational = spring.stiffness * squared_radius(tie, *structure_);
       spring.damping = ContactSprings::damping(found, spring.percent);
       ratio = std::max(ratio, spring.percent / 100);
@@ -146,9 +142,8 @@ void TieForces::build(const State& state) {
   }
   const bool limited = state.coming > 0 && std::isfinite(state.coming);
   const double room = 4 / (shortest_step * shortest_step) - elements_share;
-  const std::vector<double> shares =
-      stability.shares(limited ? room / damped(ratio) / (state.coming * state.coming)
-                               : std::numeric_limits<double>::infinity());
+  const std::vector<double> shares = stability.shares(limited ? room / damped(ratio) / (state.coming * state.coming)
+                                                              : std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     springs_[i].stiffness *= shares[2 * i];
     springs_[i].rotational *= shares[2 * i + 1];
@@ -212,6 +207,10 @@ void TieForces::add(State& state, Forces& forces) {
   if (springs_.empty()) return;
   if (!built_) build(state);
   coming_ = state.coming;
+  if (state.failed.count != failures_)
+    for (Spring& spring : springs_)
+      spring.damage.broken = spring.damage.broken || segment_gone(spring.tie, state.failed);
+  failures_ = state.failed.count;
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
     const TieRange& interface = interfaces_[i];
     const bool active = interface.active(state.time);

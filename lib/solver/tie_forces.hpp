@@ -12,9 +12,9 @@ namespace gapcheck::solver {
 
 /// Ties by springs: the offset forms, and the nodes that IPBACK ties since a constraint cannot. A spring between the
 /// node and the place that turns with its segment, as stiff as that of a penalty contact; one with which the step
-/// would fall below half that of the elements in the first cycle is made softer. Types 7 tie rotations by springs of the same frequency. The o
-/// forms leave the moment of the offset out, the b forms carry it. Tiebreaks (8, 9) are tied like o forms until they
-/// fail.
+/// would fall below half that of the elements in the first cycle is made softer. Types 7 tie rotations by springs of
+/// the same frequency. The o forms leave the moment of the offset out, the b forms carry it. Tiebreaks (8, 9) are tied
+/// like o forms until they fail.
 class TieForces : public Force, public ContactSource {
  public:
   /// `initial` is of this model and these surfaces, `structure` the one that will be stepped from initial.x; model,
@@ -66,6 +66,7 @@ class TieForces : public Force, public ContactSource {
   double coming_ = 0;             ///< step that the elements allow
   std::vector<ContactEvent> events_;
   Released released_;
+  std::uint64_t failures_ = 0;  ///< elements that have failed, when this was last asked
   bool built_ = false;
 };
 

@@ -63,8 +63,7 @@ void TieStability::add(const Tie& tie, const SegmentAxes& axes, const Vector& ar
     turn(tie.node, 1);
     for (std::size_t i = 0; i < 4; ++i) {
       if (tie.rotation == Turning::axes) move(tie.point.nodes[i], axes.turn[i].norm());
-      if (tie.rotation == Turning::nodes && tie.point.weights[i] != 0)
-        turn(tie.point.nodes[i], tie.point.weights[i]);
+      if (tie.rotation == Turning::nodes && tie.point.weights[i] != 0) turn(tie.point.nodes[i], tie.point.weights[i]);
     }
   }
   finish();

@@ -1,5 +1,5 @@
-// A cantilever of two halves that are tied to one another: tip deflection and first frequency by each kind of tie, against
-// the same beam in one piece and the closed form. E = density = 1, no lateral contraction.
+// A cantilever of two halves that are tied to one another: tip deflection and first frequency by each kind of tie,
+// against the same beam in one piece and the closed form. E = density = 1, no lateral contraction.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -52,8 +52,9 @@ struct Cantilever {
         const double speed = std::cosh(x) - std::cos(x) - s * (std::sinh(x) - std::sin(x));
         const double slope = k * (std::sinh(x) + std::sin(x) - s * (std::cosh(x) - std::cos(x)));
         for (const int node : TieDeck::nodes(grid, i))
-          velocities += grid.nz > 0 ? fmt::format("{},0.,0.,{:.17g}\n", node, 1e-6 * speed)
-                                    : fmt::format("{},0.,0.,{:.17g},0.,{:.17g},0.\n", node, 1e-6 * speed, -1e-6 * slope);
+          velocities += grid.nz > 0
+                            ? fmt::format("{},0.,0.,{:.17g}\n", node, 1e-6 * speed)
+                            : fmt::format("{},0.,0.,{:.17g},0.,{:.17g},0.\n", node, 1e-6 * speed, -1e-6 * slope);
       }
     thrown.also(velocities);
     const double half = std::numbers::pi / frequency();
@@ -135,20 +136,20 @@ TEST_P(TiedShells, BendsLikeOnePiece) {
   EXPECT_NEAR(ratio, 1, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Cantilever, TiedShells,
-    testing::Values(Case{"type_2", "TIED_SURFACE_TO_SURFACE", false}, Case{"type_6", "TIED_NODES_TO_SURFACE", false},
-                    Case{"type_7", "TIED_SHELL_EDGE_TO_SURFACE", true},
-                    Case{"type_o2", "TIED_SURFACE_TO_SURFACE_OFFSET", false},
-                    Case{"type_o6", "TIED_NODES_TO_SURFACE_OFFSET", false},
-                    Case{"type_o7", "TIED_SHELL_EDGE_TO_SURFACE_OFFSET", true},
-                    Case{"type_b2", "TIED_SURFACE_TO_SURFACE_BEAM_OFFSET", false},
-                    Case{"type_b7", "TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", true},
-                    Case{"type_c2", "TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET", false},
-                    Case{"type_c6", "TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", false},
-                    Case{"type_c7", "TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET", true},
-                    Case{"spotweld", "SPOTWELD", true}),
-    test_name);
+INSTANTIATE_TEST_SUITE_P(Cantilever, TiedShells,
+                         testing::Values(Case{"type_2", "TIED_SURFACE_TO_SURFACE", false},
+                                         Case{"type_6", "TIED_NODES_TO_SURFACE", false},
+                                         Case{"type_7", "TIED_SHELL_EDGE_TO_SURFACE", true},
+                                         Case{"type_o2", "TIED_SURFACE_TO_SURFACE_OFFSET", false},
+                                         Case{"type_o6", "TIED_NODES_TO_SURFACE_OFFSET", false},
+                                         Case{"type_o7", "TIED_SHELL_EDGE_TO_SURFACE_OFFSET", true},
+                                         Case{"type_b2", "TIED_SURFACE_TO_SURFACE_BEAM_OFFSET", false},
+                                         Case{"type_b7", "TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", true},
+                                         Case{"type_c2", "TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET", false},
+                                         Case{"type_c6", "TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", false},
+                                         Case{"type_c7", "TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET", true},
+                                         Case{"spotweld", "SPOTWELD", true}),
+                         test_name);
 
 class TiedBricks : public testing::TestWithParam<Case> {};
 
@@ -159,21 +160,27 @@ TEST_P(TiedBricks, BendsLikeOnePiece) {
   RecordProperty("scale", fmt::format("{:g}", GetParam().scale));
   RecordProperty("deflection", fmt::format("{:.4f}", deflection));
   RecordProperty("frequency", fmt::format("{:.4f}", ratio));
+  if (!GetParam().bending) {
+    EXPECT_GT(deflection, 1.05);  // springs as soft as those of a contact yield
+    return;
+  }
   EXPECT_NEAR(deflection, 1, 0.02);
   EXPECT_NEAR(ratio, 1, 0.01);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Cantilever, TiedBricks,
-    testing::Values(Case{"type_2", "TIED_SURFACE_TO_SURFACE", true}, Case{"type_6", "TIED_NODES_TO_SURFACE", true},
-                    Case{"type_7", "TIED_SHELL_EDGE_TO_SURFACE", true},
-                    Case{"type_o2", "TIED_SURFACE_TO_SURFACE_OFFSET", true, 20},
-                    Case{"type_o6", "TIED_NODES_TO_SURFACE_OFFSET", true, 20},
-                    Case{"type_b2", "TIED_SURFACE_TO_SURFACE_BEAM_OFFSET", true, 20},
-                    Case{"type_b7", "TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", true, 20},
-                    Case{"type_c2", "TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET", true},
-                    Case{"type_c6", "TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", true}),
-    test_name);
+INSTANTIATE_TEST_SUITE_P(Cantilever, TiedBricks,
+                         testing::Values(Case{"type_2", "TIED_SURFACE_TO_SURFACE", true},
+                                         Case{"type_6", "TIED_NODES_TO_SURFACE", true},
+                                         Case{"type_7", "TIED_SHELL_EDGE_TO_SURFACE", true},
+                                         Case{"type_o2", "TIED_SURFACE_TO_SURFACE_OFFSET", true, 20},
+                                         Case{"type_o6", "TIED_NODES_TO_SURFACE_OFFSET", true, 20},
+                                         Case{"type_b2", "TIED_SURFACE_TO_SURFACE_BEAM_OFFSET", true, 20},
+                                         Case{"type_b6", "TIED_NODES_TO_SURFACE_BEAM_OFFSET", true, 20},
+                                         Case{"type_b6_by_default", "TIED_NODES_TO_SURFACE_BEAM_OFFSET", false},
+                                         Case{"type_b7", "TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", true, 20},
+                                         Case{"type_c2", "TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET", true},
+                                         Case{"type_c6", "TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", true}),
+                         test_name);
 
 /// A shell whose edge stands `gap` before the end face of a block that hardly gives way.
 Cantilever shell_on_block(const std::string& keyword, double gap, double scale) {
@@ -192,8 +199,7 @@ TEST_P(ShellOnBlock, IsClamped) {
   constexpr double gap = 0.05;
   const Cantilever tied = shell_on_block(GetParam().keyword, gap, GetParam().scale);
   const bool moved = std::string(GetParam().name) == "type_7";
-  const double deflection =
-      tied.static_deflection() / tied.deflection() / std::pow(1 + (moved ? gap / length : 0), 3);
+  const double deflection = tied.static_deflection() / tied.deflection() / std::pow(1 + (moved ? gap / length : 0), 3);
   RecordProperty("scale", fmt::format("{:g}", GetParam().scale));
   RecordProperty("deflection", fmt::format("{:.4f}", deflection));
   if (GetParam().bending)

@@ -1,12 +1,13 @@
 // Forces of ties: balance, rigid rotation, chains, bodies, times; constraints against a slow solution of the same
 // equations.
+#include "solver/tie_forces.hpp"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <random>
 
 #include "solver/tie_constraints.hpp"
-#include "solver/tie_forces.hpp"
 #include "tie_scene.hpp"
 
 namespace gapcheck::solver {
@@ -246,7 +247,8 @@ TEST(TieConstraints, SayingItTwiceIsNoHarm) {
   ASSERT_TRUE(scene.prepared()) << scene.message();
   scene.go();
   for (int i = 1; i <= 9; ++i) {
-    const Vector above = mean_of(scene, scene.state().v, {2000 + i}), below = mean_of(scene, scene.state().v, {1000 + i});
+    const Vector above = mean_of(scene, scene.state().v, {2000 + i}),
+                 below = mean_of(scene, scene.state().v, {1000 + i});
     EXPECT_LT((above - below).norm(), 1e-13);
   }
   EXPECT_GT(mean_of(scene, scene.state().v, {1001}).z(), 0);
@@ -279,12 +281,41 @@ TEST(TieTimes, BirthAndDeath) {
   }
 }
 
+/// Four nodes on one facet of a brick: the stretch is F/4 over SLSFAC SFS K A²/V.
+TEST(TieForces, StiffnessIsThatOfAContact) {
+  const Grid base{1, {0, 0, 0}, {1, 1, 1}, 1, 1, 1}, upper{2, {0.2, 0.2, 1}, {0.6, 0.6, 0.5}, 1, 1, 1};
+  const double stiffness = 0.1 * 1.5 / 3;
+  TieDeck deck;
+  deck.add(base).add(upper).hold(TieDeck::nodes(base, -1)).hold(TieDeck::nodes(upper, -1), "0,1,1");
+  deck.tie("TIED_NODES_TO_SURFACE_OFFSET", TieDeck::nodes(upper, -1, -1, 0), 1, 0.1, "", 1.5);
+  deck.load(TieDeck::nodes(upper, -1, -1, 0), 1, 4e-4).also("*DAMPING_GLOBAL\n0,1.\n");
+  RunScene scene(deck.text(60));
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  scene.go();
+  const ContactView view = scene.run().contacts().front();
+  std::vector<ContactLink> links;
+  view.source->links(view.position, links);
+  ASSERT_EQ(links.size(), 4u);
+  const std::vector<Vector>&now = scene.state().x, &start = scene.run().initial().x;
+  for (const ContactLink& link : links) {
+    const Vector stretch =
+        (link.tracked.of(now) - link.reference.of(now)) - (link.tracked.of(start) - link.reference.of(start));
+    EXPECT_NEAR(stretch.x() * stiffness / 1e-4, 1, 1e-3);
+    EXPECT_NEAR(link.force.x() / -1e-4, 1, 1e-3);
+  }
+}
+
 /// Springs between very different masses and moduli stay stable, whatever PENOPT takes.
 TEST(TieForces, StableForAnyStiffnessRatio) {
   for (const double ratio : {1e-6, 1e-3, 1e3, 1e6})
     for (const int penopt : {1, 2, 3}) {
       const Grid base{1, {0, 0, 0}, {1, 1, 0.5}, 2, 2, 1},
-          upper{2, {0.2, 0.2, 0.55}, {0.6, 0.6, 0.5}, 2, 2, 1,
+          upper{2,
+                {0.2, 0.2, 0.55},
+                {0.6, 0.6, 0.5},
+                2,
+                2,
+                1,
                 fmt::format("*MAT_ELASTIC\n{{}},{:.3g},{:.3g},0.\n", std::sqrt(ratio), ratio)};
       TieDeck deck;
       deck.add(base).add(upper).tie("TIED_NODES_TO_SURFACE_BEAM_OFFSET", TieDeck::nodes(upper, -1, -1, 0), 1, 0.1);
@@ -329,7 +360,8 @@ class DenseTwin : public testing::TestWithParam<const char*> {};
 
 TEST_P(DenseTwin, SameForces) {
   const bool block = std::string(GetParam()).find("NODES") != std::string::npos;
-  const Grid base{1, {0, 0, 0}, {2, 2, 0.3}, 2, 2, block ? 1 : 0}, middle{2, {0.3, 0.2, block ? 0.35 : 0.05}, {1.5, 1.4, 0.1}, 2, 3, 0},
+  const Grid base{1, {0, 0, 0}, {2, 2, 0.3}, 2, 2, block ? 1 : 0},
+      middle{2, {0.3, 0.2, block ? 0.35 : 0.05}, {1.5, 1.4, 0.1}, 2, 3, 0},
       top{3, {0.5, 0.4, block ? 0.4 : 0.1}, {0.9, 0.8, 0.1}, 2, 1, 0};
   TieDeck deck;
   deck.add(base).add(middle).add(top).hold({1001, 1002}, "1,0,1").hold({3001}, "0,1,0,1");

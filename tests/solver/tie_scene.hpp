@@ -28,8 +28,9 @@ class TieDeck {
     for (int k = 0; k <= g.nz; ++k)
       for (int j = 0; j <= g.ny; ++j)
         for (int i = 0; i <= g.nx; ++i)
-          nodes += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", id(i, j, k), g.corner.x() + i * g.size.x() / g.nx,
-                               g.corner.y() + j * g.size.y() / g.ny, g.corner.z() + (solid ? k * g.size.z() / g.nz : 0));
+          nodes +=
+              fmt::format("{},{:.17g},{:.17g},{:.17g}\n", id(i, j, k), g.corner.x() + i * g.size.x() / g.nx,
+                          g.corner.y() + j * g.size.y() / g.ny, g.corner.z() + (solid ? k * g.size.z() / g.nz : 0));
     int element = 1000 * g.part;
     for (int k = 0; k < std::max(1, g.nz); ++k)
       for (int j = 0; j < g.ny; ++j)

@@ -1,7 +1,15 @@
 // Tiebreak contacts: when their ties fail, what is left of them, and the contact behind.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "results/solver_log.hpp"
 #include "run_scene.hpp"
+#include "solver/run_files.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -12,12 +20,13 @@ constexpr double half_thickness = 0.05;
 /// what moves the node; curve 1 is `curve`.
 std::string node_on_shell(const std::string& keyword, const std::string& card, const std::string& drive,
                           const std::string& curve, double end) {
-  return fmt::format("*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n5,0.5,0.5,{}\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
-                     "*ELEMENT_MASS\n5,5,1.\n*PART\np\n1,1,1\n*SECTION_SHELL\n1,2\n0.1\n*MAT_ELASTIC\n1,1.,1000.,0.25\n"
-                     "*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n2,0,1,1,1,1,1,1\n3,0,1,1,1,1,1,1\n4,0,1,1,1,1,1,1\n"
-                     "*SET_NODE_LIST\n1\n5\n*CONTACT_{}\n1,1,4,3\n0.\n1.,1.\n{}\n*DEFINE_CURVE\n1\n{}{}"
-                     "*CONTROL_TERMINATION\n{}\n",
-                     half_thickness, keyword, card, curve, drive, end);
+  return fmt::format(
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n5,0.5,0.5,{}\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
+      "*ELEMENT_MASS\n5,5,1.\n*PART\np\n1,1,1\n*SECTION_SHELL\n1,2\n0.1\n*MAT_ELASTIC\n1,1.,1000.,0.25\n"
+      "*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n2,0,1,1,1,1,1,1\n3,0,1,1,1,1,1,1\n4,0,1,1,1,1,1,1\n"
+      "*SET_NODE_LIST\n1\n5\n*CONTACT_{}\n1,1,4,3\n0.\n1.,1.\n{}\n*DEFINE_CURVE\n1\n{}{}"
+      "*CONTROL_TERMINATION\n{}\n",
+      half_thickness, keyword, card, curve, drive, end);
 }
 
 const std::string old_type = "TIEBREAK_NODES_TO_SURFACE", automatic = "AUTOMATIC_NODES_TO_SURFACE_TIEBREAK";
@@ -78,8 +87,8 @@ TEST(Tiebreak, TellsOfItsFailure) {
   EXPECT_NE(found.events[0].text.find("1 nodes have failed: 5"), std::string::npos) << found.events[0].text;
 }
 
-/// Linear damage: the work is half of strength times critical opening, in tension and in shear, and the force falls on a
-/// line.
+/// Linear damage: the work is half of strength times critical opening, in tension and in shear, and the force falls on
+/// a line.
 TEST(Tiebreak, LinearDamageTakesTheFractureEnergy) {
   constexpr double strength = 2, critical = 0.4, speed = 0.005;
   for (const int direction : {1, 3}) {
@@ -123,6 +132,31 @@ TEST(Tiebreak, BecomesAContact) {
     const double stiffness = 0.1 * 1000 / 1.5 * 1 / std::sqrt(2.0);
     EXPECT_NEAR(force, only ? 0 : stiffness * 0.02, 1e-9) << keyword;
   }
+}
+
+/// The message file names the failure, and nothing in it is taken for a node that stayed untied.
+TEST(Tiebreak, MessageFileNamesTheFailure) {
+  std::string folder = testing::TempDir() + "gapcheck_XXXXXX";
+  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+  const std::string drive = "*LOAD_NODE_POINT\n5,3,1,1.\n";
+  const model::Read read = model::read_text(node_on_shell(old_type, "0.1,0.1", drive, "0.,0.\n10.,1.\n", 5));
+  contact::SurfaceStore surfaces(read.model);
+  Diagnostics diagnostics;
+  auto prepared = solver::Run::prepare(read.model, surfaces, {}, diagnostics);
+  ASSERT_TRUE(std::holds_alternative<solver::Run>(prepared));
+  solver::Run& run = std::get<solver::Run>(prepared);
+  RunFilesSettings settings;
+  settings.directory = folder;
+  auto files = RunFiles::create(run, surfaces, settings);
+  ASSERT_TRUE(std::holds_alternative<RunFiles>(files));
+  EXPECT_EQ(run.go(std::get<RunFiles>(files)), RunEnd::time);
+  std::ifstream stream(folder + "/messag", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_NE(text.find("     The ties of 1 nodes have failed: 5\n"), text.npos) << text;
+  const Report report = results::read_solver_log_text(text, "messag", {}, diagnostics);
+  EXPECT_TRUE(report.tie_failures.empty());
+  EXPECT_TRUE(report.penetrations.empty());
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Tiebreak, WhatIsNotCalculatedIsRefused) {
