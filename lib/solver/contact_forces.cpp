@@ -167,8 +167,10 @@ void ContactForces::erode(const State& state) {
   const contact::GoneElements gone{state.failed.shells, state.failed.solids};
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
     Interface& interface = interfaces_[i];
-    auto left = std::make_unique<contact::ContactSurfaces>(
-        store_.erode(interface.contact, *interface.surfaces, gone, state.x));
+    const bool rims = interface.surfaces->type.code == "22";
+    const contact::ContactSurfaces& now = rims ? store_.at(interface.contact) : *interface.surfaces;
+    auto left = std::make_unique<contact::ContactSurfaces>(store_.erode(interface.contact, now, gone, state.x));
+    if (rims) *left = contact::free_edge_surface(model_, interface.contact, *left, state.x);
     std::vector<std::unique_ptr<InterfacePass>> before;
     before.swap(interface.passes);
     std::swap(interface.own, left);  // the old passes still see the old ones
@@ -176,7 +178,7 @@ void ContactForces::erode(const State& state) {
     add_passes(interface, state.x);
     const double fixed = model_.contacts[interface.contact].dtstif;
     for (std::size_t k = 0; k < interface.passes.size(); ++k) {
-      interface.passes[k]->set_timestep(fixed > 0 ? fixed : first_step_);
+      interface.passes[k]->set_timestep(fixed > 0 ? fixed : interface.step > 0 ? interface.step : first_step_);
       interface.passes[k]->carry_over(*before[k], state, states_[i]);
     }
   }

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "contact/box_pairs.hpp"
@@ -268,6 +271,30 @@ void EdgePass::apply(const State& state, Forces& forces, ContactState& result) c
       }
     }
   }
+}
+
+void EdgePass::carry_over(InterfacePass& before, const State& state, ContactState& result) {
+  auto* const old = dynamic_cast<EdgePass*>(&before);
+  if (old == nullptr) return before.rest(state, result);
+  first_ = old->first_;
+  const auto ends = [](const SurfaceEdge& edge) { return std::minmax(edge.a, edge.b); };
+  std::map<std::pair<NodeIndex, NodeIndex>, std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < edges_.size(); ++i) numbers.emplace(ends(edges_[i]), i);
+  pairs_.clear();
+  for (Pair& was : old->pairs_) {
+    const auto tracked = numbers.find(ends(old->edges_[was.tracked]));
+    const auto other = numbers.find(ends(old->edges_[was.other]));
+    if (tracked == numbers.end() || other == numbers.end()) continue;
+    const bool swapped = scene_.line(edges_[tracked->second].segment) == scene_.line(edges_[other->second].segment) &&
+                         tracked->second > other->second;
+    if (swapped) continue;
+    Pair& pair = pairs_.emplace_back(std::move(was));
+    pair.tracked = tracked->second;
+    pair.other = other->second;
+    pair.wake = 0;
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) { return a.key() < b.key(); });
+  old->rest(state, result);  // of what has ended
 }
 
 void EdgePass::rest(const State& state, ContactState& result) {

@@ -28,6 +28,7 @@ class EdgePass : public InterfacePass {
   void search(double margin, ContactCounters& counters) override;
   double update(State& state, double used, ContactCounters& counters) override;
   void apply(const State& state, Forces& forces, ContactState& result) const override;
+  void carry_over(InterfacePass& before, const State& state, ContactState& result) override;
   void rest(const State& state, ContactState& result) override;
   [[nodiscard]] std::vector<ContactNode> nodes() const override;
   void links(std::vector<ContactLink>& links) const override;

@@ -85,6 +85,18 @@ double SegmentPass::update(State& state, double used, ContactCounters& counters)
   return moved;
 }
 
+void SegmentPass::carry_over(InterfacePass& before, const State& state, ContactState& result) {
+  ContactPass::carry_over(before, state, result);
+  const auto* old = dynamic_cast<const SegmentPass*>(&before);
+  if (old == nullptr) return;
+  first_ = old->first_;
+  const std::vector<NodeIndex>&was = old->side().scene().nodes.node, &now = side().scene().nodes.node;
+  for (std::size_t slot = 0, from = 0; slot < now.size(); ++slot) {  // both ascend
+    while (from < was.size() && was[from] < now[slot]) ++from;
+    if (from < was.size() && was[from] == now[slot]) side_[slot] = old->side_[from];
+  }
+}
+
 void SegmentPass::rest(const State& state, ContactState& result) {
   ContactPass::rest(state, result);
   side_.assign(side_.size(), Vector::Zero());

@@ -42,7 +42,9 @@ struct CycleZero {
     model = std::move(read).value();
     surfaces.emplace(model);
     contact::InitialCounters counters;
-    audit = contact::initialise_contacts(model, *surfaces, {}, counters);
+    contact::InitialOptions options;
+    options.segments = true;
+    audit = contact::initialise_contacts(model, *surfaces, options, counters);
   }
 
   /// The first cycle from coordinates `x` with what the audit has found (`found`: all, or nothing), all at rest.
@@ -75,7 +77,7 @@ using List = std::map<Key, std::pair<Outcome, double>>;
 List audit_list(const CycleZero& run) {
   List list;
   for (const Penetration& p : run.audit.penetrations)
-    if (listed_by_solver(p.kind) && ContactForces::calculates(run.model.contacts[p.contact]) &&
+    if ((listed_by_solver(p.kind) || p.kind == PenetrationKind::segment) && ContactForces::calculates(run.model.contacts[p.contact]) &&
         p.outcome != Outcome::moved)
       list[{p.contact, p.node}] = {p.outcome, p.depth};
   return list;
