@@ -86,8 +86,8 @@ Result<std::vector<std::string>> log_files(const std::vector<std::string>& given
   return files;
 }
 
-/// Judges the run by the result files beside its first log. Says what was not judged where the user may expect it: where
-/// there is any such file, or a directory was given.
+/// Judges the run by the result files beside its first log. Says what was not judged where the user may expect it:
+/// where there is any such file, or a directory was given.
 void judge(const Arguments& arguments, const std::string& first_file, Report& report, Diagnostics& diagnostics) {
   const std::string directory = std::filesystem::path(first_file).parent_path().string();
   const results::RunResults files = results::read_run_results(directory, false, diagnostics);
@@ -134,7 +134,8 @@ int show_logs(const Arguments& arguments) {
 }  // namespace
 
 void add_messag(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("messag", "Show what the solver's message files say of the contacts, and judge the run");
+  CLI::App* command =
+      app.add_subcommand("messag", "Show what the solver's message files say of the contacts, and judge the run");
   command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("FILE", arguments->files, "messag, mesNNNN, d3hsp, status.out files of one run, or its directory")

@@ -20,7 +20,8 @@ namespace gapcheck::app {
 /// CLI11 alone would take the largest number there is for ids beyond it.
 [[nodiscard]] std::string check_id(const std::string& text);
 
-// Every entry of --select and --ignore must pick a rule on decks, or on runs: a misspelt one would hide findings in silence.
+// Every entry of --select and --ignore must pick a rule on decks, or on runs: a misspelt one would hide findings in
+// silence.
 [[nodiscard]] std::string check_deck_rule(const std::string& text);
 [[nodiscard]] std::string check_run_rule(const std::string& text);
 

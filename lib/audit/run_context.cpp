@@ -43,8 +43,7 @@ void RunContext::skipped(const RuleInfo& rule, std::string_view why) {
   skips_.push_back(fmt::format("{} {}: {}", rule.id, rule.name, why));
 }
 
-Finding RunContext::finding(const RuleInfo& rule, std::string_view file, Severity severity,
-                            std::string message) const {
+Finding RunContext::finding(const RuleInfo& rule, std::string_view file, Severity severity, std::string message) const {
   Finding f = audit::finding(rule, std::move(message), files_.path(file), 0);
   f.severity = severity;
   return f;

@@ -15,7 +15,7 @@ struct SlidingState {
 
 /// Sliding energy of one contact, or of all together.
 struct SlidingHistory {
-  std::int64_t contact = 0;          ///< 0: all, from glstat
+  std::int64_t contact = 0;  ///< 0: all, from glstat
   std::string_view file = "sleout";
   bool without_friction = true;      ///< false: what friction has dissipated is in it
   std::vector<SlidingState> states;  ///< finite values only

@@ -67,8 +67,12 @@ void append_ties(const Comparison& comparison, std::string& out) {
   for (const ContactComparison& contact : comparison.contacts)
     if (contact.ties_compared) tied.push_back(&contact);
   if (tied.empty()) return;
-  constexpr std::array columns{Column{"untied nodes of contact"}, Column{"agree"},  Column{"other reason"},
-                               Column{"only A"},                  Column{"only B"}, Column{"", Align::left}};
+  constexpr std::array columns{Column{"untied nodes of contact"},
+                               Column{"agree"},
+                               Column{"other reason"},
+                               Column{"only A"},
+                               Column{"only B"},
+                               Column{"", Align::left}};
   out += '\n';
   append_table(
       columns, tied.size(),
@@ -121,8 +125,8 @@ void append_only(std::string_view side, const std::vector<std::string>& names, s
 }
 
 void append_pairs(const CurveComparison& curves, std::size_t rows, std::string& out) {
-  constexpr std::array columns{Column{"curve", Align::left}, Column{"relative"}, Column{"L2"},
-                               Column{"by at most"},         Column{"at time"},  Column{"largest A"},
+  constexpr std::array columns{Column{"curve", Align::left}, Column{"relative"},     Column{"L2"},
+                               Column{"by at most"},         Column{"at time"},      Column{"largest A"},
                                Column{"largest B"},          Column{"", Align::left}};
   append_table(
       columns, rows,
@@ -149,8 +153,7 @@ void append_curves(const CurveComparison& curves, std::size_t top, std::string& 
   }
   if (curves.end_first != curves.end_second)
     out += fmt::format("  A ends at time {:g}, B at {:g}\n", curves.end_first, curves.end_second);
-  if (curves.without_common_times > 0)
-    out += fmt::format("  without common times: {}\n", curves.without_common_times);
+  if (curves.without_common_times > 0) out += fmt::format("  without common times: {}\n", curves.without_common_times);
   append_only("A", curves.only_first, top, out);
   append_only("B", curves.only_second, top, out);
 }
@@ -172,8 +175,9 @@ std::string comparison_text(const Comparison& comparison, const Report& first, c
   const bool equal = comparison.equal() && (curves == nullptr || curves->differ == 0);
   out += equal ? "\nno differences" : "\nthe two differ";
   out += fmt::format(", {} node{} agree{}", agree, agree == 1 ? "" : "s", agree == 1 ? "s" : "");
-  if (curves != nullptr) out += fmt::format(", {} curve{} agree{}", curves->agree, curves->agree == 1 ? "" : "s",
-                                            curves->agree == 1 ? "s" : "");
+  if (curves != nullptr)
+    out += fmt::format(", {} curve{} agree{}", curves->agree, curves->agree == 1 ? "" : "s",
+                       curves->agree == 1 ? "s" : "");
   if (open > 0) out += fmt::format(", {} contact{} not compared", open, open == 1 ? "" : "s");
   return out + '\n';
 }

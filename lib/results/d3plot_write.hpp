@@ -14,10 +14,10 @@
 namespace gapcheck::results {
 
 struct D3plotWriteSettings {
-  bool deletion = false;  ///< states say which elements are deleted; otherwise none may be
   int word_bytes = 4;  ///< 4 or 8; ids beyond 32 bits are written in words of 8 whatever is asked for
   /// Words of a file of the family; a state that does not fit begins the next one, also where it is alone too large.
   std::uint64_t member_words = 7 * 512 * 512;
+  bool deletion = false;  ///< states say which elements are deleted; otherwise none may be
 };
 
 /// Writes a d3plot database: the first file holds the mesh and the parts' titles, files with 01, 02, … behind their

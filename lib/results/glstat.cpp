@@ -19,7 +19,6 @@ namespace {
 struct Row {
   std::string_view label;
   double GlobalState::*value = nullptr;
-  bool written_only = false;  ///< with erosion the solver's value is another one
 };
 
 constexpr std::array<Row, 8> rows_before_walls{{
@@ -50,14 +49,18 @@ std::string row(std::string_view label, double value) {
   return fmt::format(" {}{}\n", label, scientific(value, 14, 5));
 }
 
-std::string_view before_dots(std::string_view text) { return trimmed(text.substr(0, text.find(".."))); }
+/// Where the dots behind a label begin; a label that fills its columns has but one.
+std::size_t dots_of(std::string_view line) { return std::min(line.find(".."), line.find(". ")); }
 
-/// Where a row's value is kept; nullptr where it is not. Of the two ratios the one with eroded energy counts.
+std::string_view before_dots(std::string_view label) {
+  return trimmed(label.substr(0, label.find_last_not_of('.') + 1));
+}
+
+/// Where a row's value is kept; nullptr where it is not.
 double* place_of(std::string_view label, GlobalState& state) {
   for (const auto& rows : {std::span<const Row>(rows_before_walls), std::span<const Row>(rows_behind_walls)})
     for (const Row& entry : rows)
-      if (entry.value != nullptr && !entry.written_only && before_dots(entry.label) == label)
-        return &(state.*entry.value);
+      if (entry.value != nullptr && before_dots(entry.label) == label) return &(state.*entry.value);
   for (int axis = 0; axis < 3; ++axis)
     if (label == fmt::format("global {} velocity", "xyz"[axis])) return &state.velocity[axis];
   return nullptr;
@@ -114,9 +117,9 @@ std::vector<GlobalState> read_glstat(std::string_view text, const std::string& n
   for (; !file.done(); file.advance()) {
     const std::string_view line = trimmed(file.line());
     if (const auto given = cycle_of(line)) cycle = *given;
-    const std::size_t dots = line.find("..");
+    const std::size_t dots = dots_of(line);
     if (dots == std::string_view::npos) continue;
-    const std::string_view label = before_dots(line);
+    const std::string_view label = trimmed(line.substr(0, dots));
     std::string_view rest = line.substr(std::min(line.find_first_not_of('.', dots), line.size()));
     if (label == before_dots(rows_before_walls.front().label)) {
       drop_open();

@@ -28,6 +28,8 @@ double* place_of(std::string_view label, PartState& part) {
   if (label == "inten") return &part.internal;
   if (label == "kinen") return &part.kinetic;
   if (label == "hgeng") return &part.hourglass;
+  if (label == "eroded_ie") return &part.eroded_internal;
+  if (label == "eroded_he") return &part.eroded_hourglass;
   if (label.size() != 5 || label[0] < 'x' || label[0] > 'z') return nullptr;
   if (label.substr(1) == "-mom") return &part.momentum[label[0] - 'x'];
   return label.substr(1) == "-rbv" ? &part.velocity[label[0] - 'x'] : nullptr;

@@ -135,7 +135,7 @@ TEST_F(Messag, JudgesTheRunBesideItsLog) {
   EXPECT_TRUE(rules_in(bad).contains("GC601"));
   EXPECT_TRUE(rules_in(bad).contains("GC606"));
   EXPECT_NE(bad.err.find("gapcheck: note: run1: not judged: GC604"), std::string::npos) << bad.err;
-  EXPECT_EQ(rules_in(gapcheck("messag run1/messag --format json")), rules_in(bad)) << "a file's neighbours are read too";
+  EXPECT_EQ(rules_in(gapcheck("messag run1/messag --format json")), rules_in(bad)) << "its neighbours are read too";
   EXPECT_EQ(rules_in(gapcheck("messag run1 --format json --ignore GC6")), std::set<std::string>{"GC101"});
   EXPECT_EQ(rules_in(gapcheck("messag run1 --format json --select GC601")),
             (std::set<std::string>{"GC101", "GC601"}));

@@ -28,8 +28,7 @@ Report judged(const JudgedRun& run, const audit::JudgeOptions& options) {
 TEST(Judge, FindingsComeInOrderOfTheirRules) {
   const Report report = judged(bad_run(), {});
   ASSERT_GE(report.findings.size(), 4u);
-  for (std::size_t i = 1; i < report.findings.size(); ++i)
-    EXPECT_LE(report.findings[i - 1].id, report.findings[i].id);
+  for (std::size_t i = 1; i < report.findings.size(); ++i) EXPECT_LE(report.findings[i - 1].id, report.findings[i].id);
 }
 
 TEST(Judge, SelectAndIgnore) {

@@ -39,11 +39,17 @@ TEST(ReadGlstat, NumbersThatAreNone) {
   EXPECT_EQ(said(none), "") << "the run itself says that there is none";
 }
 
-TEST(ReadGlstat, TheRatioIsTheOneWithErodedEnergy) {
+TEST(ReadGlstat, ErodedEnergyAndBothRatios) {
   std::string text = two_states();
   const std::string row = "energy ratio w/o eroded energy.   1.0";
   text.replace(text.rfind(row), row.size(), "energy ratio w/o eroded energy.   7.0");
   EXPECT_EQ(read_glstat(text).back().ratio, 1);
+  EXPECT_EQ(read_glstat(text).back().ratio_without_eroded, 7);
+  GlobalState state;
+  state.eroded_internal = 2;
+  state.eroded_hourglass = 3;
+  EXPECT_EQ(read_glstat(glstat_text(state)).at(0).eroded_internal, 2);
+  EXPECT_EQ(read_glstat(glstat_text(state)).at(0).eroded_hourglass, 3);
 }
 
 TEST(ReadGlstat, RealRun) {

@@ -14,6 +14,8 @@ std::string two_states() {
   first.internal = 1.25;
   first.kinetic = 3e-110;
   first.hourglass = -0.5;
+  first.eroded_internal = 0.75;
+  first.eroded_hourglass = 8;
   first.momentum = {0, -2e-3, 4};
   second.part = 123456;
   second.velocity = {1, 2, 3};
@@ -34,6 +36,8 @@ TEST(ReadMatsum, IsReadBack) {
   EXPECT_EQ(first.internal, 1.25);
   EXPECT_EQ(first.kinetic, 3e-110);
   EXPECT_EQ(first.hourglass, -0.5);
+  EXPECT_EQ(first.eroded_internal, 0.75);
+  EXPECT_EQ(first.eroded_hourglass, 8);
   EXPECT_EQ(first.momentum, Vector(0, -2e-3, 4));
   EXPECT_EQ(history.states[1].parts[1].part, 123456);
   EXPECT_EQ(history.states[1].parts[1].velocity, Vector(1, 2, 3));

@@ -82,6 +82,7 @@ TEST_F(RealRun, NumbersAsGrepFindsThem) {
   EXPECT_EQ(run.title, "LS-DYNA SIMULERING AF VARME DER BUKKER PLADE - J. G");
   EXPECT_FALSE(run.mpp);
   EXPECT_EQ(run.termination, SolverRun::Termination::error);
+  EXPECT_EQ(read({"d3hsp"}).run->end_time, std::stod(grep(d3hsp_, R"(termination time\.+(.*))").at(0)));
   EXPECT_FALSE(run.counts_may_be_cut);
 }
 

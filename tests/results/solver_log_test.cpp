@@ -203,6 +203,8 @@ TEST(SolverLog, RunFacts) {
     Interf. ID         7 8.0486E-04    0.01     8.0900E-04    0.01
  Problem time       =    1.2000E-01
  Problem cycle      =        11
+    termination time...............................    0.2400E+03
+    termination cycle..............................       0
  Elapsed time   47971 seconds for54773890 cycles using  2 SMP threads
  N o r m a l    t e r m i n a t i o n                          05/15/26 13:26:17
 )");
@@ -211,6 +213,7 @@ TEST(SolverLog, RunFacts) {
   EXPECT_EQ(run.revision, "R16.1.1-20-g0c90cad538");
   EXPECT_EQ(run.platform, "OpenMPI 4.0.5 x86-64");
   EXPECT_EQ(run.precision, "Single precision (I4R4)");
+  EXPECT_EQ(run.end_time, 240);
   EXPECT_EQ(run.title, "Crash of a box");
   EXPECT_TRUE(run.mpp);
   EXPECT_EQ(run.ranks, 8u);

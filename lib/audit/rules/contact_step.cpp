@@ -41,8 +41,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
   if (side != nullptr && side->node != 0) who = fmt::format(" (surface {}, node {})", side->side, side->node);
   Finding f = context.finding(
       rule, "glstat", rule.severity,
-      fmt::format("the time step is up to {:.4g}, {:.3g} times the {:.4g} that the solver says should not be exceeded{}",
-                  largest->time_step, largest->time_step / limit, limit, who));
+      fmt::format(
+          "the time step is up to {:.4g}, {:.3g} times the {:.4g} that the solver says should not be exceeded{}",
+          largest->time_step, largest->time_step / limit, limit, who));
   if (side != nullptr) {
     f.node = side->node;
     f.part = side->part;

@@ -48,6 +48,8 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 }  // namespace
 
 const Rule energy_ratio{
-    {"GC603", "energy-ratio", Severity::warning, "energy appears or disappears: the ratio is far from 1"}, nullptr, judge};
+    {"GC603", "energy-ratio", Severity::warning, "energy appears or disappears: the ratio is far from 1"},
+    nullptr,
+    judge};
 
 }  // namespace gapcheck::audit

@@ -12,7 +12,8 @@ namespace gapcheck::audit {
 namespace {
 
 constexpr double largest_share = 0.10;  ///< of the peak internal energy, of the model or of the part
-constexpr double least_part = 0.01;     ///< parts whose hourglass energy is a smaller share of the model's energy do not count
+constexpr double least_part =
+    0.01;  ///< parts whose hourglass energy is a smaller share of the model's energy do not count
 
 struct PartPeaks {
   double hourglass = 0, internal = 0, time = 0;  ///< time: of the peak hourglass energy
@@ -38,31 +39,32 @@ void judge_model(const RuleInfo& rule, const RunContext& context, Report& report
   });
   const ReferenceEnergy& reference = context.reference();
   if (worst == states.end() || !(worst->hourglass > largest_share * reference.value)) return;
-  report.findings.push_back(context.finding(rule, "glstat", rule.severity,
-                                            fmt::format("the hourglass energy reaches {:.5g} at time {:.6g}: {}",
-                                                        worst->hourglass, worst->time,
-                                                        share_text(worst->hourglass, reference))));
+  report.findings.push_back(
+      context.finding(rule, "glstat", rule.severity,
+                      fmt::format("the hourglass energy reaches {:.5g} at time {:.6g}: {}", worst->hourglass,
+                                  worst->time, share_text(worst->hourglass, reference))));
 }
 
 void judge_parts(const RuleInfo& rule, const RunContext& context, Report& report) {
   const auto parts = peaks_of_parts(context.files().matsum);
   std::vector<Found> found;
   for (const auto& [part, peaks] : parts)
-    if (peaks.hourglass > largest_share * peaks.internal &&
-        peaks.hourglass > least_part * context.reference().value)
+    if (peaks.hourglass > largest_share * peaks.internal && peaks.hourglass > least_part * context.reference().value)
       found.push_back({0, peaks.hourglass, static_cast<std::uint64_t>(part)});
   const auto words = [&](const Found& f) {
     const auto part = static_cast<std::int64_t>(f.item);
     const PartPeaks& peaks = parts.at(part);
     Finding result = context.finding(
         rule, "matsum", rule.severity,
-        fmt::format("part {}: the hourglass energy reaches {:.5g} at time {:.6g}; the part's peak internal energy is {:.5g}",
-                    part, peaks.hourglass, peaks.time, peaks.internal));
+        fmt::format(
+            "part {}: the hourglass energy reaches {:.5g} at time {:.6g}; the part's peak internal energy is {:.5g}",
+            part, peaks.hourglass, peaks.time, peaks.internal));
     result.part = part;
     return result;
   };
   const auto rest = [&](const Found&, std::uint64_t count) {
-    return context.finding(rule, "matsum", rule.severity, fmt::format("{} more parts with much hourglass energy", count));
+    return context.finding(rule, "matsum", rule.severity,
+                           fmt::format("{} more parts with much hourglass energy", count));
   };
   add_grouped(report, std::move(found), words, rest);
 }
@@ -79,6 +81,8 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 }  // namespace
 
 const Rule hourglass_share{
-    {"GC604", "hourglass-share", Severity::warning, "hourglass energy is large beside internal energy"}, nullptr, judge};
+    {"GC604", "hourglass-share", Severity::warning, "hourglass energy is large beside internal energy"},
+    nullptr,
+    judge};
 
 }  // namespace gapcheck::audit

@@ -30,9 +30,8 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
     };
     const auto since = std::find_if(history.states.begin(), history.states.end(), negative);
     if (since == history.states.end()) continue;
-    const auto lowest = std::min_element(since, history.states.end(), [](const SlidingState& a, const SlidingState& b) {
-      return a.energy < b.energy;
-    });
+    const auto lowest = std::min_element(
+        since, history.states.end(), [](const SlidingState& a, const SlidingState& b) { return a.energy < b.energy; });
     const bool severe = lowest->energy < -error_share * reference.value;
     Finding f = context.finding(
         rule, history.file, severe ? Severity::error : Severity::warning,

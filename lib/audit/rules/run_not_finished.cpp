@@ -39,7 +39,8 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
     if (log.end_time > 0 && time > 0 && time < end_share * log.end_time)
       add(Severity::warning, "the run ended early" + place(time, log.end_time));
   } else if (!context.files().glstat.empty()) {
-    add(Severity::warning, "the log names no end: the run goes on, or was ended from outside" + place(time, log.end_time));
+    add(Severity::warning,
+        "the log names no end: the run goes on, or was ended from outside" + place(time, log.end_time));
   }
 }
 

@@ -18,9 +18,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
   if (reference.value == 0) return context.skipped(rule, "glstat has no energy to hold it against");
   if (!reference.of_elements) return context.skipped(rule, "the elements hardly deform: the share says nothing");
   for (const SlidingHistory& history : histories) {
-    const auto highest = std::max_element(
-        history.states.begin(), history.states.end(),
-        [](const SlidingState& a, const SlidingState& b) { return a.energy < b.energy; });
+    const auto highest =
+        std::max_element(history.states.begin(), history.states.end(),
+                         [](const SlidingState& a, const SlidingState& b) { return a.energy < b.energy; });
     if (highest == history.states.end() || !(highest->energy > note_share * reference.value)) continue;
     const bool large = highest->energy > warning_share * reference.value;
     Finding f = context.finding(rule, history.file, large ? Severity::warning : Severity::note,

@@ -48,8 +48,9 @@ void judge_jumps(const RuleInfo& rule, const RunContext& context, std::string_vi
   }
   if (worst == 0) return;
   const double size = jump(states[worst - 1], states[worst]);
-  std::string message = fmt::format("{} {:.5g} between time {:.6g} and {:.6g}, {:.3g} % of the peak energy, without work",
-                                    what, size, states[worst - 1].time, states[worst].time, 100 * (size / peak));
+  std::string message =
+      fmt::format("{} {:.5g} between time {:.6g} and {:.6g}, {:.3g} % of the peak energy, without work", what, size,
+                  states[worst - 1].time, states[worst].time, 100 * (size / peak));
   if (intervals > 1) message += fmt::format("; the largest of {} such jumps", intervals);
   report.findings.push_back(context.finding(rule, "glstat", rule.severity, std::move(message)));
 }

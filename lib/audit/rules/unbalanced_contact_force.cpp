@@ -41,7 +41,8 @@ bool measures_only(const RunContext& context, std::int64_t id) {
 }
 
 void judge(const RuleInfo& rule, RunContext& context, Report& report) {
-  if (context.files().rcforc.states.empty()) return context.skipped(rule, "there is no rcforc with forces of both sides");
+  if (context.files().rcforc.states.empty())
+    return context.skipped(rule, "there is no rcforc with forces of both sides");
   for (const auto& [id, balance] : balances(context)) {
     const double peak = std::max(balance.peak[0], balance.peak[1]);
     const bool one_sided = std::min(balance.peak[0], balance.peak[1]) == 0;

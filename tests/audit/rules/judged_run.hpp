@@ -17,7 +17,7 @@ struct JudgedRun {
   results::RunResults files;
   SolverRun log;
   std::vector<ContactSummary> contacts;
-  std::vector<std::int64_t> only;   ///< --contact
+  std::vector<std::int64_t> only;  ///< --contact
   std::vector<std::string> skips;  ///< what could not be judged
 
   JudgedRun() { files.directory = "out"; }
@@ -83,8 +83,6 @@ struct JudgedRun {
   }
 };
 
-inline bool says(const Finding& f, const std::string& words) {
-  return f.message.find(words) != std::string::npos;
-}
+inline bool says(const Finding& f, const std::string& words) { return f.message.find(words) != std::string::npos; }
 
 }  // namespace gapcheck::audit_test

@@ -28,8 +28,7 @@ TEST(SuddenEnergy, ImpactReboundAndLoadsAreExplained) {
 TEST(SuddenEnergy, TheTotalJumps) {
   const Finding f = run_of({{100, 0, 0, 0}, {100, 3, 0, 0}, {100, 13, 0, 0}, {100, 13, 0, 0}}).finding("GC606");
   EXPECT_EQ(f.severity, Severity::warning);
-  EXPECT_EQ(f.message,
-            "the total energy changes by 10 between time 1 and 2, 8.85 % of the peak energy, without work");
+  EXPECT_EQ(f.message, "the total energy changes by 10 between time 1 and 2, 8.85 % of the peak energy, without work");
   EXPECT_EQ(run_of({{100, 0, 0, 0}, {80, 0, 0, 0}}).findings("GC606").size(), 1u) << "downwards too";
 }
 
