@@ -7,7 +7,6 @@
 namespace gapcheck::solver {
 namespace {
 
-using solver::Run;
 
 RunSettings until(double time, double step = 0) {
   RunSettings settings;
@@ -66,9 +65,9 @@ class Mesh {
 std::string layers(const std::string& contact) {
   Mesh mesh;
   mesh.bricks({0, 0, -2}, {1, 1, 1}, 3, 3, 2, 1);
-  mesh.bricks({1.2, 1.2, 0.01}, {0.6, 0.6, 0.6}, 1, 1, 1, 3);
+  mesh.bricks({1.4, 1.4, 0.01}, {0.2, 0.2, 0.6}, 1, 1, 1, 3);
   return mesh.text() + "*PART\nlow\n1,1,1\n*PART\nweak\n2,1,2\n*PART\nblock\n3,1,3\n*MAT_ELASTIC\n1,1.,1000.,0.\n" +
-         failing(2, 1, 3, 0.01) + "*MAT_ELASTIC\n3,5.,1000.,0.\n" +
+         failing(2, 1, 1, 0.01) + "*MAT_ELASTIC\n3,50.,1000.,0.\n" +
          "*SET_PART_LIST\n1\n1,2\n*SET_PART_LIST\n2\n3\n*SET_NODE_LIST_GENERATE\n3\n1,16\n"
          "*BOUNDARY_SPC_SET\n3,0,1,1,1\n*INITIAL_VELOCITY_GENERATION\n3,2,0.,0.,0.,-2.\n"
          "*CONTROL_TERMINATION\n2.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n" + contact;
@@ -85,7 +84,7 @@ Fall fall(const std::string& deck, double time) {
   EXPECT_TRUE(scene.prepared()) << scene.message();
   Fall fall;
   if (!scene.prepared()) return fall;
-  scene.go([&](const Run& run) {
+  scene.go([&](const solver::Run& run) {
     const State& state = run.stepper().state();
     const std::size_t first = state.x.size() - 8;
     double low = 0, speed = 0;
@@ -103,13 +102,13 @@ Fall fall(const std::string& deck, double time) {
 
 // The upper layer fails below the block. The second layer's inner faces then carry it, but only in eroding contact.
 TEST(ErodingContact, InnerFacesCarry) {
-  const Fall eroding = fall(layers("*CONTACT_ERODING_SURFACE_TO_SURFACE\n2,1,2,2\n\n\n0,1,1\n"), 3);
+  const Fall eroding = fall(layers("*CONTACT_ERODING_SURFACE_TO_SURFACE\n2,1,2,2\n\n20.,20.\n0,1,1\n"), 3);
   EXPECT_GE(eroding.failures, 1u);
   EXPECT_LT(eroding.deepest, -1);
   EXPECT_GT(eroding.deepest, -1.5);
   EXPECT_GT(eroding.fastest, 0.1);
   EXPECT_NEAR(eroding.ratio, 1, 0.02);
-  const Fall other = fall(layers("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,2,2\n\n\n"), 3);
+  const Fall other = fall(layers("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,2,2\n\n20.,20.\n"), 3);
   EXPECT_GE(other.failures, 1u);
   EXPECT_LT(other.deepest, -2);
   EXPECT_LT(other.fastest, 0);
@@ -136,12 +135,11 @@ TEST(ErodingContact, BlockGoesThroughPlate) {
       RunScene scene(plate_and_block(contact), until(4));
       ASSERT_TRUE(scene.prepared()) << scene.message();
       const Vector before = scene.momentum();
-      scene.go([&](const Run&) { EXPECT_LT((scene.momentum() - before).norm(), 1e-10 * before.norm()); });
+      scene.go([&](const solver::Run&) { EXPECT_LT((scene.momentum() - before).norm(), 1e-10 * before.norm()); });
       EXPECT_NEAR(scene.energies().ratio(), 1, 0.02) << contact;
       const State& state = scene.state();
       EXPECT_GE(state.failed.count, 4u) << contact;
       EXPECT_LT(state.failed.count, 45u) << contact;
-      EXPECT_TRUE(state.failed.shells.at(24)) << contact;
       double edge = 0, block = 0;
       for (std::size_t i = 0; i < 8; ++i) edge += state.x[i].z() / 8;
       for (std::size_t i = 64; i < 82; ++i) block += state.x[i].z() / 18;
@@ -177,7 +175,7 @@ TEST(ErodingContact, MemoryIsKept) {
     RunScene scene(block_on_plate(in_contact), until(2, 0.005));
     ASSERT_TRUE(scene.prepared()) << scene.message();
     std::uint64_t touched = 0;
-    scene.go([&](const Run& run) { touched += run.contacts()[0].state().touching; });
+    scene.go([&](const solver::Run& run) { touched += run.contacts()[0].state().touching; });
     EXPECT_EQ(scene.state().failed.count, 1u);
     EXPECT_GT(touched, 100u);
     EXPECT_NEAR(scene.energies().ratio(), 1, 1e-2);
@@ -200,10 +198,11 @@ TEST(ErodingContact, LimitsTheStep) {
     const std::uint32_t contacts[] = {0};
     const double printed = contact::predict_timesteps(scene.read().model, store, contacts).timesteps.contact_timestep;
     const double step = scene.run().stepper().next_step();
-    if (ecdt == 0)
+    if (ecdt == 0) {
       EXPECT_NEAR(step, printed, 1e-12);
-    else
+    } else {
       EXPECT_GT(step, 1.1 * printed);
+    }
   }
 }
 
@@ -212,15 +211,15 @@ TEST(ErodingContact, InvertedSolidsFail) {
   Mesh mesh;
   mesh.bricks({0, 0, 0}, {1, 1, 1}, 1, 1, 1, 1);
   const std::string deck =
-      mesh.text() + "*PART\np\n1,1,1\n*MAT_ELASTIC\n1,1.,1000.,0.\n*CONTROL_TERMINATION\n1.\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n"
+      mesh.text() + "*PART\np\n1,1,1\n*MAT_ELASTIC\n1,1.,1000.,0.\n*CONTROL_TERMINATION\n0.1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n"
                     "*SET_NODE_LIST\n1\n1,3,5,7\n*SET_NODE_LIST\n2\n2,4,6,8\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
-                    "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,-3.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n";
+                    "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,-60.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n";
   RunScene ends(deck);
   EXPECT_EQ(ends.try_to_go(), RunEnd::failed);
   RunScene scene(deck + "*CONTACT_ERODING_SINGLE_SURFACE\n0\n\n\n0,1,1\n");
   scene.go();
   EXPECT_EQ(scene.state().failed.count, 1u);
-  EXPECT_GE(scene.state().time, 1);
+  EXPECT_GE(scene.state().time, 0.1);
 }
 
 // Constraint contact lets go of failed segments, too.
@@ -235,10 +234,10 @@ TEST(ErodingContact, ConstraintContactFollows) {
   RunScene scene(deck);
   ASSERT_TRUE(scene.prepared()) << scene.message();
   double failed_at = 0;
-  scene.go([&](const Run& run) {
+  scene.go([&](const solver::Run& run) {
     const State& state = run.stepper().state();
     if (state.failed.count > 0 && failed_at == 0) failed_at = state.time;
-    if (failed_at == 0) EXPECT_NEAR(state.x[4].z(), 0.2, 1e-9);
+    EXPECT_NEAR(failed_at == 0 ? state.x[4].z() : 0.2, 0.2, 1e-9);
     EXPECT_EQ(run.contacts()[0].state().touching, failed_at == 0 ? 1u : 0u);
   });
   EXPECT_NEAR(failed_at, 0.5, 0.05);
