@@ -19,7 +19,6 @@ namespace {
 struct Row {
   std::string_view label;
   double GlobalState::*value = nullptr;
-  bool written_only = false;  ///< with erosion the solver's value is another one
 };
 
 constexpr std::array<Row, 8> rows_before_walls{{
@@ -56,7 +55,7 @@ std::string_view before_dots(std::string_view text) { return trimmed(text.substr
 double* place_of(std::string_view label, GlobalState& state) {
   for (const auto& rows : {std::span<const Row>(rows_before_walls), std::span<const Row>(rows_behind_walls)})
     for (const Row& entry : rows)
-      if (entry.value != nullptr && !entry.written_only && before_dots(entry.label) == label)
+      if (entry.value != nullptr && before_dots(entry.label) == label)
         return &(state.*entry.value);
   for (int axis = 0; axis < 3; ++axis)
     if (label == fmt::format("global {} velocity", "xyz"[axis])) return &state.velocity[axis];

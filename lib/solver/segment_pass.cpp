@@ -85,6 +85,20 @@ double SegmentPass::update(State& state, double used, ContactCounters& counters)
   return moved;
 }
 
+void SegmentPass::carry_over(InterfacePass& before, const State& state, ContactState& result) {
+  ContactPass::carry_over(before, state, result);
+  const auto* const old = dynamic_cast<SegmentPass*>(&before);
+  if (old == nullptr) return;
+  first_ = old->first_;
+  const std::vector<NodeIndex>& now = side().scene().nodes.node;
+  const std::vector<NodeIndex>& was = old->side().scene().nodes.node;
+  std::size_t at = 0;  // both ascend
+  for (std::size_t slot = 0; slot < was.size(); ++slot) {
+    while (at < now.size() && now[at].value < was[slot].value) ++at;
+    if (at < now.size() && now[at] == was[slot]) side_[at] = old->side_[slot];
+  }
+}
+
 void SegmentPass::rest(const State& state, ContactState& result) {
   ContactPass::rest(state, result);
   side_.assign(side_.size(), Vector::Zero());

@@ -18,6 +18,7 @@ class SegmentPass : public ContactPass {
   void remember(const Penetration& /*record*/, const contact::NodeContact& /*memory*/) override {}
   void set_timestep(double timestep) override;
   double update(State& state, double used, ContactCounters& counters) override;
+  void carry_over(InterfacePass& before, const State& state, ContactState& result) override;
   void rest(const State& state, ContactState& result) override;
 
  protected:

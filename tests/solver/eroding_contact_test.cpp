@@ -7,7 +7,6 @@
 namespace gapcheck::solver {
 namespace {
 
-
 RunSettings until(double time, double step = 0) {
   RunSettings settings;
   settings.until = time;
@@ -34,8 +33,8 @@ class Mesh {
       for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i) {
           const int a = first + i + (nx + 1) * j + up * k, b = a + nx + 1;
-          solids_ += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", element_++, first_part + k, a, a + 1, b + 1, b, a + up,
-                                 a + 1 + up, b + 1 + up, b + up);
+          solids_ += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", element_++, first_part + k, a, a + 1, b + 1, b,
+                                 a + up, a + 1 + up, b + 1 + up, b + up);
         }
     return first;
   }
@@ -70,7 +69,8 @@ std::string layers(const std::string& contact) {
          failing(2, 1, 1, 0.01) + "*MAT_ELASTIC\n3,50.,1000.,0.\n" +
          "*SET_PART_LIST\n1\n1,2\n*SET_PART_LIST\n2\n3\n*SET_NODE_LIST_GENERATE\n3\n1,16\n"
          "*BOUNDARY_SPC_SET\n3,0,1,1,1\n*INITIAL_VELOCITY_GENERATION\n3,2,0.,0.,0.,-2.\n"
-         "*CONTROL_TERMINATION\n2.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n" + contact;
+         "*CONTROL_TERMINATION\n2.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n" +
+         contact;
 }
 
 struct Fall {
@@ -164,8 +164,8 @@ std::string block_on_plate(bool in_contact) {
          fmt::format("*SET_NODE_LIST\n2\n{},{}\n*SET_NODE_LIST\n3\n{},{}\n", strip, strip + 2, strip + 1, strip + 3) +
          "*BOUNDARY_SPC_SET\n2,0,1,1,1,1,1,1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n"
          "*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,0,1,0.02\n*LOAD_BODY_Z\n1,2.\n*LOAD_BODY_X\n1,0.5\n"
-         "*CONTROL_TERMINATION\n2.\n*SET_PART_LIST\n1\n1" + (in_contact ? ",3" : "") +
-         "\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,2\n0.3,0.3\n\n";
+         "*CONTROL_TERMINATION\n2.\n*SET_PART_LIST\n1\n1" +
+         (in_contact ? ",3" : "") + "\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,2\n0.3,0.3\n\n";
 }
 
 // Surfaces that are built again lose nothing: the block does not see that a shell far away has failed.
@@ -211,9 +211,10 @@ TEST(ErodingContact, InvertedSolidsFail) {
   Mesh mesh;
   mesh.bricks({0, 0, 0}, {1, 1, 1}, 1, 1, 1, 1);
   const std::string deck =
-      mesh.text() + "*PART\np\n1,1,1\n*MAT_ELASTIC\n1,1.,1000.,0.\n*CONTROL_TERMINATION\n0.1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n"
-                    "*SET_NODE_LIST\n1\n1,3,5,7\n*SET_NODE_LIST\n2\n2,4,6,8\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
-                    "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,-60.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n";
+      mesh.text() +
+      "*PART\np\n1,1,1\n*MAT_ELASTIC\n1,1.,1000.,0.\n*CONTROL_TERMINATION\n0.1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n"
+      "*SET_NODE_LIST\n1\n1,3,5,7\n*SET_NODE_LIST\n2\n2,4,6,8\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
+      "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,-60.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n";
   RunScene ends(deck);
   EXPECT_EQ(ends.try_to_go(), RunEnd::failed);
   RunScene scene(deck + "*CONTACT_ERODING_SINGLE_SURFACE\n0\n\n\n0,1,1\n");
@@ -229,8 +230,10 @@ TEST(ErodingContact, ConstraintContactFollows) {
   const std::string deck =
       mesh.text() + "*NODE\n100,0.3,0.5,0.2\n*ELEMENT_MASS\n100,100,1.\n*PART\np\n1,2,1\n" + failing(1, 1, 1, 0.05) +
       "*SET_NODE_LIST\n1\n1,3\n*SET_NODE_LIST\n2\n2,4\n*SET_NODE_LIST\n3\n100\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n"
-      "*BOUNDARY_SPC_SET\n2,0,0,1,1,1,1,1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,0.1\n"
-      "*LOAD_NODE_POINT\n100,3,1,-1.\n*CONTACT_CONSTRAINT_NODES_TO_SURFACE\n3,1,4,3\n\n\n0\n*CONTROL_TERMINATION\n1.5\n";
+      "*BOUNDARY_SPC_SET\n2,0,0,1,1,1,1,1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,0."
+      "1\n"
+      "*LOAD_NODE_POINT\n100,3,1,-1.\n*CONTACT_CONSTRAINT_NODES_TO_SURFACE\n3,1,4,3\n\n\n0\n*CONTROL_TERMINATION\n1."
+      "5\n";
   RunScene scene(deck);
   ASSERT_TRUE(scene.prepared()) << scene.message();
   double failed_at = 0;

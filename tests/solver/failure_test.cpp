@@ -6,7 +6,6 @@
 namespace gapcheck::solver {
 namespace {
 
-
 RunSettings cycles(std::uint64_t count) {
   RunSettings settings;
   settings.cycles = count;
@@ -58,8 +57,8 @@ std::string pulled(bool solid) {
          "*SET_NODE_LIST\n1\n1,3\n*SET_NODE_LIST\n2\n2,4\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n";
 }
 
-// Uniaxial, ν = 0 in the elastic range: it fails where log strain less σ/E has reached the failure strain, and takes no more
-// work from then on.
+// Uniaxial, ν = 0 in the elastic range: it fails where log strain less σ/E has reached the failure strain, and takes no
+// more work from then on.
 TEST(Failure, PulledElementFails) {
   for (const bool solid : {false, true}) {
     RunScene scene(pulled(solid));
@@ -87,10 +86,11 @@ TEST(Failure, PulledElementFails) {
 
 // A bar whose middle is weak is torn apart: momentum stays, energies stay in balance, the halves go on as they were.
 TEST(Failure, BarTornApart) {
-  std::string deck = brick_bar(5, {1, 1, 1}) + "*PART\np\n1,1,1\n*PART\nweak\n2,1,2\n*SECTION_SOLID\n1,1\n" +
-                     "*MAT_ELASTIC\n1,1.,1000.,0.\n" + failing(2, 1000, 5, 0.05) +
-                     "*INITIAL_VELOCITY_GENERATION\n1,3,0.,1.,0.5,0.\n*SET_NODE_LIST\n1\n4,5,6,10,11,12,16,17\n18,22,23,24\n"
-                     "*CONTROL_TERMINATION\n2.\n";
+  std::string deck =
+      brick_bar(5, {1, 1, 1}) + "*PART\np\n1,1,1\n*PART\nweak\n2,1,2\n*SECTION_SOLID\n1,1\n" +
+      "*MAT_ELASTIC\n1,1.,1000.,0.\n" + failing(2, 1000, 5, 0.05) +
+      "*INITIAL_VELOCITY_GENERATION\n1,3,0.,1.,0.5,0.\n*SET_NODE_LIST\n1\n4,5,6,10,11,12,16,17\n18,22,23,24\n"
+      "*CONTROL_TERMINATION\n2.\n";
   deck.replace(deck.find("\n3,1,"), 5, "\n3,2,");
   RunSettings constant;
   constant.step.greatest_step = 0.005;
