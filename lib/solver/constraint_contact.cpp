@@ -113,6 +113,7 @@ void ConstraintContact::add_passes(Interface& interface) {
 
 void ConstraintContact::erode(const State& state) {
   failures_ = state.failed.count;
+  at_ = state.x;  // also of nodes inside the solids, for their volumes
   const contact::GoneElements gone{state.failed.shells, state.failed.solids};
   for (Interface& interface : interfaces_) {
     auto left =

@@ -1,6 +1,9 @@
 #include "contact/erosion.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "../model/read.hpp"
 
