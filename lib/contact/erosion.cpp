@@ -98,7 +98,8 @@ class SideErosion {
     for (std::size_t i = 0; i < s.size(); ++i) kept[i] = !is_gone(gone_, s.element_kind[i], s.element[i]);
     keep_segments(s, kept);
     const std::size_t first = s.size() - side.lines;
-    const std::size_t added = inner_faces && (whole_parts(input_) || (input_.id == 0 && input_.box == 0)) ? add_faces(side, first) : 0;
+    const std::size_t added =
+        inner_faces && (whole_parts(input_) || (input_.id == 0 && input_.box == 0)) ? add_faces(side, first) : 0;
     erode_nodes(side);
     if (side.nodes.size() > 0 || start_.nodes.size() > 0) add_nodes(side.nodes, s, first, added);
   }

@@ -107,16 +107,17 @@ void ConstraintContact::add_passes(Interface& interface) {
   const bool both = interface.surfaces->type.treatment == contact::Treatment::two_way;
   for (const bool exchanged : {false, true})
     if (!exchanged || both)
-      interface.passes.push_back(std::make_unique<ConstraintPass>(
-          model_, interface.contact, *interface.surfaces, exchanged, *search_, ties_, movable_, at_));
+      interface.passes.push_back(std::make_unique<ConstraintPass>(model_, interface.contact, *interface.surfaces,
+                                                                  exchanged, *search_, ties_, movable_, at_));
 }
 
 void ConstraintContact::erode(const State& state) {
   failures_ = state.failed.count;
+  at_ = state.x;  // also of nodes inside the solids, for their volumes
   const contact::GoneElements gone{state.failed.shells, state.failed.solids};
   for (Interface& interface : interfaces_) {
-    auto left = std::make_unique<contact::ContactSurfaces>(
-        store_.erode(interface.contact, *interface.surfaces, gone, state.x));
+    auto left =
+        std::make_unique<contact::ContactSurfaces>(store_.erode(interface.contact, *interface.surfaces, gone, state.x));
     std::vector<std::unique_ptr<ConstraintPass>> before;
     before.swap(interface.passes);
     std::swap(interface.own, left);  // the old passes still see the old ones
@@ -197,7 +198,9 @@ bool ConstraintContact::add_constraints() {
                                               [&](const Origin& a, const Origin& b) { return place(a) < place(b); });
         if (there) continue;
         SurfaceConstraint c = hit.constraint;
-        const auto relative = [&](const std::vector<Vector>& way) { return Vector(way[c.node.value] - c.segment.of(way)); };
+        const auto relative = [&](const std::vector<Vector>& way) {
+          return Vector(way[c.node.value] - c.segment.of(way));
+        };
         const Vector moved = relative(response_.moved);
         c.slip = relative(way_);
         // What has been behind is not thrown out: reactions take no more than the way into the surface.

@@ -21,10 +21,10 @@ namespace gapcheck::solver {
 /// back onto the surface without force. Momentum is kept, energy is lost in impacts. See docs/theory.
 class ConstraintContact : public Force, public ContactSource {
  public:
-  /// Nothing where the model has no such contact; a failure where one has nodes of rigid bodies or welds. `surfaces` and
-  /// `initial` are of this model and of one initialisation; the calculation must start from initial.x. Uses the
-  /// constraints that the structure has by now. `movable`: by node, whether it may be moved back. Model and surfaces must
-  /// outlive it.
+  /// Nothing where the model has no such contact; a failure where one has nodes of rigid bodies or welds. `surfaces`
+  /// and `initial` are of this model and of one initialisation; the calculation must start from initial.x. Uses the
+  /// constraints that the structure has by now. `movable`: by node, whether it may be moved back. Model and surfaces
+  /// must outlive it.
   static std::variant<std::unique_ptr<ConstraintContact>, Failure> create(const model::Model& model,
                                                                           contact::SurfaceStore& surfaces,
                                                                           const contact::InitialState& initial,

@@ -120,16 +120,15 @@ ConstraintPass::Hit ConstraintPass::hit(std::uint32_t slot, const Meeting& meeti
   const std::uint32_t segment = meeting.hit->segment;
   Hit hit;
   hit.slot = slot;
-  hit.depth = scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.pair.distance -
-              memory_[slot].contact.forgiven;
+  hit.depth =
+      scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.pair.distance - memory_[slot].contact.forgiven;
   SurfaceConstraint& c = hit.constraint;
   c.node = scene_.nodes.node[slot];
   c.normal = contact::free_direction(scene_, slot, segment, meeting.pair);
   c.segment = point_of(scene_.segments.nodes[segment], meeting.pair.closest);
   hit.area = contact::area(scene_.segments.nodes[segment], scene_.x);
   if (friction_.any())
-    hit.friction =
-        friction_.between(scene_.nodes.part[slot], contact::part_of(model_.mesh, scene_.segments, segment));
+    hit.friction = friction_.between(scene_.nodes.part[slot], contact::part_of(model_.mesh, scene_.segments, segment));
   return hit;
 }
 
@@ -154,8 +153,8 @@ void ConstraintPass::carry_over(const ConstraintPass& before) {
   const std::vector<NodeIndex>& nodes = scene_.nodes.node;
   for (std::size_t slot = 0; slot < before.memory_.size(); ++slot) {
     const NodeIndex node = before.scene_.nodes.node[slot];
-    const auto at = std::lower_bound(nodes.begin(), nodes.end(), node,
-                                     [](NodeIndex a, NodeIndex b) { return a.value < b.value; });
+    const auto at =
+        std::lower_bound(nodes.begin(), nodes.end(), node, [](NodeIndex a, NodeIndex b) { return a.value < b.value; });
     if (at == nodes.end() || *at != node) continue;
     Memory& memory = memory_[static_cast<std::size_t>(at - nodes.begin())];
     memory.contact = before.memory_[slot].contact;

@@ -15,8 +15,8 @@ namespace gapcheck::solver {
 /// segment a node meets, and what becomes of it, is decided by lib/contact.
 class ConstraintPass {
  public:
-  /// `x`: the coordinates that count whenever something is asked for; of the start when it is built. All references must
-  /// outlive it.
+  /// `x`: the coordinates that count whenever something is asked for; of the start when it is built. All references
+  /// must outlive it.
   ConstraintPass(const model::Model& model, std::uint32_t contact, const contact::ContactSurfaces& surfaces,
                  bool exchanged, const contact::CandidateSearch& search, const contact::Ties& ties,
                  const std::vector<bool>& movable, const std::vector<Vector>& x);
@@ -37,7 +37,7 @@ class ConstraintPass {
   /// A node that is behind a segment.
   struct Hit {
     std::uint32_t slot = 0;
-    double depth = 0;  ///< beyond what is forgiven
+    double depth = 0;              ///< beyond what is forgiven
     SurfaceConstraint constraint;  ///< without depth and slip
     double area = 0;               ///< of the segment
     model::FrictionLaw friction;

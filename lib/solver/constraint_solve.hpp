@@ -11,11 +11,11 @@ namespace gapcheck::solver {
 /// reactions add over that step.
 struct SurfaceConstraint {
   NodeIndex node;
-  ContactPoint segment;           ///< each node once
+  ContactPoint segment;             ///< each node once
   Vector normal = Vector::UnitZ();  ///< from the segment to the node's side
-  double depth = 0;               ///< the displacement of the node against the segment along `normal` that is needed
-  Vector slip = Vector::Zero();   ///< displacement of the node against the segment over the step without reactions
-  double friction = 0;            ///< coefficient
+  double depth = 0;                 ///< the displacement of the node against the segment along `normal` that is needed
+  Vector slip = Vector::Zero();     ///< displacement of the node against the segment over the step without reactions
+  double friction = 0;              ///< coefficient
   double greatest_shear = std::numeric_limits<double>::infinity();
   double push = 0;                ///< result: reaction along `normal`, never below zero
   Vector shear = Vector::Zero();  ///< result: reaction across it, at most friction * push and greatest_shear

@@ -177,8 +177,9 @@ void ContactForces::erode(const State& state) {
     interface.surfaces = interface.own.get();
     add_passes(interface, state.x);
     const double fixed = model_.contacts[interface.contact].dtstif;
+    const double timestep = fixed > 0 ? fixed : interface.step > 0 ? interface.step : first_step_;
     for (std::size_t k = 0; k < interface.passes.size(); ++k) {
-      interface.passes[k]->set_timestep(fixed > 0 ? fixed : interface.step > 0 ? interface.step : first_step_);
+      interface.passes[k]->set_timestep(timestep);
       interface.passes[k]->carry_over(*before[k], state, states_[i]);
     }
   }

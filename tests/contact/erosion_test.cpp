@@ -1,6 +1,9 @@
 #include "contact/erosion.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "../model/read.hpp"
 
@@ -20,7 +23,8 @@ std::string row(const std::string& contact, const std::string& more = "") {
   }
   return nodes + "101,-1.,0.,0.\n102,-1.,1.,0.\n103,-1.,1.,1.\n104,-1.,0.,1.\n105,-1.,2.,0.\n106,-1.,2.,1.\n" + solids +
          "*ELEMENT_SHELL\n11,2,101,102,103,104\n12,2,102,105,106,103\n"
-         "*PART\nrow\n1,1,1\n*PART\nplate\n2,2,1\n*SECTION_SOLID\n1,1\n*SECTION_SHELL\n2,2\n0.1\n*MAT_ELASTIC\n1,1.,1.,0.\n" +
+         "*PART\nrow\n1,1,1\n*PART\nplate\n2,2,1\n*SECTION_SOLID\n1,1\n*SECTION_SHELL\n2,2\n0.1\n*MAT_ELASTIC\n1,1.,1.,"
+         "0.\n" +
          contact + more;
 }
 
@@ -45,7 +49,8 @@ bool tracks(const ContactSide& side, std::uint32_t node) {
   return std::find(nodes.begin(), nodes.end(), NodeIndex{node}) != nodes.end();
 }
 
-// The first brick of the row fails: its five outer faces go, the one between it and the second comes, turned to where it was.
+// The first brick of the row fails: its five outer faces go, the one between it and the second comes, turned to where
+// it was.
 TEST(Erosion, InnerFacesOpen) {
   const Eroded e = erode(row(eroding), {}, {true, false, false});
   EXPECT_EQ(segments(e.start.a), 14u);
@@ -57,8 +62,10 @@ TEST(Erosion, InnerFacesOpen) {
     const auto& x = e.read.model.mesh.nodes.x;
     const Vector normal =
         (x[s.nodes[i][2].value] - x[s.nodes[i][0].value]).cross(x[s.nodes[i][3].value] - x[s.nodes[i][1].value]);
-    if (normal.x() < -0.5) ++opened;
-    if (normal.x() < -0.5) EXPECT_EQ(x[s.nodes[i][0].value].x(), 1);
+    if (normal.x() < -0.5) {
+      ++opened;
+      EXPECT_EQ(x[s.nodes[i][0].value].x(), 1);
+    }
     EXPECT_EQ(s.kind[i], SegmentKind::solid);
     EXPECT_EQ(s.half[i], 0);
   }
@@ -111,7 +118,9 @@ TEST(Erosion, StepByStepAsAtOnce) {
       std::sort(nodes.begin(), nodes.end(), [](NodeIndex a, NodeIndex b) { return a.value < b.value; });
       sorted.push_back(nodes);
     }
-    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a[0].value < b[0].value || (a[0] == b[0] && a[1].value < b[1].value); });
+    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+      return a[0].value < b[0].value || (a[0] == b[0] && a[1].value < b[1].value);
+    });
     return sorted;
   };
   EXPECT_EQ(keys(left.a), keys(once.left.a));

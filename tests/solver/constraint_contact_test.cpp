@@ -35,8 +35,7 @@ RunSettings cycles(std::uint64_t count, double step = 1e-3) {
 
 const ContactState& contact(const RunScene& scene) { return scene.run().contacts()[0].state(); }
 
-const std::string hold_row =
-    "*SET_NODE_GENERAL\n5\nPART,1\n*BOUNDARY_SPC_SET\n5,0,1,1,1,1,1,1\n";
+const std::string hold_row = "*SET_NODE_GENERAL\n5\nPART,1\n*BOUNDARY_SPC_SET\n5,0,1,1,1,1,1,1\n";
 
 // A node thrown at a held plate lies on it afterwards; it gives m v and ½ m v² to it.
 TEST(ConstraintContact, NodeStopsOnHeldPlate) {
@@ -212,7 +211,8 @@ TEST(ConstraintContact, BlockAtRestUnderGravity) {
     since += run.stepper().next_step();
     for (std::size_t i = 8; i < 12; ++i) {
       const double s = x[i].x(), t = x[i].y();
-      const double surface = (1 - s) * (1 - t) * x[4].z() + s * (1 - t) * x[5].z() + (1 - s) * t * x[6].z() + s * t * x[7].z();
+      const double surface =
+          (1 - s) * (1 - t) * x[4].z() + s * (1 - t) * x[5].z() + (1 - s) * t * x[6].z() + s * t * x[7].z();
       widest = std::max(widest, std::abs(x[i].z() - surface));
     }
   });

@@ -1,4 +1,7 @@
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "base/parallel.hpp"
@@ -6,8 +9,6 @@
 
 namespace gapcheck::solver {
 namespace {
-
-using solver::Run;
 
 RunSettings until(double time, double step = 0) {
   RunSettings settings;
@@ -35,8 +36,8 @@ class Mesh {
       for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i) {
           const int a = first + i + (nx + 1) * j + up * k, b = a + nx + 1;
-          solids_ += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", element_++, first_part + k, a, a + 1, b + 1, b, a + up,
-                                 a + 1 + up, b + 1 + up, b + up);
+          solids_ += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", element_++, first_part + k, a, a + 1, b + 1, b,
+                                 a + up, a + 1 + up, b + 1 + up, b + up);
         }
     return first;
   }
@@ -66,12 +67,13 @@ class Mesh {
 std::string layers(const std::string& contact) {
   Mesh mesh;
   mesh.bricks({0, 0, -2}, {1, 1, 1}, 3, 3, 2, 1);
-  mesh.bricks({1.2, 1.2, 0.01}, {0.6, 0.6, 0.6}, 1, 1, 1, 3);
+  mesh.bricks({1.4, 1.4, 0.01}, {0.2, 0.2, 0.6}, 1, 1, 1, 3);
   return mesh.text() + "*PART\nlow\n1,1,1\n*PART\nweak\n2,1,2\n*PART\nblock\n3,1,3\n*MAT_ELASTIC\n1,1.,1000.,0.\n" +
-         failing(2, 1, 3, 0.01) + "*MAT_ELASTIC\n3,5.,1000.,0.\n" +
+         failing(2, 1, 1, 0.01) + "*MAT_ELASTIC\n3,50.,1000.,0.\n" +
          "*SET_PART_LIST\n1\n1,2\n*SET_PART_LIST\n2\n3\n*SET_NODE_LIST_GENERATE\n3\n1,16\n"
          "*BOUNDARY_SPC_SET\n3,0,1,1,1\n*INITIAL_VELOCITY_GENERATION\n3,2,0.,0.,0.,-2.\n"
-         "*CONTROL_TERMINATION\n2.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n" + contact;
+         "*CONTROL_TERMINATION\n2.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n" +
+         contact;
 }
 
 struct Fall {
@@ -85,7 +87,7 @@ Fall fall(const std::string& deck, double time) {
   EXPECT_TRUE(scene.prepared()) << scene.message();
   Fall fall;
   if (!scene.prepared()) return fall;
-  scene.go([&](const Run& run) {
+  scene.go([&](const solver::Run& run) {
     const State& state = run.stepper().state();
     const std::size_t first = state.x.size() - 8;
     double low = 0, speed = 0;
@@ -103,13 +105,13 @@ Fall fall(const std::string& deck, double time) {
 
 // The upper layer fails below the block. The second layer's inner faces then carry it, but only in eroding contact.
 TEST(ErodingContact, InnerFacesCarry) {
-  const Fall eroding = fall(layers("*CONTACT_ERODING_SURFACE_TO_SURFACE\n2,1,2,2\n\n\n0,1,1\n"), 3);
+  const Fall eroding = fall(layers("*CONTACT_ERODING_SURFACE_TO_SURFACE\n2,1,2,2\n\n20.,20.\n0,1,1\n"), 3);
   EXPECT_GE(eroding.failures, 1u);
   EXPECT_LT(eroding.deepest, -1);
   EXPECT_GT(eroding.deepest, -1.5);
   EXPECT_GT(eroding.fastest, 0.1);
   EXPECT_NEAR(eroding.ratio, 1, 0.02);
-  const Fall other = fall(layers("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,2,2\n\n\n"), 3);
+  const Fall other = fall(layers("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,2,2\n\n20.,20.\n"), 3);
   EXPECT_GE(other.failures, 1u);
   EXPECT_LT(other.deepest, -2);
   EXPECT_LT(other.fastest, 0);
@@ -136,12 +138,11 @@ TEST(ErodingContact, BlockGoesThroughPlate) {
       RunScene scene(plate_and_block(contact), until(4));
       ASSERT_TRUE(scene.prepared()) << scene.message();
       const Vector before = scene.momentum();
-      scene.go([&](const Run&) { EXPECT_LT((scene.momentum() - before).norm(), 1e-10 * before.norm()); });
+      scene.go([&](const solver::Run&) { EXPECT_LT((scene.momentum() - before).norm(), 1e-10 * before.norm()); });
       EXPECT_NEAR(scene.energies().ratio(), 1, 0.02) << contact;
       const State& state = scene.state();
       EXPECT_GE(state.failed.count, 4u) << contact;
       EXPECT_LT(state.failed.count, 45u) << contact;
-      EXPECT_TRUE(state.failed.shells.at(24)) << contact;
       double edge = 0, block = 0;
       for (std::size_t i = 0; i < 8; ++i) edge += state.x[i].z() / 8;
       for (std::size_t i = 64; i < 82; ++i) block += state.x[i].z() / 18;
@@ -166,8 +167,8 @@ std::string block_on_plate(bool in_contact) {
          fmt::format("*SET_NODE_LIST\n2\n{},{}\n*SET_NODE_LIST\n3\n{},{}\n", strip, strip + 2, strip + 1, strip + 3) +
          "*BOUNDARY_SPC_SET\n2,0,1,1,1,1,1,1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n"
          "*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,0,1,0.02\n*LOAD_BODY_Z\n1,2.\n*LOAD_BODY_X\n1,0.5\n"
-         "*CONTROL_TERMINATION\n2.\n*SET_PART_LIST\n1\n1" + (in_contact ? ",3" : "") +
-         "\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,2\n0.3,0.3\n\n";
+         "*CONTROL_TERMINATION\n2.\n*SET_PART_LIST\n1\n1" +
+         (in_contact ? ",3" : "") + "\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,2\n0.3,0.3\n\n";
 }
 
 // Surfaces that are built again lose nothing: the block does not see that a shell far away has failed.
@@ -177,7 +178,7 @@ TEST(ErodingContact, MemoryIsKept) {
     RunScene scene(block_on_plate(in_contact), until(2, 0.005));
     ASSERT_TRUE(scene.prepared()) << scene.message();
     std::uint64_t touched = 0;
-    scene.go([&](const Run& run) { touched += run.contacts()[0].state().touching; });
+    scene.go([&](const solver::Run& run) { touched += run.contacts()[0].state().touching; });
     EXPECT_EQ(scene.state().failed.count, 1u);
     EXPECT_GT(touched, 100u);
     EXPECT_NEAR(scene.energies().ratio(), 1, 1e-2);
@@ -200,10 +201,11 @@ TEST(ErodingContact, LimitsTheStep) {
     const std::uint32_t contacts[] = {0};
     const double printed = contact::predict_timesteps(scene.read().model, store, contacts).timesteps.contact_timestep;
     const double step = scene.run().stepper().next_step();
-    if (ecdt == 0)
+    if (ecdt == 0) {
       EXPECT_NEAR(step, printed, 1e-12);
-    else
+    } else {
       EXPECT_GT(step, 1.1 * printed);
+    }
   }
 }
 
@@ -212,15 +214,16 @@ TEST(ErodingContact, InvertedSolidsFail) {
   Mesh mesh;
   mesh.bricks({0, 0, 0}, {1, 1, 1}, 1, 1, 1, 1);
   const std::string deck =
-      mesh.text() + "*PART\np\n1,1,1\n*MAT_ELASTIC\n1,1.,1000.,0.\n*CONTROL_TERMINATION\n1.\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n"
-                    "*SET_NODE_LIST\n1\n1,3,5,7\n*SET_NODE_LIST\n2\n2,4,6,8\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
-                    "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,-3.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n";
+      mesh.text() +
+      "*PART\np\n1,1,1\n*MAT_ELASTIC\n1,1.,1000.,0.\n*CONTROL_TERMINATION\n0.1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n"
+      "*SET_NODE_LIST\n1\n1,3,5,7\n*SET_NODE_LIST\n2\n2,4,6,8\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n"
+      "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,-60.\n*CONTROL_CONTACT\n0.1\n0,0,0,0,0.,0,1\n";
   RunScene ends(deck);
   EXPECT_EQ(ends.try_to_go(), RunEnd::failed);
   RunScene scene(deck + "*CONTACT_ERODING_SINGLE_SURFACE\n0\n\n\n0,1,1\n");
   scene.go();
   EXPECT_EQ(scene.state().failed.count, 1u);
-  EXPECT_GE(scene.state().time, 1);
+  EXPECT_GE(scene.state().time, 0.1);
 }
 
 // Constraint contact lets go of failed segments, too.
@@ -230,19 +233,41 @@ TEST(ErodingContact, ConstraintContactFollows) {
   const std::string deck =
       mesh.text() + "*NODE\n100,0.3,0.5,0.2\n*ELEMENT_MASS\n100,100,1.\n*PART\np\n1,2,1\n" + failing(1, 1, 1, 0.05) +
       "*SET_NODE_LIST\n1\n1,3\n*SET_NODE_LIST\n2\n2,4\n*SET_NODE_LIST\n3\n100\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n"
-      "*BOUNDARY_SPC_SET\n2,0,0,1,1,1,1,1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,0.1\n"
-      "*LOAD_NODE_POINT\n100,3,1,-1.\n*CONTACT_CONSTRAINT_NODES_TO_SURFACE\n3,1,4,3\n\n\n0\n*CONTROL_TERMINATION\n1.5\n";
+      "*BOUNDARY_SPC_SET\n2,0,0,1,1,1,1,1\n*DEFINE_CURVE\n1\n0.,1.\n9.,1.\n*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1,0."
+      "1\n"
+      "*LOAD_NODE_POINT\n100,3,1,-1.\n*CONTACT_CONSTRAINT_NODES_TO_SURFACE\n3,1,4,3\n\n\n0\n*CONTROL_TERMINATION\n1."
+      "5\n";
   RunScene scene(deck);
   ASSERT_TRUE(scene.prepared()) << scene.message();
   double failed_at = 0;
-  scene.go([&](const Run& run) {
+  scene.go([&](const solver::Run& run) {
     const State& state = run.stepper().state();
     if (state.failed.count > 0 && failed_at == 0) failed_at = state.time;
-    if (failed_at == 0) EXPECT_NEAR(state.x[4].z(), 0.2, 1e-9);
+    EXPECT_NEAR(failed_at == 0 ? state.x[4].z() : 0.2, 0.2, 1e-9);
     EXPECT_EQ(run.contacts()[0].state().touching, failed_at == 0 ? 1u : 0u);
   });
   EXPECT_NEAR(failed_at, 0.5, 0.05);
   EXPECT_NEAR(scene.state().x[4].z(), 0.2 - 0.5 * std::pow(scene.state().time - failed_at, 2), 0.05);
+}
+
+// A deck by another author: ECDT = 0, so the contact sets the step. Its bird has an equation of state, which is left
+// out, so its nodes fly on as masses without pressure.
+TEST(ErodingContact, BirdBall) {
+  const std::filesystem::path path =
+      std::filesystem::path(GAPCHECK_ROOT) / ".." / "shared" / "decks" / "birdball_eroding" / "birdball.k";
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "the real decks are not beside the project";
+  std::ifstream stream(path, std::ios::binary);
+  const std::string deck{std::istreambuf_iterator<char>(stream), {}};
+  RunSettings settings;
+  settings.cycles = 2000;
+  RunScene scene(deck, settings);
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  std::uint64_t touched = 0;
+  scene.go([&](const solver::Run& run) { touched += run.contacts()[0].state().touching; });
+  EXPECT_NEAR(scene.run().stepper().next_step(), 1.232e-7, 1e-10);
+  EXPECT_GT(touched, 300u);
+  EXPECT_GE(scene.state().failed.count, 1u);
+  EXPECT_NEAR(scene.energies().ratio(), 1, 1e-3);
 }
 
 }  // namespace

@@ -269,6 +269,36 @@ TEST_F(RunTest, ContactsAreInitialised) {
   EXPECT_NEAR(plot.value().mesh().coordinates[4][2], 0.06 + 1.002 * 0.04, 1e-6);
 }
 
+// A shell that is pulled until it fails: messag names it, d3plot has it deleted from then on, glstat and matsum say what
+// it has taken up.
+TEST_F(RunTest, FailedElementsInTheFiles) {
+  const std::string deck =
+      "*CONTROL_TERMINATION\n0.4\n" + plate(1, 1, {1, 1, 0}) +
+      "*PART\np\n1,1,1\n*SECTION_SHELL\n1,2\n0.1\n*MAT_PLASTIC_KINEMATIC\n1,1.,1000.,0.,10.,0.,0.\n0.,0.,0.2\n"
+      "*SET_NODE_LIST\n1\n1,3\n*SET_NODE_LIST\n2\n2,4\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n*DEFINE_CURVE\n1\n0.,1.\n1.,1.\n"
+      "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1\n*DATABASE_BINARY_D3PLOT\n0.1\n*DATABASE_GLSTAT\n0.1\n*DATABASE_MATSUM\n0.4\n";
+  const Ended ended = calculate(deck);
+  ASSERT_EQ(ended.failure, "");
+  EXPECT_NE(file("messag").find(" shell element         1 failed at time "), std::string::npos) << file("messag");
+  const auto plot = results::D3plotStates::open((folder_ / "out" / "d3plot").string());
+  ASSERT_TRUE(plot.ok());
+  ASSERT_GE(plot.value().size(), 5u);
+  for (std::size_t i = 0; i < plot.value().size(); ++i) {
+    const results::D3plotState state = plot.value().read(i);
+    EXPECT_EQ(state.deleted_shells, std::vector<bool>{state.time > 0.25}) << state.time;
+  }
+  const auto states = results::read_glstat(file("glstat"));
+  EXPECT_EQ(states.front().eroded_internal, 0);
+  EXPECT_NEAR(states.back().eroded_internal, states.back().internal, 1e-5);
+  EXPECT_GT(states.back().eroded_internal, 0.15);
+  const auto last_number = [](const std::string& text, const std::string& label) {
+    return std::stod(text.substr(text.rfind(label) + label.size()));
+  };
+  EXPECT_LT(last_number(file("glstat"), "energy ratio w/o eroded energy."), 0.5);
+  EXPECT_EQ(last_number(file("matsum"), "inten="), 0);
+  EXPECT_NEAR(last_number(file("matsum"), "eroded_ie="), states.back().eroded_internal, 1e-4);
+}
+
 TEST_F(RunTest, TheSameBytesForAnyNumberOfThreads) {
   std::array<std::string, 2> bytes;
   for (const std::size_t jobs : {1, 4}) {
