@@ -138,7 +138,8 @@ TEST(SegmentPass, EdgesOnlyWithDepth5) {
                          "2001,0.1,-1.,0.05\n2002,0.1,1.,0.05\n2003,0.1,1.,2.\n2004,0.1,-1.,2.\n"
                          "*ELEMENT_SHELL\n1,1,1001,1002,1003,1004\n2,2,2001,2002,2003,2004\n*PART\np\n1,1,1\n"
                          "*PART\np\n2,1,1\n" +
-                             elastic + contact_of(single ? "AUTOMATIC_SINGLE_SURFACE" : "AUTOMATIC_SURFACE_TO_SURFACE", a_card),
+                             elastic +
+                             contact_of(single ? "AUTOMATIC_SINGLE_SURFACE" : "AUTOMATIC_SURFACE_TO_SURFACE", a_card),
                          down(0.1), steps(2e-3));
       EXPECT_TRUE(scene.stepper) << scene.why_not;
       run_balanced(scene, 1.5);
@@ -375,7 +376,8 @@ TEST(SegmentPass, NamesWhatIsNotCalculated) {
   const auto warnings = [](const std::string& a_card, const std::string& more, const std::string& type) {
     RunSettings settings;
     settings.cycles = 1;
-    RunScene scene(sheet(1, 1, {0, 0, 0}, 1) + sheet(2, 1, {0, 0, 0.5}, 1) + elastic + contact_of(type, a_card, more), settings);
+    RunScene scene(sheet(1, 1, {0, 0, 0}, 1) + sheet(2, 1, {0, 0, 0.5}, 1) + elastic + contact_of(type, a_card, more),
+                   settings);
     EXPECT_TRUE(scene.prepared()) << scene.message();
     std::string text;
     for (const Diagnostic& d : scene.diagnostics().sorted()) text += d.message + "\n";
