@@ -17,8 +17,8 @@ namespace gapcheck::contact {
 /// surface, SURFA's segments first. All references must outlive it.
 class EdgeScene {
  public:
-  /// `contact`: position in Model::contacts. `x`: coordinates by node, read whenever a pair is decided. `whole_solids`: as
-  /// in Neighbours.
+  /// `contact`: position in Model::contacts. `x`: coordinates by node, read whenever a pair is decided. `whole_solids`:
+  /// as in Neighbours.
   EdgeScene(const model::Model& model, std::uint32_t contact, const ContactSurfaces& surfaces,
             const std::vector<Vector>& x, bool whole_solids);
   EdgeScene(const EdgeScene&) = delete;

@@ -47,8 +47,8 @@ class EdgePass : public InterfacePass {
   struct Pair {
     std::uint32_t tracked = 0, other = 0;
     double wake = 0;  ///< until so much of the margin is used up there is nothing to look at
-    /// Unit vector from the other edge to the tracked one when last seen with the nearest points between the ends; zero:
-    /// not so.
+    /// Unit vector from the other edge to the tracked one when last seen with the nearest points between the ends;
+    /// zero: not so.
     Vector side = Vector::Zero();
     std::unique_ptr<Touch> touch;
     [[nodiscard]] std::uint64_t key() const { return std::uint64_t{tracked} << 32 | other; }
@@ -72,7 +72,8 @@ class EdgePass : public InterfacePass {
   [[nodiscard]] Meeting meet(Pair& pair) const;
   void look(std::uint32_t number, const State& state, double used, Block& block);
   [[nodiscard]] LinkSpring spring(const Pair& pair) const;
-  [[nodiscard]] contact::NodeAction advance(contact::NodeContact& memory, const contact::NodeEncounter& encounter) const;
+  [[nodiscard]] contact::NodeAction advance(contact::NodeContact& memory,
+                                            const contact::NodeEncounter& encounter) const;
   static void add_energies(const LinkWork& work, bool exchanged, ContactState& result);
   [[nodiscard]] bool exchanged(const Pair& pair) const { return edge_scene_.on_b(edges_[pair.tracked]); }
 
@@ -85,7 +86,7 @@ class EdgePass : public InterfacePass {
   std::vector<contact::SurfaceEdge> edges_;  // their ends are those of the start
   std::vector<Spring> springs_;              // by edge
   double timestep_ = 0, reduction_ = 0;
-  bool first_ = true;  ///< no cycle since the contact has become active
+  bool first_ = true;        ///< no cycle since the contact has become active
   std::vector<Pair> pairs_;  // by key
   std::vector<Block> blocks_;
 };

@@ -28,7 +28,8 @@ std::string element(const model::Model& model, const contact::CrossingSegment& s
     case model::ElementKind::thick_shell:
       if (id(model.mesh.thick_shells) != 0) return fmt::format("thick shell {}", id(model.mesh.thick_shells));
       break;
-    default: break;
+    default:
+      break;
   }
   return fmt::format("nodes {} {} {} {}", of(0), of(1), of(2), of(3));
 }
@@ -49,13 +50,13 @@ std::optional<ContactEvent> SegmentCrossings::look(const model::Model& model, st
   const std::vector<contact::Crossing> found = contact::find_crossings(model, contact, surfaces, options, counters);
   std::string text;
   for (std::size_t i = 0; i < std::min(found.size(), named); ++i)
-    text += fmt::format("     segment of {} and segment of {}\n", element(model, found[i].a), element(model, found[i].b));
+    text +=
+        fmt::format("     segment of {} and segment of {}\n", element(model, found[i].a), element(model, found[i].b));
   if (found.size() > named) text += fmt::format("     and {} more pairs\n", found.size() - named);
   if (text == told_) return std::nullopt;
   told_ = text;
   if (found.empty()) return std::nullopt;
-  return ContactEvent{contact, state.time,
-                      fmt::format("segments that intersect = {}\n{}", found.size(), text)};
+  return ContactEvent{contact, state.time, fmt::format("segments that intersect = {}\n{}", found.size(), text)};
 }
 
 }  // namespace gapcheck::solver

@@ -28,7 +28,8 @@ SegmentPass::SegmentPass(const ContactSetting& setting, std::uint32_t contact, c
     for (const std::uint32_t i : around.at(node)) {
       if (own.kind[i] == contact::SegmentKind::line) continue;
       const PartIndex part = contact::part_of(model_.mesh, own, i);
-      const auto* options = part != none<PartIndex> && model_.part(part).contact ? &*model_.part(part).contact : nullptr;
+      const auto* options =
+          part != none<PartIndex> && model_.part(part).contact ? &*model_.part(part).contact : nullptr;
       const double factor = options != nullptr && options->ssf > 0 ? options->ssf : 1;
       own_.push_back({mass(own, i), scale * factor / static_cast<double>(corner_count(own.nodes[i]))});
     }

@@ -6,10 +6,10 @@
 
 namespace gapcheck::solver {
 
-/// Segment-based contact (SOFT = 2): the corners of one side's segments in the other side's segments; both ways make all
-/// corners of each pair. Every segment gives each of its corners its share of the pair's stiffness, so the node's spring
-/// follows its part of the surface. What is deep at the start is the baseline; nothing is moved or released, and a node
-/// that has passed a shell is still pushed back to where it came from.
+/// Segment-based contact (SOFT = 2): the corners of one side's segments in the other side's segments; both ways make
+/// all corners of each pair. Every segment gives each of its corners its share of the pair's stiffness, so the node's
+/// spring follows its part of the surface. What is deep at the start is the baseline; nothing is moved or released, and
+/// a node that has passed a shell is still pushed back to where it came from.
 class SegmentPass : public ContactPass {
  public:
   SegmentPass(const ContactSetting& setting, std::uint32_t contact, const contact::ContactSurfaces& surfaces,

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <string>
 
 #include "base/parallel.hpp"
 #include "results/d3plot_states.hpp"
@@ -297,6 +299,24 @@ TEST_F(RunTest, FailedElementsInTheFiles) {
   EXPECT_LT(last_number(file("glstat"), "energy ratio w/o eroded energy."), 0.5);
   EXPECT_EQ(last_number(file("matsum"), "inten="), 0);
   EXPECT_NEAR(last_number(file("matsum"), "eroded_ie="), states.back().eroded_internal, 1e-4);
+}
+
+// What SOFT = 2 has to say: where a type does not have it, and segments that pass through each other (DTPCHK).
+TEST_F(RunTest, SegmentBasedContactInMessag) {
+  const Ended ended = calculate(
+      "*CONTROL_TERMINATION\n0.001\n*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n"
+      "5,0.5,0.2,-1.\n6,0.5,0.8,-1.\n7,0.5,0.8,1.\n8,0.5,0.2,1.\n*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,5,6,7,8\n" +
+      elastic_deck(shell_section, 1000, 0.3, 1) +
+      "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n3,all\n0\n\n\n2\n0.\n1\n0,0.0005\n"
+      "*SET_NODE_LIST\n4\n1,2\n*CONTACT_AUTOMATIC_NODES_TO_SURFACE_ID\n7,nodes\n4,1,4,3\n\n\n2\n");
+  ASSERT_EQ(ended.failure, "");
+  Diagnostics diagnostics;
+  const Report report = results::read_solver_log_text(file("messag"), "messag", {}, diagnostics);
+  std::map<std::string, std::uint64_t> kinds;
+  for (const SolverMessage& message : report.run->messages) kinds[message.kind] += 1;
+  EXPECT_EQ(kinds, (std::map<std::string, std::uint64_t>{{"soft2-intersection", 1}, {"soft2-switched-off", 1}}))
+      << file("messag");
+  EXPECT_EQ(report.penetrations.size(), 0u);
 }
 
 TEST_F(RunTest, TheSameBytesForAnyNumberOfThreads) {

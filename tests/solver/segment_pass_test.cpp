@@ -138,7 +138,8 @@ TEST(SegmentPass, EdgesOnlyWithDepth5) {
                          "2001,0.1,-1.,0.05\n2002,0.1,1.,0.05\n2003,0.1,1.,2.\n2004,0.1,-1.,2.\n"
                          "*ELEMENT_SHELL\n1,1,1001,1002,1003,1004\n2,2,2001,2002,2003,2004\n*PART\np\n1,1,1\n"
                          "*PART\np\n2,1,1\n" +
-                             elastic + contact_of(single ? "AUTOMATIC_SINGLE_SURFACE" : "AUTOMATIC_SURFACE_TO_SURFACE", a_card),
+                             elastic +
+                             contact_of(single ? "AUTOMATIC_SINGLE_SURFACE" : "AUTOMATIC_SURFACE_TO_SURFACE", a_card),
                          down(0.1), steps(2e-3));
       EXPECT_TRUE(scene.stepper) << scene.why_not;
       run_balanced(scene, 1.5);
@@ -313,6 +314,47 @@ TEST(SegmentPass, BricksBounceOffEachOther) {
   EXPECT_LE((scene.momentum() - before).norm(), 1e-12 * before.norm());
 }
 
+// When surfaces are built again the baseline stays, and what comes beyond it is forced as before.
+TEST(SegmentPass, OtherSurfacesGoOnWithTheBaseline) {
+  const model::Read read = model::read_text(sheet(1, 3, {0, 0, 0}, 1) + sheet(2, 2, {0.1, 0.15, 0.03}, 0.8) + elastic +
+                                            contact_of("AUTOMATIC_SURFACE_TO_SURFACE"));
+  ASSERT_EQ(read.errors(), 0u) << read.text();
+  contact::SurfaceStore surfaces(read.model);
+  const ContactMasses masses(read.model);
+  const auto search = contact::make_bucket_grid();
+  const contact::Ties ties(read.model);
+  State state;
+  state.x = read.model.mesh.nodes.x;
+  state.v.assign(state.x.size(), Vector::Zero());
+  const std::vector<bool> movable(state.x.size(), true);
+  const ContactSetting setting{read.model, masses, *search, ties, movable};
+  ContactCounters counters;
+  ContactState result;
+  const auto forces = [&](InterfacePass& pass) {
+    Forces all;
+    all.resize(state.x.size());
+    pass.search(0.1, counters);
+    pass.update(state, 0, counters);
+    pass.apply(state, all, result);
+    return all.force;
+  };
+  const auto make = [&] {
+    auto pass = std::make_unique<SegmentPass>(setting, 0, surfaces.at(0), false, state.x);
+    pass->set_timestep(1e-3);
+    return pass;
+  };
+  const auto first = make(), same = make(), fresh = make(), next = make();
+  const std::vector<Vector> none(state.x.size(), Vector::Zero());
+  EXPECT_EQ(forces(*first), none);
+  EXPECT_EQ(forces(*same), none);
+  for (std::size_t i = 16; i < state.x.size(); ++i) state.x[i].z() -= 0.005;
+  next->carry_over(*first, state, result);
+  const std::vector<Vector> expected = forces(*same);
+  EXPECT_GT(expected[20].z(), 0);
+  EXPECT_EQ(forces(*next), expected);
+  EXPECT_EQ(forces(*fresh), none) << "a new contact takes what it finds";
+}
+
 TEST(SegmentPass, TellsOfIntersectingSegments) {
   ContactScene scene("*NODE\n1001,-1.,0.,-2.\n1002,1.,0.,-2.\n1003,1.,0.,1.\n1004,-1.,0.,1.\n"
                      "2001,-0.5,-1.,0.05\n2002,0.5,-1.,0.05\n2003,0.5,1.,0.05\n2004,-0.5,1.,0.05\n"
@@ -334,7 +376,8 @@ TEST(SegmentPass, NamesWhatIsNotCalculated) {
   const auto warnings = [](const std::string& a_card, const std::string& more, const std::string& type) {
     RunSettings settings;
     settings.cycles = 1;
-    RunScene scene(sheet(1, 1, {0, 0, 0}, 1) + sheet(2, 1, {0, 0, 0.5}, 1) + elastic + contact_of(type, a_card, more), settings);
+    RunScene scene(sheet(1, 1, {0, 0, 0}, 1) + sheet(2, 1, {0, 0, 0.5}, 1) + elastic + contact_of(type, a_card, more),
+                   settings);
     EXPECT_TRUE(scene.prepared()) << scene.message();
     std::string text;
     for (const Diagnostic& d : scene.diagnostics().sorted()) text += d.message + "\n";

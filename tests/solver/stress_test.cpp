@@ -101,7 +101,8 @@ TEST(Stress, VeryThinShells) {
     for (int cycle = 0; cycle < 200; ++cycle) {
       ASSERT_FALSE(scene.stepper->begin_step());
       std::size_t in_zone = 0, listed = 0;
-      for (std::size_t i = 9; i < 18; ++i) in_zone += std::abs(scene.state().x[i].z() - scene.state().x[4].z()) < 0.5 * thickness;
+      for (std::size_t i = 9; i < 18; ++i)
+        in_zone += std::abs(scene.state().x[i].z() - scene.state().x[4].z()) < 0.5 * thickness;
       for (const ContactNode& node : scene.contacts->nodes(0)) listed += node.node.value >= 9;
       ASSERT_GE(listed, in_zone) << "cycle " << cycle;
       scene.stepper->end_step();
@@ -119,7 +120,8 @@ std::string eight_cubes(double gap, double shift) {
                           shift * Vector(part % 3, part * part % 5, part * part % 7);
     text += "*NODE\n";
     for (int i = 0; i < 8; ++i)
-      text += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", 10 * part + i, middle.x() + (i % 4 == 1 || i % 4 == 2 ? 0.5 : -0.5),
+      text += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", 10 * part + i,
+                          middle.x() + (i % 4 == 1 || i % 4 == 2 ? 0.5 : -0.5),
                           middle.y() + (i % 4 >= 2 ? 0.5 : -0.5), middle.z() + (i >= 4 ? 0.5 : -0.5));
     text += fmt::format("*ELEMENT_SOLID\n{},{}", part, part);
     for (int i = 0; i < 8; ++i) text += fmt::format(",{}", 10 * part + i);
@@ -202,8 +204,8 @@ TEST(Stress, StepAtTheLimit) {
 TEST(Stress, HundredThousandNodesOnAPlate) {
   constexpr int n = 316;
   constexpr std::size_t plate = 121, count = (n + 1) * (n + 1);
-  ContactScene scene(sheet(1, 10, {0, 0, 0}, 1) + sheet(2, n, {0.001, 0.002, 0.0501}, 0.99) + properties(1, 0.05, 1000) +
-                         properties(2, 0.05, 1000) + "*CONTROL_CONTACT\n0.1\n0,0,0,0,4,1\n" +
+  ContactScene scene(sheet(1, 10, {0, 0, 0}, 1) + sheet(2, n, {0.001, 0.002, 0.0501}, 0.99) +
+                         properties(1, 0.05, 1000) + properties(2, 0.05, 1000) + "*CONTROL_CONTACT\n0.1\n0,0,0,0,4,1\n" +
                          "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n2,1,3,3\n0.\n1.,1.\n0\n0.,0,0,1\n",
                      throws(plate, {0, 0, -2}), steps(2e-5));
   ASSERT_TRUE(scene.stepper) << scene.why_not;
