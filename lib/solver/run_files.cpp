@@ -210,8 +210,8 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
   }
   std::string text;
   for (std::uint32_t contact = 0; contact < run.model().contacts.size(); ++contact) {
-    const std::vector<results::NodeForce> nodes = node_forces(run, contact);
-    if (!nodes.empty()) text += results::ncforc_text(state.time, run.model().contacts[contact].id.value, nodes);
+    if (const auto nodes = node_forces(run, contact))
+      text += results::ncforc_text(state.time, run.model().contacts[contact].id.value, *nodes);
   }
   return text;
 }

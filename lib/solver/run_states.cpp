@@ -152,11 +152,15 @@ std::vector<results::InterfaceState> interface_states(const Run& run, bool trans
   return list;
 }
 
-std::vector<results::NodeForce> node_forces(const Run& run, std::uint32_t contact) {
+std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, std::uint32_t contact) {
   const model::Contact& card = run.model().contacts[contact];
   const auto& cards = run.model().contacts;
   const bool all =
       std::none_of(cards.begin(), cards.end(), [](const model::Contact& c) { return c.print_a || c.print_b; });
+  const std::vector<ContactView> views = run.contacts();
+  const bool calculated = std::any_of(views.begin(), views.end(),
+                                      [&](const ContactView& view) { return view.state().contact == contact; });
+  if (!calculated || !(all || card.print_a || card.print_b)) return std::nullopt;
   const State& state = run.stepper().state();
   std::vector<results::NodeForce> list;
   std::map<NodeIndex, results::NodeForce> by_node;
@@ -165,7 +169,7 @@ std::vector<results::NodeForce> node_forces(const Run& run, std::uint32_t contac
     for (std::size_t i = 0; i < 4; ++i)
       if (point.weights[i] != 0) by_node[point.nodes[i]].force += point.weights[i] * force;
   };
-  for (const ContactView& view : run.contacts()) {
+  for (const ContactView& view : views) {
     if (view.state().contact != contact) continue;
     std::vector<ContactLink> links;
     view.source->links(view.position, links);

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "results/contact_forces.hpp"
@@ -20,8 +21,9 @@ namespace gapcheck::solver {
 /// Of the contacts that are calculated, each once however many sources have a part in it; `transducers`: of those too,
 /// all in deck order.
 [[nodiscard]] std::vector<results::InterfaceState> interface_states(const Run& run, bool transducers);
-/// By node what a contact (position in Model::contacts) puts on it, and the greatest pressure: on the sides that SAPR and SBPR name, of all contacts
-/// where no contact names one. Nodes without a force are left out.
-[[nodiscard]] std::vector<results::NodeForce> node_forces(const Run& run, std::uint32_t contact);
+/// By node what a contact (position in Model::contacts) puts on it, and the greatest pressure: on the sides that SAPR
+/// and SBPR name, of all contacts where no contact names one. Nodes without a force are left out. Nothing: the contact
+/// is not calculated, or not to be printed.
+[[nodiscard]] std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, std::uint32_t contact);
 
 }  // namespace gapcheck::solver

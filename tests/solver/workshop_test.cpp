@@ -176,7 +176,7 @@ void expect_curve(const std::string& name, const std::vector<Stretch>& stretches
     if (boundary) continue;
     ASSERT_NEAR(sample.force, expected, 1e-6) << name << " at " << way;
   }
-  EXPECT_NEAR(course.last().force, 0, 1e-9) << name;
+  if (start - course.last().height > stretches.back().to) EXPECT_NEAR(course.last().force, 0, 1e-9) << name;
 }
 
 // 9 nodes of the upper plate are over the lower one, 4 of the lower one under the upper.
@@ -206,6 +206,12 @@ TEST(Workshop, CoatMovesTheCurveToTheShells) {
   expect_curve("push_shell_solid_sldthk", {{0.2, 0.2, 1.0, (upper_nodes + lower_nodes) * stiffness},
                                            {1.2, 1.2, 2.0, lower_nodes * stiffness}});
   expect_curve("push_solid_solid_sldthk", {{0.2, 0.2, 1.0, solids_slope}, {1.2, 1.2, 2.0, solids_slope}});
+}
+
+// Type 26 does not let go: beyond the mid-surface the springs push the other way.
+TEST(Workshop, GeneralContactHoldsOn) {
+  const double slope = (upper_nodes + lower_nodes) * stiffness;
+  expect_curve("push_general", {{0.2, 0.2, 1.2, slope}, {2.2, 1.2, 2.2, slope}});
 }
 
 // Half the element size: half the stiffness of each spring, 25 + 16 of them.

@@ -55,7 +55,7 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 }  // namespace
 
 const Rule contact_step{
-    {"GC605", "contact-step", Severity::warning, "the run's time step exceeds what the solver names for the contacts"},
+    {"GC605", "contact-step", Severity::note, "the run's time step exceeds what the solver names for the contacts"},
     nullptr,
     judge};
 

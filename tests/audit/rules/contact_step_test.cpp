@@ -17,7 +17,7 @@ JudgedRun run_at(double step) {
 
 TEST(ContactStep, NamesTheSurfaceThatControls) {
   const Finding f = run_at(2.1e-7).finding("GC605");
-  EXPECT_EQ(f.severity, Severity::warning);
+  EXPECT_EQ(f.severity, Severity::note);
   EXPECT_EQ(f.contact, 8009);
   EXPECT_EQ(f.node, 51);
   EXPECT_EQ(f.part, 1);
