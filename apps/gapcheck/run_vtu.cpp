@@ -14,13 +14,26 @@ namespace {
 using report::VtuArray;
 using report::VtuGrid;
 
-/// Per node what the contact with the deepest penetration there says.
+/// Per node what the contact with the deepest penetration there says, and the forces of all contacts.
 void add_contacts(const solver::Run& run, VtuGrid& grid) {
   const std::vector<double> none(grid.points.size(), 0.0);
   VtuArray penetration{"contact_penetration", 1, none};
   VtuArray pressure{"contact_pressure", 1, none};
   VtuArray state{"contact_state", 1, none, true};
-  for (const solver::ContactView& contact : run.contacts())
+  VtuArray force{"contact_force", 3, std::vector<double>(3 * grid.points.size(), 0.0)};
+  const auto add = [&](const solver::ContactPoint& point, const Vector& on_it) {
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        force.values[3 * point.nodes[i].value + axis] += point.weights[i] * on_it[static_cast<int>(axis)];
+  };
+  std::vector<solver::ContactLink> links;
+  for (const solver::ContactView& contact : run.contacts()) {
+    links.clear();
+    contact.source->links(contact.position, links);
+    for (const solver::ContactLink& link : links) {
+      add(link.tracked, link.force);
+      add(link.reference, -link.force);
+    }
     for (const solver::ContactNode& node : contact.nodes()) {
       const std::uint32_t at = node.node.value;
       if (state.values[at] != 0 && node.penetration <= penetration.values[at]) continue;
@@ -28,7 +41,8 @@ void add_contacts(const solver::Run& run, VtuGrid& grid) {
       pressure.values[at] = node.pressure;
       state.values[at] = 1 + static_cast<double>(node.kind);
     }
-  for (VtuArray* array : {&penetration, &pressure, &state}) grid.point_data.push_back(std::move(*array));
+  }
+  for (VtuArray* array : {&penetration, &pressure, &state, &force}) grid.point_data.push_back(std::move(*array));
 }
 
 /// The cells' arrays; each element adds one entry to all of them.

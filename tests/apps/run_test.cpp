@@ -50,7 +50,7 @@ TEST_F(RunCommand, GridsForVtk) {
   const std::string series = content(folder_ / "out" / "run.pvd"), grid = content(folder_ / "out" / "state_0001.vtu");
   EXPECT_NE(series.find("file=\"state_0002.vtu\""), std::string::npos) << series;
   EXPECT_NE(grid.find("NumberOfPoints=\"32\" NumberOfCells=\"18\""), std::string::npos) << grid.substr(0, 300);
-  for (const char* name : {"displacement", "contact_state", "stress", "plastic_strain"})
+  for (const char* name : {"displacement", "contact_state", "contact_force", "stress", "plastic_strain"})
     EXPECT_NE(grid.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
 }
 
