@@ -176,7 +176,9 @@ void expect_curve(const std::string& name, const std::vector<Stretch>& stretches
     if (boundary) continue;
     ASSERT_NEAR(sample.force, expected, 1e-6) << name << " at " << way;
   }
-  if (start - course.last().height > stretches.back().to) EXPECT_NEAR(course.last().force, 0, 1e-9) << name;
+  if (start - course.last().height > stretches.back().to) {
+    EXPECT_NEAR(course.last().force, 0, 1e-9) << name;
+  }
 }
 
 // 9 nodes of the upper plate are over the lower one, 4 of the lower one under the upper.
