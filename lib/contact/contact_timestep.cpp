@@ -67,7 +67,10 @@ SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLim
   corners_.resize(s.size());
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const SegmentSpring spring = springs_(s, i, scale, limit == TimestepLimit::printed);
+      // Beams have springs of their own in types 26 alone, of which no estimate is known.
+      const SegmentSpring spring = s.element_kind[i] == model::ElementKind::beam
+                                       ? SegmentSpring{}
+                                       : springs_(s, i, scale, limit == TimestepLimit::printed);
       corners_[i] = {spring.weight, spring.weight * spring.stiffness};
     }
   });

@@ -39,6 +39,11 @@ class ConstraintContact : public Force, public ContactSource {
   [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
   [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
   void links(std::size_t position, std::vector<ContactLink>& links) const override;
+  /// A node is tied to a part no more: from the next search on it may meet it.
+  void release(NodeIndex node, PartIndex part) {
+    ties_.remove(node, part);
+    searched_.clear();
+  }
   /// How well the last cycle's constraints are met.
   [[nodiscard]] const ConstraintSolution& solution() const { return solution_; }
 

@@ -202,7 +202,7 @@ double ContactForces::approach(const State& state) const {
 }
 
 void ContactForces::follow(Interface& interface, const State& state) {
-  if (interface.step > 0 && state.coming > step_growth * interface.step) {
+  if (interface.step > 0 && std::isfinite(state.coming) && state.coming > step_growth * interface.step) {
     interface.step = state.coming;
     for (const auto& pass : interface.passes) pass->set_timestep(interface.step);
   }

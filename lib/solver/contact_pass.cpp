@@ -174,7 +174,8 @@ void ContactPass::look(std::size_t place, const State& state, double used, Scrat
   }
   const Meeting meeting =
       meet(slot, lost ? std::span<Candidate>{} : candidates_.of(place), used, scratch, tracked, block);
-  orient(slot, meeting.hit && meeting.hit->in_band ? meeting.pair : nullptr);
+  const bool in_band = meeting.hit && meeting.hit->in_band;
+  orient(slot, in_band ? meeting.hit->segment : 0, in_band ? meeting.pair : nullptr);
   const contact::NodeEncounter encounter = this->encounter(slot, meeting, tracked);
   tracked.penetration = encounter.penetration;
   const NodeAction action = advance(tracked.memory, encounter);

@@ -56,7 +56,7 @@ class ContactPass : public InterfacePass {
   [[nodiscard]] virtual double release_depth(std::uint32_t slot, std::uint32_t segment) const;
   /// Takes back a node that has passed the surface: changes the sign of pair.distance. Asked once per look; `pair`:
   /// none where it penetrates nothing.
-  virtual void orient(std::uint32_t /*slot*/, contact::PairResult* /*pair*/) {}
+  virtual void orient(std::uint32_t /*slot*/, std::uint32_t /*segment*/, contact::PairResult* /*pair*/) {}
   [[nodiscard]] virtual contact::NodeAction advance(contact::NodeContact& memory,
                                                     const contact::NodeEncounter& encounter) const;
 

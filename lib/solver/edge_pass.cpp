@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -201,12 +203,20 @@ void EdgePass::look(std::uint32_t number, const State& state, double used, Block
   const Vector friction = touch != nullptr && touch->active ? touch->force.friction : Vector(Vector::Zero());
   if (touch != nullptr && touch->active) add_work();
   const Meeting meeting = meet(pair);
-  if (touch == nullptr) {
+  const bool started = touch == nullptr;
+  if (started) {
     pair.wake = used + meeting.distance - half_sum(edges_[pair.tracked], edges_[pair.other]);
     if (!meeting.encounter.penetrates) return;
     touch = (pair.touch = std::make_unique<Touch>()).get();
   }
   const NodeAction action = advance(touch->memory, meeting.encounter);
+  // What was not there in the last step cannot be deeper than the edges have come closer since: the rest a pair of
+  // neighbouring edges has left to this one, and nothing of that is forgiven.
+  if (started && !first_ && !scene_.type.by_segments()) {
+    const Vector nearing = point_of(edges_[pair.other], meeting.closest.t).of(state.v) -
+                           point_of(edges_[pair.tracked], meeting.closest.s).of(state.v);
+    touch->memory.forgiven = std::min(touch->memory.forgiven, std::max(0.0, nearing.dot(pair.side) * state.dt));
+  }
   touch->penetration = meeting.encounter.penetration;
   touch->active = action == NodeAction::force;
   touch->point = {point_of(edges_[pair.tracked], meeting.closest.s), point_of(edges_[pair.other], meeting.closest.t)};
@@ -277,17 +287,21 @@ void EdgePass::carry_over(InterfacePass& before, const State& state, ContactStat
   auto* const old = dynamic_cast<EdgePass*>(&before);
   if (old == nullptr) return before.rest(state, result);
   first_ = old->first_;
-  const auto ends = [](const SurfaceEdge& edge) { return std::minmax(edge.a, edge.b); };
-  std::map<std::pair<NodeIndex, NodeIndex>, std::uint32_t> numbers;
-  for (std::uint32_t i = 0; i < edges_.size(); ++i) numbers.emplace(ends(edges_[i]), i);
+  // Beams may lie on edges of shells.
+  const auto ends = [](const EdgePass& pass, const SurfaceEdge& edge) {
+    return std::tuple(std::min(edge.a, edge.b), std::max(edge.a, edge.b), pass.scene_.line(edge.segment));
+  };
+  std::map<std::tuple<NodeIndex, NodeIndex, bool>, std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < edges_.size(); ++i) numbers.emplace(ends(*this, edges_[i]), i);
+  std::set<std::uint64_t> taken;
   pairs_.clear();
   for (Pair& was : old->pairs_) {
-    const auto tracked = numbers.find(ends(old->edges_[was.tracked]));
-    const auto other = numbers.find(ends(old->edges_[was.other]));
+    const auto tracked = numbers.find(ends(*old, old->edges_[was.tracked]));
+    const auto other = numbers.find(ends(*old, old->edges_[was.other]));
     if (tracked == numbers.end() || other == numbers.end()) continue;
     const bool swapped = scene_.line(edges_[tracked->second].segment) == scene_.line(edges_[other->second].segment) &&
                          tracked->second > other->second;
-    if (swapped) continue;
+    if (swapped || !taken.insert(std::uint64_t{tracked->second} << 32 | other->second).second) continue;
     Pair& pair = pairs_.emplace_back(std::move(was));
     pair.tracked = tracked->second;
     pair.other = other->second;

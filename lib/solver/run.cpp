@@ -77,7 +77,11 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
   auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
   run.contacts_ = contacts.get();
-  const auto release = [after = contacts.get()](NodeIndex node, PartIndex part) { after->release(node, part); };
+  const auto release = [after = contacts.get(), kept = std::get<std::unique_ptr<ConstraintContact>>(constraints).get()](
+                           NodeIndex node, PartIndex part) {
+    after->release(node, part);
+    if (kept != nullptr) kept->release(node, part);
+  };
   run.transducers_ = std::make_unique<Transducers>(model, surfaces);
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
   const Structure& stepped = run.stepper_->structure();

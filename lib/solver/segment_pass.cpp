@@ -9,12 +9,32 @@ namespace gapcheck::solver {
 
 using contact::corner_count;
 
+namespace {
+
+/// How two segments hang together, and whether their node orders give them the same front.
+enum class Joint : std::uint8_t { none, corner, same_front, other_front };
+
+Joint joint(const model::SegmentNodes& a, const model::SegmentNodes& b) {
+  Joint found = Joint::none;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (a[i] != b[k]) continue;
+      const NodeIndex next = a[(i + 1) % 4];
+      if (next != a[i] && next == b[(k + 3) % 4]) return Joint::same_front;
+      if (next != a[i] && next == b[(k + 1) % 4]) return Joint::other_front;
+      found = Joint::corner;
+    }
+  return found;
+}
+
+}  // namespace
+
 SegmentPass::SegmentPass(const ContactSetting& setting, std::uint32_t contact, const contact::ContactSurfaces& surfaces,
                          bool exchanged, const std::vector<Vector>& x)
     : ContactPass(setting, contact, surfaces, exchanged, x),
       model_(setting.model),
       node_mass_(setting.masses.mass),
-      side_(side().scene().nodes.size(), Vector::Zero()) {
+      side_(side().scene().nodes.size()) {
   const contact::PairScene& scene = side().scene();
   const model::Contact& card = scene.contact;
   const double scale = model_.controls.slsfac * (exchanged ? card.sfm : card.sfs);
@@ -59,10 +79,34 @@ double SegmentPass::release_depth(std::uint32_t /*slot*/, std::uint32_t /*segmen
   return std::numeric_limits<double>::infinity();
 }
 
-void SegmentPass::orient(std::uint32_t slot, contact::PairResult* pair) {
-  Vector& side = side_[slot];
+bool SegmentPass::passed(const Side& before, std::uint32_t segment, const Vector& direction) const {
+  if (before.segment == Side::unknown || before.segment == segment) return before.direction.dot(direction) < 0;
+  // The surface goes on over a common edge. A segment without one is another surface.
+  const contact::PairScene& scene = ContactPass::side().scene();
+  const auto normal = [&](std::uint32_t s) -> Vector {
+    const geometry::Facet facet = scene.facet(s);
+    return (facet.x[2] - facet.x[0]).cross(facet.x[3] - facet.x[1]);
+  };
+  const Vector was = normal(before.segment), is = normal(segment);
+  bool same_front = false;
+  switch (joint(scene.segments.nodes[before.segment], scene.segments.nodes[segment])) {
+    case Joint::none:
+      return false;
+    case Joint::same_front:
+      same_front = true;
+      break;
+    case Joint::other_front:
+      break;
+    case Joint::corner:
+      same_front = was.dot(is) > 0;
+  }
+  return (before.direction.dot(was) > 0) == (direction.dot(is) > 0) ? !same_front : same_front;
+}
+
+void SegmentPass::orient(std::uint32_t slot, std::uint32_t segment, contact::PairResult* pair) {
+  Side& side = side_[slot];
   if (pair == nullptr) {
-    side.setZero();
+    side = {};
     return;
   }
   const contact::PairScene& scene = ContactPass::side().scene();
@@ -70,9 +114,9 @@ void SegmentPass::orient(std::uint32_t slot, contact::PairResult* pair) {
   // Oriented segments know their front. Of a node on the surface nothing new can be said.
   if (pair->distance < 0 || !(way.squaredNorm() > 0)) return;
   const Vector direction = way.stableNormalized();
-  const bool passed = side.dot(direction) < 0;
-  if (passed) pair->distance = -pair->distance;
-  side = passed ? Vector(-direction) : direction;
+  const bool behind = passed(side, segment, direction);
+  if (behind) pair->distance = -pair->distance;
+  side = {behind ? Vector(-direction) : direction, segment};
 }
 
 contact::NodeAction SegmentPass::advance(contact::NodeContact& memory, const contact::NodeEncounter& encounter) const {
@@ -94,13 +138,13 @@ void SegmentPass::carry_over(InterfacePass& before, const State& state, ContactS
   const std::vector<NodeIndex>&was = old->side().scene().nodes.node, &now = side().scene().nodes.node;
   for (std::size_t slot = 0, from = 0; slot < now.size(); ++slot) {  // both ascend
     while (from < was.size() && was[from] < now[slot]) ++from;
-    if (from < was.size() && was[from] == now[slot]) side_[slot] = old->side_[from];
+    if (from < was.size() && was[from] == now[slot]) side_[slot].direction = old->side_[from].direction;
   }
 }
 
 void SegmentPass::rest(const State& state, ContactState& result) {
   ContactPass::rest(state, result);
-  side_.assign(side_.size(), Vector::Zero());
+  side_.assign(side_.size(), {});
   first_ = true;
 }
 

@@ -24,7 +24,7 @@ class SegmentPass : public ContactPass {
  protected:
   [[nodiscard]] ContactSprings::Spring spring(std::uint32_t slot, std::uint32_t segment) const override;
   [[nodiscard]] double release_depth(std::uint32_t slot, std::uint32_t segment) const override;
-  void orient(std::uint32_t slot, contact::PairResult* pair) override;
+  void orient(std::uint32_t slot, std::uint32_t segment, contact::PairResult* pair) override;
   [[nodiscard]] contact::NodeAction advance(contact::NodeContact& memory,
                                             const contact::NodeEncounter& encounter) const override;
 
@@ -33,12 +33,20 @@ class SegmentPass : public ContactPass {
   struct Own {
     double mass = 0, share = 0;
   };
+  /// Where a tracked node was when last seen in the zone.
+  struct Side {
+    static constexpr std::uint32_t unknown = 0xffffffffu;
+    Vector direction = Vector::Zero();  ///< from the segment to the node; zero: it was outside
+    std::uint32_t segment = unknown;
+  };
+  /// Whether a node in `direction` of a segment is on the other side of the surface than it was.
+  [[nodiscard]] bool passed(const Side& before, std::uint32_t segment, const Vector& direction) const;
   const model::Model& model_;
   const std::vector<double>& node_mass_;
   std::vector<std::uint32_t> start_;  // by slot: position in own_
   std::vector<Own> own_;
   std::vector<double> mass_;  // by segment
-  std::vector<Vector> side_;  // by slot: from the segment to the node when last seen in the zone; zero: it was outside
+  std::vector<Side> side_;    // by slot
   double timestep_ = 0, reduction_ = 0;
   bool first_ = true;  ///< no cycle since the contact has become active
 };

@@ -145,13 +145,13 @@ std::optional<Failure> Stepper::evaluate(double& next) {
   next = element_step(shells, solids, beams);
   double limit = settings_.greatest_step > 0 ? settings_.greatest_step : std::numeric_limits<double>::infinity();
   if (settings_.first_step > 0 && state.cycle == 0) limit = std::min(limit, settings_.first_step);
+  // Where all elements have failed the last step goes on.
+  if (state.failed.count > 0 && !std::isfinite(next)) limit = std::min(limit, state.dt);
   state.coming = std::min(next, limit);
   for (const auto& other : others_) {
     other->add(state, external_);
     limit = std::min(limit, other->stable_step());
   }
-  // Where all elements have failed the last step goes on.
-  if (state.failed.count > 0 && !std::isfinite(next)) limit = std::min(limit, state.dt);
   if (!(limit >= next)) {
     next = limit;
     control_ = {};

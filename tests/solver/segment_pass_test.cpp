@@ -288,6 +288,30 @@ TEST(SegmentPass, ComesBackFromBehindAShell) {
   EXPECT_GT(scene.state().x[4].z(), 0.04);
 }
 
+// A node whose nearest segment changes to one of another surface has not passed the first one.
+TEST(SegmentPass, StaysBetweenTwoSheets) {
+  ContactScene scene(sheet(1, 2, {0, 0, 0}, 1) + sheet(2, 2, {0, 0, 0.076}, 1) + sheet(3, 2, {0.2, 0.2, 0.0379}, 0.6) +
+                         "*SECTION_SHELL\n1,2\n0.04\n*MAT_ELASTIC\n1,1.,1000.,0.3\n*SET_PART_LIST\n1\n1,2,3\n" +
+                         contact_of("AUTOMATIC_SINGLE_SURFACE"),
+                     [](Structure& s) {
+                       for (std::size_t i = 0; i < s.state.v.size(); ++i) {
+                         if (s.state.x[i].z() > 0.03 && s.state.x[i].z() < 0.05)
+                           s.state.v[i] = {0, 0, 0.05};
+                         else
+                           s.constraints.hold(NodeIndex{static_cast<std::uint32_t>(i)}, 63);
+                       }
+                     },
+                     steps(1e-3));
+  ASSERT_TRUE(scene.stepper) << scene.why_not;
+  while (scene.state().time < 2) {
+    scene.step();
+    for (std::size_t i = 18; i < 27; ++i) {
+      ASSERT_GT(scene.state().x[i].z(), 0.0) << scene.state().time;
+      ASSERT_LT(scene.state().x[i].z(), 0.076) << scene.state().time;
+    }
+  }
+}
+
 /// A cube of one brick, nodes from 10 · part on.
 std::string brick(int part, double z, double size) {
   std::string text = "*NODE\n";
