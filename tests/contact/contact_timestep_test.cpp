@@ -174,6 +174,34 @@ TEST(ContactTimestep, SpringsOfThinShellsMayBeUnstable) {
   EXPECT_LT(thick.timesteps.contact_timestep, thick.run);  // although the solver's cautious number is exceeded
 }
 
+// A beam along the edge has a spring of its own in types 26 alone.
+TEST(ContactTimestep, BeamsSoftenNothing) {
+  const auto predict = [](bool stiffened) {
+    Scene scene;
+    const PartIndex part = scene.part(1, 0.1);
+    scene.material(part, rho, bulk, 1.2 * bulk, 0.3);
+    const auto nodes = scene.plate(part, Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 4, 0), 2, 2);
+    const PartIndex rod = scene.part(2, 0);
+    scene.model.sections.back().kind = model::SectionKind::beam;
+    scene.model.sections.back().beam_radius = 1;
+    scene.material(rod, 1e-6 * rho, 1e-6 * bulk);
+    if (stiffened) {
+      auto& beams = scene.model.mesh.beams;
+      beams.id.push_back(1);
+      beams.nodes.push_back({nodes[0], nodes[1]});
+      beams.part.push_back(rod);
+      beams.line.push_back(0);
+    }
+    scene.contact("AUTOMATIC_SINGLE_SURFACE");
+    SurfaceStore surfaces(scene.model);
+    return predict_timesteps(scene.model, surfaces, std::vector<std::uint32_t>{0}).unstable;
+  };
+  const auto plain = predict(false), stiffened = predict(true);
+  ASSERT_EQ(plain.size(), 1u);
+  ASSERT_EQ(stiffened.size(), 1u);
+  EXPECT_NEAR(stiffened[0].limit.timestep, plain[0].limit.timestep, 1e-5 * plain[0].limit.timestep);
+}
+
 TEST(ContactTimestep, StepOfTheRun) {
   model::Controls controls;
   controls.tssfac = 0.5;

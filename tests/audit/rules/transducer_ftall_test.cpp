@@ -33,6 +33,15 @@ TEST(TransducerFtall, NodesAgainstElements) {
   EXPECT_EQ(listed(run(transducers("22,3,4,3", "12,3,2,3"))), 0U);
 }
 
+TEST(TransducerFtall, BeamsCountAsWell) {
+  RuleDeck deck = transducers("1,5,3,3", "2,5,3,3");
+  EXPECT_EQ(listed(run(deck)), 0U);
+  RuleDeck beams = transducers("5,1,3,3", "5,12,3,2");
+  beams.raw("PART", "rod\n5,5,1\n").raw("SECTION_BEAM", "5,1\n1.,1.,0.,0.\n");
+  beams.raw("NODE", "501,0.,0.,0.\n502,9.,0.,0.\n").raw("ELEMENT_BEAM", "1,5,501,502\n");
+  EXPECT_EQ(listed(run(beams)), 1U);
+}
+
 TEST(TransducerFtall, FtallSettlesIt) {
   const RuleDeck both = transducers("1,3,3,3", "11,3,2,3");
   RuleDeck with = both, without = both;
