@@ -18,6 +18,9 @@ constexpr double settled = 1e-13;
 /// Rounding moves a node less than this share of its segment from its place.
 constexpr double largest_drift = 1e-6;
 
+/// Neither nothing nor too small to divide by.
+bool counts(double mass) { return mass > 0 && std::isfinite(1 / mass); }
+
 }  // namespace
 
 TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore& surfaces,
@@ -48,7 +51,7 @@ TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore&
 void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnostics) {
   const State& state = structure_.state;
   const auto weightless = [&](NodeIndex node) {
-    return !(state.mass[node.value] > 0) && (structure_.constraints.mask(node.value) & 7u) != 7u;
+    return !counts(state.mass[node.value]) && (structure_.constraints.mask(node.value) & 7u) != 7u;
   };
   const auto any_of = [](const Tie& tie, const auto& is) {
     if (is(tie.node)) return true;
@@ -63,15 +66,15 @@ void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnost
     ++left_out[tie.contact][rigid ? 0 : 1];
     return true;
   });
-  for (const auto& [c, counts] : left_out) {
+  for (const auto& [c, numbers] : left_out) {
     const model::Contact& contact = model.contacts[c];
     const auto warn = [&](std::size_t count, std::string_view why) {
       if (count > 0)
         diagnostics.warning(model.file(contact.place), contact.place.line,
                             fmt::format("contact {}: {} nodes stay untied, since {}", contact.id.value, count, why));
     };
-    warn(counts[0], "they or their segments move with a rigid body or weld; use an OFFSET form");
-    warn(counts[1], "they or nodes of their segments have no mass; give them one");
+    warn(numbers[0], "they or their segments move with a rigid body or weld; use an OFFSET form");
+    warn(numbers[1], "they or nodes of their segments have no mass; give them one");
   }
 }
 
@@ -130,7 +133,7 @@ bool TieConstraints::hold(double time, double next) {
     held_[i] = mask;
     for (unsigned freedom = 0; freedom < 6; ++freedom) {
       const double mass = freedom < 3 ? state.mass[n] : state.inertia[n];
-      mobility_[6 * n + freedom] = (mask >> freedom & 1u) != 0 || !(mass > 0) ? 0 : 1 / mass;
+      mobility_[6 * n + freedom] = (mask >> freedom & 1u) != 0 || !counts(mass) ? 0 : 1 / mass;
     }
   }
   return changed;
