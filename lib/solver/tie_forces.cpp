@@ -189,7 +189,9 @@ void TieForces::calculate(Spring& spring, const State& state, bool active) {
   Vector force = -spring.stiffness * stretch, damping = -spring.damping * velocity;
   if (spring.strength.limited()) {
     const Vector normal = axes.sound ? Vector(axes.axes.col(2)) : Vector(Vector::Zero());
-    const double share = spring.damage.share(spring.strength, force, normal, stretch.norm());
+    // What presses does no damage.
+    const Vector pressed = std::min(0.0, spring.strength.side * stretch.dot(normal)) * spring.strength.side * normal;
+    const double share = spring.damage.share(spring.strength, force, normal, (stretch - pressed).norm());
     // What presses stays whole until the tie is gone.
     const double push = spring.damage.broken ? 0 : std::max(0.0, spring.strength.side * force.dot(normal));
     const Vector whole = spring.strength.side * push * normal;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 
 #include "results/solver_log.hpp"
 #include "run_scene.hpp"
@@ -108,6 +109,26 @@ TEST(Tiebreak, LinearDamageTakesTheFractureEnergy) {
     EXPECT_NEAR(half_way, strength * (critical - at_half_way) / (critical - onset), 0.02);
     EXPECT_NEAR(scene.energies().absorbed.sliding(), strength * critical / 2, 0.005) << direction;
     EXPECT_NEAR(scene.energies().ratio(), 1, 1e-6);
+  }
+}
+
+/// Compression before or after the onset of damage changes neither the strength nor the line.
+TEST(Tiebreak, CompressionIsNoDamage) {
+  constexpr double strength = 2, critical = 0.4, stiffness = 0.1 * 1000 / 1.5 * 1 / std::numbers::sqrt2;
+  constexpr double onset = strength / stiffness;
+  for (const char* curve :
+       {"0.,0.\n100.,0.2\n", "0.,0.\n20.,-0.1\n100.,0.2\n", "0.,0.\n20.,0.1\n50.,-0.3\n100.,0.2\n"}) {
+    RunScene scene(node_on_shell(automatic, fmt::format("6,{0},{0},{1}", strength, critical),
+                                 "*BOUNDARY_PRESCRIBED_MOTION_NODE\n5,3,2,1\n", curve, 100));
+    ASSERT_TRUE(scene.prepared()) << scene.message();
+    double largest = 0, last = 0;
+    scene.go([&](const solver::Run& run) {
+      last = 0;
+      for (const ContactView& view : run.contacts()) last = std::max(last, -view.state().force_a.z());
+      largest = std::max(largest, last);
+    });
+    EXPECT_NEAR(largest, strength, 0.03) << curve;
+    EXPECT_NEAR(last, strength * (critical - 0.2) / (critical - onset), 0.02) << curve;
   }
 }
 
