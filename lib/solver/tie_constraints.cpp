@@ -64,6 +64,7 @@ void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnost
     const bool rigid = any_of(tie, [&](NodeIndex node) { return structure_.rigid.holds(node.value); });
     if (!rigid && !any_of(tie, weightless)) return false;
     ++left_out[tie.contact][rigid ? 0 : 1];
+    untied_.emplace_back(tie.node, tie.segment_part);
     return true;
   });
   for (const auto& [c, numbers] : left_out) {
@@ -237,7 +238,23 @@ void TieConstraints::name_dependent(double time) {
   }
 }
 
+void TieConstraints::tell_ends(double time) {
+  for (const TieRange& interface : interfaces_) {
+    std::vector<std::int64_t> failed;
+    for (std::size_t t = interface.first; t < interface.last; ++t) {
+      Present& present = present_[t];
+      if (present.told || (!present.gone && !interface.over(time))) continue;
+      present.told = true;
+      if (released_) released_(ties_[t].node, ties_[t].segment_part);
+      if (present.gone) failed.push_back(structure_.node_id[ties_[t].node.value]);
+    }
+    if (!failed.empty()) events_.push_back({interface.contact, time, failed_ties(failed)});
+  }
+}
+
 void TieConstraints::react(const State& state, double mean, double next, Forces& net, Forces& external) {
+  for (const auto& [node, part] : std::exchange(untied_, {}))
+    if (released_) released_(node, part);
   if (ties_.empty()) return;
   // Work of the last step by the forces of its beginning; that of the forces of its end follows in sum_up().
   for (std::size_t i = 0; i < interfaces_.size(); ++i)
@@ -246,6 +263,7 @@ void TieConstraints::react(const State& state, double mean, double next, Forces&
       states_[i].energy_b -= state.dt / 2 * present_[t].loads.on_segment(ties_[t], state);
     }
   const bool other_ties = activate(state);
+  tell_ends(state.time);
   place(state);
   const bool fresh = hold(state.time, next) || other_ties;
   if (fresh || varying_) system_->set(equations_, mobility_, fresh);

@@ -1,7 +1,5 @@
 #include "solver/tie_forces.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -94,21 +92,16 @@ void TieForces::find_strength(const TieRange& interface, const contact::SideScen
   }
 }
 
-void TieForces::tell_failures(const TieRange& interface, double time) {
-  constexpr std::size_t most_ids = 10;
-  std::size_t count = 0;
-  std::string ids;
+void TieForces::tell_ends(const TieRange& interface, double time) {
+  std::vector<std::int64_t> failed;
   for (std::size_t i = interface.first; i < interface.last; ++i) {
     Spring& spring = springs_[i];
-    if (!spring.damage.broken || spring.told) continue;
+    if (spring.told || (!spring.damage.broken && !interface.over(time))) continue;
     spring.told = true;
     if (released_) released_(spring.tie.node, spring.tie.segment_part);
-    if (++count <= most_ids) ids += fmt::format(" {}", model_.mesh.nodes.id[spring.tie.node.value]);
+    if (spring.damage.broken) failed.push_back(model_.mesh.nodes.id[spring.tie.node.value]);
   }
-  if (count > 0)
-    events_.push_back(
-        {interface.contact, time,
-         fmt::format("The ties of {} nodes have failed:{}{}", count, ids, count > most_ids ? " and others" : "")});
+  if (!failed.empty()) events_.push_back({interface.contact, time, failed_ties(failed)});
 }
 
 void TieForces::build(const State& state) {
@@ -219,7 +212,7 @@ void TieForces::add(State& state, Forces& forces) {
     parallel_for(interface.last - interface.first, 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) calculate(springs_[interface.first + s], state, active);
     });
-    tell_failures(interface, state.time);
+    tell_ends(interface, state.time);
     ContactState& result = states_[i];
     result.force_a = result.force_b = result.moment_a = result.moment_b = Vector::Zero();
     result.touching = 0;

@@ -155,6 +155,25 @@ TEST(Tiebreak, BecomesAContact) {
   }
 }
 
+/// Ties that are over leave their nodes to other contacts.
+TEST(TieEnd, OtherContactsFollow) {
+  for (const char* keyword : {"TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", "TIED_NODES_TO_SURFACE_OFFSET"}) {
+    RunScene scene(node_on_shell("AUTOMATIC_NODES_TO_SURFACE", "",
+                                 fmt::format("*LOAD_NODE_POINT\n5,3,1,1.\n*CONTACT_{}\n1,1,4,3\n"
+                                             "0.,0.,0.,0.,0.,0,0.,10.\n1.,1.,-1.,-1.\n",
+                                             keyword),
+                                 "0.,-0.1\n100.,-0.1\n", 20));
+    ASSERT_TRUE(scene.prepared()) << scene.message();
+    double before = 0, after = 0;
+    scene.go([&](const solver::Run& run) {
+      double& largest = run.stepper().state().time < 10 ? before : after;
+      largest = std::max(largest, run.contacts().front().state().force_a.norm());
+    });
+    EXPECT_EQ(before, 0) << keyword;
+    EXPECT_GT(after, 0) << keyword;
+  }
+}
+
 /// The message file names the failure, and nothing in it is taken for a node that stayed untied.
 TEST(Tiebreak, MessageFileNamesTheFailure) {
   std::string folder = testing::TempDir() + "gapcheck_XXXXXX";
