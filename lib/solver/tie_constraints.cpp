@@ -210,8 +210,9 @@ void TieConstraints::sum_up(const State& state, Forces& net, Forces& external) {
     const TieRange& interface = interfaces_[i];
     ContactState& result = states_[i];
     result.force_a = result.force_b = result.moment_a = result.moment_b = Vector::Zero();
-    result.touching = active_[i] ? interface.last - interface.first : 0;
+    result.touching = 0;
     for (std::size_t t = interface.first; t < interface.last; ++t) {
+      result.touching += equations_[t].active;
       const TieLoads& loads = present_[t].loads;
       loads.add_to(ties_[t], net);
       loads.add_to(ties_[t], external);

@@ -24,8 +24,8 @@ constexpr double shortest_step = 0.5;
 /// Factor of a spring's squared frequency that makes it as bad for the step as it is with this share of the critical
 /// damping.
 double damped(double ratio) {
-  const double left = std::sqrt(1 + ratio * ratio) - ratio;
-  return 1 / (left * left);
+  const double root = std::sqrt(1 + ratio * ratio) + ratio;  // 1 / (√(1 + r²) - r), which cancels
+  return root * root;
 }
 
 /// Squared radius of gyration of the node's rotation, or of the segment's nodes where the node is on a rigid body; of

@@ -155,6 +155,18 @@ TEST(Tiebreak, BecomesAContact) {
   }
 }
 
+/// Damping beyond all bounds leaves a spring that holds.
+TEST(TieEnd, HugeDampingStillTies) {
+  std::string text = node_on_shell("TIED_NODES_TO_SURFACE_OFFSET", "", "*LOAD_NODE_POINT\n5,3,1,1.\n",
+                                   "0.,0.1\n100.,0.1\n", 5);
+  const std::string cards = "1,1,4,3\n0.\n1.,1.\n";
+  text.replace(text.find(cards), cards.size(), "1,1,4,3\n0.,0.,0.,0.,1e10\n1.,1.,-1.,-1.\n");
+  RunScene scene(text);
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  scene.go();
+  EXPECT_GT(scene.run().contacts().front().state().force_a.norm(), 0);
+}
+
 /// Ties that are over leave their nodes to other contacts.
 TEST(TieEnd, OtherContactsFollow) {
   for (const char* keyword : {"TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", "TIED_NODES_TO_SURFACE_OFFSET"}) {
