@@ -92,7 +92,9 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   run.add_contacts(std::move(std::get<std::unique_ptr<ConstraintContact>>(constraints)));
   for (auto& force : forces) run.stepper_->add(std::move(force));
   // Last: they hold whatever else acts.
-  run.add_contacts(std::make_unique<TieConstraints>(model, surfaces, *run.initial_, stepped, diagnostics));
+  auto ties = std::make_unique<TieConstraints>(model, surfaces, *run.initial_, stepped, diagnostics);
+  ties->on_failure(release);
+  run.add_contacts(std::move(ties));
   return run;
 }
 

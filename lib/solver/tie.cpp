@@ -1,5 +1,9 @@
 #include "solver/tie.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "contact/active_time.hpp"
 #include "geometry/closest_point.hpp"
 #include "solver/contact_method.hpp"
@@ -63,6 +67,14 @@ bool segment_gone(const Tie& tie, const FailedElements& failed) {
   if (!shell && tie.element_kind != model::ElementKind::solid) return false;
   const std::vector<bool>& gone = shell ? failed.shells : failed.solids;
   return tie.element < gone.size() && gone[tie.element];
+}
+
+std::string failed_ties(const std::vector<std::int64_t>& nodes) {
+  constexpr std::size_t most_ids = 10;
+  std::string ids;
+  for (std::size_t i = 0; i < std::min(most_ids, nodes.size()); ++i) ids += fmt::format(" {}", nodes[i]);
+  return fmt::format("The ties of {} nodes have failed:{}{}", nodes.size(), ids,
+                     nodes.size() > most_ids ? " and others" : "");
 }
 
 TieMotion motion(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& v, const std::vector<Vector>& w) {

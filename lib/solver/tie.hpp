@@ -1,7 +1,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "contact/initial.hpp"
@@ -35,6 +37,12 @@ struct Tie {
 
 /// The element of the segment has failed: nothing is there to be tied to.
 [[nodiscard]] bool segment_gone(const Tie& tie, const FailedElements& failed);
+
+/// Asked for every tie that has come to its end: the node, and the part of its segment.
+using Released = std::function<void(NodeIndex, PartIndex)>;
+
+/// What the message file says of nodes whose ties have failed.
+[[nodiscard]] std::string failed_ties(const std::vector<std::int64_t>& nodes);
 
 /// How the node and the point it is tied to move.
 struct TieMotion {
@@ -79,6 +87,8 @@ struct TieRange {
   std::size_t first = 0, last = 0;
   double start = 0, end = 0;
   [[nodiscard]] bool active(double time) const { return time >= start && time < end; }
+  /// They do not act any more, or never.
+  [[nodiscard]] bool over(double time) const { return time >= end || end <= start; }
 };
 /// Of the contacts that tie by constraints, or by springs, and of others that have ties in the list.
 [[nodiscard]] std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties,

@@ -18,6 +18,9 @@ constexpr double settled = 1e-13;
 /// Rounding moves a node less than this share of its segment from its place.
 constexpr double largest_drift = 1e-6;
 
+/// Neither nothing nor too small to divide by.
+bool counts(double mass) { return mass > 0 && std::isfinite(1 / mass); }
+
 }  // namespace
 
 TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore& surfaces,
@@ -48,7 +51,7 @@ TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore&
 void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnostics) {
   const State& state = structure_.state;
   const auto weightless = [&](NodeIndex node) {
-    return !(state.mass[node.value] > 0) && (structure_.constraints.mask(node.value) & 7u) != 7u;
+    return !counts(state.mass[node.value]) && (structure_.constraints.mask(node.value) & 7u) != 7u;
   };
   const auto any_of = [](const Tie& tie, const auto& is) {
     if (is(tie.node)) return true;
@@ -61,17 +64,18 @@ void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnost
     const bool rigid = any_of(tie, [&](NodeIndex node) { return structure_.rigid.holds(node.value); });
     if (!rigid && !any_of(tie, weightless)) return false;
     ++left_out[tie.contact][rigid ? 0 : 1];
+    untied_.emplace_back(tie.node, tie.segment_part);
     return true;
   });
-  for (const auto& [c, counts] : left_out) {
+  for (const auto& [c, numbers] : left_out) {
     const model::Contact& contact = model.contacts[c];
     const auto warn = [&](std::size_t count, std::string_view why) {
       if (count > 0)
         diagnostics.warning(model.file(contact.place), contact.place.line,
                             fmt::format("contact {}: {} nodes stay untied, since {}", contact.id.value, count, why));
     };
-    warn(counts[0], "they or their segments move with a rigid body or weld; use an OFFSET form");
-    warn(counts[1], "they or nodes of their segments have no mass; give them one");
+    warn(numbers[0], "they or their segments move with a rigid body or weld; use an OFFSET form");
+    warn(numbers[1], "they or nodes of their segments have no mass; give them one");
   }
 }
 
@@ -130,7 +134,7 @@ bool TieConstraints::hold(double time, double next) {
     held_[i] = mask;
     for (unsigned freedom = 0; freedom < 6; ++freedom) {
       const double mass = freedom < 3 ? state.mass[n] : state.inertia[n];
-      mobility_[6 * n + freedom] = (mask >> freedom & 1u) != 0 || !(mass > 0) ? 0 : 1 / mass;
+      mobility_[6 * n + freedom] = (mask >> freedom & 1u) != 0 || !counts(mass) ? 0 : 1 / mass;
     }
   }
   return changed;
@@ -206,8 +210,9 @@ void TieConstraints::sum_up(const State& state, Forces& net, Forces& external) {
     const TieRange& interface = interfaces_[i];
     ContactState& result = states_[i];
     result.force_a = result.force_b = result.moment_a = result.moment_b = Vector::Zero();
-    result.touching = active_[i] ? interface.last - interface.first : 0;
+    result.touching = 0;
     for (std::size_t t = interface.first; t < interface.last; ++t) {
+      result.touching += equations_[t].active;
       const TieLoads& loads = present_[t].loads;
       loads.add_to(ties_[t], net);
       loads.add_to(ties_[t], external);
@@ -234,7 +239,23 @@ void TieConstraints::name_dependent(double time) {
   }
 }
 
+void TieConstraints::tell_ends(double time) {
+  for (const TieRange& interface : interfaces_) {
+    std::vector<std::int64_t> failed;
+    for (std::size_t t = interface.first; t < interface.last; ++t) {
+      Present& present = present_[t];
+      if (present.told || (!present.gone && !interface.over(time))) continue;
+      present.told = true;
+      if (released_) released_(ties_[t].node, ties_[t].segment_part);
+      if (present.gone) failed.push_back(structure_.node_id[ties_[t].node.value]);
+    }
+    if (!failed.empty()) events_.push_back({interface.contact, time, failed_ties(failed)});
+  }
+}
+
 void TieConstraints::react(const State& state, double mean, double next, Forces& net, Forces& external) {
+  for (const auto& [node, part] : std::exchange(untied_, {}))
+    if (released_) released_(node, part);
   if (ties_.empty()) return;
   // Work of the last step by the forces of its beginning; that of the forces of its end follows in sum_up().
   for (std::size_t i = 0; i < interfaces_.size(); ++i)
@@ -243,6 +264,7 @@ void TieConstraints::react(const State& state, double mean, double next, Forces&
       states_[i].energy_b -= state.dt / 2 * present_[t].loads.on_segment(ties_[t], state);
     }
   const bool other_ties = activate(state);
+  tell_ends(state.time);
   place(state);
   const bool fresh = hold(state.time, next) || other_ties;
   if (fresh || varying_) system_->set(equations_, mobility_, fresh);

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.hpp"
@@ -21,6 +22,9 @@ class TieConstraints : public Force, public ContactSource {
   TieConstraints(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
                  const Structure& structure, Diagnostics& diagnostics);
 
+  /// Stays untied, fails with its segment, or reaches the end of its time.
+  void on_failure(Released released) { released_ = std::move(released); }
+
   void add(State& /*state*/, Forces& /*forces*/) override {}
   [[nodiscard]] bool reacts() const override { return true; }
   void react(const State& state, double mean, double next, Forces& net, Forces& external) override;
@@ -39,6 +43,7 @@ class TieConstraints : public Force, public ContactSource {
     TieLoads loads;
     bool started = false;
     bool gone = false;  ///< with the element of its segment
+    bool told = false;  ///< that it has come to its end
   };
   void keep_sound(const model::Model& model, Diagnostics& diagnostics);
   bool activate(const State& state);
@@ -49,6 +54,7 @@ class TieConstraints : public Force, public ContactSource {
   void put(const Eigen::VectorXd& lambda, double mean);
   void sum_up(const State& state, Forces& net, Forces& external);
   void name_dependent(double time);
+  void tell_ends(double time);
 
   const Structure& structure_;
   std::vector<Tie> ties_;
@@ -62,6 +68,8 @@ class TieConstraints : public Force, public ContactSource {
   Mobility mobility_;
   std::vector<Vector> free_v_, free_w_, v_, w_;  ///< by node: without ties, and with them
   std::vector<ContactEvent> events_;
+  std::vector<std::pair<NodeIndex, PartIndex>> untied_;  ///< that nobody knows of yet
+  Released released_;
   std::unique_ptr<TieSystem> system_;
   std::uint64_t failures_ = 0;  ///< elements that have failed, when this was last asked
   bool varying_ = false;        ///< some equation has an arm or axes, which turn from step to step

@@ -1,7 +1,5 @@
 #include "solver/tie_forces.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,8 +24,8 @@ constexpr double shortest_step = 0.5;
 /// Factor of a spring's squared frequency that makes it as bad for the step as it is with this share of the critical
 /// damping.
 double damped(double ratio) {
-  const double left = std::sqrt(1 + ratio * ratio) - ratio;
-  return 1 / (left * left);
+  const double root = std::sqrt(1 + ratio * ratio) + ratio;  // 1 / (√(1 + r²) - r), which cancels
+  return root * root;
 }
 
 /// Squared radius of gyration of the node's rotation, or of the segment's nodes where the node is on a rigid body; of
@@ -94,21 +92,16 @@ void TieForces::find_strength(const TieRange& interface, const contact::SideScen
   }
 }
 
-void TieForces::tell_failures(const TieRange& interface, double time) {
-  constexpr std::size_t most_ids = 10;
-  std::size_t count = 0;
-  std::string ids;
+void TieForces::tell_ends(const TieRange& interface, double time) {
+  std::vector<std::int64_t> failed;
   for (std::size_t i = interface.first; i < interface.last; ++i) {
     Spring& spring = springs_[i];
-    if (!spring.damage.broken || spring.told) continue;
+    if (spring.told || (!spring.damage.broken && !interface.over(time))) continue;
     spring.told = true;
     if (released_) released_(spring.tie.node, spring.tie.segment_part);
-    if (++count <= most_ids) ids += fmt::format(" {}", model_.mesh.nodes.id[spring.tie.node.value]);
+    if (spring.damage.broken) failed.push_back(model_.mesh.nodes.id[spring.tie.node.value]);
   }
-  if (count > 0)
-    events_.push_back(
-        {interface.contact, time,
-         fmt::format("The ties of {} nodes have failed:{}{}", count, ids, count > most_ids ? " and others" : "")});
+  if (!failed.empty()) events_.push_back({interface.contact, time, failed_ties(failed)});
 }
 
 void TieForces::build(const State& state) {
@@ -189,7 +182,9 @@ void TieForces::calculate(Spring& spring, const State& state, bool active) {
   Vector force = -spring.stiffness * stretch, damping = -spring.damping * velocity;
   if (spring.strength.limited()) {
     const Vector normal = axes.sound ? Vector(axes.axes.col(2)) : Vector(Vector::Zero());
-    const double share = spring.damage.share(spring.strength, force, normal, stretch.norm());
+    // What presses does no damage.
+    const Vector pressed = std::min(0.0, spring.strength.side * stretch.dot(normal)) * spring.strength.side * normal;
+    const double share = spring.damage.share(spring.strength, force, normal, (stretch - pressed).norm());
     // What presses stays whole until the tie is gone.
     const double push = spring.damage.broken ? 0 : std::max(0.0, spring.strength.side * force.dot(normal));
     const Vector whole = spring.strength.side * push * normal;
@@ -217,7 +212,7 @@ void TieForces::add(State& state, Forces& forces) {
     parallel_for(interface.last - interface.first, 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) calculate(springs_[interface.first + s], state, active);
     });
-    tell_failures(interface, state.time);
+    tell_ends(interface, state.time);
     ContactState& result = states_[i];
     result.force_a = result.force_b = result.moment_a = result.moment_b = Vector::Zero();
     result.touching = 0;

@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,8 +21,7 @@ class TieForces : public Force, public ContactSource {
   TieForces(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
             const Structure& structure);
 
-  /// Asked for every tie that fails: the node, and the part of its segment.
-  using Released = std::function<void(NodeIndex, PartIndex)>;
+  /// Fails, or reaches the end of its time.
   void on_failure(Released released) { released_ = std::move(released); }
 
   void add(State& state, Forces& forces) override;
@@ -43,7 +41,7 @@ class TieForces : public Force, public ContactSource {
     bool active = false;
     TieStrength strength;
     TieDamage damage;
-    bool told = false;  ///< that it has failed
+    bool told = false;  ///< that it has come to its end
     TieOffset offset;
     Vector turned = Vector::Zero();  ///< rotation of the node against the segment
     TieLoads loads;
@@ -51,7 +49,7 @@ class TieForces : public Force, public ContactSource {
   };
   void build(const State& state);
   void find_strength(const TieRange& interface, const contact::SideScene& side, const std::vector<Vector>& x);
-  void tell_failures(const TieRange& interface, double time);
+  void tell_ends(const TieRange& interface, double time);
   static void turn(Spring& spring, const State& state);
   static void calculate(Spring& spring, const State& state, bool active);
 

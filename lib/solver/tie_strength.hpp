@@ -17,7 +17,7 @@ struct TieStrength {
 /// What is left of such a tie.
 struct TieDamage {
   bool broken = false;
-  double onset = 0;       ///< elongation at which damage began; 0: it has not
+  double onset = 0;       ///< elongation, compression left out, at which damage began; 0: it has not
   double elongation = 0;  ///< the greatest so far
   /// The share of tension and shear that an elongation of the spring leaves. `force`: of the sound spring, on the node;
   /// `normal`: unit, from the segment to its front.

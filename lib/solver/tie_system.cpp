@@ -109,18 +109,14 @@ bool TieSystem::factorise(double share) {
 }
 
 bool TieSystem::leave_out_dependent() {
-  if (!factorise(support)) {
-    // Nothing but coefficients that are no numbers leads here.
-    dependent_.assign(rows_, true);
-    return true;
-  }
-  const auto& pivots = factor_.vectorD();
-  const auto& order = factor_.permutationP().indices();
+  // Nothing but coefficients that are no numbers makes this fail: then no row is of use.
+  const bool sound = factorise(support);
   bool any = false;
   for (Eigen::Index row = 0; row < diagonal_.size(); ++row) {
-    if (pivots[order[row]] > least_pivot * diagonal_[row]) continue;
-    any = true;
-    dependent_[static_cast<std::size_t>(row)] = true;
+    const auto r = static_cast<std::size_t>(row);
+    if (dependent_[r]) continue;
+    if (sound && factor_.vectorD()[factor_.permutationP().indices()[row]] > least_pivot * diagonal_[row]) continue;
+    dependent_[r] = any = true;
   }
   return any;
 }

@@ -43,7 +43,7 @@ class TieSystem {
   void multiply(const Mobility& mobility);
   /// Cholesky with `share` of the diagonal added; false where it fails.
   bool factorise(double share);
-  /// Marks rows whose pivot has vanished; true if there were any.
+  /// Marks rows whose pivot has vanished; true if there are new ones.
   bool leave_out_dependent();
 
   std::vector<std::size_t> first_row_;

@@ -50,6 +50,11 @@ TEST(TieHostile, NumbersOfCard3) {
 TEST(TieHostile, MassesAndSides) {
   for (const std::string& form : forms) {
     expect_orderly(form, "1001,1002,1004,1003\n", "1.,1.,-1.,-1.", "*ELEMENT_MASS\n1,2001,1e300\n2,1001,1e-300\n");
+    for (const char* mass : {"1e-310", "1e-300"})
+      expect_orderly(form, "5001,5002,5004,5003\n", "1.,1.,-1.,-1.",
+                     fmt::format("*NODE\n5001,0.,0.,0.05\n5002,1.,0.,0.05\n5003,0.,1.,0.05\n5004,1.,1.,0.05\n"
+                                 "*ELEMENT_MASS\n1,5001,{0}\n2,5002,{0}\n3,5003,{0}\n4,5004,{0}\n",
+                                 mass));
     expect_orderly(form, "", "1.,1.,-1.,-1.");
     expect_orderly(form, "1001,1002,1004,1003\n", "1.,1.,-1.,-1.",
                    "*BOUNDARY_SPC_NODE\n2001,0,1,1,1,1,1,1\n1001,0,1,1,1,1,1,1\n1002,0,1,1,1,1,1,1\n"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 
 #include "results/solver_log.hpp"
 #include "run_scene.hpp"
@@ -111,6 +112,26 @@ TEST(Tiebreak, LinearDamageTakesTheFractureEnergy) {
   }
 }
 
+/// Compression before or after the onset of damage changes neither the strength nor the line.
+TEST(Tiebreak, CompressionIsNoDamage) {
+  constexpr double strength = 2, critical = 0.4, stiffness = 0.1 * 1000 / 1.5 * 1 / std::numbers::sqrt2;
+  constexpr double onset = strength / stiffness;
+  for (const char* curve :
+       {"0.,0.\n100.,0.2\n", "0.,0.\n20.,-0.1\n100.,0.2\n", "0.,0.\n20.,0.1\n50.,-0.3\n100.,0.2\n"}) {
+    RunScene scene(node_on_shell(automatic, fmt::format("6,{0},{0},{1}", strength, critical),
+                                 "*BOUNDARY_PRESCRIBED_MOTION_NODE\n5,3,2,1\n", curve, 100));
+    ASSERT_TRUE(scene.prepared()) << scene.message();
+    double largest = 0, last = 0;
+    scene.go([&](const solver::Run& run) {
+      last = 0;
+      for (const ContactView& view : run.contacts()) last = std::max(last, -view.state().force_a.z());
+      largest = std::max(largest, last);
+    });
+    EXPECT_NEAR(largest, strength, 0.03) << curve;
+    EXPECT_NEAR(last, strength * (critical - 0.2) / (critical - onset), 0.02) << curve;
+  }
+}
+
 /// After the failure the surfaces meet like any others, at the contact distance; _ONLY leaves nothing.
 TEST(Tiebreak, BecomesAContact) {
   for (const std::string& keyword : {automatic, std::string("TIEBREAK_NODES_ONLY")}) {
@@ -131,6 +152,37 @@ TEST(Tiebreak, BecomesAContact) {
     for (const ContactView& view : scene.run().contacts()) force += view.state().force_a.z();
     const double stiffness = 0.1 * 1000 / 1.5 * 1 / std::sqrt(2.0);
     EXPECT_NEAR(force, only ? 0 : stiffness * 0.02, 1e-9) << keyword;
+  }
+}
+
+/// Damping beyond all bounds leaves a spring that holds.
+TEST(TieEnd, HugeDampingStillTies) {
+  std::string text = node_on_shell("TIED_NODES_TO_SURFACE_OFFSET", "", "*LOAD_NODE_POINT\n5,3,1,1.\n",
+                                   "0.,0.1\n100.,0.1\n", 5);
+  const std::string cards = "1,1,4,3\n0.\n1.,1.\n";
+  text.replace(text.find(cards), cards.size(), "1,1,4,3\n0.,0.,0.,0.,1e10\n1.,1.,-1.,-1.\n");
+  RunScene scene(text);
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  scene.go();
+  EXPECT_GT(scene.run().contacts().front().state().force_a.norm(), 0);
+}
+
+/// Ties that are over leave their nodes to other contacts.
+TEST(TieEnd, OtherContactsFollow) {
+  for (const char* keyword : {"TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", "TIED_NODES_TO_SURFACE_OFFSET"}) {
+    RunScene scene(node_on_shell("AUTOMATIC_NODES_TO_SURFACE", "",
+                                 fmt::format("*LOAD_NODE_POINT\n5,3,1,1.\n*CONTACT_{}\n1,1,4,3\n"
+                                             "0.,0.,0.,0.,0.,0,0.,10.\n1.,1.,-1.,-1.\n",
+                                             keyword),
+                                 "0.,-0.1\n100.,-0.1\n", 20));
+    ASSERT_TRUE(scene.prepared()) << scene.message();
+    double before = 0, after = 0;
+    scene.go([&](const solver::Run& run) {
+      double& largest = run.stepper().state().time < 10 ? before : after;
+      largest = std::max(largest, run.contacts().front().state().force_a.norm());
+    });
+    EXPECT_EQ(before, 0) << keyword;
+    EXPECT_GT(after, 0) << keyword;
   }
 }
 
