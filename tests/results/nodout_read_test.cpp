@@ -78,6 +78,18 @@ TEST(ReadNodout, FilesThatAreCutOff) {
   EXPECT_TRUE(std::isnan(history.states[0].nodes[0].displacement.z()));
 }
 
+TEST(ReadNodout, FilesThatWerePutTogether) {
+  const std::string states = nodout_text(1, 0, two_nodes()) + nodout_text(24, 4.8730101e-3, two_nodes());
+  for (const std::string& header : {nodout_header({"t", "p"}, {{5, "tip"}}), std::string(" t\n      p\n\n")})
+    for (const char* between : {"", "\n"}) {
+      Diagnostics diagnostics;
+      const NodeHistory history = read_nodout(header + states + between + header + states, "nodout", diagnostics);
+      EXPECT_EQ(said(diagnostics), "");
+      ASSERT_EQ(history.states.size(), 4u);
+      for (const NodeStates& state : history.states) EXPECT_EQ(state.nodes.size(), 2u);
+    }
+}
+
 TEST(ReadNodout, ALegendWithoutEnd) {
   const std::string begin = "{BEGIN LEGEND}\n Entity #        Title\n        5     tip\n";
   Diagnostics diagnostics, twice, writing;
