@@ -31,12 +31,14 @@ Side side_of(const Report& report, std::optional<std::uint32_t> position) {
 
 bool beyond_reach(TieReason reason) { return reason == TieReason::too_far || reason == TieReason::not_found; }
 
-/// The nodes of `from` that `other` does not have.
+/// The nodes of `from` that `other` does not have; `other` counts those out of reach that it does not list.
 void only_one(const Side& from, const Side& other, bool is_first, ContactComparison& sum,
               std::vector<TieDifference>& differences) {
+  std::uint64_t counted = 0;
   for (const auto& [node, reason] : from.nodes) {
     if (other.nodes.contains(node)) continue;
-    if (beyond_reach(reason) && sum.ties_out_of_reach < other.out_of_reach) {
+    if (beyond_reach(reason) && counted < other.out_of_reach) {
+      ++counted;
       ++sum.ties_out_of_reach;
       continue;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -66,16 +67,21 @@ double* place_of(std::string_view label, GlobalState& state) {
   return nullptr;
 }
 
-void take_row(std::string_view label, std::string_view rest, ResultText& file, GlobalState& state) {
+/// False where the row is not kept.
+bool take_row(std::string_view label, std::string_view rest, ResultText& file, GlobalState& state) {
   if (double* place = place_of(label, state)) {
     *place = file.take(rest);
-  } else if (label == before_dots(wall_label)) {
+    return true;
+  }
+  if (label == before_dots(wall_label)) {
     constexpr std::string_view words = "wall#";
     const double energy = file.take(rest);
     const std::size_t at = rest.find(words);
     std::string_view number = at == std::string_view::npos ? std::string_view{} : rest.substr(at + words.size());
     state.walls.push_back({take_integer(number).value_or(0), energy});
+    return true;
   }
+  return false;
 }
 
 /// The number behind "dt of cycle".
@@ -107,11 +113,13 @@ std::string glstat_text(const GlobalState& state) {
 std::vector<GlobalState> read_glstat(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
   std::vector<GlobalState> states;
   std::uint64_t cycle = 1;
-  bool open = false;  // the last state has no total energy yet
+  bool open = false;                      // the last state has no total energy yet
+  std::size_t rows = 0, rows_before = 0;  // of the last state and the one before it
   ResultText file(text, name, diagnostics);
   const auto drop_open = [&] {
     if (open) states.pop_back();
     if (open) file.incomplete();
+    if (open) rows = rows_before;
     open = false;
   };
   for (; !file.done(); file.advance()) {
@@ -128,11 +136,15 @@ std::vector<GlobalState> read_glstat(std::string_view text, const std::string& n
       if (!open) continue;
       states.emplace_back().cycle = cycle;
       states.back().time = time;
+      states.back().ratio = states.back().ratio_without_eroded = std::numeric_limits<double>::quiet_NaN();
+      rows_before = rows;
+      rows = 0;
     } else if (!states.empty()) {
-      take_row(label, rest, file, states.back());
+      if (take_row(label, rest, file, states.back())) ++rows;
       if (label == total_label) open = false;
     }
   }
+  if (rows < rows_before) open = true;
   drop_open();
   file.finish();
   return states;

@@ -36,8 +36,9 @@ struct GlobalState {
 [[nodiscard]] std::string glstat_text(const GlobalState& state);
 
 /// The states of a glstat file, but for what controls the step. Rows that are not known are passed over; a state begins
-/// at its "time" row and is left out where it does not get as far as its total energy. A number that the run calls none,
-/// and one that cannot be read, is NaN; `diagnostics` name the latter, and what was left out.
+/// at its "time" row and is left out where it does not get as far as its total energy, the last one also where it has
+/// fewer rows than the one before. A number that the run calls none, one that cannot be read, and a ratio that is not
+/// there are NaN; `diagnostics` name what cannot be read, and what was left out.
 [[nodiscard]] std::vector<GlobalState> read_glstat(std::string_view text, const std::string& name,
                                                    Diagnostics& diagnostics);
 /// For files that are known to be whole.

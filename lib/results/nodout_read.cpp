@@ -29,15 +29,22 @@ class Reader {
 
   void line(std::string_view line) {
     const std::string_view text = trimmed(line);
+    if (title_.empty()) title_ = text;
     if (text.starts_with("n o d a l")) return heading(text);
     if (text.starts_with("nodal point")) {
       quantities_ = text.find("x-rot") != std::string_view::npos ? std::span<const Place>(rotations)
                                                                  : std::span<const Place>(translations);
       position_ = 0;
+      block_rows_ = 0;
       return;
     }
-    if (!text.empty() && in_state_ && !quantities_.empty()) row(without_blanks_behind(line));
+    if (!in_state_ || quantities_.empty()) return;
+    if (text.empty() ? block_rows_ > 0 : text == title_) return end_block();
+    if (!text.empty()) row(without_blanks_behind(line));
   }
+
+  /// What follows is no row up to the next heading of columns.
+  void end_block() { quantities_ = {}; }
 
   void finish() {
     if (rows_ >= rows_before_) return;
@@ -79,6 +86,7 @@ class Reader {
         (state.*quantity)[axis] = file_.take(field);
       }
     ++rows_;
+    ++block_rows_;
   }
 
   /// Both blocks have the same nodes in the same order.
@@ -95,7 +103,8 @@ class Reader {
   std::span<const Place> quantities_;  ///< of the block; empty: outside
   bool in_state_ = false;
   std::size_t position_ = 0;  ///< of the next row among the state's nodes
-  std::size_t rows_ = 0, rows_before_ = 0;
+  std::size_t rows_ = 0, rows_before_ = 0, block_rows_ = 0;
+  std::string_view title_;  ///< the file's first line; it stands again where files were put together
 };
 
 }  // namespace
@@ -105,7 +114,10 @@ NodeHistory read_nodout(std::string_view text, const std::string& name, Diagnost
   ResultText file(text, name, diagnostics);
   Reader reader(file, history);
   for (; !file.done(); file.advance())
-    if (!file.take_legend(history.titles)) reader.line(file.line());
+    if (file.take_legend(history.titles))
+      reader.end_block();
+    else
+      reader.line(file.line());
   reader.finish();
   file.finish();
   return history;

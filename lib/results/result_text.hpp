@@ -31,7 +31,8 @@ class ResultText {
   void unreadable();
   /// The state before the current line, or at the end of the file the last one, lacks rows and is left out.
   void incomplete();
-  /// Where the current line begins a legend: reads its entries up to its last line.
+  /// Where the current line begins a legend: reads its entries up to its last line. False where no legend begins, and
+  /// where one has no end, which is a fault: the current line is then the first one behind it.
   bool take_legend(std::vector<LegendEntry>& entries);
   /// Reports the faults. Once, at the end.
   void finish();
@@ -50,7 +51,7 @@ class ResultText {
   Lines lines_;
   const std::string& name_;
   Diagnostics& diagnostics_;
-  Fault unreadable_, incomplete_;
+  Fault unreadable_, incomplete_, open_legend_, cut_legend_;
   std::uint32_t last_line_ = 0;
   bool open_ = false;
 };

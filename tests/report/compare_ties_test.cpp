@@ -62,6 +62,13 @@ TEST(CompareTies, NodesOutOfReachAreCountedByADeckAndListedByTheSolver) {
   EXPECT_EQ(compare(deck, log, 0).contacts[0].ties_only_second, 1u);
 }
 
+TEST(CompareTies, NodesOutOfReachAreCountedForEachSideOnItsOwn) {
+  Report first = tied({failure(1, too_far)}), second = tied({failure(2, too_far)});
+  first.contacts[0].out_of_reach = second.contacts[0].out_of_reach = 1;
+  EXPECT_TRUE(compare(first, second, 0).equal());
+  EXPECT_EQ(compare(first, second, 0).contacts[0].ties_out_of_reach, 2u);
+}
+
 TEST(CompareTies, ADeckThatDidNotJudgeSaysNothing) {
   Report deck = tied({});
   deck.contacts[0].ties = 0;

@@ -27,6 +27,18 @@ TEST(ReadGlstat, AStateWithoutItsTotalIsLeftOut) {
   EXPECT_EQ(read_glstat(text).size(), 2u);
 }
 
+TEST(ReadGlstat, AStateThatEndsBehindItsTotal) {
+  const std::string text = two_states();
+  const auto before_ratio = [](const std::string& all) { return all.substr(0, all.rfind(" total energy / initial")); };
+  Diagnostics diagnostics, alone;
+  EXPECT_EQ(read_glstat(before_ratio(text), "glstat", diagnostics).size(), 1u);
+  EXPECT_NE(said(diagnostics).find("a state ends before it is complete"), std::string::npos);
+  const auto states = read_glstat(before_ratio(glstat_text({})), "glstat", alone);
+  ASSERT_EQ(states.size(), 1u);
+  EXPECT_TRUE(std::isnan(states[0].ratio));
+  EXPECT_TRUE(std::isnan(states[0].ratio_without_eroded));
+}
+
 TEST(ReadGlstat, NumbersThatAreNone) {
   std::string text = two_states(), printed = text;
   const std::size_t at = text.rfind(" 3.00000E+00");

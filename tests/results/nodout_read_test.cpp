@@ -78,5 +78,31 @@ TEST(ReadNodout, FilesThatAreCutOff) {
   EXPECT_TRUE(std::isnan(history.states[0].nodes[0].displacement.z()));
 }
 
+TEST(ReadNodout, FilesThatWerePutTogether) {
+  const std::string states = nodout_text(1, 0, two_nodes()) + nodout_text(24, 4.8730101e-3, two_nodes());
+  for (const std::string& header : {nodout_header({"t", "p"}, {{5, "tip"}}), std::string(" t\n      p\n\n")})
+    for (const char* between : {"", "\n"}) {
+      Diagnostics diagnostics;
+      const NodeHistory history = read_nodout(header + states + between + header + states, "nodout", diagnostics);
+      EXPECT_EQ(said(diagnostics), "");
+      ASSERT_EQ(history.states.size(), 4u);
+      for (const NodeStates& state : history.states) EXPECT_EQ(state.nodes.size(), 2u);
+    }
+}
+
+TEST(ReadNodout, ALegendWithoutEnd) {
+  const std::string begin = "{BEGIN LEGEND}\n Entity #        Title\n        5     tip\n";
+  Diagnostics diagnostics, twice, writing;
+  const NodeHistory history = read_nodout("title\n" + begin + "\n" + touching, "nodout", diagnostics);
+  EXPECT_EQ(said(diagnostics).find("error 2: the legend has no {END LEGEND}"), 0u) << said(diagnostics);
+  ASSERT_EQ(history.titles.size(), 1u);
+  EXPECT_EQ(history.titles[0].title, "tip");
+  ASSERT_EQ(history.states.size(), 1u);
+  EXPECT_EQ(history.states[0].nodes.size(), 3u);
+  EXPECT_EQ(read_nodout(begin + begin + "{END LEGEND}\n" + touching, "nodout", twice).titles.size(), 2u);
+  EXPECT_EQ(read_nodout(begin, "nodout", writing).titles.size(), 1u);
+  EXPECT_EQ(said(writing), "warning 1: the file ends inside its legend: the run may still be writing it\n");
+}
+
 }  // namespace
 }  // namespace gapcheck::results
