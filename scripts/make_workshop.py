@@ -303,4 +303,5 @@ def write_all(folder):
 
 
 if __name__ == "__main__":
-    sys.exit(generated.main(__doc__, "make_workshop.py", "data/workshop", write_all))
+    sys.exit(generated.main(__doc__, "make_workshop.py", "data/workshop", write_all,
+                            foreign=lambda path: path.parts[0] == "curves"))  # make_reference_curves.py writes them

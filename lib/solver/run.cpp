@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "contact/erosion.hpp"
+#include "contact/ties.hpp"
 #include "solver/build_forces.hpp"
 #include "solver/check_deck.hpp"
 #include "solver/conditions.hpp"
@@ -32,6 +33,20 @@ std::vector<bool> movable_nodes(const Structure& structure) {
   for (std::size_t i = 0; i < movable.size(); ++i)
     movable[i] = !structure.rigid.holds(i) && (structure.constraints.mask(i) & translations) != translations;
   return movable;
+}
+
+/// Ties by constraints answer after rigid walls, and may move on what a wall has stopped.
+void name_tied_nodes_at_walls(const model::Model& model, const contact::InitialState& initial,
+                              Diagnostics& diagnostics) {
+  if (model.rigid_walls.empty()) return;
+  const auto nodes = std::count_if(initial.judged.begin(), initial.judged.end(), [&](const contact::JudgedNode& node) {
+    return node.tied() && !node.penalty && contact::ties_by_constraint(contact::classify(model.contacts[node.contact]));
+  });
+  if (nodes > 0)
+    diagnostics.warning("", 0,
+                        fmt::format("rigid walls do not stop the {} nodes that constraints tie; tie what meets a wall by "
+                                    "a type with _OFFSET or _BEAM_OFFSET",
+                                    nodes));
 }
 
 }  // namespace
@@ -73,6 +88,7 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   if (std::any_of(model.contacts.begin(), model.contacts.end(),
                   [](const model::Contact& c) { return contact::is_eroding(contact::classify(c)); }))
     built.solids.let_inverted_fail();
+  name_tied_nodes_at_walls(model, *run.initial_, diagnostics);
   auto constraints = ConstraintContact::create(model, surfaces, *run.initial_, built, movable_nodes(built));
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
   auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
