@@ -7,12 +7,15 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "audit/registry.hpp"
 #include "base/number.hpp"
 #include "commands.hpp"
 #include "common/files.hpp"
 #include "output.hpp"
+#include "report/describe.hpp"
+#include "report/formats.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -41,7 +44,7 @@ std::string check_id(const std::string& text) {
 void add_output(CLI::App& command, OutputOptions& options) {
   const std::vector<CLI::Option*> added{
       command.add_option("--format", options.format, "Of the results")
-          ->check(CLI::IsMember({"text", "json"}))
+          ->check(CLI::IsMember({"text", "json", "sarif", "junit", "github", "gitlab", "csv"}))
           ->capture_default_str(),
       command.add_option("--output", options.output, "Write the results there instead of to standard output")
           ->type_name("FILE"),
@@ -58,25 +61,61 @@ void add_output(CLI::App& command, OutputOptions& options) {
   for (CLI::Option* option : added) option->group("Output");
 }
 
+namespace {
+
+/// The rules as formats show them.
+std::vector<report::RuleText> rule_texts() {
+  std::vector<report::RuleText> texts;
+  for (const audit::RuleInfo& rule : audit::rules())
+    texts.push_back({rule.id, rule.name, rule.severity, rule.summary, audit::page(rule)});
+  return texts;
+}
+
+/// The least severity that counts; none for "never".
+std::optional<Severity> limit_of(const std::string& fail_on) {
+  for (const Severity severity : {Severity::note, Severity::warning, Severity::error})
+    if (report::name(severity) == fail_on) return severity;
+  return std::nullopt;
+}
+
+void write_text(const Report& report, const OutputOptions& options, Output& output) {
+  report::TextOptions text = options.text;
+  text.color = output.color();
+  output.write(report::text(report, text));
+}
+
+/// In one of the formats for programs.
+void write_format(const Report& report, const OutputOptions& options, const report::Sink& sink) {
+  const std::size_t top = options.text.list ? std::numeric_limits<std::size_t>::max() : options.text.top;
+  const std::optional<Severity> limit = limit_of(options.fail_on);
+  if (options.format == "json") report::json(report, sink);
+  if (options.format == "sarif") report::sarif(report, GAPCHECK_VERSION, rule_texts(), sink);
+  if (options.format == "junit") report::junit(report, limit ? &*limit : nullptr, top, sink);
+  if (options.format == "github") report::github(report, top, sink);
+  if (options.format == "gitlab") report::gitlab(report, sink);
+  if (options.format == "csv") report::csv(report, sink);
+}
+
+}  // namespace
+
 bool write(const Report& report, const OutputOptions& options) {
   Output output(options.output);
-  if (options.format == "json") {
-    report::json(report, [&output](std::string_view piece) { return output.write(piece); });
-    if (options.text.stats) std::fputs(report::statistics(report).c_str(), stderr);
+  if (options.format == "text") {
+    write_text(report, options, output);
   } else {
-    report::TextOptions text = options.text;
-    text.color = output.color();
-    output.write(report::text(report, text));
+    write_format(report, options, [&output](std::string_view piece) { return output.write(piece); });
+    if (options.text.stats) std::fputs(report::statistics(report).c_str(), stderr);
   }
   return output.close();
 }
 
 int exit_code(const Report& report, const std::string& fail_on) {
   const report::Totals totals = report::totals(report);
+  const std::optional<Severity> limit = limit_of(fail_on);
   std::size_t counted = 0;
-  if (fail_on != "never") counted += totals.errors;
-  if (fail_on == "warning" || fail_on == "note") counted += totals.warnings;
-  if (fail_on == "note") counted += totals.notes;
+  if (limit) counted += totals.errors;
+  if (limit && *limit <= Severity::warning) counted += totals.warnings;
+  if (limit && *limit <= Severity::note) counted += totals.notes;
   return counted > 0 ? findings : clean;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "report/describe.hpp"
+#include "report/describe_tie.hpp"
 
 namespace gapcheck::report {
 namespace {
@@ -64,6 +65,14 @@ std::uint64_t fingerprint(const Finding& finding) {
   }
   hash.text(rest);
   return hash.value();
+}
+
+std::uint64_t fingerprint(const TieFailure& failure, std::int64_t contact_id) {
+  Finding finding;
+  finding.id = rule_of(failure).id;
+  finding.message = message(failure);
+  finding.contact = contact_id;
+  return fingerprint(finding);
 }
 
 }  // namespace gapcheck::report

@@ -10,6 +10,7 @@
 #include "report/fingerprint.hpp"
 #include "report/json_members.hpp"
 #include "report/json_run.hpp"
+#include "report/stream.hpp"
 #include "report/writers.hpp"
 
 namespace gapcheck::report {
@@ -155,29 +156,6 @@ void append_timing(const Timing& timing, Buffer& out) {
   object.number("total_s", timing.total_s);
   object.close();
 }
-
-/// One piece of output on its way; hands it on when it is large enough.
-class Stream {
- public:
-  explicit Stream(const Sink& sink) : sink_(sink) { buffer.reserve(limit + limit / 16); }
-  void text(std::string_view text) { buffer.append(text); }
-  /// Between the lines of a list; also the moment to hand on what is there.
-  void separator(bool first) {
-    text(first ? "\n  " : ",\n  ");
-    if (buffer.size() >= limit) flush();
-  }
-  void flush() {
-    if (open_) open_ = sink_({buffer.data(), buffer.size()});
-    buffer.clear();
-  }
-  [[nodiscard]] bool open() const { return open_; }
-  Buffer buffer;
-
- private:
-  static constexpr std::size_t limit = std::size_t{1} << 20;
-  const Sink& sink_;
-  bool open_ = true;
-};
 
 void append_findings(const Report& report, Stream& stream) {
   std::vector<std::string> files;

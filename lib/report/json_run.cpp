@@ -143,12 +143,7 @@ void append_tie_failure(const Report& report, const TieFailure& failure, const s
     object.raw("file", files[failure.file]);
     object.integer("line", failure.line);
   }
-  Finding finding;  // nothing says where the node is: its number names it
-  finding.id = rule.id;
-  finding.rule = rule.name;
-  finding.message = text;
-  finding.contact = contact;
-  object.fingerprint(fingerprint(finding));
+  object.fingerprint(fingerprint(failure, contact));
   object.close();
 }
 

@@ -8,26 +8,12 @@
 #include <limits>
 #include <string_view>
 
+#include "report/xml_text.hpp"
+
 namespace gapcheck::report {
 namespace {
 
 constexpr double width = 720, height = 420, left = 84, right = 700, top = 40, bottom = 372;
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += byte < ' ' || byte >= 0x7f ? '?' : c;
-  }
-  return out;
-}
 
 /// Values between two pixels, with round values in between. Works on halves, so that no range overflows.
 class Axis {
@@ -96,7 +82,7 @@ std::string line(double x1, double y1, double x2, double y2, std::string_view st
 }
 
 std::string text(double x, double y, std::string_view anchor, std::string_view words) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, escaped(words));
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, xml_text(words));
 }
 
 std::string_view stroke(std::size_t position) {
@@ -148,7 +134,7 @@ std::string plot_svg(const Plot& plot) {
   }
   out += text((left + right) / 2, height - 10, "middle", plot.x_label);
   out += fmt::format("<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-                     (top + bottom) / 2, escaped(plot.y_label));
+                     (top + bottom) / 2, xml_text(plot.y_label));
   return out + "</svg>\n";
 }
 

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <limits>
 
+#include "report/xml_text.hpp"
+
 namespace gapcheck::report {
 namespace {
 
@@ -44,28 +46,11 @@ std::vector<float> single(std::span<const double> values) {
   return list;
 }
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += static_cast<unsigned char>(c) < ' ' ? '?' : c;
-  }
-  return result;
-}
-
 template <class Value>
 std::string array(std::string_view type, std::string_view name, unsigned components, const std::vector<Value>& values) {
   return fmt::format(
       "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n{}\n</DataArray>\n", type,
-      escaped(name), components, encoded(values));
+      xml_text(name), components, encoded(values));
 }
 
 std::string data_arrays(const std::vector<VtuArray>& list) {
@@ -127,7 +112,7 @@ std::string vtu(const VtuGrid& grid) {
 std::string pvd(std::span<const PvdEntry> entries) {
   std::string text = fmt::format(fmt::runtime(head), "Collection") + "<Collection>\n";
   for (const PvdEntry& entry : entries)
-    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", entry.time, escaped(entry.file));
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", entry.time, xml_text(entry.file));
   return text + "</Collection>\n</VTKFile>\n";
 }
 

@@ -41,7 +41,7 @@ void expect_well_formed(const std::string& svg) {
 
 TEST(PlotSvg, LinesAxesLegend) {
   const std::vector<double> x{0, 1, 2}, a{0, 10, 0}, b{0, -10, 0};
-  const std::string svg = plot_svg({"kinetic <energy>", "time", "energy", {{"A & C", x, a}, {"B\n", x, b}}});
+  const std::string svg = plot_svg({"kinetic <energy>", "time", "energy", {{"A & C", x, a}, {"B\x01", x, b}}});
   expect_well_formed(svg);
   for (const char* text : {">kinetic &lt;energy&gt;<", ">A &amp; C<", ">B?<", ">time<", ">energy<", ">10<", ">-10<"})
     EXPECT_NE(svg.find(text), std::string::npos) << text;

@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "report/describe.hpp"
+#include "report/formats.hpp"
+#include "report/item.hpp"
+#include "report/stream.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+/// As the runner's commands want it; properties must do without colons and commas as well.
+std::string escaped(std::string_view text, bool property) {
+  std::string out;
+  for (const char c : text) {
+    const bool special = c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','));
+    out += special ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
+  }
+  return out;
+}
+
+std::string_view command(Severity severity) { return severity == Severity::note ? "notice" : name(severity); }
+
+void append(Severity severity, std::string_view file, std::uint32_t line, std::string_view title,
+            std::string_view message, Stream& stream) {
+  stream.text(fmt::format("::{} file={}", command(severity), escaped(file, true)));
+  if (line != 0) stream.text(fmt::format(",line={}", line));
+  stream.text(fmt::format(",title={}::{}\n", escaped(title, true), escaped(message, false)));
+  stream.pause();
+}
+
+void append(const Report& report, const ItemGroup& group, Stream& stream) {
+  const std::string title = fmt::format("{} {}", group.id, group.rule);
+  for (const Item& item : group.shown)
+    append(item.severity, item.file.empty() ? report.input : item.file, item.line, title, item.message, stream);
+  const std::size_t more = group.items - group.shown.size();
+  if (more == 0) return;
+  const bool of_contact = group.contact_position != Item::no_contact;
+  const ContactSummary none, &contact = of_contact ? report.contacts[group.contact_position] : none;
+  const std::string where = of_contact ? fmt::format(" in contact {}", contact.id) : "";
+  append(group.severity, contact.file.empty() ? report.input : contact.file, contact.line, title,
+         fmt::format("{} more{}: see the whole report", more, where), stream);
+}
+
+}  // namespace
+
+void github(const Report& report, std::size_t top, const Sink& sink) {
+  std::vector<ItemGroup> groups = item_groups(report, top);
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const ItemGroup& a, const ItemGroup& b) { return a.severity > b.severity; });
+  Stream stream(sink);
+  for (const ItemGroup& group : groups) append(report, group, stream);
+  stream.flush();
+}
+
+}  // namespace gapcheck::report

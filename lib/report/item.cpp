@@ -1,0 +1,121 @@
+#include "report/item.hpp"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "report/describe.hpp"
+#include "report/describe_tie.hpp"
+#include "report/fingerprint.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+void set_rule(const RecordRule& rule, Item& item) {
+  item.id = rule.id;
+  item.rule = rule.name;
+  item.severity = rule.severity;
+}
+
+void set_contact(const Report& report, std::uint32_t position, Item& item) {
+  if (position >= report.contacts.size()) return;
+  item.contact_position = position;
+  item.contact = report.contacts[position].id;
+}
+
+void set_place(const Report& report, std::uint32_t file, std::uint32_t line, Item& item) {
+  if (line == 0 || file >= report.files.size()) return;
+  item.file = report.files[file];
+  item.line = line;
+}
+
+Item item_of(const Report& report, const Penetration& record) {
+  Item item;
+  set_rule(rule_of(record.kind), item);
+  set_contact(report, record.contact, item);
+  set_place(report, record.file, record.line, item);
+  fmt::memory_buffer message;
+  append_message(record, message);
+  item.message = fmt::to_string(message);
+  item.node = record.node;
+  item.part = record.part;
+  item.element = record.element;
+  item.element_part = record.element_part;
+  const bool deck = report.source == "deck";
+  if (deck || record.depth > 0) item.penetration = record.depth;
+  if (record.contact_distance > 0) item.contact_distance = record.contact_distance;
+  if (deck || !record.original.isZero()) item.position = record.original;
+  // The solver does not list nodes of the edge zone; what it does with edges is not known.
+  if (record.kind != PenetrationKind::edge_zone && record.kind != PenetrationKind::edge)
+    item.outcome = name(record.outcome);
+  item.fingerprint = fingerprint(record, item.contact);
+  return item;
+}
+
+Item item_of(const Report& report, const TieFailure& failure) {
+  Item item;
+  set_rule(rule_of(failure), item);
+  set_contact(report, failure.contact, item);
+  set_place(report, failure.file, failure.line, item);
+  item.message = message(failure);
+  item.node = failure.node;
+  item.part = failure.part;
+  item.outcome = name(failure.reason);
+  item.fingerprint = fingerprint(failure, item.contact);
+  return item;
+}
+
+Item item_of(const Finding& finding) {
+  Item item;
+  set_rule({finding.id, finding.rule, finding.severity}, item);
+  item.message = finding.message;
+  item.contact = finding.contact;
+  item.node = finding.node;
+  item.part = finding.part;
+  item.element = finding.element;
+  item.element_part = finding.element_part;
+  item.penetration = finding.penetration;
+  item.contact_distance = finding.contact_distance;
+  item.position = finding.point;
+  item.file = finding.file;
+  item.line = finding.line;
+  item.count = finding.count;
+  item.fingerprint = fingerprint(finding);
+  return item;
+}
+
+}  // namespace
+
+void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit) {
+  for (const Penetration& record : report.penetrations)
+    if (!visit(item_of(report, record))) return;
+  for (const TieFailure& failure : report.tie_failures)
+    if (!visit(item_of(report, failure))) return;
+  std::unordered_map<std::int64_t, std::uint32_t> position;  // of a contact's id; the first of equal ones
+  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) position.emplace(report.contacts[i].id, i);
+  for (const Finding& finding : report.findings) {
+    Item item = item_of(finding);
+    if (const auto found = position.find(finding.contact); finding.contact != 0 && found != position.end())
+      item.contact_position = found->second;
+    if (!visit(item)) return;
+  }
+}
+
+std::vector<ItemGroup> item_groups(const Report& report, std::size_t top) {
+  std::map<std::pair<std::uint32_t, std::string_view>, ItemGroup> groups;
+  for_each_item(report, [&](const Item& item) {
+    ItemGroup& group = groups[{item.contact_position, item.id}];
+    group.contact_position = item.contact_position;
+    group.id = item.id;
+    group.rule = item.rule;
+    group.severity = std::max(group.severity, item.severity);
+    if (group.items++ < top) group.shown.push_back(item);
+    return true;
+  });
+  std::vector<ItemGroup> list;
+  for (auto& [key, group] : groups) list.push_back(std::move(group));
+  return list;
+}
+
+}  // namespace gapcheck::report

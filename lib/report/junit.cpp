@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "report/describe.hpp"
+#include "report/formats.hpp"
+#include "report/item.hpp"
+#include "report/stream.hpp"
+#include "report/xml_text.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+struct Suite {
+  std::string name;
+  std::uint32_t contact_position = Item::no_contact;
+  std::vector<const ItemGroup*> groups;
+};
+
+std::string suite_name(const ContactSummary& contact) {
+  const std::string title = contact.title.empty() ? "" : ": " + contact.title;
+  return xml_text(fmt::format("contact {}{}", contact.id, title));
+}
+
+/// One per contact in deck order, then one for what belongs to none.
+std::vector<Suite> suites_of(const Report& report, const std::vector<ItemGroup>& groups) {
+  std::vector<Suite> suites(report.contacts.size() + 1);
+  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) suites[i] = {suite_name(report.contacts[i]), i, {}};
+  suites.back().name = report.source == "deck" ? "model" : "run";
+  for (const ItemGroup& group : groups)
+    suites[group.contact_position == Item::no_contact ? report.contacts.size() : group.contact_position]
+        .groups.push_back(&group);
+  return suites;
+}
+
+bool fails(const ItemGroup& group, const Severity* limit) { return limit != nullptr && group.severity >= *limit; }
+
+std::size_t failures(const Suite& suite, const Severity* limit) {
+  std::size_t count = 0;
+  for (const ItemGroup* group : suite.groups) count += fails(*group, limit) ? 1 : 0;
+  return count;
+}
+
+std::string body(const ItemGroup& group) {
+  std::string text;
+  for (const Item& item : group.shown) {
+    const std::string place = item.line == 0 ? "" : fmt::format("{}:{}: ", item.file, item.line);
+    text += xml_text(fmt::format("{}{}\n", place, item.message));
+  }
+  if (group.items > group.shown.size()) text += fmt::format("and {} more\n", group.items - group.shown.size());
+  return text;
+}
+
+void append_case(const Suite& suite, const ItemGroup& group, const Severity* limit, Stream& stream) {
+  const std::string name = xml_text(fmt::format("{} {}", group.id, group.rule));
+  stream.text(fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">\n", suite.name, name));
+  if (fails(group, limit)) {
+    stream.text(fmt::format("      <failure message=\"{} found\" type=\"{}\">{}</failure>\n", group.items,
+                            report::name(group.severity), body(group)));
+  } else {
+    stream.text(fmt::format("      <system-out>{}</system-out>\n", body(group)));
+  }
+  stream.text("    </testcase>\n");
+}
+
+void append_suite(const Report& report, const Suite& suite, const Severity* limit, Stream& stream) {
+  const std::size_t cases = suite.groups.empty() ? 1 : suite.groups.size();
+  stream.text(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"0\">\n",
+                          suite.name, cases, failures(suite, limit)));
+  if (suite.groups.empty()) {
+    const bool contact = suite.contact_position != Item::no_contact;
+    const std::string& why = contact ? report.contacts[suite.contact_position].not_checked : std::string();
+    stream.text(fmt::format("    <testcase classname=\"{}\" name=\"no findings\" time=\"0\"", suite.name));
+    stream.text(why.empty() ? "/>\n"
+                            : fmt::format(">\n      <system-out>penetrations not checked: {}</system-out>\n    </testcase>\n",
+                                          xml_text(why)));
+  }
+  for (const ItemGroup* group : suite.groups) append_case(suite, *group, limit, stream);
+  stream.text("  </testsuite>\n");
+  stream.pause();
+}
+
+}  // namespace
+
+void junit(const Report& report, const Severity* limit, std::size_t top, const Sink& sink) {
+  const std::vector<ItemGroup> groups = item_groups(report, top);
+  const std::vector<Suite> suites = suites_of(report, groups);
+  std::size_t cases = 0, failed = 0;
+  for (const Suite& suite : suites) {
+    cases += suite.groups.empty() ? 1 : suite.groups.size();
+    failed += failures(suite, limit);
+  }
+  Stream stream(sink);
+  stream.text(fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                          "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" time=\"{:.3f}\">\n",
+                          xml_text(report.input), cases, failed, report.timing.total_s));
+  for (const Suite& suite : suites) append_suite(report, suite, limit, stream);
+  stream.text("</testsuites>\n");
+  stream.flush();
+}
+
+}  // namespace gapcheck::report

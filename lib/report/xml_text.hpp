@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace gapcheck::report {
+
+/// Text for XML and HTML, between tags or in quotes: the five special characters escaped, control characters and bytes
+/// that are no UTF-8 replaced by '?'.
+[[nodiscard]] std::string xml_text(std::string_view text);
+
+}  // namespace gapcheck::report
