@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""Holds every format of gapcheck audit against readers that are not ours: jsonschema with the published schema of
+gapcheck/1, the classes that were generated from the public schema of SARIF 2.1.0, xmllint, the csv module.
+
+usage: check_formats.py GAPCHECK ROOT
+With GAPCHECK_SARIF_SCHEMA set to a file with the public schema itself, SARIF is held against that, too.
+"""
+
+import csv
+import io
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import attr
+import jsonschema
+import sarif_om
+
+CLASSES = {"tool": sarif_om.Tool, "driver": sarif_om.ToolComponent, "rules": sarif_om.ReportingDescriptor,
+           "results": sarif_om.Result, "runs": sarif_om.Run, "locations": sarif_om.Location,
+           "physicalLocation": sarif_om.PhysicalLocation, "artifactLocation": sarif_om.ArtifactLocation,
+           "region": sarif_om.Region, "logicalLocations": sarif_om.LogicalLocation, "message": sarif_om.Message,
+           "shortDescription": sarif_om.MultiformatMessageString, "help": sarif_om.MultiformatMessageString,
+           "defaultConfiguration": sarif_om.ReportingConfiguration}
+
+
+def read_sarif(value, cls):
+    """An object of the public model; a member that the model does not have, or one that it misses, raises."""
+    names = {field.metadata.get("schema_property_name", field.name): field.name for field in attr.fields(cls)}
+    arguments = {}
+    for key, member in value.items():
+        if key not in names:
+            raise ValueError(f"{cls.__name__} has no {key}")
+        if key in CLASSES and isinstance(member, list):
+            member = [read_sarif(item, CLASSES[key]) for item in member]
+        elif key in CLASSES:
+            member = read_sarif(member, CLASSES[key])
+        arguments[names[key]] = member
+    return cls(**arguments)
+
+
+class Checker:
+    def __init__(self, gapcheck, root):
+        self.gapcheck, self.root = gapcheck, root
+        schema = json.loads((root / "docs/schema/gapcheck-1.schema.json").read_text())
+        jsonschema.Draft7Validator.check_schema(schema)
+        self.schema = jsonschema.Draft7Validator(schema)
+        public = os.environ.get("GAPCHECK_SARIF_SCHEMA")
+        self.public = jsonschema.Draft7Validator(json.loads(pathlib.Path(public).read_text())) if public else None
+
+    def write(self, arguments, name):
+        run = subprocess.run([self.gapcheck, *arguments, "--format", name, "--fail-on", "warning"],
+                             capture_output=True, cwd=self.root)
+        if run.returncode not in (0, 1):
+            raise SystemExit(f"{arguments} --format {name}: exit {run.returncode}: {run.stderr.decode()}")
+        return run.stdout.decode(), run.returncode
+
+    def check(self, arguments):
+        findings, status = self.write(arguments, "json")
+        report = json.loads(findings)
+        self.schema.validate(report)
+        count = len(report["findings"])
+
+        log = json.loads(self.write(arguments, "sarif")[0])
+        read = read_sarif(log, sarif_om.SarifLog)
+        assert len(read.runs[0].results) == count, "SARIF has other findings"
+        known = [rule.id for rule in read.runs[0].tool.driver.rules]
+        for result in read.runs[0].results:
+            assert known[result.rule_index] == result.rule_id, "SARIF names another rule by its index"
+        if self.public:
+            self.public.validate(log)
+
+        rows = list(csv.reader(io.StringIO(self.write(arguments, "csv")[0], newline=""), strict=True))
+        assert len(rows) == 1 + count and all(len(row) == len(rows[0]) for row in rows), "CSV has other lines"
+
+        entries = json.loads(self.write(arguments, "gitlab")[0])
+        assert len({entry["fingerprint"] for entry in entries}) == count, "GitLab has other findings"
+
+        junit = self.write(arguments, "junit")[0]
+        with tempfile.NamedTemporaryFile(suffix=".xml") as file:
+            file.write(junit.encode())
+            file.flush()
+            subprocess.run(["xmllint", "--noout", "--schema", self.root / "tests/apps/junit.xsd", file.name], check=True,
+                           stderr=subprocess.DEVNULL)
+        assert ("<failure " in junit) == (status == 1), "JUnit fails where the exit code does not"
+
+        for line in self.write(arguments, "github")[0].splitlines():
+            assert line.startswith(("::error file=", "::warning file=", "::notice file=")) and ",title=GC" in line, line
+        return count
+
+
+def can_fail(checker):
+    """The readers notice what is wrong."""
+    report = json.loads(checker.write(["audit", "data/two_plates.k"], "json")[0])
+    report["findings"][0]["severity"] = "grave"
+    assert not checker.schema.is_valid(report)
+    for broken in ({"runs": [{"results": []}], "version": "2.1.0"}, {"runs": [], "version": "2.1.0", "more": 1}):
+        try:
+            read_sarif(broken, sarif_om.SarifLog)
+        except (TypeError, ValueError):
+            continue
+        raise AssertionError(f"taken for SARIF: {broken}")
+
+
+def main():
+    checker = Checker(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve())
+    can_fail(checker)
+    decks = sorted(checker.root.glob("data/*.k"))
+    findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)
+    assert len(decks) > 30 and findings > 300
+    logs = [f"tests/apps/fixtures/{name}" for name in ("smp/messag", "mpp/mes0000", "clean/messag", "soft2/messag")]
+    findings += sum(checker.check(["messag", log]) for log in logs)
+    print(f"{len(decks)} decks, {len(logs)} logs, {findings} findings, every format as its readers want it")
+
+
+if __name__ == "__main__":
+    main()
