@@ -6,11 +6,13 @@
 #include <cstring>
 
 #include "base/parallel.hpp"
+#include "keyword/fixed_field.hpp"
 
 namespace gapcheck::keyword {
 namespace {
 
-constexpr std::size_t piece_size = std::size_t{1} << 18;
+/// Text and numbers of a piece stay in the cache of one core.
+constexpr std::size_t piece_size = std::size_t{1} << 16;
 
 /// A part of the block's body that starts at a line start.
 struct Piece {
@@ -24,23 +26,75 @@ struct Column {
   std::int64_t offset = 0;
 };
 
-bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+bool is_blank(std::string_view line) {
+  // Most lines end in a number: one look tells.
+  return line.empty() || (line.back() <= ' ' && line.find_first_not_of(" \t\r") == std::string_view::npos);
+}
 
-/// Calls visit(line, number) for every line of the piece that is neither comment nor blank; gives the number of lines.
-template <class Visit>
-std::uint32_t for_each_row(std::string_view body, const Piece& piece, const Visit& visit) {
-  std::uint32_t number = piece.first_line;
-  for (std::size_t at = piece.begin; at < piece.end; ++number) {
-    const char* start = body.data() + at;
-    const void* newline = std::memchr(start, '\n', body.size() - at);
-    const std::size_t length =
-        newline != nullptr ? static_cast<std::size_t>(static_cast<const char*>(newline) - start) : body.size() - at;
-    at += length + 1;
-    std::string_view line(start, length);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (!line.starts_with('$') && !is_blank(line)) visit(line, number);
+/// The line that starts at `at`, without its end; `next` becomes the start of the one behind it.
+std::string_view line_from(std::string_view body, std::size_t at, std::size_t& next) {
+  const char* start = body.data() + at;
+  const void* newline = std::memchr(start, '\n', body.size() - at);
+  const std::size_t length =
+      newline != nullptr ? static_cast<std::size_t>(static_cast<const char*>(newline) - start) : body.size() - at;
+  next = at + length + 1;
+  return {start, length > 0 && start[length - 1] == '\r' ? length - 1 : length};
+}
+
+bool is_row(std::string_view line) { return !line.starts_with('$') && !is_blank(line); }
+
+#ifdef __SSE2__
+
+/// Counts lines and rows of whole lines at a time by what stands before and behind the line ends. False: some line might
+/// be blank, which this way cannot tell.
+bool count_fast(std::string_view text, std::uint32_t& lines, std::size_t& rows) {
+  const __m128i newline = _mm_set1_epi8('\n'), blank = _mm_set1_epi8(' '), dollar = _mm_set1_epi8('$');
+  const auto bits = [](__m128i match) { return static_cast<std::uint32_t>(_mm_movemask_epi8(match)); };
+  if (text.empty() || text.back() != '\n') return false;
+  std::uint32_t before_start = 1, before_solid = 0;  // what the byte in front of the next ones is
+  std::size_t at = 0, ends = 0, comments = 0;
+  while (at + 16 <= text.size()) {
+    __m128i sums = _mm_setzero_si128();  // of 16 columns, each of which holds up to 255
+    for (int i = 0; i < 255 && at + 16 <= text.size(); ++i, at += 16) {
+      const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(text.data() + at));
+      const __m128i is_end = _mm_cmpeq_epi8(bytes, newline);
+      const std::uint32_t end = bits(is_end), solid = bits(_mm_cmpgt_epi8(bytes, blank));
+      if ((end & ~(solid << 1 | before_solid)) != 0) return false;
+      std::uint32_t comment = bits(_mm_cmpeq_epi8(bytes, dollar)) & (end << 1 | before_start);
+      for (; comment != 0; comment &= comment - 1) ++comments;
+      sums = _mm_sub_epi8(sums, is_end);
+      before_start = end >> 15;
+      before_solid = solid >> 15;
+    }
+    const __m128i halves = _mm_sad_epu8(sums, _mm_setzero_si128());
+    ends += static_cast<std::size_t>(_mm_cvtsi128_si64(halves) + _mm_cvtsi128_si64(_mm_srli_si128(halves, 8)));
   }
-  return number - piece.first_line;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '\n' && before_solid == 0) return false;
+    if (c == '$' && before_start != 0) ++comments;
+    before_start = c == '\n' ? 1 : 0;
+    before_solid = c > ' ' ? 1 : 0;
+    ends += before_start;
+  }
+  lines = static_cast<std::uint32_t>(ends);
+  rows = ends - comments;
+  return true;
+}
+
+#else
+
+bool count_fast(std::string_view, std::uint32_t&, std::size_t&) { return false; }
+
+#endif
+
+/// Counts the lines of a piece, and those that are neither comment nor blank.
+void count(std::string_view body, Piece& piece) {
+  if (count_fast(body.substr(piece.begin, piece.end - piece.begin), piece.lines, piece.rows)) return;
+  piece.lines = 0;
+  piece.rows = 0;
+  for (std::size_t at = piece.begin; at < piece.end; ++piece.lines)
+    if (is_row(line_from(body, at, at))) ++piece.rows;
 }
 
 std::vector<Piece> cut(std::string_view body) {
@@ -102,21 +156,75 @@ class RowReader {
       const Column column{cell.column, cell.width, offsets[static_cast<std::size_t>(field.id)]};
       (field.type == FieldType::integer ? integer_columns_ : real_columns_).push_back(column);
       (field.type == FieldType::integer ? integer_fields_ : real_fields_).push_back(i);
+      if (column.offset > max_safe_offset || column.offset < -max_safe_offset) safe_offsets_ = false;
     }
+    end_ = end;
+    aligned_ = gapless_ && safe_offsets_ && !integer_columns_.empty();
   }
 
   [[nodiscard]] std::size_t integer_columns() const { return integer_columns_.size(); }
   [[nodiscard]] std::size_t real_columns() const { return real_columns_.size(); }
 
-  void read(std::string_view line, std::uint32_t number, std::int64_t* integers, double* reals,
-            Diagnostics& diagnostics) const {
-    if (!read_plain(line, integers, reals)) read_card(line, number, integers, reals, diagnostics);
+  /// Reads the rows of one piece; `rows` has room for them and one more, since a line may turn out to be none.
+  void read(const Piece& piece, Rows& rows, Diagnostics& diagnostics) const {
+    const std::string_view body = block_.body;
+    std::int64_t* integers = rows.integers.data();
+    double* reals = rows.reals.data();
+    std::uint32_t* lines = rows.lines.data();
+    std::uint32_t number = piece.first_line;
+    for (std::size_t at = piece.begin; at < piece.end; ++number) {
+      std::size_t next = 0;
+      if (!read_aligned(at, next, integers, reals)) {
+        const std::string_view line = line_from(body, at, next);
+        if (!is_row(line)) {
+          at = next;
+          continue;
+        }
+        if (!read_plain(line, integers, reals)) read_card(line, number, integers, reals, diagnostics);
+      }
+      at = next;
+      *lines++ = number;
+      integers += integer_columns_.size();
+      reals += real_columns_.size();
+    }
   }
 
  private:
+  /// Offsets up to this size cannot overflow where a plain number takes them.
+  static constexpr auto max_safe_offset = std::int64_t{1} << 61;
+  static std::int64_t with_offset(const Column& column, std::int64_t id) {
+    return id == 0 ? 0 : id > 0 ? id + column.offset : id - column.offset;
+  }
+
+  /// The fastest way: all fields are there in full width, each a plain number; then the line's end cannot be before
+  /// theirs. False where that does not hold, or where the body ends too near.
+  bool read_aligned(std::size_t at, std::size_t& next, std::int64_t* integers, double* reals) const {
+    const std::string_view body = block_.body;
+    if (!aligned_ || at < reach || body.size() - at < end_ + reach) return false;
+    const char* const line = body.data() + at;
+    for (const Column& column : integer_columns_) {
+      if (!read_fixed_integer(line + column.begin, column.width, *integers)) return false;
+      *integers = with_offset(column, *integers);
+      ++integers;
+    }
+    // Zero or blank: perhaps the whole line is.
+    if (integers[-static_cast<std::ptrdiff_t>(integer_columns_.size())] == 0) return false;
+    for (const Column& column : real_columns_) {
+      if (!read_fixed_real(line + column.begin, column.width, *reals) || !(std::abs(*reals) <= Card::max_real))
+        return false;
+      ++reals;
+    }
+    if (line[end_] == '\n') {
+      next = at + end_ + 1;
+      return true;
+    }
+    line_from(body, at + end_, next);
+    return next - at <= Card::max_line;
+  }
+
   /// The fast way for plain numbers in fixed columns; false for anything else, which Card decides.
   bool read_plain(std::string_view line, std::int64_t* integers, double* reals) const {
-    if (line.size() > Card::max_line) return false;
+    if (line.size() > Card::max_line || !safe_offsets_) return false;
     // In unused columns a comma makes the line free format, and a tab moves what follows.
     if (!gapless_ && line.find_first_of(",\t") != std::string_view::npos) return false;
     const char* const data = line.data();
@@ -124,11 +232,7 @@ class RowReader {
       const std::size_t begin = std::min(column.begin, line.size());
       std::int64_t& value = *integers++;
       if (!plain_integer(data + begin, data + std::min(begin + column.width, line.size()), value)) return false;
-      if (column.offset != 0 && value != 0) {
-        constexpr auto safe = std::int64_t{1} << 61;
-        if (column.offset > safe || column.offset < -safe) return false;
-        value += value > 0 ? column.offset : -column.offset;
-      }
+      value = with_offset(column, value);
     }
     for (const Column& column : real_columns_) {
       const std::size_t begin = std::min(column.begin, line.size());
@@ -149,7 +253,8 @@ class RowReader {
   const CardLayout& layout_;
   std::vector<Column> integer_columns_, real_columns_;
   std::vector<std::size_t> integer_fields_, real_fields_;
-  bool gapless_ = true;
+  std::size_t end_ = 0;  ///< column behind the last field
+  bool gapless_ = true, safe_offsets_ = true, aligned_ = false;
 };
 
 /// Hands on what one piece reported. The list keeps only the first reports, so they must come in the order of the file.
@@ -161,39 +266,58 @@ void hand_on(const Diagnostics& from, Diagnostics& to) {
 
 }  // namespace
 
-Rows read_rows(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics) {
+void read_rows_in_pieces(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics,
+                         const MakeRoom& make_room, const TakeRows& take) {
   std::vector<Piece> pieces = cut(block.body);
   parallel_for(pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      pieces[i].lines = for_each_row(block.body, pieces[i], [&](std::string_view, std::uint32_t) { ++pieces[i].rows; });
+    for (std::size_t i = begin; i < end; ++i) count(block.body, pieces[i]);
   });
-  const RowReader reader(deck, block, layout);
-  Rows rows;
-  rows.integer_columns = reader.integer_columns();
-  rows.real_columns = reader.real_columns();
   std::uint32_t line = block.line + 1;
+  std::size_t rows_in_all = 0;
   for (Piece& piece : pieces) {
     piece.first_line = line;
-    piece.first_row = rows.count;
+    piece.first_row = rows_in_all;
     line += piece.lines;
-    rows.count += piece.rows;
+    rows_in_all += piece.rows;
   }
-  rows.integers.resize(rows.count * rows.integer_columns);
-  rows.reals.resize(rows.count * rows.real_columns);
-  rows.lines.resize(rows.count);
+  make_room(rows_in_all);
+  const RowReader reader(deck, block, layout);
   std::vector<Diagnostics> reports(pieces.size());
   parallel_for(pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
+    Rows rows;
+    rows.integer_columns = reader.integer_columns();
+    rows.real_columns = reader.real_columns();
     for (std::size_t i = begin; i < end; ++i) {
-      std::size_t row = pieces[i].first_row;
-      for_each_row(block.body, pieces[i], [&](std::string_view text, std::uint32_t number) {
-        rows.lines[row] = number;
-        reader.read(text, number, rows.integers.data() + row * rows.integer_columns,
-                    rows.reals.data() + row * rows.real_columns, reports[i]);
-        ++row;
-      });
+      rows.count = pieces[i].rows;
+      const std::size_t room = std::max(rows.count + 1, rows.lines.size());
+      rows.integers.resize(room * rows.integer_columns);
+      rows.reals.resize(room * rows.real_columns);
+      rows.lines.resize(room);
+      reader.read(pieces[i], rows, reports[i]);
+      if (rows.count > 0) take(pieces[i].first_row, rows);
     }
   });
   for (const Diagnostics& report : reports) hand_on(report, diagnostics);
+}
+
+Rows read_rows(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics) {
+  Rows rows;
+  for (const Field& field : layout.fields) ++(field.type == FieldType::integer ? rows.integer_columns : rows.real_columns);
+  const auto make_room = [&](std::size_t count) {
+    rows.count = count;
+    rows.integers.resize(count * rows.integer_columns);
+    rows.reals.resize(count * rows.real_columns);
+    rows.lines.resize(count);
+  };
+  const auto take = [&](std::size_t first, const Rows& piece) {
+    const auto copy = [&](const auto& from, auto& to, std::size_t columns) {
+      std::copy_n(from.data(), piece.count * columns, to.data() + first * columns);
+    };
+    copy(piece.integers, rows.integers, rows.integer_columns);
+    copy(piece.reals, rows.reals, rows.real_columns);
+    copy(piece.lines, rows.lines, 1);
+  };
+  read_rows_in_pieces(deck, block, layout, diagnostics, make_room, take);
   return rows;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "keyword/card.hpp"
@@ -14,6 +15,16 @@ struct Rows {
   std::vector<double> reals;           ///< count x real_columns, row by row; blank = 0
   std::vector<std::uint32_t> lines;    ///< count
 };
+
+/// Told the number of rows before any is read.
+using MakeRoom = std::function<void(std::size_t count)>;
+/// Given some rows, of which the first is row `first` of the block. The arrays may be longer than `count` says.
+using TakeRows = std::function<void(std::size_t first, const Rows& rows)>;
+
+/// Reads all rows of a block without ever holding them all: `make_room` is called once, then `take` for every piece, in
+/// any order and from several threads at a time. Otherwise like read_rows().
+void read_rows_in_pieces(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics,
+                         const MakeRoom& make_room, const TakeRows& take);
 
 /// Reads all rows of a block in parallel: its integer fields in layout order, then its real fields; text fields are not
 /// allowed. Handles all formats, comments, parameters and id offsets; blank lines are passed over. The result does not
