@@ -52,7 +52,6 @@ Pair Maker::flat() {
   return pair;
 }
 
-/// Warp: the angle between the two triangles of a diagonal, in degrees.
 Pair Maker::warped(double low, double high) {
   Pair pair;
   const double lift = std::tan(uniform(low, high) * std::numbers::pi / 360) / (2 * std::numbers::sqrt2);

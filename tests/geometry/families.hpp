@@ -39,11 +39,12 @@ class Maker {
   [[nodiscard]] int integer(int low, int high);
   [[nodiscard]] double power_of_ten(double low, double high);
   [[nodiscard]] Vector point(double reach);
+  /// A quad near the unit square, warped by `low` to `high` degrees: the angle between the two triangles of a diagonal.
+  [[nodiscard]] Pair warped(double low, double high);
 
  private:
   Pair lattice();
   Pair flat();
-  Pair warped(double low, double high);
   Pair degenerate();
   Pair on_border();
   void rotate(Pair& pair);
