@@ -12,6 +12,7 @@ namespace gapcheck::geometry::test {
 struct Pair {
   Facet facet;
   Vector query = Vector::Zero();
+  double distance = 0;  ///< where it is a double without rounding, by construction; else 0
 };
 
 enum class Family : std::uint8_t {
@@ -24,10 +25,15 @@ enum class Family : std::uint8_t {
   on_border,   ///< the query lies on or straight above an edge or corner
   far_away,    ///< offsets of 1e3 to 1e9
   any_size,    ///< sizes of 1e-6 to 1e6
+  oblique,     ///< quads in oblique planes, flat to the last bit
+  on_bound,    ///< the distance is a double without rounding: above a face, an edge, a corner, a saddle
+  on_surface,  ///< the query lies on the facet, or beside it by rounding
 };
 inline constexpr Family all_families[] = {Family::lattice,   Family::flat,     Family::warped,
                                           Family::skew,      Family::sliver,   Family::degenerate,
                                           Family::on_border, Family::far_away, Family::any_size};
+/// Ties, and distances of the size of rounding.
+inline constexpr Family tied_families[] = {Family::oblique, Family::on_bound, Family::on_surface};
 [[nodiscard]] std::string_view name(Family family);
 
 /// Reproducible random pairs.
@@ -47,6 +53,9 @@ class Maker {
   Pair flat();
   Pair degenerate();
   Pair on_border();
+  Pair oblique();
+  Pair on_bound();
+  Pair on_surface();
   void rotate(Pair& pair);
   std::mt19937_64 random_;
 };
