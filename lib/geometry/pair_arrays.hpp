@@ -20,4 +20,9 @@ struct PairArrays {
   alignas(64) double squared_distance[capacity] = {};
 };
 
+/// One bit for each of `size` pairs.
+[[nodiscard]] constexpr std::uint64_t filled(std::size_t size) {
+  return size >= PairArrays::capacity ? ~std::uint64_t{0} : (std::uint64_t{1} << size) - 1;
+}
+
 }  // namespace gapcheck::geometry

@@ -39,6 +39,10 @@ class PairBatch {
   /// The same with a width out of batch_widths().
   void decide(BatchWidth width);
 
+  /// One bit per pair: proven nearer than the bound, proven not, and neither.
+  [[nodiscard]] std::uint64_t closer() const { return arrays_.closer; }
+  [[nodiscard]] std::uint64_t apart() const { return arrays_.apart; }
+  [[nodiscard]] std::uint64_t open() const { return ~(arrays_.closer | arrays_.apart) & filled(arrays_.size); }
   /// Of pair i: closer, apart or open.
   [[nodiscard]] Verdict verdict(std::size_t i) const {
     return arrays_.closer >> i & 1 ? Verdict::closer : arrays_.apart >> i & 1 ? Verdict::apart : Verdict::open;

@@ -213,10 +213,10 @@ inline void decide_all(PairArrays& p, bool triangles) {
   p.closer = p.apart = p.located = 0;
   for (std::size_t first = 0; first < p.size; first += N)
     triangles ? decide_triangles<Lanes<N>>(p, first) : decide_quads<Lanes<N>>(p, first);
-  const std::uint64_t filled = p.size >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << p.size) - 1;
-  p.closer &= filled;
-  p.apart &= filled;
-  p.located &= filled;
+  const std::uint64_t present = filled(p.size);
+  p.closer &= present;
+  p.apart &= present;
+  p.located &= present;
 }
 
 }  // namespace
