@@ -1,0 +1,8 @@
+#include "geometry/pair_kernel.hpp"
+#include "geometry/pair_widths.hpp"
+
+namespace gapcheck::geometry {
+
+void decide_four(PairArrays& pairs, bool triangles) { decide_all<4>(pairs, triangles); }
+
+}  // namespace gapcheck::geometry
