@@ -2,8 +2,10 @@
 function(gapcheck_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(gapcheck_${name} STATIC ${ROOM_SOURCES})
-  target_link_libraries(gapcheck_${name} PUBLIC ${ROOM_DEPENDS} PRIVATE gapcheck_flags ${ROOM_PRIVATE_DEPENDS})
-  target_include_directories(gapcheck_${name} PUBLIC ${PROJECT_SOURCE_DIR}/lib)
+  target_link_libraries(gapcheck_${name} PUBLIC ${ROOM_DEPENDS} PRIVATE $<BUILD_INTERFACE:gapcheck_flags> ${ROOM_PRIVATE_DEPENDS})
+  target_include_directories(gapcheck_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib>
+                             $<INSTALL_INTERFACE:include/gapcheck>)
+  target_compile_features(gapcheck_${name} PUBLIC cxx_std_20)
 endfunction()
 
 # gapcheck_test(NAME SOURCES file… DEPENDS target…): one test program gapcheck_test_NAME, run by ctest.

@@ -231,4 +231,10 @@ std::string usage() {
          "example: check-c -title -typ -pid -key messag\n";
 }
 
+std::vector<OptionText> option_texts() {
+  std::vector<OptionText> texts;
+  for (const Option& option : options) texts.push_back({option.name, option.value, option.help});
+  return texts;
+}
+
 }  // namespace gapcheck::check_c

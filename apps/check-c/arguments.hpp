@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/check_c_view.hpp"
@@ -25,5 +26,11 @@ struct Arguments {
 
 /// The usage text, made from the table of options that `parse` works with.
 [[nodiscard]] std::string usage();
+
+/// An option as the usage shows it.
+struct OptionText {
+  std::string_view name, value, help;  ///< value empty: takes none; help: lines
+};
+[[nodiscard]] std::vector<OptionText> option_texts();
 
 }  // namespace gapcheck::check_c

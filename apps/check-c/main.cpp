@@ -14,6 +14,7 @@
 #include "base/parallel.hpp"
 #include "common/files.hpp"
 #include "common/mesh.hpp"
+#include "common/version.hpp"
 #include "report/check_c_view.hpp"
 #include "report/exports.hpp"
 #include "report/writers.hpp"
@@ -126,7 +127,7 @@ int run(const std::vector<std::string>& words) {
     return failed;
   }
   if (arguments.help) return print(usage()) ? clean : failed;
-  if (arguments.version) return print("check-c " GAPCHECK_VERSION "\n") ? clean : failed;
+  if (arguments.version) return print(app::version_line("check-c") + "\n") ? clean : failed;
   return check(arguments);
 }
 

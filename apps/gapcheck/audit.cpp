@@ -14,6 +14,7 @@
 #include "audit/registry.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
+#include "common/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -114,7 +115,7 @@ int audit_deck(const Arguments& arguments) {
 
 void add_audit(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("audit", "Check the contacts of a keyword deck and its includes");
-  command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
+  command->set_version_flag("--version", version_line("gapcheck"));
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
   add_selection(*command, *arguments);

@@ -15,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "commands.hpp"
 #include "common/input_kind.hpp"
+#include "common/version.hpp"
 #include "compare_curves.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -121,7 +122,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
 
 void add_compare(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("compare", "Compare two decks or runs: penetrations and ties node by node, result curves");
-  command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
+  command->set_version_flag("--version", version_line("gapcheck"));
   const auto arguments = std::make_shared<Arguments>();
   const char* what = "Keyword deck, messag or d3hsp file, or the directory of a run";
   command->add_option("A", arguments->first, what)->required()->type_name("");

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "commands.hpp"
+#include "command_line.hpp"
 #include "output.hpp"
 
 namespace gapcheck::app {
@@ -23,19 +23,9 @@ int run(int argc, char** argv) {
     print_error("'" + std::string(argv[1]) + "' is not part of this version; see gapcheck --help");
     return failed;
   }
-  CLI::App app("Finds the contact problems of LS-DYNA keyword decks, before the first run and in its message files.",
-               "gapcheck");
-  app.set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
-  app.require_subcommand(1);
+  CLI::App app;
   Action action;
-  add_audit(app, action);
-  add_messag(app, action);
-  add_compare(app, action);
-  add_run(app, action);
-  add_rules(app, action);
-  add_explain(app, action);
-  app.footer(
-      "Exit codes: 0 nothing at or above --fail-on, 1 findings or differences, 2 the tool could not do its job.");
+  add_commands(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

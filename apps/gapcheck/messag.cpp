@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "common/input_kind.hpp"
 #include "common/mesh.hpp"
+#include "common/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -136,7 +137,7 @@ int show_logs(const Arguments& arguments) {
 void add_messag(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("messag", "Show what the solver's message files say of the contacts, and judge the run");
-  command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
+  command->set_version_flag("--version", version_line("gapcheck"));
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("FILE", arguments->files, "messag, mesNNNN, d3hsp, status.out files of one run, or its directory")
       ->required()

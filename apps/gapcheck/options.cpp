@@ -13,6 +13,7 @@
 #include "base/number.hpp"
 #include "commands.hpp"
 #include "common/files.hpp"
+#include "common/version.hpp"
 #include "output.hpp"
 #include "report/describe.hpp"
 #include "report/formats.hpp"
@@ -89,7 +90,7 @@ void write_format(const Report& report, const OutputOptions& options, const repo
   const std::size_t top = options.text.list ? std::numeric_limits<std::size_t>::max() : options.text.top;
   const std::optional<Severity> limit = limit_of(options.fail_on);
   if (options.format == "json") report::json(report, sink);
-  if (options.format == "sarif") report::sarif(report, GAPCHECK_VERSION, rule_texts(), sink);
+  if (options.format == "sarif") report::sarif(report, version(), rule_texts(), sink);
   if (options.format == "junit") report::junit(report, limit ? &*limit : nullptr, top, sink);
   if (options.format == "github") report::github(report, top, sink);
   if (options.format == "gitlab") report::gitlab(report, sink);

@@ -14,6 +14,7 @@
 
 #include "base/parallel.hpp"
 #include "commands.hpp"
+#include "common/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -101,7 +102,7 @@ bool fail(const solver::Failure& failure) {
 bool calculate(solver::Run& run, contact::SurfaceStore& surfaces, const Arguments& arguments) {
   solver::RunFilesSettings settings;
   settings.directory = arguments.directory;
-  settings.program = "gapcheck " GAPCHECK_VERSION;
+  settings.program = fmt::format("gapcheck {}", version());
   std::optional<VtuSeries> series;
   if (arguments.vtu) {
     series.emplace(run, arguments.directory);
@@ -164,7 +165,7 @@ int run_deck(const Arguments& arguments) {
 
 void add_run(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("run", "Calculate a keyword deck with the verification solver");
-  command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
+  command->set_version_flag("--version", version_line("gapcheck"));
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
   const CLI::Validator amount(check_amount, "");

@@ -1,0 +1,20 @@
+# Run at every build: writes OUTPUT with the commit of SOURCE, and only if it has changed, so that nothing is built for
+# nothing. Outside a repository the commit is "unknown"; "+" stands for changes that are not committed.
+execute_process(COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE
+                ERROR_QUIET RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  set(commit "unknown")
+else()
+  execute_process(COMMAND git -C ${SOURCE} diff --quiet HEAD ERROR_QUIET RESULT_VARIABLE changed)
+  if(changed EQUAL 1)
+    string(APPEND commit "+")
+  endif()
+endif()
+set(content "#pragma once\n#define GAPCHECK_COMMIT \"${commit}\"\n")
+set(before "")
+if(EXISTS ${OUTPUT})
+  file(READ ${OUTPUT} before)
+endif()
+if(NOT before STREQUAL content)
+  file(WRITE ${OUTPUT} "${content}")
+endif()
