@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "families.hpp"
+#include "geometry/decide.hpp"
 #include "geometry/exact.hpp"
 #include "geometry/patch.hpp"
 #include "geometry/view.hpp"
@@ -26,18 +27,20 @@ TEST_P(EnclosureFamilies, HoldsTheExactDistance) {
     // Quads folded onto themselves are beyond the reference.
     if (GetParam() == Family::degenerate && !pair.facet.triangle && !exact::flat_and_convex(pair.facet)) continue;
     const DistanceEnclosure found = enclose_distance(pair.facet, pair.query);
-    const mpf_class exact = squared_distance(pair.facet, pair.query);
-    const mpf_class lower = mpf_class(found.lower, 600) * found.lower, upper = mpf_class(found.upper, 600) * found.upper;
-    // The reference reaches the minimum from above, to some 22 digits.
-    ASSERT_LE(lower, exact) << describe(pair);
-    ASSERT_GE(upper, exact * (1 - 1e-22)) << describe(pair);
+    ASSERT_FALSE(decide(pair.facet, pair.query, found.lower, Mode::exact).closer) << describe(pair);
+    ASSERT_TRUE(decide(pair.facet, pair.query, std::nextafter(found.upper, 1e300), Mode::exact).closer) << describe(pair);
+    // The reference reaches the minimum from above, to some 22 digits; on slivers of twisted quads it may miss it.
+    if (GetParam() != Family::sliver || pair.facet.triangle) {
+      const mpf_class exact = squared_distance(pair.facet, pair.query);
+      ASSERT_LE(mpf_class(found.lower, 600) * found.lower, exact) << describe(pair);
+      ASSERT_GE(mpf_class(found.upper, 600) * found.upper, exact * (1 - 1e-22)) << describe(pair);
+    }
     const double size = size_of(seen_from(pair.facet, pair.query));
     EXPECT_EQ(found.sharp, found.width() <= 1e-13 * size);
     ++all;
     sharp += found.sharp;
     at_once += found.pieces == 1;
   }
-  RecordProperty("sharp", static_cast<int>(sharp));
   const bool good = GetParam() == Family::flat || GetParam() == Family::any_size || GetParam() == Family::far_away ||
                     GetParam() == Family::warped || GetParam() == Family::lattice;
   if (good) {
@@ -46,6 +49,8 @@ TEST_P(EnclosureFamilies, HoldsTheExactDistance) {
   if (GetParam() == Family::flat) {
     EXPECT_GE(at_once * 100, all * 95) << at_once << " of " << all;
   }
+  RecordProperty("sharp_of_1000", static_cast<int>(1000 * sharp / all));
+  RecordProperty("at_once_of_1000", static_cast<int>(1000 * at_once / all));
   EXPECT_GE(sharp * 2, all) << sharp << " of " << all;
 }
 
