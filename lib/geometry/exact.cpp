@@ -104,11 +104,13 @@ struct PatchPoint {
   Parameter s, t;
   Point along_s, along_t, w;
 
-  PatchPoint(const std::array<Point, 4>& p, double s_value, double t_value)
-      : m(Number(0.25) * (p[0] + p[1] + p[2] + p[3])),
-        a(Number(0.25) * (p[1] + p[2] - p[0] - p[3])),
-        b(Number(0.25) * (p[2] + p[3] - p[0] - p[1])),
-        c(Number(0.25) * (p[0] + p[2] - p[1] - p[3])) {
+  PatchPoint(const std::array<Point, 4>& p, double s_value, double t_value) {
+    const Point low = p[0] + p[1], high = p[3] + p[2], right = p[1] - p[0], left = p[2] - p[3];
+    const Number quarter(0.25);
+    m = quarter * (low + high);
+    a = quarter * (right + left);
+    b = quarter * (high - low);
+    c = quarter * (left - right);
     s.value = Number(s_value);
     t.value = Number(t_value);
     update();
@@ -196,6 +198,7 @@ Verdict verdict_of_coefficients(const std::array<Point, 4>& p, const Number& bou
 std::array<Point, 4> piece_corners(const Facet& facet, const Vector& query, const Piece& piece) {
   const Point q = exact(query), e0 = exact(facet.x[0]) - q, e1 = exact(facet.x[1]) - q, e2 = exact(facet.x[2]) - q,
               e3 = exact(facet.x[3]) - q;
+  if (piece.s0 == 0 && piece.s1 == 1 && piece.t0 == 0 && piece.t1 == 1) return {e0, e1, e2, e3};
   const Point right = e1 - e0, up = e3 - e0, twist = e2 - e1 - up;
   const auto at = [&](double s, double t) {
     return e0 + Number(s) * right + Number(t) * up + (Number(s) * Number(t)) * twist;
