@@ -188,8 +188,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
   counters.candidate_pairs += pairs;
 }
 
-std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
-                                  const PairFilter& pair_allowed,
+std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search, const PairFilter& pair_allowed,
                                   SweepCounters& counters, geometry::DecisionCounters& decisions) {
   double largest_half = 0;
   for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);

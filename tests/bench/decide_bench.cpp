@@ -38,7 +38,8 @@ void certified_scalar(const std::vector<DecisionPair>& pairs, Answers& out) {
   for (std::size_t i = 0; i < pairs.size(); ++i) out[i] = certified(pairs[i]);
 }
 
-/// Answers what an axis separates and fills batches of quads and of triangles with the rest; `flush(batch, indices)` answers a full one and clears it.
+/// Answers what an axis separates and fills batches of quads and of triangles with the rest; `flush(batch, indices)`
+/// answers a full one and clears it.
 template <class Batch, class Add, class Flush>
 void in_batches(const std::vector<DecisionPair>& pairs, Answers& out, std::array<Batch, 2>& batches, const Add& add,
                 const Flush& flush) {
@@ -167,8 +168,9 @@ void report(const PairSet& set, std::vector<Way>& ways, std::size_t rounds) {
   for (const Way& way : ways) fmt::print(" {:.1f} |", median(way.ns));
   fmt::print(" {} | {} |", ways[0].wrong, ways[2].wrong);
   fmt::print(" {} | {} | {} |", ratio(ways[1], ways[0]), ratio(ways[3], ways[0]), ratio(ways[3], ways[2]));
-  fmt::print(" {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", 100.0 * static_cast<double>(open) / static_cast<double>(set.pairs.size()),
-             share[0], share[1], share[2] + share[3]);
+  fmt::print(" {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n",
+             100.0 * static_cast<double>(open) / static_cast<double>(set.pairs.size()), share[0], share[1],
+             share[2] + share[3]);
   std::fflush(stdout);
 }
 
@@ -181,32 +183,41 @@ int main(int count, char** arguments) {
   for (int i = 1; i < count; ++i) {
     const std::string_view argument = arguments[i];
     const bool value = i + 1 < count;
-    if (argument == "--rounds" && value) rounds = std::strtoull(arguments[++i], nullptr, 10);
-    else if (argument == "--count" && value) per_family = std::strtoull(arguments[++i], nullptr, 10);
-    else if (argument == "--width" && value) width = std::strtoull(arguments[++i], nullptr, 10);
-    else if (argument == "--only" && value) only = arguments[++i];
-    else decks.emplace_back(argument);
+    if (argument == "--rounds" && value)
+      rounds = std::strtoull(arguments[++i], nullptr, 10);
+    else if (argument == "--count" && value)
+      per_family = std::strtoull(arguments[++i], nullptr, 10);
+    else if (argument == "--width" && value)
+      width = std::strtoull(arguments[++i], nullptr, 10);
+    else if (argument == "--only" && value)
+      only = arguments[++i];
+    else
+      decks.emplace_back(argument);
   }
   const auto widths = geometry::batch_widths();
   const auto chosen = static_cast<geometry::BatchWidth>(width);
   if (rounds == 0 || per_family < 16 || std::find(widths.begin(), widths.end(), chosen) == widths.end()) return 2;
   std::vector<PairSet> sets;
-  for (const std::string& deck : decks) for (const double margin : {0.0, 0.5}) sets.push_back(bench::pairs_of_deck(deck, margin));
+  for (const std::string& deck : decks)
+    for (const double margin : {0.0, 0.5}) sets.push_back(bench::pairs_of_deck(deck, margin));
   for (PairSet& set : bench::pairs_of_families(per_family)) sets.push_back(std::move(set));
-  fmt::print("| pairs | number | plain, ns | certified, ns | plain batch, ns | certified batch, ns | plain wrong | plain batch wrong "
-             "| certified / plain "
-             "| certified batch / plain | certified batch / plain batch | open after the batch, % | filter, % "
-             "| enclosure, % | exact, % |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| pairs | number | plain, ns | certified, ns | plain batch, ns | certified batch, ns | plain wrong | plain "
+      "batch wrong "
+      "| certified / plain "
+      "| certified batch / plain | certified batch / plain batch | open after the batch, % | filter, % "
+      "| enclosure, % | exact, % |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const PairSet& set : sets) {
     if (set.name.find(only) == std::string::npos) continue;
     if (set.pairs.empty()) {
       fmt::print(stderr, "{}: no pairs\n", set.name);
       continue;
     }
-    std::vector<Way> ways{{"plain", plain_scalar},
-                          {"certified", certified_scalar},
-                          {"plain batch", [&](const auto& pairs, Answers& out) { plain_batch(pairs, out, chosen); }},
-                          {"certified batch", [&](const auto& pairs, Answers& out) { certified_batch(pairs, out, chosen); }}};
+    std::vector<Way> ways{
+        {"plain", plain_scalar},
+        {"certified", certified_scalar},
+        {"plain batch", [&](const auto& pairs, Answers& out) { plain_batch(pairs, out, chosen); }},
+        {"certified batch", [&](const auto& pairs, Answers& out) { certified_batch(pairs, out, chosen); }}};
     report(set, ways, rounds);
   }
 }

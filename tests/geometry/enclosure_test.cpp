@@ -28,7 +28,8 @@ TEST_P(EnclosureFamilies, HoldsTheExactDistance) {
     if (GetParam() == Family::degenerate && !pair.facet.triangle && !exact::flat_and_convex(pair.facet)) continue;
     const DistanceEnclosure found = enclose_distance(pair.facet, pair.query);
     ASSERT_FALSE(decide(pair.facet, pair.query, found.lower, Mode::exact).closer) << describe(pair);
-    ASSERT_TRUE(decide(pair.facet, pair.query, std::nextafter(found.upper, 1e300), Mode::exact).closer) << describe(pair);
+    ASSERT_TRUE(decide(pair.facet, pair.query, std::nextafter(found.upper, 1e300), Mode::exact).closer)
+        << describe(pair);
     // The reference reaches the minimum from above, to some 22 digits; on slivers of twisted quads it may miss it.
     if (GetParam() != Family::sliver || pair.facet.triangle) {
       const mpf_class exact = squared_distance(pair.facet, pair.query);
