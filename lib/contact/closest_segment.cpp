@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <span>
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "geometry/pair_batch.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -33,6 +35,88 @@ struct BySlot {
   [[nodiscard]] std::span<const Hit> of(std::size_t slot) const {
     return {hits.data() + start[slot], hits.data() + start[slot + 1]};
   }
+};
+
+/// Decides pairs and keeps those that count; one for each thread. Segments that see both sides go through batches: all
+/// they want to know of a pair that is apart is just that.
+class PairSweep {
+ public:
+  PairSweep(const PairScene& scene, const PairFilter& pair_allowed) : scene_(scene), allowed_(pair_allowed) {}
+
+  void visit(std::uint32_t segment, std::span<const std::uint32_t> slots) {
+    if (scene_.mode == geometry::Mode::exact || scene_.line(segment) || scene_.oriented(segment)) {
+      for (const std::uint32_t slot : slots) decide_alone(slot, segment);
+      return;
+    }
+    const geometry::Facet facet = scene_.facet(segment);
+    for (const std::uint32_t slot : slots) add(slot, segment, facet);
+  }
+  /// What still waits in the batches.
+  void finish() {
+    for (Waiting& waiting : waiting_) flush(waiting);
+  }
+  [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
+  /// Pairs with oriented segments that are no hits.
+  [[nodiscard]] const std::vector<Hit>& measured() const { return measured_; }
+  [[nodiscard]] std::uint64_t decided_by(geometry::Stage stage) const {
+    return stages_[static_cast<std::size_t>(stage)];
+  }
+
+ private:
+  struct Pair {
+    std::uint32_t slot = 0, segment = 0;
+  };
+  struct Waiting {
+    geometry::PairBatch batch;
+    std::array<Pair, geometry::PairBatch::capacity> pairs{};
+  };
+
+  void count(geometry::Stage stage, std::size_t times) { stages_[static_cast<std::size_t>(stage)] += times; }
+
+  void add(std::uint32_t slot, std::uint32_t segment, const geometry::Facet& facet) {
+    const Vector query = scene_.position(slot);
+    const geometry::Corners corners = geometry::seen_from(facet, query);
+    const double bound = penetration_bound(scene_, slot, segment, facet, query);
+    if (geometry::separated_by_axis(corners, bound)) return count(geometry::Stage::filter, 1);
+    Waiting& waiting = waiting_[facet.triangle ? 1 : 0];
+    waiting.pairs[waiting.batch.size()] = {slot, segment};
+    waiting.batch.add(corners, bound);
+    if (waiting.batch.full()) flush(waiting);
+  }
+
+  void flush(Waiting& waiting) {
+    const geometry::PairBatch& batch = waiting.batch;
+    waiting.batch.decide();
+    count(geometry::Stage::filter, static_cast<std::size_t>(std::popcount(batch.apart())));
+    for (std::uint64_t rest = batch.closer() | batch.open(); rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+      const auto [slot, segment] = waiting.pairs[i];
+      if (batch.located(i)) {
+        count(geometry::Stage::filter, 1);
+        keep({slot, segment, std::sqrt(batch.squared_distance(i)), true}, true);
+      } else {
+        decide_alone(slot, segment);
+      }
+    }
+    waiting.batch.clear();
+  }
+
+  void decide_alone(std::uint32_t slot, std::uint32_t segment) {
+    const PairResult pair = decide_pair(scene_, slot, segment);
+    count(pair.stage, 1);
+    if (pair.penetrates || scene_.oriented(segment))
+      keep({slot, segment, pair.distance, pair.in_band}, pair.penetrates);
+  }
+
+  void keep(const Hit& hit, bool penetrates) {
+    if (allowed_(hit.slot, hit.segment, penetrates)) (penetrates ? hits_ : measured_).push_back(hit);
+  }
+
+  const PairScene& scene_;
+  const PairFilter& allowed_;
+  std::array<Waiting, 2> waiting_{Waiting{geometry::PairBatch(false)}, Waiting{geometry::PairBatch(true)}};
+  std::vector<Hit> hits_, measured_;
+  std::array<std::uint64_t, 4> stages_{};
 };
 
 /// The hit of every tracked node that counts.
@@ -104,35 +188,23 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
   counters.candidate_pairs += pairs;
 }
 
-std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
-                                  const PairFilter& pair_allowed,
+std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search, const PairFilter& pair_allowed,
                                   SweepCounters& counters, geometry::DecisionCounters& decisions) {
   double largest_half = 0;
   for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);
   // Each thread has a tally of its own: shared counters would cost more than the decisions.
-  struct Mine {
-    std::vector<Hit> hits, measured;
-    std::array<std::uint64_t, 4> stages{};
-  };
-  tbb::enumerable_thread_specific<Mine> found;
+  tbb::enumerable_thread_specific<PairSweep> sweeps([&] { return PairSweep(scene, pair_allowed); });
   for_each_candidate(
       scene, search, [&](std::uint32_t s) { return scene.reach(s, largest_half); }, counters,
-      [&](std::uint32_t segment, std::span<const std::uint32_t> slots) {
-        Mine& mine = found.local();
-        for (const std::uint32_t slot : slots) {
-          const PairResult pair = decide_pair(scene, slot, segment);
-          ++mine.stages[static_cast<std::size_t>(pair.stage)];
-          if (!pair.penetrates && !scene.oriented(segment)) continue;
-          if (pair_allowed(slot, segment, pair.penetrates))
-            (pair.penetrates ? mine.hits : mine.measured).push_back({slot, segment, pair.distance, pair.in_band});
-        }
-      });
+      [&](std::uint32_t segment, std::span<const std::uint32_t> slots) { sweeps.local().visit(segment, slots); });
   std::vector<Hit> all, measured;
-  for (const Mine& mine : found) {
-    all.insert(all.end(), mine.hits.begin(), mine.hits.end());
-    measured.insert(measured.end(), mine.measured.begin(), mine.measured.end());
-    for (std::size_t i = 0; i < mine.stages.size(); ++i)
-      geometry::count(decisions, static_cast<geometry::Stage>(i), mine.stages[i]);
+  for (PairSweep& sweep : sweeps) {
+    sweep.finish();
+    all.insert(all.end(), sweep.hits().begin(), sweep.hits().end());
+    measured.insert(measured.end(), sweep.measured().begin(), sweep.measured().end());
+    using geometry::Stage;
+    for (const Stage stage : {Stage::filter, Stage::interval, Stage::exact, Stage::triangulated})
+      geometry::count(decisions, stage, sweep.decided_by(stage));
   }
   return chosen_hits(scene, all, std::move(measured));
 }

@@ -109,6 +109,21 @@ bool PairScene::in_front(std::uint32_t s, const geometry::ClosestPoint& closest,
   return false;
 }
 
+namespace {
+
+double tolerance_of(const PairScene& scene, double contact_distance, const geometry::Facet& facet, const Vector& query) {
+  if (scene.tolerance >= 0) return scene.tolerance;
+  return default_tolerance(contact_distance, largest_coordinate(facet, query));
+}
+
+}  // namespace
+
+double penetration_bound(const PairScene& scene, std::uint32_t slot, std::uint32_t s, const geometry::Facet& facet,
+                         const Vector& query) {
+  const double h = scene.nodes.half[slot] + scene.segments.half[s];
+  return h - tolerance_of(scene, h, facet, query);
+}
+
 PairResult measure_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
   return measure(scene, s, scene.facet(s), scene.position(slot));
 }
@@ -124,8 +139,7 @@ PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t
   const geometry::Facet facet = scene.facet(s);
   const Vector q = scene.position(slot);
   const double h = scene.nodes.half[slot] + scene.segments.half[s];
-  const double tolerance =
-      scene.tolerance >= 0 ? scene.tolerance : default_tolerance(h, largest_coordinate(facet, q));
+  const double tolerance = tolerance_of(scene, h, facet, q);
   PairResult result = measure(scene, s, facet, q);
   if (scene.line(s)) {
     geometry::DecisionCounters once;

@@ -69,6 +69,11 @@ struct PairScene {
 /// The shorter diagonal of a facet; of a triangle the shorter of the sides from its third corner.
 [[nodiscard]] double min_diagonal(const geometry::Facet& facet);
 
+/// The distance below which a node at `query` penetrates a segment in front of it: contact distance less tolerance. May
+/// be negative. `facet`: the segment's.
+[[nodiscard]] double penetration_bound(const PairScene& scene, std::uint32_t slot, std::uint32_t segment,
+                                       const geometry::Facet& facet, const Vector& query);
+
 /// How one tracked node lies to one segment.
 struct PairResult {
   bool penetrates = false;  ///< p > tolerance; decided exactly

@@ -6,6 +6,7 @@
 
 #include "geometry/certificate.hpp"
 #include "geometry/exact.hpp"
+#include "geometry/exact_quick.hpp"
 #include "geometry/view.hpp"
 
 namespace gapcheck::geometry {
@@ -103,14 +104,15 @@ Verdict enclose(const Certificate& certificate, const Corners& e) {
   });
 }
 
-Decision decide_exactly(const Facet& facet, const Vector& query, double bound) {
+/// In exact numbers; `filtered` asks doubles first wherever they are sure.
+Decision decide_exactly(const Facet& facet, const Vector& query, double bound, Mode mode) {
   if (!all_finite(facet, query)) return {false, Stage::exact};
   if (std::isinf(bound)) return {true, Stage::exact};
   const auto& x = facet.x;
-  if (facet.triangle) return {exact::triangle_closer(x[0], x[1], x[2], query, bound), Stage::exact};
-  if (exact::flat_and_convex(facet)) {
-    const bool closer = exact::triangle_closer(x[0], x[1], x[2], query, bound) ||
-                        exact::triangle_closer(x[0], x[2], x[3], query, bound);
+  const auto triangle = mode == Mode::filtered ? exact::quick_triangle_closer : exact::triangle_closer;
+  if (facet.triangle) return {triangle(x[0], x[1], x[2], query, bound), Stage::exact};
+  if (mode == Mode::filtered ? exact::quick_flat_and_convex(facet) : exact::flat_and_convex(facet)) {
+    const bool closer = triangle(x[0], x[1], x[2], query, bound) || triangle(x[0], x[2], x[3], query, bound);
     return {closer, Stage::exact};
   }
   const Corners e = scaled_view(facet, query).corners;
@@ -150,7 +152,7 @@ Decision decide(const Facet& facet, const Vector& query, double bound, Mode mode
       }
     }
   }
-  return decide_exactly(facet, query, bound);
+  return decide_exactly(facet, query, bound, mode);
 }
 
 bool closer_than(const Facet& facet, const Vector& query, double bound, Mode mode, DecisionCounters& counters,

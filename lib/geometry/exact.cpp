@@ -104,11 +104,13 @@ struct PatchPoint {
   Parameter s, t;
   Point along_s, along_t, w;
 
-  PatchPoint(const std::array<Point, 4>& p, double s_value, double t_value)
-      : m(Number(0.25) * (p[0] + p[1] + p[2] + p[3])),
-        a(Number(0.25) * (p[1] + p[2] - p[0] - p[3])),
-        b(Number(0.25) * (p[2] + p[3] - p[0] - p[1])),
-        c(Number(0.25) * (p[0] + p[2] - p[1] - p[3])) {
+  PatchPoint(const std::array<Point, 4>& p, double s_value, double t_value) {
+    const Point low = p[0] + p[1], high = p[3] + p[2], right = p[1] - p[0], left = p[2] - p[3];
+    const Number quarter(0.25);
+    m = quarter * (low + high);
+    a = quarter * (right + left);
+    b = quarter * (high - low);
+    c = quarter * (left - right);
     s.value = Number(s_value);
     t.value = Number(t_value);
     update();
@@ -162,6 +164,22 @@ bool separated(const std::array<Point, 4>& p, const Point& direction, const Numb
          });
 }
 
+/// False if separated() is sure to fail, as doubles tell: most points that are tried on warped patches.
+bool may_be_separated(const std::array<Point, 4>& p, const Point& direction, double bound) {
+  const auto rounded = [](const Point& a) {
+    return Vector(CGAL::to_double(a.x), CGAL::to_double(a.y), CGAL::to_double(a.z));
+  };
+  const Vector n = rounded(direction);
+  const double length = n.norm();
+  double least = bound * length, size = 0;
+  for (const Point& corner : p) {
+    const Vector e = rounded(corner);
+    least = std::min(least, n.dot(e));
+    size = std::max(size, e.lpNorm<Eigen::Infinity>());
+  }
+  return !(least < length * (bound - 1e-9 * size));
+}
+
 /// What the coefficients alone prove: all of them beyond the bound, or the nearest point on a known edge.
 Verdict verdict_of_coefficients(const std::array<Point, 4>& p, const Number& bound) {
   const Coefficients k = bernstein(p);
@@ -180,6 +198,7 @@ Verdict verdict_of_coefficients(const std::array<Point, 4>& p, const Number& bou
 std::array<Point, 4> piece_corners(const Facet& facet, const Vector& query, const Piece& piece) {
   const Point q = exact(query), e0 = exact(facet.x[0]) - q, e1 = exact(facet.x[1]) - q, e2 = exact(facet.x[2]) - q,
               e3 = exact(facet.x[3]) - q;
+  if (piece.s0 == 0 && piece.s1 == 1 && piece.t0 == 0 && piece.t1 == 1) return {e0, e1, e2, e3};
   const Point right = e1 - e0, up = e3 - e0, twist = e2 - e1 - up;
   const auto at = [&](double s, double t) {
     return e0 + Number(s) * right + Number(t) * up + (Number(s) * Number(t)) * twist;
@@ -197,6 +216,12 @@ bool segment_closer(const Vector& a, const Vector& b, const Vector& query, doubl
 bool triangle_closer(const Vector& a, const Vector& b, const Vector& c, const Vector& query, double bound) {
   const Point q = exact(query);
   return triangle_closer(exact(a) - q, exact(b) - q, exact(c) - q, Number(bound) * Number(bound));
+}
+
+bool plane_closer(const Vector& a, const Vector& b, const Vector& c, const Vector& query, double bound) {
+  const Point origin = exact(a), n = cross(exact(b) - origin, exact(c) - origin);
+  const Number height = dot(n, origin - exact(query)), reach = Number(bound);
+  return height * height < reach * reach * square(n);
 }
 
 bool edges_closer(const std::array<Vector, 2>& first, const std::array<Vector, 2>& second, double bound) {
@@ -236,7 +261,8 @@ Verdict piece_verdict(const Facet& facet, const Vector& query, double bound, con
   PatchPoint point(p, s, t);
   for (int i = 0; i <= improvements; ++i) {
     if (square(point.w) < squared_bound) return Verdict::closer;
-    if (separated(p, point.w, squared_bound) || point.drop_stays_above(squared_bound)) return Verdict::apart;
+    if (may_be_separated(p, point.w, bound) && separated(p, point.w, squared_bound)) return Verdict::apart;
+    if (point.drop_stays_above(squared_bound)) return Verdict::apart;
     if (i == 0) {
       if (const Verdict verdict = verdict_of_coefficients(p, squared_bound); verdict != Verdict::open) return verdict;
     }

@@ -8,6 +8,8 @@ namespace gapcheck::geometry::exact {
 [[nodiscard]] bool segment_closer(const Vector& a, const Vector& b, const Vector& query, double bound);
 [[nodiscard]] bool triangle_closer(const Vector& a, const Vector& b, const Vector& c, const Vector& query,
                                    double bound);
+/// The plane through three points that are not on a line.
+[[nodiscard]] bool plane_closer(const Vector& a, const Vector& b, const Vector& c, const Vector& query, double bound);
 /// The four triangles between the edges and the mean of the corners.
 [[nodiscard]] bool fan_closer(const Facet& facet, const Vector& query, double bound);
 /// Are two straight edges, each from [0] to [1], nearer to each other than the bound?

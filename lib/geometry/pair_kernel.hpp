@@ -73,7 +73,8 @@ struct Trial {
 template <class V>
 inline Trial<V> stationary_point(const Products<V>& g, int steps) {
   const V unit = 1.0 / (g.aa * g.bb - g.ab * g.ab);
-  V s = clamped<V>((g.ab * g.mb - g.bb * g.ma) * unit, -2, 2), t = clamped<V>((g.ab * g.ma - g.aa * g.mb) * unit, -2, 2);
+  V s = clamped<V>((g.ab * g.mb - g.bb * g.ma) * unit, -2, 2),
+    t = clamped<V>((g.ab * g.ma - g.aa * g.mb) * unit, -2, 2);
   Mask<V> moving = s == s;
   for (int step = 0; step < steps; ++step) {
     const V st = s * t;
@@ -117,7 +118,8 @@ struct PointProducts {
   }
 };
 
-/// Upper bound of the drop of the squared distance below its value at the trial point, as a fraction. `least` <= 0: none.
+/// Upper bound of the drop of the squared distance below its value at the trial point, as a fraction. `least` <= 0:
+/// none.
 template <class V>
 struct Drop {
   V drop, least;
@@ -136,7 +138,8 @@ inline Drop<V> largest_drop(const Products<V>& g, const PointProducts<V>& w, con
   const V q0 = tt * g.aa - mixed * mixed, q1 = 2.0 * (tt * g.ac - mixed * turn), q2 = tt * g.cc - turn * turn;
   const V swing = amount(q1);
   const V least = (swing >= 2.0 * q2 ? q0 + q2 - swing : q0 - 0.5 * swing) - 32768 * batch_roundoff * squares * squares;
-  const V gs = usable_slope<V>(w.wa + at.t * w.wc, at.s, margin), gt = usable_slope<V>(w.wb + at.s * w.wc, at.t, margin);
+  const V gs = usable_slope<V>(w.wa + at.t * w.wc, at.s, margin),
+          gt = usable_slope<V>(w.wb + at.s * w.wc, at.t, margin);
   const V ss = g.aa + 2.0 * amount(g.ac) + g.cc + margin;
   return {2.001 * ((tt + margin) * gs * gs + ss * gt * gt), least};
 }

@@ -90,7 +90,8 @@ PairSet pairs_of_deck(const std::string& path, double margin) {
   auto model = model::read_model(deck.value(), diagnostics);
   if (!model) return set;
   contact::SurfaceStore store(model.value());
-  for (std::uint32_t c = 0; c < model.value().contacts.size(); ++c) add_contact(model.value(), store, c, margin, set.pairs);
+  for (std::uint32_t c = 0; c < model.value().contacts.size(); ++c)
+    add_contact(model.value(), store, c, margin, set.pairs);
   return set;
 }
 

@@ -20,8 +20,8 @@ struct PairSet {
 
 /// All pairs that the search for initial penetrations hands to its decisions, in the order of the segments, with their
 /// bounds: contact distance less tolerance, or its amount for facets of solids. Without beam axes. Empty if the deck
-/// cannot be read. `margin` widens the search by that many shorter diagonals of each segment, as a search does whose result
-/// is to serve for more than one time step.
+/// cannot be read. `margin` widens the search by that many shorter diagonals of each segment, as a search does whose
+/// result is to serve for more than one time step.
 [[nodiscard]] PairSet pairs_of_deck(const std::string& path, double margin);
 
 /// The families of the tests, `count` pairs each, with bounds from half to twice the distance, and the families of the
