@@ -21,6 +21,8 @@ class MappedFile {
   MappedFile& operator=(const MappedFile&) = delete;
   ~MappedFile();
   [[nodiscard]] std::string_view bytes() const { return {data_, size_}; }
+  /// Gives back the memory that the bytes read so far take; they can be read again, and then take it again.
+  void release() const;
 
  private:
   const char* data_ = nullptr;

@@ -59,6 +59,11 @@ class Deck {
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[nodiscard]] const Transform& transform(TransformIndex index) const { return transforms_[index.value]; }
   [[nodiscard]] const DeckCounters& counters() const { return counters_; }
+  /// Gives back the memory of the files' pages, for when all has been read. All views stay valid; what is looked at
+  /// again is read again.
+  void release_pages() const {
+    for (const MappedFile& file : mappings_) file.release();
+  }
 
  private:
   friend class DeckReader;

@@ -20,13 +20,13 @@ inline constexpr std::size_t reach = 32;
 /// zero.
 bool read_fixed_integer(const char* at, std::size_t width, std::int64_t& value);
 
-/// A real number with blanks around it in a field of up to 32 columns; a blank field is zero. Takes up to 16 digits
+/// A real number with blanks around it in a field of up to 31 columns; a blank field is zero. Takes up to 16 digits
 /// before and behind the point, 19 together, and the exponents of C and Fortran (`E+02`, `D2`, `-3`) as long as the
 /// result needs no more than 10^±22. Correctly rounded: the same bits as strtod, where the processor rounds to nearest.
 bool read_fixed_real(const char* at, std::size_t width, double& value);
 
-/// mantissa · 10^exponent, correctly rounded, by whole numbers of 128 bits; −19 ≤ exponent ≤ 19.
-double scaled_exactly(std::uint64_t mantissa, int exponent);
+/// mantissa · 10^exponent, correctly rounded, by whole numbers of 128 bits. False unless −19 ≤ exponent ≤ 19.
+bool scaled_exactly(std::uint64_t mantissa, int exponent, double& value);
 
 // What follows is inline, since it is called for every field of a mesh.
 
@@ -34,26 +34,6 @@ namespace fixed_field {
 
 inline constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                            1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-inline constexpr std::uint64_t whole_powers_of_ten[] = {1u,
-                                                        10u,
-                                                        100u,
-                                                        1000u,
-                                                        10000u,
-                                                        100000u,
-                                                        1000000u,
-                                                        10000000u,
-                                                        100000000u,
-                                                        1000000000u,
-                                                        10000000000u,
-                                                        100000000000u,
-                                                        1000000000000u,
-                                                        10000000000000u,
-                                                        100000000000000u,
-                                                        1000000000000000u,
-                                                        10000000000000000u,
-                                                        100000000000000000u,
-                                                        1000000000000000000u,
-                                                        10000000000000000000u};
 inline constexpr std::uint64_t max_exact_mantissa = std::uint64_t{1} << 53;
 inline constexpr int max_exact_power = 22;
 
@@ -70,18 +50,18 @@ inline std::uint64_t load_eight(const char* at) {
   return bytes;
 }
 
-/// The number that the last `count` ≤ 8 characters before `end` spell, all of them digits.
-inline std::uint64_t up_to_eight_digits(const char* end, unsigned count) {
-  const unsigned half = 4 * (8 - count);  // of the bits in front of them; all 64 cannot be shifted out at once
-  const std::uint64_t wanted = ~std::uint64_t{0} << half << half;
-  return eight_digits((load_eight(end - 8) ^ 0x3030303030303030u) & wanted);
+/// mantissa · 10^exponent, correctly rounded; where it is one operation on exact doubles, by that one.
+inline bool scaled(std::uint64_t mantissa, int exponent, double& value) {
+  if (mantissa > max_exact_mantissa || exponent < -max_exact_power || exponent > max_exact_power)
+    return scaled_exactly(mantissa, exponent, value);
+  const auto exact = static_cast<double>(static_cast<std::int64_t>(mantissa));
+  value = exponent < 0 ? exact / powers_of_ten[-exponent] : exact * powers_of_ten[exponent];
+  return true;
 }
 
-/// The same for `count` ≤ 16.
-inline std::uint64_t up_to_sixteen_digits(const char* end, unsigned count) {
-  if (count <= 8) return up_to_eight_digits(end, count);
-  return up_to_eight_digits(end - 8, count - 8) * 100000000u + up_to_eight_digits(end, 8);
-}
+/// A number with `whole` digits before `point` and `fraction` before `end`. False: too many digits, none, or too large a
+/// power of ten.
+bool read_long_real(const char* point, unsigned whole, const char* end, unsigned fraction, int exponent, double& value);
 
 #ifdef __SSE2__
 
@@ -111,8 +91,38 @@ inline Kinds kinds_of(const char* at, std::size_t width) {
 /// Bits 0 … count - 1; count ≤ 32.
 inline std::uint32_t low_bits(std::size_t count) { return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1); }
 
-/// The exponent that the characters from `begin` to `end` spell: `E+02`, `d2`, `-3`. False: not of this form.
+/// The number that the last `count` ≤ 16 digits before `end` spell, with a point before the last `fraction` of them; 16
+/// says that there is none. Digits and point together are at most 16 characters.
+inline std::uint64_t sixteen_digits(const char* end, unsigned count, unsigned fraction) {
+  static constexpr std::uint8_t last_bytes[32] = {0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,
+                                                  0,   0,   0,   0,   0,   255, 255, 255, 255, 255, 255,
+                                                  255, 255, 255, 255, 255, 255, 255, 255, 255, 255};
+  const auto load = [](const void* from) { return _mm_loadu_si128(static_cast<const __m128i*>(from)); };
+  const __m128i text = _mm_xor_si128(load(end - 16), _mm_set1_epi8('0'));
+  const __m128i behind_point = load(last_bytes + fraction);
+  // What stands before the point moves up by one place, onto it.
+  const __m128i joined =
+      _mm_or_si128(_mm_and_si128(behind_point, text), _mm_andnot_si128(behind_point, _mm_slli_si128(text, 1)));
+  const __m128i digits = _mm_and_si128(joined, load(last_bytes + count));
+  // Ones and tens to hundreds, these to ten thousands, these to two numbers of eight digits.
+  const __m128i tens = _mm_mullo_epi16(_mm_and_si128(digits, _mm_set1_epi16(0xFF)), _mm_set1_epi16(10));
+  const __m128i pairs = _mm_add_epi16(tens, _mm_srli_epi16(digits, 8));
+  const __m128i fours = _mm_madd_epi16(pairs, _mm_set1_epi32(100 | 1 << 16));
+  const __m128i eights = _mm_madd_epi16(_mm_packs_epi32(fours, fours), _mm_set1_epi32(10000 | 1 << 16));
+  const auto both = static_cast<std::uint64_t>(_mm_cvtsi128_si64(eights));
+  return (both & 0xFFFFFFFFu) * 100000000u + (both >> 32);
+}
+
+/// The exponent in these columns: `E+02`, `d2`, `-3`. `digit` has a bit for every column that holds a digit.
 inline bool read_exponent(const char* at, unsigned begin, unsigned end, std::uint32_t digit, int& exponent) {
+  if (end - begin == 4) {  // as most programs write it
+    const bool negative = at[begin + 1] == '-', has_sign = negative || at[begin + 1] == '+';
+    if ((at[begin] & 0xDE) == 'D' && has_sign && (digit >> (begin + 2) & 3u) == 3u) {
+      const int magnitude = 10 * at[begin + 2] + at[begin + 3] - 11 * '0';
+      exponent = negative ? -magnitude : magnitude;
+      return true;
+    }
+  }
   const char letter = static_cast<char>(at[begin] | 0x20);
   const bool has_letter = letter == 'e' || letter == 'd';
   const unsigned sign = begin + static_cast<unsigned>(has_letter);
@@ -120,8 +130,8 @@ inline bool read_exponent(const char* at, unsigned begin, unsigned end, std::uin
   const unsigned first = sign + static_cast<unsigned>(has_sign);
   if (!(has_letter || has_sign) || first >= end || end - first > 3) return false;
   if ((~digit & low_bits(end)) >> first != 0) return false;
-  int magnitude = at[first] - '0';
-  for (unsigned i = first + 1; i < end; ++i) magnitude = 10 * magnitude + (at[i] - '0');
+  const int ones = at[end - 1] - '0', tens = end - first > 1 ? at[end - 2] - '0' : 0;
+  const int magnitude = ones + 10 * tens + (end - first > 2 ? 100 * (at[first] - '0') : 0);
   exponent = negative ? -magnitude : magnitude;
   return true;
 }
@@ -156,7 +166,7 @@ inline bool read_fixed_integer(const char* at, std::size_t width, std::int64_t& 
 
 inline bool read_fixed_real(const char* at, std::size_t width, double& value) {
   using namespace fixed_field;
-  if (width > 32) return false;
+  if (width >= 32) return false;
   const Kinds kinds = kinds_of(at, width);
   const std::uint32_t used = ~kinds.blank & low_bits(width);
   if (used == 0) {
@@ -165,29 +175,27 @@ inline bool read_fixed_real(const char* at, std::size_t width, double& value) {
   }
   auto first = static_cast<unsigned>(std::countr_zero(used));
   const auto last = static_cast<unsigned>(std::bit_width(used));
-  if (used != (low_bits(last) & ~low_bits(first))) return false;  // blanks inside
+  const std::uint32_t without_blanks = used >> first;
+  if ((without_blanks & (without_blanks + 1)) != 0) return false;  // blanks inside
   const bool negative = at[first] == '-', has_sign = negative || at[first] == '+';
   first += static_cast<unsigned>(has_sign);
-  const std::uint32_t others = used & ~(kinds.digit | kinds.point) & ~low_bits(first);
-  const unsigned end = others == 0 ? last : static_cast<unsigned>(std::countr_zero(others));
-  const std::uint32_t points = kinds.point & low_bits(end) & ~low_bits(first);
+  const std::uint32_t others = (used & ~(kinds.digit | kinds.point)) >> first;
+  const unsigned length = others == 0 ? last - first : static_cast<unsigned>(std::countr_zero(others));
+  const unsigned end = first + length;
+  const std::uint32_t points = (kinds.point >> first) & low_bits(length);
   if ((points & (points - 1)) != 0) return false;
-  const unsigned point = points == 0 ? end : static_cast<unsigned>(std::countr_zero(points));
-  const unsigned whole = point - first, fraction = points == 0 ? 0 : end - point - 1;
-  if (whole + fraction == 0 || whole > 16 || fraction > 16 || whole + fraction > 19) return false;
+  const auto point = static_cast<unsigned>(std::bit_width(points));  // digits before it, and itself
+  const unsigned count = length - static_cast<unsigned>(points != 0), fraction = points == 0 ? 0 : length - point;
   int exponent = 0;
   if (end != last && !read_exponent(at, end, last, kinds.digit, exponent)) return false;
-  exponent -= static_cast<int>(fraction);
-  const std::uint64_t mantissa = up_to_sixteen_digits(at + point, whole) * whole_powers_of_ten[fraction] +
-                                 up_to_sixteen_digits(at + end, fraction);
   double magnitude = 0;
-  if (mantissa <= max_exact_mantissa && exponent >= -max_exact_power && exponent <= max_exact_power)
-    magnitude = static_cast<double>(static_cast<std::int64_t>(mantissa)) * powers_of_ten[exponent > 0 ? exponent : 0] /
-                powers_of_ten[exponent < 0 ? -exponent : 0];
-  else if (exponent >= -19 && exponent <= 19)
-    magnitude = scaled_exactly(mantissa, exponent);
-  else
+  if (count == 0 || length > 16) {
+    const unsigned whole = count - fraction;
+    if (!read_long_real(at + first + whole, whole, at + end, fraction, exponent, magnitude)) return false;
+  } else if (!scaled(sixteen_digits(at + end, count, points == 0 ? 16 : fraction),
+                     exponent - static_cast<int>(fraction), magnitude)) {
     return false;
+  }
   value = negative ? -magnitude : magnitude;
   return true;
 }

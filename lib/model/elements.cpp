@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
+#include <algorithm>
 #include <map>
+#include <mutex>
 
 #include "base/parallel.hpp"
 #include "keyword/rows.hpp"
@@ -51,36 +52,115 @@ bool find_nodes(const Nodes& nodes, const ElementTraits& traits, const std::int6
   return true;
 }
 
-void report_unknown_parts(Context& context, const Block& block, const ElementTraits& traits, const ElementRows& rows,
-                          const std::vector<std::uint32_t>& dropped) {
-  struct Use {
-    std::size_t first = 0, count = 0;
-  };
-  std::map<std::int64_t, Use> uses;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (next < dropped.size() && dropped[next] == i) {
-      ++next;
-      continue;
-    }
-    const std::int64_t part = rows.row(i)[1];
-    if (!traits.needs_part && part == 0) continue;
-    if (context.part(part) != none<PartIndex>) continue;
-    Use& use = uses[part];
-    if (use.count++ == 0) use.first = i;
+/// Puts rows behind the elements that are there, in pieces that may come in any order and from several threads.
+template <std::size_t N>
+class Appender {
+ public:
+  Appender(Context& context, const Block& block, const ElementTraits& traits, Elements<N>& elements)
+      : context_(context), block_(block), traits_(traits), elements_(elements), first_(elements.size()) {}
+
+  void make_room(std::size_t count) {
+    if (count == 0) return;
+    elements_.id.resize(first_ + count);
+    elements_.nodes.resize(first_ + count);
+    elements_.part.resize(first_ + count);
+    elements_.line.resize(first_ + count);
+    elements_.origins.add(static_cast<std::uint32_t>(first_), block_.file);
   }
-  for (const auto& [part, use] : uses)
-    context.unknown(fmt::format("part {} is not defined, but {} elements use it (first: {} {})", part, use.count,
-                                traits.what, rows.row(use.first)[0]),
-                    Context::place(block, rows.lines[use.first]));
-}
+
+  /// Row `first_row` and those behind it; `nodes` ids behind the element's and the part's in each.
+  void take(std::size_t first_row, std::size_t count, std::size_t nodes, const std::int64_t* values,
+            const std::uint32_t* lines) {
+    PartFinder parts(context_);
+    Faults faults;
+    const std::size_t to = first_ + first_row;
+    std::copy_n(lines, count, elements_.line.data() + to);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int64_t* row = values + i * (2 + nodes);
+      const auto number = static_cast<std::uint32_t>(first_row + i);
+      elements_.id[to + i] = row[0];
+      elements_.part[to + i] = parts.find(row[1]);
+      std::int64_t unknown_node = 0;
+      if (row[0] <= 0 ||
+          !find_nodes(context_.model.mesh.nodes, traits_, row + 2, nodes, elements_.nodes[to + i], unknown_node))
+        faults.left_out.push_back({number, lines[i], row[0], unknown_node});
+      else if (elements_.part[to + i] == none<PartIndex> && (traits_.needs_part || row[1] != 0))
+        faults.unknown_parts[row[1]].add({number, lines[i], row[0], 1});
+    }
+    if (!faults.left_out.empty() || !faults.unknown_parts.empty()) keep(std::move(faults));
+  }
+
+  /// Reports what is wrong and takes the rows left out away; returns them, ascending.
+  std::vector<std::uint32_t> finish() {
+    std::sort(faults_.left_out.begin(), faults_.left_out.end(),
+              [](const LeftOut& a, const LeftOut& b) { return a.row < b.row; });
+    std::vector<std::uint32_t> dropped, positions;
+    for (const LeftOut& out : faults_.left_out) {
+      report(out);
+      dropped.push_back(out.row);
+      positions.push_back(out.row + static_cast<std::uint32_t>(first_));
+    }
+    if (!dropped.empty()) {
+      // All of them belong to the last range of the origins, which may stay as it is.
+      erase_column(positions, elements_.id);
+      erase_column(positions, elements_.nodes);
+      erase_column(positions, elements_.part);
+      erase_column(positions, elements_.line);
+    }
+    for (const auto& [part, use] : faults_.unknown_parts)
+      context_.unknown(fmt::format("part {} is not defined, but {} elements use it (first: {} {})", part, use.count,
+                                   traits_.what, use.id),
+                       Context::place(block_, use.line));
+    return dropped;
+  }
+
+ private:
+  struct LeftOut {
+    std::uint32_t row, line;
+    std::int64_t id, unknown_node;
+  };
+  /// Of one part: the first element, and how many.
+  struct Use {
+    std::uint32_t row = 0, line = 0;
+    std::int64_t id = 0;
+    std::size_t count = 0;
+    void add(const Use& other) {
+      const std::size_t sum = count + other.count;
+      if (count == 0 || other.row < row) *this = other;
+      count = sum;
+    }
+  };
+  struct Faults {
+    std::vector<LeftOut> left_out;
+    std::map<std::int64_t, Use> unknown_parts;
+  };
+
+  void keep(Faults&& faults) {
+    const std::lock_guard lock(mutex_);
+    faults_.left_out.insert(faults_.left_out.end(), faults.left_out.begin(), faults.left_out.end());
+    for (const auto& [part, use] : faults.unknown_parts) faults_.unknown_parts[part].add(use);
+  }
+
+  void report(const LeftOut& out) {
+    const Place place = Context::place(block_, out.line);
+    if (out.id <= 0)
+      context_.error(place, fmt::format("{} id {} is not positive; the element is left out", traits_.what, out.id));
+    else
+      context_.unknown(fmt::format("{} {} names node {}, which is not defined; the element is left out", traits_.what,
+                                   out.id, out.unknown_node),
+                       place);
+  }
+
+  Context& context_;
+  const Block& block_;
+  const ElementTraits& traits_;
+  Elements<N>& elements_;
+  std::size_t first_;
+  std::mutex mutex_;
+  Faults faults_;
+};
 
 }  // namespace
-
-ElementRows read_element_rows(Context& context, const Block& block, std::size_t nodes) {
-  keyword::Rows rows = keyword::read_rows(context.deck, block, element_line(nodes), context.diagnostics);
-  return {nodes, std::move(rows.integers), std::move(rows.lines)};
-}
 
 void append_row(ElementRows& rows, const Card& card, std::size_t nodes) {
   rows.nodes = nodes;
@@ -91,54 +171,23 @@ void append_row(ElementRows& rows, const Card& card, std::size_t nodes) {
 template <std::size_t N>
 std::vector<std::uint32_t> append_elements(Context& context, const Block& block, const ElementTraits& traits,
                                            const ElementRows& rows, Elements<N>& elements) {
-  if (rows.size() == 0) return {};
-  const Nodes& nodes = context.model.mesh.nodes;
-  const std::size_t first = elements.size(), count = rows.size();
-  elements.id.resize(first + count);
-  elements.nodes.resize(first + count);
-  elements.part.resize(first + count);
-  elements.line.insert(elements.line.end(), rows.lines.begin(), rows.lines.end());
-  std::atomic<bool> some_bad = false, some_partless = false;
-  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
-    PartFinder parts(context);
-    std::int64_t bad = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::int64_t* row = rows.row(i);
-      elements.id[first + i] = row[0];
-      const PartIndex part = elements.part[first + i] = parts.find(row[1]);
-      if (part == none<PartIndex>) some_partless = true;
-      if (row[0] <= 0 || !find_nodes(nodes, traits, row + 2, rows.nodes, elements.nodes[first + i], bad))
-        some_bad = true;
-    }
+  Appender<N> appender(context, block, traits, elements);
+  appender.make_room(rows.size());
+  parallel_for(rows.size(), grain, [&](std::size_t begin, std::size_t end) {
+    appender.take(begin, end - begin, rows.nodes, rows.row(begin), rows.lines.data() + begin);
   });
-  elements.origins.add(static_cast<std::uint32_t>(first), block.file);
+  return appender.finish();
+}
 
-  std::vector<std::uint32_t> dropped;
-  for (std::size_t i = 0; some_bad && i < count; ++i) {
-    const std::int64_t* row = rows.row(i);
-    std::int64_t bad = 0;
-    const Place place = Context::place(block, rows.lines[i]);
-    if (row[0] <= 0)
-      context.error(place, fmt::format("{} id {} is not positive; the element is left out", traits.what, row[0]));
-    else if (std::array<NodeIndex, N> unused; !find_nodes(nodes, traits, row + 2, rows.nodes, unused, bad))
-      context.unknown(
-          fmt::format("{} {} names node {}, which is not defined; the element is left out", traits.what, row[0], bad),
-          place);
-    else
-      continue;
-    dropped.push_back(static_cast<std::uint32_t>(i));
-  }
-  if (!dropped.empty()) {
-    std::vector<std::uint32_t> positions = dropped;
-    for (std::uint32_t& position : positions) position += static_cast<std::uint32_t>(first);
-    // All dropped entries belong to the last range of the origins, which may stay as it is.
-    erase_column(positions, elements.id);
-    erase_column(positions, elements.nodes);
-    erase_column(positions, elements.part);
-    erase_column(positions, elements.line);
-  }
-  if (some_partless) report_unknown_parts(context, block, traits, rows, dropped);
-  return dropped;
+template <std::size_t N>
+void read_elements(Context& context, const Block& block, const ElementTraits& traits, Elements<N>& elements) {
+  Appender<N> appender(context, block, traits, elements);
+  keyword::read_rows_in_pieces(
+      context.deck, block, element_line(N), context.diagnostics, [&](std::size_t count) { appender.make_room(count); },
+      [&](std::size_t first, const keyword::Rows& rows) {
+        appender.take(first, rows.count, N, rows.integers.data(), rows.lines.data());
+      });
+  appender.finish();
 }
 
 template std::vector<std::uint32_t> append_elements<1>(Context&, const Block&, const ElementTraits&, const ElementRows&,
@@ -149,5 +198,7 @@ template std::vector<std::uint32_t> append_elements<4>(Context&, const Block&, c
                                                        Elements<4>&);
 template std::vector<std::uint32_t> append_elements<8>(Context&, const Block&, const ElementTraits&, const ElementRows&,
                                                        Elements<8>&);
+template void read_elements<4>(Context&, const Block&, const ElementTraits&, Elements<4>&);
+template void read_elements<8>(Context&, const Block&, const ElementTraits&, Elements<8>&);
 
 }  // namespace gapcheck::model

@@ -24,9 +24,6 @@ struct ElementTraits {
   bool needs_part = true;
 };
 
-/// Reads rows `eid pid n1 … nN` of a whole block, in parallel.
-[[nodiscard]] ElementRows read_element_rows(Context& context, const Block& block, std::size_t nodes);
-
 /// Puts one element's line behind the rows.
 void append_row(ElementRows& rows, const Card& card, std::size_t nodes);
 
@@ -37,6 +34,10 @@ template <std::size_t N>
 std::vector<std::uint32_t> append_elements(Context& context, const Block& block, const ElementTraits& traits,
                                            const ElementRows& rows, Elements<N>& elements);
 
+/// The same for a whole block of rows `eid pid n1 … nN`, in parallel and straight from the text.
+template <std::size_t N>
+void read_elements(Context& context, const Block& block, const ElementTraits& traits, Elements<N>& elements);
+
 extern template std::vector<std::uint32_t> append_elements<1>(Context&, const Block&, const ElementTraits&,
                                                               const ElementRows&, Elements<1>&);
 extern template std::vector<std::uint32_t> append_elements<2>(Context&, const Block&, const ElementTraits&,
@@ -45,5 +46,7 @@ extern template std::vector<std::uint32_t> append_elements<4>(Context&, const Bl
                                                               const ElementRows&, Elements<4>&);
 extern template std::vector<std::uint32_t> append_elements<8>(Context&, const Block&, const ElementTraits&,
                                                               const ElementRows&, Elements<8>&);
+extern template void read_elements<4>(Context&, const Block&, const ElementTraits&, Elements<4>&);
+extern template void read_elements<8>(Context&, const Block&, const ElementTraits&, Elements<8>&);
 
 }  // namespace gapcheck::model

@@ -9,15 +9,14 @@
 namespace gapcheck::model {
 namespace {
 
-/// Elements of `nodes` nodes with `extra` lines behind each.
-ElementRows read_rows_with(Context& context, const Block& block, std::size_t nodes, std::size_t extra) {
-  if (extra == 0) return read_element_rows(context, block, nodes);
-  const CardLayout line = element_line(nodes);
+/// Thick shells with `extra` lines behind each.
+ElementRows read_rows_with(Context& context, const Block& block, std::size_t extra) {
+  static const CardLayout line = element_line(8);
   ElementRows rows;
   CardReader reader(context.deck, block, context.diagnostics);
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
-    append_row(rows, reader.next(line), nodes);
+    append_row(rows, reader.next(line), 8);
     skip_lines(reader, static_cast<std::int64_t>(extra));
   }
   return rows;
@@ -134,10 +133,15 @@ void check_part_references(Context& context) {
 }  // namespace
 
 void read_thick_shells(Context& context, const Block& block, const Options& options) {
-  Mesh& mesh = context.model.mesh;
-  const ElementRows rows = options.has("COMPOSITE") ? read_layered(context, block, options.has("BETA"))
-                                                    : read_rows_with(context, block, 8, options.count({"BETA"}));
-  append_elements(context, block, {"thick shell", 6}, rows, mesh.thick_shells);
+  constexpr ElementTraits thick_shell{"thick shell", 6};
+  auto& elements = context.model.mesh.thick_shells;
+  const std::size_t extra = options.count({"BETA"});
+  if (options.has("COMPOSITE"))
+    append_elements(context, block, thick_shell, read_layered(context, block, extra > 0), elements);
+  else if (extra > 0)
+    append_elements(context, block, thick_shell, read_rows_with(context, block, extra), elements);
+  else
+    read_elements<8>(context, block, thick_shell, elements);
 }
 
 void read_beams(Context& context, const Block& block, const Options& options) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include "base/parallel.hpp"
+#include <algorithm>
+
 #include "keyword/rows.hpp"
 #include "model/cards.hpp"
 #include "model/context.hpp"
@@ -20,21 +21,25 @@ CardLayout node_line() {
 
 void read_nodes(Context& context, const Block& block, const Options&) {
   static const CardLayout layout = node_line();
-  const keyword::Rows rows = keyword::read_rows(context.deck, block, layout, context.diagnostics);
-  if (rows.count == 0) return;
   Nodes& nodes = context.model.mesh.nodes;
   const std::size_t first = nodes.size();
-  nodes.id.insert(nodes.id.end(), rows.integers.begin(), rows.integers.end());
-  nodes.line.insert(nodes.line.end(), rows.lines.begin(), rows.lines.end());
-  nodes.x.resize(first + rows.count);
-  nodes.origins.add(static_cast<std::uint32_t>(first), block.file);
   const keyword::Transform& transform = context.transform(block);
-  parallel_for(rows.count, 16384, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+  const auto make_room = [&](std::size_t count) {
+    nodes.id.resize(first + count);
+    nodes.x.resize(first + count);
+    nodes.line.resize(first + count);
+    if (count > 0) nodes.origins.add(static_cast<std::uint32_t>(first), block.file);
+  };
+  const auto take = [&](std::size_t first_row, const keyword::Rows& rows) {
+    const std::size_t to = first + first_row;
+    std::copy_n(rows.integers.data(), rows.count, nodes.id.data() + to);
+    std::copy_n(rows.lines.data(), rows.count, nodes.line.data() + to);
+    for (std::size_t i = 0; i < rows.count; ++i) {
       const double* x = &rows.reals[3 * i];
-      nodes.x[first + i] = transform.apply(transform.length_factor * Vector(x[0], x[1], x[2]));
+      nodes.x[to + i] = transform.apply(transform.length_factor * Vector(x[0], x[1], x[2]));
     }
-  });
+  };
+  keyword::read_rows_in_pieces(context.deck, block, layout, context.diagnostics, make_room, take);
 }
 
 void finish_nodes(Context& context) {

@@ -68,7 +68,7 @@ void append_side_table(const std::vector<Value>& of_rows, const std::vector<std:
 void read_shells(Context& context, const Block& block, const Options& options) {
   Shells& shells = context.model.mesh.shells;
   if (!options.any({"THICKNESS", "BETA", "MCID", "OFFSET", "DOF", "COMPOSITE"})) {
-    append_elements(context, block, shell, read_element_rows(context, block, 4), static_cast<Elements<4>&>(shells));
+    read_elements<4>(context, block, shell, shells);
     return;
   }
   const ShellRows read = read_with_extra_lines(context, block, options);

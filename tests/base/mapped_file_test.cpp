@@ -47,6 +47,17 @@ TEST_F(MappedFileTest, StaysAtItsAddressWhenMoved) {
   EXPECT_EQ(assigned.bytes(), "content");
 }
 
+TEST_F(MappedFileTest, CanBeReadAgainAfterRelease) {
+  const std::string content(100000, 'x');
+  const auto mapped = MappedFile::open(file("a.k", content));
+  ASSERT_TRUE(mapped.ok());
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(mapped.value().bytes(), content);
+    mapped.value().release();
+  }
+  MappedFile().release();
+}
+
 TEST_F(MappedFileTest, EmptyFileHasNoBytes) {
   auto mapped = MappedFile::open(file("empty.k", ""));
   ASSERT_TRUE(mapped.ok());

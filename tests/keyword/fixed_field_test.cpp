@@ -62,7 +62,7 @@ const std::vector<std::string> forms{
 
 TEST(FixedField, RealsOfAllFormsAtAllPlaces) {
   for (const std::string& number : forms)
-    for (std::size_t width = number.size(); width <= 32; ++width)
+    for (std::size_t width = number.size(); width <= 31; ++width)
       for (std::size_t blanks = 0; blanks + number.size() <= width; ++blanks)
         for (const char around : {'7', ' ', '.', 'E', '-', '\n'})
           EXPECT_TRUE(agrees(placed(number, width, blanks), around)) << number << " in " << width << " after " << blanks;
@@ -77,12 +77,12 @@ TEST(FixedField, WhatIsNoPlainRealIsLeftAlone) {
     EXPECT_FALSE(agrees(std::string("  ") + text + " ")) << text;
   }
   double value = untouched;
-  EXPECT_FALSE(read_fixed_real(Surrounded(std::string(33, '1')).at(), 33, value));
+  EXPECT_FALSE(read_fixed_real(Surrounded(std::string(32, '1')).at(), 32, value));
   EXPECT_FALSE(agrees(std::string("1\0", 2)));
 }
 
 TEST(FixedField, BlankIsZero) {
-  for (std::size_t width = 1; width <= 32; ++width) {
+  for (std::size_t width = 1; width <= 31; ++width) {
     double real = untouched;
     ASSERT_TRUE(read_fixed_real(Surrounded(std::string(width, ' ')).at(), width, real));
     EXPECT_EQ(std::bit_cast<std::uint64_t>(real), 0u);
@@ -162,10 +162,16 @@ TEST(FixedField, ScaledExactly) {
     const std::uint64_t mantissa = random() >> random() % 64;
     for (const int exponent : {static_cast<int>(random() % 39) - 19, -19, 0, 19}) {
       const std::string text = std::to_string(mantissa) + "e" + std::to_string(exponent);
-      ASSERT_EQ(scaled_exactly(mantissa, exponent), std::strtod(text.c_str(), nullptr)) << text;
+      double value = untouched;
+      ASSERT_TRUE(scaled_exactly(mantissa, exponent, value));
+      ASSERT_EQ(value, std::strtod(text.c_str(), nullptr)) << text;
     }
   }
-  EXPECT_EQ(std::bit_cast<std::uint64_t>(scaled_exactly(0, -5)), 0u);
+  double value = untouched;
+  EXPECT_FALSE(scaled_exactly(1, 20, value));
+  EXPECT_FALSE(scaled_exactly(1, -20, value));
+  EXPECT_TRUE(scaled_exactly(0, -5, value));
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(value), 0u);
 }
 
 /// One real as programs write it, or any digits at all.

@@ -1,5 +1,6 @@
 #include "keyword/rows.hpp"
 
+#include <atomic>
 #include <random>
 
 #include "base/number.hpp"
@@ -193,6 +194,47 @@ TEST(Rows, ManyPiecesAndThreadsGiveTheSame) {
   EXPECT_EQ(one->reals, many->reals);
   EXPECT_EQ(one->lines, many->lines);
   EXPECT_EQ(reports(one_reports), reports(many_reports));
+}
+
+/// Lines that end behind their fields, at them or before them, with all line ends; the first and the last ones stand at
+/// the ends of the text.
+TEST(Rows, AlignedLinesOfAllLengths) {
+  const CardLayout& layout = card_layout("NODE", "card1");
+  const std::string row = "      12   1.5000000E+00 -12.25         1.0D-03           7       0";
+  for (const char* end : {"\n", "\r\n", "  \n", " remark\n", "\t\n"})
+    for (std::size_t length = 0; length <= row.size(); ++length) {
+      std::string text = "*NODE\n";
+      for (int i = 0; i < 8; ++i) text += row.substr(0, i % 4 == 3 ? length : row.size()) + end;
+      TextDeck deck(text + row.substr(0, length));
+      expect_same(deck, deck.block("NODE"), layout);
+      if (HasFatalFailure()) FAIL() << length << " columns";
+    }
+}
+
+TEST(Rows, PiecesCoverTheBlockOnce) {
+  std::mt19937 random(8);
+  const CardLayout& layout = card_layout("NODE", "card1");
+  std::string text = "$" + std::string(4096, ' ') + "\n*PARAMETER\n" + pair("I p", "5") + "\n*NODE\n";
+  for (int i = 0; i < 10000; ++i) text += random_line(random, layout, Format::standard) + "\n";
+  TextDeck deck(text);
+  const Rows whole = read_rows(deck.deck, deck.block("NODE"), layout, deck.diagnostics);
+  std::vector<std::uint32_t> lines;
+  std::atomic<std::size_t> pieces = 0;
+  const auto make_room = [&](std::size_t count) {
+    EXPECT_EQ(count, whole.count);
+    EXPECT_TRUE(lines.empty());
+    lines.resize(count);
+  };
+  const auto take = [&](std::size_t first, const Rows& rows) {
+    ++pieces;
+    ASSERT_LE(first + rows.count, lines.size());
+    for (std::size_t i = 0; i < rows.count; ++i) lines[first + i] += rows.lines[i];
+    EXPECT_TRUE(std::equal(rows.reals.data(), rows.reals.data() + 3 * rows.count, whole.reals.data() + 3 * first));
+  };
+  Diagnostics again;
+  read_rows_in_pieces(deck.deck, deck.block("NODE"), layout, again, make_room, take);
+  EXPECT_GT(pieces, 5u);
+  EXPECT_EQ(lines, whole.lines);
 }
 
 TEST(Rows, IdsTakeTheOffsetsOfTheirInclude) {

@@ -1,5 +1,10 @@
 #include "model/elements.hpp"
 
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+#include "base/parallel.hpp"
 #include "read.hpp"
 
 namespace gapcheck::model {
@@ -215,6 +220,48 @@ TEST(Elements, FaultsAreNamed) {
   EXPECT_NE(text.find("part 5 is not defined, but 2 elements use it (first: shell 2)"), std::string::npos) << text;
   EXPECT_NE(text.find("shell 4 is defined again"), std::string::npos) << text;
   EXPECT_EQ(read.model.faults.size(), 4u);
+}
+
+/// Long enough for many pieces of the text; some rows are bad, and comments stand between them.
+TEST(Elements, FaultsOfLongBlocksComeInTheOrderOfTheFile) {
+  std::string text = start() + "*ELEMENT_SHELL\n";
+  Ids good;
+  std::vector<std::uint32_t> lines;
+  auto line = static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n'));
+  std::string expected;
+  for (int i = 1; i <= 20000; ++i) {
+    if (i % 700 == 0) text += "$ comment\n\n";
+    line += i % 700 == 0 ? 3 : 1;
+    char row[80];
+    const int id = i % 5000 == 17 ? -i : i, node = i % 3000 == 5 ? 77 + i : 4, part = i % 4000 == 9 ? 5 + i % 3 : 1;
+    std::snprintf(row, sizeof row, "%8d%8d%8d%8d%8d%8d\n", id, part, 1, 2, 3, node);
+    text += row;
+    if (id < 0 || node != 4) {
+      expected += std::to_string(line) + (id < 0 ? " id\n" : " node\n");
+      continue;
+    }
+    good.push_back(i);
+    lines.push_back(line);
+  }
+  std::optional<std::string> first;
+  for (const std::size_t jobs : {1, 2, 5}) {
+    const JobLimit limit(jobs);
+    const Read read = read_text(text);
+    EXPECT_EQ(read.model.mesh.shells.id, good);
+    EXPECT_EQ(read.model.mesh.shells.line, lines);
+    std::vector<std::pair<std::uint32_t, std::string>> found;
+    for (const Diagnostic& d : read.diagnostics)
+      if (d.message.find("is not positive") != std::string::npos) found.emplace_back(d.line, " id\n");
+    for (const Fault& fault : read.model.faults)
+      if (fault.message.find("names node") != std::string::npos) found.emplace_back(fault.place.line, " node\n");
+    std::sort(found.begin(), found.end());
+    std::string all;
+    for (const auto& [number, what] : found) all += std::to_string(number) + what;
+    EXPECT_EQ(all, expected);
+    EXPECT_NE(read.text().find("part 5 is not defined, but 2 elements use it (first: shell 9)"), std::string::npos);
+    if (!first) first = read.text();
+    EXPECT_EQ(read.text(), *first);
+  }
 }
 
 TEST(Elements, FormsThatAreNotReadAreNamed) {
