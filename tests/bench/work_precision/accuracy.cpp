@@ -1,9 +1,10 @@
 #include "accuracy.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
+
+#include "../stopwatch.hpp"
 
 namespace gapcheck::bench {
 namespace {
@@ -55,10 +56,10 @@ std::vector<Duration> durations(const PairFamily& family, const std::vector<Meth
   const double pairs = static_cast<double>(family.pairs.size());
   for (int round = -1; round < rounds; ++round) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const auto start = std::chrono::steady_clock::now();
+      Stopwatch watch;
       methods[m].run(family.pairs, answers);
-      const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
-      if (round >= 0) samples[m].push_back(took.count() / pairs);  // the first one warms the caches
+      const double seconds = watch.lap();
+      if (round >= 0) samples[m].push_back(seconds * 1e9 / pairs);  // the first one warms the caches
     }
   }
   std::vector<Duration> result;
