@@ -31,7 +31,7 @@ Accuracy accuracy(const PairFamily& family, const Method& method) {
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const Truth& truth = family.truth[i];
     if (answers[i].closer != truth.closer) ++result.wrong;
-    if (!method.has_distance) continue;
+    if (method.distances == Distances::none || (method.distances == Distances::nearer && !truth.closer)) continue;
     if (!std::isfinite(answers[i].distance)) {
       ++result.lost;
       continue;
