@@ -1,9 +1,10 @@
 #include "accuracy.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
+
+#include "../stopwatch.hpp"
 
 namespace gapcheck::bench {
 namespace {
@@ -30,7 +31,7 @@ Accuracy accuracy(const PairFamily& family, const Method& method) {
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const Truth& truth = family.truth[i];
     if (answers[i].closer != truth.closer) ++result.wrong;
-    if (!method.has_distance) continue;
+    if (method.distances == Distances::none || (method.distances == Distances::nearer && !truth.closer)) continue;
     if (!std::isfinite(answers[i].distance)) {
       ++result.lost;
       continue;
@@ -55,10 +56,10 @@ std::vector<Duration> durations(const PairFamily& family, const std::vector<Meth
   const double pairs = static_cast<double>(family.pairs.size());
   for (int round = -1; round < rounds; ++round) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const auto start = std::chrono::steady_clock::now();
+      Stopwatch watch;
       methods[m].run(family.pairs, answers);
-      const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
-      if (round >= 0) samples[m].push_back(took.count() / pairs);  // the first one warms the caches
+      const double seconds = watch.lap();
+      if (round >= 0) samples[m].push_back(seconds * 1e9 / pairs);  // the first one warms the caches
     }
   }
   std::vector<Duration> result;

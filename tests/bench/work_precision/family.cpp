@@ -1,9 +1,9 @@
 #include "family.hpp"
 
-#include <chrono>
 #include <functional>
 #include <limits>
 
+#include "../stopwatch.hpp"
 #include "families.hpp"
 #include "geometry/decide.hpp"
 #include "geometry/exact.hpp"
@@ -128,9 +128,9 @@ double bound_of(Maker& maker, Bound kind, long double distance, double size) {
 
 void add_pair(PairFamily& family, const Facet& facet, const Vector& query, double bound, const mpf_class& square) {
   family.pairs.add({facet.x, query, bound, facet.triangle});
-  const auto start = std::chrono::steady_clock::now();
+  Stopwatch watch;
   const auto decision = geometry::decide(facet, query, bound, geometry::Mode::exact);
-  family.exact_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  family.exact_seconds += watch.lap();
   if (decision.stage == geometry::Stage::triangulated) ++family.triangulated;
   const mpf_class difference = square - mpf_class(bound, 600) * bound;
   const bool tie = abs(difference) <= 1e-60 * bound * bound;

@@ -1,6 +1,7 @@
 #include "methods.hpp"
 
 #include "certified.hpp"
+#include "certified_batch.hpp"
 #include "closed_form.hpp"
 #include "decision_alone.hpp"
 #include "four_triangles.hpp"
@@ -29,14 +30,14 @@ void run(const Pairs& pairs, std::span<Answer<double>> answers) {
 /// A plain method, in both precisions.
 template <template <class> class Way>
 void add(std::vector<Method>& list) {
-  list.push_back({Way<float>::name(), "float", true, run<float, Way<float>>});
-  list.push_back({Way<double>::name(), "double", true, run<double, Way<double>>});
+  list.push_back({Way<float>::name(), "float", Distances::all, run<float, Way<float>>});
+  list.push_back({Way<double>::name(), "double", Distances::all, run<double, Way<double>>});
 }
 
 template <int steps>
 void add_newton(std::vector<Method>& list) {
-  list.push_back({Newton<float, steps>::name(), "float", true, run<float, Newton<float, steps>>});
-  list.push_back({Newton<double, steps>::name(), "double", true, run<double, Newton<double, steps>>});
+  list.push_back({Newton<float, steps>::name(), "float", Distances::all, run<float, Newton<float, steps>>});
+  list.push_back({Newton<double, steps>::name(), "double", Distances::all, run<double, Newton<double, steps>>});
 }
 
 std::vector<Method> make_methods() {
@@ -50,8 +51,9 @@ std::vector<Method> make_methods() {
   add_newton<4>(list);
   add_newton<5>(list);
   add_newton<6>(list);
-  list.push_back({Certified::name(), "double", true, run<double, Certified>});
-  list.push_back({DecisionAlone::name(), "double", false, run<double, DecisionAlone>});
+  list.push_back({Certified::name(), "double", Distances::all, run<double, Certified>});
+  list.push_back({CertifiedBatch::name(), "double", Distances::nearer, CertifiedBatch::run});
+  list.push_back({DecisionAlone::name(), "double", Distances::none, run<double, DecisionAlone>});
   return list;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,10 +16,13 @@ struct Pairs {
   [[nodiscard]] std::size_t size() const { return in_double.size(); }
 };
 
+/// For which pairs a method gives a distance.
+enum class Distances : std::uint8_t { all, nearer, none };
+
 /// One way of finding the distance of a point from a facet and of comparing it with the contact distance.
 struct Method {
   std::string name, precision;
-  bool has_distance = true;
+  Distances distances = Distances::all;
   /// Answers all pairs, one answer each, in one loop that the compiler sees through.
   void (*run)(const Pairs& pairs, std::span<Answer<double>> answers) = nullptr;
 };

@@ -11,11 +11,10 @@ namespace gapcheck::bench {
 namespace {
 
 std::string method_json(const Method& method, const Accuracy& a, const Duration& d) {
-  return fmt::format(
-      R"({{"name": "{}", "precision": "{}", "has_distance": {}, "wrong": {}, "lost": {}, "largest": {}, "rms": {}, )"
-      R"("largest_ulps": {}, "median_ulps": {}, "ns": {:.2f}, "ns_low": {:.2f}, "ns_high": {:.2f}}})",
-      method.name, method.precision, method.has_distance, a.wrong, a.lost, a.largest, a.mean_square_root,
-      a.largest_ulps, a.median_ulps, d.median, d.low, d.high);
+  return fmt::format(R"({{"name": "{}", "precision": "{}", "wrong": {}, "lost": {}, "largest": {}, "rms": {}, )"
+                     R"("largest_ulps": {}, "median_ulps": {}, "ns": {:.2f}, "ns_low": {:.2f}, "ns_high": {:.2f}}})",
+                     method.name, method.precision, a.wrong, a.lost, a.largest, a.mean_square_root, a.largest_ulps,
+                     a.median_ulps, d.median, d.low, d.high);
 }
 
 std::string family_json(const PairFamily& family, int rounds) {

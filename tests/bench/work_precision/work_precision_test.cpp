@@ -1,6 +1,7 @@
 // The measurement itself, on few pairs: what it says must be so.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -47,6 +48,9 @@ TEST(WorkPrecision, CertifiedDecisionsAreNeverWrong) {
   for (const PairFamily& f : families()) {
     EXPECT_EQ(accuracy(f, method("certified")).wrong, 0U) << f.name;
     EXPECT_EQ(accuracy(f, method("decision alone")).wrong, 0U) << f.name;
+    const Accuracy batch = accuracy(f, method("certified batches"));
+    EXPECT_EQ(batch.wrong + batch.lost, 0U) << f.name;
+    EXPECT_LT(std::max(batch.largest, accuracy(f, method("certified")).largest), 1e-13) << f.name;
   }
 }
 
