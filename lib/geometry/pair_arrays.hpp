@@ -22,7 +22,7 @@ struct PairArrays {
 };
 
 /// One bit for each of `size` pairs.
-[[nodiscard]] constexpr std::uint64_t filled(std::size_t size) {
+[[nodiscard, gnu::always_inline]] constexpr std::uint64_t filled(std::size_t size) {
   return size >= PairArrays::capacity ? ~std::uint64_t{0} : (std::uint64_t{1} << size) - 1;
 }
 
