@@ -69,7 +69,10 @@ class Level {
     std::uint64_t key = 0;
     Range range;  // end 0: free
   };
-  [[nodiscard]] std::size_t hash(std::uint64_t key) const { return (key * 0x9E3779B97F4A7C15ULL >> 20) & mask_; }
+  /// The eight children of one bucket lie side by side: a box asks for several of them.
+  [[nodiscard]] std::size_t hash(std::uint64_t key) const {
+    return (((key >> 3) * 0x9E3779B97F4A7C15ULL >> 20) << 3 | (key & 7)) & mask_;
+  }
   std::vector<Slot> slots_;
   std::size_t mask_ = 0;
 };
