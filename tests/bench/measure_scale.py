@@ -57,10 +57,13 @@ def scene_rows(arguments, kind):
                     f"| {wall / shells * 1e9:,.0f} ns | {own * 2**20 / shells:,.0f} | |")
         print(rows[-1], flush=True)
     if len(times) > 1:
-        power, growth = exponent(times), exponent(memories)
+        power = exponent(times)
         shells, wall = times[-1]
         factor = 1e8 / shells
-        on_paper, memory = wall * factor ** power, memories[-1][1] * factor ** growth
+        # Never better than in proportion; memory goes on as between the two largest decks.
+        on_paper = wall * factor ** max(1, power)
+        (before, less), (_, most) = memories[-2:]
+        memory = most + (most - less) / (shells - before) * (1e8 - shells)
         rows.append(f"| {kind}, on paper | 100,000,000 | | {on_paper:,.0f} s | {memory * 2**20 / 1e9:,.0f} GB "
                     f"| {on_paper / 1e8 * 1e9:,.0f} ns | {memory * 2**20 / 1e8:,.0f} | {power:.2f} |")
         print(rows[-1], flush=True)
