@@ -86,6 +86,15 @@ void recount(Report& report) {
   for (const Penetration& p : report.penetrations) count(p, report.contacts[p.contact]);
 }
 
+/// "bucket grid 3, sorted sweep 1".
+std::string searches_taken(const contact::SearchTally& tally) {
+  std::string text;
+  for (const contact::SearchKind kind : contact::all_searches)
+    if (const std::uint64_t runs = tally.of(kind); runs > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", contact::make_search(kind)->name(), runs);
+  return text;
+}
+
 void add_statistics(Report& report, const keyword::Deck& deck, const model::Model& model, Context& context) {
   const auto add = [&](std::string name, std::uint64_t value) {
     report.statistics.emplace_back(std::move(name), fmt::format("{}", value));
@@ -98,6 +107,8 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   const auto& c = context.counters();
   add("contact surfaces built", c.surfaces_built + context.surface_store().built());
   add("searches", c.searches);
+  if (const std::string kinds = searches_taken(c.searches_by_kind); !kinds.empty())
+    report.statistics.emplace_back("searches by", kinds);
   add("nodes culled by boxes", c.sweep.points_culled);
   add("segments culled by boxes", c.sweep.segments_culled);
   add("candidate pairs", c.sweep.candidate_pairs);

@@ -7,18 +7,22 @@
 // into a neighbouring cell but never outside the cells of a box that contains it.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/radix_sort.hpp"
+#include "contact/float_box.hpp"
 #include "contact/search.hpp"
 
 namespace gapcheck::contact {
 namespace {
 
 constexpr int bits = 21;  // per axis: 3 × 21 fit one key
-constexpr std::uint32_t crowded = 48;
+/// Buckets with more points are split on the way: a look at so many costs less than finding the halves.
+constexpr std::uint32_t crowded = 256;
 using Cell = std::array<std::uint32_t, 3>;
 
 std::uint64_t spread(std::uint64_t v) {
@@ -39,10 +43,9 @@ struct Range {
 /// Buckets of one size: Z-order key of the bucket → range of points. Open addressing.
 class Level {
  public:
-  void build(const std::vector<std::uint64_t>& keys, int level) {
+  /// `buckets`: of this size.
+  void build(const std::vector<std::uint64_t>& keys, int level, std::size_t buckets) {
     const int shift = 3 * level;
-    std::size_t buckets = 0;
-    for (std::size_t i = 0; i < keys.size(); ++i) buckets += i == 0 || keys[i] >> shift != keys[i - 1] >> shift;
     slots_.assign(std::bit_ceil(2 * buckets + 1), Slot{});
     mask_ = slots_.size() - 1;
     for (std::size_t i = 0; i < keys.size();) {
@@ -55,7 +58,6 @@ class Level {
       i = j;
     }
   }
-  [[nodiscard]] bool built() const { return !slots_.empty(); }
   [[nodiscard]] Range find(std::uint64_t key) const {
     for (std::size_t at = hash(key); slots_[at].range.end != 0; at = (at + 1) & mask_)
       if (slots_[at].key == key) return slots_[at].range;
@@ -67,24 +69,25 @@ class Level {
     std::uint64_t key = 0;
     Range range;  // end 0: free
   };
-  [[nodiscard]] std::size_t hash(std::uint64_t key) const { return (key * 0x9E3779B97F4A7C15ULL >> 20) & mask_; }
+  /// The eight children of one bucket lie side by side: a box asks for several of them.
+  [[nodiscard]] std::size_t hash(std::uint64_t key) const {
+    return (((key >> 3) * 0x9E3779B97F4A7C15ULL >> 20) << 3 | (key & 7)) & mask_;
+  }
   std::vector<Slot> slots_;
   std::size_t mask_ = 0;
 };
 
 class Grid {
  public:
-  explicit Grid(std::span<const Vector> points) {
-    for (const Vector& p : points) bounds_.add(p);
+  Grid(std::span<const Vector> points, std::span<const Bounds> boxes) : input_(points), map_(points, boxes) {
+    for (const Vector& p : points)
+      if ((p.array() == p.array()).all()) bounds_.add(p);
     const Bounds core = core_of(points);
     origin_ = core.low;
     const double extent = (core.high - core.low).maxCoeff();
     cells_per_length_ = extent > 0 ? (1 << bits) / extent : 0;
     sort(points);
-  }
-
-  void build_level(int level) {
-    if (!levels_[level].built()) levels_[level].build(keys_, level);
+    build_levels(levels_asked(boxes));
   }
 
   [[nodiscard]] Cell cell(const Vector& x) const {
@@ -105,28 +108,39 @@ class Grid {
   [[nodiscard]] bool meets(const Bounds& box) const { return bounds_.meets(box); }
 
   void collect(const Bounds& box, std::vector<std::uint32_t>& inside) const {
-    const Cell low = cell(box.low), high = cell(box.high);
+    const Query query{box, map_.box(box), cell(box.low), cell(box.high)};
+    const auto& [same, mapped, low, high] = query;
     const int level = level_of(low, high);
     for (std::uint32_t i = low[0] >> level; i <= high[0] >> level; ++i)
       for (std::uint32_t j = low[1] >> level; j <= high[1] >> level; ++j)
         for (std::uint32_t k = low[2] >> level; k <= high[2] >> level; ++k) {
           const Range range = levels_[level].find(z_order({i, j, k}));
-          if (range.end != 0) visit(range, level, {i, j, k}, box, low, high, inside);
+          if (range.end != 0) visit(range, level, {i, j, k}, query, inside);
         }
   }
 
  private:
+  struct Query {
+    const Bounds& box;
+    FloatBox mapped;
+    Cell low, high;
+  };
+
   /// The box that the cells cover: nearly all points with room around them. What lies outside (a node at 1e20 in a car)
   /// falls into the cells at the rim instead of making all cells huge.
   [[nodiscard]] Bounds core_of(std::span<const Vector> points) const {
     constexpr std::size_t samples = 1024, margin = 20;  // 2 % on either side
-    Bounds core = bounds_;
+    constexpr double limit = 1e300;
+    Bounds core{bounds_.low.cwiseMax(-limit), bounds_.high.cwiseMin(limit)};
     if (points.size() < samples) return core;
-    std::vector<double> sample(samples);
+    std::vector<double> sample;
     for (int i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < samples; ++k) sample[k] = points[k * (points.size() / samples)][i];
+      sample.clear();
+      for (std::size_t k = 0; k < samples; ++k)
+        if (const double x = points[k * (points.size() / samples)][i]; std::abs(x) < limit) sample.push_back(x);
+      if (sample.size() < samples / 2) continue;
       std::sort(sample.begin(), sample.end());
-      const double low = sample[margin], high = sample[samples - 1 - margin], room = 2 * (high - low);
+      const double low = sample[margin], high = sample[sample.size() - 1 - margin], room = 2 * (high - low);
       if (!(room > 0)) continue;
       core.low[i] = std::max(core.low[i], low - room);
       core.high[i] = std::min(core.high[i], high + room);
@@ -139,62 +153,102 @@ class Grid {
       std::uint64_t key;
       std::uint32_t point;
     };
-    std::vector<Item> items(points.size()), spare(points.size());
+    std::vector<Item> items(points.size());
     parallel_for(points.size(), 16384, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) items[i] = {z_order(cell(points[i])), static_cast<std::uint32_t>(i)};
     });
-    constexpr int digit = 11;
-    constexpr std::size_t radix = std::size_t{1} << digit;
-    for (int shift = 0; shift < 3 * bits; shift += digit) {
-      std::array<std::uint32_t, radix + 1> start{};
-      for (const Item& item : items) ++start[(item.key >> shift & (radix - 1)) + 1];
-      if (std::any_of(start.begin(), start.end(), [&](std::uint32_t n) { return n == items.size(); })) continue;
-      for (std::size_t d = 1; d <= radix; ++d) start[d] += start[d - 1];
-      for (const Item& item : items) spare[start[item.key >> shift & (radix - 1)]++] = item;
-      items.swap(spare);
+    {
+      // Few points share the upper bits of their keys; those are sorted by the lower ones among themselves.
+      constexpr int lower_bits = 30;
+      constexpr std::size_t many = 4096;
+      std::vector<Item> spare(items.size());
+      radix_sort(std::span(items), std::span(spare), 3 * bits - lower_bits,
+                 [](const Item& item) { return item.key >> lower_bits; });
+      for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
+        end = begin + 1;
+        while (end < items.size() && items[end].key >> lower_bits == items[begin].key >> lower_bits) ++end;
+        const auto run = std::span(items).subspan(begin, end - begin);
+        if (run.size() > many)
+          radix_sort(run, std::span(spare).subspan(begin, run.size()), lower_bits, [](const Item& item) { return item.key; });
+        else if (run.size() > 1)
+          std::sort(run.begin(), run.end(),
+                    [](const Item& a, const Item& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
+      }
     }
     keys_.resize(items.size());
     index_.resize(items.size());
-    sorted_.resize(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      keys_[i] = items[i].key;
-      index_[i] = items[i].point;
-      sorted_[i] = points[items[i].point];
-    }
+    sorted_ = FloatPoints(items.size());
+    parallel_for(items.size(), 16384, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        keys_[i] = items[i].key;
+        index_[i] = items[i].point;
+        sorted_.set(i, points[items[i].point], map_);
+      }
+    });
   }
 
-  void visit(Range range, int level, const Cell& at, const Bounds& box, const Cell& low, const Cell& high,
-             std::vector<std::uint32_t>& inside) const {
+  /// Bit l: some box asks for buckets of level l.
+  [[nodiscard]] std::uint32_t levels_asked(std::span<const Bounds> boxes) const {
+    std::atomic<std::uint32_t> asked{0};
+    parallel_for(boxes.size(), 8192, [&](std::size_t begin, std::size_t end) {
+      std::uint32_t mine = 0;
+      for (std::size_t b = begin; b < end; ++b)
+        if (!boxes[b].empty() && meets(boxes[b])) mine |= 1U << level_of(cell(boxes[b].low), cell(boxes[b].high));
+      asked.fetch_or(mine);
+    });
+    return asked;
+  }
+
+  void build_levels(std::uint32_t asked) {
+    // Two neighbours on the curve are in different buckets of all levels below their highest different bit.
+    std::array<std::size_t, bits + 1> parted{};
+    for (std::size_t i = 1; i < keys_.size(); ++i)
+      if (keys_[i] != keys_[i - 1]) ++parted[static_cast<std::size_t>((std::bit_width(keys_[i] ^ keys_[i - 1]) - 1) / 3)];
+    for (std::size_t level = bits; level-- > 0;) parted[level] += parted[level + 1];
+    parallel_for(levels_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t level = begin; level < end; ++level)
+        if ((asked >> level & 1) != 0) levels_[level].build(keys_, static_cast<int>(level), 1 + parted[level]);
+    });
+  }
+
+  void visit(Range range, int level, const Cell& at, const Query& query, std::vector<std::uint32_t>& inside) const {
     if (range.end - range.begin <= crowded || level == 0) {
-      for (std::uint32_t p = range.begin; p < range.end; ++p) {
-        const auto x = sorted_[p].array();
-        if ((x >= box.low.array()).all() && (x <= box.high.array()).all()) inside.push_back(index_[p]);
-      }
+      sorted_.inside(range.begin, range.end, query.mapped, [&](std::size_t p) {
+        if (query.box.contains(input_[index_[p]])) inside.push_back(index_[p]);
+      });
       return;
     }
     const int child_level = level - 1;  // at most `bits` deep
+    const int shift = 3 * child_level;
     std::uint32_t begin = range.begin;
     for (std::uint32_t octant = 0; octant < 8 && begin < range.end; ++octant) {
       const Cell child{at[0] << 1 | (octant & 1), at[1] << 1 | (octant >> 1 & 1), at[2] << 1 | octant >> 2};
-      const std::uint64_t past = z_order(child) + 1;
-      const auto end = static_cast<std::uint32_t>(
-          std::partition_point(keys_.begin() + begin, keys_.begin() + range.end,
-                               [&](std::uint64_t key) { return key >> 3 * child_level < past; }) -
-          keys_.begin());
-      bool meets = end > begin;
-      for (int i = 0; i < 3; ++i)
-        meets = meets && child[i] >= low[i] >> child_level && child[i] <= high[i] >> child_level;
-      if (meets) visit({begin, end}, child_level, child, box, low, high, inside);
+      bool meets = true;
+      for (std::size_t i = 0; i < 3; ++i)
+        meets = meets && child[i] >= query.low[i] >> child_level && child[i] <= query.high[i] >> child_level;
+      if (!meets) continue;
+      const std::uint64_t key = z_order(child);
+      const auto past = [&](std::uint64_t limit) {
+        return static_cast<std::uint32_t>(
+            std::partition_point(keys_.begin() + begin, keys_.begin() + range.end,
+                                 [&](std::uint64_t k) { return k >> shift < limit; }) -
+            keys_.begin());
+      };
+      begin = past(key);
+      const std::uint32_t end = past(key + 1);
+      if (end > begin) visit({begin, end}, child_level, child, query, inside);
       begin = end;
     }
   }
 
+  std::span<const Vector> input_;
+  FloatMap map_;
   Bounds bounds_;                      // of all points
   Vector origin_ = Vector::Zero();     // corner of the first cell
   double cells_per_length_ = 0;
   std::vector<std::uint64_t> keys_;    // sorted
   std::vector<std::uint32_t> index_;   // beside keys_: position of the point in the input
-  std::vector<Vector> sorted_;         // beside keys_
+  FloatPoints sorted_;                 // beside keys_
   std::array<Level, bits + 1> levels_;
 };
 
@@ -204,12 +258,7 @@ class BucketGrid final : public CandidateSearch {
 
   void run(std::span<const Vector> points, std::span<const Bounds> boxes, const CandidateSink& sink) const override {
     if (points.empty() || boxes.empty()) return;
-    Grid grid(points);
-    std::array<bool, bits + 1> used{};
-    for (const Bounds& box : boxes)
-      if (!box.empty() && grid.meets(box)) used[Grid::level_of(grid.cell(box.low), grid.cell(box.high))] = true;
-    for (int level = 0; level <= bits; ++level)
-      if (used[level]) grid.build_level(level);
+    const Grid grid(points, boxes);
     parallel_for(boxes.size(), 1024, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> inside;
       for (std::size_t b = begin; b < end; ++b) {

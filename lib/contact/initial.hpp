@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "contact/choose_search.hpp"
 #include "contact/closest_segment.hpp"
 #include "contact/contact_surfaces.hpp"
 #include "contact/contact_type.hpp"
@@ -18,6 +20,7 @@ struct InitialOptions {
   double tolerance = -1;               ///< replaces the default tolerance of a penetration; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
   bool brute_force = false;
+  std::optional<SearchKind> search;  ///< nothing: chosen for each search by its scene
   bool nodes_stay = false;  ///< penetrating nodes are not moved, whatever the settings are
   // Penetrations that move no nodes are looked for only where somebody asks.
   bool segments = false;  ///< contacts with SOFT = 2
@@ -28,6 +31,7 @@ struct InitialOptions {
 struct InitialCounters {
   geometry::DecisionCounters decisions;
   SweepCounters sweep;
+  SearchTally searches_by_kind;  ///< ties and orientation included
   std::uint64_t tied_nodes = 0, tied_pairs = 0, excluded_pairs = 0, surfaces_built = 0, searches = 0;
   std::uint64_t edges = 0;  ///< that were looked at
   double surface_s = 0, search_s = 0;

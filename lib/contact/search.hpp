@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -19,6 +20,9 @@ struct Bounds {
     high = high.cwiseMax(x);
   }
   [[nodiscard]] bool empty() const { return !(low.array() <= high.array()).all(); }
+  [[nodiscard]] bool contains(const Vector& x) const {
+    return (x.array() >= low.array()).all() && (x.array() <= high.array()).all();
+  }
   [[nodiscard]] bool meets(const Bounds& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
@@ -39,7 +43,9 @@ struct Bounds {
 using CandidateSink = std::function<void(std::uint32_t segment, std::span<const std::uint32_t> nodes)>;
 
 /// Finds, for every segment box, all points inside it (closed box, no rounding inward). Boxes come already grown by the
-/// contact distance and rounded outward; an empty box gets nothing. More candidates than the true ones are allowed, a missing one is a bug.
+/// contact distance and rounded outward; an empty box gets nothing, nor does one with numbers that are none (NaN), and
+/// such points are in no box; infinite ones are where they say. More candidates than the true ones are allowed, a missing
+/// one is a bug. At most 2³² - 1 points and boxes.
 class CandidateSearch {
  public:
   virtual ~CandidateSearch() = default;
@@ -47,9 +53,20 @@ class CandidateSearch {
   virtual void run(std::span<const Vector> points, std::span<const Bounds> boxes, const CandidateSink& sink) const = 0;
 };
 
-/// Hierarchical bucket grid: good for mixed element sizes and stray parts.
+/// The ways to search. All find the same pairs; which is fastest depends on the scene (docs/theory/search.md).
+enum class SearchKind : std::uint8_t {
+  bucket_grid,   ///< hierarchical: surfaces of any size, mixed element sizes, stray parts
+  sorted_sweep,  ///< along one axis: few nodes or segments
+  box_tree,      ///< of bounding boxes: dense corners of a model too wide for the cells of a grid, large boxes
+  brute_force,   ///< every point against every box; the slow, obvious twin
+};
+inline constexpr std::array all_searches{SearchKind::bucket_grid, SearchKind::sorted_sweep, SearchKind::box_tree,
+                                         SearchKind::brute_force};
+
 [[nodiscard]] std::unique_ptr<CandidateSearch> make_bucket_grid();
-/// Every point against every box; the slow, obvious twin.
+[[nodiscard]] std::unique_ptr<CandidateSearch> make_sorted_sweep();
+[[nodiscard]] std::unique_ptr<CandidateSearch> make_box_tree();
 [[nodiscard]] std::unique_ptr<CandidateSearch> make_brute_force();
+[[nodiscard]] std::unique_ptr<CandidateSearch> make_search(SearchKind kind);
 
 }  // namespace gapcheck::contact

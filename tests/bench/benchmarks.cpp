@@ -12,7 +12,7 @@
 #include "geometry/decide.hpp"
 #include "keyword/deck.hpp"
 #include "model/model.hpp"
-#include "plates.hpp"
+#include "scenes/plates.hpp"
 
 namespace gapcheck::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "plates.hpp"
+#include "scenes/plates.hpp"
 
 int main(int argc, char** argv) {
   const int n = argc >= 3 ? std::atoi(argv[1]) : 0;
