@@ -3,6 +3,8 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "audit/audit.hpp"
 #include "audit/run.hpp"
@@ -33,6 +35,13 @@ class Counters {
  private:
   std::map<std::string, std::uint64_t> counters_;
 };
+
+AuditOptions only(std::vector<std::string> rules, std::vector<std::int64_t> contacts = {}) {
+  AuditOptions options;
+  options.select = std::move(rules);
+  options.contacts = std::move(contacts);
+  return options;
+}
 
 Counters counters(const Scene& scene, const AuditOptions& options = {}) {
   return Counters(run_text(scene.text(), options));
@@ -67,7 +76,7 @@ void add_contact(Scene& scene, std::int64_t id, const std::string& keyword, std:
 TEST(SkippedWork, PartsThatLieFarApartAreCulledByTheirBoxes) {
   Scene scene = stack(2, 1000);
   add_contact(scene, 1, "AUTOMATIC_SURFACE_TO_SURFACE", 1, 2);
-  for (const AuditOptions& options : {AuditOptions{.select = {"GC101"}}, AuditOptions{}}) {
+  for (const AuditOptions& options : {only({"GC101"}), AuditOptions{}}) {
     const Counters c = counters(scene, options);
     EXPECT_EQ(c["contacts searched"], 1u);
     EXPECT_EQ(c["contacts culled by boxes"], 1u);
@@ -123,8 +132,8 @@ TEST(SkippedWork, OnlyTheChosenContactIsBuilt) {
   add_contact(scene, 1, "AUTOMATIC_SURFACE_TO_SURFACE", 1, 2);
   add_contact(scene, 2, "AUTOMATIC_SURFACE_TO_SURFACE", 2, 3);
   add_contact(scene, 3, "AUTOMATIC_NODES_TO_SURFACE", 4, 3);
-  EXPECT_EQ(counters(scene, {.select = {"GC101"}, .contacts = {3}})["contact surfaces built"], 1u);
-  const AuditRun run = run_text(scene.text(), {.contacts = {3}});
+  EXPECT_EQ(counters(scene, only({"GC101"}, {3}))["contact surfaces built"], 1u);
+  const AuditRun run = run_text(scene.text(), only({}, {3}));
   const Counters c(run);
   EXPECT_EQ(c["contact surfaces built"], 1u) << "no rule builds the others";
   EXPECT_EQ(c["contacts searched"], 1u);
@@ -139,7 +148,7 @@ TEST(SkippedWork, OneRuleDoesNothingForOthers) {
   Scene scene = stack(2, 0.75);
   add_contact(scene, 1, "AUTOMATIC_SINGLE_SURFACE", 0, 0);
   scene.contacts[0].sst = 0.5;  // there are rules that would look at other thicknesses
-  const Counters alone = counters(scene, {.select = {"GC101"}});
+  const Counters alone = counters(scene, only({"GC101"}));
   EXPECT_EQ(alone["rules run"], 1u);
   EXPECT_EQ(alone["rules that asked for no surface and no search"], 0u);
   EXPECT_EQ(alone["contact surfaces built"], 1u);
@@ -157,7 +166,7 @@ TEST(SkippedWork, OneRuleDoesNothingForOthers) {
 TEST(SkippedWork, RulesOnCardsAskForNoSurface) {
   Scene scene = stack(2, 0.75);
   add_contact(scene, 1, "AUTOMATIC_SINGLE_SURFACE", 0, 0);
-  const Counters c = counters(scene, {.select = {"GC501", "GC502", "unknown-contact"}});
+  const Counters c = counters(scene, only({"GC501", "GC502", "unknown-contact"}));
   EXPECT_EQ(c["rules run"], 3u);
   EXPECT_EQ(c["rules that asked for no surface and no search"], 3u);
   EXPECT_EQ(c["contact surfaces built"], 0u);
