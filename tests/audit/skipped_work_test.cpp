@@ -1,6 +1,7 @@
 // What an audit leaves out, by its own counters: on scenes of which it is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -142,12 +143,18 @@ TEST(SkippedWork, OnlyTheChosenContactIsBuilt) {
   EXPECT_EQ(run.report.contacts[2].tracked_nodes, 9u);
   EXPECT_EQ(run.report.contacts[2].segments, 4u);
   for (const std::size_t other : {0u, 1u}) EXPECT_EQ(run.report.contacts[other].segments, 0u);
+  const auto& statistics = run.report.statistics;
+  EXPECT_EQ(std::count_if(statistics.begin(), statistics.end(),
+                          [](const auto& line) { return line.second.starts_with("GC415: "); }),
+            1)
+      << "parts in no contact would take all of them, and the report says that they were not looked for";
 }
 
 TEST(SkippedWork, OneRuleDoesNothingForOthers) {
   Scene scene = stack(2, 0.75);
   add_contact(scene, 1, "AUTOMATIC_SINGLE_SURFACE", 0, 0);
-  scene.contacts[0].sst = 0.5;  // there are rules that would look at other thicknesses
+  scene.contacts[0].sst = 0.5;    // there are rules that would look at other thicknesses
+  scene.nodes.back().x.z() -= 2;  // through the other plate
   const Counters alone = counters(scene, only({"GC101"}));
   EXPECT_EQ(alone["rules run"], 1u);
   EXPECT_EQ(alone["rules that asked for no surface and no search"], 0u);
