@@ -89,7 +89,7 @@ void write_text(const Report& report, const OutputOptions& options, Output& outp
 void write_format(const Report& report, const OutputOptions& options, const report::Sink& sink) {
   const std::size_t top = options.text.list ? std::numeric_limits<std::size_t>::max() : options.text.top;
   const std::optional<Severity> limit = limit_of(options.fail_on);
-  if (options.format == "json") report::json(report, sink);
+  if (options.format == "json") report::json(report, sink, options.text.stats);
   if (options.format == "sarif") report::sarif(report, version(), rule_texts(), sink);
   if (options.format == "junit") report::junit(report, limit ? &*limit : nullptr, top, sink);
   if (options.format == "github") report::github(report, top, sink);

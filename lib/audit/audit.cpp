@@ -105,8 +105,13 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("encrypted blocks skipped", deck.counters().encrypted_blocks);
   add("includes missing", deck.counters().missing_includes);
   const auto& c = context.counters();
+  add("rules run", context.rule_counters().asking + context.rule_counters().content);
+  add("rules that asked for no surface and no search", context.rule_counters().content);
   add("contact surfaces built", c.surfaces_built + context.surface_store().built());
-  add("searches", c.searches);
+  add("contacts searched", c.contacts_searched);
+  add("contacts culled by boxes", c.contacts_culled);
+  add("searches", c.sweep.searches);
+  add("searches culled by boxes", c.sweep.searches_culled);
   if (const std::string kinds = searches_taken(c.searches_by_kind); !kinds.empty())
     report.statistics.emplace_back("searches by", kinds);
   add("nodes culled by boxes", c.sweep.points_culled);
@@ -120,6 +125,11 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("nodes tied", c.tied_nodes);
   add("penetrating pairs of tied nodes not reported", c.tied_pairs);
   add("penetrating pairs excluded by the deck", c.excluded_pairs);
+  if (context.other_surfaces() > 0) {
+    add("surfaces built with another thickness", context.other_surfaces());
+    add("searches with another thickness", context.other_counters().sweep.searches);
+    add("candidate pairs with another thickness", context.other_counters().sweep.candidate_pairs);
+  }
   const auto& crossings = context.crossing_counters();
   add("element pairs with boxes that meet", crossings.box_pairs);
   add("triangle pairs decided by the filter", crossings.decisions.filter);

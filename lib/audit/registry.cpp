@@ -73,9 +73,12 @@ std::string_view page(const RuleInfo& rule) {
 
 void run_rules(Context& context, Report& report) {
   const AuditOptions& options = context.options();
-  for (const Rule* rule : all_rules())
-    if (rule->run != nullptr && selected(rule->info, options.select, options.ignore))
-      rule->run(rule->info, context, report);
+  for (const Rule* rule : all_rules()) {
+    if (rule->run == nullptr || !selected(rule->info, options.select, options.ignore)) continue;
+    const std::uint64_t before = context.requests();
+    rule->run(rule->info, context, report);
+    context.count_rule(context.requests() > before);
+  }
 }
 
 void run_rules(RunContext& context, Report& report) {

@@ -57,11 +57,13 @@ contact::InitialOptions Context::initial_options() const {
 }
 
 contact::ContactMesh& Context::contact_mesh() {
+  ++requests_;
   if (!contact_mesh_) contact_mesh_.emplace(model_, surfaces_, contacts());
   return *contact_mesh_;
 }
 
 contact::InitialState& Context::initial() {
+  ++requests_;
   if (!initial_) {
     contact::InitialOptions options = initial_options();
     // Asked here and not by want(): another rule may need the initialisation before these have had their turn.
@@ -78,7 +80,7 @@ contact::InitialState& Context::initial() {
 }
 
 contact::InitialState Context::initial_if(contact::SurfaceStore& surfaces,
-                                          const std::vector<std::uint32_t>& chosen) const {
+                                          const std::vector<std::uint32_t>& chosen) {
   contact::InitialOptions options = initial_options();
   options.nodes_stay = true;
   options.contacts.clear();
@@ -87,11 +89,11 @@ contact::InitialState Context::initial_if(contact::SurfaceStore& surfaces,
   for (const std::uint32_t i : contacts())
     if (contact::classify(model_.contacts[i]).family == contact::Family::tied)
       options.contacts.push_back(model_.contacts[i].id.value);
-  contact::InitialCounters unused;
-  return contact::initialise_contacts(model_, surfaces, options, unused);
+  return contact::initialise_contacts(model_, surfaces, options, other_counters_);
 }
 
 const contact::PredictedTimesteps& Context::timesteps() {
+  ++requests_;
   if (!timesteps_) timesteps_ = contact::predict_timesteps(model_, surfaces_, contacts());
   return *timesteps_;
 }

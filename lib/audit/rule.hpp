@@ -35,6 +35,8 @@ class Context {
   [[nodiscard]] contact::SurfaceStore& surface_store() { return surfaces_; }
   /// The segments of the chosen contacts, each once; made when first asked for.
   [[nodiscard]] contact::ContactMesh& contact_mesh();
+  /// How often rules asked for something that is not in the model: surfaces, searches, time steps.
+  [[nodiscard]] std::uint64_t requests() const { return requests_ + surfaces_.asked(); }
   [[nodiscard]] const keyword::Deck& deck() const { return deck_; }
   /// Says for --stats what a rule left out and why: "GC103: 3 contacts have no surfaces to compare".
   void skipped(const RuleInfo& rule, std::string what);
@@ -44,17 +46,35 @@ class Context {
   /// What the initialisation of some of the contacts (positions) and of all ties would be on other surfaces; no
   /// penetrating node is moved. Costs as much as the contacts' share of initial().
   [[nodiscard]] contact::InitialState initial_if(contact::SurfaceStore& surfaces,
-                                                 const std::vector<std::uint32_t>& contacts) const;
+                                                 const std::vector<std::uint32_t>& contacts);
   /// Time steps of the contacts that --contact lets through, and of the elements.
   [[nodiscard]] const contact::PredictedTimesteps& timesteps();
   [[nodiscard]] const contact::InitialCounters& counters() const { return counters_; }
+  /// Counts the surfaces of a store that a rule made for initial_if().
+  void count_other(const contact::SurfaceStore& surfaces) { other_surfaces_ += surfaces.built(); }
+  /// Surfaces with another thickness than the deck's, and what initial_if() did with them.
+  [[nodiscard]] std::uint64_t other_surfaces() const { return other_surfaces_ + other_counters_.surfaces_built; }
+  [[nodiscard]] const contact::InitialCounters& other_counters() const { return other_counters_; }
+  /// Counts a rule that has run, and whether it asked for anything.
+  void count_rule(bool asked) { ++(asked ? rules_.asking : rules_.content); }
+  struct RuleCounters {
+    std::uint64_t asking = 0;   ///< for surfaces, a search, time steps
+    std::uint64_t content = 0;  ///< with the model as it was read
+  };
+  [[nodiscard]] const RuleCounters& rule_counters() const { return rules_; }
   /// How the rules about crossing elements decided; printed by --stats.
   [[nodiscard]] contact::CrossingCounters& crossing_counters() { return crossing_counters_; }
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
   /// Asks for the records of one kind in the report.
-  void want(PenetrationKind kind) { wanted_.set(static_cast<std::size_t>(kind)); }
+  void want(PenetrationKind kind) {
+    ++requests_;
+    wanted_.set(static_cast<std::size_t>(kind));
+  }
   /// Asks for the records of tied contacts with one reason.
-  void want(TieReason reason) { wanted_ties_.set(static_cast<std::size_t>(reason)); }
+  void want(TieReason reason) {
+    ++requests_;
+    wanted_ties_.set(static_cast<std::size_t>(reason));
+  }
   [[nodiscard]] bool wanted(TieReason reason) const { return wanted_ties_.test(static_cast<std::size_t>(reason)); }
   /// True if some selected rule so far needs the search.
   [[nodiscard]] bool search_wanted() const { return wanted_.any() || wanted_ties_.any(); }
@@ -70,7 +90,9 @@ class Context {
   std::vector<std::string> skips_;
   std::optional<contact::InitialState> initial_;
   std::optional<contact::PredictedTimesteps> timesteps_;
-  contact::InitialCounters counters_;
+  contact::InitialCounters counters_, other_counters_;
+  std::uint64_t requests_ = 0, other_surfaces_ = 0;
+  RuleCounters rules_;
   contact::CrossingCounters crossing_counters_;
   std::bitset<penetration_kinds> wanted_;
   std::bitset<8> wanted_ties_;

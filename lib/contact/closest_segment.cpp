@@ -138,6 +138,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
                         const std::function<double(std::uint32_t)>& reach, SweepCounters& counters,
                         const std::function<void(std::uint32_t, std::span<const std::uint32_t>)>& visit) {
   const Segments& s = scene.segments;
+  ++counters.searches;
   std::vector<Bounds> boxes(s.size());
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -174,7 +175,10 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
     }
   }
   counters.segments_culled += culled;
-  if (points.empty()) return;
+  if (points.empty()) {
+    ++counters.searches_culled;
+    return;
+  }
   std::atomic<std::uint64_t> pairs{0};
   search.run(points, boxes, [&](std::uint32_t segment, std::span<const std::uint32_t> inside) {
     static thread_local std::vector<std::uint32_t> local;

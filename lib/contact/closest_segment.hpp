@@ -11,6 +11,7 @@ namespace gapcheck::contact {
 /// What a sweep left out and how much it looked at.
 struct SweepCounters {
   std::uint64_t candidate_pairs = 0, points_culled = 0, segments_culled = 0;
+  std::uint64_t searches = 0, searches_culled = 0;  ///< culled: ended by the boxes of the two sides
 };
 
 /// Whether a pair counts: slot, segment, whether it penetrates. Called from any thread.

@@ -71,6 +71,7 @@ ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& 
 
 const ContactSurfaces& SurfaceStore::at(std::uint32_t contact) {
   auto& surfaces = built_[contact];
+  ++asked_;
   if (!surfaces) {
     const Stopwatch watch(seconds_);
     surfaces = std::make_unique<const ContactSurfaces>(build(contact, model_.mesh.nodes.x));

@@ -53,6 +53,8 @@ class SurfaceStore {
   [[nodiscard]] ContactSurfaces erode(std::uint32_t contact, const ContactSurfaces& now, const GoneElements& gone,
                                       const std::vector<Vector>& x);
   [[nodiscard]] std::uint64_t built() const { return count_; }
+  /// How often surfaces were asked for, those that stood ready included.
+  [[nodiscard]] std::uint64_t asked() const { return asked_; }
   [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
@@ -60,7 +62,7 @@ class SurfaceStore {
   MeshIndex index_;
   std::vector<ThicknessChange> changes_;
   std::vector<std::unique_ptr<const ContactSurfaces>> built_;
-  std::uint64_t count_ = 0;
+  std::uint64_t count_ = 0, asked_ = 0;
   double seconds_ = 0;
 };
 

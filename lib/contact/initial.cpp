@@ -60,16 +60,26 @@ class Initialiser {
       const model::Contact& contact = model_.contacts[c];
       const ContactType type = classify(contact);
       state_.contacts.push_back(summary(contact, type));
+      const SweepCounters before = counters_.sweep;
       if (!chosen(contact))
         state_.contacts.back().not_checked = "not selected";
       else if (type.family == Family::tied)
         tie(c);
       else if (wanted(type))
         check(c);
+      count_contact(before);
     }
   }
 
  private:
+  /// `before`: what had been counted before the contact's turn.
+  void count_contact(const SweepCounters& before) {
+    const std::uint64_t searches = counters_.sweep.searches - before.searches;
+    if (searches == 0) return;
+    ++counters_.contacts_searched;
+    if (counters_.sweep.searches_culled - before.searches_culled == searches) ++counters_.contacts_culled;
+  }
+
   [[nodiscard]] bool chosen(const model::Contact& contact) const {
     return options_.contacts.empty() ||
            std::find(options_.contacts.begin(), options_.contacts.end(), contact.id.value) != options_.contacts.end();
@@ -173,7 +183,6 @@ class Initialiser {
     const TrackedNodes& nodes = (exchanged ? sides.b : sides.a).nodes;
     const ContactSide& reference = exchanged || !sides.two_sided() ? sides.a : sides.b;
     if (nodes.size() == 0 || reference.selection.segments.size() == 0) return;
-    ++counters_.searches;
     std::optional<SideScene> side;
     {
       const Stopwatch watch(counters_.surface_s);

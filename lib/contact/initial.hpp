@@ -32,7 +32,9 @@ struct InitialCounters {
   geometry::DecisionCounters decisions;
   SweepCounters sweep;
   SearchTally searches_by_kind;  ///< ties and orientation included
-  std::uint64_t tied_nodes = 0, tied_pairs = 0, excluded_pairs = 0, surfaces_built = 0, searches = 0;
+  std::uint64_t tied_nodes = 0, tied_pairs = 0, excluded_pairs = 0, surfaces_built = 0;
+  std::uint64_t contacts_searched = 0;  ///< whose nodes and segments were looked for at all
+  std::uint64_t contacts_culled = 0;    ///< of these: all searches ended by boxes
   std::uint64_t edges = 0;  ///< that were looked at
   double surface_s = 0, search_s = 0;
 };

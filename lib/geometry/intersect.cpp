@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/arithmetic.hpp"
+
 namespace gapcheck::geometry {
 namespace {
 

@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geometry/arithmetic.hpp"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif

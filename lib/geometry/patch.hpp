@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/vector.hpp"
+#include "geometry/arithmetic.hpp"
 #include "records/penetration.hpp"
 
 namespace gapcheck::geometry {

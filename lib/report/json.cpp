@@ -157,6 +157,25 @@ void append_timing(const Timing& timing, Buffer& out) {
   object.close();
 }
 
+/// Counters as numbers, words as strings. Names may come more than once.
+void append_statistics(const Report& report, Buffer& out) {
+  out.append(std::string_view(",\n\"statistics\":["));
+  bool first = true;
+  for (const auto& [name, value] : report.statistics) {
+    out.append(std::string_view(std::exchange(first, false) ? "\n  " : ",\n  "));
+    Members object(out);
+    object.string("name", name);
+    const bool number = !value.empty() && value.size() <= 19 && (value[0] != '0' || value.size() == 1) &&
+                        value.find_first_not_of("0123456789") == std::string::npos;
+    if (number)
+      object.raw("value", value);
+    else
+      object.string("value", value);
+    object.close();
+  }
+  out.push_back(']');
+}
+
 void append_findings(const Report& report, Stream& stream) {
   std::vector<std::string> files;
   files.reserve(report.files.size());
@@ -181,7 +200,7 @@ void append_findings(const Report& report, Stream& stream) {
 
 }  // namespace
 
-void json(const Report& report, const Sink& sink) {
+void json(const Report& report, const Sink& sink, bool statistics) {
   Stream stream(sink);
   stream.text("{\"schema\":\"gapcheck/1\",\"source\":");
   stream.text(json_string(report.source));
@@ -208,6 +227,7 @@ void json(const Report& report, const Sink& sink) {
                  sum.errors, sum.warnings, sum.notes);
   stream.text("\"timing\":");
   append_timing(report.timing, stream.buffer);
+  if (statistics) append_statistics(report, stream.buffer);
   stream.text("}\n");
   stream.flush();
 }

@@ -28,8 +28,9 @@ struct TextOptions {
 /// Takes the output piece by piece; false ends the writing.
 using Sink = std::function<bool(std::string_view piece)>;
 
-/// The same in pieces of about a megabyte, for reports of which the whole text should not stand in memory.
-void json(const Report& report, const Sink& sink);
+/// The same in pieces of about a megabyte, for reports of which the whole text should not stand in memory. `statistics`:
+/// with the counters too, as a list "statistics" of {"name", "value"} in the order of printing.
+void json(const Report& report, const Sink& sink, bool statistics = false);
 
 /// Number of findings by severity, penetration records included.
 struct Totals {

@@ -15,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "families.hpp"
 #include "geometry/decide.hpp"
+#include "geometry/pair_batch.hpp"
 #include "geometry/view.hpp"
 #include "whole_numbers.hpp"
 
@@ -40,7 +41,8 @@ std::optional<std::uint64_t> pairs_per_family() {
 
 /// What the pairs of a block, or of a family, came to.
 struct Tally {
-  std::uint64_t pairs = 0, decisions = 0, against_whole_numbers = 0, halved = 0, given_up = 0, moved = 0;
+  std::uint64_t pairs = 0, decisions = 0, against_whole_numbers = 0, halved = 0, given_up = 0, moved = 0,
+                by_batches = 0;
   std::array<std::uint64_t, 4> stages{};
   std::uint64_t wrong = 0;
   std::string first_wrong;
@@ -55,6 +57,7 @@ struct Tally {
     halved += other.halved;
     given_up += other.given_up;
     moved += other.moved;
+    by_batches += other.by_batches;
     for (std::size_t i = 0; i < stages.size(); ++i) stages[i] += other.stages[i];
     if (wrong == 0) first_wrong = other.first_wrong;
     wrong += other.wrong;
@@ -115,8 +118,24 @@ class Block {
       if (pair.distance > 0 && (pair.distance < b[k]) != answer && answers[k].stage != Stage::triangulated)
         tally_.fault("known distance", pair, b[k]);
     }
+    check_batch(pair, b, answers);
     if (!square && i == number_ % block_pairs) halve(pair, b, answers);
     if (i % 8 == 0) check_guises(pair, b[1], answers[1].closer);
+  }
+
+  /// What a batch of any width proves must be so.
+  void check_batch(const Pair& pair, const Bounds& b, const Answers& answers) {
+    PairBatch batch(pair.facet.triangle);
+    for (const double bound : b) batch.add(seen_from(pair.facet, pair.query), bound);
+    for (const BatchWidth width : widths_) {
+      batch.decide(width);
+      for (std::size_t k = 0; k < b.size(); ++k) {
+        const Verdict verdict = batch.verdict(k);
+        if (verdict == Verdict::open) continue;
+        ++tally_.by_batches;
+        if ((verdict == Verdict::closer) != answers[k].closer) tally_.fault("batch", pair, b[k]);
+      }
+    }
   }
 
   void halve(const Pair& pair, const Bounds& b, const Answers& answers) {
@@ -164,6 +183,7 @@ class Block {
   Family family_;
   std::uint64_t number_;
   Maker maker_;
+  std::vector<BatchWidth> widths_ = batch_widths();
   Tally tally_;
 };
 
@@ -207,6 +227,7 @@ TEST_P(Stress, NoDecisionIsWrong) {
   EXPECT_EQ(all.wrong, 0u) << "the first: " << all.first_wrong;
   EXPECT_EQ(all.pairs, *pairs);
   EXPECT_GE(all.decisions, 3 * all.pairs);
+  EXPECT_GT(all.by_batches, 0u);
   // Every family is held to something other than lib/geometry.
   EXPECT_GT(all.against_whole_numbers + all.halved, 0u);
   EXPECT_LE(all.given_up, all.halved + 2) << "halving must settle most of what it is given";

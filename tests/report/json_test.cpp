@@ -178,5 +178,29 @@ TEST(Json, EmptyReport) {
   EXPECT_TRUE(json["contacts"].empty());
 }
 
+TEST(Json, StatisticsOnDemandOnly) {
+  Report report = sample_report();
+  report.statistics = {{"bytes read", "1234"}, {"note", "a \"word\""}, {"note", "007"}, {"note", ""}, {"searches", "0"}};
+  const auto written = [&](bool statistics) {
+    std::string text;
+    json(
+        report,
+        [&](std::string_view piece) {
+          text += piece;
+          return true;
+        },
+        statistics);
+    return Json::parse(text);
+  };
+  EXPECT_FALSE(written(false).contains("statistics"));
+  const Json all = written(true);
+  EXPECT_EQ(all["statistics"], Json::parse(R"([{"name": "bytes read", "value": 1234},
+                                               {"name": "note", "value": "a \"word\""},
+                                               {"name": "note", "value": "007"},
+                                               {"name": "note", "value": ""},
+                                               {"name": "searches", "value": 0}])"));
+  EXPECT_EQ(all["findings"], written(false)["findings"]);
+}
+
 }  // namespace
 }  // namespace gapcheck::report

@@ -161,6 +161,7 @@ class FreeAt {
     }
     contact::SurfaceStore surfaces(model_, std::move(changes));
     const contact::InitialState state = context_.initial_if(surfaces, chosen);
+    context_.count_other(surfaces);
     for (const Open& open : open_) {
       Bound b = bound(model_, context_.surfaces(open.contact), open.reach, records_of(state, open.contact));
       if (b.count == 0) b = open.bound;

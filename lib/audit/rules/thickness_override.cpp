@@ -148,6 +148,7 @@ class Overrides {
     if (unchecked > 0)
       context_.skipped(rule_, fmt::format("{} contacts with another thickness whose nodes are not checked", unchecked));
     find_hidden();
+    context_.count_other(own_);
     for (const Candidate& candidate : candidates_)
       for (const auto& [from, o] : candidate.overrides) add(candidate, from, o);
   }

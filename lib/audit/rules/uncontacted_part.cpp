@@ -92,6 +92,8 @@ std::string what(const Census& census, std::size_t part) {
 void run(const RuleInfo& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   if (model.contacts.empty()) return context.skipped(rule, "the deck has no contacts");
+  if (context.contacts().size() < model.contacts.size())
+    return context.skipped(rule, "it would take the surfaces of contacts that were not selected");
   bool known = true;
   const std::vector<bool> in_contact = parts_in_contact(context, known);
   if (!known) return context.skipped(rule, "some contacts do not tell which parts they hold");
