@@ -20,20 +20,31 @@ using contact::Hit;
 using contact::NodeAction;
 using contact::NodeContact;
 using contact::PairResult;
+using geometry::FollowedPairs;
 
 namespace {
 
 /// Places that are looked at in one go.
 constexpr std::size_t block_size = 256;
+constexpr std::size_t not_followed = FollowedPairs::capacity;
+static_assert(block_size % FollowedPairs::capacity == 0);
+
+/// Another segment must be farther away by this share of the distance, which is far more than what choose_hit() takes for
+/// equally near; and what is summed up in doubles is trusted up to this share.
+constexpr double lead_slack = 1e-8, rounding = 1e-13;
 
 double segment_area(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]).norm() / 2; }
 
 }  // namespace
 
-/// Where meet() keeps the pairs of one node.
+/// What one thread works with.
 struct ContactPass::Scratch {
+  // Pairs of one node.
   std::vector<Hit> hits, measured;
   std::vector<PairResult> results;  ///< of the hits
+  // Pairs of several nodes.
+  FollowedPairs followed, single;
+  std::array<std::size_t, FollowedPairs::capacity> lanes{};
   void clear() {
     hits.clear();
     measured.clear();
@@ -41,23 +52,16 @@ struct ContactPass::Scratch {
   }
 };
 
-/// How a tracked node lies to the segments of the other side. Good until the next meeting.
+/// How a tracked node lies to the segments of the other side.
 struct ContactPass::Meeting {
-  std::optional<Hit> hit;
-  PairResult* pair = nullptr;  ///< with the hit's segment
-  bool in_zone = false;              ///< some segment is nearer than the contact distance
+  std::optional<Contact> contact;  ///< in the segment's band
+  bool in_zone = false;            ///< some segment is nearer than the contact distance
 };
 
 void ContactPass::Block::clear() {
-  nodes = pairs = released = 0;
-  busy.clear();
+  nodes = pairs = followed = released = touching = 0;
+  work = {};
   moves.clear();
-}
-
-Vector ContactPass::Velocities::of_segment(const std::array<double, 4>& weights) const {
-  Vector velocity = Vector::Zero();
-  for (std::size_t c = 0; c < 4; ++c) velocity += weights[c] * corners[c];
-  return velocity;
 }
 
 ContactPass::ContactPass(const ContactSetting& setting, std::uint32_t contact, const contact::ContactSurfaces& surfaces,
@@ -72,7 +76,8 @@ ContactPass::ContactPass(const ContactSetting& setting, std::uint32_t contact, c
       springs_(setting.model, side_, setting.masses, exchanged ? scene_.contact.sfm : scene_.contact.sfs,
                exchanged || !surfaces.two_sided() ? scene_.contact.sfs : scene_.contact.sfm),
       exchanged_(exchanged),
-      tracked_(scene_.nodes.size()) {
+      tracked_(scene_.nodes.size()),
+      leads_(scene_.mode == geometry::Mode::filtered && !(scene_.contact.airbag_thickness > 0)) {
   side_.scene().flipped = contact::flipped_segments(scene_, setting.search);
   double largest_half = 0;
   for (const double half : scene_.nodes.half) largest_half = std::max(largest_half, half);
@@ -92,7 +97,7 @@ void ContactPass::search(double margin, ContactCounters& counters) {
   std::vector<bool> found(tracked_.size(), false);
   for (const std::uint32_t slot : candidates_.slots()) {
     found[slot] = true;
-    tracked_[slot].sleep = 0;
+    tracked_[slot].sleep = tracked_[slot].lead = 0;
     tracked_[slot].partner.segment = 0;
   }
   lost_.clear();
@@ -116,13 +121,13 @@ ContactPass::Meeting ContactPass::meet(std::uint32_t slot, std::span<Candidate> 
       const std::uint32_t s = candidate.segment;
       const PairResult pair = contact::decide_pair(scene_, slot, s);
       ++pairs;
-      const double h = scene_.nodes.half[slot] + scene_.segments.half[s];
-      const bool oriented = scene_.oriented(s);
-      candidate.wake = used + std::abs(pair.distance) - (oriented ? greatest_reach_ : h);
+      candidate.wake = used + std::abs(pair.distance) - reach(slot, s);
+      const double distance = std::sqrt(pair.closest.squared_distance);
+      candidate.towards = distance > 0 ? Vector((pair.closest.point - scene_.position(slot)) / distance) : Vector::Zero();
       if (pair.penetrates) {
         scratch.hits.push_back({slot, s, pair.distance, pair.in_band});
         scratch.results.push_back(pair);
-      } else if (oriented) {
+      } else if (scene_.oriented(s)) {
         scratch.measured.push_back({slot, s, pair.distance, pair.in_band});
       }
     }
@@ -132,22 +137,127 @@ ContactPass::Meeting ContactPass::meet(std::uint32_t slot, std::span<Candidate> 
   block.nodes += pairs > 0;
   Meeting meeting;
   meeting.in_zone = !scratch.hits.empty();
-  if (meeting.in_zone) {
-    meeting.hit = contact::choose_hit(scene_, scratch.hits, scratch.measured);
-    for (std::size_t i = 0; meeting.hit && i < scratch.hits.size(); ++i)
-      if (scratch.hits[i].segment == meeting.hit->segment) meeting.pair = &scratch.results[i];
-  }
   tracked.sleep = meeting.in_zone ? 0 : wake;
+  tracked.lead = 0;
+  if (!meeting.in_zone) return meeting;
+  const std::optional<Hit> hit = contact::choose_hit(scene_, scratch.hits, scratch.measured);
+  if (!hit || !hit->in_band) return meeting;
+  const auto same = [&](const Hit& other) { return other.segment == hit->segment; };
+  const auto at = std::find_if(scratch.hits.begin(), scratch.hits.end(), same) - scratch.hits.begin();
+  meeting.contact = contact_of(slot, hit->segment, scratch.results[static_cast<std::size_t>(at)]);
+  improve(slot, tracked, *meeting.contact, scratch.single);
+  if (leads_ && meeting.contact->on_face)
+    tracked.lead = lead(nearest_other(slot, meeting.contact->segment, candidates, used), *meeting.contact, used);
   return meeting;
+}
+
+ContactPass::Contact ContactPass::contact_of(std::uint32_t slot, std::uint32_t segment, const PairResult& pair) const {
+  const bool flipped = !scene_.flipped.empty() && scene_.flipped[segment];
+  Contact contact;
+  contact.segment = segment;
+  contact.s = pair.closest.s;
+  contact.t = pair.closest.t;
+  contact.way = scene_.position(slot) - pair.closest.point;
+  contact.normal = flipped ? Vector(-pair.closest.normal) : pair.closest.normal;
+  contact.distance = pair.distance;
+  contact.on_face = pair.closest.feature == Feature::face && !scene_.line(segment);
+  return contact;
+}
+
+void ContactPass::improve(std::uint32_t slot, const Tracked& tracked, Contact& contact, FollowedPairs& pairs) const {
+  if (!leads_ || !tracked.active || !tracked.link.on_face || tracked.link.segment != contact.segment) return;
+  prepare(slot, pairs, 0);
+  geometry::follow(pairs, 1);
+  if (!(pairs.settled[0] > 0)) return;
+  contact.s = pairs.s[0];
+  contact.t = pairs.t[0];
+  contact.way = -pairs.offset_of(0);
+  contact.distance = std::copysign(std::sqrt(pairs.squared_distance[0]), contact.distance);
+  contact.on_face = true;
+}
+
+double ContactPass::nearest_other(std::uint32_t slot, std::uint32_t segment, std::span<const Candidate> candidates,
+                                  double used) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Candidate& candidate : candidates)
+    if (candidate.segment != segment)
+      least = std::min(least, candidate.wake - used + reach(slot, candidate.segment));
+  return least;
+}
+
+void ContactPass::separate(std::uint32_t slot, std::uint32_t segment, std::span<Candidate> candidates,
+                           double used) const {
+  const Vector at = scene_.position(slot);
+  for (Candidate& candidate : candidates) {
+    if (candidate.segment == segment) continue;
+    const geometry::Facet facet = scene_.facet(candidate.segment);
+    double least = std::numeric_limits<double>::infinity(), size = 0;
+    for (const Vector& corner : facet.x) {
+      const Vector from_node = corner - at;
+      least = std::min(least, candidate.towards.dot(from_node));
+      size = std::max(size, from_node.cwiseAbs().maxCoeff());
+    }
+    candidate.wake = std::max(candidate.wake, used + least - rounding * size - reach(slot, candidate.segment));
+  }
+}
+
+double ContactPass::lead(double nearest_other, const Contact& chosen, double used) const {
+  const double gap =
+      nearest_other - std::abs(chosen.distance) * (1 + lead_slack) - rounding * (used + greatest_reach_);
+  // One distance may grow by what the other one loses.
+  return used + gap / 2;
+}
+
+bool ContactPass::may_follow(std::size_t place) const {
+  if (place >= candidates_.slots().size()) return false;
+  const Tracked& tracked = tracked_[candidates_.slots()[place]];
+  return tracked.active && tracked.link.on_face && tracked.lead > 0;
+}
+
+void ContactPass::prepare(std::uint32_t slot, FollowedPairs& pairs, std::size_t lane) const {
+  const Link& link = tracked_[slot].link;
+  pairs.set(lane, scene_.facet(link.segment), scene_.position(slot));
+  pairs.s[lane] = link.s;
+  pairs.t[lane] = link.t;
+}
+
+std::optional<ContactPass::Contact> ContactPass::followed(std::uint32_t slot, const FollowedPairs& pairs,
+                                                          std::size_t lane) const {
+  const double distance = std::sqrt(pairs.squared_distance[lane]);
+  if (!(pairs.settled[lane] > 0) || !(distance > 0)) return {};
+  Contact contact;
+  contact.segment = tracked_[slot].link.segment;
+  contact.s = pairs.s[lane];
+  contact.t = pairs.t[lane];
+  contact.way = -pairs.offset_of(lane);
+  contact.distance = distance;
+  contact.on_face = true;
+  const double h = scene_.nodes.half[slot] + scene_.segments.half[contact.segment], size = pairs.size[lane];
+  // The tolerance of decide_pair(), or a little more.
+  const double largest = scene_.position(slot).cwiseAbs().maxCoeff() + 2 * size;
+  const double tolerance = scene_.tolerance >= 0 ? scene_.tolerance : contact::default_tolerance(h, largest);
+  if (scene_.oriented(contact.segment)) {
+    // Behind or in front must be beyond doubt.
+    const bool flipped = !scene_.flipped.empty() && scene_.flipped[contact.segment];
+    const double turn = flipped ? -pairs.turn[lane] : pairs.turn[lane];
+    if (!(std::abs(turn) > 1e-12 * size * size * size) || !(distance > 1e-9 * size)) return {};
+    if (turn > 0) {
+      if (!(distance <= scene_.behind(contact.segment)) || !(h > tolerance || distance > 4 * tolerance)) return {};
+      contact.distance = -distance;
+      return contact;
+    }
+  }
+  if (!pairs.closer_than(lane, h - tolerance)) return {};
+  return contact;
 }
 
 contact::NodeEncounter ContactPass::encounter(std::uint32_t slot, const Meeting& meeting, Tracked& tracked) const {
   contact::NodeEncounter encounter;
   encounter.in_zone = meeting.in_zone;
-  if (!meeting.hit || !meeting.hit->in_band) return encounter;
-  const std::uint32_t segment = meeting.hit->segment;
+  if (!meeting.contact) return encounter;
+  const std::uint32_t segment = meeting.contact->segment;
   encounter.penetrates = true;
-  encounter.penetration = scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.pair->distance;
+  encounter.penetration = scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.contact->distance;
   if (tracked.partner.segment != segment + 1)
     tracked.partner = {segment + 1, release_depth(slot, segment), spring(slot, segment)};
   encounter.release_depth = tracked.partner.release_depth;
@@ -155,57 +265,102 @@ contact::NodeEncounter ContactPass::encounter(std::uint32_t slot, const Meeting&
   return encounter;
 }
 
-void ContactPass::look(std::size_t place, const State& state, double used, Scratch& scratch, Block& block) {
+void ContactPass::look_at(std::size_t first, std::size_t last, const State& state, double used, Scratch& scratch,
+                          std::size_t b) {
+  FollowedPairs& pairs = scratch.followed;
+  std::size_t count = 0;
+  for (std::size_t place = first; place < last; ++place) {
+    std::size_t& lane = scratch.lanes[place - first];
+    lane = not_followed;
+    if (!may_follow(place)) continue;
+    lane = count++;
+    prepare(slot_at(place), pairs, lane);
+  }
+  geometry::follow(pairs, count);
+  Block& block = blocks_[b];
+  for (std::size_t place = first; place < last; ++place) {
+    const std::uint32_t slot = slot_at(place);
+    const std::size_t lane = scratch.lanes[place - first];
+    Meeting meeting;
+    if (lane != not_followed) meeting.contact = followed(slot, pairs, lane);
+    if (meeting.contact && keeps_lead(place, *meeting.contact, used)) {
+      meeting.in_zone = true;
+      ++block.nodes;
+      ++block.pairs;
+      ++block.followed;
+      act(slot, meeting, state, b);
+    } else {
+      look(place, state, used, scratch, b);
+    }
+  }
+}
+
+bool ContactPass::keeps_lead(std::size_t place, const Contact& contact, double used) {
+  const std::uint32_t slot = slot_at(place);
+  Tracked& tracked = tracked_[slot];
+  if (tracked.lead > used) return true;
+  const std::span<Candidate> candidates = candidates_.of(place);
+  separate(slot, contact.segment, candidates, used);
+  tracked.lead = lead(nearest_other(slot, contact.segment, candidates, used), contact, used);
+  return tracked.lead > used;
+}
+
+void ContactPass::look(std::size_t place, const State& state, double used, Scratch& scratch, std::size_t b) {
   const bool lost = place >= candidates_.slots().size();
   const std::uint32_t slot = slot_at(place);
   Tracked& tracked = tracked_[slot];
-  tracked.worked = false;
-  if (tracked.sleep > used && !lost) {
-    if (tracked.active) block.busy.push_back(slot);
+  Block& block = blocks_[b];
+  if (tracked.sleep > used && !lost && !tracked.active) {
     block.released += tracked.memory.state == NodeContact::State::released;
     return;
   }
+  Meeting meeting = meet(slot, lost ? std::span<Candidate>{} : candidates_.of(place), used, scratch, tracked, block);
+  act(slot, meeting, state, b);
+}
+
+void ContactPass::act(std::uint32_t slot, Meeting& meeting, const State& state, std::size_t b) {
+  Tracked& tracked = tracked_[slot];
+  Block& block = blocks_[b];
   const bool was_active = tracked.active;
-  Work work;
   Velocities speeds;
   if (was_active) {
     speeds = velocities(slot, tracked.link.segment, state);
-    add_work(tracked.link, speeds, state.dt, work);
+    add_work(tracked.link, speeds, state.dt, block.work);
   }
-  const Meeting meeting =
-      meet(slot, lost ? std::span<Candidate>{} : candidates_.of(place), used, scratch, tracked, block);
-  const bool in_band = meeting.hit && meeting.hit->in_band;
-  orient(slot, in_band ? meeting.hit->segment : 0, in_band ? meeting.pair : nullptr);
+  orient(slot, meeting.contact ? &*meeting.contact : nullptr);
   const contact::NodeEncounter encounter = this->encounter(slot, meeting, tracked);
   tracked.penetration = encounter.penetration;
   const NodeAction action = advance(tracked.memory, encounter);
   tracked.active = action == NodeAction::force;
   if (tracked.active) {
-    const std::uint32_t segment = meeting.hit->segment;
+    const std::uint32_t segment = meeting.contact->segment;
     if (!was_active || tracked.link.segment != segment) speeds = velocities(slot, segment, state);
-    tracked.link = link(slot, meeting, tracked, was_active ? tracked.link.friction : Vector::Zero(), speeds, state.dt);
-    add_work(tracked.link, speeds, state.dt, work);
+    tracked.link =
+        link(slot, *meeting.contact, tracked, was_active ? tracked.link.friction : Vector::Zero(), speeds, state.dt);
+    add_work(tracked.link, speeds, state.dt, block.work);
+    block.touching += tracked.link.push > 0;
+    pushes_[b].add({tracked.link.force(), tracked.link.weights, scene_.nodes.node[slot].value, segment},
+                   scene_.segments.nodes[segment]);
   } else {
     tracked.link = {};
-    if (encounter.penetrates) tracked.link.segment = meeting.hit->segment;
+    if (encounter.penetrates) tracked.link.segment = meeting.contact->segment;
   }
   if (action == NodeAction::move) {
-    block.moves.push_back({slot, contact::shooting_move * encounter.penetration *
-                                     contact::free_direction(scene_, slot, meeting.hit->segment, *meeting.pair)});
+    block.moves.push_back({slot, contact::shooting_move * encounter.penetration * meeting.contact->direction()});
     tracked.sleep = 0;
   }
-  tracked.work = work;
-  tracked.worked = was_active || tracked.active;
-  if (tracked.worked) block.busy.push_back(slot);
   block.released += tracked.memory.state == NodeContact::State::released;
 }
 
-ContactPass::Link ContactPass::link(std::uint32_t slot, const Meeting& meeting, const Tracked& now,
+ContactPass::Link ContactPass::link(std::uint32_t slot, const Contact& contact, const Tracked& now,
                                     const Vector& friction_before, const Velocities& velocities, double dt) const {
   Link link;
-  link.segment = meeting.hit->segment;
-  link.weights = corner_weights(scene_.line(link.segment), meeting.pair->closest.s, meeting.pair->closest.t);
-  link.normal = contact::free_direction(scene_, slot, link.segment, *meeting.pair);
+  link.segment = contact.segment;
+  link.on_face = contact.on_face;
+  link.s = contact.s;
+  link.t = contact.t;
+  link.weights = corner_weights(scene_.line(link.segment), contact.s, contact.t);
+  link.normal = contact.direction();
   const ContactSprings::Spring& spring = now.partner.spring;
   LinkSpring law{spring.stiffness, ContactSprings::damping(spring, scene_.contact.vdc), friction_.any(), {}, 0};
   if (law.rubs) {
@@ -243,20 +398,23 @@ void ContactPass::add_work(const Link& link, const Velocities& velocities, doubl
 double ContactPass::update(State& state, double used, ContactCounters& counters) {
   const std::size_t places = candidates_.slots().size() + lost_.size();
   blocks_.resize((places + block_size - 1) / block_size);
+  pushes_.resize(blocks_.size());
   parallel_for(blocks_.size(), 1, [&](std::size_t begin, std::size_t end) {
     static thread_local Scratch scratch;
     Scratch& own = scratch;
     for (std::size_t b = begin; b < end; ++b) {
-      Block& block = blocks_[b];
-      block.clear();
+      blocks_[b].clear();
+      pushes_[b].clear();
       const std::size_t last = std::min(places, (b + 1) * block_size);
-      for (std::size_t place = b * block_size; place < last; ++place) look(place, state, used, own, block);
+      for (std::size_t place = b * block_size; place < last; place += FollowedPairs::capacity)
+        look_at(place, std::min(last, place + FollowedPairs::capacity), state, used, own, b);
     }
   });
   double longest = 0;
   for (const Block& block : blocks_) {
     counters.nodes += block.nodes;
     counters.pairs += block.pairs;
+    counters.followed += block.followed;
     for (const Move& move : block.moves) {
       state.x[scene_.nodes.node[move.slot].value] += move.way;
       longest = std::max(longest, move.way.norm());
@@ -268,10 +426,23 @@ double ContactPass::update(State& state, double used, ContactCounters& counters)
 }
 
 void ContactPass::apply(const State& state, Forces& forces, ContactState& result) const {
+  add_pushes(pushes_, scene_.segments, forces);
   for (const Block& block : blocks_) {
     result.moved += block.moves.size();
     result.released += block.released;
-    for (const std::uint32_t slot : block.busy) apply_one(slot, state, forces, result);
+    result.touching += block.touching;
+    add_energies(block.work, result);
+  }
+  if (result.single_surface) return;
+  std::vector<PushTotals> sums(pushes_.size());
+  parallel_for(pushes_.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) sums[b] = totals(pushes_[b], scene_.segments, state.x);
+  });
+  for (const PushTotals& sum : sums) {
+    (exchanged_ ? result.force_b : result.force_a) += sum.force;
+    (exchanged_ ? result.force_a : result.force_b) -= sum.force;
+    (exchanged_ ? result.moment_b : result.moment_a) += sum.tracked_moment;
+    (exchanged_ ? result.moment_a : result.moment_b) += sum.reference_moment;
   }
 }
 
@@ -281,26 +452,6 @@ void ContactPass::add_energies(const Work& work, ContactState& result) const {
   const bool all_a = result.single_surface;
   (exchanged_ && !all_a ? result.energy_b : result.energy_a) += work.on_tracked;
   (exchanged_ || all_a ? result.energy_a : result.energy_b) += work.on_reference;
-}
-
-void ContactPass::apply_one(std::uint32_t slot, const State& state, Forces& forces, ContactState& result) const {
-  const Tracked& tracked = tracked_[slot];
-  if (tracked.worked) add_energies(tracked.work, result);
-  if (!tracked.active) return;
-  const Link& link = tracked.link;
-  const Vector force = link.force();
-  result.touching += link.push > 0;
-  const std::uint32_t node = scene_.nodes.node[slot].value;
-  forces.force[node] += force;
-  const model::SegmentNodes& corners = scene_.segments.nodes[link.segment];
-  for (std::size_t c = 0; c < 4; ++c) forces.force[corners[c].value] -= link.weights[c] * force;
-  if (result.single_surface) return;
-  Vector foot = Vector::Zero();
-  for (std::size_t c = 0; c < 4; ++c) foot += link.weights[c] * state.x[corners[c].value];
-  (exchanged_ ? result.force_b : result.force_a) += force;
-  (exchanged_ ? result.force_a : result.force_b) -= force;
-  (exchanged_ ? result.moment_b : result.moment_a) += state.x[node].cross(force);
-  (exchanged_ ? result.moment_a : result.moment_b) -= foot.cross(force);
 }
 
 void ContactPass::links(std::vector<ContactLink>& links) const {
@@ -352,6 +503,7 @@ void ContactPass::carry_over(InterfacePass& before, const State& state, ContactS
     tracked.penetration = was.penetration;
     tracked.link = was.link;
     tracked.link.segment = segment->second;
+    tracked.link.on_face = false;
   }
 }
 
@@ -363,12 +515,12 @@ void ContactPass::rest(const State& state, ContactState& result) {
                state.dt, work);
       add_energies(work, result);
     }
-    tracked.active = tracked.worked = false;
-    tracked.work = {};
+    tracked.active = false;
     tracked.memory = {};
-    tracked.sleep = 0;
+    tracked.sleep = tracked.lead = 0;
   }
   blocks_.clear();
+  pushes_.clear();
 }
 
 std::vector<ContactNode> ContactPass::nodes() const {
