@@ -29,10 +29,6 @@ constexpr std::size_t block_size = 256;
 constexpr std::size_t not_followed = FollowedPairs::capacity;
 static_assert(block_size % FollowedPairs::capacity == 0);
 
-/// Another segment must be farther away by this share of the distance, which is far more than what choose_hit() takes for
-/// equally near; and what is summed up in doubles is trusted up to this share.
-constexpr double lead_slack = 1e-8, rounding = 1e-13;
-
 double segment_area(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]).norm() / 2; }
 
 }  // namespace
@@ -164,93 +160,6 @@ ContactPass::Contact ContactPass::contact_of(std::uint32_t slot, std::uint32_t s
   return contact;
 }
 
-void ContactPass::improve(std::uint32_t slot, const Tracked& tracked, Contact& contact, FollowedPairs& pairs) const {
-  if (!leads_ || !tracked.active || !tracked.link.on_face || tracked.link.segment != contact.segment) return;
-  prepare(slot, pairs, 0);
-  geometry::follow(pairs, 1);
-  if (!(pairs.settled[0] > 0)) return;
-  contact.s = pairs.s[0];
-  contact.t = pairs.t[0];
-  contact.way = -pairs.offset_of(0);
-  contact.distance = std::copysign(std::sqrt(pairs.squared_distance[0]), contact.distance);
-  contact.on_face = true;
-}
-
-double ContactPass::nearest_other(std::uint32_t slot, std::uint32_t segment, std::span<const Candidate> candidates,
-                                  double used) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Candidate& candidate : candidates)
-    if (candidate.segment != segment)
-      least = std::min(least, candidate.wake - used + reach(slot, candidate.segment));
-  return least;
-}
-
-void ContactPass::separate(std::uint32_t slot, std::uint32_t segment, std::span<Candidate> candidates,
-                           double used) const {
-  const Vector at = scene_.position(slot);
-  for (Candidate& candidate : candidates) {
-    if (candidate.segment == segment) continue;
-    const geometry::Facet facet = scene_.facet(candidate.segment);
-    double least = std::numeric_limits<double>::infinity(), size = 0;
-    for (const Vector& corner : facet.x) {
-      const Vector from_node = corner - at;
-      least = std::min(least, candidate.towards.dot(from_node));
-      size = std::max(size, from_node.cwiseAbs().maxCoeff());
-    }
-    candidate.wake = std::max(candidate.wake, used + least - rounding * size - reach(slot, candidate.segment));
-  }
-}
-
-double ContactPass::lead(double nearest_other, const Contact& chosen, double used) const {
-  const double gap =
-      nearest_other - std::abs(chosen.distance) * (1 + lead_slack) - rounding * (used + greatest_reach_);
-  // One distance may grow by what the other one loses.
-  return used + gap / 2;
-}
-
-bool ContactPass::may_follow(std::size_t place) const {
-  if (place >= candidates_.slots().size()) return false;
-  const Tracked& tracked = tracked_[candidates_.slots()[place]];
-  return tracked.active && tracked.link.on_face && tracked.lead > 0;
-}
-
-void ContactPass::prepare(std::uint32_t slot, FollowedPairs& pairs, std::size_t lane) const {
-  const Link& link = tracked_[slot].link;
-  pairs.set(lane, scene_.facet(link.segment), scene_.position(slot));
-  pairs.s[lane] = link.s;
-  pairs.t[lane] = link.t;
-}
-
-std::optional<ContactPass::Contact> ContactPass::followed(std::uint32_t slot, const FollowedPairs& pairs,
-                                                          std::size_t lane) const {
-  const double distance = std::sqrt(pairs.squared_distance[lane]);
-  if (!(pairs.settled[lane] > 0) || !(distance > 0)) return {};
-  Contact contact;
-  contact.segment = tracked_[slot].link.segment;
-  contact.s = pairs.s[lane];
-  contact.t = pairs.t[lane];
-  contact.way = -pairs.offset_of(lane);
-  contact.distance = distance;
-  contact.on_face = true;
-  const double h = scene_.nodes.half[slot] + scene_.segments.half[contact.segment], size = pairs.size[lane];
-  // The tolerance of decide_pair(), or a little more.
-  const double largest = scene_.position(slot).cwiseAbs().maxCoeff() + 2 * size;
-  const double tolerance = scene_.tolerance >= 0 ? scene_.tolerance : contact::default_tolerance(h, largest);
-  if (scene_.oriented(contact.segment)) {
-    // Behind or in front must be beyond doubt.
-    const bool flipped = !scene_.flipped.empty() && scene_.flipped[contact.segment];
-    const double turn = flipped ? -pairs.turn[lane] : pairs.turn[lane];
-    if (!(std::abs(turn) > 1e-12 * size * size * size) || !(distance > 1e-9 * size)) return {};
-    if (turn > 0) {
-      if (!(distance <= scene_.behind(contact.segment)) || !(h > tolerance || distance > 4 * tolerance)) return {};
-      contact.distance = -distance;
-      return contact;
-    }
-  }
-  if (!pairs.closer_than(lane, h - tolerance)) return {};
-  return contact;
-}
-
 contact::NodeEncounter ContactPass::encounter(std::uint32_t slot, const Meeting& meeting, Tracked& tracked) const {
   contact::NodeEncounter encounter;
   encounter.in_zone = meeting.in_zone;
@@ -295,16 +204,6 @@ void ContactPass::look_at(std::size_t first, std::size_t last, const State& stat
   }
 }
 
-bool ContactPass::keeps_lead(std::size_t place, const Contact& contact, double used) {
-  const std::uint32_t slot = slot_at(place);
-  Tracked& tracked = tracked_[slot];
-  if (tracked.lead > used) return true;
-  const std::span<Candidate> candidates = candidates_.of(place);
-  separate(slot, contact.segment, candidates, used);
-  tracked.lead = lead(nearest_other(slot, contact.segment, candidates, used), contact, used);
-  return tracked.lead > used;
-}
-
 void ContactPass::look(std::size_t place, const State& state, double used, Scratch& scratch, std::size_t b) {
   const bool lost = place >= candidates_.slots().size();
   const std::uint32_t slot = slot_at(place);
@@ -325,7 +224,7 @@ void ContactPass::act(std::uint32_t slot, Meeting& meeting, const State& state, 
   Velocities speeds;
   if (was_active) {
     speeds = velocities(slot, tracked.link.segment, state);
-    add_work(tracked.link, speeds, state.dt, block.work);
+    block.work.add(tracked.link, speeds.node, speeds.of_segment(tracked.link.weights), state.dt);
   }
   orient(slot, meeting.contact ? &*meeting.contact : nullptr);
   const contact::NodeEncounter encounter = this->encounter(slot, meeting, tracked);
@@ -335,9 +234,11 @@ void ContactPass::act(std::uint32_t slot, Meeting& meeting, const State& state, 
   if (tracked.active) {
     const std::uint32_t segment = meeting.contact->segment;
     if (!was_active || tracked.link.segment != segment) speeds = velocities(slot, segment, state);
-    tracked.link =
-        link(slot, *meeting.contact, tracked, was_active ? tracked.link.friction : Vector::Zero(), speeds, state.dt);
-    add_work(tracked.link, speeds, state.dt, block.work);
+    const Vector friction = was_active ? tracked.link.friction : Vector::Zero();
+    tracked.link = place_link(*meeting.contact);
+    const Vector moving = speeds.of_segment(tracked.link.weights);
+    press(slot, tracked, speeds.node - moving, friction, state.dt);
+    block.work.add(tracked.link, speeds.node, moving, state.dt);
     block.touching += tracked.link.push > 0;
     pushes_[b].add({tracked.link.force(), tracked.link.weights, scene_.nodes.node[slot].value, segment},
                    scene_.segments.nodes[segment]);
@@ -352,8 +253,7 @@ void ContactPass::act(std::uint32_t slot, Meeting& meeting, const State& state, 
   block.released += tracked.memory.state == NodeContact::State::released;
 }
 
-ContactPass::Link ContactPass::link(std::uint32_t slot, const Contact& contact, const Tracked& now,
-                                    const Vector& friction_before, const Velocities& velocities, double dt) const {
+ContactPass::Link ContactPass::place_link(const Contact& contact) const {
   Link link;
   link.segment = contact.segment;
   link.on_face = contact.on_face;
@@ -361,16 +261,20 @@ ContactPass::Link ContactPass::link(std::uint32_t slot, const Contact& contact, 
   link.t = contact.t;
   link.weights = corner_weights(scene_.line(link.segment), contact.s, contact.t);
   link.normal = contact.direction();
-  const ContactSprings::Spring& spring = now.partner.spring;
+  return link;
+}
+
+void ContactPass::press(std::uint32_t slot, Tracked& tracked, const Vector& velocity, const Vector& friction_before,
+                        double dt) const {
+  Link& link = tracked.link;
+  const ContactSprings::Spring& spring = tracked.partner.spring;
   LinkSpring law{spring.stiffness, ContactSprings::damping(spring, scene_.contact.vdc), friction_.any(), {}, 0};
   if (law.rubs) {
     law.friction = friction_.between(scene_.nodes.part[slot],
                                      contact::part_of(setting_.model.mesh, scene_.segments, link.segment));
     law.area = segment_area(scene_.facet(link.segment));
   }
-  link.press(law, now.penetration - now.memory.forgiven, velocities.node - velocities.of_segment(link.weights),
-             friction_before, dt);
-  return link;
+  link.press(law, tracked.penetration - tracked.memory.forgiven, velocity, friction_before, dt);
 }
 
 double ContactPass::release_depth(std::uint32_t slot, std::uint32_t segment) const {

@@ -154,8 +154,10 @@ class ContactPass : public InterfacePass {
   [[nodiscard]] std::optional<Contact> followed(std::uint32_t slot, const geometry::FollowedPairs& pairs,
                                                 std::size_t lane) const;
   [[nodiscard]] contact::NodeEncounter encounter(std::uint32_t slot, const Meeting& meeting, Tracked& tracked) const;
-  [[nodiscard]] Link link(std::uint32_t slot, const Contact& contact, const Tracked& now, const Vector& friction_before,
-                          const Velocities& velocities, double dt) const;
+  [[nodiscard]] Link place_link(const Contact& contact) const;
+  /// Sets the forces of a link that is in its place.
+  void press(std::uint32_t slot, Tracked& tracked, const Vector& velocity, const Vector& friction_before,
+             double dt) const;
   [[nodiscard]] Velocities velocities(std::uint32_t slot, std::uint32_t segment, const State& state) const;
   void add_energies(const Work& work, ContactState& result) const;
   void add_work(const Link& link, const Velocities& velocities, double dt, Work& work) const;
