@@ -55,7 +55,8 @@ struct ContactPass::Meeting {
 };
 
 void ContactPass::Block::clear() {
-  nodes = pairs = followed = released = touching = 0;
+  sleep = 0;
+  nodes = pairs = followed = asleep = released = touching = 0;
   work = {};
   moves.clear();
 }
@@ -96,6 +97,7 @@ void ContactPass::search(double margin, ContactCounters& counters) {
     tracked_[slot].sleep = tracked_[slot].lead = 0;
     tracked_[slot].partner.segment = 0;
   }
+  for (Block& block : blocks_) block.sleep = 0;
   lost_.clear();
   for (std::uint32_t slot = 0; slot < tracked_.size(); ++slot)
     if (!found[slot] && (tracked_[slot].active || tracked_[slot].memory.state != NodeContact::State::apart))
@@ -210,6 +212,7 @@ void ContactPass::look(std::size_t place, const State& state, double used, Scrat
   Tracked& tracked = tracked_[slot];
   Block& block = blocks_[b];
   if (tracked.sleep > used && !lost && !tracked.active) {
+    ++block.asleep;
     block.released += tracked.memory.state == NodeContact::State::released;
     return;
   }
@@ -299,26 +302,46 @@ void ContactPass::add_work(const Link& link, const Velocities& velocities, doubl
   work.add(link, velocities.node, velocities.of_segment(link.weights), dt);
 }
 
+void ContactPass::look_at_block(std::size_t b, const State& state, double used, Scratch& scratch) {
+  const std::size_t near = candidates_.slots().size(), places = near + lost_.size();
+  const std::size_t first = b * block_size, last = std::min(places, first + block_size);
+  Block& block = blocks_[b];
+  pushes_[b].clear();
+  if (block.sleep > used && last <= near) {
+    // Nothing has changed, and what is released stays so.
+    const std::uint64_t released = block.released;
+    const double sleep = block.sleep;
+    block.clear();
+    block.sleep = sleep;
+    block.released = released;
+    block.asleep = last - first;
+    return;
+  }
+  block.clear();
+  for (std::size_t place = first; place < last; place += FollowedPairs::capacity)
+    look_at(place, std::min(last, place + FollowedPairs::capacity), state, used, scratch, b);
+  if (last > near) return;
+  block.sleep = std::numeric_limits<double>::infinity();
+  for (std::size_t place = first; place < last; ++place) {
+    const Tracked& tracked = tracked_[slot_at(place)];
+    block.sleep = std::min(block.sleep, tracked.active ? 0 : tracked.sleep);
+  }
+}
+
 double ContactPass::update(State& state, double used, ContactCounters& counters) {
   const std::size_t places = candidates_.slots().size() + lost_.size();
   blocks_.resize((places + block_size - 1) / block_size);
   pushes_.resize(blocks_.size());
   parallel_for(blocks_.size(), 1, [&](std::size_t begin, std::size_t end) {
     static thread_local Scratch scratch;
-    Scratch& own = scratch;
-    for (std::size_t b = begin; b < end; ++b) {
-      blocks_[b].clear();
-      pushes_[b].clear();
-      const std::size_t last = std::min(places, (b + 1) * block_size);
-      for (std::size_t place = b * block_size; place < last; place += FollowedPairs::capacity)
-        look_at(place, std::min(last, place + FollowedPairs::capacity), state, used, own, b);
-    }
+    for (std::size_t b = begin; b < end; ++b) look_at_block(b, state, used, scratch);
   });
   double longest = 0;
   for (const Block& block : blocks_) {
     counters.nodes += block.nodes;
     counters.pairs += block.pairs;
     counters.followed += block.followed;
+    counters.asleep += block.asleep;
     for (const Move& move : block.moves) {
       state.x[scene_.nodes.node[move.slot].value] += move.way;
       longest = std::max(longest, move.way.norm());

@@ -10,20 +10,12 @@
 #include "contact/side_scene.hpp"
 #include "geometry/follow.hpp"
 #include "solver/contact_link.hpp"
+#include "solver/contact_setting.hpp"
 #include "solver/contact_spring.hpp"
 #include "solver/interface_pass.hpp"
 #include "solver/push_list.hpp"
 
 namespace gapcheck::solver {
-
-/// What all passes of a run share. All references must outlive them.
-struct ContactSetting {
-  const model::Model& model;
-  const ContactMasses& masses;
-  const contact::CandidateSearch& search;
-  const contact::Ties& ties;
-  const std::vector<bool>& movable;  ///< by node: the shooting-node logic may move it
-};
 
 /// One side's nodes against the other side's segments of one contact. Candidates, distances, which segment counts, what
 /// happens to the node and how stiff the spring is come from lib/contact; here they become forces and work.
@@ -104,7 +96,8 @@ class ContactPass : public InterfacePass {
   };
   /// What looking at consecutive places gave beside their Tracked.
   struct Block {
-    std::uint64_t nodes = 0, pairs = 0, followed = 0, released = 0, touching = 0;
+    double sleep = 0;  ///< until so much of the margin is used up all of them rest
+    std::uint64_t nodes = 0, pairs = 0, followed = 0, asleep = 0, released = 0, touching = 0;
     Work work;
     std::vector<Move> moves;
     void clear();
@@ -121,6 +114,8 @@ class ContactPass : public InterfacePass {
   struct Scratch;
 
   [[nodiscard]] std::uint32_t slot_at(std::size_t place) const;
+  /// The places of one block, unless all of them rest.
+  void look_at_block(std::size_t block, const State& state, double used, Scratch& scratch);
   /// Looks at consecutive places, FollowedPairs::capacity of them at most.
   void look_at(std::size_t first, std::size_t last, const State& state, double used, Scratch& scratch,
                std::size_t block);
