@@ -114,6 +114,7 @@ class ContactPass : public InterfacePass {
   struct Scratch;
 
   [[nodiscard]] std::uint32_t slot_at(std::size_t place) const;
+  [[nodiscard]] double segment_area(std::uint32_t segment) const;
   /// The places of one block, unless all of them rest.
   void look_at_block(std::size_t block, const State& state, double used, Scratch& scratch);
   /// Looks at consecutive places, FollowedPairs::capacity of them at most.
@@ -131,9 +132,10 @@ class ContactPass : public InterfacePass {
   /// Least distance of the candidates but `segment`, as far as their sleep says.
   [[nodiscard]] double nearest_other(std::uint32_t slot, std::uint32_t segment,
                                      std::span<const contact::Candidate> candidates, double used) const;
-  /// Sends candidates but `segment` to sleep that the plane of their last decision still separates from the node.
-  void separate(std::uint32_t slot, std::uint32_t segment, std::span<contact::Candidate> candidates,
-                double used) const;
+  /// Puts off the wake of candidates but `segment` as far as the plane of their last decision separates them from the
+  /// node; only of those that may be nearer than `far`.
+  void separate(std::uint32_t slot, std::uint32_t segment, std::span<contact::Candidate> candidates, double used,
+                double far) const;
   /// Until how much of the margin is used up no other candidate can come as near as the chosen one.
   [[nodiscard]] double lead(double nearest_other, const Contact& chosen, double used) const;
   /// Distance of a segment at which the node has nothing to do with it.

@@ -15,6 +15,8 @@ namespace {
 /// Another segment must be farther away by this share of the distance, which is far more than what choose_hit() takes for
 /// equally near; and what is summed up in doubles is trusted up to this share.
 constexpr double lead_slack = 1e-8, rounding = 1e-13;
+/// Segments farther away than so many times the one that counts need not be asked how far exactly.
+constexpr double far_away = 1.5;
 
 }  // namespace
 
@@ -40,10 +42,11 @@ double ContactPass::nearest_other(std::uint32_t slot, std::uint32_t segment, std
 }
 
 void ContactPass::separate(std::uint32_t slot, std::uint32_t segment, std::span<Candidate> candidates,
-                           double used) const {
+                           double used, double far) const {
   const Vector at = scene_.position(slot);
   for (Candidate& candidate : candidates) {
-    if (candidate.segment == segment) continue;
+    const double reach = this->reach(slot, candidate.segment);
+    if (candidate.segment == segment || candidate.wake - used + reach > far) continue;
     const geometry::Facet facet = scene_.facet(candidate.segment);
     double least = std::numeric_limits<double>::infinity(), size = 0;
     for (const Vector& corner : facet.x) {
@@ -51,7 +54,7 @@ void ContactPass::separate(std::uint32_t slot, std::uint32_t segment, std::span<
       least = std::min(least, candidate.towards.dot(from_node));
       size = std::max(size, from_node.cwiseAbs().maxCoeff());
     }
-    candidate.wake = std::max(candidate.wake, used + least - rounding * size - reach(slot, candidate.segment));
+    candidate.wake = std::max(candidate.wake, used + least - rounding * size - reach);
   }
 }
 
@@ -110,7 +113,7 @@ bool ContactPass::keeps_lead(std::size_t place, const Contact& contact, double u
   Tracked& tracked = tracked_[slot];
   if (tracked.lead > used) return true;
   const std::span<Candidate> candidates = candidates_.of(place);
-  separate(slot, contact.segment, candidates, used);
+  separate(slot, contact.segment, candidates, used, far_away * std::abs(contact.distance));
   tracked.lead = lead(nearest_other(slot, contact.segment, candidates, used), contact, used);
   return tracked.lead > used;
 }

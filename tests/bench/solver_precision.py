@@ -24,6 +24,9 @@ def percent(value):
 def rods_table(runs):
     rows = ["| setting | cycles | time | time of contact | velocity given on | energy |", "|---|---|---|---|---|---|"]
     for run in runs:
+        if not run["ended"]:
+            rows.append(f"| {run['group']} = {run['value']:g} | ends after {run['cycles']:,} | | | | |")
+            continue
         rows.append(f"| {run['group']} = {run['value']:g} | {run['cycles']:,} | {1e3 * run['seconds']:.1f} ms "
                     f"| {percent(run['contact_time'])} | {percent(run['velocity'])} | {percent(run['energy'])} |")
     return rows
@@ -53,7 +56,7 @@ def figure(runs):
     width, height, left, top, bottom = 640, 420, 70, 20, 60
     right = width - 190
     points = [(run["cycles"], abs(run[key]), key, run["group"]) for run in runs for key, _, _ in ERRORS
-              if run["group"] in ("TSSFAC", "SFS") and run[key] != 0]
+              if run["ended"] and run["group"] in ("TSSFAC", "SFS") and run[key] != 0]
     low_x, high_x = (f(math.log10(p[0]) for p in points) for f in (min, max))
     low_y, high_y = math.floor(min(math.log10(p[1]) for p in points)), math.ceil(max(math.log10(p[1]) for p in points))
     span_x = max(high_x - low_x, 0.1)
