@@ -33,7 +33,7 @@ void CandidateTable::search(const PairScene& scene, const PairRules& rules, cons
       slots_.push_back(slot);
       start_.push_back(static_cast<std::uint32_t>(candidates_.size()));
     }
-    candidates_.push_back({static_cast<std::uint32_t>(pair), 0});
+    candidates_.push_back({static_cast<std::uint32_t>(pair)});
   }
   start_.push_back(static_cast<std::uint32_t>(candidates_.size()));
 }

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "base/vector.hpp"
 #include "contact/closest_segment.hpp"
 #include "contact/pair_rules.hpp"
 
@@ -13,6 +14,9 @@ struct Candidate {
   std::uint32_t segment = 0;
   /// Until nodes and segments have moved this far towards each other since the search, the pair needs no look.
   double wake = 0;
+  /// From the node to the segment when the pair was decided, of unit length or zero: all that lies beyond the plane
+  /// across it is farther away than that plane.
+  Vector towards = Vector::Zero();
 };
 
 /// Result of a global search that stays good until tracked nodes and segments have come closer by `margin`: for each

@@ -271,7 +271,8 @@ void ContactForces::add(State& state, Forces& forces) {
         search(state);
         growth = 0;
       }
-      used_ += pass->update(state, used_ + growth, counters_) * rounding;
+      // It may be the node or a corner of the segment, or both.
+      used_ += 2 * pass->update(state, used_ + growth, counters_) * rounding;
       pass->apply(state, forces, result);
     }
     interface.active = active;

@@ -8,8 +8,10 @@
 #include "contact/contact_timestep.hpp"
 #include "contact/initial.hpp"
 #include "solver/contact_method.hpp"
-#include "solver/contact_pass.hpp"
+#include "solver/contact_setting.hpp"
+#include "solver/contact_source.hpp"
 #include "solver/force.hpp"
+#include "solver/interface_pass.hpp"
 #include "solver/segment_crossings.hpp"
 
 namespace gapcheck::solver {

@@ -23,13 +23,4 @@ void LinkForce::press(const LinkSpring& spring, double depth, const Vector& velo
   push = std::max(0.0, push);
 }
 
-void LinkWork::add(const LinkForce& link, const Vector& tracked, const Vector& reference, double dt) {
-  const double half = dt / 2;
-  const Vector velocity = tracked - reference, force = link.force();
-  damping -= half * link.damping * link.normal.dot(velocity);
-  friction -= half * link.friction.dot(velocity);
-  on_tracked -= half * force.dot(tracked);
-  on_reference += half * force.dot(reference);
-}
-
 }  // namespace gapcheck::solver

@@ -28,7 +28,14 @@ struct LinkForce {
 struct LinkWork {
   double friction = 0, damping = 0, on_tracked = 0, on_reference = 0;
   /// Half of a step with the force at one of its ends; velocities of the two points.
-  void add(const LinkForce& link, const Vector& tracked, const Vector& reference, double dt);
+  void add(const LinkForce& link, const Vector& tracked, const Vector& reference, double dt) {
+    const double half = dt / 2;
+    const Vector velocity = tracked - reference, force = link.force();
+    damping -= half * link.damping * link.normal.dot(velocity);
+    friction -= half * link.friction.dot(velocity);
+    on_tracked -= half * force.dot(tracked);
+    on_reference += half * force.dot(reference);
+  }
 };
 
 }  // namespace gapcheck::solver

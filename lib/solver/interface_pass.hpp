@@ -14,6 +14,8 @@ struct ContactCounters {
   std::uint64_t candidates = 0;  ///< pairs that these left
   std::uint64_t nodes = 0;       ///< looked at, of all cycles
   std::uint64_t pairs = 0;       ///< decided, of all cycles
+  std::uint64_t followed = 0;    ///< of these: from where they were in the last cycle
+  std::uint64_t asleep = 0;      ///< nodes near something that needed no look, of all cycles
   double search_s = 0, force_s = 0;
 };
 

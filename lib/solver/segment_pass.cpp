@@ -103,20 +103,18 @@ bool SegmentPass::passed(const Side& before, std::uint32_t segment, const Vector
   return (before.direction.dot(was) > 0) == (direction.dot(is) > 0) ? !same_front : same_front;
 }
 
-void SegmentPass::orient(std::uint32_t slot, std::uint32_t segment, contact::PairResult* pair) {
+void SegmentPass::orient(std::uint32_t slot, Contact* contact) {
   Side& side = side_[slot];
-  if (pair == nullptr) {
+  if (contact == nullptr) {
     side = {};
     return;
   }
-  const contact::PairScene& scene = ContactPass::side().scene();
-  const Vector way = scene.position(slot) - pair->closest.point;
   // Oriented segments know their front. Of a node on the surface nothing new can be said.
-  if (pair->distance < 0 || !(way.squaredNorm() > 0)) return;
-  const Vector direction = way.stableNormalized();
-  const bool behind = passed(side, segment, direction);
-  if (behind) pair->distance = -pair->distance;
-  side = {behind ? Vector(-direction) : direction, segment};
+  if (contact->distance < 0 || !(contact->way.squaredNorm() > 0)) return;
+  const Vector direction = contact->way.stableNormalized();
+  const bool behind = passed(side, contact->segment, direction);
+  if (behind) contact->distance = -contact->distance;
+  side = {behind ? Vector(-direction) : direction, contact->segment};
 }
 
 contact::NodeAction SegmentPass::advance(contact::NodeContact& memory, const contact::NodeEncounter& encounter) const {

@@ -24,7 +24,7 @@ class SegmentPass : public ContactPass {
  protected:
   [[nodiscard]] ContactSprings::Spring spring(std::uint32_t slot, std::uint32_t segment) const override;
   [[nodiscard]] double release_depth(std::uint32_t slot, std::uint32_t segment) const override;
-  void orient(std::uint32_t slot, std::uint32_t segment, contact::PairResult* pair) override;
+  void orient(std::uint32_t slot, Contact* contact) override;
   [[nodiscard]] contact::NodeAction advance(contact::NodeContact& memory,
                                             const contact::NodeEncounter& encounter) const override;
 

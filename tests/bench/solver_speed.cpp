@@ -55,7 +55,7 @@ std::string plates(int n, int far) {
 
 struct Speed {
   double seconds = 0, contact_s = 0;
-  std::uint64_t nodes = 0, pairs = 0, searches = 0, touching = 0;
+  std::uint64_t nodes = 0, pairs = 0, followed = 0, searches = 0, touching = 0;
   std::size_t shells = 0;
 };
 
@@ -98,6 +98,7 @@ Speed run(const std::string& text, int n, int cycles, bool with_contact) {
     result.contact_s = after.force_s + after.search_s - before.force_s - before.search_s;
     result.nodes = after.nodes - before.nodes;
     result.pairs = after.pairs - before.pairs;
+    result.followed = after.followed - before.followed;
     result.searches = after.searches - before.searches;
     result.touching = contacts->states()[0].touching;
   }
@@ -119,10 +120,11 @@ int main(int argc, char** argv) {
     const Speed r = run(text, n, cycles, with_contact);
     const double per_cycle = static_cast<double>(cycles);
     fmt::print("{} shells, {}: {:.2f} million shell cycles per second, contact {:.1f} % of the time, {:.0f} nodes and "
-               "{:.0f} pairs looked at and {:.3f} searches per cycle, {} touching\n",
+               "{:.0f} pairs looked at ({:.0f} followed) and {:.3f} searches per cycle, {} touching\n",
                r.shells, with_contact ? "contact" : "elements alone",
                static_cast<double>(r.shells) * per_cycle / r.seconds / 1e6, 100 * r.contact_s / r.seconds,
                static_cast<double>(r.nodes) / per_cycle, static_cast<double>(r.pairs) / per_cycle,
+               static_cast<double>(r.followed) / per_cycle,
                static_cast<double>(r.searches) / per_cycle, r.touching);
   }
   return 0;

@@ -396,5 +396,56 @@ TEST(ContactForces, FarPartsAddNoWork) {
   EXPECT_LE(with.candidates, 1.1 * static_cast<double>(alone.candidates));
 }
 
+// Nodes that stay in a segment are followed; those that come, go or lie on edges are decided in the long way.
+TEST(ContactForces, NodesInContactAreFollowed) {
+  for (const std::string& keyword : {single, two_way}) {
+    ContactScene scene(two_plates(keyword, ""), throw_plate);
+    scene.step(400);
+    const ContactCounters& counters = scene.contacts->counters();
+    EXPECT_GT(counters.followed, 100u) << keyword;
+    EXPECT_LT(counters.followed, counters.pairs) << keyword;
+  }
+}
+
+// A plate at rest nearer than the margin of the search is in the candidates, but nobody looks at it, and nothing that
+// moves elsewhere changes by a bit.
+TEST(ContactForces, PartsAtRestSleep) {
+  std::string rest = "*NODE\n";
+  for (int i = 0; i < 1200; ++i)
+    rest += fmt::format("{},{},{},{}\n", 5001 + i, 20 + 0.16 * (i % 20), 0.16 * (i / 20 % 30), i < 600 ? 0.0 : 0.1);
+  rest += "*ELEMENT_SHELL\n";
+  for (int i = 0; i < 1200; ++i)
+    if (i % 20 < 19 && i / 20 % 30 < 29)
+      rest += fmt::format("{},3,{},{},{},{}\n", 5001 + i, 5001 + i, 5002 + i, 5022 + i, 5021 + i);
+  rest += "*PART\nrest\n3,1,1\n";
+  struct Result {
+    std::vector<Vector> moving, start, still;
+    ContactCounters counters;
+  };
+  const auto run = [](const std::string& deck) {
+    ContactScene scene(deck, [](Structure& s) {
+      for (std::size_t i = 0; i < s.state.x.size(); ++i)
+        if (s.state.x[i].z() > 0.05 && s.state.x[i].x() < 10) s.state.v[i] = {0.3, 0.1, -2};
+    });
+    const std::vector<Vector> before = scene.state().x;
+    scene.step(200);
+    Result result;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const bool at_rest = before[i].x() > 10;
+      (at_rest ? result.still : result.moving).push_back(scene.state().x[i]);
+      if (at_rest) result.start.push_back(before[i]);
+    }
+    result.counters = scene.contacts->counters();
+    return result;
+  };
+  const Result alone = run(two_plates(single, "")), both = run(rest + two_plates(single, ""));
+  EXPECT_EQ(both.moving, alone.moving);
+  EXPECT_EQ(both.still, both.start);
+  const ContactCounters &few = alone.counters, &counters = both.counters;
+  constexpr std::uint64_t all = 1200 * 200;  // nodes and cycles
+  EXPECT_GT(counters.asleep, few.asleep + all / 2);
+  EXPECT_LT(counters.nodes, few.nodes + all / 3);
+}
+
 }  // namespace
 }  // namespace gapcheck::solver
