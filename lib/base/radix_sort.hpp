@@ -10,9 +10,9 @@
 
 namespace gapcheck {
 
-/// Sorts by the lowest `bits` bits of key(item), an unsigned number; items with equal keys keep their order, so the result
-/// is the same for any number of threads. `spare`: as long as `items`, holds nothing of use afterwards. At most 2³² - 1
-/// items. Time is linear; digits that all items share cost one look.
+/// Sorts by the lowest `bits` bits of key(item), an unsigned number; items with equal keys keep their order, so the
+/// result is the same for any number of threads. `spare`: as long as `items`, holds nothing of use afterwards. At most
+/// 2³² - 1 items. Time is linear; digits that all items share cost one look.
 template <class Item, class Key>
 void radix_sort(std::span<Item> items, std::span<Item> spare, int bits, const Key& key) {
   constexpr int digit = 11;
@@ -27,7 +27,8 @@ void radix_sort(std::span<Item> items, std::span<Item> spare, int bits, const Ke
     parallel_for(blocks, 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t b = first; b < last; ++b) {
         counts[b].fill(0);
-        for (const Item& item : from.subspan(b * block, std::min(block, from.size() - b * block))) ++counts[b][digit_of(item)];
+        for (const Item& item : from.subspan(b * block, std::min(block, from.size() - b * block)))
+          ++counts[b][digit_of(item)];
       }
     });
     // From counts to the places where each block puts its items of each digit.

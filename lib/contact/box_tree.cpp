@@ -20,7 +20,9 @@ struct BoxItems {
   std::span<const Bounds> boxes;
   [[nodiscard]] std::size_t size() const { return boxes.size(); }
   [[nodiscard]] bool empty(std::size_t i) const { return boxes[i].empty(); }
-  [[nodiscard]] double middle(std::size_t i, int axis) const { return 0.5 * boxes[i].low[axis] + 0.5 * boxes[i].high[axis]; }
+  [[nodiscard]] double middle(std::size_t i, int axis) const {
+    return 0.5 * boxes[i].low[axis] + 0.5 * boxes[i].high[axis];
+  }
   [[nodiscard]] Bounds bounds(std::size_t i) const { return boxes[i]; }
 };
 struct PointItems {
@@ -139,8 +141,7 @@ template <class Items>
 std::vector<std::uint32_t> sorted(const Items& items) {
   std::vector<Place> places(items.size());
   parallel_for(items.size(), 8192, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      places[i] = {items.empty(i) ? 1U : 0U, static_cast<std::uint32_t>(i)};
+    for (std::size_t i = begin; i < end; ++i) places[i] = {items.empty(i) ? 1U : 0U, static_cast<std::uint32_t>(i)};
   });
   std::erase_if(places, [](const Place& place) { return place.key == 1; });
   std::vector<Place> spare(places.size());

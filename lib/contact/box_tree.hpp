@@ -38,13 +38,14 @@ struct BoxPack {
   }
   /// Bit i: box i meets `box`.
   [[nodiscard]] std::uint32_t meeting(const FloatBox& box) const {
-    return contact::meeting({low[0].data(), low[1].data(), low[2].data()}, {high[0].data(), high[1].data(), high[2].data()}, box);
+    return contact::meeting({low[0].data(), low[1].data(), low[2].data()},
+                            {high[0].data(), high[1].data(), high[2].data()}, box);
   }
 };
 
 /// Boxes (or points) sorted along a Z-order curve and packed eight to a leaf; eight leaves make a node, eight nodes the
-/// next one, up to a root. Cells of the curve that hold many boxes have curves of their own, so a dense corner of a wide
-/// model is resolved as well as the rest. Empty boxes and those with numbers that are none (NaN) are left out.
+/// next one, up to a root. Cells of the curve that hold many boxes have curves of their own, so a dense corner of a
+/// wide model is resolved as well as the rest. Empty boxes and those with numbers that are none (NaN) are left out.
 /// Memory: about 33 bytes for each box. Build time is O(n) but for nested dense corners.
 class BoxTree {
  public:
@@ -54,7 +55,9 @@ class BoxTree {
   [[nodiscard]] std::size_t leaves() const { return levels_[0].size(); }
   [[nodiscard]] const BoxPack& leaf(std::uint32_t i) const { return levels_[0][i]; }
   /// Position in the input of box i of a leaf.
-  [[nodiscard]] std::uint32_t box(std::uint32_t leaf, std::uint32_t i) const { return order_[leaf * BoxPack::width + i]; }
+  [[nodiscard]] std::uint32_t box(std::uint32_t leaf, std::uint32_t i) const {
+    return order_[leaf * BoxPack::width + i];
+  }
 
   /// Calls visit(leaf) for all leaves from number `first` on whose hull meets the box.
   template <class Visit>
@@ -68,7 +71,8 @@ class BoxTree {
   void build(const Items& items, const FloatMap& map);
 
   template <class Visit>
-  void descend(std::size_t level, std::uint32_t node, const FloatBox& box, std::uint32_t first, const Visit& visit) const {
+  void descend(std::size_t level, std::uint32_t node, const FloatBox& box, std::uint32_t first,
+               const Visit& visit) const {
     const std::size_t leaves_per_child = std::size_t{1} << 3 * (level - 1);
     for (std::uint32_t bits = levels_[level][node].meeting(box); bits != 0; bits &= bits - 1) {
       const std::uint32_t child = node * BoxPack::width + static_cast<std::uint32_t>(std::countr_zero(bits));

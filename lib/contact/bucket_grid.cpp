@@ -169,7 +169,8 @@ class Grid {
         while (end < items.size() && items[end].key >> lower_bits == items[begin].key >> lower_bits) ++end;
         const auto run = std::span(items).subspan(begin, end - begin);
         if (run.size() > many)
-          radix_sort(run, std::span(spare).subspan(begin, run.size()), lower_bits, [](const Item& item) { return item.key; });
+          radix_sort(run, std::span(spare).subspan(begin, run.size()), lower_bits,
+                     [](const Item& item) { return item.key; });
         else if (run.size() > 1)
           std::sort(run.begin(), run.end(),
                     [](const Item& a, const Item& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
@@ -203,7 +204,8 @@ class Grid {
     // Two neighbours on the curve are in different buckets of all levels below their highest different bit.
     std::array<std::size_t, bits + 1> parted{};
     for (std::size_t i = 1; i < keys_.size(); ++i)
-      if (keys_[i] != keys_[i - 1]) ++parted[static_cast<std::size_t>((std::bit_width(keys_[i] ^ keys_[i - 1]) - 1) / 3)];
+      if (keys_[i] != keys_[i - 1])
+        ++parted[static_cast<std::size_t>((std::bit_width(keys_[i] ^ keys_[i - 1]) - 1) / 3)];
     for (std::size_t level = bits; level-- > 0;) parted[level] += parted[level + 1];
     parallel_for(levels_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t level = begin; level < end; ++level)
@@ -229,10 +231,9 @@ class Grid {
       if (!meets) continue;
       const std::uint64_t key = z_order(child);
       const auto past = [&](std::uint64_t limit) {
-        return static_cast<std::uint32_t>(
-            std::partition_point(keys_.begin() + begin, keys_.begin() + range.end,
-                                 [&](std::uint64_t k) { return k >> shift < limit; }) -
-            keys_.begin());
+        return static_cast<std::uint32_t>(std::partition_point(keys_.begin() + begin, keys_.begin() + range.end,
+                                                               [&](std::uint64_t k) { return k >> shift < limit; }) -
+                                          keys_.begin());
       };
       begin = past(key);
       const std::uint32_t end = past(key + 1);
@@ -243,12 +244,12 @@ class Grid {
 
   std::span<const Vector> input_;
   FloatMap map_;
-  Bounds bounds_;                      // of all points
-  Vector origin_ = Vector::Zero();     // corner of the first cell
+  Bounds bounds_;                   // of all points
+  Vector origin_ = Vector::Zero();  // corner of the first cell
   double cells_per_length_ = 0;
-  std::vector<std::uint64_t> keys_;    // sorted
-  std::vector<std::uint32_t> index_;   // beside keys_: position of the point in the input
-  FloatPoints sorted_;                 // beside keys_
+  std::vector<std::uint64_t> keys_;   // sorted
+  std::vector<std::uint32_t> index_;  // beside keys_: position of the point in the input
+  FloatPoints sorted_;                // beside keys_
   std::array<Level, bits + 1> levels_;
 };
 

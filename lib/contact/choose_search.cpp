@@ -30,8 +30,8 @@ SearchKind choose_search(std::span<const Vector> points, std::span<const Bounds>
   // What a grid or tree costs to build, a sweep saves where there is little to sweep over.
   constexpr std::size_t few = 3000;
   if (points.size() <= few) return SearchKind::sorted_sweep;
-  // The grid has 2²¹ cells along the longest extent with its room (bucket_grid.cpp). Boxes as small as a cell or so would
-  // share it with all that is near them.
+  // The grid has 2²¹ cells along the longest extent with its room (bucket_grid.cpp). Boxes as small as a cell or so
+  // would share it with all that is near them.
   constexpr double cells = 1 << 21, room = 5, cells_per_box = 4;
   const SearchSample sample(points, boxes);
   const double extent = std::max({sample.extent(0), sample.extent(1), sample.extent(2)});
@@ -40,10 +40,14 @@ SearchKind choose_search(std::span<const Vector> points, std::span<const Bounds>
 
 std::unique_ptr<CandidateSearch> make_search(SearchKind kind) {
   switch (kind) {
-    case SearchKind::sorted_sweep: return make_sorted_sweep();
-    case SearchKind::box_tree: return make_box_tree();
-    case SearchKind::brute_force: return make_brute_force();
-    case SearchKind::bucket_grid: break;
+    case SearchKind::sorted_sweep:
+      return make_sorted_sweep();
+    case SearchKind::box_tree:
+      return make_box_tree();
+    case SearchKind::brute_force:
+      return make_brute_force();
+    case SearchKind::bucket_grid:
+      break;
   }
   return make_bucket_grid();
 }

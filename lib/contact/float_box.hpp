@@ -23,10 +23,10 @@ struct FloatBox {
 /// Boxes are compared eight at a time.
 inline constexpr std::uint32_t float_width = 8;
 
-/// Bit k: the k-th of eight boxes meets `box`. `low`, `high`: the eight lowest and highest coordinates for each axis; of
-/// points they are the same. A NaN meets nothing.
-[[nodiscard]] inline std::uint32_t meeting(const std::array<const float*, 3>& low, const std::array<const float*, 3>& high,
-                                           const FloatBox& box) {
+/// Bit k: the k-th of eight boxes meets `box`. `low`, `high`: the eight lowest and highest coordinates for each axis;
+/// of points they are the same. A NaN meets nothing.
+[[nodiscard]] inline std::uint32_t meeting(const std::array<const float*, 3>& low,
+                                           const std::array<const float*, 3>& high, const FloatBox& box) {
 #ifdef __SSE2__
   const auto four = [&](std::size_t at) {
     __m128 meet = _mm_castsi128_ps(_mm_set1_epi32(-1));
@@ -48,8 +48,9 @@ inline constexpr std::uint32_t float_width = 8;
 #endif
 }
 
-/// A monotone map of coordinates to single precision: less an origin amid the scene, rounded to double, rounded to float.
-/// Points inside a box and boxes that meet stay so after it; what meets only there is told apart in double precision.
+/// A monotone map of coordinates to single precision: less an origin amid the scene, rounded to double, rounded to
+/// float. Points inside a box and boxes that meet stay so after it; what meets only there is told apart in double
+/// precision.
 class FloatMap {
  public:
   /// The origin is the middle of a sample of both lists.

@@ -44,8 +44,8 @@ using CandidateSink = std::function<void(std::uint32_t segment, std::span<const 
 
 /// Finds, for every segment box, all points inside it (closed box, no rounding inward). Boxes come already grown by the
 /// contact distance and rounded outward; an empty box gets nothing, nor does one with numbers that are none (NaN), and
-/// such points are in no box; infinite ones are where they say. More candidates than the true ones are allowed, a missing
-/// one is a bug. At most 2³² - 1 points and boxes.
+/// such points are in no box; infinite ones are where they say. More candidates than the true ones are allowed, a
+/// missing one is a bug. At most 2³² - 1 points and boxes.
 class CandidateSearch {
  public:
   virtual ~CandidateSearch() = default;

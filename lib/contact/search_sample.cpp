@@ -31,7 +31,8 @@ SearchSample::SearchSample(std::span<const Vector> points, std::span<const Bound
   if (lengths.empty() || coordinates[0].empty()) return;
   for (std::size_t k = 0; k < 3; ++k) {
     auto& list = coordinates[k];
-    slabs_[k] = static_cast<double>(inside[k]) / (static_cast<double>(lengths.size()) * static_cast<double>(list.size()));
+    slabs_[k] =
+        static_cast<double>(inside[k]) / (static_cast<double>(lengths.size()) * static_cast<double>(list.size()));
     const auto at = [&](std::size_t position) {
       const auto place = list.begin() + static_cast<std::ptrdiff_t>(position);
       std::nth_element(list.begin(), place, list.end());

@@ -1,5 +1,5 @@
-// Points are sorted along one axis; a box finds its interval there by bisection and looks through it. The axis is the one
-// along which the boxes' intervals hold the fewest points, on a sample.
+// Points are sorted along one axis; a box finds its interval there by bisection and looks through it. The axis is the
+// one along which the boxes' intervals hold the fewest points, on a sample.
 //
 // Coordinates are compared in single precision after a monotone map, so no pair is lost; what passes is decided by the
 // boxes themselves.
@@ -51,8 +51,8 @@ class Sweep {
     const auto along = sorted_.along(axis_);
     const auto first = std::lower_bound(along.begin(), along.end(), mapped.low[axis]);
     const auto last = std::upper_bound(first, along.end(), mapped.high[axis]);
-    sorted_.inside(static_cast<std::size_t>(first - along.begin()), static_cast<std::size_t>(last - along.begin()), mapped,
-                   [&](std::size_t i) {
+    sorted_.inside(static_cast<std::size_t>(first - along.begin()), static_cast<std::size_t>(last - along.begin()),
+                   mapped, [&](std::size_t i) {
                      if (box.contains(input_[order_[i]])) inside.push_back(order_[i]);
                    });
   }

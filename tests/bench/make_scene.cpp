@@ -33,8 +33,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "cannot write %s\n", argv[3]);
     return 2;
   }
-  std::printf("%llu shells, %llu nodes, from %llu to %llu penetrations\n", static_cast<unsigned long long>(facts.shells),
-              static_cast<unsigned long long>(facts.nodes), static_cast<unsigned long long>(facts.fewest_penetrations),
+  std::printf("%llu shells, %llu nodes, from %llu to %llu penetrations\n",
+              static_cast<unsigned long long>(facts.shells), static_cast<unsigned long long>(facts.nodes),
+              static_cast<unsigned long long>(facts.fewest_penetrations),
               static_cast<unsigned long long>(facts.most_penetrations));
   return 0;
 }

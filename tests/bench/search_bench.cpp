@@ -86,7 +86,8 @@ Found run(const contact::CandidateSearch& search, const std::vector<Input>& inpu
     search.run(input.points, input.boxes, [&](std::uint32_t box, std::span<const std::uint32_t> inside) {
       Found& mine = found.local();
       mine.pairs += inside.size();
-      for (const std::uint32_t point : inside) mine.sum += (std::uint64_t{box} << 32 | point) * 0x9E3779B97F4A7C15ULL >> 7;
+      for (const std::uint32_t point : inside)
+        mine.sum += (std::uint64_t{box} << 32 | point) * 0x9E3779B97F4A7C15ULL >> 7;
     });
   Found all;
   for (const Found& mine : found) all.pairs += mine.pairs, all.sum += mine.sum;
@@ -178,7 +179,8 @@ int main(int argc, char** argv) {
     good = good && kind;
     if (kind) kinds.push_back(*kind);
   }
-  const long shells = good ? std::atol(argv[1]) : 0, rounds = good ? std::atol(argv[2]) : 0, jobs = good ? std::atol(argv[3]) : 0;
+  const long shells = good ? std::atol(argv[1]) : 0, rounds = good ? std::atol(argv[2]) : 0,
+             jobs = good ? std::atol(argv[3]) : 0;
   if (!good || shells < 1000 || rounds < 1 || jobs < 1) {
     fmt::print(stderr, "usage: gapcheck_search_bench SHELLS ROUNDS JOBS [KIND...]   (SHELLS from 1000)\n");
     return 2;
@@ -186,7 +188,8 @@ int main(int argc, char** argv) {
   if (kinds.empty()) kinds.assign(all_scenes.begin(), all_scenes.end());
   const gapcheck::JobLimit limit(static_cast<std::size_t>(jobs));
   for (const SceneKind kind : kinds)
-    if (!measure(kind, static_cast<std::uint64_t>(shells), static_cast<std::size_t>(rounds), static_cast<std::size_t>(jobs)))
+    if (!measure(kind, static_cast<std::uint64_t>(shells), static_cast<std::size_t>(rounds),
+                 static_cast<std::size_t>(jobs)))
       return 1;
   return 0;
 }

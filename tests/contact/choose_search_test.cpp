@@ -100,8 +100,9 @@ TEST(ChooseSearch, StrangeInputsAreChosenForToo) {
     const std::vector<Bounds> boxes(5000, Bounds{Vector::Constant(strange), Vector::Constant(strange)});
     SearchTally tally;
     std::atomic<std::uint64_t> found{0};
-    make_chosen_search(tally)->run(points, std::span(boxes).first(10),
-                                   [&](std::uint32_t, std::span<const std::uint32_t> inside) { found += inside.size(); });
+    make_chosen_search(tally)->run(
+        points, std::span(boxes).first(10),
+        [&](std::uint32_t, std::span<const std::uint32_t> inside) { found += inside.size(); });
     EXPECT_EQ(found, std::isnan(strange) ? 0U : 50000U);
   }
   SearchTally tally;

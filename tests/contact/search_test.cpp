@@ -49,7 +49,8 @@ TEST(Search, AgreesWithBruteForceOnRandomScenes) {
     std::vector<Bounds> boxes;
     for (int i = 0; i < 200; ++i) {
       const Vector centre = spread * Vector(unit(random), unit(random), unit(random));
-      boxes.push_back(around(i % 2 == 0 ? centre : points[static_cast<std::size_t>(i)], spread * std::pow(10, decade(random) - 2)));
+      boxes.push_back(
+          around(i % 2 == 0 ? centre : points[static_cast<std::size_t>(i)], spread * std::pow(10, decade(random) - 2)));
     }
     expect_same(points, boxes);
   }

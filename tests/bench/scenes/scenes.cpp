@@ -25,11 +25,13 @@ constexpr std::string_view single_surface = R"(*CONTACT_AUTOMATIC_SINGLE_SURFACE
 
 /// Everything before the parts: one material and sections 1, 2, … of the thicknesses given.
 std::string head(std::initializer_list<double> thicknesses) {
-  std::string text = "*KEYWORD\n*CONTROL_TERMINATION\n     0.001\n*MAT_ELASTIC\n"
-                     "         1  7.85E-09  210000.0       0.3\n";
+  std::string text =
+      "*KEYWORD\n*CONTROL_TERMINATION\n     0.001\n*MAT_ELASTIC\n"
+      "         1  7.85E-09  210000.0       0.3\n";
   int section = 0;
   for (const double t : thicknesses)
-    text += fmt::format("*SECTION_SHELL\n{:10}         2       1.0         2\n{:10}{:10}{:10}{:10}\n", ++section, t, t, t, t);
+    text += fmt::format("*SECTION_SHELL\n{:10}         2       1.0         2\n{:10}{:10}{:10}{:10}\n", ++section, t, t,
+                        t, t);
   return text;
 }
 
@@ -41,8 +43,8 @@ SceneFacts facts(const DeckWriter& deck, std::uint64_t fewest, std::uint64_t mos
 
 std::uint64_t square(int n) { return static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n); }
 
-/// Two plates of n × n elements of that size, 0.7 thicknesses apart; shifted by 0.3 and 0.4 of an element, so that n² nodes
-/// of either lie over the other.
+/// Two plates of n × n elements of that size, 0.7 thicknesses apart; shifted by 0.3 and 0.4 of an element, so that n²
+/// nodes of either lie over the other.
 void stack_plates(DeckWriter& deck, int n, double size, double thickness) {
   const int lower = deck.part(1), upper = deck.part(1);
   deck.sheet(lower, n, n, [&](int i, int j) { return Vector(size * i, size * j, 0); });
@@ -129,7 +131,8 @@ SceneFacts write_cluster(std::uint64_t shells, const DeckSink& sink) {
   stack_plates(deck, n, size, thickness);
   const int part = deck.part(1);
   for (std::uint64_t k = 0; static_cast<std::uint64_t>(deck.shells()) < shells; ++k) {
-    const Vector corner = (0.01 + 0.98 * Vector(random_share(3 * k), random_share(3 * k + 1), random_share(3 * k + 2)).array()) * wide;
+    const Vector corner =
+        (0.01 + 0.98 * Vector(random_share(3 * k), random_share(3 * k + 1), random_share(3 * k + 2)).array()) * wide;
     deck.sheet(part, 1, 1, [&](int i, int j) { return Vector(corner + single * Vector(i, j, 0)); });
   }
   deck.text("*END\n");
@@ -164,12 +167,18 @@ std::string plates_deck(int n, bool stray) {
 
 SceneFacts write_scene(SceneKind kind, std::uint64_t shells, const DeckSink& sink) {
   switch (kind) {
-    case SceneKind::plates: return write_plates(root(static_cast<double>(shells) / 2), false, sink);
-    case SceneKind::airbag: return write_airbag(shells, sink);
-    case SceneKind::vehicle: return write_vehicle(shells, sink);
-    case SceneKind::tubes: return write_tubes(shells, sink);
-    case SceneKind::huge_facet: return write_huge_facet(shells, sink);
-    case SceneKind::cluster: return write_cluster(shells, sink);
+    case SceneKind::plates:
+      return write_plates(root(static_cast<double>(shells) / 2), false, sink);
+    case SceneKind::airbag:
+      return write_airbag(shells, sink);
+    case SceneKind::vehicle:
+      return write_vehicle(shells, sink);
+    case SceneKind::tubes:
+      return write_tubes(shells, sink);
+    case SceneKind::huge_facet:
+      return write_huge_facet(shells, sink);
+    case SceneKind::cluster:
+      return write_cluster(shells, sink);
   }
   return {};
 }

@@ -20,15 +20,19 @@ struct Size {
   double element;
   double share;  ///< of panels with elements up to this size
 };
-constexpr std::array sizes{Size{1, 0.015}, Size{2, 0.045}, Size{4, 0.14}, Size{5, 0.33},
+constexpr std::array sizes{Size{1, 0.015}, Size{2, 0.045}, Size{4, 0.14},  Size{5, 0.33},
                            Size{10, 0.72}, Size{20, 0.9},  Size{50, 0.97}, Size{100, 1}};
 
 /// A square panel about the origin of its frame.
 struct Panel {
   double element;
   int count;  ///< shells along an edge
-  [[nodiscard]] std::uint64_t shells() const { return static_cast<std::uint64_t>(count) * static_cast<std::uint64_t>(count); }
-  [[nodiscard]] std::uint64_t nodes() const { return static_cast<std::uint64_t>(count + 1) * static_cast<std::uint64_t>(count + 1); }
+  [[nodiscard]] std::uint64_t shells() const {
+    return static_cast<std::uint64_t>(count) * static_cast<std::uint64_t>(count);
+  }
+  [[nodiscard]] std::uint64_t nodes() const {
+    return static_cast<std::uint64_t>(count + 1) * static_cast<std::uint64_t>(count + 1);
+  }
   /// Contact thickness in a single-surface contact.
   [[nodiscard]] double limited() const { return std::min(thickness, edge_share * element); }
 };
@@ -85,8 +89,10 @@ constexpr std::string_view head = R"(*KEYWORD
 )";
 
 std::string pair_contact(int id, int lower, int upper) {
-  return fmt::format("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n{:10}pair\n{:10}{:10}         3         3\n"
-                     "       0.0\n       1.0       1.0\n", id, upper, lower);
+  return fmt::format(
+      "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n{:10}pair\n{:10}{:10}         3         3\n"
+      "       0.0\n       1.0       1.0\n",
+      id, upper, lower);
 }
 
 }  // namespace
