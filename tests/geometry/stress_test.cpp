@@ -123,17 +123,20 @@ class Block {
     if (i % 8 == 0) check_guises(pair, b[1], answers[1].closer);
   }
 
-  /// What a batch of any width proves must be so.
+  /// What a batch of any width proves must be so; half and twice the bounds too, where there is something to prove.
   void check_batch(const Pair& pair, const Bounds& b, const Answers& answers) {
+    const std::array<double, 5> bounds{0.5 * b[0], b[0], b[1], b[2], 2 * b[2]};
     PairBatch batch(pair.facet.triangle);
-    for (const double bound : b) batch.add(seen_from(pair.facet, pair.query), bound);
+    for (const double bound : bounds) batch.add(seen_from(pair.facet, pair.query), bound);
     for (const BatchWidth width : widths_) {
       batch.decide(width);
-      for (std::size_t k = 0; k < b.size(); ++k) {
+      for (std::size_t k = 0; k < bounds.size(); ++k) {
         const Verdict verdict = batch.verdict(k);
         if (verdict == Verdict::open) continue;
         ++tally_.by_batches;
-        if ((verdict == Verdict::closer) != answers[k].closer) tally_.fault("batch", pair, b[k]);
+        // At half the bound it may be apart, at twice the bound nearer, whatever the bound itself gives.
+        const bool closer = verdict == Verdict::closer, expected = answers[std::clamp<std::size_t>(k, 1, 3) - 1].closer;
+        if (closer != expected && !(k == 0 && !closer) && !(k == 4 && closer)) tally_.fault("batch", pair, bounds[k]);
       }
     }
   }
