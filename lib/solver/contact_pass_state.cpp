@@ -82,7 +82,9 @@ void ContactPass::carry_over(InterfacePass& before, const State& state, ContactS
     tracked.penetration = was.penetration;
     tracked.link = was.link;
     tracked.link.segment = segment->second;
-    tracked.link.on_face = false;
+    // Following goes on where s and t mean the same.
+    tracked.link.on_face =
+        was.link.on_face && scene_.segments.nodes[segment->second] == old->scene_.segments.nodes[was.link.segment];
   }
 }
 
