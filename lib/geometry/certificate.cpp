@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/nearest_slack.hpp"
+
 namespace gapcheck::geometry {
 namespace {
 
@@ -67,7 +69,7 @@ bool is_nearest(const Corners& e, const Patch& patch, double s, double t) {
   const double square = w.squaredNorm(), slack = 64 * roundoff * size * std::sqrt(square);
   if (std::all_of(e.begin(), e.end(), [&](const Vector& corner) { return w.dot(corner) >= square - slack; }))
     return true;
-  return largest_drop(patch, s, t, w, size) <= 1e-13 * square + 1e-26 * size * size;
+  return largest_drop(patch, s, t, w, size) <= nearest_share_of_distance * square + nearest_share_of_size * size * size;
 }
 
 }  // namespace gapcheck::geometry

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/nearest_slack.hpp"
 #include "geometry/patch.hpp"
 #include "geometry/view.hpp"
 
@@ -114,7 +115,7 @@ GAPCHECK_INLINE void judge(FollowedPairs& f, std::size_t count) {
     f.hull[i] = slack * slack * square - before * before;
     const Drop drop = largest_drop_inside(f, i, rs, rt, w, size);
     f.convexity[i] = drop.below;
-    f.level[i] = (1e-13 * square + 1e-26 * size * size) * drop.below - drop.above;
+    f.level[i] = (nearest_share_of_distance * square + nearest_share_of_size * size * size) * drop.below - drop.above;
   }
   for (std::size_t i = 0; i < count; ++i) {
     const bool inside = std::abs(f.s[i]) < border && std::abs(f.t[i]) < border;

@@ -1,5 +1,6 @@
 #pragma once
 #include "geometry/lanes.hpp"
+#include "geometry/nearest_slack.hpp"
 #include "geometry/pair_arrays.hpp"
 
 /// The arithmetic of pair_batch.hpp for one width. Every lane does the same whatever its neighbours hold. The constants
@@ -169,7 +170,8 @@ inline void decide_quads(PairArrays& p, std::size_t first) {
     const Drop<V> fall = largest_drop(g, on, at, squares);
     const Mask<V> bounded = scale.usable & (fall.least > 0.0);
     apart = apart | (bounded & (on.ww > scale.limit) & ((on.ww - scale.limit - scale.error) * fall.least >= fall.drop));
-    nearest = nearest | (bounded & (fall.drop <= fall.least * (1e-13 * on.ww + 1e-26 * squares)));
+    const V slack = nearest_share_of_distance * on.ww + nearest_share_of_size * squares;
+    nearest = nearest | (bounded & (fall.drop <= fall.least * slack));
   }
   store<V>(p.s + first, at.s);
   store<V>(p.t + first, at.t);
