@@ -1,0 +1,35 @@
+// Puts the page together.
+
+function showHead(data) {
+  const {errors, warnings, notes} = data.totals;
+  const name = data.input.split("/").pop() || "gapcheck";
+  document.title = `${name}: ${counted(errors + warnings + notes, "finding")}`;
+  byId("title").textContent = data.input;
+  const verdict = byId("verdict");
+  verdict.dataset.severity = errors ? "error" : warnings ? "warning" : notes ? "note" : "clean";
+  verdict.textContent = errors + warnings + notes === 0 ?
+      "Nothing found" :
+      [counted(errors, "error"), counted(warnings, "warning"), counted(notes, "note")].join(", ");
+  const kinds =
+      Object.entries(data.model).filter(([, count]) => count > 0).map(([
+                                                                        kind, count
+                                                                      ]) => `${count.toLocaleString("en")} ${kind}`);
+  byId("model").textContent =
+      [kinds.join(", "), data.solver, data.termination, data["run title"]].filter(Boolean).join(" · ");
+  byId("made").textContent =
+      `gapcheck ${data.version}. Lengths in the deck's unit. This page loads nothing from anywhere.`;
+}
+
+const data = readData();
+showHead(data);
+const titles = new Map(data.picture.parts.map((part) => [part.id, part.title]));
+const view = makeView(data, (finding) => table.select(finding));
+const table = makeFindings(data, (finding) => view.select(finding));
+const filters = makeFilters(data, (passed) => {
+  table.show(passed);
+  view.show(passed);
+});
+showContacts(data, filters.chooseContact);
+showHistogram(data, filters.chooseDepths);
+showMatrix(data, titles, filters.choosePair);
+filters.apply();
