@@ -117,13 +117,14 @@ class Browser:
             self.take(message)
 
     def open(self, path, seconds=120):
-        """Loads a file; returns the seconds until the page was loaded and its first picture drawn."""
+        """Loads a page of gapcheck; returns the seconds until its first picture is drawn, or it has said that it has none."""
         start = time.monotonic()
         self.events.clear()
         self.call("Page.navigate", url="file://" + os.path.abspath(path))
         while "load" not in self.events:
             self.take(self.message(seconds))
-        self.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(1))))")
+        self.value("new Promise(done => { const look = () => { const canvas = document.getElementById('canvas');"
+                   "canvas === null || canvas.dataset.camera ? done() : requestAnimationFrame(look); }; look(); })")
         return time.monotonic() - start
 
     def value(self, expression):

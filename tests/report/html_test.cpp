@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -181,17 +182,17 @@ TEST(Html, HistogramsCountEveryRecordThatIsNotInTheEdgeZone) {
   HtmlOptions with = options();
   with.findings = 10;
   const nlohmann::json histogram = data_of(report, {}, with)["histogram"];
-  const auto sum = [](const nlohmann::json& list) { return std::accumulate(list.begin(), list.end(), 0); };
+  const auto sum = [](const std::vector<int>& counts) { return std::accumulate(counts.begin(), counts.end(), 0); };
   const auto counted = std::count_if(report.penetrations.begin(), report.penetrations.end(), [](const Penetration& p) {
     return p.kind != PenetrationKind::edge_zone && p.depth > 0;
   });
-  EXPECT_EQ(sum(histogram["depths"]), counted);
-  EXPECT_EQ(sum(histogram["ratios"]), counted);
+  EXPECT_EQ(sum(histogram["depths"].get<std::vector<int>>()), counted);
+  EXPECT_EQ(sum(histogram["ratios"].get<std::vector<int>>()), counted);
   double deepest = 0;
   for (const Penetration& p : report.penetrations)
     if (p.kind != PenetrationKind::edge_zone) deepest = std::max(deepest, p.depth);
   EXPECT_EQ(histogram["deepest"], deepest);
-  EXPECT_GT(histogram["depths"].back(), 0);
+  EXPECT_GT(histogram["depths"].back().get<int>(), 0);
 }
 
 TEST(Html, HostileNumbersAreNoTrouble) {

@@ -33,6 +33,11 @@ function placeOf(file, line) {
   return file === "" ? "" : line > 0 ? `${file}:${line}` : file;
 }
 
+/** The end of a long text, which says more of a path than its beginning. */
+function tail(text, length) {
+  return text.length > length ? `…${text.slice(1 - length)}` : text;
+}
+
 /** Four significant digits, as tables show lengths. */
 function short(number) {
   return number === null ? "" : String(Number(number.toPrecision(4)));

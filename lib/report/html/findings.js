@@ -35,7 +35,8 @@ function findingColumns(data) {
     {
       head: "place",
       width: 0,
-      text: (i) => placeOf(textOf(data, "file", i).split("/").pop(), f.line[i]),
+      text: (i) => tail(placeOf(textOf(data, "file", i), f.line[i]), 20),
+      hint: (i) => placeOf(textOf(data, "file", i), f.line[i]),
       key: (i) => `${textOf(data, "file", i)} ${String(f.line[i]).padStart(10, "0")}`
     },
   ];
@@ -96,7 +97,8 @@ function makeFindings(data, selected) {
     });
     columns.forEach((column, c) => {
       const text = column.text(i);
-      const cell = element("td", {role: "gridcell", class: column.kind || "", title: text}, text);
+      const title = column.hint ? column.hint(i) : text;
+      const cell = element("td", {role: "gridcell", class: column.kind || "", title}, text);
       if (c === 0) cell.classList.add(text === "note" ? "severity-note" : text);
       row.append(cell);
     });
@@ -150,11 +152,8 @@ function makeFindings(data, selected) {
       passed = list;
       const total = data.findings.id.length;
       const rest = data.found - data.shown;
-      byId("count").textContent = `${list.length.toLocaleString("en")} of ${counted(total, "finding")}` +
-          (rest > 0 ? `; ${
-                          rest.toLocaleString(
-                              "en")} more are not in this page: all are in the output of --format csv or json` :
-                      "");
+      const more = rest > 0 ? `; ${rest.toLocaleString("en")} more are in the output of --format csv` : "";
+      byId("count").textContent = `${list.length.toLocaleString("en")} of ${counted(total, "finding")}${more}`;
       arrange();
     },
     select,

@@ -10,10 +10,8 @@ function showHead(data) {
   verdict.textContent = errors + warnings + notes === 0 ?
       "Nothing found" :
       [counted(errors, "error"), counted(warnings, "warning"), counted(notes, "note")].join(", ");
-  const kinds =
-      Object.entries(data.model).filter(([, count]) => count > 0).map(([
-                                                                        kind, count
-                                                                      ]) => `${count.toLocaleString("en")} ${kind}`);
+  const present = Object.entries(data.model).filter((entry) => entry[1] > 0);
+  const kinds = present.map(([kind, count]) => counted(count, kind.slice(0, -1)));
   byId("model").textContent =
       [kinds.join(", "), data.solver, data.termination, data["run title"]].filter(Boolean).join(" · ");
   byId("made").textContent =
@@ -23,13 +21,24 @@ function showHead(data) {
 const data = readData();
 showHead(data);
 const titles = new Map(data.picture.parts.map((part) => [part.id, part.title]));
-const view = makeView(data, (finding) => table.select(finding));
-const table = makeFindings(data, (finding) => view.select(finding));
+let view = null, shown = [], chosen = -1;
+const table = makeFindings(data, (finding) => {
+  chosen = finding;
+  if (view) view.select(finding);
+});
 const filters = makeFilters(data, (passed) => {
+  shown = passed;
   table.show(passed);
-  view.show(passed);
+  if (view) view.show(passed);
 });
 showContacts(data, filters.chooseContact);
 showHistogram(data, filters.chooseDepths);
 showMatrix(data, titles, filters.choosePair);
 filters.apply();
+
+// The tables can be read before the picture is there.
+requestAnimationFrame(() => setTimeout(() => {
+  view = makeView(data, (finding) => table.select(finding));
+  view.show(shown);
+  if (chosen >= 0) view.select(chosen);
+}));

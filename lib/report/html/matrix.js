@@ -23,6 +23,7 @@ function showMatrix(data, titles, choose) {
     const cell = cells.get(`${part} ${other}`) || {nodes: 0, depth: 0};
     cells.set(`${part} ${other}`, {nodes: cell.nodes + nodes, depth: Math.max(cell.depth, depth)});
   }
+  for (const list of [rows, columns]) list.sort((a, b) => Number(a) - Number(b));
   const deepest = Math.max(...pairs.map((pair) => pair[3]));
   const named = (id) => (id === 0 ? "?" : String(id));
   const full = (id) => (titles.get(id) ? `part ${id}: ${titles.get(id)}` : `part ${named(id)}`);

@@ -39,6 +39,8 @@ function makeView(data, pressed) {
   if (!context)
     return withoutPicture("This browser has no WebGL, so there is no picture. The tables work all the same.");
   const renderer = new THREE.WebGLRenderer({canvas, context});
+  // Asking whether each shader is well would wait for it.
+  renderer.debug.checkShaderErrors = false;
   const scene = new THREE.Scene();
   const mesh = makeMesh(picture), markers = makeMarkers(data);
   scene.add(mesh.outline, mesh.faces, mesh.lines, ...markers.objects, new THREE.AmbientLight(0xffffff, 0.6));
