@@ -46,12 +46,12 @@ TEST_F(Html, AFileThatCannotBeWrittenIsAnError) {
 }
 
 TEST_F(Html, ADeckInChromium) {
-  gapcheck("audit --html page.html " + deck("two_plates_tilted.k"));
+  ASSERT_EQ(gapcheck("audit --html page.html " + deck("two_plates_tilted.k")).code, 0);
   expect_good("page.html");
 }
 
 TEST_F(Html, ACleanDeckInChromium) {
-  gapcheck("audit --html page.html " + deck("clean.k"));
+  ASSERT_EQ(gapcheck("audit --html page.html " + deck("clean.k")).code, 0);
   expect_good("page.html");
 }
 
@@ -76,7 +76,7 @@ TEST_F(Html, AHostileDeckInChromium) {
   ASSERT_NE(text.find(title), std::string::npos);
   text.replace(text.find(title), title.size(), "</script><script>injected = 1</script><img src=x onerror=injected=1>");
   file("<img src=x onerror='injected=1'>.k", text);
-  gapcheck("audit --html page.html \"./<img src=x onerror='injected=1'>.k\"");
+  ASSERT_EQ(gapcheck("audit --html page.html \"./<img src=x onerror='injected=1'>.k\"").code, 0);
   ASSERT_NE(content(folder_ / "page.html"), "");
   expect_good("page.html");
 }

@@ -45,7 +45,7 @@ function showHistogram(data, choose) {
   const bins = ratios.length - 1;
   const ratioWords = (i) =>
       (i === bins ? "beyond the contact distance" : `${(100 * i) / bins} to ${(100 * (i + 1)) / bins} %`);
-  const byRatio = element("details", {}, element("summary", {}, "In hundredths of the contact distance"));
+  const byRatio = element("details", {}, element("summary", {}, "By share of the distance"));
   const ratioRange = (i) =>
       ({words: ratioWords(i), ratio: true, from: i / bins, to: i === bins ? Infinity : (i + 1) / bins, end: "> 100 %"});
   byRatio.append(barChart(ratios, ratioRange, (range) => choose(range && {...range, ratio: true})));

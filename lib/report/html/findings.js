@@ -35,7 +35,7 @@ function findingColumns(data) {
     {
       head: "place",
       width: 0,
-      text: (i) => tail(placeOf(textOf(data, "file", i), f.line[i]), 20),
+      text: (i) => tail(placeOf(textOf(data, "file", i), f.line[i]), 16),
       hint: (i) => placeOf(textOf(data, "file", i), f.line[i]),
       key: (i) => `${textOf(data, "file", i)} ${String(f.line[i]).padStart(10, "0")}`
     },
@@ -168,8 +168,9 @@ function showDetail(data, i) {
   };
   add("rule", `${textOf(data, "id", i)} ${textOf(data, "rule", i)}`);
   add("place", placeOf(textOf(data, "file", i), f.line[i]));
-  add("depth, contact distance",
-      f.penetration[i] === null ? "" : [f.penetration[i], f.contact_distance[i]].filter((x) => x !== null).join(", "));
+  const lengths = [f.penetration[i], f.contact_distance[i]].filter((value) => value !== null);
+  const digits = (value) => Number(value.toPrecision(9));
+  if (f.penetration[i] !== null) add("depth, contact distance", lengths.map(digits).join(", "));
   add("segment", f.segment[i].join(" "));
   add("outcome", textOf(data, "outcome", i));
   if (f.count[i] > 1) add("stands for", counted(f.count[i], "thing"));
