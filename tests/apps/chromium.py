@@ -123,8 +123,9 @@ class Browser:
         self.call("Page.navigate", url="file://" + os.path.abspath(path))
         while "load" not in self.events:
             self.take(self.message(seconds))
+        # A page whose scripts fail never draws: after a minute its errors say more than waiting would.
         self.value("new Promise(done => { const look = () => { const canvas = document.getElementById('canvas');"
-                   "canvas === null || canvas.dataset.camera ? done() : requestAnimationFrame(look); }; look(); })")
+                   "canvas === null || canvas.dataset.camera || performance.now() > 6e4 ? done() : requestAnimationFrame(look); }; look(); })")
         return time.monotonic() - start
 
     def value(self, expression):

@@ -35,7 +35,7 @@ function findingColumns(data) {
     {
       head: "place",
       width: 0,
-      text: (i) => tail(placeOf(textOf(data, "file", i), f.line[i]), 16),
+      text: (i) => tail(placeOf(textOf(data, "file", i), f.line[i]), 14),
       hint: (i) => placeOf(textOf(data, "file", i), f.line[i]),
       key: (i) => `${textOf(data, "file", i)} ${String(f.line[i]).padStart(10, "0")}`
     },
