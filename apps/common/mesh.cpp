@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "keyword/deck.hpp"
-#include "model/model.hpp"
 #include "results/d3plot.hpp"
 
 namespace gapcheck::app {
@@ -24,10 +23,11 @@ void add_elements(const model::Model& model, const model::Elements<N>& elements,
 
 }  // namespace
 
-Result<results::MeshSource> read_deck_mesh(const std::string& path, Diagnostics& diagnostics) {
+Result<results::MeshSource> read_deck_mesh(const std::string& path, Diagnostics& diagnostics,
+                                           std::optional<model::Model>* kept) {
   const auto deck = keyword::read_deck(path, {}, diagnostics);
   if (!deck) return deck.error();
-  const auto read = model::read_model(deck.value(), diagnostics);
+  auto read = model::read_model(deck.value(), diagnostics);
   if (!read) return read.error();
   const model::Model& model = read.value();
   results::MeshSource mesh;
@@ -40,12 +40,13 @@ Result<results::MeshSource> read_deck_mesh(const std::string& path, Diagnostics&
   add_elements(model, model.mesh.discrete, mesh);
   add_elements(model, model.mesh.masses, mesh);
   add_elements(model, model.mesh.particles, mesh);
+  if (kept != nullptr) *kept = std::move(read).value();
   return mesh;
 }
 
 Result<results::MeshSource> find_mesh(const std::string& deck, const std::string& d3plot, const std::string& beside,
-                                      Diagnostics& diagnostics) {
-  if (!deck.empty()) return read_deck_mesh(deck, diagnostics);
+                                      Diagnostics& diagnostics, std::optional<model::Model>* model) {
+  if (!deck.empty()) return read_deck_mesh(deck, diagnostics, model);
   const auto guess = std::filesystem::path(beside).replace_filename("d3plot");
   std::error_code ignored;
   if (d3plot.empty() && !std::filesystem::is_regular_file(guess, ignored)) return results::MeshSource{};

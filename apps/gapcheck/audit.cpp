@@ -103,9 +103,10 @@ int audit_deck(const Arguments& arguments) {
     print(result.error());
     return failed;
   }
-  bool written = write(result.value(), arguments.output);
   // Every record of a deck knows where its node is.
-  written = write(result.value(), arguments.exports, [](std::int64_t) { return std::nullopt; }) && written;
+  const auto position = [](std::int64_t) { return std::nullopt; };
+  bool written = write(result.value(), arguments.output, position);
+  written = write(result.value(), arguments.exports, position) && written;
   const bool complete = contacts_exist(result.value(), arguments.audit.contacts) && !diagnostics.has_errors();
   if (!written || !complete) return failed;
   return exit_code(result.value(), arguments.output.fail_on);
@@ -125,6 +126,7 @@ void add_audit(CLI::App& app, Action& action) {
   command->callback([&action, arguments] {
     action = [arguments] {
       if (!arguments->units.empty()) arguments->audit.millimetre = 1 / unit_systems.at(arguments->units);
+      arguments->audit.scene = !arguments->output.html.empty();
       arguments->audit.read.skip_missing_includes = arguments->missing_includes == "skip";
       return audit_deck(*arguments);
     };

@@ -4,12 +4,14 @@
 #include <CLI/Validators.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "audit/judge.hpp"
+#include "audit/scene_mesh.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
 #include "common/input_kind.hpp"
@@ -116,7 +118,9 @@ int show_logs(const Arguments& arguments) {
     if (report) judge(arguments, first_file, report.value(), diagnostics);
     return report;
   }();
-  auto mesh = find_mesh(arguments.deck, arguments.d3plot, first_file, diagnostics);
+  std::optional<model::Model> model;
+  const bool picture = !arguments.output.html.empty();
+  auto mesh = find_mesh(arguments.deck, arguments.d3plot, first_file, diagnostics, picture ? &model : nullptr);
   print(diagnostics, !talk);
   if (!read || !mesh) {
     print(!read ? read.error() : mesh.error());
@@ -127,7 +131,8 @@ int show_logs(const Arguments& arguments) {
   results::MeshSource known;
   if (mesh) known = std::move(mesh).value();
   add_parts(report, known);
-  complete = write(report, arguments.output) && complete;
+  if (model) report.scene = audit::scene_mesh(*model, report);
+  complete = write(report, arguments.output, positions(known)) && complete;
   complete = write(report, arguments.exports, positions(known)) && complete;
   return complete ? exit_code(report, arguments.output.fail_on) : failed;
 }

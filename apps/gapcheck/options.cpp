@@ -17,6 +17,7 @@
 #include "output.hpp"
 #include "report/describe.hpp"
 #include "report/formats.hpp"
+#include "report/html.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -48,6 +49,8 @@ void add_output(CLI::App& command, OutputOptions& options) {
           ->check(CLI::IsMember({"text", "json", "sarif", "junit", "github", "gitlab", "csv"}))
           ->capture_default_str(),
       command.add_option("--output", options.output, "Write the results there instead of to standard output")
+          ->type_name("FILE"),
+      command.add_option("--html", options.html, "Write a page for a browser too: tables and a picture")
           ->type_name("FILE"),
       command.add_option("--top", options.text.top, "Deepest nodes to show per contact")
           ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
@@ -99,7 +102,16 @@ void write_format(const Report& report, const OutputOptions& options, const repo
 
 }  // namespace
 
-bool write(const Report& report, const OutputOptions& options) {
+bool write(const Report& report, const OutputOptions& options, const report::NodePosition& position) {
+  bool page_written = true;
+  if (!options.html.empty()) {
+    report::HtmlOptions page;
+    page.version = GAPCHECK_VERSION;
+    if (const auto error = write_file(options.html, report::html(report, position, page))) {
+      print(*error);
+      page_written = false;
+    }
+  }
   Output output(options.output);
   if (options.format == "text") {
     write_text(report, options, output);
@@ -107,7 +119,7 @@ bool write(const Report& report, const OutputOptions& options) {
     write_format(report, options, [&output](std::string_view piece) { return output.write(piece); });
     if (options.text.stats) std::fputs(report::statistics(report).c_str(), stderr);
   }
-  return output.close();
+  return output.close() && page_written;
 }
 
 int exit_code(const Report& report, const std::string& fail_on) {

@@ -34,12 +34,14 @@ CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Va
 /// How results are written.
 struct OutputOptions {
   std::string format = "text", output, fail_on = "error";
+  std::string html;  ///< path of the page; empty: not asked for
   report::TextOptions text;
 };
 void add_output(CLI::App& command, OutputOptions& options);
 
-/// Writes the report; false after a failure, which has been said.
-bool write(const Report& report, const OutputOptions& options);
+/// Writes the report, and the page if it is asked for; false after a failure, which has been said. `position` is for the
+/// page and may be empty.
+bool write(const Report& report, const OutputOptions& options, const report::NodePosition& position);
 
 /// Clean or findings, as --fail-on has it.
 [[nodiscard]] int exit_code(const Report& report, const std::string& fail_on);

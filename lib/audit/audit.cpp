@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "audit/run_rules.hpp"
+#include "audit/scene_mesh.hpp"
 #include "contact/record_tie.hpp"
 
 namespace gapcheck::audit {
@@ -165,6 +166,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   report.timing.surface_s = context.counters().surface_s + context.surface_store().seconds();
   report.timing.search_s = context.counters().search_s;
   add_statistics(report, deck, model, context);
+  if (options.scene) report.scene = scene_mesh(model, report);
   return report;
 }
 

@@ -20,6 +20,7 @@ struct AuditOptions {
   double millimetre = 0;     ///< --units: what a millimetre is in the deck's unit of length; 0 = not given
   bool exact = false;        ///< --exact: no floating-point filter
   bool brute_force = false;  ///< the slow search, for tests
+  bool scene = false;        ///< fill Report::scene
 };
 
 /// Reads a deck and reports everything that the selected rules find. Errors: the deck cannot be read at all; other

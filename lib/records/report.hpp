@@ -7,6 +7,7 @@
 
 #include "base/diagnostic.hpp"
 #include "records/penetration.hpp"
+#include "records/scene_mesh.hpp"
 #include "records/solver_run.hpp"
 #include "records/tie_failure.hpp"
 
@@ -78,6 +79,7 @@ struct Report {
   std::optional<Timesteps> predicted;      ///< time steps computed from a deck, where a rule asked for them
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
   Timing timing;
+  std::optional<SceneMesh> scene;  ///< only where it was asked for
 };
 
 }  // namespace gapcheck

@@ -30,6 +30,8 @@ void set_place(const Report& report, std::uint32_t file, std::uint32_t line, Ite
   item.line = line;
 }
 
+}  // namespace
+
 Item item_of(const Report& report, const Penetration& record) {
   Item item;
   set_rule(rule_of(record.kind), item);
@@ -84,8 +86,6 @@ Item item_of(const Finding& finding) {
   item.fingerprint = fingerprint(finding);
   return item;
 }
-
-}  // namespace
 
 void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit) {
   for (const Penetration& record : report.penetrations)

@@ -30,6 +30,11 @@ struct Item {
   [[nodiscard]] bool of_contact() const { return contact_position != no_contact; }
 };
 
+[[nodiscard]] Item item_of(const Report& report, const Penetration& record);
+[[nodiscard]] Item item_of(const Report& report, const TieFailure& failure);
+/// Does not look its contact's position up.
+[[nodiscard]] Item item_of(const Finding& finding);
+
 /// Hands over every finding: penetrations, ties, then the others, each in the report's order. Ends when `visit` gives
 /// false.
 void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit);

@@ -8,22 +8,11 @@
 #include <cstring>
 #include <limits>
 
+#include "report/base64.hpp"
 #include "report/xml_text.hpp"
 
 namespace gapcheck::report {
 namespace {
-
-constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-void add_base64(std::string_view bytes, std::string& out) {
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t triple = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      triple = triple << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) out += k <= count ? alphabet[triple >> (18 - 6 * k) & 63u] : '=';
-  }
-}
 
 /// Length in bytes and the bytes behind it, encoded as one.
 template <class Value>
@@ -33,7 +22,7 @@ std::string encoded(const std::vector<Value>& values) {
   std::memcpy(bytes.data(), &length, sizeof length);
   if (!values.empty()) std::memcpy(bytes.data() + sizeof length, values.data(), length);
   std::string text;
-  add_base64(bytes, text);
+  append_base64(bytes, text);
   return text;
 }
 

@@ -75,7 +75,7 @@ TEST_F(CommandLine, BadArgumentsGiveTwoAndNothingOnStandardOutput) {
                                 "audit",
                                 "frobnicate",
                                 "audit data/clean.k --no-such-option",
-                                "audit data/clean.k --html x.html",
+                                "audit data/clean.k --html",
                                 "audit data/clean.k --format xml",
                                 "audit data/clean.k --top -1",
                                 "audit data/clean.k --jobs -1",

@@ -1,0 +1,44 @@
+// Puts the page together.
+
+function showHead(data) {
+  const {errors, warnings, notes} = data.totals;
+  const name = data.input.split("/").pop() || "gapcheck";
+  document.title = `${name}: ${counted(errors + warnings + notes, "finding")}`;
+  byId("title").textContent = data.input;
+  const verdict = byId("verdict");
+  verdict.dataset.severity = errors ? "error" : warnings ? "warning" : notes ? "note" : "clean";
+  verdict.textContent = errors + warnings + notes === 0 ?
+      "Nothing found" :
+      [counted(errors, "error"), counted(warnings, "warning"), counted(notes, "note")].join(", ");
+  const present = Object.entries(data.model).filter((entry) => entry[1] > 0);
+  const kinds = present.map(([kind, count]) => counted(count, kind.slice(0, -1)));
+  byId("model").textContent =
+      [kinds.join(", "), data.solver, data.termination, data["run title"]].filter(Boolean).join(" · ");
+  byId("made").textContent =
+      `gapcheck ${data.version}. Lengths in the deck's unit. This page loads nothing from anywhere.`;
+}
+
+const data = readData();
+showHead(data);
+const titles = new Map(data.picture.parts.map((part) => [part.id, part.title]));
+let view = null, shown = [], chosen = -1;
+const table = makeFindings(data, (finding) => {
+  chosen = finding;
+  if (view) view.select(finding);
+});
+const filters = makeFilters(data, (passed) => {
+  shown = passed;
+  table.show(passed);
+  if (view) view.show(passed);
+});
+showContacts(data, filters.chooseContact);
+showHistogram(data, filters.chooseDepths);
+showMatrix(data, titles, filters.choosePair);
+filters.apply();
+
+// The tables can be read before the picture is there.
+requestAnimationFrame(() => setTimeout(() => {
+  view = makeView(data, (finding) => table.select(finding));
+  view.show(shown);
+  if (chosen >= 0) view.select(chosen);
+}));

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "report/describe.hpp"
+#include "report/describe_tie.hpp"
+#include "report/exports_groups.hpp"
+#include "report/html_data.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+/// One finding by its place: penetrations, then ties, then the others.
+struct Candidate {
+  bool among_first = false;  ///< of its rule and contact
+  Severity severity = Severity::note;
+  double depth = 0;
+  std::size_t place = 0;
+  [[nodiscard]] auto key() const { return std::tuple(!among_first, -static_cast<int>(severity), -depth, place); }
+};
+
+std::vector<Candidate> candidates(const Report& report, std::size_t group) {
+  std::vector<Candidate> list;
+  list.reserve(report.penetrations.size() + report.tie_failures.size() + report.findings.size());
+  std::map<std::pair<std::int64_t, std::string_view>, std::size_t> found;
+  const auto add = [&](std::int64_t contact, const RecordRule& rule, double depth) {
+    const bool first = found[{contact, rule.id}]++ < group;
+    list.push_back({first, rule.severity, std::isfinite(depth) ? depth : 0, list.size()});
+  };
+  for (const Penetration& record : report.penetrations) add(record.contact, rule_of(record.kind), record.depth);
+  for (const TieFailure& failure : report.tie_failures) add(failure.contact, rule_of(failure), 0);
+  for (const Finding& finding : report.findings)
+    add(finding.contact, {finding.id, finding.rule, finding.severity}, finding.penetration);
+  return list;
+}
+
+HtmlFinding make(const Report& report, const Penetration& record, const NodePosition& position) {
+  HtmlFinding finding{item_of(report, record), {}, node_of(report, record, position), std::nullopt};
+  if (std::any_of(record.segment.begin(), record.segment.end(), [](std::int64_t node) { return node != 0; }))
+    finding.segment.assign(record.segment.begin(), record.segment.end());
+  if (const auto line = penetration_line(report, record, position)) finding.vector = line->surface - line->node;
+  return finding;
+}
+
+}  // namespace
+
+std::vector<HtmlFinding> html_findings(const Report& report, const NodePosition& position, const HtmlOptions& options) {
+  std::vector<Candidate> chosen = candidates(report, options.group);
+  const auto by_key = [](const Candidate& a, const Candidate& b) { return a.key() < b.key(); };
+  if (chosen.size() > options.findings) {
+    const auto end = chosen.begin() + static_cast<std::ptrdiff_t>(options.findings);
+    std::nth_element(chosen.begin(), end, chosen.end(), by_key);
+    chosen.erase(end, chosen.end());
+  }
+  std::sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) { return a.place < b.place; });
+  const auto node_position = [&](std::int64_t node) { return position && node != 0 ? position(node) : std::nullopt; };
+  const std::size_t ties = report.penetrations.size(), others = ties + report.tie_failures.size();
+  std::vector<HtmlFinding> list;
+  list.reserve(chosen.size());
+  for (const Candidate& candidate : chosen) {
+    if (candidate.place < ties) {
+      list.push_back(make(report, report.penetrations[candidate.place], position));
+    } else if (candidate.place < others) {
+      const TieFailure& failure = report.tie_failures[candidate.place - ties];
+      list.push_back({item_of(report, failure), {}, node_position(failure.node), std::nullopt});
+    } else {
+      const Finding& finding = report.findings[candidate.place - others];
+      list.push_back({item_of(finding), {}, finding.point ? finding.point : node_position(finding.node), std::nullopt});
+    }
+  }
+  return list;
+}
+
+}  // namespace gapcheck::report

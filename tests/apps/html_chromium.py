@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""Opens a page of gapcheck --html in Chromium and holds it against what it promises.
+
+usage: html_chromium.py PAGE    exit code 0: good, 1: not, 77: Chromium is not installed
+"""
+
+import json
+import sys
+
+from chromium import Browser, colors, program
+
+SELECTED = "[...document.querySelectorAll('#findings tr[aria-selected=true]')].map(r => Number(r.dataset.finding))"
+SHOWN = "[...document.querySelectorAll('#findings tr.choice')].map(r => Number(r.dataset.finding))"
+failures = []
+
+
+def check(good, what):
+    if not good:
+        failures.append(what)
+        print("failed:", what)
+
+
+def row(browser, number):
+    return f"#findings tr.choice[aria-rowindex='{number + 2}']"
+
+
+def check_tables(browser):
+    data = json.loads(browser.value("document.getElementById('data').textContent"))
+    verdict = browser.value("document.getElementById('verdict').textContent").replace(",", "")
+    counts = list(data["totals"].values())
+    check(all(str(count) in verdict for count in counts) or sum(counts) == 0, "the verdict counts")
+    rows = browser.value("document.querySelectorAll('#contacts tbody tr').length")
+    check(rows == min(1000, len(data["contacts"])), "contacts are listed")
+    if data["shown"] == 0:
+        return False
+    check(len(browser.value(SHOWN)) > 0, "findings are listed")
+    return True
+
+
+def check_sorting_and_filters(browser):
+    count = "Number(document.getElementById('count').textContent.split(' ')[0].replaceAll(',', ''))"
+    depths = "[...document.querySelectorAll('#findings tr.choice')].map(r => Number(r.children[7].textContent))"
+    before = browser.value(count)
+    browser.click("#findings th:nth-child(8) button")
+    first = browser.value(depths)
+    check(first == sorted(first, reverse=True), "a press on the heading sorts by depth, deepest first")
+    browser.click("#findings th:nth-child(8) button")
+    second = browser.value(depths)
+    check(second == sorted(second), "a second press turns the order round")
+    browser.click("#findings th:nth-child(8) button")
+    browser.value("(() => { const f = document.querySelector('#filters input'); f.value = 'no such text'; "
+                  "f.dispatchEvent(new Event('input', {bubbles: true})); })()")
+    check(browser.value(count) == 0 and browser.value(SHOWN) == [], "a text that is nowhere leaves nothing")
+    browser.click("#filters button")
+    check(browser.value(count) == before, "the button shows everything again")
+    if browser.value("document.querySelectorAll('#histogram svg rect[role]').length") > 0:
+        browser.click("#histogram svg rect[role]")
+        check(0 < browser.value(count) <= before, "a bar of the histogram filters")
+        browser.click("#filters button")
+    if browser.value("document.querySelectorAll('#matrix button').length") > 0:
+        browser.click("#matrix button")
+        check(0 < browser.value(count) <= before, "a cell of the matrix filters")
+        browser.click("#filters button")
+
+
+def check_keyboard(browser):
+    browser.click(row(browser, 0))
+    first = browser.value(SELECTED)
+    check(len(first) == 1, "a press on a row selects it")
+    check(browser.value("document.getElementById('detail').textContent.length") > 10, "its details are shown")
+    browser.value("document.getElementById('findings').focus()")
+    browser.press("ArrowDown")
+    second = browser.value(SELECTED)
+    check(len(second) == 1 and (second != first or len(browser.value(SHOWN)) == 1), "the arrow keys move the selection")
+
+
+def placed_rows(browser):
+    """Numbers of the rows whose findings have a place in the picture, of the first ones."""
+    return browser.value(
+        "(() => { const p = JSON.parse(document.getElementById('data').textContent).picture.positions;"
+        "const b = Uint8Array.from(atob(p), c => c.charCodeAt(0)); const x = new Float32Array(b.buffer);"
+        "return [...document.querySelectorAll('#findings tr.choice')].map((r, n) => [n, Number(r.dataset.finding)])"
+        ".filter(([n, i]) => !Number.isNaN(x[3 * i])).map(([n]) => n); })()")
+
+
+def check_picture(browser):
+    def full(what):
+        counts = colors(browser.picture("#canvas"))
+        most = max(counts.values()) / sum(counts.values())
+        check(len(counts) > 20 and most < 0.995, f"{what}: {len(counts)} colours, {most:.1%} of one")
+
+    rows = placed_rows(browser)
+    start = browser.settle()
+    full("the first picture is not empty")
+    if not rows:
+        return
+    browser.click(row(browser, rows[0]))
+    there = browser.settle()
+    check(there != start and there != "", "a press on a row moves the camera")
+    check(not browser.value("document.getElementById('label').hidden"), "the node has its label")
+    full("the picture of a finding is not empty")
+    # Presses on the picture, from its middle outward, until one meets another node.
+    first = browser.value(SELECTED)
+    width, height = browser.value("[canvas.clientWidth, canvas.clientHeight]")
+    if len(rows) > 1:
+        browser.click("#tools button:nth-of-type(2)")
+        browser.settle()
+        met = False
+        for ring in range(0, 40):
+            for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)):
+                browser.click("#canvas", width / 2 + 7 * ring * x, min(height - 3, max(3, height / 2 + 7 * ring * y)))
+                now = browser.value(SELECTED)
+                met = len(now) == 1 and now != first
+                if met:
+                    break
+            if met:
+                break
+        check(met, "a press on a node selects its row")
+        browser.settle()
+    camera = browser.settle()
+    browser.value("document.querySelector('#canvas').focus()")
+    browser.press("ArrowLeft")
+    check(browser.settle() != camera, "the arrow keys turn the picture")
+    browser.value("(() => { const s = document.querySelector('#tools select'); s.value = '100'; "
+                  "s.dispatchEvent(new Event('change')); })()")
+    full("magnified vectors")
+
+
+def check_page(path):
+    with Browser() as browser:
+        seconds = browser.open(path)
+        print(f"{path}: opened in {seconds:.2f} s")
+        if check_tables(browser):
+            check_keyboard(browser)
+            check_sorting_and_filters(browser)
+            if browser.value("document.getElementById('canvas') !== null"):
+                check_picture(browser)
+            else:
+                why = browser.value("document.getElementById('view').textContent")
+                check("known" in why, f"it says why there is no picture: {why}")
+        foreign = browser.value("document.querySelectorAll('img, iframe, a').length")
+        check(foreign == 0, "nothing but the page's own elements")
+        check(browser.value("window.injected === undefined"), "no script of the deck has run")
+        check(browser.value("document.documentElement.scrollWidth <= innerWidth"), "1280 pixels are wide enough")
+        loaded = [url for url in browser.events if not url.startswith(("file://", "data:")) and url != "load"]
+        check(loaded == [], f"nothing is loaded: {loaded}")
+        check(browser.errors == [], f"the console is free of errors: {browser.errors}")
+
+
+def check_dark_without_webgl(path):
+    with Browser(dark=True, webgl=False) as browser:
+        browser.open(path)
+        back = browser.value("getComputedStyle(document.body).backgroundColor")
+        check(back == "rgb(20, 23, 27)", f"dark where the reader wants it: {back}")
+        check(browser.value("document.getElementById('canvas') === null"), "no picture without WebGL")
+        why = browser.value("document.getElementById('view').textContent")
+        check("WebGL" in why or "known" in why, f"the page says why: {why}")
+        if browser.value("JSON.parse(document.getElementById('data').textContent).shown") > 0:
+            check_keyboard(browser)
+            check_sorting_and_filters(browser)
+        check(browser.errors == [], f"the console is free of errors without WebGL: {browser.errors}")
+
+
+def main():
+    if program() is None:
+        print("Chromium is not installed")
+        return 77
+    check_page(sys.argv[1])
+    check_dark_without_webgl(sys.argv[1])
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
