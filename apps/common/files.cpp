@@ -1,10 +1,13 @@
 #include "common/files.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include "report/describe.hpp"
 
@@ -18,6 +21,24 @@ std::optional<Diagnostic> write_file(const std::string& path, std::string_view t
   if (written) return std::nullopt;
   return Diagnostic{Severity::error, path, 0,
                     fmt::format("cannot be written: {}", std::strerror(errno != 0 ? errno : EIO))};
+}
+
+std::optional<Diagnostic> replace_file(const std::string& path, std::string_view text) {
+  std::error_code failed;
+  // What is no file of its own, as /dev/stdout, is written and not replaced.
+  const auto status = std::filesystem::symlink_status(path, failed);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return write_file(path, text);
+  const std::string beside = fmt::format("{}.{}.part", path, ::getpid());
+  if (auto error = write_file(beside, text)) {
+    error->file = path;
+    std::filesystem::remove(beside, failed);
+    return error;
+  }
+  std::filesystem::rename(beside, path, failed);
+  if (!failed) return std::nullopt;
+  const std::string why = failed.message();
+  std::filesystem::remove(beside, failed);
+  return Diagnostic{Severity::error, path, 0, "cannot be written: " + why};
 }
 
 std::string line_of(std::string_view program, const Diagnostic& diagnostic) {

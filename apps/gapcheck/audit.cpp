@@ -13,6 +13,7 @@
 
 #include "audit/registry.hpp"
 #include "base/parallel.hpp"
+#include "baseline_options.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
 #include "options.hpp"
@@ -30,6 +31,7 @@ struct Arguments {
   audit::AuditOptions audit;
   OutputOptions output;
   ExportOptions exports;
+  BaselineOptions baseline;
   std::size_t jobs = 0;
 };
 
@@ -91,10 +93,26 @@ bool contacts_exist(const Report& report, const std::vector<std::int64_t>& wante
   return all;
 }
 
+/// What the baseline has and the audit was not asked for is not gone. Limits by depth or part leave out more than can be
+/// told from a baseline.
+bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
+  if (!options.parts.empty() || options.ptol >= 0 || options.rtol >= 0 || options.ratio >= 0) return false;
+  const auto& ids = options.contacts;
+  if (!ids.empty() && std::find(ids.begin(), ids.end(), known.contact) == ids.end()) return false;
+  const audit::RuleInfo* rule = audit::find_rule(known.id);
+  return rule == nullptr || audit::selected(*rule, options.select, options.ignore);
+}
+
 int audit_deck(const Arguments& arguments) {
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
-  const auto result = [&] {
+  // Before the work: a baseline that cannot be read makes it worthless.
+  const auto baseline = read(arguments.baseline);
+  if (!baseline) {
+    print(baseline.error());
+    return failed;
+  }
+  auto result = [&] {
     const Progress progress("auditing " + report::printable(arguments.deck), !arguments.output.text.quiet);
     return audit::audit_deck(arguments.deck, arguments.audit, diagnostics);
   }();
@@ -103,11 +121,13 @@ int audit_deck(const Arguments& arguments) {
     print(result.error());
     return failed;
   }
+  const bool complete = contacts_exist(result.value(), arguments.audit.contacts) && !diagnostics.has_errors();
+  compare(baseline.value(), [&](const KnownFinding& known) { return looked_for(known, arguments.audit); }, result.value());
   // Every record of a deck knows where its node is.
   const auto position = [](std::int64_t) { return std::nullopt; };
   bool written = write(result.value(), arguments.output, position);
+  written = write(result.value(), arguments.baseline, complete) && written;
   written = write(result.value(), arguments.exports, position) && written;
-  const bool complete = contacts_exist(result.value(), arguments.audit.contacts) && !diagnostics.has_errors();
   if (!written || !complete) return failed;
   return exit_code(result.value(), arguments.output.fail_on);
 }
@@ -121,6 +141,7 @@ void add_audit(CLI::App& app, Action& action) {
   command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
   add_selection(*command, *arguments);
   add_output(*command, arguments->output);
+  add_baseline(*command, arguments->baseline);
   add_exports(*command, arguments->exports);
   add_work(*command, *arguments);
   command->callback([&action, arguments] {

@@ -123,7 +123,7 @@ bool write(const Report& report, const OutputOptions& options, const report::Nod
 }
 
 int exit_code(const Report& report, const std::string& fail_on) {
-  const report::Totals totals = report::totals(report);
+  const report::Totals totals = report::counting_totals(report);
   const std::optional<Severity> limit = limit_of(fail_on);
   std::size_t counted = 0;
   if (limit) counted += totals.errors;

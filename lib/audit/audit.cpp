@@ -76,6 +76,15 @@ std::vector<TieFailure> tie_failures(const contact::InitialState& initial, const
   return list;
 }
 
+/// Findings that name a node are where it is: that is how they are known again after renumbering.
+void place_at_nodes(std::vector<Finding>& findings, const model::Nodes& nodes) {
+  for (Finding& f : findings) {
+    if (f.point || f.node == 0) continue;
+    const auto node = nodes.lookup.find(f.node);
+    if (node && nodes.x[*node].allFinite()) f.point = nodes.x[*node];
+  }
+}
+
 /// Numbers of a contact's block after the filters, so that totals and list agree.
 void recount(Report& report) {
   for (ContactSummary& contact : report.contacts) {
@@ -162,6 +171,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
     report.contacts = contacts_alone(model);
   }
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
+  place_at_nodes(report.findings, model.mesh.nodes);
   for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);
   report.timing.surface_s = context.counters().surface_s + context.surface_store().seconds();
   report.timing.search_s = context.counters().search_s;

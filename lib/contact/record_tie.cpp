@@ -15,6 +15,7 @@ TieFailure record_tie(const JudgedNode& judged, const model::Model& model) {
   }
   failure.reason = *judged.reason;
   failure.by_node_set = judged.by_node_set;
+  if (nodes.x[judged.node.value].allFinite()) failure.position = nodes.x[judged.node.value];
   failure.file = nodes.origins.file(judged.node.value).value;
   failure.line = nodes.line[judged.node.value];
   return failure;

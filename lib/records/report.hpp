@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
+#include "records/baseline.hpp"
+#include "records/ignored.hpp"
 #include "records/penetration.hpp"
 #include "records/scene_mesh.hpp"
 #include "records/solver_run.hpp"
@@ -75,6 +77,8 @@ struct Report {
   std::vector<Penetration> penetrations;   ///< by contact, deepest first, then node id
   std::vector<TieFailure> tie_failures;    ///< by contact, reason, node id
   std::vector<Finding> findings;           ///< by id; of one rule as it found them
+  Ignored ignored;                         ///< what was found and left out on purpose
+  std::optional<BaselineComparison> baseline;  ///< only where the findings were held against one
   std::optional<SolverRun> run;            ///< only where solver files were read
   std::optional<Timesteps> predicted;      ///< time steps computed from a deck, where a rule asked for them
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing

@@ -52,7 +52,8 @@ class Line {
 void csv(const Report& report, const Sink& sink) {
   Stream stream(sink);
   stream.text("id,rule,severity,contact,node,part,element,element_part,penetration,remaining,contact_distance,"
-              "x,y,z,outcome,count,file,line,fingerprint,message\r\n");
+              "x,y,z,outcome,count,file,line,fingerprint,message");
+  stream.text(report.baseline ? ",baseline\r\n" : "\r\n");
   for_each_item(report, [&](const Item& item) {
     Line line(stream.buffer);
     line.text(item.id);
@@ -71,6 +72,7 @@ void csv(const Report& report, const Sink& sink) {
     line.id(item.line);
     line.text(fmt::format(FMT_COMPILE("{:016x}"), item.fingerprint));
     line.text(item.message);
+    if (item.state) line.text(name(*item.state));
     line.end();
     stream.pause();
     return stream.open();

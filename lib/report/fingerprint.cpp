@@ -68,6 +68,13 @@ std::uint64_t fingerprint(const Finding& finding) {
 }
 
 std::uint64_t fingerprint(const TieFailure& failure, std::int64_t contact_id) {
+  if (failure.position) {
+    Hash hash;
+    hash.integer(contact_id);
+    hash.text(rule_of(failure).id);
+    add_position(*failure.position, hash);
+    return hash.value();
+  }
   Finding finding;
   finding.id = rule_of(failure).id;
   finding.message = message(failure);

@@ -15,7 +15,7 @@ namespace gapcheck::report {
 /// The same for findings without a position: the message takes its place, numbers after "line " left out.
 [[nodiscard]] std::uint64_t fingerprint(const Finding& finding);
 
-/// The same for a node of a tied contact: nothing says where it is, so its number stands in the message.
+/// The same for a node of a tied contact; where nothing says where it is, its number enters with the message.
 [[nodiscard]] std::uint64_t fingerprint(const TieFailure& failure, std::int64_t contact_id);
 
 }  // namespace gapcheck::report

@@ -51,7 +51,14 @@ void github(const Report& report, std::size_t top, const Sink& sink) {
   std::stable_sort(groups.begin(), groups.end(),
                    [](const ItemGroup& a, const ItemGroup& b) { return a.severity > b.severity; });
   Stream stream(sink);
-  for (const ItemGroup& group : groups) append(report, group, stream);
+  std::size_t known = 0;
+  for (const ItemGroup& group : groups) {
+    append(report, group, stream);
+    known += group.known;
+  }
+  if (known > 0)
+    append(Severity::note, report.input, 0, "baseline",
+           fmt::format("{} findings that the baseline knows are left out", known), stream);
   stream.flush();
 }
 

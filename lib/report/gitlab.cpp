@@ -29,6 +29,7 @@ void gitlab(const Report& report, const Sink& sink) {
   std::unordered_map<std::uint64_t, std::size_t> seen;
   bool first = true;
   for_each_item(report, [&](const Item& item) {
+    if (!item.counts()) return true;
     stream.separator(std::exchange(first, false));
     const std::size_t before = seen[item.fingerprint]++;
     Members object(stream.buffer);

@@ -63,6 +63,7 @@ Item item_of(const Report& report, const TieFailure& failure) {
   item.message = message(failure);
   item.node = failure.node;
   item.part = failure.part;
+  item.position = failure.position;
   item.outcome = name(failure.reason);
   item.fingerprint = fingerprint(failure, item.contact);
   return item;
@@ -87,18 +88,28 @@ Item item_of(const Finding& finding) {
   return item;
 }
 
+std::optional<BaselineState> state_of(const Report& report, std::size_t number) {
+  if (!report.baseline || number >= report.baseline->states.size()) return std::nullopt;
+  return report.baseline->states[number];
+}
+
 void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit) {
+  std::size_t number = 0;
+  const auto hand_over = [&](Item item) {
+    item.state = state_of(report, number++);
+    return visit(item);
+  };
   for (const Penetration& record : report.penetrations)
-    if (!visit(item_of(report, record))) return;
+    if (!hand_over(item_of(report, record))) return;
   for (const TieFailure& failure : report.tie_failures)
-    if (!visit(item_of(report, failure))) return;
+    if (!hand_over(item_of(report, failure))) return;
   std::unordered_map<std::int64_t, std::uint32_t> position;  // of a contact's id; the first of equal ones
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) position.emplace(report.contacts[i].id, i);
   for (const Finding& finding : report.findings) {
     Item item = item_of(finding);
     if (const auto found = position.find(finding.contact); finding.contact != 0 && found != position.end())
       item.contact_position = found->second;
-    if (!visit(item)) return;
+    if (!hand_over(std::move(item))) return;
   }
 }
 
@@ -109,6 +120,10 @@ std::vector<ItemGroup> item_groups(const Report& report, std::size_t top) {
     group.contact_position = item.contact_position;
     group.id = item.id;
     group.rule = item.rule;
+    if (!item.counts()) {
+      ++group.known;
+      return true;
+    }
     group.severity = std::max(group.severity, item.severity);
     if (group.items++ < top) group.shown.push_back(item);
     return true;

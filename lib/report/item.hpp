@@ -25,8 +25,11 @@ struct Item {
   std::uint32_t line = 0;
   std::uint64_t count = 1;         ///< things that the line stands for
   std::uint64_t fingerprint = 0;
+  std::optional<BaselineState> state;  ///< only where there is a baseline
 
   static constexpr std::uint32_t no_contact = 0xffffffffU;
+  /// Not in the baseline as bad as this: what counts for exit codes and failures.
+  [[nodiscard]] bool counts() const { return state != BaselineState::unchanged; }
   [[nodiscard]] bool of_contact() const { return contact_position != no_contact; }
 };
 
@@ -34,6 +37,9 @@ struct Item {
 [[nodiscard]] Item item_of(const Report& report, const TieFailure& failure);
 /// Does not look its contact's position up.
 [[nodiscard]] Item item_of(const Finding& finding);
+
+/// Of the finding with this number, counted as for_each_item() hands them over; none without a baseline.
+[[nodiscard]] std::optional<BaselineState> state_of(const Report& report, std::size_t number);
 
 /// Hands over every finding: penetrations, ties, then the others, each in the report's order. Ends when `visit` gives
 /// false.
@@ -43,9 +49,10 @@ void for_each_item(const Report& report, const std::function<bool(const Item&)>&
 struct ItemGroup {
   std::uint32_t contact_position = Item::no_contact;
   std::string_view id, rule;
-  Severity severity = Severity::note;  ///< the gravest
-  std::size_t items = 0;
-  std::vector<Item> shown;  ///< the first of them
+  Severity severity = Severity::note;  ///< the gravest of `items`
+  std::size_t items = 0;    ///< those that the baseline does not know as they are
+  std::size_t known = 0;    ///< the others
+  std::vector<Item> shown;  ///< the first of `items`
 };
 
 /// All findings in groups, contacts in deck order and what belongs to none last, rules in the order of their ids; of each

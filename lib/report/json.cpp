@@ -5,9 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "report/baseline.hpp"
 #include "report/check_c_view.hpp"
 #include "report/describe.hpp"
 #include "report/fingerprint.hpp"
+#include "report/item.hpp"
 #include "report/json_members.hpp"
 #include "report/json_run.hpp"
 #include "report/stream.hpp"
@@ -73,7 +75,7 @@ void append_contact(const Report& report, std::uint32_t position, Buffer& out) {
 
 /// `files`: the report's file names, quoted.
 void append_penetration(const Report& report, const Penetration& record, const std::vector<std::string>& files,
-                        Buffer& out) {
+                        std::optional<BaselineState> state, Buffer& out) {
   const RecordRule rule = rule_of(record.kind);
   const bool contact_known = record.contact < report.contacts.size();
   const std::int64_t contact = contact_known ? report.contacts[record.contact].id : 0;
@@ -120,10 +122,11 @@ void append_penetration(const Report& report, const Penetration& record, const s
     object.integer("line", record.line);
   }
   object.fingerprint(fingerprint(record, contact));
+  append_state(state, object);
   object.close();
 }
 
-void append_finding(const Finding& finding, Buffer& out) {
+void append_finding(const Finding& finding, std::optional<BaselineState> state, Buffer& out) {
   Members object(out);
   object.string("rule", finding.rule);
   object.string("id", finding.id);
@@ -144,6 +147,7 @@ void append_finding(const Finding& finding, Buffer& out) {
   if (!finding.file.empty()) object.string("file", finding.file);
   if (finding.line != 0) object.integer("line", finding.line);
   object.fingerprint(fingerprint(finding));
+  append_state(state, object);
   object.close();
 }
 
@@ -181,21 +185,40 @@ void append_findings(const Report& report, Stream& stream) {
   files.reserve(report.files.size());
   for (const std::string& file : report.files) files.push_back(json_string(file));
   bool first = true;
+  std::size_t number = 0;
   for (const Penetration& record : report.penetrations) {
     if (!stream.open()) return;
     stream.separator(std::exchange(first, false));
-    append_penetration(report, record, files, stream.buffer);
+    append_penetration(report, record, files, state_of(report, number++), stream.buffer);
   }
   for (const TieFailure& failure : report.tie_failures) {
     if (!stream.open()) return;
     stream.separator(std::exchange(first, false));
-    append_tie_failure(report, failure, files, stream.buffer);
+    append_tie_failure(report, failure, files, state_of(report, number++), stream.buffer);
   }
   for (const Finding& finding : report.findings) {
     if (!stream.open()) return;
     stream.separator(std::exchange(first, false));
-    append_finding(finding, stream.buffer);
+    append_finding(finding, state_of(report, number++), stream.buffer);
   }
+}
+
+/// Findings of the baseline that are not there any more.
+void append_gone(const BaselineComparison& comparison, Stream& stream) {
+  stream.text("\"gone\":[");
+  bool first = true;
+  for (const KnownFinding& finding : comparison.gone) {
+    if (!stream.open()) return;
+    stream.separator(std::exchange(first, false));
+    append_known(finding, stream.buffer);
+  }
+  stream.text("],\n");
+}
+
+std::string counts_of(const BaselineComparison& comparison) {
+  using enum BaselineState;
+  return fmt::format(",\"baseline\":{{\"new\":{},\"worse\":{},\"unchanged\":{},\"gone\":{}}}", comparison.count(fresh),
+                     comparison.count(worse), comparison.count(unchanged), comparison.gone.size());
 }
 
 }  // namespace
@@ -223,8 +246,10 @@ void json(const Report& report, const Sink& sink, bool statistics) {
   stream.text("],\n\"findings\":[");
   append_findings(report, stream);
   const Totals sum = totals(report);
-  fmt::format_to(fmt::appender(stream.buffer), "],\n\"summary\":{{\"errors\":{},\"warnings\":{},\"notes\":{}}},\n",
-                 sum.errors, sum.warnings, sum.notes);
+  stream.text("],\n");
+  if (report.baseline) append_gone(*report.baseline, stream);
+  fmt::format_to(fmt::appender(stream.buffer), "\"summary\":{{\"errors\":{},\"warnings\":{},\"notes\":{}{}}},\n",
+                 sum.errors, sum.warnings, sum.notes, report.baseline ? counts_of(*report.baseline) : "");
   stream.text("\"timing\":");
   append_timing(report.timing, stream.buffer);
   if (statistics) append_statistics(report, stream.buffer);

@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+
+#include "records/baseline.hpp"
 
 namespace gapcheck::report {
 
@@ -81,5 +84,10 @@ class Members {
   Buffer& out_;
   bool first_ = true;
 };
+
+/// "baseline": "new", where there is one.
+inline void append_state(std::optional<BaselineState> state, Members& object) {
+  if (state) object.plain("baseline", name(*state));
+}
 
 }  // namespace gapcheck::report

@@ -122,7 +122,7 @@ void append_predicted_limits(const Report& report, Buffer& out) {
 }
 
 void append_tie_failure(const Report& report, const TieFailure& failure, const std::vector<std::string>& files,
-                        Buffer& out) {
+                        std::optional<BaselineState> state, Buffer& out) {
   const RecordRule rule = rule_of(failure);
   const bool contact_known = failure.contact < report.contacts.size();
   const std::int64_t contact = contact_known ? report.contacts[failure.contact].id : 0;
@@ -139,11 +139,14 @@ void append_tie_failure(const Report& report, const TieFailure& failure, const s
   if (failure.segment_number != 0) object.integer("segment_number", failure.segment_number);
   if (failure.distance >= 0) object.number("separation", failure.distance);
   if (failure.allowed >= 0) object.number("tie_distance", failure.allowed);
+  if (failure.position)
+    object.array("point", std::array{failure.position->x(), failure.position->y(), failure.position->z()});
   if (failure.line != 0 && failure.file < files.size()) {
     object.raw("file", files[failure.file]);
     object.integer("line", failure.line);
   }
   object.fingerprint(fingerprint(failure, contact));
+  append_state(state, object);
   object.close();
 }
 

@@ -17,6 +17,6 @@ void append_predicted_limits(const Report& report, Buffer& out);
 
 /// One finding of GC201, GC202 or GC204. `files`: the report's file names, quoted.
 void append_tie_failure(const Report& report, const TieFailure& failure, const std::vector<std::string>& files,
-                        Buffer& out);
+                        std::optional<BaselineState> state, Buffer& out);
 
 }  // namespace gapcheck::report

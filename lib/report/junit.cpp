@@ -35,7 +35,7 @@ std::vector<Suite> suites_of(const Report& report, const std::vector<ItemGroup>&
   return suites;
 }
 
-bool fails(const ItemGroup& group, const Severity* limit) { return limit != nullptr && group.severity >= *limit; }
+bool fails(const ItemGroup& group, const Severity* limit) { return limit != nullptr && group.items > 0 && group.severity >= *limit; }
 
 std::size_t failures(const Suite& suite, const Severity* limit) {
   std::size_t count = 0;
@@ -50,6 +50,7 @@ std::string body(const ItemGroup& group) {
     text += xml_text(fmt::format("{}{}\n", place, item.message));
   }
   if (group.items > group.shown.size()) text += fmt::format("and {} more\n", group.items - group.shown.size());
+  if (group.known > 0) text += fmt::format("{} known from the baseline\n", group.known);
   return text;
 }
 

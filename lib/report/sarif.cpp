@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "report/baseline.hpp"
 #include "report/describe.hpp"
 #include "report/formats.hpp"
 #include "report/item.hpp"
@@ -73,6 +74,11 @@ void append_properties(const Item& item, Members& result, Buffer& out) {
   properties.close();
 }
 
+/// In the words of SARIF.
+std::string_view baseline_state(BaselineState state) {
+  return state == BaselineState::worse ? "updated" : name(state);
+}
+
 void append_result(const Item& item, std::size_t rule, std::string_view input, Buffer& out) {
   Members result(out);
   result.string("ruleId", item.id);
@@ -95,7 +101,20 @@ void append_result(const Item& item, std::size_t rule, std::string_view input, B
   out.push_back(']');
   if (item.count > 1) result.integer("occurrenceCount", item.count);
   result.raw("partialFingerprints", fmt::format("{{\"gapcheck/v1\":\"{:016x}\"}}", item.fingerprint));
+  if (item.state) result.plain("baselineState", baseline_state(*item.state));
   append_properties(item, result, out);
+  result.close();
+}
+
+/// A finding of the baseline that is not there any more; nothing says where it was in the files.
+void append_gone(const KnownFinding& finding, std::string_view input, Buffer& out) {
+  Members result(out);
+  result.string("ruleId", finding.id);
+  result.plain("level", name(finding.severity));
+  append_text("message", describe(finding), result);
+  result.raw("locations", fmt::format("[{{\"physicalLocation\":{{\"artifactLocation\":{{\"uri\":{}}}}}}}]",
+                                      json_string(uri(input))));
+  result.plain("baselineState", "absent");
   result.close();
 }
 
@@ -121,6 +140,12 @@ void sarif(const Report& report, std::string_view version, std::span<const RuleT
     append_result(item, rule == index.end() ? std::string_view::npos : rule->second, report.input, stream.buffer);
     return stream.open();
   });
+  if (report.baseline) {
+    for (const KnownFinding& finding : report.baseline->gone) {
+      stream.separator(std::exchange(first, false));
+      append_gone(finding, report.input, stream.buffer);
+    }
+  }
   stream.text("]}]}\n");
   stream.flush();
 }

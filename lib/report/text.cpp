@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 
+#include "report/baseline.hpp"
 #include "report/check_c_tables.hpp"
 #include "report/check_c_view.hpp"
 #include "report/describe.hpp"
 #include "report/describe_tie.hpp"
+#include "report/item.hpp"
 #include "report/sums.hpp"
 #include "report/table.hpp"
+#include "report/text_baseline.hpp"
 #include "report/text_run.hpp"
 #include "report/writers.hpp"
 
@@ -301,6 +305,7 @@ std::string verdict(const Report& report, const Paint& paint) {
       static_cast<std::size_t>(std::count_if(report.contacts.begin(), report.contacts.end(),
                                              [](const auto& contact) { return !contact.not_checked.empty(); }));
   if (open > 0) line += fmt::format(", {} not checked", open);
+  if (report.baseline) line += "; against the baseline: " + summary(*report.baseline);
   return line + '\n';
 }
 
@@ -323,9 +328,13 @@ void append_total(const Report& report, const Sums& total, std::string& out) {
 
 }  // namespace
 
-Totals totals(const Report& report) {
+namespace {
+
+Totals totals(const Report& report, bool with_known) {
   Totals sum;
-  const auto add = [&sum](Severity severity) {
+  std::size_t number = 0;
+  const auto add = [&](Severity severity) {
+    if (state_of(report, number++) == BaselineState::unchanged && !with_known) return;
     switch (severity) {
       case Severity::error:
         ++sum.errors;
@@ -345,6 +354,11 @@ Totals totals(const Report& report) {
   sum.warnings += run_warnings(report);
   return sum;
 }
+
+}  // namespace
+
+Totals totals(const Report& report) { return totals(report, true); }
+Totals counting_totals(const Report& report) { return totals(report, false); }
 
 std::string statistics(const Report& report) {
   std::vector<std::pair<std::string, std::string>> lines = report.statistics;
@@ -384,6 +398,7 @@ std::string text(const Report& report, const TextOptions& options) {
   const Timesteps* steps = timesteps(report);
   if (steps != nullptr && (report.run || steps->contact_timestep > 0)) append_timestep_limits(*steps, out);
   if (report.contacts.size() > 1) append_total(report, total, out);
+  append_baseline(report, options.list ? std::numeric_limits<std::size_t>::max() : options.top, out);
   if (options.stats) out += "\nstatistics\n" + statistics(report);
   out += '\n' + verdict(report, paint);
   return out;

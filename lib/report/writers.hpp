@@ -37,5 +37,7 @@ struct Totals {
   std::size_t errors = 0, warnings = 0, notes = 0;
 };
 [[nodiscard]] Totals totals(const Report& report);
+/// The same without those that a baseline knows as they are.
+[[nodiscard]] Totals counting_totals(const Report& report);
 
 }  // namespace gapcheck::report

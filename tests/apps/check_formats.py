@@ -92,6 +92,33 @@ class Checker:
         return count
 
 
+def check_baseline(checker):
+    """One deck against the baseline of a shallower one, with a finding that is gone: every format agrees."""
+    deck = (checker.root / "data/two_plates.k").read_text()
+    with tempfile.TemporaryDirectory() as folder:
+        path, baseline = pathlib.Path(folder) / "deck.k", pathlib.Path(folder) / "baseline"
+        path.write_text(deck)
+        subprocess.run([checker.gapcheck, "audit", path, "--quiet", "--write-baseline", baseline], check=True,
+                       stdout=subprocess.DEVNULL)
+        with baseline.open("a") as file:
+            file.write('{"id":"GC101","rule":"initial-penetration","severity":"warning","position":[900,0,0]}\n')
+        path.write_text(deck.replace("             0.7\n", "             0.6\n"))
+        arguments = ["audit", str(path), "--baseline", str(baseline)]
+        report = json.loads(checker.write(arguments, "json")[0])
+        checker.schema.validate(report)
+        states = [finding["baseline"] for finding in report["findings"]]
+        counts = report["summary"]["baseline"]
+        assert {state: states.count(state) for state in ("new", "worse", "unchanged")} | {"gone": 1} == counts, counts
+        assert counts["worse"] >= 18 and len(report["gone"]) == 1
+        results = read_sarif(json.loads(checker.write(arguments, "sarif")[0]), sarif_om.SarifLog).runs[0].results
+        words = {"new": "new", "worse": "updated", "unchanged": "unchanged"}
+        assert [result.baseline_state for result in results] == [words[state] for state in states] + ["absent"]
+        rows = list(csv.DictReader(io.StringIO(checker.write(arguments, "csv")[0], newline="")))
+        assert [row["baseline"] for row in rows] == states
+        counting = sum(state != "unchanged" for state in states)
+        assert len(json.loads(checker.write(arguments, "gitlab")[0])) == counting
+
+
 def can_fail(checker):
     """The readers notice what is wrong."""
     report = json.loads(checker.write(["audit", "data/two_plates.k"], "json")[0])
@@ -108,6 +135,7 @@ def can_fail(checker):
 def main():
     checker = Checker(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve())
     can_fail(checker)
+    check_baseline(checker)
     decks = sorted(checker.root.glob("data/*.k"))
     findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)
     assert len(decks) > 30 and findings > 300

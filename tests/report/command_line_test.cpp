@@ -219,6 +219,39 @@ TEST_F(CommandLine, RulesAndTheirPages) {
   EXPECT_EQ(run("explain Released-Node").out, run("explain GC102").out);
 }
 
+TEST_F(CommandLine, OnlyWhatIsNewOrWorseThanTheBaselineCounts) {
+  const std::string deck = file("deck.k", content(fs::path(GAPCHECK_ROOT) / "data/two_plates.k"));
+  const std::string base = (folder_ / "deck.baseline").string();
+  EXPECT_EQ(run("audit '" + deck + "' --fail-on warning --write-baseline '" + base + "'").code, 1);
+  const std::string written = content(base);
+  EXPECT_TRUE(written.starts_with("{\"schema\":\"gapcheck-baseline/1\"}\n"));
+  const Outcome known = run("audit '" + deck + "' --fail-on note --quiet --baseline '" + base + "'");
+  EXPECT_EQ(known.code, 0);
+  EXPECT_NE(known.out.find("; against the baseline: 0 new, 0 worse, "), std::string::npos) << known.out;
+  std::string deeper = content(deck);
+  for (std::size_t at = 0; (at = deeper.find("             0.7\n", at)) != deeper.npos; ++at) deeper[at + 15] = '6';
+  file("deck.k", deeper);
+  const Outcome worse = run("audit '" + deck + "' --fail-on warning --baseline '" + base + "'");
+  EXPECT_EQ(worse.code, 1);
+  EXPECT_NE(worse.out.find("against the baseline: 0 new, 18 worse, "), std::string::npos) << worse.out;
+  EXPECT_EQ(run("audit '" + deck + "' --select GC5 --baseline '" + base + "'").out.find("  gone\n"), std::string::npos);
+  EXPECT_EQ(run("audit data/clean.k --baseline '" + base + "'").code, 0);
+  EXPECT_EQ(content(base), written);
+}
+
+TEST_F(CommandLine, ABaselineThatCannotBeReadOrWrittenGivesTwo) {
+  const Outcome missing = run("audit data/clean.k --baseline no-such-file");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_EQ(missing.out, "");
+  const std::string bad = file("bad.baseline", "{\"schema\":\"gapcheck-baseline/1\"}\n{\"id\":3}\n");
+  EXPECT_TRUE(run("audit data/clean.k --baseline '" + bad + "'").err.starts_with("gapcheck: error: " + bad + ":2: "));
+  EXPECT_EQ(run("audit data/clean.k --write-baseline no-such-folder/b").code, 2);
+  const std::string deck = file("broken.k", "*KEYWORD\n*INCLUDE\nno-such-include.k\n*END\n");
+  const std::string never = (folder_ / "never").string();
+  EXPECT_EQ(run("audit '" + deck + "' --write-baseline '" + never + "'").code, 2);
+  EXPECT_FALSE(fs::exists(never));
+}
+
 TEST_F(CommandLine, TheReadmeShowsWhatTheToolPrints) {
   const std::string readme = content(fs::path(GAPCHECK_ROOT) / "README.md");
   EXPECT_NE(readme.find("```\n$ ./run audit data/two_plates.k\n" + run("audit data/two_plates.k").out + "```\n"),

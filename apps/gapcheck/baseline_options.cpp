@@ -1,0 +1,45 @@
+#include "baseline_options.hpp"
+
+#include <CLI/Option.hpp>
+
+#include "base/mapped_file.hpp"
+#include "common/files.hpp"
+#include "output.hpp"
+
+namespace gapcheck::app {
+
+void add_baseline(CLI::App& command, BaselineOptions& options) {
+  const std::vector<CLI::Option*> added{
+      command
+          .add_option("--baseline", options.compare, "Only what is new or worse than in this file counts for the exit code")
+          ->type_name("FILE"),
+      command.add_option("--write-baseline", options.write, "Write the findings there, to compare with later")
+          ->type_name("FILE")};
+  for (CLI::Option* option : added) option->group("Baseline");
+}
+
+Result<Baseline> read(const BaselineOptions& options) {
+  if (options.compare.empty()) return Baseline();
+  const auto file = MappedFile::open(options.compare);
+  if (!file) return file.error();
+  auto findings = report::read_baseline(file.value().bytes(), options.compare);
+  if (!findings) return findings.error();
+  return Baseline(std::move(findings).value());
+}
+
+void compare(const Baseline& baseline, const report::LookedFor& looked_for, Report& report) {
+  if (baseline) report.baseline = report::compare_with_baseline(report, *baseline, looked_for);
+}
+
+bool write(const Report& report, const BaselineOptions& options, bool complete) {
+  if (options.write.empty()) return true;
+  if (!complete) {
+    print(Diagnostic{Severity::error, options.write, 0, "not written: the deck was not read without errors"});
+    return false;
+  }
+  const auto error = replace_file(options.write, report::baseline_text(report::known_findings(report)));
+  if (error) print(*error);
+  return !error;
+}
+
+}  // namespace gapcheck::app

@@ -1,0 +1,30 @@
+#pragma once
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "report/baseline.hpp"
+
+namespace gapcheck::app {
+
+/// Files with known findings; empty names: not asked for. Both may be the same.
+struct BaselineOptions {
+  std::string compare, write;
+};
+void add_baseline(CLI::App& command, BaselineOptions& options);
+
+using Baseline = std::optional<std::vector<KnownFinding>>;
+
+/// Reads the baseline to compare with, if there is one.
+[[nodiscard]] Result<Baseline> read(const BaselineOptions& options);
+
+/// Holds the report against it, if there is one.
+void compare(const Baseline& baseline, const report::LookedFor& looked_for, Report& report);
+
+/// Writes the report's findings as a baseline if it was asked for; false after a failure, which has been said. That of
+/// an incomplete audit is not written: all that is missing in it would be new the next time.
+bool write(const Report& report, const BaselineOptions& options, bool complete);
+
+}  // namespace gapcheck::app

@@ -1,0 +1,39 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/vector.hpp"
+
+namespace gapcheck {
+
+/// What has become of a finding since the baseline was written.
+enum class BaselineState : std::uint8_t { fresh, worse, unchanged };
+
+/// "new", "worse", "unchanged".
+[[nodiscard]] std::string_view name(BaselineState state);
+
+/// One finding as a baseline keeps it: nothing that renumbering changes, unless there is nothing else to know it by.
+struct KnownFinding {
+  std::string id, rule;  ///< "GC101", "initial-penetration"
+  Severity severity = Severity::warning;
+  std::int64_t contact = 0;        ///< id; 0: none
+  std::optional<Vector> position;  ///< finite, rounded to six digits of the largest coordinate
+  double penetration = -1, contact_distance = -1;  ///< six digits; negative: unknown
+  std::uint64_t count = 1;         ///< things that the finding stands for
+  std::string message;             ///< only where a position does not tell what is meant
+};
+
+/// A report against a baseline.
+struct BaselineComparison {
+  std::vector<BaselineState> states;  ///< of the penetrations, ties and other findings of the report, in that order
+  std::vector<KnownFinding> gone;     ///< in the baseline's order
+  [[nodiscard]] std::size_t count(BaselineState state) const;
+};
+
+}  // namespace gapcheck

@@ -1,0 +1,33 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "records/penetration.hpp"
+#include "records/tie_failure.hpp"
+
+namespace gapcheck {
+
+struct Finding;
+
+/// What a comment of the deck or a settings file leaves out of the report, and why.
+struct IgnoreSource {
+  std::string file;
+  std::uint32_t line = 0;
+  std::string reason;         ///< what stands behind "because"; empty: nothing
+  std::uint64_t matched = 0;  ///< findings that it leaves out
+};
+
+/// Findings that were left out on purpose. They count nowhere, but are not forgotten.
+struct Ignored {
+  std::vector<Penetration> penetrations;
+  std::vector<TieFailure> tie_failures;
+  std::vector<Finding> findings;
+  /// For the penetrations, ties and other findings, in that order: the position in `sources` of what left it out.
+  std::vector<std::uint32_t> source;
+  std::vector<IgnoreSource> sources;
+  [[nodiscard]] std::size_t size() const { return source.size(); }
+};
+
+}  // namespace gapcheck

@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "records/baseline.hpp"
+
+namespace gapcheck::report {
+
+/// Rules that are degrees of one thing: the id that stands for all of them, and which degree this one is.
+struct Degree {
+  std::string_view family;
+  int degree = 0;
+};
+[[nodiscard]] Degree degree_of(std::string_view id);
+
+/// A text without its numbers: every run of digits becomes '#'.
+[[nodiscard]] std::string without_numbers(std::string_view text);
+
+inline constexpr std::uint32_t unmatched = 0xffffffffU;
+
+/// For each of `now` the position in `before` of the finding that it belongs to, or `unmatched`; each of `before` at
+/// most once. Deterministic. See compare_with_baseline().
+[[nodiscard]] std::vector<std::uint32_t> match_findings(const std::vector<KnownFinding>& before,
+                                                        const std::vector<KnownFinding>& now);
+
+}  // namespace gapcheck::report

@@ -1,0 +1,55 @@
+#include "report/text_baseline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/baseline.hpp"
+#include "report/describe.hpp"
+#include "report/item.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+std::string line_of(const Item& item) {
+  std::string line = fmt::format("    {} {}: ", printable(item.id), printable(item.rule));
+  if (!item.file.empty()) line += printable(item.file);
+  if (!item.file.empty() && item.line != 0) line += fmt::format(":{}", item.line);
+  if (!item.file.empty()) line += ": ";
+  if (item.contact != 0) line += fmt::format("contact {}: ", item.contact);
+  return line + printable(item.message) + '\n';
+}
+
+void append_more(std::size_t total, std::size_t shown, std::string& out) {
+  if (shown < total) out += fmt::format("    … and {} more\n", total - shown);
+}
+
+void append_state(const Report& report, BaselineState state, std::size_t top, std::string& out) {
+  const std::size_t total = report.baseline->count(state);
+  if (total == 0) return;
+  out += fmt::format("  {}\n", name(state));
+  std::size_t shown = 0;
+  for_each_item(report, [&](const Item& item) {
+    if (shown == top) return false;
+    if (item.state == state) out += line_of(item), ++shown;
+    return true;
+  });
+  append_more(total, shown, out);
+}
+
+}  // namespace
+
+void append_baseline(const Report& report, std::size_t top, std::string& out) {
+  if (!report.baseline) return;
+  out += fmt::format("\nagainst the baseline: {}\n", summary(*report.baseline));
+  append_state(report, BaselineState::fresh, top, out);
+  append_state(report, BaselineState::worse, top, out);
+  const auto& gone = report.baseline->gone;
+  if (gone.empty()) return;
+  out += "  gone\n";
+  const std::size_t shown = std::min(top, gone.size());
+  for (std::size_t i = 0; i < shown; ++i) out += "    " + printable(describe(gone[i])) + '\n';
+  append_more(gone.size(), shown, out);
+}
+
+}  // namespace gapcheck::report

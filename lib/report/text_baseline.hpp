@@ -1,0 +1,12 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "records/report.hpp"
+
+namespace gapcheck::report {
+
+/// What is new, worse or gone against the baseline, the first `top` of each; nothing where there is no baseline.
+void append_baseline(const Report& report, std::size_t top, std::string& out);
+
+}  // namespace gapcheck::report
