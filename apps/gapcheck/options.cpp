@@ -106,7 +106,7 @@ bool write(const Report& report, const OutputOptions& options, const report::Nod
   bool page_written = true;
   if (!options.html.empty()) {
     report::HtmlOptions page;
-    page.version = GAPCHECK_VERSION;
+    page.version = version();
     if (const auto error = write_file(options.html, report::html(report, position, page))) {
       print(*error);
       page_written = false;
