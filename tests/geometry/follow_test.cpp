@@ -50,9 +50,10 @@ TEST_P(FollowFamilies, AgreesWithClosestPointAndDecision) {
       EXPECT_LT(std::max(std::abs(pairs->s[i]), std::abs(pairs->t[i])), 1);
       EXPECT_LT((pair.query + pairs->offset_of(i) - c.point).norm(), 1e-6 * size + 1e-14 * pair.query.norm())
           << describe(pair);
-      // Folded quads have points with two sides.
+      // Folded quads have points with two sides, and no normal along the fold.
       const double apart = std::abs(pairs->s[i] - c.s) + std::abs(pairs->t[i] - c.t);
-      if (c.gap * c.gap > 1e-12 * size * size && apart < 1e-6) {
+      const bool has_normal = std::abs(pairs->turn[i]) > 1e-6 * std::abs(c.gap) * size * size;
+      if (c.gap * c.gap > 1e-12 * size * size && apart < 1e-6 && has_normal) {
         EXPECT_EQ(pairs->turn[i] < 0, c.gap > 0) << describe(pair);
       }
       for (const double factor : {0.5, 1 - 1e-15, 1.0, 1 + 1e-15, 1 + 1e-12, 2.0}) {
