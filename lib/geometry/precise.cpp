@@ -35,7 +35,8 @@ Vector rounded(const Point& a) { return {a.xy.high[0], a.xy.high[1], a.z.high[0]
 
 Point corner(const Differences& corners, std::size_t i) {
   const Vector &to = corners.to[i], &from = corners.from[i];
-  return {two_sum<Two>(Two{to.x(), to.y()}, Two{-from.x(), -from.y()}), two_sum<Two>(Two{to.z(), 0}, Two{-from.z(), 0})};
+  return {two_sum<Two>(Two{to.x(), to.y()}, Two{-from.x(), -from.y()}),
+          two_sum<Two>(Two{to.z(), 0}, Two{-from.z(), 0})};
 }
 
 /// A parameter between `least` and `greatest`.

@@ -6,8 +6,7 @@
 /// but ties to about 30 digits. Derivation: docs/theory/decisions.md.
 namespace gapcheck::geometry::precise {
 
-/// Corners that are differences of two points each, without rounding: of a facet and a query, or of the ends of two edges,
-/// whose differences fill a parallelogram.
+/// Corners to[i] - from[i], without rounding: of a facet seen from a query, or the differences of two edges' ends.
 struct Differences {
   Corners to, from;
 };

@@ -42,7 +42,8 @@ precise::Differences differences(const Pair& pair) {
 }
 
 TEST(Precise, TiesAlongAnAxis) {
-  const Facet facet{{Vector(0.1, 0.2, 0.7), Vector(1.1, 0.2, 0.7), Vector(1.1, 1.3, 0.7), Vector(0.1, 1.3, 0.7)}, false};
+  const double z = 0.7;
+  const Facet facet{{Vector(0.1, 0.2, z), Vector(1.1, 0.2, z), Vector(1.1, 1.3, z), Vector(0.1, 1.3, z)}, false};
   const double bound = 0.7 - 0.25;  // without rounding
   const Pair pair{facet, Vector(0.4, 0.5, 0.25)};
   const double infinity = std::numeric_limits<double>::infinity();
