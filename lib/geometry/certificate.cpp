@@ -23,7 +23,7 @@ double least_on_range(double q0, double q1, double q2) {
 
 }  // namespace
 
-double largest_drop(const Patch& patch, double s, double t, const Vector& w, double size) {
+double largest_drop(const Patch& patch, double s, double t, const Vector& w, double size, double slope_error) {
   const double error = roundoff * size * size;
   const Vector along_s = patch.along_s(t), along_t = patch.along_t(s);
   const double aa = patch.a.squaredNorm(), ac = patch.a.dot(patch.c), cc = patch.c.squaredNorm();
@@ -32,7 +32,7 @@ double largest_drop(const Patch& patch, double s, double t, const Vector& w, dou
   const double least = least_on_range(tt * aa - mixed * mixed, 2 * (tt * ac - mixed * turn), tt * cc - turn * turn) -
                        32768 * error * size * size;
   if (!(least > 0)) return std::numeric_limits<double>::infinity();
-  const double gs = usable_slope(w.dot(along_s), s, 512 * error), gt = usable_slope(w.dot(along_t), t, 512 * error);
+  const double gs = usable_slope(w.dot(along_s), s, slope_error), gt = usable_slope(w.dot(along_t), t, slope_error);
   const double ss = aa + 2 * std::abs(ac) + cc + 512 * error;
   return 2.001 * ((tt + 512 * error) * gs * gs + ss * gt * gt) / least;
 }

@@ -32,14 +32,21 @@ class Certificate {
   /// What the point at (s, t) proves: itself, the plane through it, and on quads largest_drop().
   [[nodiscard]] Verdict at(const Corners& e, double s, double t, bool triangle) const;
 
+  [[nodiscard]] double size() const { return size_; }
+
  private:
   [[nodiscard]] bool separated_by(const Corners& e, const Vector& direction) const;
   double size_, bound_, slack_;
 };
 
 /// Upper bound of how much smaller the squared distance gets anywhere on the patch than at (s, t), where the patch's
-/// point is w. Infinity if there is no bound of the kind. Rounding is accounted for.
-[[nodiscard]] double largest_drop(const Patch& patch, double s, double t, const Vector& w, double size);
+/// point is w. Infinity if there is no bound of the kind. Rounding is accounted for; `slope_error` bounds that of the
+/// products of w with the patch's derivatives.
+[[nodiscard]] double largest_drop(const Patch& patch, double s, double t, const Vector& w, double size,
+                                  double slope_error);
+[[nodiscard]] inline double largest_drop(const Patch& patch, double s, double t, const Vector& w, double size) {
+  return largest_drop(patch, s, t, w, size, 512 * roundoff * size * size);
+}
 
 /// True if (s, t) is the nearest point of the patch up to rounding; false if that is not clear.
 [[nodiscard]] bool is_nearest(const Corners& e, const Patch& patch, double s, double t);

@@ -7,6 +7,7 @@
 #include "geometry/certificate.hpp"
 #include "geometry/exact.hpp"
 #include "geometry/exact_quick.hpp"
+#include "geometry/precise.hpp"
 #include "geometry/view.hpp"
 
 namespace gapcheck::geometry {
@@ -79,22 +80,38 @@ Verdict subdivide(const Corners& e, Limits limits, const Prove& prove) {
   return stuck ? Verdict::open : Verdict::apart;
 }
 
+bool settled(Verdict verdict) { return verdict == Verdict::closer || verdict == Verdict::apart; }
+
+/// What doubles prove, and the point that they tried last.
+struct Filtered {
+  Verdict verdict;
+  Trial trial;
+};
+
 /// `near`: the pair is likely to be closer, so that a proof of the contrary is not worth a try.
-Verdict filter(const Certificate& certificate, const Corners& e, bool triangle, const ClosestPoint* hint, bool near) {
-  if (!near && certificate.separated_by_mean_plane(e)) return Verdict::apart;
-  if (hint != nullptr && std::abs(hint->s) <= 1 && std::abs(hint->t) <= 1) {
-    return certificate.at(e, hint->s, hint->t, triangle);
-  }
+Filtered filter(const Certificate& certificate, const Corners& e, bool triangle, const ClosestPoint* hint, bool near) {
+  if (!near && certificate.separated_by_mean_plane(e)) return {Verdict::apart, {}};
+  const auto at = [&](double s, double t) { return Filtered{certificate.at(e, s, t, triangle), {s, t}}; };
+  if (hint != nullptr && std::abs(hint->s) <= 1 && std::abs(hint->t) <= 1) return at(hint->s, hint->t);
   if (triangle) {
-    const Location at = locate_on_triangle(e);
-    return certificate.at(e, at.s, at.t, true);
+    const Location nearest = locate_on_triangle(e);
+    return at(nearest.s, nearest.t);
   }
   const Patch patch(e);
   const Location quick = locate_on_patch(e, patch, true);
-  const Verdict verdict = certificate.at(e, quick.s, quick.t, false);
-  if (verdict == Verdict::closer || verdict == Verdict::apart) return verdict;
-  const Location at = locate_on_patch(e, patch);
-  return certificate.at(e, at.s, at.t, false);
+  const Filtered first = at(quick.s, quick.t);
+  if (first.verdict != Verdict::open) return first;
+  const Location nearest = locate_on_patch(e, patch);
+  return at(nearest.s, nearest.t);
+}
+
+/// With about 106 bits, from the given point on.
+Verdict prove_precisely(const Facet& facet, const Vector& query, double size, double bound, const Trial& trial) {
+  const auto& x = facet.x;
+  const precise::Differences corners{{x[0], x[1], x[2], x[facet.triangle ? 2 : 3]}, {query, query, query, query}};
+  if (precise::separated_by_axis(corners, bound)) return Verdict::apart;
+  return facet.triangle ? precise::triangle_verdict(corners, size, bound, trial.s, trial.t)
+                        : precise::patch_verdict(corners, size, bound, trial.s, trial.t);
 }
 
 Verdict enclose(const Certificate& certificate, const Corners& e) {
@@ -102,6 +119,19 @@ Verdict enclose(const Certificate& certificate, const Corners& e) {
     const Trial trial = trial_on_patch(corners);
     return certificate.at(corners, trial.s, trial.t, false);
   });
+}
+
+/// What the filter left open: pieces of warped quads, and more digits for what lies at the bound.
+Verdict prove_further(const Certificate& certificate, const Facet& facet, const Vector& query, double bound,
+                      const Filtered& first) {
+  Verdict verdict = first.verdict;
+  if (facet.triangle || verdict == Verdict::tied) {
+    verdict = prove_precisely(facet, query, certificate.size(), bound, first.trial);
+    if (facet.triangle || settled(verdict)) return verdict;
+  }
+  const Corners e = seen_from(facet, query);
+  verdict = enclose(certificate, e);
+  return settled(verdict) ? verdict : prove_precisely(facet, query, certificate.size(), bound, trial_on_patch(e));
 }
 
 /// In exact numbers; `filtered` asks doubles first wherever they are sure.
@@ -144,12 +174,10 @@ Decision decide(const Facet& facet, const Vector& query, double bound, Mode mode
     const double size = size_of(e);
     if (usable(size)) {
       const Certificate certificate(size, bound);
-      const Verdict first = filter(certificate, e, facet.triangle, hint, near);
-      if (first == Verdict::closer || first == Verdict::apart) return {first == Verdict::closer, Stage::filter};
-      if (!facet.triangle && first == Verdict::open) {
-        const Verdict second = enclose(certificate, e);
-        if (second == Verdict::closer || second == Verdict::apart) return {second == Verdict::closer, Stage::interval};
-      }
+      const Filtered first = filter(certificate, e, facet.triangle, hint, near);
+      if (settled(first.verdict)) return {first.verdict == Verdict::closer, Stage::filter};
+      if (const Verdict second = prove_further(certificate, facet, query, bound, first); settled(second))
+        return {second == Verdict::closer, Stage::interval};
     }
   }
   return decide_exactly(facet, query, bound, mode);

@@ -9,7 +9,7 @@ namespace gapcheck::geometry {
 /// How the decisions of one run were reached. Counters may be raised from any thread.
 struct DecisionCounters {
   std::atomic<std::uint64_t> filter{0};        ///< floating-point filter with a proven error bound
-  std::atomic<std::uint64_t> interval{0};      ///< interval arithmetic, patch enclosure
+  std::atomic<std::uint64_t> interval{0};      ///< 106 bits with a proven error bound, pieces of patches
   std::atomic<std::uint64_t> exact{0};         ///< CGAL's exact numbers
   std::atomic<std::uint64_t> triangulated{0};  ///< of these: warped quads decided on their documented triangulation
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "base/vector.hpp"
 #include "geometry/arithmetic.hpp"
@@ -38,6 +39,8 @@ inline constexpr double roundoff = std::numeric_limits<double>::epsilon() / 2;
 /// The bilinear patch as r(s,t) = m + a s + b t + c s t.
 struct Patch {
   Vector m, a, b, c;
+  Patch(Vector mean, Vector along_s, Vector along_t, Vector twist)
+      : m(std::move(mean)), a(std::move(along_s)), b(std::move(along_t)), c(std::move(twist)) {}
   explicit Patch(const Corners& e) {
     const Vector low = e[0] + e[1], high = e[3] + e[2], right = e[1] - e[0], left = e[2] - e[3];
     m = 0.25 * (low + high);

@@ -216,7 +216,10 @@ TEST(Decide, CountersSayHow) {
   EXPECT_TRUE(closer_than(quad, {2, 2, 1}, 2, Mode::filtered, counters));
   EXPECT_FALSE(closer_than(quad, {2, 2, 3}, 2, Mode::filtered, counters));
   EXPECT_EQ(counters.filter, 2u);
-  EXPECT_FALSE(closer_than(quad, {2, 2, 2}, 2, Mode::filtered, counters));
+  EXPECT_FALSE(closer_than(quad, {2, 2, 2}, 2, Mode::filtered, counters)) << "a tie along an axis";
+  EXPECT_TRUE(closer_than(quad, {1, 3, 2}, up(2), Mode::filtered, counters));
+  EXPECT_EQ(counters.interval, 2u);
+  EXPECT_FALSE(closer_than(quad, {7, 2, 4}, 5, Mode::filtered, counters)) << "a tie that is oblique";
   EXPECT_EQ(counters.exact, 1u);
   EXPECT_TRUE(closer_than(quad, {2, 2, 1}, 2, Mode::exact, counters));
   EXPECT_EQ(counters.exact, 2u);
