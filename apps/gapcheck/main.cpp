@@ -1,13 +1,10 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
-#include <string_view>
 
 #include "command_line.hpp"
 #include "output.hpp"
@@ -15,14 +12,7 @@
 namespace gapcheck::app {
 namespace {
 
-/// Commands that later versions will have: their names are taken, and say so.
-constexpr std::array<std::string_view, 1> later_commands{"fix"};
-
 int run(int argc, char** argv) {
-  if (argc > 1 && std::find(later_commands.begin(), later_commands.end(), argv[1]) != later_commands.end()) {
-    print_error("'" + std::string(argv[1]) + "' is not part of this version; see gapcheck --help");
-    return failed;
-  }
   CLI::App app;
   Action action;
   add_commands(app, action);

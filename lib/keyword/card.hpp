@@ -46,6 +46,13 @@ class Card {
   [[nodiscard]] double real(std::size_t field, double default_value = 0) const;
   /// Trimmed text of the field.
   [[nodiscard]] std::string_view text(std::size_t field) const;
+  /// Trimmed characters of the field as they stand in the line: a parameter's name, not its value.
+  [[nodiscard]] std::string_view written(std::size_t field) const { return raw_text(field); }
+  /// The whole line, without its line end.
+  [[nodiscard]] std::string_view raw_line() const { return raw_; }
+  [[nodiscard]] bool free_format() const { return free_format_; }
+  /// Where the field stands in a line of this card's format.
+  [[nodiscard]] Cell cell(std::size_t field) const { return locate(*layout_, block_->format, field); }
   // The same by field name; a name that the layout lacks reads as blank.
   [[nodiscard]] bool blank(std::string_view field) const { return blank(layout_->index(field)); }
   [[nodiscard]] std::int64_t integer(std::string_view field, std::int64_t default_value = 0) const {

@@ -1,0 +1,208 @@
+#include "audit/fix/fix.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/number.hpp"
+#include "base/parallel.hpp"
+#include "commands.hpp"
+#include "common/files.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "report/describe.hpp"
+#include "report/fix_report.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string deck, directory, format = "text", output;
+  std::string missing_includes = "error";
+  std::vector<std::string> locks, priorities;
+  keyword::ReadOptions read;
+  audit::FixOptions fix;
+  report::FixTextOptions text;
+  std::size_t jobs = 0;
+  bool dry_run = false;
+};
+
+/// `PART`, `FIRST-LAST`, or the same for nodes behind `node:`.
+std::optional<audit::Lock> parse_lock(std::string_view text) {
+  audit::Lock lock;
+  constexpr std::string_view nodes = "node:";
+  lock.nodes = text.starts_with(nodes);
+  if (lock.nodes) text.remove_prefix(nodes.size());
+  const std::size_t dash = text.find('-');
+  const auto first = parse_integer(text.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : parse_integer(text.substr(dash + 1));
+  if (!first || !last || *first <= 0 || *last < *first) return std::nullopt;
+  lock.first = *first;
+  lock.last = *last;
+  return lock;
+}
+
+/// `PART=FACTOR`.
+std::optional<std::pair<std::int64_t, double>> parse_priority(std::string_view text) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string_view::npos) return std::nullopt;
+  const auto part = parse_integer(text.substr(0, sign));
+  const auto factor = parse_real(text.substr(sign + 1));
+  if (!part || !factor || *part <= 0 || !(*factor >= 1e-6 && *factor <= 1e6)) return std::nullopt;
+  return std::pair{*part, *factor};
+}
+
+std::string check_lock(const std::string& text) {
+  return parse_lock(text) ? "" : text + " is neither a part id, a range of them (3-7), nor the same behind node:";
+}
+
+std::string check_priority(const std::string& text) {
+  return parse_priority(text) ? "" : text + " is not PART=FACTOR with a factor between 1e-6 and 1e6";
+}
+
+bool fail(const std::string& message) {
+  print_error(message);
+  return false;
+}
+
+/// Where each changed file goes: as it lies to the main file, or by its name alone where that is elsewhere. False
+/// (and a message) where this would overwrite a file of the deck, or two files would go to one place.
+bool choose_places(const keyword::Deck& deck, const Arguments& arguments, audit::Fix& fix) {
+  std::error_code error;
+  const fs::path home = fs::weakly_canonical(fs::path(arguments.deck), error).parent_path();
+  std::set<fs::path> sources, taken;
+  for (const keyword::SourceFile& file : deck.files()) sources.insert(fs::weakly_canonical(file.path, error));
+  for (std::size_t i = 0; i < fix.files.size(); ++i) {
+    FixedFile& changed = fix.report.changed[i];
+    fs::path below = fs::weakly_canonical(changed.path, error).lexically_relative(home);
+    if (below.empty() || *below.begin() == "..") below = fs::path(changed.path).filename();
+    const fs::path target = fs::path(arguments.directory) / below;
+    const fs::path canonical = fs::weakly_canonical(target, error);
+    if (sources.contains(canonical))
+      return fail(fmt::format("{} is a file of the deck itself; give another directory with -o",
+                              report::printable(target.string())));
+    if (!taken.insert(canonical).second)
+      return fail(fmt::format("two files of the deck would become {}; put them below the folder of the main file",
+                              report::printable(target.string())));
+    changed.written = target.string();
+  }
+  return true;
+}
+
+bool write_files(const keyword::Deck& deck, const Arguments& arguments, audit::Fix& fix) {
+  if (!choose_places(deck, arguments, fix)) return false;
+  for (std::size_t i = 0; i < fix.files.size(); ++i) {
+    const std::string& path = fix.report.changed[i].written;
+    std::error_code error;
+    fs::create_directories(fs::path(path).parent_path(), error);
+    const std::string_view bytes = deck.file(fix.files[i].file).bytes;
+    const keyword::LineIndex index(bytes);
+    if (const auto failure = write_file(path, keyword::with_lines(bytes, index, fix.files[i].edits))) {
+      print(*failure);
+      return false;
+    }
+  }
+  return true;
+}
+
+bool write_report(const Arguments& arguments, const FixReport& report) {
+  Output output(arguments.output);
+  output.write(arguments.format == "json" ? report::fix_json(report) : report::fix_text(report, arguments.text));
+  return output.close();
+}
+
+int fix_deck(const Arguments& arguments) {
+  const JobLimit limit(arguments.jobs);
+  if (arguments.directory.empty() && !arguments.dry_run) {
+    print_error("give a directory for the corrected files with -o, or --dry-run");
+    return failed;
+  }
+  Diagnostics diagnostics;
+  std::optional<Progress> progress;
+  progress.emplace("correcting " + report::printable(arguments.deck), !arguments.text.quiet);
+  const auto deck = keyword::read_deck(arguments.deck, arguments.read, diagnostics);
+  if (!deck) {
+    progress.reset();
+    print(deck.error());
+    return failed;
+  }
+  auto fix = audit::fix_penetrations(deck.value(), arguments.fix, diagnostics);
+  progress.reset();
+  print(diagnostics, arguments.text.quiet);
+  if (!fix) {
+    print(fix.error());
+    return failed;
+  }
+  // What was not understood may be what the nodes hang on.
+  if (diagnostics.has_errors()) return failed;
+  FixReport& report = fix.value().report;
+  report.input = arguments.deck;
+  report.dry_run = arguments.dry_run;
+  if (!arguments.dry_run && !write_files(deck.value(), arguments, fix.value())) return failed;
+  if (!write_report(arguments, report)) return failed;
+  return complete(report) ? clean : findings;
+}
+
+void add_choices(CLI::App& command, Arguments& arguments) {
+  const CLI::Validator lock(check_lock, ""), priority(check_priority, "");
+  add_list(command, "--lock", arguments.locks, "Parts and nodes that must not move: 3, 7-9, node:100-200")
+      ->check(lock)
+      ->type_name("IDS");
+  add_list(command, "--priority", arguments.priorities, "A part with a larger factor moves less")
+      ->check(priority)
+      ->type_name("PART=FACTOR");
+}
+
+}  // namespace
+
+void add_fix(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("fix", "Remove initial penetrations of a keyword deck with the least movement");
+  command->set_version_flag("--version", "gapcheck " GAPCHECK_VERSION);
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
+  command->add_option("-o", arguments->directory, "Directory for the files that change; made where it is not there")
+      ->type_name("DIR");
+  command->add_flag("--dry-run", arguments->dry_run, "Write nothing but the report");
+  add_choices(*command, *arguments);
+  command->add_option("--format", arguments->format, "Of the report: text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command->add_option("--output", arguments->output, "Write the report to a file instead of standard output")
+      ->type_name("FILE");
+  command->add_option("--top", arguments->text.top, "Nodes and pairs of parts that the text lists")
+      ->check(CLI::Range(0, 1'000'000'000).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_flag("--quiet", arguments->text.quiet, "Only the last line, and no warnings");
+  command->add_option("-I", arguments->read.include_directories, "Further directory for *INCLUDE")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("DIR");
+  command->add_option("--missing-includes", arguments->missing_includes, "What to do about missing include files")
+      ->check(CLI::IsMember({"error", "skip"}))
+      ->capture_default_str();
+  add_jobs(*command, arguments->jobs);
+  command->callback([&action, arguments] {
+    action = [arguments] {
+      arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
+      for (const std::string& text : arguments->locks) arguments->fix.locks.push_back(*parse_lock(text));
+      for (const std::string& text : arguments->priorities)
+        arguments->fix.priorities.push_back(*parse_priority(text));
+      return fix_deck(*arguments);
+    };
+  });
+}
+
+}  // namespace gapcheck::app

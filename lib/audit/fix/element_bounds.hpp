@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/mesh_index.hpp"
+#include "model/model.hpp"
+
+namespace gapcheck::audit {
+
+/// How much a correction may change an element. Elements that are worse in the deck may stay as they are.
+struct ShapeLimits {
+  double warp = 15;             ///< of shells, degrees
+  double slenderness = 0.1;     ///< of shells: altitude over longest edge
+  double corner = 0.1;          ///< of solids: smallest product of a corner's edges over their lengths
+  double edge_from = 0.5, edge_to = 2;  ///< length of an edge over that in the deck
+};
+
+/// The elements at moved nodes, and whether they keep their shape. The model must outlive it and keep its elements.
+class ElementBounds {
+ public:
+  /// `x`: the deck's coordinates by node; must outlive it.
+  ElementBounds(const model::Model& model, const std::vector<Vector>& x, const ShapeLimits& limits = {})
+      : model_(model), deck_(x), limits_(limits), index_(model) {}
+
+  /// Nodes that must be held where they were so that no element loses its shape: of each element at a moved node that
+  /// is turned inside out, warped or stretched beyond the limits those that moved by at least half of what the one that
+  /// moved most did. Ascending, each once; empty: all elements keep their shape.
+  [[nodiscard]] std::vector<NodeIndex> offenders(const std::vector<Vector>& x, std::span<const NodeIndex> moved);
+
+  struct Change {
+    std::uint64_t touched = 0, worsened = 0;
+  };
+  /// Elements with a moved node, and how many of them have a visibly worse shape than in the deck: a degree of warp, or
+  /// a hundredth of the other measures.
+  [[nodiscard]] Change change(const std::vector<Vector>& x, std::span<const NodeIndex> moved);
+
+ private:
+  template <class Visit>
+  void for_each_element(std::span<const NodeIndex> moved, const Visit& visit);
+
+  const model::Model& model_;
+  const std::vector<Vector>& deck_;
+  ShapeLimits limits_;
+  contact::MeshIndex index_;
+};
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,147 @@
+#include "audit/fix/fix.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "audit/fix/mover.hpp"
+#include "audit/fix/proposals.hpp"
+#include "contact/crossings.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+FixContact::State state_of(const Judgement& judgement, std::uint32_t contact) {
+  const ContactSummary& summary = judgement.state.contacts[contact];
+  return {summary.penetrations, summary.released, summary.max_penetration};
+}
+
+/// Elements of contacts that judge nodes which cross others, on the model's present coordinates.
+std::uint64_t crossings(const model::Model& model) {
+  std::vector<std::uint32_t> contacts;
+  for (std::uint32_t c = 0; c < model.contacts.size(); ++c)
+    if (contact::classify(model.contacts[c]).checked()) contacts.push_back(c);
+  contact::SurfaceStore surfaces(model);
+  contact::CrossingCounters counters;
+  return contact::find_crossings(model, contacts, surfaces, {}, counters).size();
+}
+
+std::uint64_t separated(const Judgement& judgement) {
+  const auto& judged = judgement.state.judged;
+  return static_cast<std::uint64_t>(std::count_if(
+      judged.begin(), judged.end(), [](const contact::JudgedNode& node) { return node.reason == TieReason::sep; }));
+}
+
+class Reporter {
+ public:
+  Reporter(const model::Model& model, const std::vector<Vector>& deck, Mover& mover, FixReport& report)
+      : model_(model), deck_(deck), mover_(mover), report_(report) {}
+
+  void contacts() {
+    for (std::uint32_t c = 0; c < model_.contacts.size(); ++c) {
+      FixContact contact;
+      contact.id = model_.contacts[c].id.value;
+      contact.keyword = model_.contacts[c].keyword;
+      contact.title = model_.contacts[c].title;
+      contact.not_checked = mover_.before().state.contacts[c].not_checked;
+      contact.before = state_of(mover_.before(), c);
+      contact.after = state_of(mover_.after(), c);
+      report_.contacts.push_back(std::move(contact));
+    }
+  }
+
+  void moved(const std::vector<NodeIndex>& nodes) {
+    const model::Nodes& all = model_.mesh.nodes;
+    for (const NodeIndex n : nodes) {
+      MovedNode moved{all.id[n.value], deck_[n.value], all.x[n.value], mover_.onto_tie(n),
+                      all.origins.file(n.value).value, all.line[n.value]};
+      report_.largest_move = std::max(report_.largest_move, moved.distance());
+      report_.total_move += moved.distance();
+      report_.moved.push_back(moved);
+    }
+    std::sort(report_.moved.begin(), report_.moved.end(),
+              [](const MovedNode& a, const MovedNode& b) { return a.node < b.node; });
+  }
+
+  void unfixed() {
+    for (const Penetration& p : mover_.after().state.penetrations) {
+      if (!to_be_fixed(p.kind)) continue;
+      UnfixedNode node{p.contact, p.node, p.part, p.element, p.element_part, p.depth, p.contact_distance,
+                       p.kind == PenetrationKind::released, mover_.reason(p), p.file, p.line};
+      report_.unfixed.push_back(node);
+    }
+  }
+
+  void notes() {
+    for (const auto& [why, nodes] : mover_.unwritable()) {
+      const std::uint32_t n = nodes.first.value;
+      const model::Nodes& all = model_.mesh.nodes;
+      std::string note = fmt::format("{}:{}: node {} stays: {}", model_.files[all.origins.file(n).value], all.line[n],
+                                     all.id[n], why);
+      if (nodes.count > 1) note += fmt::format("; {} more such nodes", nodes.count - 1);
+      report_.notes.push_back(std::move(note));
+    }
+    for (const std::string& note : mover_.before().state.notes) report_.notes.push_back(note);
+    if (report_.crossings_after > 0)
+      report_.notes.push_back(fmt::format(
+          "{} pairs of elements cross each other; nodes stay on the side on which they are", report_.crossings_after));
+  }
+
+ private:
+  const model::Model& model_;
+  const std::vector<Vector>& deck_;
+  Mover& mover_;
+  FixReport& report_;
+};
+
+/// The lines of the moved nodes, file by file.
+std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const std::vector<NodeIndex>& moved) {
+  std::map<std::uint32_t, std::vector<keyword::LineEdit>> by_file;
+  for (const NodeIndex n : moved)
+    by_file[model.mesh.nodes.origins.file(n.value).value].push_back(lines.edit(n, model.mesh.nodes.x[n.value]));
+  std::vector<Fix::File> files;
+  for (auto& [file, list] : by_file) {
+    std::sort(list.begin(), list.end(),
+              [](const keyword::LineEdit& a, const keyword::LineEdit& b) { return a.line < b.line; });
+    files.push_back({FileIndex{file}, std::move(list)});
+  }
+  return files;
+}
+
+}  // namespace
+
+Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& options, Diagnostics& diagnostics) {
+  auto read = model::read_model(deck, diagnostics);
+  if (!read) return read.error();
+  model::Model& model = read.value();
+  const std::vector<Vector> x = model.mesh.nodes.x;
+  NodeLines lines(deck, model, x);
+  ElementBounds bounds(model, x, options.limits);
+  Fix fix;
+  FixReport& report = fix.report;
+  report.files = model.files;
+  report.crossings_before = crossings(model);
+  Mover mover(model, lines, bounds, x, find_freedoms(model, options.locks, options.priorities), options);
+  mover.run();
+  const std::vector<NodeIndex> moved = mover.moved();
+  report.crossings_after = moved.empty() ? report.crossings_before : crossings(model);
+  report.rounds = mover.rounds();
+  report.separated_ties_before = separated(mover.before());
+  report.separated_ties_after = separated(mover.after());
+  const ElementBounds::Change change = bounds.change(model.mesh.nodes.x, moved);
+  report.elements_touched = change.touched;
+  report.elements_worsened = change.worsened;
+  report.proposals = propose(model, mover.before().state.penetrations);
+  Reporter reporter(model, x, mover, report);
+  reporter.contacts();
+  reporter.moved(moved);
+  reporter.unfixed();
+  reporter.notes();
+  fix.files = edits(model, lines, moved);
+  for (const Fix::File& file : fix.files)
+    report.changed.push_back({deck.file(file.file).path, "", file.edits.size()});
+  return fix;
+}
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "audit/fix/element_bounds.hpp"
+#include "audit/fix/freedoms.hpp"
+#include "base/diagnostic.hpp"
+#include "base/result.hpp"
+#include "keyword/deck.hpp"
+#include "keyword/write_back.hpp"
+#include "records/fix.hpp"
+
+namespace gapcheck::audit {
+
+struct FixOptions {
+  std::vector<Lock> locks;                                 ///< --lock
+  std::vector<std::pair<std::int64_t, double>> priorities; ///< --priority: part id and factor, positive
+  ShapeLimits limits;
+  std::uint32_t rounds = 40;                               ///< searches of the contacts at most
+};
+
+/// A corrected deck: what was done, and the lines that change.
+struct Fix {
+  FixReport report;
+  struct File {
+    FileIndex file;
+    std::vector<keyword::LineEdit> edits;  ///< ascending by line
+  };
+  std::vector<File> files;  ///< only those that change, in the order of the deck
+};
+
+/// Moves nodes so that nothing penetrates initially any more (GC101, GC102) and tied nodes that the solver would move
+/// lie on their segments (GC204), with the least movement: Σ wᵢ |uᵢ|², weights of find_freedoms(). Each node keeps to the
+/// side of the segment on which the deck has it, and is cleared by 1.002 times its penetration, as the solver does. Ties
+/// stay together; nodes that may not move stay; elements keep their shape (ShapeLimits). What the lines of the deck can
+/// tell of the coordinates is what is judged. Never more nodes penetrate afterwards than before. Contacts that judge
+/// segments (SOFT = 2, mortar) are left alone. Errors: the deck cannot be read as a model.
+[[nodiscard]] Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& options,
+                                           Diagnostics& diagnostics);
+
+}  // namespace gapcheck::audit

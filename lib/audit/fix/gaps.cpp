@@ -1,0 +1,114 @@
+#include "audit/fix/gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/outcome.hpp"
+#include "contact/record_pair.hpp"
+#include "geometry/closest_point.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+/// A gap that is still found too small after so many corrections is so by the digits of the deck.
+constexpr int patience = 4;
+/// Parametric band of a beam axis, as of a segment.
+constexpr double band_end = 1.5;
+
+geometry::Facet facet_of(const Gap& gap, const std::vector<Vector>& x) {
+  const auto& n = gap.corners;
+  geometry::Facet f{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
+  if (gap.offset == 0) return f;
+  const Vector shift = gap.offset * (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]).stableNormalized();
+  for (Vector& corner : f.x) corner += shift;
+  return f;
+}
+
+/// Away from the closest point, but never to the side on which the node must not be.
+void point_away(GapState& state, const Vector& away, const Vector& free) {
+  const double distance = away.norm();
+  const bool aside = distance > 0 && away.dot(free) >= -1e-9 * distance;
+  state.direction = aside ? Vector(away / distance) : free;
+  state.gap = aside ? distance : away.dot(free);
+}
+
+GapState measure_line(const Gap& gap, const geometry::Facet& facet, const Vector& q) {
+  const auto c = geometry::closest_point_on_line(facet.x[0], facet.x[1], q);
+  GapState state;
+  state.counts = std::abs(c.free_s) <= band_end;
+  state.share = {(1 - c.s) / 2, (1 + c.s) / 2, 0, 0};
+  const Vector axis = facet.x[1] - facet.x[0], away = q - c.point;
+  const Vector free = axis.squaredNorm() > 0 ? Vector(axis.unitOrthogonal()) : Vector(Vector::UnitZ());
+  point_away(state, away, away.squaredNorm() > 0 ? Vector(away.normalized()) : Vector(gap.side * free));
+  return state;
+}
+
+void take_side(Gap& gap, const contact::ContactSurfaces& surfaces, const contact::RecordPair& pair,
+               const Penetration& record, const std::vector<Vector>& x) {
+  const auto& nodes = (pair.node_on_b ? surfaces.b : surfaces.a).nodes;
+  const auto& segments = (pair.segment_on_b ? surfaces.b : surfaces.a).selection.segments;
+  gap.line = segments.kind[pair.segment] == contact::SegmentKind::line;
+  gap.distance = record.contact_distance;
+  if (!nodes.shift.empty()) gap.shift = nodes.shift[pair.slot];
+  if (!segments.offset.empty()) gap.offset = segments.offset[pair.segment];
+  if (gap.line) return;
+  const Vector q = x[gap.node.value] + gap.shift;
+  const auto closest = geometry::closest_point(facet_of(gap, x), q);
+  // The record's distance is negative behind a segment that has a front: the way out is the other way then.
+  const double distance = record.remaining();
+  gap.side = distance * closest.normal.dot(q - closest.point) < 0 ? -1 : 1;
+}
+
+}  // namespace
+
+GapState measure_gap(const Gap& gap, const std::vector<Vector>& x) {
+  const geometry::Facet facet = facet_of(gap, x);
+  const Vector q = x[gap.node.value] + gap.shift;
+  if (gap.line) return measure_line(gap, facet, q);
+  const auto c = geometry::closest_point(facet, q);
+  GapState state;
+  state.counts = c.in_band;
+  state.share = {(1 - c.s) * (1 - c.t) / 4, (1 + c.s) * (1 - c.t) / 4, (1 + c.s) * (1 + c.t) / 4, (1 - c.s) * (1 + c.t) / 4};
+  const Vector free = gap.side * c.normal;
+  if (c.feature == Feature::face) {
+    state.direction = free;
+    state.gap = gap.side * c.gap;
+  } else {
+    point_away(state, q - c.point, free);
+  }
+  return state;
+}
+
+void Gaps::add(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& state,
+               const std::vector<Vector>& x) {
+  for (const Penetration& record : state.penetrations) {
+    if (!to_be_fixed(record.kind)) continue;
+    if (Gap* known = find(model, record); known != nullptr) {
+      if (++known->seen > patience) known->clearance += 2 * record.depth;
+      known->deepest = std::max(known->deepest, record.depth);
+      known->clearance = std::max(known->clearance, (contact::shooting_move - 1) * known->deepest);
+      continue;
+    }
+    const auto pair = contact::find_pair(surfaces.at(record.contact), model.mesh, record);
+    if (!pair) continue;
+    Gap gap;
+    gap.contact = record.contact;
+    gap.node = NodeIndex{*model.mesh.nodes.lookup.find(record.node)};
+    const contact::ContactSurfaces& sides = surfaces.at(record.contact);
+    gap.corners = (pair->segment_on_b ? sides.b : sides.a).selection.segments.nodes[pair->segment];
+    take_side(gap, sides, *pair, record, x);
+    gap.deepest = record.depth;
+    gap.clearance = (contact::shooting_move - 1) * record.depth;
+    position_.emplace(Key{record.contact, gap.node.value, record.segment}, gaps_.size());
+    gaps_.push_back(gap);
+  }
+}
+
+Gap* Gaps::find(const model::Model& model, const Penetration& record) {
+  const auto node = model.mesh.nodes.lookup.find(record.node);
+  if (!node) return nullptr;
+  const auto found = position_.find(Key{record.contact, *node, record.segment});
+  return found == position_.end() ? nullptr : &gaps_[found->second];
+}
+
+}  // namespace gapcheck::audit

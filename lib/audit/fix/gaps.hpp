@@ -1,0 +1,66 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "audit/fix/least_movement.hpp"
+#include "contact/contact_surfaces.hpp"
+#include "contact/initial.hpp"
+#include "records/fix.hpp"
+
+namespace gapcheck::audit {
+
+/// A tracked node that is to keep its contact distance from a segment, on the side on which it was found.
+struct Gap {
+  std::uint32_t contact = 0;  ///< position in Model::contacts
+  NodeIndex node;
+  model::SegmentNodes corners{};
+  bool line = false;        ///< a beam axis: corners[0], corners[1]
+  double side = 1;          ///< 1: in front of the facet's normal, -1: behind it
+  double distance = 0;      ///< h
+  double deepest = 0;       ///< largest penetration that was found
+  double clearance = 0;     ///< beyond h
+  int seen = 0;             ///< how often it was found again
+  Vector shift = Vector::Zero();  ///< from the node to its mid-surface
+  double offset = 0;              ///< of the facet's mid-surface along its normal
+  double multiplier = 0;          ///< of least_movement(), to start from
+  HoldReason given_up = HoldReason::none;  ///< why no movement opens it
+};
+
+/// How a gap stands at some coordinates.
+struct GapState {
+  bool counts = true;   ///< the node's projection is in the segment's band
+  double gap = 0;       ///< distance from the segment, negative on the other side
+  Vector direction = Vector::Zero();  ///< unit vector along which the gap grows
+  std::array<double, 4> share{};      ///< how the corners move the closest point
+};
+[[nodiscard]] GapState measure_gap(const Gap& gap, const std::vector<Vector>& x);
+
+/// All gaps that were found too small so far. Grows only.
+class Gaps {
+ public:
+  /// Takes the nodes that penetrate (also those that are too deep) in a state of the contacts. `surfaces`: of the same
+  /// model on the same coordinates `x`. Gaps that are found too small again and again get more clearance: that
+  /// is rounding.
+  void add(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& state,
+           const std::vector<Vector>& x);
+  [[nodiscard]] std::vector<Gap>& list() { return gaps_; }
+  [[nodiscard]] const std::vector<Gap>& list() const { return gaps_; }
+  /// The gap of a record; nullptr where there is none.
+  [[nodiscard]] Gap* find(const model::Model& model, const Penetration& record);
+
+ private:
+  /// Contact, node and corners.
+  using Key = std::tuple<std::uint32_t, std::uint32_t, std::array<std::int64_t, 4>>;
+  std::vector<Gap> gaps_;
+  std::map<Key, std::size_t> position_;
+};
+
+/// Records of nodes that a correction has to free.
+[[nodiscard]] constexpr bool to_be_fixed(PenetrationKind kind) {
+  return kind == PenetrationKind::initial || kind == PenetrationKind::released;
+}
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,84 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "audit/fix/fix.hpp"
+#include "audit/fix/gaps.hpp"
+#include "audit/fix/held_ties.hpp"
+#include "audit/fix/node_lines.hpp"
+#include "contact/initial.hpp"
+
+namespace gapcheck::audit {
+
+/// What the contacts find at some coordinates.
+struct Judgement {
+  contact::InitialState state;
+  std::uint64_t penetrating = 0;  ///< nodes that a correction has to free
+  double depth = 0;               ///< sum of their penetrations
+};
+
+/// Finds where the nodes go: searches the contacts, solves for the least movement that opens all gaps found so far, and
+/// again, until nothing penetrates or nothing gets better. Changes the model's coordinates as it goes. All references
+/// must outlive it.
+class Mover {
+ public:
+  /// `lines`: of the deck that the model was read from.
+  Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const std::vector<Vector>& deck_x,
+        Freedoms freedoms, const FixOptions& options);
+  void run();
+
+  [[nodiscard]] const Judgement& before() const { return before_; }
+  /// At the best coordinates found, which are those of the model now.
+  [[nodiscard]] const Judgement& after() const { return after_; }
+  /// Nodes that lie elsewhere than in the deck, ascending.
+  [[nodiscard]] std::vector<NodeIndex> moved() const;
+  [[nodiscard]] bool onto_tie(NodeIndex node) const { return base_[node.value] != deck_[node.value]; }
+  /// Why a record of after() is still there.
+  [[nodiscard]] HoldReason reason(const Penetration& record);
+  [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
+
+  /// The first of the nodes whose lines cannot be rewritten, for one reason, and how many there are.
+  struct Unwritable {
+    NodeIndex first;
+    std::uint64_t count = 0;
+  };
+  [[nodiscard]] const std::map<std::string, Unwritable>& unwritable() const { return unwritable_; }
+
+ private:
+  Judgement judge(const std::vector<Vector>& x);
+  void tie_first();
+  bool take_best(const std::vector<Vector>& x, Judgement&& now);
+  [[nodiscard]] bool open_gaps(const Judgement& now);
+  std::vector<Vector> solve(const std::vector<Vector>& at);
+  std::vector<MoveCondition> conditions(const std::vector<Vector>& at, std::vector<std::size_t>& gap_of);
+  bool give_up(std::span<const MoveCondition> conditions, std::span<const std::size_t> gap_of,
+               std::span<const Vector> moves, std::span<const Vector> mobility, bool converged);
+  void number_nodes();
+  void hold_unwritable();
+  [[nodiscard]] std::vector<Vector> as_written(const std::vector<Vector>& x);
+
+  model::Model& model_;
+  NodeLines& lines_;
+  ElementBounds& bounds_;
+  const std::vector<Vector>& deck_;
+  Freedoms freedoms_;
+  const FixOptions& options_;
+  std::optional<contact::SurfaceStore> surfaces_;  ///< on the coordinates judged last
+  std::vector<Vector> base_;   ///< the deck's coordinates with tied nodes on their segments
+  std::vector<Vector> best_;
+  Judgement before_, after_;
+  Gaps gaps_;
+  std::vector<HeldTie> all_ties_, ties_;
+  std::vector<NodeIndex> nodes_;       ///< that some condition names, ascending
+  std::vector<std::uint32_t> slot_;    ///< by node: position in nodes_
+  std::vector<std::uint8_t> looked_at_;  ///< by node: whether its line can be rewritten was asked
+  std::vector<double> tie_multipliers_;
+  std::map<std::string, Unwritable> unwritable_;
+  std::uint32_t rounds_ = 0;
+};
+
+}  // namespace gapcheck::audit

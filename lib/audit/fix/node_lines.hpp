@@ -1,0 +1,52 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "keyword/write_back.hpp"
+#include "model/model.hpp"
+
+namespace gapcheck::audit {
+
+/// The lines of *NODE that hold a model's coordinates: what would stand there for other coordinates, and where the node
+/// lies when that is read back. Deck, model and coordinates must outlive it. Not for use from several threads.
+class NodeLines {
+ public:
+  /// `x`: the deck's coordinates by node, whatever the model holds by now.
+  NodeLines(const keyword::Deck& deck, const model::Model& model, const std::vector<Vector>& x);
+  /// Why a node's coordinates cannot be rewritten; empty: they can.
+  [[nodiscard]] std::string why_fixed(NodeIndex node);
+  /// Where the node lies when `to` (in the model's system) has been written into its line: the nearest place that the
+  /// line's format can tell, seen through the placement of its include. Directions in which it does not move, but for
+  /// rounding, keep their digits. As in the deck where the line cannot be rewritten.
+  [[nodiscard]] Vector written(NodeIndex node, const Vector& to);
+  /// Its line with those coordinates.
+  [[nodiscard]] keyword::LineEdit edit(NodeIndex node, const Vector& to);
+
+ private:
+  /// A line and the block that it belongs to.
+  struct Place {
+    const keyword::Block* block = nullptr;
+    std::string_view line;
+    std::uint32_t number = 0;
+  };
+  [[nodiscard]] Place place(NodeIndex node);
+  [[nodiscard]] const keyword::LineIndex& lines(FileIndex file);
+  [[nodiscard]] const keyword::Block* block_at(FileIndex file, std::uint32_t line) const;
+  [[nodiscard]] keyword::Card card(const Place& place, std::string_view line);
+  void find_duplicates();
+
+  const keyword::Deck& deck_;
+  const model::Model& model_;
+  const std::vector<Vector>& x_;
+  const keyword::CardLayout layout_;
+  Diagnostics ignored_;  ///< reading the deck has said it already
+  std::vector<std::vector<const keyword::Block*>> blocks_;  ///< by file, ascending by line
+  std::vector<bool> read_twice_;                            ///< by file: its lines stand for several nodes each
+  std::map<std::uint32_t, keyword::LineIndex> lines_;       ///< by file
+  std::unordered_map<std::int64_t, bool> again_;            ///< ids that are defined more than once
+};
+
+}  // namespace gapcheck::audit

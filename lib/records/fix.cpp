@@ -1,0 +1,31 @@
+#include "records/fix.hpp"
+
+namespace gapcheck {
+
+std::string_view name(HoldReason reason) {
+  switch (reason) {
+    case HoldReason::locked: return "locked";
+    case HoldReason::rigid: return "rigid";
+    case HoldReason::constrained: return "constrained";
+    case HoldReason::unwritable: return "unwritable";
+    case HoldReason::shape: return "shape";
+    case HoldReason::conflict: return "conflict";
+    default: return "none";
+  }
+}
+
+std::string_view words(HoldReason reason) {
+  switch (reason) {
+    case HoldReason::locked: return "locked nodes";
+    case HoldReason::rigid: return "rigid bodies have the nodes";
+    case HoldReason::constrained: return "boundary conditions hold the nodes";
+    case HoldReason::unwritable: return "the coordinates cannot be rewritten";
+    case HoldReason::shape: return "an element would lose its shape";
+    case HoldReason::conflict: return "what frees it from one segment pushes it into another";
+    default: return "no way out was found";
+  }
+}
+
+bool complete(const FixReport& report) { return report.unfixed.empty() && report.separated_ties_after == 0; }
+
+}  // namespace gapcheck

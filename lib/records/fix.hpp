@@ -1,0 +1,98 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vector.hpp"
+
+namespace gapcheck {
+
+/// Why a node was not moved, or no further.
+enum class HoldReason : std::uint8_t {
+  none,
+  locked,      ///< the user locked it or its part
+  rigid,       ///< a rigid body has it
+  constrained, ///< a boundary condition holds it
+  unwritable,  ///< its line in the deck cannot be rewritten: a parameter, defined twice, …
+  shape,       ///< an element would be turned inside out, warped or stretched too much
+  conflict,    ///< what frees it from one segment pushes it into another
+};
+[[nodiscard]] std::string_view name(HoldReason reason);
+/// "its part or the node itself is locked"
+[[nodiscard]] std::string_view words(HoldReason reason);
+
+/// A node with its coordinates in the deck and after the correction; in the model's units.
+struct MovedNode {
+  std::int64_t node = 0;
+  Vector from = Vector::Zero(), to = Vector::Zero();
+  bool onto_tie = false;             ///< moved onto the segment that it is tied to
+  std::uint32_t file = 0, line = 0;  ///< file is a position in FixReport::files
+  [[nodiscard]] double distance() const { return (to - from).norm(); }
+};
+
+/// A node that penetrates after the correction.
+struct UnfixedNode {
+  std::uint32_t contact = 0;  ///< position in FixReport::contacts
+  std::int64_t node = 0, part = 0, element = 0, element_part = 0;
+  double depth = 0, contact_distance = 0;
+  bool released = false;      ///< too deep: the solver drops it
+  HoldReason reason = HoldReason::none;
+  std::uint32_t file = 0, line = 0;
+};
+
+/// Something else that would end the penetrations between two parts: what it is, and the keyword lines.
+struct FixAlternative {
+  std::string text, card;
+};
+
+/// What could be done about two parts instead of moving nodes.
+struct FixProposal {
+  std::int64_t contact = 0, part = 0, other_part = 0;  ///< ids; part 0: nodes without part
+  std::uint64_t penetrations = 0;
+  double deepest = 0;
+  double thickness = 0;  ///< the largest for both without penetrations; 0: none helps
+  std::vector<FixAlternative> alternatives;
+};
+
+/// One contact before and after.
+struct FixContact {
+  struct State {
+    std::uint64_t penetrations = 0, released = 0;
+    double deepest = 0;
+  };
+  std::int64_t id = 0;
+  std::string keyword, title, not_checked;
+  State before, after;
+};
+
+/// A file of the deck that has changed.
+struct FixedFile {
+  std::string path;     ///< as read
+  std::string written;  ///< where the new one is; empty: not written
+  std::uint64_t lines = 0;
+};
+
+/// Everything that a correction of penetrations has to say.
+struct FixReport {
+  std::string input;
+  std::vector<std::string> files;  ///< of the deck; what `file` members point into
+  std::vector<FixContact> contacts;
+  std::vector<MovedNode> moved;          ///< ascending by node id
+  std::vector<UnfixedNode> unfixed;      ///< by contact, deepest first
+  std::vector<FixProposal> proposals;    ///< by contact and parts
+  std::vector<FixedFile> changed;        ///< in the order of the deck
+  std::vector<std::string> notes;        ///< what could not be honoured
+  double largest_move = 0, total_move = 0;
+  std::uint64_t elements_touched = 0, elements_worsened = 0;  ///< with a moved node; of these with a worse shape
+  std::uint64_t crossings_before = 0, crossings_after = 0;    ///< elements that cross another one
+  std::uint64_t separated_ties_before = 0, separated_ties_after = 0;
+  std::uint64_t rounds = 0;
+  bool dry_run = false;
+  [[nodiscard]] double mean_move() const { return moved.empty() ? 0 : total_move / static_cast<double>(moved.size()); }
+};
+
+/// True if nothing penetrates any more and no tied node keeps a separation that was to be removed.
+[[nodiscard]] bool complete(const FixReport& report);
+
+}  // namespace gapcheck

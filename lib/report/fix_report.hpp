@@ -1,0 +1,20 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "records/fix.hpp"
+
+namespace gapcheck::report {
+
+struct FixTextOptions {
+  std::size_t top = 10;  ///< moved nodes, unfixed nodes and pairs of parts that are listed
+  bool quiet = false;    ///< only the last line
+};
+
+/// The report of a correction for people: contacts before and after, moves, what remains and what else could be done.
+[[nodiscard]] std::string fix_text(const FixReport& report, const FixTextOptions& options);
+
+/// The same as JSON, schema `gapcheck-fix/1`, complete.
+[[nodiscard]] std::string fix_json(const FixReport& report);
+
+}  // namespace gapcheck::report
