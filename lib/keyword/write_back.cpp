@@ -110,7 +110,9 @@ std::string why_not_replaceable(const Card& card, std::size_t field) {
 std::string with_number(const Card& card, std::size_t field, double value) {
   const std::string_view line = card.raw_line();
   const Cell cell = card.cell(field);
-  const std::string number = number_text(value, card.free_format() ? 0 : cell.width);
+  // A blank in front of the number is worth a digit to readers that are less strict.
+  std::string number = number_text(value, card.free_format() ? 0 : cell.width - 1);
+  if (number.empty()) number = number_text(value, cell.width);
   if (number.empty()) return std::string(line);
   return card.free_format() ? between_commas(card, line, field, number) : in_columns(std::string(line), cell, number);
 }

@@ -19,7 +19,7 @@ namespace gapcheck::keyword {
 [[nodiscard]] std::string why_not_replaceable(const Card& card, std::size_t field);
 
 /// The card's line with another number in one of its fields; all other characters stay. Fixed columns: right-aligned in
-/// the field, with as many digits as it holds; free format: all digits, between the same commas and blanks. Lines that
+/// the field, with as many digits as it holds behind one blank; free format: all digits, between the same commas and blanks. Lines that
 /// end before the field are made longer. Only where why_not_replaceable() is empty; a number that does not fit at all
 /// leaves the line as it is.
 [[nodiscard]] std::string with_number(const Card& card, std::size_t field, double value);

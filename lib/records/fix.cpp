@@ -10,6 +10,7 @@ std::string_view name(HoldReason reason) {
     case HoldReason::unwritable: return "unwritable";
     case HoldReason::shape: return "shape";
     case HoldReason::conflict: return "conflict";
+    case HoldReason::crossing: return "crossing";
     default: return "none";
   }
 }
@@ -22,6 +23,7 @@ std::string_view words(HoldReason reason) {
     case HoldReason::unwritable: return "the coordinates cannot be rewritten";
     case HoldReason::shape: return "an element would lose its shape";
     case HoldReason::conflict: return "what frees it from one segment pushes it into another";
+    case HoldReason::crossing: return "elements would cross";
     default: return "no way out was found";
   }
 }

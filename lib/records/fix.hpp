@@ -17,6 +17,7 @@ enum class HoldReason : std::uint8_t {
   unwritable,  ///< its line in the deck cannot be rewritten: a parameter, defined twice, …
   shape,       ///< an element would be turned inside out, warped or stretched too much
   conflict,    ///< what frees it from one segment pushes it into another
+  crossing,    ///< elements that did not cross before would do so
 };
 [[nodiscard]] std::string_view name(HoldReason reason);
 /// "its part or the node itself is locked"

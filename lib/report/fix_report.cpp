@@ -88,7 +88,7 @@ void proposals(const FixReport& report, std::size_t top, std::string& out) {
     const FixProposal& p = report.proposals[i];
     out += fmt::format("  contact {}, {} and {}: {}, at most {:.6g} deep\n", p.contact, part_name(p.part),
                        part_name(p.other_part), plural(p.penetrations, "penetration"), p.deepest);
-    if (p.thickness == 0) out += "    no thickness helps: nodes lie on the other part's surface or behind it\n";
+    if (p.thickness == 0) out += "    no thickness helps: nodes lie next to the other part's surface or behind it\n";
     for (const FixAlternative& a : p.alternatives) {
       out += "    " + a.text + "\n";
       for (std::size_t at = 0; at < a.card.size();) {

@@ -35,6 +35,9 @@ class ElementBounds {
   /// a hundredth of the other measures.
   [[nodiscard]] Change change(const std::vector<Vector>& x, std::span<const NodeIndex> moved);
 
+  /// Elements by node.
+  [[nodiscard]] contact::MeshIndex& index() { return index_; }
+
  private:
   template <class Visit>
   void for_each_element(std::span<const NodeIndex> moved, const Visit& visit);

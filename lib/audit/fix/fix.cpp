@@ -7,7 +7,6 @@
 
 #include "audit/fix/mover.hpp"
 #include "audit/fix/proposals.hpp"
-#include "contact/crossings.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -15,16 +14,6 @@ namespace {
 FixContact::State state_of(const Judgement& judgement, std::uint32_t contact) {
   const ContactSummary& summary = judgement.state.contacts[contact];
   return {summary.penetrations, summary.released, summary.max_penetration};
-}
-
-/// Elements of contacts that judge nodes which cross others, on the model's present coordinates.
-std::uint64_t crossings(const model::Model& model) {
-  std::vector<std::uint32_t> contacts;
-  for (std::uint32_t c = 0; c < model.contacts.size(); ++c)
-    if (contact::classify(model.contacts[c]).checked()) contacts.push_back(c);
-  contact::SurfaceStore surfaces(model);
-  contact::CrossingCounters counters;
-  return contact::find_crossings(model, contacts, surfaces, {}, counters).size();
 }
 
 std::uint64_t separated(const Judgement& judgement) {
@@ -121,11 +110,11 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   Fix fix;
   FixReport& report = fix.report;
   report.files = model.files;
-  report.crossings_before = crossings(model);
   Mover mover(model, lines, bounds, x, find_freedoms(model, options.locks, options.priorities), options);
   mover.run();
   const std::vector<NodeIndex> moved = mover.moved();
-  report.crossings_after = moved.empty() ? report.crossings_before : crossings(model);
+  report.crossings_before = mover.crossings_before();
+  report.crossings_after = mover.crossings_after();
   report.rounds = mover.rounds();
   report.separated_ties_before = separated(mover.before());
   report.separated_ties_after = separated(mover.after());

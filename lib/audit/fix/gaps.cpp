@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "contact/outcome.hpp"
-#include "contact/record_pair.hpp"
 #include "geometry/closest_point.hpp"
 
 namespace gapcheck::audit {
@@ -14,6 +13,8 @@ namespace {
 constexpr int patience = 4;
 /// Parametric band of a beam axis, as of a segment.
 constexpr double band_end = 1.5;
+/// A node nearer to the mid-surface than this share of the contact distance does not tell its side by itself.
+constexpr double ambiguous = 0.2;
 
 geometry::Facet facet_of(const Gap& gap, const std::vector<Vector>& x) {
   const auto& n = gap.corners;
@@ -43,22 +44,6 @@ GapState measure_line(const Gap& gap, const geometry::Facet& facet, const Vector
   return state;
 }
 
-void take_side(Gap& gap, const contact::ContactSurfaces& surfaces, const contact::RecordPair& pair,
-               const Penetration& record, const std::vector<Vector>& x) {
-  const auto& nodes = (pair.node_on_b ? surfaces.b : surfaces.a).nodes;
-  const auto& segments = (pair.segment_on_b ? surfaces.b : surfaces.a).selection.segments;
-  gap.line = segments.kind[pair.segment] == contact::SegmentKind::line;
-  gap.distance = record.contact_distance;
-  if (!nodes.shift.empty()) gap.shift = nodes.shift[pair.slot];
-  if (!segments.offset.empty()) gap.offset = segments.offset[pair.segment];
-  if (gap.line) return;
-  const Vector q = x[gap.node.value] + gap.shift;
-  const auto closest = geometry::closest_point(facet_of(gap, x), q);
-  // The record's distance is negative behind a segment that has a front: the way out is the other way then.
-  const double distance = record.remaining();
-  gap.side = distance * closest.normal.dot(q - closest.point) < 0 ? -1 : 1;
-}
-
 }  // namespace
 
 GapState measure_gap(const Gap& gap, const std::vector<Vector>& x) {
@@ -79,6 +64,43 @@ GapState measure_gap(const Gap& gap, const std::vector<Vector>& x) {
   return state;
 }
 
+/// Sum of the heights of the nodes around a node above a plane: the side on which its elements are.
+double Gaps::neighbours_height(const model::Mesh& mesh, NodeIndex node, const Vector& point, const Vector& normal,
+                               const std::vector<Vector>& x) {
+  double height = 0;
+  const auto add = [&](const auto& elements, contact::ElementIndex& index) {
+    for (const std::uint32_t e : index.at(node))
+      for (const NodeIndex n : elements.nodes[e])
+        if (n != none<NodeIndex>) height += normal.dot(x[n.value] - point);
+  };
+  add(mesh.shells, index_.shells);
+  add(mesh.solids, index_.solids);
+  add(mesh.thick_shells, index_.thick_shells);
+  add(mesh.beams, index_.beams);
+  return height;
+}
+
+void Gaps::take_side(Gap& gap, const model::Mesh& mesh, const contact::ContactSurfaces& surfaces,
+                     const contact::RecordPair& pair, const Penetration& record, const std::vector<Vector>& x) {
+  const auto& nodes = (pair.node_on_b ? surfaces.b : surfaces.a).nodes;
+  const auto& segments = (pair.segment_on_b ? surfaces.b : surfaces.a).selection.segments;
+  gap.line = segments.kind[pair.segment] == contact::SegmentKind::line;
+  gap.distance = record.contact_distance;
+  if (!nodes.shift.empty()) gap.shift = nodes.shift[pair.slot];
+  if (!segments.offset.empty()) gap.offset = segments.offset[pair.segment];
+  if (gap.line) return;
+  const Vector q = x[gap.node.value] + gap.shift;
+  const auto closest = geometry::closest_point(facet_of(gap, x), q);
+  // The record's distance is negative behind a segment that has a front: the way out is the other way then.
+  const double distance = record.remaining();
+  double height = closest.normal.dot(q - closest.point);
+  const bool two_sided = segments.kind[pair.segment] == contact::SegmentKind::shell &&
+                         surfaces.type.family != contact::Family::old && surfaces.type.family != contact::Family::forming;
+  if (two_sided && distance < ambiguous * gap.distance)
+    height = neighbours_height(mesh, gap.node, closest.point, closest.normal, x);
+  gap.side = (distance < 0 ? -height : height) < 0 ? -1 : 1;
+}
+
 void Gaps::add(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& state,
                const std::vector<Vector>& x) {
   for (const Penetration& record : state.penetrations) {
@@ -96,7 +118,7 @@ void Gaps::add(const model::Model& model, contact::SurfaceStore& surfaces, const
     gap.node = NodeIndex{*model.mesh.nodes.lookup.find(record.node)};
     const contact::ContactSurfaces& sides = surfaces.at(record.contact);
     gap.corners = (pair->segment_on_b ? sides.b : sides.a).selection.segments.nodes[pair->segment];
-    take_side(gap, sides, *pair, record, x);
+    take_side(gap, model.mesh, sides, *pair, record, x);
     gap.deepest = record.depth;
     gap.clearance = (contact::shooting_move - 1) * record.depth;
     position_.emplace(Key{record.contact, gap.node.value, record.segment}, gaps_.size());

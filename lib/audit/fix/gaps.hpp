@@ -8,11 +8,14 @@
 #include "audit/fix/least_movement.hpp"
 #include "contact/contact_surfaces.hpp"
 #include "contact/initial.hpp"
+#include "contact/mesh_index.hpp"
+#include "contact/record_pair.hpp"
 #include "records/fix.hpp"
 
 namespace gapcheck::audit {
 
-/// A tracked node that is to keep its contact distance from a segment, on the side on which it was found.
+/// A tracked node that is to keep its contact distance from a segment, on the side on which it was found. A node that is
+/// next to the segment of a two-sided surface is on the side on which the nodes of its elements are.
 struct Gap {
   std::uint32_t contact = 0;  ///< position in Model::contacts
   NodeIndex node;
@@ -41,6 +44,8 @@ struct GapState {
 /// All gaps that were found too small so far. Grows only.
 class Gaps {
  public:
+  /// `index`: of the model whose records it will take; must outlive it.
+  explicit Gaps(contact::MeshIndex& index) : index_(index) {}
   /// Takes the nodes that penetrate (also those that are too deep) in a state of the contacts. `surfaces`: of the same
   /// model on the same coordinates `x`. Gaps that are found too small again and again get more clearance: that
   /// is rounding.
@@ -52,6 +57,12 @@ class Gaps {
   [[nodiscard]] Gap* find(const model::Model& model, const Penetration& record);
 
  private:
+  void take_side(Gap& gap, const model::Mesh& mesh, const contact::ContactSurfaces& surfaces,
+                 const contact::RecordPair& pair, const Penetration& record, const std::vector<Vector>& x);
+  [[nodiscard]] double neighbours_height(const model::Mesh& mesh, NodeIndex node, const Vector& point,
+                                         const Vector& normal, const std::vector<Vector>& x);
+
+  contact::MeshIndex& index_;
   /// Contact, node and corners.
   using Key = std::tuple<std::uint32_t, std::uint32_t, std::array<std::int64_t, 4>>;
   std::vector<Gap> gaps_;

@@ -13,6 +13,8 @@ constexpr double solved = 1e-7, contradicted = 1e-3;
 constexpr std::uint32_t stubborn = 8;
 /// Attempts to find moves that keep all elements in shape; each holds one node more at least.
 constexpr int attempts = 200;
+/// New searches with elements held that would cross others; then nothing is moved at all.
+constexpr int crossing_attempts = 6;
 /// Moves below this share of the largest are rounding.
 constexpr double rounding = 1e-9;
 /// Coordinates that change by less than this share of the largest move from one solution to the next are settled.
@@ -36,6 +38,7 @@ Mover::Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const
       options_(options),
       base_(deck_x),
       best_(deck_x),
+      gaps_(bounds.index()),
       slot_(deck_x.size()),
       looked_at_(deck_x.size()) {}
 
@@ -57,25 +60,70 @@ Judgement Mover::judge(const std::vector<Vector>& x) {
 
 void Mover::run() {
   before_ = judge(deck_);
-  after_ = before_;
+  crossings_before_ = crossing_pairs(model_);
+  start_again();
   tie_first();
+  search();
+  // Elements that would cross are held, and the others have to do without them.
+  bool crossed = hold_crossing();
+  for (int attempt = 0; crossed && attempt < crossing_attempts; ++attempt) {
+    start_again();
+    search();
+    crossed = hold_crossing();
+  }
+  if (crossed) {
+    start_again();
+    crossings_after_ = crossings_before_.size();
+  }
+  model_.mesh.nodes.x = best_;
+}
+
+void Mover::start_again() {
+  best_ = deck_;
+  after_ = before_;
+  for (Gap& gap : gaps_.list()) {
+    gap.multiplier = 0;
+    gap.given_up = HoldReason::none;
+  }
+}
+
+/// True if elements cross that did not in the deck; then their moved nodes are held.
+bool Mover::hold_crossing() {
+  model_.mesh.nodes.x = best_;
+  const std::set<ElementPair> now = crossing_pairs(model_);
+  crossings_after_ = now.size();
+  bool any = false;
+  for (const ElementPair& pair : now) {
+    if (crossings_before_.contains(pair)) continue;
+    any = true;
+    for (const ElementOfKind& element : {pair.first, pair.second})
+      for (const NodeIndex n : nodes_of(model_.mesh, element)) {
+        if (best_[n.value] == deck_[n.value]) continue;
+        base_[n.value] = deck_[n.value];
+        freedoms_.hold(n, HoldReason::crossing);
+      }
+  }
+  return any;
+}
+
+void Mover::search() {
   std::vector<Vector> x = base_;
   std::uint32_t progress = 0;
   bool settled = false;
-  for (rounds_ = 1; rounds_ <= options_.rounds; ++rounds_) {
+  for (std::uint32_t round = 1; round <= options_.rounds; ++round) {
+    ++rounds_;
     const std::vector<Vector> written = as_written(x);
     Judgement now = judge(written);
-    if (rounds_ == 1) all_ties_ = held_ties(now.state.judged, *surfaces_, written);
+    if (round == 1) all_ties_ = held_ties(now.state.judged, *surfaces_, written);
     gaps_.add(model_, *surfaces_, now.state, written);
     const bool open = open_gaps(now);
-    if (take_best(written, std::move(now))) progress = rounds_;
-    if (gaps_.list().empty() || (!open && settled) || rounds_ - progress > stubborn) break;
+    if (take_best(written, std::move(now))) progress = round;
+    if (gaps_.list().empty() || (!open && settled) || round - progress > stubborn) break;
     number_nodes();
     std::vector<Vector> next = solve(x);
     settled = largest_difference(next, x, nodes_) <= settled_share * largest_difference(next, base_, nodes_);
     x = std::move(next);
   }
-  model_.mesh.nodes.x = best_;
 }
 
 /// Tied nodes go onto their segments before anything else, as the solver has it.

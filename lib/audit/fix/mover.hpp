@@ -2,10 +2,12 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "audit/fix/crossing_pairs.hpp"
 #include "audit/fix/fix.hpp"
 #include "audit/fix/gaps.hpp"
 #include "audit/fix/held_ties.hpp"
@@ -40,6 +42,9 @@ class Mover {
   /// Why a record of after() is still there.
   [[nodiscard]] HoldReason reason(const Penetration& record);
   [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
+  /// Pairs of elements that cross.
+  [[nodiscard]] std::uint64_t crossings_before() const { return crossings_before_.size(); }
+  [[nodiscard]] std::uint64_t crossings_after() const { return crossings_after_; }
 
   /// The first of the nodes whose lines cannot be rewritten, for one reason, and how many there are.
   struct Unwritable {
@@ -49,6 +54,9 @@ class Mover {
   [[nodiscard]] const std::map<std::string, Unwritable>& unwritable() const { return unwritable_; }
 
  private:
+  void search();
+  void start_again();
+  bool hold_crossing();
   Judgement judge(const std::vector<Vector>& x);
   void tie_first();
   bool take_best(const std::vector<Vector>& x, Judgement&& now);
@@ -71,6 +79,8 @@ class Mover {
   std::vector<Vector> base_;   ///< the deck's coordinates with tied nodes on their segments
   std::vector<Vector> best_;
   Judgement before_, after_;
+  std::set<ElementPair> crossings_before_;
+  std::uint64_t crossings_after_ = 0;
   Gaps gaps_;
   std::vector<HeldTie> all_ties_, ties_;
   std::vector<NodeIndex> nodes_;       ///< that some condition names, ascending

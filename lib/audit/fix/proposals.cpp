@@ -14,8 +14,8 @@
 namespace gapcheck::audit {
 namespace {
 
-/// What is left of the distance must be more than this share of it: a thickness of nothing is none.
-constexpr double least_share = 1e-6;
+/// What is left of the distance must be more than this share of it: a thickness of next to nothing is none.
+constexpr double least_share = 0.05;
 
 bool solid_part(const model::Model& model, std::int64_t id) {
   const auto part = model.part_of_id.find(id);

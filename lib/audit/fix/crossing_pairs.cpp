@@ -1,0 +1,41 @@
+#include "audit/fix/crossing_pairs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "contact/crossings.hpp"
+
+namespace gapcheck::audit {
+
+std::set<ElementPair> crossing_pairs(const model::Model& model) {
+  std::vector<std::uint32_t> contacts;
+  for (std::uint32_t c = 0; c < model.contacts.size(); ++c)
+    if (contact::classify(model.contacts[c]).checked()) contacts.push_back(c);
+  contact::SurfaceStore surfaces(model);
+  contact::CrossingCounters counters;
+  constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
+  std::set<ElementPair> pairs;
+  for (const contact::Crossing& c : contact::find_crossings(model, contacts, surfaces, {}, counters)) {
+    if (c.a.element == unknown || c.b.element == unknown) continue;
+    const ElementOfKind a{c.a.kind, c.a.element}, b{c.b.kind, c.b.element};
+    pairs.insert({std::min(a, b), std::max(a, b)});
+  }
+  return pairs;
+}
+
+std::span<const NodeIndex> nodes_of(const model::Mesh& mesh, const ElementOfKind& element) {
+  const auto [kind, i] = element;
+  const auto nodes = [&](const auto& elements) {
+    return i < elements.size() ? std::span<const NodeIndex>(elements.nodes[i]) : std::span<const NodeIndex>{};
+  };
+  switch (kind) {
+    case model::ElementKind::shell: return nodes(mesh.shells);
+    case model::ElementKind::solid: return nodes(mesh.solids);
+    case model::ElementKind::thick_shell: return nodes(mesh.thick_shells);
+    case model::ElementKind::beam: return nodes(mesh.beams);
+    default: return {};
+  }
+}
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,41 @@
+#include "audit/fix/proposals.hpp"
+
+#include "audit/fix/plates.hpp"
+#include "audit/fix/run_fix.hpp"
+#include "audit/run.hpp"
+
+namespace gapcheck::audit_test {
+namespace {
+
+TEST(Proposals, NamesThicknessExclusionAndIgnore) {
+  const FixRun run = fix_text(plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7}));
+  ASSERT_EQ(run.report().proposals.size(), 1u);
+  const FixProposal& p = run.report().proposals[0];
+  EXPECT_EQ(p.part, 1);
+  EXPECT_EQ(p.other_part, 2);
+  EXPECT_EQ(p.penetrations, 32u);
+  EXPECT_NEAR(p.thickness, 0.7, 1e-12);
+  ASSERT_EQ(p.alternatives.size(), 4u);
+  EXPECT_NE(p.alternatives[0].text.find("SST = 0.7"), std::string::npos);
+  EXPECT_NE(p.alternatives[1].text.find("OPTT = 0.7"), std::string::npos);
+  EXPECT_NE(p.alternatives[3].text.find("IGNORE = 1"), std::string::npos);
+}
+
+// The cards do what they promise when they are put into the deck.
+TEST(Proposals, TheExclusionEndsThePenetrations) {
+  std::string text = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});
+  const FixRun run = fix_text(text);
+  text.insert(text.find("*END"), run.report().proposals.at(0).alternatives.at(2).card);
+  audit::AuditOptions options;
+  options.select = {"GC101"};
+  EXPECT_TRUE(run_text(text, options).report.penetrations.empty());
+}
+
+TEST(Proposals, NoThicknessHelpsNextToTheSurface) {
+  const FixRun run = fix_text(plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.01}));
+  ASSERT_EQ(run.report().proposals.size(), 1u);
+  EXPECT_EQ(run.report().proposals[0].thickness, 0);
+}
+
+}  // namespace
+}  // namespace gapcheck::audit_test

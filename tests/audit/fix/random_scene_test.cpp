@@ -1,0 +1,76 @@
+// Random scenes: a correction never makes it worse, and no element is turned inside out.
+#include "audit/random_scene.hpp"
+
+#include <cmath>
+
+#include "audit/fix/run_fix.hpp"
+#include "audit/run.hpp"
+#include "contact/segment_quality.hpp"
+
+namespace gapcheck::audit_test {
+namespace {
+
+constexpr std::uint64_t scenes = 100;
+
+model::Model model_of(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto deck = keyword::read_deck_text(text, "deck.k", {}, diagnostics);
+  auto model = model::read_model(deck.value(), diagnostics);
+  EXPECT_TRUE(model.ok());
+  return std::move(model).value();
+}
+
+std::uint64_t found(const FixReport& report, bool after) {
+  std::uint64_t count = 0;
+  for (const FixContact& c : report.contacts) {
+    const FixContact::State& state = after ? c.after : c.before;
+    count += state.penetrations + state.released;
+  }
+  return count;
+}
+
+Vector normal(const model::SegmentNodes& n, const std::vector<Vector>& x) {
+  return (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]);
+}
+
+void expect_upright(const model::Model& before, const model::Model& after, std::uint64_t seed) {
+  for (std::size_t i = 0; i < before.mesh.shells.size(); ++i) {
+    const auto& n = before.mesh.shells.nodes[i];
+    EXPECT_GT(normal(n, before.mesh.nodes.x).dot(normal(n, after.mesh.nodes.x)), 0) << "seed " << seed;
+    if (contact::segment_quality(n, before.mesh.nodes.x).fault == contact::SegmentFault::none) {
+      EXPECT_EQ(contact::segment_quality(n, after.mesh.nodes.x).fault, contact::SegmentFault::none) << "seed " << seed;
+    }
+  }
+  for (std::size_t i = 0; i < before.mesh.solids.size(); ++i) {
+    const auto& n = before.mesh.solids.nodes[i];
+    if (contact::solid_quality(n, before.mesh.nodes.x).worst_corner > 0) {
+      EXPECT_GT(contact::solid_quality(n, after.mesh.nodes.x).worst_corner, 0) << "seed " << seed;
+    }
+  }
+}
+
+TEST(FixRandomScene, NeverWorseAndNothingInverted) {
+  std::uint64_t before = 0, after = 0, complete_scenes = 0;
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+    const std::string text = random_scene(seed).text();
+    const FixRun run = fix_text(text);
+    ASSERT_EQ(run.errors, 0u) << "seed " << seed;
+    EXPECT_LE(found(run.report(), true), found(run.report(), false)) << "seed " << seed;
+    EXPECT_LE(run.report().crossings_after, run.report().crossings_before) << "seed " << seed;
+    const model::Model old = model_of(text), now = model_of(run.text);
+    expect_upright(old, now, seed);
+    // What the report says of the written deck is what another reading of it finds.
+    EXPECT_EQ(found(fix_text(run.text).report(), false), found(run.report(), true)) << "seed " << seed;
+    for (const MovedNode& m : run.report().moved)
+      EXPECT_EQ(now.mesh.nodes.x[*now.mesh.nodes.lookup.find(m.node)], m.to) << "seed " << seed;
+    before += found(run.report(), false);
+    after += found(run.report(), true);
+    complete_scenes += complete(run.report()) ? 1 : 0;
+  }
+  std::printf("%zu penetrating nodes before, %zu after; %zu of %zu scenes free\n", static_cast<std::size_t>(before),
+              static_cast<std::size_t>(after), static_cast<std::size_t>(complete_scenes), static_cast<std::size_t>(scenes));
+  EXPECT_LT(after, before / 2);
+}
+
+}  // namespace
+}  // namespace gapcheck::audit_test

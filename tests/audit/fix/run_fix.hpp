@@ -1,0 +1,56 @@
+#pragma once
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "audit/fix/fix.hpp"
+#include "keyword/deck.hpp"
+
+namespace gapcheck::audit_test {
+
+/// A correction with the deck that it makes of its main file.
+struct FixRun {
+  audit::Fix fix;
+  std::string text;  ///< the main file afterwards
+  std::size_t errors = 0;
+  [[nodiscard]] const FixReport& report() const { return fix.report; }
+  [[nodiscard]] const MovedNode* moved(std::int64_t node) const {
+    for (const MovedNode& m : fix.report.moved)
+      if (m.node == node) return &m;
+    return nullptr;
+  }
+  [[nodiscard]] Vector move(std::int64_t node) const {
+    const MovedNode* m = moved(node);
+    return m == nullptr ? Vector(Vector::Zero()) : Vector(m->to - m->from);
+  }
+};
+
+/// Corrects a deck that has been read.
+inline FixRun run_fix(const Result<keyword::Deck>& deck, const audit::FixOptions& options = {}) {
+  FixRun run;
+  EXPECT_TRUE(deck.ok());
+  if (!deck) return run;
+  Diagnostics diagnostics;
+  auto fix = audit::fix_penetrations(deck.value(), options, diagnostics);
+  EXPECT_TRUE(fix.ok());
+  run.errors = diagnostics.has_errors() ? 1 : 0;
+  const std::string_view bytes = deck.value().file(FileIndex{0}).bytes;
+  run.text = bytes;
+  if (!fix) return run;
+  run.fix = std::move(fix).value();
+  for (const audit::Fix::File& file : run.fix.files)
+    if (file.file == FileIndex{0}) run.text = keyword::with_lines(bytes, keyword::LineIndex(bytes), file.edits);
+  return run;
+}
+
+inline FixRun fix_text(const std::string& text, const audit::FixOptions& options = {}) {
+  Diagnostics diagnostics;
+  return run_fix(keyword::read_deck_text(text, "deck.k", {}, diagnostics), options);
+}
+
+inline FixRun fix_file(const std::string& path, const audit::FixOptions& options = {}) {
+  Diagnostics diagnostics;
+  return run_fix(keyword::read_deck(path, {}, diagnostics), options);
+}
+
+}  // namespace gapcheck::audit_test
