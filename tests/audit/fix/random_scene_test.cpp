@@ -67,8 +67,9 @@ TEST(FixRandomScene, NeverWorseAndNothingInverted) {
     after += found(run.report(), true);
     complete_scenes += complete(run.report()) ? 1 : 0;
   }
-  std::printf("%zu penetrating nodes before, %zu after; %zu of %zu scenes free\n", static_cast<std::size_t>(before),
-              static_cast<std::size_t>(after), static_cast<std::size_t>(complete_scenes), static_cast<std::size_t>(scenes));
+  RecordProperty("before", std::to_string(before));
+  RecordProperty("after", std::to_string(after));
+  RecordProperty("free_scenes", std::to_string(complete_scenes));
   EXPECT_LT(after, before / 2);
 }
 
