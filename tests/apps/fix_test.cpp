@@ -1,0 +1,88 @@
+// `gapcheck fix` as users and scripts see it.
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace gapcheck {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FixProgram : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    fs::copy(project / "data", folder_ / "data", fs::copy_options::recursive);
+  }
+};
+
+TEST_F(FixProgram, WritesADeckThatTheAuditLikes) {
+  const std::string before = content(folder_ / "data/two_plates.k");
+  const Ended fixed = gapcheck("fix data/two_plates.k -o out");
+  EXPECT_EQ(fixed.code, 0) << fixed.err;
+  EXPECT_NE(fixed.out.find("18 nodes penetrating before, 0 after; 32 nodes moved in 1 file\n"), std::string::npos) << fixed.out;
+  EXPECT_EQ(content(folder_ / "data/two_plates.k"), before);
+  EXPECT_EQ(gapcheck("audit data/two_plates.k --select GC101 --fail-on warning --quiet").code, 1);
+  EXPECT_EQ(gapcheck("audit out/two_plates.k --select GC101 --fail-on warning --quiet").code, 0);
+}
+
+TEST_F(FixProgram, WritesOnlyTheIncludeThatChanges) {
+  const Ended fixed = gapcheck("fix data/include_parameter.k -o out");
+  EXPECT_EQ(fixed.code, 0) << fixed.err;
+  std::size_t files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out")) files += entry.is_regular_file() ? 1 : 0;
+  EXPECT_EQ(files, 1u);
+  EXPECT_FALSE(fs::exists(folder_ / "out/include_parameter.k"));
+  fs::copy(folder_ / "out", folder_ / "data", fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  EXPECT_EQ(gapcheck("audit data/include_parameter.k --select GC101 --fail-on warning --quiet").code, 0);
+}
+
+TEST_F(FixProgram, NeverWritesOverTheDeck) {
+  const std::string before = content(folder_ / "data/two_plates.k");
+  fs::create_directory_symlink(folder_ / "data", folder_ / "link");
+  for (const char* place : {"data", "data/../data", "link"}) {
+    const Ended fixed = gapcheck(std::string("fix data/two_plates.k -o ") + place);
+    EXPECT_EQ(fixed.code, 2);
+    EXPECT_NE(fixed.err.find("is a file of the deck itself"), std::string::npos) << fixed.err;
+  }
+  EXPECT_EQ(content(folder_ / "data/two_plates.k"), before);
+}
+
+TEST_F(FixProgram, DryRunSaysTheSameAndWritesNothing) {
+  EXPECT_EQ(gapcheck("fix data/two_plates.k").code, 2);
+  const Ended dry = gapcheck("fix data/two_plates.k --dry-run --format json");
+  EXPECT_EQ(dry.code, 0);
+  const Ended wet = gapcheck("fix data/two_plates.k -o out --format json");
+  auto a = nlohmann::json::parse(dry.out), b = nlohmann::json::parse(wet.out);
+  EXPECT_EQ(a["schema"], "gapcheck-fix/1");
+  EXPECT_EQ(a["moved"].size(), 32u);
+  EXPECT_TRUE(a["dry_run"]);
+  EXPECT_EQ(b["files"][0]["written"], "out/two_plates.k");
+  for (auto* json : {&a, &b}) {
+    json->erase("dry_run");
+    json->erase("files");
+  }
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(gapcheck("fix data/two_plates.k --dry-run --format json --jobs 1").out, dry.out);
+}
+
+TEST_F(FixProgram, SaysWhatRemains) {
+  const Ended locked = gapcheck("fix data/two_plates.k -o out --lock 1,2");
+  EXPECT_EQ(locked.code, 1);
+  EXPECT_NE(locked.out.find("18 nodes not freed by any movement"), std::string::npos) << locked.out;
+  EXPECT_NE(locked.out.find("locked"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "out/two_plates.k"));
+  EXPECT_EQ(gapcheck("fix data/two_plates.k --dry-run --lock 1 --lock node:2001-2016").code, 1);
+  EXPECT_EQ(gapcheck("fix data/two_plates.k --dry-run --lock 1 --priority 2=10").code, 0);
+}
+
+TEST_F(FixProgram, RefusesWhatItDoesNotUnderstand) {
+  for (const char* bad : {"--lock x", "--lock 5-3", "--lock node:", "--lock -1", "--priority 1", "--priority 1=0",
+                          "--priority 1=nan", "--format xml"})
+    EXPECT_EQ(gapcheck(std::string("fix data/two_plates.k --dry-run ") + bad).code, 2) << bad;
+  EXPECT_EQ(gapcheck("fix data/missing.k --dry-run").code, 2);
+  EXPECT_EQ(gapcheck("fix data --dry-run").code, 2);
+}
+
+}  // namespace
+}  // namespace gapcheck
