@@ -89,7 +89,7 @@ bool worse(std::span<const NodeIndex> n, const std::vector<Vector>& before, cons
 /// Each element at a moved node once, with its nodes; those with nodes that are missing are left out.
 template <class Visit>
 void ElementBounds::for_each_element(std::span<const NodeIndex> moved, const Visit& visit) {
-  const auto visit_kind = [&](const auto& elements, contact::ElementIndex& index) {
+  const auto visit_kind = [&](model::ElementKind kind, const auto& elements, contact::ElementIndex& index) {
     std::vector<std::uint32_t> list;
     for (const NodeIndex node : moved) {
       const auto at = index.at(node);
@@ -99,24 +99,33 @@ void ElementBounds::for_each_element(std::span<const NodeIndex> moved, const Vis
     list.erase(std::unique(list.begin(), list.end()), list.end());
     for (const std::uint32_t e : list) {
       const auto& n = elements.nodes[e];
-      if (std::find(n.begin(), n.end(), none<NodeIndex>) == n.end()) visit(std::span<const NodeIndex>(n));
+      if (std::find(n.begin(), n.end(), none<NodeIndex>) == n.end()) visit(ElementOfKind{kind, e}, std::span<const NodeIndex>(n));
     }
   };
-  visit_kind(model_.mesh.shells, index_.shells);
-  visit_kind(model_.mesh.solids, index_.solids);
-  visit_kind(model_.mesh.thick_shells, index_.thick_shells);
-  visit_kind(model_.mesh.beams, index_.beams);
+  visit_kind(model::ElementKind::shell, model_.mesh.shells, index_.shells);
+  visit_kind(model::ElementKind::solid, model_.mesh.solids, index_.solids);
+  visit_kind(model::ElementKind::thick_shell, model_.mesh.thick_shells, index_.thick_shells);
+  visit_kind(model::ElementKind::beam, model_.mesh.beams, index_.beams);
 }
 
-std::vector<NodeIndex> ElementBounds::offenders(const std::vector<Vector>& x, std::span<const NodeIndex> moved) {
+std::vector<ElementOfKind> ElementBounds::broken(const std::vector<Vector>& x, std::span<const NodeIndex> moved) {
+  std::vector<ElementOfKind> list;
+  for_each_element(moved, [&](const ElementOfKind& element, std::span<const NodeIndex> nodes) {
+    if (!keeps_shape(nodes, deck_, x, limits_)) list.push_back(element);
+  });
+  return list;
+}
+
+std::vector<NodeIndex> ElementBounds::offenders(const std::vector<Vector>& x,
+                                                std::span<const ElementOfKind> elements) const {
   std::vector<NodeIndex> held;
-  for_each_element(moved, [&](std::span<const NodeIndex> nodes) {
-    if (keeps_shape(nodes, deck_, x, limits_)) return;
+  for (const ElementOfKind& element : elements) {
+    const std::span<const NodeIndex> nodes = nodes_of(model_.mesh, element);
     double most = 0;
     for (const NodeIndex n : nodes) most = std::max(most, (x[n.value] - deck_[n.value]).norm());
     for (const NodeIndex n : nodes)
       if (const double move = (x[n.value] - deck_[n.value]).norm(); move > 0 && !(move < most / 2)) held.push_back(n);
-  });
+  }
   std::sort(held.begin(), held.end());
   held.erase(std::unique(held.begin(), held.end()), held.end());
   return held;
@@ -124,7 +133,7 @@ std::vector<NodeIndex> ElementBounds::offenders(const std::vector<Vector>& x, st
 
 ElementBounds::Change ElementBounds::change(const std::vector<Vector>& x, std::span<const NodeIndex> moved) {
   Change change;
-  for_each_element(moved, [&](std::span<const NodeIndex> nodes) {
+  for_each_element(moved, [&](const ElementOfKind&, std::span<const NodeIndex> nodes) {
     ++change.touched;
     change.worsened += worse(nodes, deck_, x) ? 1 : 0;
   });

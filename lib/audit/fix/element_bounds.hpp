@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "audit/fix/crossing_pairs.hpp"
 #include "contact/mesh_index.hpp"
 #include "model/model.hpp"
 
@@ -23,10 +24,15 @@ class ElementBounds {
   ElementBounds(const model::Model& model, const std::vector<Vector>& x, const ShapeLimits& limits = {})
       : model_(model), deck_(x), limits_(limits), index_(model) {}
 
-  /// Nodes that must be held where they were so that no element loses its shape: of each element at a moved node that
-  /// is turned inside out, warped or stretched beyond the limits those that moved by at least half of what the one that
-  /// moved most did. Ascending, each once; empty: all elements keep their shape.
-  [[nodiscard]] std::vector<NodeIndex> offenders(const std::vector<Vector>& x, std::span<const NodeIndex> moved);
+  /// Elements at moved nodes that are turned inside out, warped or stretched beyond the limits.
+  [[nodiscard]] std::vector<ElementOfKind> broken(const std::vector<Vector>& x, std::span<const NodeIndex> moved);
+  /// Nodes that must be held where they were so that these elements keep their shape: of each the nodes that moved by at
+  /// least half of what the one that moved most did. Ascending, each once.
+  [[nodiscard]] std::vector<NodeIndex> offenders(const std::vector<Vector>& x,
+                                                 std::span<const ElementOfKind> elements) const;
+  [[nodiscard]] std::vector<NodeIndex> offenders(const std::vector<Vector>& x, std::span<const NodeIndex> moved) {
+    return offenders(x, broken(x, moved));
+  }
 
   struct Change {
     std::uint64_t touched = 0, worsened = 0;

@@ -172,6 +172,8 @@ void Mover::number_nodes() {
     moving[gap.node.value] = 1;
     for (const NodeIndex n : gap.corners) moving[n.value] = 1;
   }
+  for (const ShapeCondition& shape : shapes_)
+    for (const NodeIndex n : shape.nodes) moving[n.value] = 1;
   const std::size_t known = ties_.size();
   ties_ = ties_of(all_ties_, moving);
   if (ties_.size() != known) tie_multipliers_.assign(3 * ties_.size(), 0);
@@ -204,7 +206,7 @@ std::vector<Vector> Mover::as_written(const std::vector<Vector>& x) {
   return written;
 }
 
-/// One condition for each gap that counts at these coordinates, then three for each tie.
+/// One condition for each gap that counts at these coordinates, then three for each tie, then those of shapes.
 std::vector<MoveCondition> Mover::conditions(const std::vector<Vector>& at, std::vector<std::size_t>& gap_of) {
   std::vector<MoveCondition> list;
   const auto add_terms = [&](MoveCondition& c, NodeIndex node, const model::SegmentNodes& corners,
@@ -242,7 +244,36 @@ std::vector<MoveCondition> Mover::conditions(const std::vector<Vector>& at, std:
       c.multiplier = tie_multipliers_[3 * i + static_cast<std::size_t>(axis)];
       list.push_back(c);
     }
+  for (const ShapeCondition& shape : shapes_) {
+    MoveCondition c;
+    c.direction = shape.direction;
+    c.bound = shape.bound;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (shape.coefficient[i] != 0) c.add(slot_[shape.nodes[i].value], shape.coefficient[i]);
+    c.multiplier = shape.multiplier;
+    list.push_back(c);
+  }
   return list;
+}
+
+/// Adds conditions that keep the shape of elements that have none yet; true if there were any.
+bool Mover::keep_shapes(std::span<const ElementOfKind> broken) {
+  bool any = false;
+  for (const ElementOfKind& element : broken) {
+    if (!shaped_.insert(element).second) continue;
+    for (const ShapeCondition& c : shape_conditions(model_.mesh, deck_, element, options_.limits)) {
+      shapes_.push_back(c);
+      any = true;
+    }
+  }
+  return any;
+}
+
+void Mover::keep_multipliers(std::span<const MoveCondition> list, std::span<const std::size_t> gap_of) {
+  std::size_t i = 0;
+  for (const std::size_t gap : gap_of) gaps_.list()[gap].multiplier = list[i++].multiplier;
+  for (double& multiplier : tie_multipliers_) multiplier = list[i++].multiplier;
+  for (ShapeCondition& shape : shapes_) shape.multiplier = list[i++].multiplier;
 }
 
 /// Gives up gaps that no node can move for, and holds the nodes of conditions that contradict others. True if there
@@ -273,27 +304,34 @@ bool Mover::give_up(std::span<const MoveCondition> conditions, std::span<const s
   }
   for (Gap& gap : gaps_.list()) gap.multiplier = 0;
   std::fill(tie_multipliers_.begin(), tie_multipliers_.end(), 0.0);
+  for (ShapeCondition& shape : shapes_) shape.multiplier = 0;
   return true;
 }
 
 /// The coordinates with the least movement that open all gaps as they stand at `at`. Elements keep their shape.
 std::vector<Vector> Mover::solve(const std::vector<Vector>& at) {
-  std::vector<Vector> moves(nodes_.size()), mobility(nodes_.size());
+  std::vector<Vector> moves, mobility;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    for (std::size_t i = 0; i < nodes_.size(); ++i) mobility[i] = freedoms_.mobility[nodes_[i].value];
+    moves.resize(nodes_.size());
+    mobility.clear();
+    for (const NodeIndex n : nodes_) mobility.push_back(freedoms_.mobility[n.value]);
     std::vector<std::size_t> gap_of;
     std::vector<MoveCondition> list = conditions(at, gap_of);
     double largest = 0;
     for (const MoveCondition& c : list) largest = std::max(largest, c.bound);
     const MovementResult result = least_movement(list, mobility, moves, solved * largest, sweeps);
-    for (std::size_t i = 0; i < gap_of.size(); ++i) gaps_.list()[gap_of[i]].multiplier = list[i].multiplier;
-    for (std::size_t i = gap_of.size(); i < list.size(); ++i) tie_multipliers_[i - gap_of.size()] = list[i].multiplier;
+    keep_multipliers(list, gap_of);
     if (give_up(list, gap_of, moves, mobility, result.sweeps < sweeps)) continue;
     std::vector<Vector> x = base_;
     for (std::size_t i = 0; i < nodes_.size(); ++i) x[nodes_[i].value] += moves[i];
-    const std::vector<NodeIndex> held = bounds_.offenders(x, nodes_);
-    if (held.empty()) return x;
-    for (const NodeIndex n : held) {
+    const std::vector<ElementOfKind> broken = bounds_.broken(x, nodes_);
+    if (broken.empty()) return x;
+    // Neighbours are to come along first; what that does not help is held.
+    if (keep_shapes(broken)) {
+      number_nodes();
+      continue;
+    }
+    for (const NodeIndex n : bounds_.offenders(x, broken)) {
       freedoms_.hold(n, HoldReason::shape);
       base_[n.value] = deck_[n.value];
     }

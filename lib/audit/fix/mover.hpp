@@ -12,6 +12,7 @@
 #include "audit/fix/gaps.hpp"
 #include "audit/fix/held_ties.hpp"
 #include "audit/fix/node_lines.hpp"
+#include "audit/fix/shape_conditions.hpp"
 #include "contact/initial.hpp"
 
 namespace gapcheck::audit {
@@ -65,6 +66,8 @@ class Mover {
   std::vector<MoveCondition> conditions(const std::vector<Vector>& at, std::vector<std::size_t>& gap_of);
   bool give_up(std::span<const MoveCondition> conditions, std::span<const std::size_t> gap_of,
                std::span<const Vector> moves, std::span<const Vector> mobility, bool converged);
+  [[nodiscard]] bool keep_shapes(std::span<const ElementOfKind> broken);
+  void keep_multipliers(std::span<const MoveCondition> list, std::span<const std::size_t> gap_of);
   void number_nodes();
   void hold_unwritable();
   [[nodiscard]] std::vector<Vector> as_written(const std::vector<Vector>& x);
@@ -83,6 +86,8 @@ class Mover {
   std::uint64_t crossings_after_ = 0;
   Gaps gaps_;
   std::vector<HeldTie> all_ties_, ties_;
+  std::set<ElementOfKind> shaped_;       ///< elements that have shape conditions
+  std::vector<ShapeCondition> shapes_;
   std::vector<NodeIndex> nodes_;       ///< that some condition names, ascending
   std::vector<std::uint32_t> slot_;    ///< by node: position in nodes_
   std::vector<std::uint8_t> looked_at_;  ///< by node: whether its line can be rewritten was asked
