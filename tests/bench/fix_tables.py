@@ -36,7 +36,7 @@ def found(gapcheck, deck):
 
 
 def corrected(gapcheck, deck):
-    """The report of a correction, the findings of audits before and after,."""
+    """The report of a correction, and the findings of audits before and after."""
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run([gapcheck, "fix", deck, "-o", folder, "--format", "json"], capture_output=True, text=True)
         if run.returncode == 2:
