@@ -48,7 +48,7 @@ TEST(FixReport, TextNamesMovesAndWhatRemains) {
                            "      $ card 3\n", "mesh.k: 2 lines changed, written to out/mesh.k",
                            "4 nodes penetrating before, 1 after; 2 nodes moved in 1 file\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
-  EXPECT_LT(text.find("     12 "), text.find("     11 ")) << text;  // the largest move first
+  EXPECT_LT(text.find("    12   0.3"), text.find("    11   0.1")) << text;  // the largest move first
 }
 
 TEST(FixReport, TopAndQuietShorten) {
