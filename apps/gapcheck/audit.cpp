@@ -93,8 +93,8 @@ bool contacts_exist(const Report& report, const std::vector<std::int64_t>& wante
   return all;
 }
 
-/// What the baseline has and the audit was not asked for is not gone. Limits by depth or part leave out more than can be
-/// told from a baseline.
+/// What the baseline has and the audit was not asked for is not gone. Limits by depth or part leave out more than can
+/// be told from a baseline.
 bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
   if (!options.parts.empty() || options.ptol >= 0 || options.rtol >= 0 || options.ratio >= 0) return false;
   const auto& ids = options.contacts;
@@ -122,7 +122,8 @@ int audit_deck(const Arguments& arguments) {
     return failed;
   }
   const bool complete = contacts_exist(result.value(), arguments.audit.contacts) && !diagnostics.has_errors();
-  compare(baseline.value(), [&](const KnownFinding& known) { return looked_for(known, arguments.audit); }, result.value());
+  const auto asked = [&](const KnownFinding& known) { return looked_for(known, arguments.audit); };
+  compare(baseline.value(), asked, result.value());
   // Every record of a deck knows where its node is.
   const auto position = [](std::int64_t) { return std::nullopt; };
   bool written = write(result.value(), arguments.output, position);

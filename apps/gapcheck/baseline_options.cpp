@@ -11,7 +11,7 @@ namespace gapcheck::app {
 void add_baseline(CLI::App& command, BaselineOptions& options) {
   const std::vector<CLI::Option*> added{
       command
-          .add_option("--baseline", options.compare, "Only what is new or worse than in this file counts for the exit code")
+          .add_option("--baseline", options.compare, "Only what is new or worse than there counts for the exit code")
           ->type_name("FILE"),
       command.add_option("--write-baseline", options.write, "Write the findings there, to compare with later")
           ->type_name("FILE")};

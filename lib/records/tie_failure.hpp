@@ -33,7 +33,7 @@ struct TieFailure {
   double allowed = -1;               ///< distance within which it would tie; negative: unknown
   TieReason reason = TieReason::not_found;
   bool by_node_set = false;          ///< the node was named by a node set, so it was surely meant to tie
-  std::optional<Vector> position;    ///< of the node in the deck; none: unknown
+  std::optional<Vector> position = std::nullopt;  ///< of the node in the deck; none: unknown
   std::uint32_t file = 0, line = 0;  ///< file is a position in Report::files; line 0: unknown
 };
 

@@ -177,7 +177,8 @@ Result<std::vector<KnownFinding>> read_baseline(std::string_view text, const std
   std::vector<KnownFinding> findings;
   std::uint32_t number = 0;
   const auto error = [&](std::string what) {
-    return Diagnostic{Severity::error, name, number, std::move(what) + "; write the baseline anew with --write-baseline"};
+    what += "; write the baseline anew with --write-baseline";
+    return Diagnostic{Severity::error, name, number, std::move(what)};
   };
   constexpr std::size_t longest = 1 << 20;
   while (!text.empty()) {
@@ -226,7 +227,8 @@ std::string describe(const KnownFinding& finding) {
     text += fmt::format(" at {} {} {}", x[0], x[1], x[2]);
   }
   if (finding.penetration >= 0) text += fmt::format(", penetration {}", finding.penetration);
-  if (!finding.message.empty()) text += fmt::format("{}{}", finding.contact != 0 || finding.position ? ": " : " ", finding.message);
+  const bool placed = finding.contact != 0 || finding.position;
+  if (!finding.message.empty()) text += (placed ? ": " : " ") + finding.message;
   return text;
 }
 

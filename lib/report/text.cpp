@@ -10,7 +10,6 @@
 #include "report/check_c_view.hpp"
 #include "report/describe.hpp"
 #include "report/describe_tie.hpp"
-#include "report/item.hpp"
 #include "report/sums.hpp"
 #include "report/table.hpp"
 #include "report/text_baseline.hpp"
@@ -327,38 +326,6 @@ void append_total(const Report& report, const Sums& total, std::string& out) {
 }
 
 }  // namespace
-
-namespace {
-
-Totals totals(const Report& report, bool with_known) {
-  Totals sum;
-  std::size_t number = 0;
-  const auto add = [&](Severity severity) {
-    if (state_of(report, number++) == BaselineState::unchanged && !with_known) return;
-    switch (severity) {
-      case Severity::error:
-        ++sum.errors;
-        break;
-      case Severity::warning:
-        ++sum.warnings;
-        break;
-      case Severity::note:
-        ++sum.notes;
-        break;
-    }
-  };
-  for (const Penetration& record : report.penetrations) add(rule_of(record.kind).severity);
-  for (const TieFailure& failure : report.tie_failures) add(rule_of(failure).severity);
-  for (const Finding& finding : report.findings) add(finding.severity);
-  for (const ContactSummary& contact : report.contacts) sum.warnings += unlisted_penetrations(contact);
-  sum.warnings += run_warnings(report);
-  return sum;
-}
-
-}  // namespace
-
-Totals totals(const Report& report) { return totals(report, true); }
-Totals counting_totals(const Report& report) { return totals(report, false); }
 
 std::string statistics(const Report& report) {
   std::vector<std::pair<std::string, std::string>> lines = report.statistics;
