@@ -5,10 +5,12 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "audit/registry.hpp"
@@ -103,7 +105,28 @@ bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
   return rule == nullptr || audit::selected(*rule, options.select, options.ignore);
 }
 
+/// True if nothing that is to be written would take the deck's place, and no baseline would lose what a selection leaves
+/// out; what is wrong has been said.
+bool can_be_written(const Arguments& arguments) {
+  const BaselineOptions& baseline = arguments.baseline;
+  for (const std::string& path : {arguments.output.output, arguments.output.html, arguments.exports.key,
+                                  arguments.exports.ani, arguments.exports.a4sel, arguments.exports.medina,
+                                  baseline.write}) {
+    std::error_code none;
+    if (path.empty() || !std::filesystem::equivalent(path, arguments.deck, none)) continue;
+    print_error(report::printable(path) + " is the deck itself; give another file to write");
+    return false;
+  }
+  const audit::AuditOptions& audit = arguments.audit;
+  const bool selection = !audit.select.empty() || !audit.ignore.empty() || !audit.contacts.empty() ||
+                         !audit.parts.empty() || audit.ptol >= 0 || audit.rtol >= 0 || audit.ratio >= 0;
+  if (!selection || baseline.write.empty() || baseline.write != baseline.compare) return true;
+  print_error("--write-baseline into the file of --baseline would lose what the selection leaves out; write another file");
+  return false;
+}
+
 int audit_deck(const Arguments& arguments) {
+  if (!can_be_written(arguments)) return failed;
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
   // Before the work: a baseline that cannot be read makes it worthless.

@@ -4,6 +4,7 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -85,13 +86,18 @@ bool choose_places(const keyword::Deck& deck, const Arguments& arguments, audit:
   const fs::path home = fs::weakly_canonical(fs::path(arguments.deck), error).parent_path();
   std::set<fs::path> sources, taken;
   for (const keyword::SourceFile& file : deck.files()) sources.insert(fs::weakly_canonical(file.path, error));
+  // Another name of the same file counts, too.
+  const auto is_source = [&](const fs::path& target) {
+    return sources.contains(fs::weakly_canonical(target, error)) ||
+           std::any_of(sources.begin(), sources.end(), [&](const fs::path& s) { return fs::equivalent(s, target, error); });
+  };
   for (std::size_t i = 0; i < fix.files.size(); ++i) {
     FixedFile& changed = fix.report.changed[i];
     fs::path below = fs::weakly_canonical(changed.path, error).lexically_relative(home);
     if (below.empty() || *below.begin() == "..") below = fs::path(changed.path).filename();
     const fs::path target = fs::path(arguments.directory) / below;
     const fs::path canonical = fs::weakly_canonical(target, error);
-    if (sources.contains(canonical))
+    if (is_source(target))
       return fail(fmt::format("{} is a file of the deck itself; give another directory with -o",
                               report::printable(target.string())));
     if (!taken.insert(canonical).second)
@@ -110,7 +116,7 @@ bool write_files(const keyword::Deck& deck, const Arguments& arguments, audit::F
     fs::create_directories(fs::path(path).parent_path(), error);
     const std::string_view bytes = deck.file(fix.files[i].file).bytes;
     const keyword::LineIndex index(bytes);
-    if (const auto failure = write_file(path, keyword::with_lines(bytes, index, fix.files[i].edits))) {
+    if (const auto failure = replace_file(path, keyword::with_lines(bytes, index, fix.files[i].edits))) {
       print(*failure);
       return false;
     }

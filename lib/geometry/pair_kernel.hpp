@@ -164,7 +164,8 @@ inline void decide_quads(PairArrays& p, std::size_t first) {
   const Mask<V> closer = scale.closer(on.ww);
   Mask<V> apart = scale.separated(on.ww, least);
   const Mask<V> face = closer & at.settled & (amount(at.s) < 1.0 - border) & (amount(at.t) < 1.0 - border);
-  Mask<V> nearest = least >= on.ww - scale.error;
+  // The margin must be small beside the square itself, else it proves nothing near the query.
+  Mask<V> nearest = (least >= on.ww - scale.error) & (on.ww >= 0x1p20 * scale.error);
   const Mask<V> open = (scale.usable & (on.ww > scale.limit) & ~apart) | (face & ~nearest);
   if (bits<V>(open) != 0) {
     const Drop<V> fall = largest_drop(g, on, at, squares);

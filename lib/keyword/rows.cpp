@@ -172,7 +172,12 @@ class RowReader {
     double* reals = rows.reals.data();
     std::uint32_t* lines = rows.lines.data();
     std::uint32_t number = piece.first_line;
+    const std::uint32_t* const room = lines + rows.lines.size();
     for (std::size_t at = piece.begin; at < piece.end; ++number) {
+      if (lines == room) {  // rows were counted a moment ago
+        diagnostics.error(deck_.file(block_.file).path, number, "the file has changed while it was read; read it again");
+        return;
+      }
       std::size_t next = 0;
       if (!read_aligned(at, next, integers, reals)) {
         const std::string_view line = line_from(body, at, next);

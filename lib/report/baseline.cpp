@@ -64,7 +64,9 @@ KnownFinding known_finding(const Item& item) {
   known.penetration = six_digits(item.penetration);
   known.contact_distance = six_digits(item.contact_distance);
   known.count = item.count;
-  if (!known.position || known.count > 1) known.message = without_lines(item.message);
+  // As the file will have it: bytes that are no UTF-8 do not come back.
+  if (!known.position || known.count > 1)
+    known.message = Json::parse(json_string(without_lines(item.message))).get<std::string>();
   return known;
 }
 

@@ -8,6 +8,7 @@
 #include "report/formats.hpp"
 #include "report/item.hpp"
 #include "report/stream.hpp"
+#include "report/xml_text.hpp"
 
 namespace gapcheck::report {
 namespace {
@@ -16,9 +17,10 @@ namespace {
 class Line {
  public:
   explicit Line(Buffer& out) : out_(out) {}
-  void text(std::string_view text) {
+  void text(std::string_view bytes) {
     comma();
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return out_.append(text);
+    const std::string text = plain_text(bytes);
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return out_.append(std::string_view(text));
     out_.push_back('"');
     for (const char c : text) {
       if (c == '"') out_.push_back('"');

@@ -7,6 +7,7 @@
 #include "report/formats.hpp"
 #include "report/item.hpp"
 #include "report/stream.hpp"
+#include "report/xml_text.hpp"
 
 namespace gapcheck::report {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 /// As the runner's commands want it; properties must do without colons and commas as well.
 std::string escaped(std::string_view text, bool property) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : plain_text(text)) {
     const bool special = c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','));
     out += special ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
   }

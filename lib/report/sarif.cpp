@@ -132,7 +132,10 @@ void sarif(const Report& report, std::string_view version, std::span<const RuleT
     stream.separator(i == 0);
     append_rule(rules[i], stream.buffer);
   }
-  stream.text("]}},\"columnKind\":\"utf16CodeUnits\",\n\"results\":[");
+  // One category per deck: code scanning refuses several runs of one.
+  stream.text("]}},\"columnKind\":\"utf16CodeUnits\",\"automationDetails\":{\"id\":");
+  stream.text(json_string(fmt::format("gapcheck/{}/", report.input)));
+  stream.text("},\n\"results\":[");
   bool first = true;
   for_each_item(report, [&](const Item& item) {
     stream.separator(std::exchange(first, false));

@@ -37,9 +37,7 @@ std::string_view escape(char c) {
   }
 }
 
-}  // namespace
-
-std::string xml_text(std::string_view text) {
+std::string converted(std::string_view text, bool escaped) {
   std::string out;
   out.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
@@ -51,15 +49,20 @@ std::string xml_text(std::string_view text) {
       i += std::max<std::size_t>(length, 1);
       continue;
     }
-    const std::string_view escaped = escape(c);
+    const std::string_view escape_of_c = escaped ? escape(c) : std::string_view();
     const bool control = (byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f;
-    if (!escaped.empty())
-      out += escaped;
+    if (!escape_of_c.empty())
+      out += escape_of_c;
     else
       out += control ? '?' : c;
     ++i;
   }
   return out;
 }
+
+}  // namespace
+
+std::string xml_text(std::string_view text) { return converted(text, true); }
+std::string plain_text(std::string_view text) { return converted(text, false); }
 
 }  // namespace gapcheck::report

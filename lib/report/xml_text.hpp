@@ -8,4 +8,8 @@ namespace gapcheck::report {
 /// that are no UTF-8 replaced by '?'.
 [[nodiscard]] std::string xml_text(std::string_view text);
 
+/// The same without the escapes: text that any reader takes for UTF-8, with newlines and tabs, and no other control
+/// characters.
+[[nodiscard]] std::string plain_text(std::string_view text);
+
 }  // namespace gapcheck::report

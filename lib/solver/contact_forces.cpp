@@ -14,6 +14,10 @@
 namespace gapcheck::solver {
 namespace {
 
+bool has_offsets(const contact::ContactSide& side) {
+  return !side.selection.segments.offset.empty() || !side.nodes.shift.empty();
+}
+
 using contact::NodeContact;
 using contact::Treatment;
 
@@ -126,6 +130,8 @@ void ContactForces::build(State& state) {
     }
     remember(interface);
     if (contact.bsort > 0 && (sort_interval_ == 0 || contact.bsort < sort_interval_)) sort_interval_ = contact.bsort;
+    // Offset mid-surfaces turn with their segments and come closer by more than any node moves.
+    if (has_offsets(surfaces.a) || has_offsets(surfaces.b)) sort_interval_ = 1;
     ContactState& result = states_.emplace_back();
     result.contact = c;
     result.single_surface = surfaces.type.treatment == Treatment::single_surface;

@@ -172,6 +172,9 @@ contact::NodeEncounter ContactPass::encounter(std::uint32_t slot, const Meeting&
   encounter.penetration = scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.contact->distance;
   if (tracked.partner.segment != segment + 1)
     tracked.partner = {segment + 1, release_depth(slot, segment), spring(slot, segment)};
+  // The depth that follows the segment's shape or a thickness over time is that of this cycle.
+  else if (scene_.contact.penchk == 2 || scene_.contact.airbag_thickness > 0)
+    tracked.partner.release_depth = release_depth(slot, segment);
   encounter.release_depth = tracked.partner.release_depth;
   encounter.movable = setting_.movable[scene_.nodes.node[slot].value];
   return encounter;

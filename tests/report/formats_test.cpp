@@ -49,6 +49,7 @@ TEST(Sarif, EveryFindingWithRuleLevelPlaceAndFingerprint) {
   const Json& run = log["runs"][0];
   EXPECT_EQ(run["tool"]["driver"]["rules"].size(), 2U);
   EXPECT_EQ(run["tool"]["driver"]["rules"][0]["help"]["markdown"], "# Page\n");
+  EXPECT_EQ(run["automationDetails"]["id"], "gapcheck/plates.k/");
   const Json& results = run["results"];
   ASSERT_EQ(results.size(), items(report));
   EXPECT_EQ(results[0]["ruleId"], "GC102");
@@ -132,7 +133,7 @@ TEST(Csv, EveryLineHasTheColumnsOfTheHead) {
   EXPECT_EQ(at(1, "penetration"), "0.9");
   EXPECT_EQ(at(1, "node"), "14");
   EXPECT_EQ(at(1, "file"), report.files[1]);
-  EXPECT_EQ(at(4, "message"), report.findings[0].message);
+  EXPECT_EQ(at(4, "message"), "two\nlines, \"quoted\" <&> ?( :: 100%");  // what is no UTF-8 is replaced
   EXPECT_EQ(at(4, "penetration"), "");
 }
 

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "audit/fix/mover.hpp"
 #include "audit/fix/proposals.hpp"
@@ -72,17 +76,64 @@ class Reporter {
       report_.notes.push_back(std::move(note));
     }
     for (const std::string& note : mover_.before().state.notes) report_.notes.push_back(note);
+    welds();
     if (report_.crossings_after > 0)
       report_.notes.push_back(fmt::format(
           "{} pairs of elements cross each other; nodes stay on the side on which they are", report_.crossings_after));
   }
 
  private:
+  /// Welds join nodes that lie apart; nothing but their positions says how they should move.
+  void welds() {
+    const auto move = [&](NodeIndex n) { return Vector(model_.mesh.nodes.x[n.value] - deck_[n.value]); };
+    const auto stretched = [&](const model::Weld& weld) {
+      return std::any_of(weld.nodes.begin(), weld.nodes.end(), [&](NodeIndex n) {
+        return n != none<NodeIndex> && weld.nodes.front() != none<NodeIndex> && move(n) != move(weld.nodes.front());
+      });
+    };
+    const auto count = std::count_if(model_.welds.begin(), model_.welds.end(), stretched);
+    if (count > 0)
+      report_.notes.push_back(fmt::format("{} spot welds have nodes that have moved against each other", count));
+  }
+
   const model::Model& model_;
   const std::vector<Vector>& deck_;
   Mover& mover_;
   FixReport& report_;
 };
+
+/// A keyword that puts nodes and elements elsewhere, or makes new ones, and is not read: what would be corrected is not
+/// the geometry that runs.
+std::optional<Diagnostic> unread_geometry(const keyword::Deck& deck) {
+  constexpr std::array moving{"NODE_MERGE",     "NODE_TRANSFORM",        "ELEMENT_GENERATE",   "PART_MOVE",
+                              "PART_DUPLICATE", "PART_STACKED_ELEMENTS", "INCLUDE_AUTO_OFFSET", "NODE_REPLICATE"};
+  for (const keyword::Block& block : deck.blocks())
+    for (const std::string_view name : moving)
+      if (block.name.starts_with(name))
+        return Diagnostic{Severity::error, deck.file(block.file).path, block.line,
+                          fmt::format("*{} is not read, so that the nodes are not where they run; write its effect "
+                                      "into the coordinates first", block.name)};
+  if (deck.counters().missing_includes > 0)
+    return Diagnostic{Severity::error, "", 0, "includes are missing, and with them what nodes could run into"};
+  return std::nullopt;
+}
+
+/// What of --lock and --priority names nothing in the model.
+std::optional<Diagnostic> unknown_choice(const model::Model& model, const FixOptions& options) {
+  const auto unknown = [](const std::string& what) { return Diagnostic{Severity::error, "", 0, what}; };
+  for (const Lock& lock : options.locks) {
+    const auto part = model.part_of_id.lower_bound(lock.first);
+    bool found = !lock.nodes && part != model.part_of_id.end() && part->first <= lock.last;
+    if (lock.nodes)
+      model.mesh.nodes.lookup.for_each_in(lock.first, lock.last, [&](std::int64_t, std::uint32_t) { return !(found = true); });
+    if (!found)
+      return unknown(fmt::format("--lock {}{}: the deck has no such {}", lock.nodes ? "node:" : "", lock.first,
+                                 lock.nodes ? "node" : "part"));
+  }
+  for (const auto& [part, factor] : options.priorities)
+    if (!model.part_of_id.contains(part)) return unknown(fmt::format("--priority {}: the deck has no such part", part));
+  return std::nullopt;
+}
 
 /// The lines of the moved nodes, file by file.
 std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const std::vector<NodeIndex>& moved) {
@@ -101,9 +152,11 @@ std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const 
 }  // namespace
 
 Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& options, Diagnostics& diagnostics) {
+  if (auto unread = unread_geometry(deck)) return std::move(*unread);
   auto read = model::read_model(deck, diagnostics);
   if (!read) return read.error();
   model::Model& model = read.value();
+  if (auto unknown = unknown_choice(model, options)) return std::move(*unknown);
   const std::vector<Vector> x = model.mesh.nodes.x;
   NodeLines lines(deck, model, x);
   ElementBounds bounds(model, x, options.limits);

@@ -36,7 +36,8 @@ struct Fix {
 /// side of the segment on which the deck has it, and is cleared by 1.002 times its penetration, as the solver does. Ties
 /// stay together; nodes that may not move stay; elements keep their shape (ShapeLimits). What the lines of the deck can
 /// tell of the coordinates is what is judged. Never more nodes penetrate afterwards than before. Contacts that judge
-/// segments (SOFT = 2, mortar) are left alone. Errors: the deck cannot be read as a model.
+/// segments (SOFT = 2, mortar) are left alone. Errors: the deck cannot be read as a model,
+/// has keywords that move or make nodes and are not read, or lacks what the options name.
 [[nodiscard]] Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& options,
                                            Diagnostics& diagnostics);
 

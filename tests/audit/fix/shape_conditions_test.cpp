@@ -7,6 +7,7 @@ namespace {
 
 model::Mesh mesh_with(const model::SegmentNodes& nodes) {
   model::Mesh mesh;
+  mesh.shells.id.push_back(1);
   mesh.shells.nodes.push_back(nodes);
   return mesh;
 }
