@@ -48,6 +48,32 @@ TEST_F(FixProgram, NeverWritesOverTheDeck) {
   EXPECT_EQ(content(folder_ / "data/two_plates.k"), before);
 }
 
+TEST_F(FixProgram, NotEvenUnderAnotherName) {
+  const std::string before = content(folder_ / "data/two_plates.k");
+  fs::create_directory(folder_ / "copy");
+  fs::create_hard_link(folder_ / "data/two_plates.k", folder_ / "copy/two_plates.k");
+  EXPECT_EQ(gapcheck("fix data/two_plates.k -o copy").code, 2);
+  EXPECT_EQ(content(folder_ / "data/two_plates.k"), before);
+}
+
+TEST_F(FixProgram, RefusesGeometryThatIsNotRead) {
+  std::string deck = content(folder_ / "data/two_plates.k");
+  deck.insert(deck.find("*END"), "*PART_MOVE\n         2       0.0       0.0       5.0\n");
+  std::ofstream(folder_ / "moved.k") << deck;
+  const Ended fixed = gapcheck("fix moved.k -o out");
+  EXPECT_EQ(fixed.code, 2);
+  EXPECT_NE(fixed.err.find("*PART_MOVE is not read"), std::string::npos) << fixed.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(FixProgram, ChoicesMustBeInTheDeck) {
+  for (const char* choice : {"--lock 777", "--lock node:9000000", "--priority 888=5"}) {
+    const Ended fixed = gapcheck(std::string("fix data/two_plates.k --dry-run ") + choice);
+    EXPECT_EQ(fixed.code, 2) << choice;
+    EXPECT_NE(fixed.err.find("the deck has no such"), std::string::npos) << fixed.err;
+  }
+}
+
 TEST_F(FixProgram, DryRunSaysTheSameAndWritesNothing) {
   EXPECT_EQ(gapcheck("fix data/two_plates.k").code, 2);
   const Ended dry = gapcheck("fix data/two_plates.k --dry-run --format json");
