@@ -148,12 +148,13 @@ class Browser:
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key)
 
-    def settle(self, seconds=10):
-        """Waits until the camera stands still; returns where it is."""
+    def settle(self, seconds=10, different_from=None):
+        """Waits until the camera stands still, and, for a while, until it has left a place; returns where it is."""
         end, last = time.monotonic() + seconds, None
         while time.monotonic() < end:
             now = self.value("document.getElementById('canvas')?.dataset.camera ?? ''")
-            if now == last:
+            patient = now == different_from and time.monotonic() < end - 2
+            if now == last and not patient:
                 return now
             last = now
             time.sleep(0.6)

@@ -95,7 +95,7 @@ def check_picture(browser):
     if not rows:
         return
     browser.click(row(browser, rows[0]))
-    there = browser.settle()
+    there = browser.settle(different_from=start)
     check(there != start and there != "", "a press on a row moves the camera")
     check(not browser.value("document.getElementById('label').hidden"), "the node has its label")
     full("the picture of a finding is not empty")
@@ -120,7 +120,7 @@ def check_picture(browser):
     camera = browser.settle()
     browser.value("document.querySelector('#canvas').focus()")
     browser.press("ArrowLeft")
-    check(browser.settle() != camera, "the arrow keys turn the picture")
+    check(browser.settle(different_from=camera) != camera, "the arrow keys turn the picture")
     browser.value("(() => { const s = document.querySelector('#tools select'); s.value = '100'; "
                   "s.dispatchEvent(new Event('change')); })()")
     full("magnified vectors")
