@@ -193,13 +193,7 @@ void add_fix(CLI::App& app, Action& action) {
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--quiet", arguments->text.quiet, "Only the last line, and no warnings");
-  command->add_option("-I", arguments->read.include_directories, "Further directory for *INCLUDE")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->type_name("DIR");
-  command->add_option("--missing-includes", arguments->missing_includes, "What to do about missing include files")
-      ->check(CLI::IsMember({"error", "skip"}))
-      ->capture_default_str();
+  add_includes(*command, arguments->read, arguments->missing_includes);
   add_jobs(*command, arguments->jobs);
   command->callback([&action, arguments] {
     action = [arguments] {

@@ -169,4 +169,14 @@ void add_jobs(CLI::App& command, std::size_t& jobs) {
       ->capture_default_str();
 }
 
+void add_includes(CLI::App& command, keyword::ReadOptions& read, std::string& missing) {
+  command.add_option("-I", read.include_directories, "Further directory for *INCLUDE")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("DIR");
+  command.add_option("--missing-includes", missing, "What to do about missing include files")
+      ->check(CLI::IsMember({"error", "skip"}))
+      ->capture_default_str();
+}
+
 }  // namespace gapcheck::app

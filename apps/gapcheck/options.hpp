@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "keyword/deck.hpp"
 #include "records/report.hpp"
 #include "report/exports.hpp"
 #include "report/writers.hpp"
@@ -57,5 +58,8 @@ void add_exports(CLI::App& command, ExportOptions& options);
 bool write(const Report& report, const ExportOptions& options, const report::NodePosition& position);
 
 void add_jobs(CLI::App& command, std::size_t& jobs);
+
+/// -I and --missing-includes; `missing` is "error" or "skip" once the arguments are read.
+void add_includes(CLI::App& command, keyword::ReadOptions& read, std::string& missing);
 
 }  // namespace gapcheck::app

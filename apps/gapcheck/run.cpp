@@ -183,13 +183,7 @@ void add_run(CLI::App& app, Action& action) {
   command->add_flag("--vtu", arguments->vtu, "Also write each plot state as a .vtu file, and run.pvd that lists them");
   command->add_flag("--quiet", arguments->quiet, "No summary, no warnings");
   command->add_flag("--stats", arguments->stats, "Show counters and times");
-  command->add_option("-I", arguments->read.include_directories, "Further directory for *INCLUDE")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->type_name("DIR");
-  command->add_option("--missing-includes", arguments->missing_includes, "What to do about missing include files")
-      ->check(CLI::IsMember({"error", "skip"}))
-      ->capture_default_str();
+  add_includes(*command, arguments->read, arguments->missing_includes);
   add_jobs(*command, arguments->jobs);
   command->callback([&action, arguments] {
     action = [arguments] {
