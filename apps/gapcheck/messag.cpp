@@ -132,7 +132,8 @@ int show_logs(const Arguments& arguments) {
   if (mesh) known = std::move(mesh).value();
   add_parts(report, known);
   if (model) report.scene = audit::scene_mesh(*model, report);
-  complete = write(report, arguments.output, positions(known)) && complete;
+  complete = write_page(report, arguments.output, positions(known)) && complete;
+  complete = write(report, arguments.output) && complete;
   complete = write(report, arguments.exports, positions(known)) && complete;
   return complete ? exit_code(report, arguments.output.fail_on) : failed;
 }

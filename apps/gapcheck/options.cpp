@@ -82,44 +82,55 @@ std::optional<Severity> limit_of(const std::string& fail_on) {
   return std::nullopt;
 }
 
-void write_text(const Report& report, const OutputOptions& options, Output& output) {
+void write_text(const report::Reports& reports, const OutputOptions& options, Output& output) {
   report::TextOptions text = options.text;
   text.color = output.color();
-  output.write(report::text(report, text));
+  const std::string_view between = text.quiet ? "" : "\n";
+  for (std::size_t i = 0; i < reports.all.size(); ++i) {
+    if (i > 0) output.write(between);
+    output.write(report::text(reports.all[i], text));
+  }
+  if (!reports.several()) return;
+  output.write(between);
+  output.write(report::text_of_all(reports, text));
 }
 
 /// In one of the formats for programs.
-void write_format(const Report& report, const OutputOptions& options, const report::Sink& sink) {
+void write_format(const report::Reports& reports, const OutputOptions& options, const report::Sink& sink) {
   const std::size_t top = options.text.list ? std::numeric_limits<std::size_t>::max() : options.text.top;
   const std::optional<Severity> limit = limit_of(options.fail_on);
-  if (options.format == "json") report::json(report, sink, options.text.stats);
-  if (options.format == "sarif") report::sarif(report, version(), rule_texts(), sink);
-  if (options.format == "junit") report::junit(report, limit ? &*limit : nullptr, top, sink);
-  if (options.format == "github") report::github(report, top, sink);
-  if (options.format == "gitlab") report::gitlab(report, sink);
-  if (options.format == "csv") report::csv(report, sink);
+  if (options.format == "json") report::json(reports, sink, options.text.stats);
+  if (options.format == "sarif") report::sarif(reports, version(), rule_texts(), sink);
+  if (options.format == "junit") report::junit(reports, limit ? &*limit : nullptr, top, sink);
+  if (options.format == "github") report::github(reports, top, sink);
+  if (options.format == "gitlab") report::gitlab(reports, sink);
+  if (options.format == "csv") report::csv(reports, sink);
 }
 
 }  // namespace
 
-bool write(const Report& report, const OutputOptions& options, const report::NodePosition& position) {
-  bool page_written = true;
-  if (!options.html.empty()) {
-    report::HtmlOptions page;
-    page.version = version();
-    if (const auto error = write_file(options.html, report::html(report, position, page))) {
-      print(*error);
-      page_written = false;
-    }
-  }
+bool write_page(const Report& report, const OutputOptions& options, const report::NodePosition& position) {
+  if (options.html.empty()) return true;
+  report::HtmlOptions page;
+  page.version = version();
+  const auto error = write_file(options.html, report::html(report, position, page));
+  if (error) print(*error);
+  return !error;
+}
+
+bool write(const report::Reports& reports, const OutputOptions& options) {
   Output output(options.output);
   if (options.format == "text") {
-    write_text(report, options, output);
+    write_text(reports, options, output);
   } else {
-    write_format(report, options, [&output](std::string_view piece) { return output.write(piece); });
-    if (options.text.stats) std::fputs(report::statistics(report).c_str(), stderr);
+    write_format(reports, options, [&output](std::string_view piece) { return output.write(piece); });
+    if (options.text.stats)
+      for (const Report& report : reports.all) {
+        if (reports.several()) std::fputs((report::printable(report.input) + "\n").c_str(), stderr);
+        std::fputs(report::statistics(report).c_str(), stderr);
+      }
   }
-  return output.close() && page_written;
+  return output.close();
 }
 
 int exit_code(const Report& report, const std::string& fail_on) {

@@ -40,9 +40,11 @@ struct OutputOptions {
 };
 void add_output(CLI::App& command, OutputOptions& options);
 
-/// Writes the report, and the page if it is asked for; false after a failure, which has been said. `position` is for the
-/// page and may be empty.
-bool write(const Report& report, const OutputOptions& options, const report::NodePosition& position);
+/// Writes the results of one report or of several; false after a failure, which has been said.
+bool write(const report::Reports& reports, const OutputOptions& options);
+
+/// Writes the page if it is asked for; false after a failure, which has been said. `position` may be empty.
+bool write_page(const Report& report, const OutputOptions& options, const report::NodePosition& position);
 
 /// Clean or findings, as --fail-on has it.
 [[nodiscard]] int exit_code(const Report& report, const std::string& fail_on);

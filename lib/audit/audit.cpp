@@ -114,6 +114,7 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("bytes skipped unparsed", model.skipped_bytes);
   add("encrypted blocks skipped", deck.counters().encrypted_blocks);
   add("includes missing", deck.counters().missing_includes);
+  if (deck.counters().shared_files > 0) add("files read before in this call", deck.counters().shared_files);
   const auto& c = context.counters();
   add("rules run", context.rule_counters().asking + context.rule_counters().content);
   add("rules that asked for no surface and no search", context.rule_counters().content);

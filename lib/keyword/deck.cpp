@@ -56,18 +56,16 @@ bool is_data(std::string_view line) { return !line.starts_with('$') && !trimmed(
 }  // namespace
 
 Result<Deck> DeckReader::read_path(const std::string& path) {
-  auto mapped = MappedFile::open(path);
-  if (!mapped) return mapped.error();
-  if (const auto problem = unreadable(mapped.value().bytes()); !problem.empty())
-    return Diagnostic{Severity::error, path, 0, problem};
-  deck_.mappings_.push_back(std::move(mapped).value());
   std::error_code error;
   canonical_.push_back(std::filesystem::canonical(path, error).string());
-  if (!canonical_.back().empty()) mapped_[canonical_.back()] = 0;
+  const auto file = open_file(path, canonical_.back());
+  if (!file) return file.error();
+  if (const auto problem = unreadable(file.value()->bytes()); !problem.empty())
+    return Diagnostic{Severity::error, path, 0, problem};
   FileContext context;
-  context.file = add_file(path, deck_.mappings_.back().bytes(), nullptr, 0);
+  context.file = add_file(path, file.value()->bytes(), nullptr, 0);
   context.scope = deck_.parameters_.add_scope(Parameters::global);
-  read_file(context);
+  read_file(context, file.value()->marks());
   return finish();
 }
 
@@ -78,13 +76,26 @@ Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
   FileContext context;
   context.file = add_file(name, deck_.texts_.back(), nullptr, 0);
   context.scope = deck_.parameters_.add_scope(Parameters::global);
-  read_file(context);
+  read_file(context, marks_of_file(deck_.texts_.back()));
   return finish();
 }
 
 Result<Deck> DeckReader::finish() {
   resolve_transforms();
   return std::move(deck_);
+}
+
+/// The file, which the deck then keeps.
+Result<std::shared_ptr<KeywordFile>> DeckReader::open_file(const std::string& path, const std::string& canonical) {
+  FileCache& cache = options_.cache != nullptr ? *options_.cache : own_;
+  const std::uint64_t shared = cache.shared();
+  auto file = cache.open(path, canonical);
+  if (!file) return file;
+  if (std::find(deck_.mapped_.begin(), deck_.mapped_.end(), file.value()) == deck_.mapped_.end()) {
+    deck_.counters_.shared_files += cache.shared() - shared;
+    deck_.mapped_.push_back(file.value());
+  }
+  return file;
 }
 
 FileIndex DeckReader::add_file(const std::string& path, std::string_view bytes, const FileContext* includer,
@@ -100,11 +111,9 @@ FileIndex DeckReader::add_file(const std::string& path, std::string_view bytes, 
   return FileIndex(static_cast<std::uint32_t>(deck_.files_.size() - 1));
 }
 
-void DeckReader::read_file(FileContext context) {
+void DeckReader::read_file(FileContext context, const std::vector<Mark>& marks) {
   const std::string_view bytes = deck_.files_[context.file.value].bytes;
   const std::size_t begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-  auto marks = find_marks(bytes.substr(begin));
-  for (Mark& mark : marks) mark.offset += begin;
   check_before_keywords(context, begin, marks.empty() ? bytes.size() : marks.front().offset);
   for (std::size_t at = 0; at < marks.size() && !stopped_;) {
     const Mark& mark = marks[at];

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -7,8 +8,8 @@
 
 #include "base/diagnostic.hpp"
 #include "base/ids.hpp"
-#include "base/mapped_file.hpp"
 #include "base/result.hpp"
+#include "keyword/file_cache.hpp"
 #include "keyword/parameters.hpp"
 #include "keyword/transform.hpp"
 
@@ -42,11 +43,13 @@ struct ReadOptions {
   bool skip_missing_includes = false;            ///< then each is a warning
   std::uint32_t max_include_depth = 64;
   std::uint32_t max_files = 10000;
+  FileCache* cache = nullptr;  ///< files shared with other decks; must outlive the reading
 };
 
 /// What was passed over on purpose, for --stats.
 struct DeckCounters {
   std::uint64_t bytes = 0, files = 0, missing_includes = 0, encrypted_blocks = 0;
+  std::uint64_t shared_files = 0;  ///< that the cache had before
 };
 
 /// A deck with all its includes as a list of blocks in input order. Nothing is parsed but what the structure needs:
@@ -62,12 +65,12 @@ class Deck {
   /// Gives back the memory of the files' pages, for when all has been read. All views stay valid; what is looked at
   /// again is read again.
   void release_pages() const {
-    for (const MappedFile& file : mappings_) file.release();
+    for (const auto& file : mapped_) file->release();
   }
 
  private:
   friend class DeckReader;
-  std::vector<MappedFile> mappings_;
+  std::vector<std::shared_ptr<KeywordFile>> mapped_;
   std::vector<std::string> texts_;  ///< bytes of decks given as text
   std::vector<SourceFile> files_;
   std::vector<Block> blocks_;

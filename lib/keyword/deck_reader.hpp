@@ -40,8 +40,9 @@ class DeckReader {
   Result<Deck> finish();
 
   // deck.cpp: one file
+  [[nodiscard]] Result<std::shared_ptr<KeywordFile>> open_file(const std::string& path, const std::string& canonical);
   FileIndex add_file(const std::string& path, std::string_view bytes, const FileContext* includer, std::uint32_t line);
-  void read_file(FileContext context);
+  void read_file(FileContext context, const std::vector<Mark>& marks);
   void check_before_keywords(const FileContext& context, std::size_t begin, std::size_t end);
   std::size_t pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at);
   [[nodiscard]] static Block block_of(FileContext& context, std::string_view line);
@@ -57,7 +58,7 @@ class DeckReader {
   void open_include(const FileContext& context, const Block& block, const IncludeName& include,
                     TransformIndex transform);
   [[nodiscard]] std::optional<std::string> find_include(const FileContext& context, const std::string& name) const;
-  [[nodiscard]] std::optional<std::string_view> map_include(const std::string& path, const std::string& canonical,
+  [[nodiscard]] std::shared_ptr<KeywordFile> map_include(const std::string& path, const std::string& canonical,
                                                             const Block& block, std::uint32_t line);
   [[nodiscard]] bool may_include(const FileContext& context, const std::string& canonical, const Block& block,
                                  const IncludeName& include);
@@ -73,8 +74,8 @@ class DeckReader {
   const ReadOptions& options_;
   Diagnostics& diagnostics_;
   Deck deck_;
+  FileCache own_;  ///< where the options give none
   std::vector<std::string> canonical_;          ///< beside Deck::files_
-  std::map<std::string, std::size_t> mapped_;   ///< canonical path → position in Deck::mappings_
   std::vector<std::string> include_paths_;      ///< *INCLUDE_PATH and *INCLUDE_PATH_RELATIVE so far
   std::vector<PendingTransform> pending_;       ///< enclosing ones first
   std::vector<std::uint32_t> transformations_;  ///< positions of *DEFINE_TRANSFORMATION blocks

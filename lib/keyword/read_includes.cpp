@@ -165,27 +165,24 @@ bool DeckReader::may_include(const FileContext& context, const std::string& cano
   return true;
 }
 
-/// The bytes of an included file, mapped once however often it is included.
-std::optional<std::string_view> DeckReader::map_include(const std::string& path, const std::string& canonical,
+/// An included file that can be read as one; null: it has been said why not.
+std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, const std::string& canonical,
                                                         const Block& block, std::uint32_t line) {
-  if (const auto known = mapped_.find(canonical); known != mapped_.end()) return deck_.mappings_[known->second].bytes();
-  auto mapped = MappedFile::open(path);
-  if (!mapped) {
-    diagnostics_.error(path_of(block.file), line, "include \"" + path + "\" " + mapped.error().message);
-    return std::nullopt;
+  auto file = open_file(path, canonical);
+  if (!file) {
+    diagnostics_.error(path_of(block.file), line, "include \"" + path + "\" " + file.error().message);
+    return nullptr;
   }
-  const std::string_view bytes = mapped.value().bytes();
+  const std::string_view bytes = file.value()->bytes();
   if (bytes.empty()) {
     diagnostics_.warning(path_of(block.file), line, "include \"" + path + "\" is empty");
-    return std::nullopt;
+    return nullptr;
   }
   if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) {
     diagnostics_.error(path_of(block.file), line, "include \"" + path + "\" is not a keyword file; it is binary");
-    return std::nullopt;
+    return nullptr;
   }
-  mapped_[canonical] = deck_.mappings_.size();
-  deck_.mappings_.push_back(std::move(mapped).value());
-  return bytes;
+  return std::move(file).value();
 }
 
 void DeckReader::open_include(const FileContext& context, const Block& block, const IncludeName& include,
@@ -217,15 +214,15 @@ void DeckReader::open_include(const FileContext& context, const Block& block, co
   std::error_code error;
   const std::string canonical = std::filesystem::canonical(*path, error).string();
   if (!may_include(context, canonical, block, include)) return;
-  const auto bytes = map_include(*path, canonical.empty() ? *path : canonical, block, include.line);
-  if (!bytes) return;
+  const auto file = map_include(*path, canonical, block, include.line);
+  if (file == nullptr) return;
   canonical_.push_back(canonical);
   FileContext inner = context;
-  inner.file = add_file(*path, *bytes, &context, include.line);
+  inner.file = add_file(*path, file->bytes(), &context, include.line);
   inner.transform = transform;
   inner.scope = deck_.parameters_.add_scope(context.scope);
   ++inner.depth;
-  read_file(inner);
+  read_file(inner, file->marks());
 }
 
 TransformIndex DeckReader::add_transform(const FileContext& context, const Block& block, const Transform& own,

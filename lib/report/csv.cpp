@@ -1,6 +1,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -51,11 +52,22 @@ class Line {
 
 }  // namespace
 
-void csv(const Report& report, const Sink& sink) {
-  Stream stream(sink);
+namespace {
+
+/// The columns that only some tables have.
+struct Columns {
+  bool baseline = false, deck = false;
+};
+
+void append_names(const Columns& columns, Stream& stream) {
   stream.text("id,rule,severity,contact,node,part,element,element_part,penetration,remaining,contact_distance,"
               "x,y,z,outcome,count,file,line,fingerprint,message");
-  stream.text(report.baseline ? ",baseline\r\n" : "\r\n");
+  if (columns.baseline) stream.text(",baseline");
+  if (columns.deck) stream.text(",deck");
+  stream.text("\r\n");
+}
+
+void append_lines(const Report& report, const Columns& columns, Stream& stream) {
   for_each_item(report, [&](const Item& item) {
     Line line(stream.buffer);
     line.text(item.id);
@@ -74,11 +86,23 @@ void csv(const Report& report, const Sink& sink) {
     line.id(item.line);
     line.text(fmt::format(FMT_COMPILE("{:016x}"), item.fingerprint));
     line.text(item.message);
-    if (item.state) line.text(name(*item.state));
+    if (columns.baseline) line.text(item.state ? name(*item.state) : "");
+    if (columns.deck) line.text(report.input);
     line.end();
     stream.pause();
     return stream.open();
   });
+}
+
+}  // namespace
+
+void csv(const Reports& reports, const Sink& sink) {
+  const bool baseline = std::any_of(reports.all.begin(), reports.all.end(),
+                                    [](const Report& report) { return report.baseline.has_value(); });
+  const Columns columns{baseline, reports.several()};
+  Stream stream(sink);
+  append_names(columns, stream);
+  for (const Report& report : reports.all) append_lines(report, columns, stream);
   stream.flush();
 }
 

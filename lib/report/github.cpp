@@ -47,11 +47,12 @@ void append(const Report& report, const ItemGroup& group, Stream& stream) {
 
 }  // namespace
 
-void github(const Report& report, std::size_t top, const Sink& sink) {
+namespace {
+
+void append(const Report& report, std::size_t top, Stream& stream) {
   std::vector<ItemGroup> groups = item_groups(report, top);
   std::stable_sort(groups.begin(), groups.end(),
                    [](const ItemGroup& a, const ItemGroup& b) { return a.severity > b.severity; });
-  Stream stream(sink);
   std::size_t known = 0;
   for (const ItemGroup& group : groups) {
     append(report, group, stream);
@@ -60,6 +61,13 @@ void github(const Report& report, std::size_t top, const Sink& sink) {
   if (known > 0)
     append(Severity::note, report.input, 0, "baseline",
            fmt::format("{} findings that the baseline knows are left out", known), stream);
+}
+
+}  // namespace
+
+void github(const Reports& reports, std::size_t top, const Sink& sink) {
+  Stream stream(sink);
+  for (const Report& report : reports.all) append(report, top, stream);
   stream.flush();
 }
 

@@ -23,14 +23,13 @@ std::string_view degree(Severity severity) {
 
 }  // namespace
 
-void gitlab(const Report& report, const Sink& sink) {
-  Stream stream(sink);
-  stream.text("[");
-  std::unordered_map<std::uint64_t, std::size_t> seen;
-  bool first = true;
+namespace {
+
+/// `seen`: how often each fingerprint has come.
+void append_items(const Report& report, std::unordered_map<std::uint64_t, std::size_t>& seen, Stream& stream) {
   for_each_item(report, [&](const Item& item) {
     if (!item.counts()) return true;
-    stream.separator(std::exchange(first, false));
+    stream.separator(seen.empty());
     const std::size_t before = seen[item.fingerprint]++;
     Members object(stream.buffer);
     object.string("description", item.message);
@@ -44,7 +43,16 @@ void gitlab(const Report& report, const Sink& sink) {
     object.close();
     return stream.open();
   });
-  stream.text(first ? "]\n" : "\n]\n");
+}
+
+}  // namespace
+
+void gitlab(const Reports& reports, const Sink& sink) {
+  Stream stream(sink);
+  stream.text("[");
+  std::unordered_map<std::uint64_t, std::size_t> seen;
+  for (const Report& report : reports.all) append_items(report, seen, stream);
+  stream.text(seen.empty() ? "]\n" : "\n]\n");
   stream.flush();
 }
 

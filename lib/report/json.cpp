@@ -223,8 +223,9 @@ std::string counts_of(const BaselineComparison& comparison) {
 
 }  // namespace
 
-void json(const Report& report, const Sink& sink, bool statistics) {
-  Stream stream(sink);
+namespace {
+
+void append_report(const Report& report, bool statistics, Stream& stream) {
   stream.text("{\"schema\":\"gapcheck/1\",\"source\":");
   stream.text(json_string(report.source));
   stream.text(",\"input\":");
@@ -253,7 +254,34 @@ void json(const Report& report, const Sink& sink, bool statistics) {
   stream.text("\"timing\":");
   append_timing(report.timing, stream.buffer);
   if (statistics) append_statistics(report, stream.buffer);
-  stream.text("}\n");
+  stream.text("}");
+}
+
+/// What follows the decks: those that are missing, and all findings together.
+void append_sum(const Reports& reports, Stream& stream) {
+  stream.text("],\n\"unread\":[");
+  for (std::size_t i = 0; i < reports.unread.size(); ++i) {
+    stream.separator(i == 0);
+    stream.text(json_string(reports.unread[i]));
+  }
+  Totals sum;
+  for (const Report& report : reports.all) sum += totals(report);
+  fmt::format_to(fmt::appender(stream.buffer),
+                 "],\n\"summary\":{{\"decks\":{},\"unread\":{},\"errors\":{},\"warnings\":{},\"notes\":{}}}}}",
+                 reports.all.size(), reports.unread.size(), sum.errors, sum.warnings, sum.notes);
+}
+
+}  // namespace
+
+void json(const Reports& reports, const Sink& sink, bool statistics) {
+  Stream stream(sink);
+  if (reports.several()) stream.text("{\"schema\":\"gapcheck/1\",\"source\":\"decks\",\"decks\":[");
+  for (std::size_t i = 0; i < reports.all.size() && stream.open(); ++i) {
+    if (reports.several()) stream.separator(i == 0);
+    append_report(reports.all[i], statistics, stream);
+  }
+  if (reports.several()) append_sum(reports, stream);
+  stream.text("\n");
   stream.flush();
 }
 

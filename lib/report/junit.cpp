@@ -25,13 +25,15 @@ std::string suite_name(const ContactSummary& contact) {
 }
 
 /// One per contact in deck order, then one for what belongs to none.
-std::vector<Suite> suites_of(const Report& report, const std::vector<ItemGroup>& groups) {
+std::vector<Suite> suites_of(const Report& report, bool with_deck, const std::vector<ItemGroup>& groups) {
   std::vector<Suite> suites(report.contacts.size() + 1);
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) suites[i] = {suite_name(report.contacts[i]), i, {}};
   suites.back().name = report.source == "deck" ? "model" : "run";
   for (const ItemGroup& group : groups)
     suites[group.contact_position == Item::no_contact ? report.contacts.size() : group.contact_position]
         .groups.push_back(&group);
+  if (with_deck)
+    for (Suite& suite : suites) suite.name = xml_text(report.input + ": ") + suite.name;
   return suites;
 }
 
@@ -83,21 +85,52 @@ void append_suite(const Report& report, const Suite& suite, const Severity* limi
   stream.pause();
 }
 
+/// A deck's part of the file.
+struct Document {
+  const Report* report;
+  std::vector<ItemGroup> groups;
+  std::vector<Suite> suites;  ///< point into `groups`
+};
+
+std::vector<Document> documents_of(const Reports& reports, std::size_t top) {
+  std::vector<Document> documents;
+  documents.reserve(reports.all.size());
+  for (const Report& report : reports.all) {
+    Document& document = documents.emplace_back(Document{&report, item_groups(report, top), {}});
+    document.suites = suites_of(report, reports.several(), document.groups);
+  }
+  return documents;
+}
+
+void append_unread(const std::string& deck, Stream& stream) {
+  const std::string name = xml_text(deck);
+  stream.text(fmt::format("  <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" time=\"0\">\n"
+                          "    <testcase classname=\"{0}\" name=\"read\" time=\"0\">\n"
+                          "      <error message=\"the deck could not be read\" type=\"error\"/>\n"
+                          "    </testcase>\n  </testsuite>\n", name));
+}
+
 }  // namespace
 
-void junit(const Report& report, const Severity* limit, std::size_t top, const Sink& sink) {
-  const std::vector<ItemGroup> groups = item_groups(report, top);
-  const std::vector<Suite> suites = suites_of(report, groups);
-  std::size_t cases = 0, failed = 0;
-  for (const Suite& suite : suites) {
-    cases += suite.groups.empty() ? 1 : suite.groups.size();
-    failed += failures(suite, limit);
+void junit(const Reports& reports, const Severity* limit, std::size_t top, const Sink& sink) {
+  const std::vector<Document> documents = documents_of(reports, top);
+  std::size_t cases = reports.unread.size(), failed = 0;
+  double time = 0;
+  for (const Document& document : documents) {
+    time += document.report->timing.total_s;
+    for (const Suite& suite : document.suites) {
+      cases += suite.groups.empty() ? 1 : suite.groups.size();
+      failed += failures(suite, limit);
+    }
   }
   Stream stream(sink);
   stream.text(fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                          "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" time=\"{:.3f}\">\n",
-                          xml_text(report.input), cases, failed, report.timing.total_s));
-  for (const Suite& suite : suites) append_suite(report, suite, limit, stream);
+                          "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n",
+                          reports.several() ? "gapcheck" : xml_text(reports.all.front().input), cases, failed,
+                          reports.unread.size(), time));
+  for (const Document& document : documents)
+    for (const Suite& suite : document.suites) append_suite(*document.report, suite, limit, stream);
+  for (const std::string& deck : reports.unread) append_unread(deck, stream);
   stream.text("</testsuites>\n");
   stream.flush();
 }

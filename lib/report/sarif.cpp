@@ -120,10 +120,10 @@ void append_gone(const KnownFinding& finding, std::string_view input, Buffer& ou
 
 }  // namespace
 
-void sarif(const Report& report, std::string_view version, std::span<const RuleText> rules, const Sink& sink) {
-  Stream stream(sink);
-  stream.text("{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[{"
-              "\"tool\":{\"driver\":{\"name\":\"gapcheck\",\"version\":");
+namespace {
+
+void append_run(const Report& report, std::string_view version, std::span<const RuleText> rules, Stream& stream) {
+  stream.text("{\"tool\":{\"driver\":{\"name\":\"gapcheck\",\"version\":");
   stream.text(json_string(version));
   stream.text(",\"rules\":[");
   std::unordered_map<std::string_view, std::size_t> index;
@@ -149,7 +149,19 @@ void sarif(const Report& report, std::string_view version, std::span<const RuleT
       append_gone(finding, report.input, stream.buffer);
     }
   }
-  stream.text("]}]}\n");
+  stream.text("]}");
+}
+
+}  // namespace
+
+void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink) {
+  Stream stream(sink);
+  stream.text("{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[");
+  for (std::size_t i = 0; i < reports.all.size() && stream.open(); ++i) {
+    if (i > 0) stream.separator(false);
+    append_run(reports.all[i], version, rules, stream);
+  }
+  stream.text("]}\n");
   stream.flush();
 }
 

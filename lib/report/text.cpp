@@ -286,19 +286,17 @@ void append_findings(std::span<const Finding> findings, const TextOptions& optio
   }
 }
 
+/// "1 error, 2 warnings, 0 notes" in the colour of the gravest.
+std::string numbers_of(const Totals& sum, const Paint& paint) {
+  if (sum.errors + sum.warnings + sum.notes == 0) return paint("32", "nothing found");
+  const Severity gravest = sum.errors > 0 ? Severity::error : sum.warnings > 0 ? Severity::warning : Severity::note;
+  return paint.severity(gravest, fmt::format("{}, {}, {}", count(sum.errors, "error"), count(sum.warnings, "warning"),
+                                             count(sum.notes, "note")));
+}
+
 /// The line that --quiet leaves.
 std::string verdict(const Report& report, const Paint& paint) {
-  const Totals sum = totals(report);
-  std::string line = printable(report.input) + ": ";
-  if (sum.errors + sum.warnings + sum.notes == 0) {
-    line += paint("32", "nothing found");
-  } else {
-    line += paint.severity(sum.errors > 0     ? Severity::error
-                           : sum.warnings > 0 ? Severity::warning
-                                              : Severity::note,
-                           fmt::format("{}, {}, {}", count(sum.errors, "error"), count(sum.warnings, "warning"),
-                                       count(sum.notes, "note")));
-  }
+  std::string line = printable(report.input) + ": " + numbers_of(totals(report), paint);
   line += " in " + count(report.contacts.size(), "contact");
   const auto open =
       static_cast<std::size_t>(std::count_if(report.contacts.begin(), report.contacts.end(),
@@ -369,6 +367,16 @@ std::string text(const Report& report, const TextOptions& options) {
   if (options.stats) out += "\nstatistics\n" + statistics(report);
   out += '\n' + verdict(report, paint);
   return out;
+}
+
+std::string text_of_all(const Reports& reports, const TextOptions& options) {
+  Totals sum;
+  for (const Report& report : reports.all) sum += totals(report);
+  const Paint paint{options.color};
+  std::string line = fmt::format("{}: {}", count(reports.all.size(), "deck"), numbers_of(sum, paint));
+  if (!reports.unread.empty())
+    line += "; " + paint.severity(Severity::error, fmt::format("{} more could not be read", reports.unread.size()));
+  return line + '\n';
 }
 
 }  // namespace gapcheck::report

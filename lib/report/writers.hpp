@@ -1,12 +1,23 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "records/report.hpp"
 
 namespace gapcheck::report {
+
+/// What one call has to tell: one report, or those of several decks.
+struct Reports {
+  Reports(const Report& report) : all(&report, 1) {}  // NOLINT: one report is the usual case
+  Reports(std::span<const Report> reports, std::span<const std::string> not_read) : all(reports), unread(not_read) {}
+  /// Decides the form of the output, not how many could be read.
+  [[nodiscard]] bool several() const { return all.size() + unread.size() > 1; }
+  std::span<const Report> all;
+  std::span<const std::string> unread = {};  ///< decks that could not be read; why has been said elsewhere
+};
 
 struct TextOptions {
   std::size_t top = 5;  ///< deepest nodes per contact
@@ -19,6 +30,9 @@ struct TextOptions {
 /// The report for a person: one block per contact, deepest nodes, part-pair sums, totals. Deterministic.
 [[nodiscard]] std::string text(const Report& report, const TextOptions& options);
 
+/// The last line for several decks: "3 decks: 1 error, 12 warnings, 0 notes; 1 more could not be read".
+[[nodiscard]] std::string text_of_all(const Reports& reports, const TextOptions& options);
+
 /// The counters and times alone, as `text` prints them with `stats`.
 [[nodiscard]] std::string statistics(const Report& report);
 
@@ -29,12 +43,17 @@ struct TextOptions {
 using Sink = std::function<bool(std::string_view piece)>;
 
 /// The same in pieces of about a megabyte, for reports of which the whole text should not stand in memory. `statistics`:
-/// with the counters too, as a list "statistics" of {"name", "value"} in the order of printing.
-void json(const Report& report, const Sink& sink, bool statistics = false);
+/// with the counters too, as a list "statistics" of {"name", "value"} in the order of printing. Several decks are a list
+/// "decks" of such objects, the "unread" ones by name, and the "summary" of all.
+void json(const Reports& reports, const Sink& sink, bool statistics = false);
 
 /// Number of findings by severity, penetration records included.
 struct Totals {
   std::size_t errors = 0, warnings = 0, notes = 0;
+  Totals& operator+=(const Totals& other) {
+    errors += other.errors, warnings += other.warnings, notes += other.notes;
+    return *this;
+  }
 };
 [[nodiscard]] Totals totals(const Report& report);
 /// The same without those that a baseline knows as they are.

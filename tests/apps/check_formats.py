@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Holds every format of gapcheck audit against readers that are not ours: jsonschema with the published schema of
-gapcheck/1, the classes that were generated from the public schema of SARIF 2.1.0, xmllint, the csv module.
+gapcheck/1, the classes that were generated from the public schema of SARIF 2.1.0, junitparser and xmllint, the csv module.
 
 usage: check_formats.py GAPCHECK ROOT
-With GAPCHECK_SARIF_SCHEMA set to a file with the public schema itself, SARIF is held against that, too.
+With GAPCHECK_SARIF_SCHEMA set to a file with the public schema itself, SARIF is held against that, too, and JUnit against
+the schema in GAPCHECK_JUNIT_SCHEMA (the one of Jenkins is public).
 """
 
 import csv
@@ -17,6 +18,7 @@ import tempfile
 
 import attr
 import jsonschema
+import junitparser
 import sarif_om
 
 CLASSES = {"tool": sarif_om.Tool, "driver": sarif_om.ToolComponent, "rules": sarif_om.ReportingDescriptor,
@@ -49,6 +51,7 @@ class Checker:
         jsonschema.Draft7Validator.check_schema(schema)
         self.schema = jsonschema.Draft7Validator(schema)
         public = os.environ.get("GAPCHECK_SARIF_SCHEMA")
+        self.junit = [root / "tests/apps/junit.xsd", *filter(None, [os.environ.get("GAPCHECK_JUNIT_SCHEMA")])]
         self.public = jsonschema.Draft7Validator(json.loads(pathlib.Path(public).read_text())) if public else None
 
     def write(self, arguments, name):
@@ -57,6 +60,19 @@ class Checker:
         if run.returncode not in (0, 1):
             raise SystemExit(f"{arguments} --format {name}: exit {run.returncode}: {run.stderr.decode()}")
         return run.stdout.decode(), run.returncode
+
+    def read_junit(self, text):
+        """The suites; their counts are those of their cases."""
+        for schema in self.junit:
+            subprocess.run(["xmllint", "--noout", "--schema", schema, "-"], check=True, input=text,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        suites = junitparser.JUnitXml.fromstring(text)
+        cases = [case for suite in suites for case in suite]
+        results = [result for case in cases for result in case.result]
+        for said, kind in ((suites.failures, junitparser.Failure), (suites.errors, junitparser.Error)):
+            assert said == sum(isinstance(result, kind) for result in results), "JUnit counts otherwise"
+        assert suites.tests == len(cases)
+        return suites
 
     def check(self, arguments):
         findings, status = self.write(arguments, "json")
@@ -79,13 +95,8 @@ class Checker:
         entries = json.loads(self.write(arguments, "gitlab")[0])
         assert len({entry["fingerprint"] for entry in entries}) == count, "GitLab has other findings"
 
-        junit = self.write(arguments, "junit")[0]
-        with tempfile.NamedTemporaryFile(suffix=".xml") as file:
-            file.write(junit.encode())
-            file.flush()
-            subprocess.run(["xmllint", "--noout", "--schema", self.root / "tests/apps/junit.xsd", file.name], check=True,
-                           stderr=subprocess.DEVNULL)
-        assert ("<failure " in junit) == (status == 1), "JUnit fails where the exit code does not"
+        suites = self.read_junit(self.write(arguments, "junit")[0].encode())
+        assert (suites.failures > 0) == (status == 1), "JUnit fails where the exit code does not"
 
         for line in self.write(arguments, "github")[0].splitlines():
             assert line.startswith(("::error file=", "::warning file=", "::notice file=")) and ",title=GC" in line, line
@@ -119,11 +130,39 @@ def check_baseline(checker):
         assert len(json.loads(checker.write(arguments, "gitlab")[0])) == counting
 
 
+def check_several(checker):
+    """Several decks in one call, one of which cannot be read: every format holds the findings of each."""
+    decks = ["data/two_plates.k", "data/missing.k", "data/two_plates_crossing.k"]
+    alone = [json.loads(checker.write(["audit", deck], "json")[0]) for deck in (decks[0], decks[2])]
+    written = {name: subprocess.run([checker.gapcheck, "audit", *decks, "--format", name], cwd=checker.root,
+                                    capture_output=True) for name in ("json", "sarif", "csv", "gitlab", "junit", "github")}
+    assert all(run.returncode == 2 for run in written.values())
+    report = json.loads(written["json"].stdout)
+    checker.schema.validate(report)
+    assert [deck["findings"] for deck in report["decks"]] == [deck["findings"] for deck in alone]
+    counts = [len(deck["findings"]) for deck in alone]
+    total = {key: sum(deck["summary"][key] for deck in alone) for key in ("errors", "warnings", "notes")}
+    assert report["summary"] == {"decks": 2, "unread": 1} | total and report["unread"] == ["data/missing.k"]
+    runs = read_sarif(json.loads(written["sarif"].stdout), sarif_om.SarifLog).runs
+    assert [len(run.results) for run in runs] == counts
+    assert len({run.automation_details["id"] for run in runs}) == 2
+    rows = list(csv.DictReader(io.StringIO(written["csv"].stdout.decode(), newline="")))
+    assert [sum(row["deck"] == deck for row in rows) for deck in (decks[0], decks[2])] == counts
+    entries = json.loads(written["gitlab"].stdout)
+    assert len({entry["fingerprint"] for entry in entries}) == sum(counts)
+    suites = checker.read_junit(written["junit"].stdout)
+    assert suites.errors == 1 and [suite.name for suite in suites][-1] == "data/missing.k"
+    assert all(line.startswith(b"::") for line in written["github"].stdout.splitlines())
+
+
 def can_fail(checker):
     """The readers notice what is wrong."""
     report = json.loads(checker.write(["audit", "data/two_plates.k"], "json")[0])
     report["findings"][0]["severity"] = "grave"
     assert not checker.schema.is_valid(report)
+    assert not checker.schema.is_valid({"schema": "gapcheck/1", "source": "deck", "summary": report["summary"]})
+    assert not checker.schema.is_valid({"schema": "gapcheck/1", "source": "decks", "decks": [report], "unread": [],
+                                        "summary": report["summary"]})
     for broken in ({"runs": [{"results": []}], "version": "2.1.0"}, {"runs": [], "version": "2.1.0", "more": 1}):
         try:
             read_sarif(broken, sarif_om.SarifLog)
@@ -136,6 +175,7 @@ def main():
     checker = Checker(pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve())
     can_fail(checker)
     check_baseline(checker)
+    check_several(checker)
     decks = sorted(checker.root.glob("data/*.k"))
     findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)
     assert len(decks) > 30 and findings > 300

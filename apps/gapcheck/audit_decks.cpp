@@ -1,0 +1,204 @@
+#include "audit_decks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "audit/registry.hpp"
+#include "base/parallel.hpp"
+#include "commands.hpp"
+#include "deck_list.hpp"
+#include "keyword/file_cache.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "report/describe.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the baseline has and the audit was not asked for is not gone. Limits by depth or part leave out more than can
+/// be told from a baseline.
+bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
+  if (!options.parts.empty() || options.ptol >= 0 || options.rtol >= 0 || options.ratio >= 0) return false;
+  const auto& ids = options.contacts;
+  if (!ids.empty() && std::find(ids.begin(), ids.end(), known.contact) == ids.end()) return false;
+  const audit::RuleInfo* rule = audit::find_rule(known.id);
+  return rule == nullptr || audit::selected(*rule, options.select, options.ignore);
+}
+
+/// The files that hold the results of one deck.
+template <class Arguments>
+auto names_of(Arguments& arguments) {
+  auto& exports = arguments.exports;
+  return std::vector{&arguments.output.html, &exports.key,    &exports.ani,
+                     &exports.a4sel,         &exports.medina, &arguments.baseline.write};
+}
+
+/// The arguments for one of the decks: its names in place of {deck}.
+AuditArguments arguments_for(const std::string& deck, AuditArguments arguments) {
+  for (std::string* name : names_of(arguments)) *name = name_for(*name, deck);
+  arguments.baseline.compare = name_for(arguments.baseline.compare, deck);
+  return arguments;
+}
+
+bool selects(const audit::AuditOptions& audit) {
+  return !audit.select.empty() || !audit.ignore.empty() || !audit.contacts.empty() || !audit.parts.empty() ||
+         audit.ptol >= 0 || audit.rtol >= 0 || audit.ratio >= 0;
+}
+
+/// Why the files cannot all be written: one would take a deck's place, or that of another deck's results, or a baseline
+/// would lose what a selection leaves out. Empty: they can.
+std::string obstacle(const AuditArguments& arguments, const std::vector<std::string>& decks) {
+  std::map<std::string, std::string> taken;
+  std::set<fs::path> originals;
+  std::error_code none;
+  for (const std::string& deck : decks) originals.insert(fs::canonical(deck, none));
+  originals.erase("");
+  for (const std::string& deck : decks) {
+    AuditArguments own = arguments_for(deck, arguments);
+    std::vector<std::string*> names = names_of(own);
+    names.push_back(&own.output.output);
+    for (const std::string* name : names) {
+      if (name->empty()) continue;
+      if (fs::equivalent(*name, deck, none) || originals.contains(fs::canonical(*name, none)))
+        return *name + " is the deck itself; give another file to write";
+      if (name == &own.output.output) continue;
+      const auto [first, fresh] = taken.emplace(*name, deck);
+      if (!fresh && first->second != deck)
+        return fmt::format("{} would hold the results of {} and of {}; write {{deck}} into the name where their own are "
+                           "to stand, and give decks different names", *name, first->second, deck);
+    }
+    if (selects(own.audit) && !own.baseline.write.empty() && own.baseline.write == own.baseline.compare)
+      return "--write-baseline into the file of --baseline would lose what the selection leaves out; write another file";
+  }
+  if (decks.size() > 1 && !arguments.baseline.compare.empty() && arguments.baseline.compare.find("{deck}") == std::string::npos)
+    return "--baseline: each deck has a baseline of its own; write {deck} into the name";
+  return "";
+}
+
+/// The folders that names with {deck} lead to.
+bool make_folders(const AuditArguments& arguments, AuditArguments& own) {
+  const auto patterns = names_of(arguments);
+  const auto names = names_of(own);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const fs::path folder = fs::path(*names[i]).parent_path();
+    if (folder.empty() || patterns[i]->find("{deck}") == std::string::npos) continue;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!error) continue;
+    print(Diagnostic{Severity::error, folder.string(), 0, "the folder cannot be made: " + error.message()});
+    return false;
+  }
+  return true;
+}
+
+/// The decks of one call, one after the other.
+class Run {
+ public:
+  Run(AuditArguments arguments, std::vector<std::string> decks)
+      : arguments_(std::move(arguments)), decks_(std::move(decks)) {}
+
+  int run() {
+    for (const std::string& deck : decks_) audit(deck);
+    // Nothing is found in a contact that does not exist.
+    for (const std::int64_t id : arguments_.audit.contacts)
+      if (!reports_.empty() && !known_contact(id)) complain(fmt::format("--contact {}: {}", id, no_such_contact()));
+    if (reports_.empty() && !several()) return failed;
+    complete_ = write({reports_, unread_}, arguments_.output) && complete_;
+    if (!complete_) return failed;
+    int code = clean;
+    for (const Report& report : reports_) code = std::max(code, exit_code(report, arguments_.output.fail_on));
+    return code;
+  }
+
+ private:
+  [[nodiscard]] bool several() const { return decks_.size() > 1; }
+  [[nodiscard]] std::string no_such_contact() const {
+    return several() ? "none of the decks has such a contact" : "the deck has no such contact";
+  }
+  void complain(const std::string& what) {
+    print_error(what);
+    complete_ = false;
+  }
+  [[nodiscard]] bool known_contact(std::int64_t id) const {
+    return std::any_of(reports_.begin(), reports_.end(), [id](const Report& report) { return has(report, id); });
+  }
+  static bool has(const Report& report, std::int64_t contact) {
+    const auto matches = [contact](const ContactSummary& summary) { return summary.id == contact; };
+    return std::any_of(report.contacts.begin(), report.contacts.end(), matches);
+  }
+
+  /// Reads and audits one deck and writes the files that are its own.
+  void audit(const std::string& deck) {
+    AuditArguments own = arguments_for(deck, arguments_);
+    // Before the work: a baseline that cannot be read makes it worthless.
+    const auto baseline = read(own.baseline);
+    if (!baseline) return unread(deck, baseline.error());
+    Diagnostics diagnostics;
+    auto result = [&] {
+      const std::size_t number = reports_.size() + unread_.size() + 1;
+      const std::string place = several() ? fmt::format(" ({} of {})", number, decks_.size()) : "";
+      const Progress progress("auditing " + report::printable(deck) + place, !own.output.text.quiet);
+      return audit::audit_deck(deck, own.audit, diagnostics);
+    }();
+    print(diagnostics, own.output.text.quiet);
+    if (!result) return unread(deck, result.error());
+    Report& report = reports_.emplace_back(std::move(result).value());
+    compare(baseline.value(), [&own](const KnownFinding& known) { return looked_for(known, own.audit); }, report);
+    const auto& contacts = own.audit.contacts;
+    const bool whole = !diagnostics.has_errors() &&
+                       (several() || std::all_of(contacts.begin(), contacts.end(),
+                                                 [&report](std::int64_t id) { return has(report, id); }));
+    // Every record of a deck knows where its node is.
+    const auto position = [](std::int64_t) { return std::nullopt; };
+    bool written = make_folders(arguments_, own);
+    written = written && write_page(report, own.output, position);
+    written = write(report, own.baseline, whole) && written;
+    written = write(report, own.exports, position) && written;
+    report.scene.reset();
+    complete_ = complete_ && whole && written;
+  }
+
+  void unread(const std::string& deck, const Diagnostic& why) {
+    print(why);
+    unread_.push_back(deck);
+    complete_ = false;
+  }
+
+  AuditArguments arguments_;
+  std::vector<std::string> decks_;
+  std::vector<Report> reports_;
+  std::vector<std::string> unread_;
+  bool complete_ = true;
+};
+
+}  // namespace
+
+int audit_decks(AuditArguments arguments) {
+  keyword::FileCache cache;
+  arguments.audit.read.cache = &cache;
+  Diagnostics diagnostics;
+  const DeckList list = list_decks(arguments.decks, arguments.audit.read, diagnostics);
+  print(diagnostics, arguments.output.text.quiet);
+  if (diagnostics.has_errors()) return failed;
+  if (const std::string why = obstacle(arguments, list.decks); !why.empty()) {
+    print_error(report::printable(why));
+    return failed;
+  }
+  if (const std::size_t parts = list.parts_of_others.size(); parts > 0 && !arguments.output.text.quiet)
+    print(Diagnostic{Severity::note, "", 0,
+                     fmt::format("{} {} found that other decks include, and not audited alone; the first is {}", parts,
+                                 parts == 1 ? "file was" : "files were", list.parts_of_others.front())});
+  const JobLimit limit(arguments.jobs);
+  return Run(std::move(arguments), list.decks).run();
+}
+
+}  // namespace gapcheck::app

@@ -1,0 +1,140 @@
+#include "deck_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+#include "base/path_pattern.hpp"
+#include "report/describe.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_decks = 10'000, max_entries = 10'000'000;
+
+bool is_pattern(const std::string& path) { return path.find_first_of("*?") != std::string::npos; }
+
+/// The folder before the first part with a wildcard: where the search begins.
+fs::path fixed_part(const fs::path& pattern) {
+  fs::path fixed;
+  for (const fs::path& part : pattern.parent_path()) {
+    if (is_pattern(part.string())) break;
+    fixed /= part;
+  }
+  return fixed;
+}
+
+bool hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
+/// Files that a pattern finds, sorted.
+std::vector<std::string> find_files(const std::string& argument, Diagnostics& diagnostics) {
+  const std::string pattern = fs::path(argument).lexically_normal().string();
+  const fs::path start = fixed_part(pattern);
+  std::vector<std::string> found;
+  std::error_code error;
+  const auto options = fs::directory_options::skip_permission_denied;
+  if (!start.empty() && !fs::is_directory(start, error)) return found;
+  fs::recursive_directory_iterator at(start.empty() ? fs::path(".") : start, options, error);
+  const std::ptrdiff_t parts = std::distance(fs::path(pattern).begin(), fs::path(pattern).end());
+  const std::ptrdiff_t fixed = std::distance(start.begin(), start.end());
+  const bool any_depth = pattern.find("**") != std::string::npos;
+  for (std::size_t entries = 0; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+    if (++entries > max_entries || found.size() > max_decks) {
+      diagnostics.error(argument, 0, fmt::format("finds more than {} files; name the decks more closely", max_decks));
+      return {};
+    }
+    std::error_code unknown;
+    const fs::path path = start.empty() ? at->path().lexically_normal() : at->path();
+    if (at->is_directory(unknown)) {
+      if (hidden(path) || (!any_depth && fixed + at.depth() + 2 > parts)) at.disable_recursion_pending();
+    } else if (at->is_regular_file(unknown) && matches(pattern, path.string())) {
+      found.push_back(path.string());
+    }
+  }
+  if (error) diagnostics.error(start.string(), 0, fmt::format("cannot be searched for decks: {}", error.message()));
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string canonical(const std::string& path) {
+  std::error_code error;
+  const std::string name = fs::canonical(path, error).string();
+  return name.empty() ? path : name;
+}
+
+/// A deck to be, and whether it was named.
+struct Candidate {
+  std::string path, canonical;
+  bool named = false;
+};
+
+std::vector<Candidate> candidates(const std::vector<std::string>& arguments, Diagnostics& diagnostics) {
+  std::vector<Candidate> list;
+  std::set<std::string> known;
+  const auto add = [&](const std::string& path, bool named) {
+    Candidate candidate{path, canonical(path), named};
+    if (known.insert(candidate.canonical).second) list.push_back(std::move(candidate));
+  };
+  for (const std::string& argument : arguments) {
+    std::error_code error;
+    if (!is_pattern(argument) || fs::exists(argument, error)) {
+      add(argument, true);
+      continue;
+    }
+    const auto found = find_files(argument, diagnostics);
+    if (found.empty() && !diagnostics.has_errors())
+      diagnostics.error(argument, 0, "no file is named like this; correct the pattern");
+    for (const std::string& path : found) add(path, false);
+  }
+  return list;
+}
+
+/// The files that a deck includes, by canonical path. What is wrong with the deck is said when it is audited.
+std::vector<std::string> includes_of(const std::string& path, const keyword::ReadOptions& options) {
+  Diagnostics unheard;
+  std::vector<std::string> files;
+  const auto deck = keyword::read_deck(path, options, unheard);
+  if (!deck) return files;
+  for (const keyword::SourceFile& file : deck.value().files().subspan(1)) files.push_back(canonical(file.path));
+  return files;
+}
+
+}  // namespace
+
+DeckList list_decks(const std::vector<std::string>& arguments, const keyword::ReadOptions& options,
+                    Diagnostics& diagnostics) {
+  DeckList list;
+  const std::vector<Candidate> all = candidates(arguments, diagnostics);
+  std::set<std::string> included;
+  if (std::any_of(all.begin(), all.end(), [](const Candidate& c) { return !c.named; }))
+    for (const Candidate& candidate : all)
+      for (std::string& file : includes_of(candidate.path, options))
+        if (file != candidate.canonical) included.insert(std::move(file));
+  // Files that include one another in a circle are decks, if nothing else is: reading them says what is wrong.
+  if (std::all_of(all.begin(), all.end(), [&](const Candidate& c) { return included.contains(c.canonical); }))
+    included.clear();
+  for (const Candidate& candidate : all) {
+    const bool part = !candidate.named && included.contains(candidate.canonical);
+    (part ? list.parts_of_others : list.decks).push_back(candidate.path);
+  }
+  return list;
+}
+
+std::string name_for(std::string_view name, std::string_view deck) {
+  constexpr std::string_view mark = "{deck}";
+  fs::path inside;
+  for (const fs::path& part : fs::path(deck).lexically_normal().relative_path())
+    if (part != "..") inside /= part;
+  inside.replace_extension();
+  std::string result(name);
+  for (std::size_t at = result.find(mark); at != std::string::npos; at = result.find(mark, at + inside.string().size()))
+    result.replace(at, mark.size(), inside.string());
+  return result;
+}
+
+}  // namespace gapcheck::app

@@ -1,0 +1,152 @@
+// `gapcheck audit` on several decks.
+#include <nlohmann/json.hpp>
+
+#include "apps/program.hpp"
+
+namespace gapcheck {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AuditProgram : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    fs::create_directories(folder_ / "models/side/lib");
+    fs::create_directories(folder_ / "models/.hidden");
+    const std::string deck = content(project / "data/two_plates.k");
+    file("models/front.k", deck);
+    file("models/side/rear.k", "*KEYWORD\n*INCLUDE\nlib/mesh.k\n*END\n");
+    file("models/side/lib/mesh.k", deck);
+    file("models/.hidden/old.k", deck);
+    file("models/notes.txt", "nothing");
+  }
+  /// The last line, without the decks' own.
+  static std::string last_line(const std::string& text) {
+    const std::size_t end = text.find_last_not_of('\n');
+    return text.substr(text.rfind('\n', end) + 1);
+  }
+};
+
+TEST_F(AuditProgram, PatternsFindDecksAndNotTheirIncludes) {
+  const Ended run = gapcheck("audit 'models/**/*.k' --quiet");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.out,
+            "models/front.k: 0 errors, 18 warnings, 2 notes in 1 contact\n"
+            "models/side/rear.k: 0 errors, 18 warnings, 2 notes in 1 contact\n"
+            "2 decks: 0 errors, 36 warnings, 4 notes\n");
+  const Ended talking = gapcheck("audit 'models/**/*.k'");
+  EXPECT_NE(talking.err.find("1 file was found that other decks include, and not audited alone; the first is "
+                             "models/side/lib/mesh.k"), std::string::npos) << talking.err;
+  EXPECT_EQ(gapcheck("audit 'models/*.k' --quiet").out.rfind("models/front.k: ", 0), 0u);
+  EXPECT_EQ(gapcheck("audit 'models/*/rea?.k' --quiet").out.rfind("models/side/rear.k: ", 0), 0u);
+  // What is named is a deck, whoever includes it.
+  EXPECT_EQ(last_line(gapcheck("audit models/side/lib/mesh.k 'models/**/*.k' --quiet").out), "3 decks: 0 errors, 54 warnings, 6 notes\n");
+}
+
+TEST_F(AuditProgram, TheSameDeckTwiceIsOneDeck) {
+  const std::string once = gapcheck("audit models/front.k").out;
+  EXPECT_EQ(gapcheck("audit models/front.k ./models/front.k 'models/*.k'").out, once);
+}
+
+TEST_F(AuditProgram, AFileNamedLikeAPatternIsThatFile) {
+  file("odd*name.k", content(project / "data/two_plates.k"));
+  EXPECT_EQ(gapcheck("audit 'odd*name.k' --quiet").out.rfind("odd*name.k: ", 0), 0u);
+}
+
+TEST_F(AuditProgram, PatternsThatFindNothing) {
+  for (const char* pattern : {"'models/*.key'", "'nowhere/**/*.k'", "'models/front.k/*.k'"}) {
+    const Ended run = gapcheck(std::string("audit ") + pattern);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find("no file is named like this"), std::string::npos) << run.err;
+  }
+}
+
+TEST_F(AuditProgram, LinksDoNotMakeARound) {
+  fs::create_directory_symlink(folder_ / "models", folder_ / "models/side/again");
+  EXPECT_EQ(last_line(gapcheck("audit 'models/**/*.k' --quiet").out), "2 decks: 0 errors, 36 warnings, 4 notes\n");
+}
+
+TEST_F(AuditProgram, DecksThatIncludeOneAnotherAreAudited) {
+  file("models/side/lib/mesh.k", "*KEYWORD\n*INCLUDE\n../rear.k\n*END\n");
+  const Ended run = gapcheck("audit 'models/side/**/*.k' --quiet");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("it includes itself"), std::string::npos) << run.err;
+}
+
+/// The gravest exit code is that of the call; one deck that cannot be read does not keep the others back.
+TEST_F(AuditProgram, ExitCodes) {
+  EXPECT_EQ(gapcheck("audit models/front.k models/side/rear.k --fail-on warning").code, 1);
+  EXPECT_EQ(gapcheck("audit '" + (project / "data/clean.k").string() + "' models/front.k --fail-on warning").code, 1);
+  file("empty.k", "");
+  const Ended run = gapcheck("audit empty.k models/front.k --fail-on warning --quiet");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(last_line(run.out), "1 deck: 0 errors, 18 warnings, 2 notes; 1 more could not be read\n");
+  EXPECT_NE(run.err.find("empty.k: is empty"), std::string::npos) << run.err;
+  EXPECT_EQ(gapcheck("audit empty.k --format json").out, "");
+}
+
+TEST_F(AuditProgram, AContactMayBeMissingInSomeDecks) {
+  file("other.k", content(project / "data/clean.k"));
+  EXPECT_EQ(gapcheck("audit models/front.k other.k --contact 1").code, 0);
+  const Ended run = gapcheck("audit models/front.k other.k --contact 77");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("--contact 77: none of the decks has such a contact"), std::string::npos) << run.err;
+}
+
+TEST_F(AuditProgram, FilesOfEachDeck) {
+  const Ended run = gapcheck("audit 'models/**/*.k' --html 'out/{deck}.html' --key 'out/{deck}.beams' --quiet");
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* name : {"front.html", "front.beams", "side/rear.html", "side/rear.beams"})
+    EXPECT_TRUE(fs::exists(folder_ / "out/models" / name)) << name;
+  EXPECT_EQ(gapcheck("audit ../" + folder_.filename().string() + "/models/front.k --html '{deck}.html' --quiet").code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / folder_.filename() / "models/front.html")) << "never outside of where one is";
+}
+
+TEST_F(AuditProgram, FilesThatSeveralDecksWouldWrite) {
+  for (const char* option : {"--html page.html", "--key beams.k", "--write-baseline known"}) {
+    const Ended run = gapcheck(std::string("audit 'models/**/*.k' ") + option);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find("would hold the results of models/front.k and of models/side/rear.k; write {deck}"),
+              std::string::npos) << run.err;
+  }
+  file("models/front.key", content(project / "data/two_plates.k"));
+  EXPECT_EQ(gapcheck("audit models/front.k models/front.key --html '{deck}.html'").code, 2);
+  const Ended own = gapcheck("audit models/front.k models/side/rear.k --html models/side/rear.k");
+  EXPECT_EQ(own.code, 2);
+  EXPECT_NE(own.err.find("is the deck itself"), std::string::npos) << own.err;
+}
+
+TEST_F(AuditProgram, ABaselineForEachDeck) {
+  EXPECT_EQ(gapcheck("audit 'models/**/*.k' --write-baseline 'known/{deck}' --fail-on warning --quiet").code, 1);
+  EXPECT_EQ(gapcheck("audit 'models/**/*.k' --baseline 'known/{deck}' --fail-on warning --quiet").code, 0);
+  file("models/side/lib/mesh.k", content(project / "data/two_plates_tilted.k"));
+  EXPECT_EQ(gapcheck("audit 'models/**/*.k' --baseline 'known/{deck}' --fail-on warning --quiet").code, 1);
+  const Ended one = gapcheck("audit 'models/**/*.k' --baseline known");
+  EXPECT_EQ(one.code, 2);
+  EXPECT_NE(one.err.find("write {deck} into the name"), std::string::npos) << one.err;
+  fs::remove(folder_ / "known/models/front");
+  EXPECT_EQ(gapcheck("audit 'models/**/*.k' --baseline 'known/{deck}' --quiet").code, 2);
+}
+
+/// Decks that share an include read it once, and find the same as alone.
+TEST_F(AuditProgram, SharedIncludesAreReadOnce) {
+  file("models/side/front.k", "*KEYWORD\n*INCLUDE\nlib/mesh.k\n*END\n");
+  const auto both = nlohmann::json::parse(gapcheck("audit models/side/front.k models/side/rear.k --format json --stats").out);
+  const auto alone = nlohmann::json::parse(gapcheck("audit models/side/rear.k --format json").out);
+  EXPECT_EQ(both["decks"][1]["findings"], alone["findings"]);
+  const auto shared = [&](std::size_t deck) {
+    for (const auto& counter : both["decks"][deck]["statistics"])
+      if (counter["name"] == "files read before in this call") return counter["value"].get<int>();
+    return 0;
+  };
+  EXPECT_EQ(shared(0), 0);
+  EXPECT_EQ(shared(1), 1);
+}
+
+TEST_F(AuditProgram, TheSameForAnyNumberOfThreads) {
+  EXPECT_EQ(gapcheck("audit 'models/**/*.k' --list --jobs 1").out, gapcheck("audit 'models/**/*.k' --list --jobs 4").out);
+}
+
+}  // namespace
+}  // namespace gapcheck
