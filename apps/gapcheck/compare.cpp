@@ -33,7 +33,7 @@ struct Arguments {
   double tolerance = 0;
   std::string format = "text", output;
   std::size_t top = 10, jobs = 0;
-  bool quiet = false;
+  bool quiet = false, stats = false;
   audit::AuditOptions audit;
   results::LogOptions log;
   CurveArguments curves;
@@ -86,6 +86,9 @@ int compare_sources(const Arguments& arguments) {
   output.write(arguments.format == "json"
                    ? report::comparison_json(comparison, first.value(), second.value(), compared)
                    : report::comparison_text(comparison, first.value(), second.value(), arguments.top, compared));
+  if (arguments.stats)
+    for (const Report* source : {&first.value(), &second.value()})
+      std::fputs((report::printable(source->input) + '\n' + report::statistics(*source)).c_str(), stderr);
   const bool written = output.close() && curves.write_plots(arguments.top);
   if (!written || !contacts_exist(comparison, arguments.contacts) || !complete || !curves.complete()) return failed;
   return comparison.equal() && (compared == nullptr || compared->differ == 0) ? clean : findings;
@@ -108,6 +111,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
       ->type_name("N")
       ->capture_default_str();
   command.add_flag("--quiet", arguments.quiet, "No warnings about the input");
+  command.add_flag("--stats", arguments.stats, "Show counters and times of both, on standard error");
   add_list(command, "--messages", arguments.log.message_files, "Additions to the table of known messages")
       ->type_name("FILE");
   command.add_option("-I", arguments.audit.read.include_directories, "Further directory for *INCLUDE")

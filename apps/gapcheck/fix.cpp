@@ -5,6 +5,7 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -38,7 +39,7 @@ struct Arguments {
   audit::FixOptions fix;
   report::FixTextOptions text;
   std::size_t jobs = 0;
-  bool dry_run = false;
+  bool dry_run = false, stats = false;
 };
 
 /// `PART`, `FIRST-LAST`, or the same for nodes behind `node:`.
@@ -130,7 +131,19 @@ bool write_report(const Arguments& arguments, const FixReport& report) {
   return output.close();
 }
 
+/// Counters and the time, on standard error.
+void print_statistics(const keyword::Deck& deck, const FixReport& report, double seconds) {
+  const auto line = [](std::string_view name, const auto& value) { fmt::print(stderr, "  {:<16}  {}\n", name, value); };
+  line("files read", deck.counters().files);
+  line("bytes read", deck.counters().bytes);
+  line("rounds", report.rounds);
+  line("nodes moved", report.moved.size());
+  line("elements touched", report.elements_touched);
+  line("time: total", fmt::format("{:.3f} s", seconds));
+}
+
 int fix_deck(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
   const JobLimit limit(arguments.jobs);
   if (arguments.directory.empty() && !arguments.dry_run) {
     print_error("give a directory for the corrected files with -o, or --dry-run");
@@ -159,6 +172,8 @@ int fix_deck(const Arguments& arguments) {
   report.dry_run = arguments.dry_run;
   if (!arguments.dry_run && !write_files(deck.value(), arguments, fix.value())) return failed;
   if (!write_report(arguments, report)) return failed;
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  if (arguments.stats) print_statistics(deck.value(), report, spent.count());
   return complete(report) ? clean : findings;
 }
 
@@ -193,6 +208,7 @@ void add_fix(CLI::App& app, Action& action) {
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--quiet", arguments->text.quiet, "Only the last line, and no warnings");
+  command->add_flag("--stats", arguments->stats, "Show counters and times, on standard error");
   add_includes(*command, arguments->read, arguments->missing_includes);
   add_jobs(*command, arguments->jobs);
   command->callback([&action, arguments] {

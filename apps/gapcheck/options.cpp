@@ -180,6 +180,13 @@ void add_jobs(CLI::App& command, std::size_t& jobs) {
       ->capture_default_str();
 }
 
+void add_common(CLI::App& command, CommonOptions& options, const std::string& quiet) {
+  command.add_flag("--quiet", options.quiet, quiet);
+  command.add_flag("--stats", options.stats, "Show counters, on standard error");
+  add_jobs(command, options.jobs);
+  command.set_version_flag("--version", version_line("gapcheck"));
+}
+
 void add_includes(CLI::App& command, keyword::ReadOptions& read, std::string& missing) {
   command.add_option("-I", read.include_directories, "Further directory for *INCLUDE")
       ->take_all()

@@ -61,6 +61,14 @@ bool write(const Report& report, const ExportOptions& options, const report::Nod
 
 void add_jobs(CLI::App& command, std::size_t& jobs);
 
+/// What commands take that have no work worth sharing, as every command does: --quiet, --stats, --jobs, --version.
+struct CommonOptions {
+  bool quiet = false, stats = false;
+  std::size_t jobs = 0;  ///< without effect
+};
+/// `quiet`: what --quiet leaves of the output.
+void add_common(CLI::App& command, CommonOptions& options, const std::string& quiet);
+
 /// -I and --missing-includes; `missing` is "error" or "skip" once the arguments are read.
 void add_includes(CLI::App& command, keyword::ReadOptions& read, std::string& missing);
 

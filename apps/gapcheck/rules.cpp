@@ -5,19 +5,22 @@
 
 #include "audit/registry.hpp"
 #include "commands.hpp"
+#include "options.hpp"
 #include "output.hpp"
 #include "report/describe.hpp"
 
 namespace gapcheck::app {
 namespace {
 
-int list_rules() {
+int list_rules(const CommonOptions& options) {
   std::size_t width = 0;
   for (const auto& rule : audit::rules()) width = std::max(width, rule.name.size());
   Output output("");
   for (const auto& rule : audit::rules())
-    output.write(
-        fmt::format("{}  {:<{}}  {:<7}  {}\n", rule.id, rule.name, width, report::name(rule.severity), rule.summary));
+    output.write(options.quiet ? fmt::format("{}\n", rule.id)
+                               : fmt::format("{}  {:<{}}  {:<7}  {}\n", rule.id, rule.name, width,
+                                             report::name(rule.severity), rule.summary));
+  if (options.stats) fmt::print(stderr, "  rules  {}\n", audit::rules().size());
   return output.close() ? clean : failed;
 }
 
@@ -25,7 +28,9 @@ int list_rules() {
 
 void add_rules(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("rules", "List the rules: id, name, severity, summary");
-  command->callback([&action] { action = list_rules; });
+  const auto options = std::make_shared<CommonOptions>();
+  add_common(*command, *options, "Only the ids");
+  command->callback([&action, options] { action = [options] { return list_rules(*options); }; });
 }
 
 }  // namespace gapcheck::app

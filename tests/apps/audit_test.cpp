@@ -144,6 +144,23 @@ TEST_F(AuditProgram, SharedIncludesAreReadOnce) {
   EXPECT_EQ(shared(1), 1);
 }
 
+/// What every command takes.
+TEST_F(Program, OptionsOfEveryCommand) {
+  use("smp");
+  file("deck.k", content(project / "data/two_plates.k"));
+  for (const std::string command : {"audit deck.k", "messag messag", "compare deck.k deck.k", "fix deck.k --dry-run",
+                                    "run deck.k -o out --cycles 2 --ignore-unsupported", "rules", "explain GC101"}) {
+    for (const char* option : {"--quiet", "--stats", "--jobs 1", "--version", "--help"}) {
+      const Ended run = gapcheck(command + " " + option);
+      EXPECT_TRUE(run.code == 0 || run.code == 1) << command << " " << option << ": " << run.err;
+    }
+    EXPECT_NE(gapcheck(command + " --stats").out + gapcheck(command + " --stats").err, gapcheck(command).out + gapcheck(command).err);
+    EXPECT_EQ(gapcheck(command + " --version").out, gapcheck("--version").out);
+  }
+  EXPECT_EQ(gapcheck("explain GC101 --quiet").out.rfind("GC101 initial-penetration: ", 0), 0u);
+  EXPECT_EQ(gapcheck("rules --quiet").out.rfind("GC101\n", 0), 0u);
+}
+
 TEST_F(AuditProgram, TheSameForAnyNumberOfThreads) {
   EXPECT_EQ(gapcheck("audit 'models/**/*.k' --list --jobs 1").out, gapcheck("audit 'models/**/*.k' --list --jobs 4").out);
 }
