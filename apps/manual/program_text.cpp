@@ -29,7 +29,7 @@ std::vector<std::string> choices_in(std::string_view type) {
 OptionText text_of(const CLI::Option& option) {
   OptionText text;
   text.argument = option.get_positional() && option.get_lnames().empty() && option.get_snames().empty();
-  if (text.argument) text.names.push_back(option.get_name(true));
+  if (text.argument) text.names.push_back(option.get_name(true) + (option.get_items_expected_max() > 1 ? "…" : ""));
   for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
   text.help = option.get_description();
