@@ -52,8 +52,10 @@ ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& 
     side.nodes_only = side.selection.segments.size() == 0 && !side.selection.nodes.empty();
     ThicknessSide thickness = thickness_side(contact, s.settings, model.controls, b);
     if (!tied) thickness = changed(thickness, change);
-    fill_thickness(side.selection.segments, model, thickness, x);
-    if (s.settings.mid_surface_offset) fill_offsets(side.selection.segments, model);
+    for (Segments* segments : {&side.selection.segments, &side.selection.cut}) {
+      fill_thickness(*segments, model, thickness, x);
+      if (s.settings.mid_surface_offset) fill_offsets(*segments, model);
+    }
     if (!b || s.type.treatment == Treatment::two_way || s.type.by_segments())
       side.nodes = tracked_nodes(side.selection, model, thickness, x, index);
     side.lines = count_lines(side.selection.segments);

@@ -165,17 +165,36 @@ bool has_soft_2(const ContactType& type) {
   return false;
 }
 
+namespace {
+
+/// IGNORE is an option of automatic contacts [workshop; manual, card C]. Type 4 is none, though two-sided like them.
+bool knows_ignore(const ContactType& type) {
+  return (type.family == Family::automatic && type.code != "4") || type.family == Family::mortar;
+}
+
+/// SHLEDG is read by segment-based contact alone [manual, card D and *CONTROL_CONTACT]; 2 on the contact is round,
+/// whatever the control card says. SRNDE = 1 does not let edges grow either. Mortar segments meet where they overlap in
+/// projection: nothing lies beside a free edge.
+bool has_square_edges(const model::Contact& contact, const ContactType& type, const model::Controls& controls) {
+  if (type.family == Family::mortar || contact.srnde == 1) return true;
+  const std::int64_t edges = contact.shledg != 0 ? contact.shledg : controls.shledg;
+  return type.pairing == Pairing::segments && edges == 1;
+}
+
+}  // namespace
+
 ContactSettings settings(const model::Contact& contact, const ContactType& type, const model::Controls& controls) {
   ContactSettings s;
   // Zero leaves the decision to the next place: pre-processors write zeros into every field.
   s.ignore = contact.mpp_ignore.value_or(0);
   if (s.ignore == 0) s.ignore = contact.ignore.value_or(0);
   if (s.ignore == 0) s.ignore = controls.ignore;
+  if (!knows_ignore(type)) s.ignore = 0;
   s.snlog = contact.snlog;
   switch (type.family) {
     case Family::old:
-      // THKOPT: 0 takes the global setting, 1 the one beside it, 2 switches thickness off.
-      s.shlthk = contact.thkopt == 2 ? 0 : (contact.shlthk > 0 || contact.thkopt == 1) ? contact.shlthk : controls.shlthk;
+      // THKOPT: 0 takes the global setting, 1 the one beside it, 2 switches thickness off [manual, card B].
+      s.shlthk = contact.thkopt == 2 ? 0 : contact.thkopt == 1 ? contact.shlthk : controls.shlthk;
       break;
     case Family::forming:
       // The blank's thickness counts, that of rigid tools does not, unless SHLTHK = 2.
@@ -184,8 +203,7 @@ ContactSettings settings(const model::Contact& contact, const ContactType& type,
     case Family::mortar: s.shlthk = type.code.starts_with('m') && contact.shlthk != 2 ? 1 : 2; break;
     default: s.shlthk = 2;
   }
-  // Mortar segments meet where they overlap in projection: nothing lies beside a free edge.
-  s.square_edges = contact.shledg == 1 || contact.srnde == 1 || controls.shledg == 1 || type.family == Family::mortar;
+  s.square_edges = has_square_edges(contact, type, controls);
   s.mid_surface_offset = controls.cntco != 0 || contact.shloff > 0;
   s.thickness_limit = type.treatment == Treatment::single_surface && controls.ssthk == 0;
   return s;

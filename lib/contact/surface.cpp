@@ -170,9 +170,13 @@ void keep_box(Selection& selection, const model::Box& box, const std::vector<Vec
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (in_box(box, all.nodes[i], x))
       append(kept, all.nodes[i], all.element[i], all.element_kind[i], all.kind[i]);
-    else  // a node inside counts, though its segment reaches out
-      selection.nodes.insert(selection.nodes.end(), all.nodes[i].begin(), all.nodes[i].end());
+    else if (std::any_of(all.nodes[i].begin(), all.nodes[i].end(),
+                         [&](NodeIndex n) { return box.contains(x[n.value]); }))
+      append(selection.cut, all.nodes[i], all.element[i], all.element_kind[i], all.kind[i]);
   }
+  // A node inside counts, though its segment reaches out.
+  for (const auto& corners : selection.cut.nodes)
+    selection.nodes.insert(selection.nodes.end(), corners.begin(), corners.end());
   selection.segments = std::move(kept);
   std::erase_if(selection.nodes, [&](NodeIndex n) { return !box.contains(x[n.value]); });
 }

@@ -44,7 +44,8 @@ struct TrackedNodes {
 /// What a side's input names, before thickness: segments in deck order, or nodes alone.
 struct Selection {
   Segments segments;             ///< half and rule not filled
-  std::vector<NodeIndex> nodes;  ///< node sets and particles: nodes without segments
+  std::vector<NodeIndex> nodes;  ///< node sets and particles: nodes without segments; those inside a box, of `cut`
+  Segments cut;                  ///< reach out of the box: no references, but their nodes inside have their thickness
   std::string empty_reason;      ///< why nothing was found; empty otherwise
   bool unknown_id = false;       ///< it names a set or part that does not exist
   bool unsupported = false;      ///< what it names is not resolved by this program
@@ -63,8 +64,8 @@ void fill_thickness(Segments& segments, const model::Model& model, const Thickne
 /// Mid-surface offsets of the shells (NLOC, *ELEMENT_SHELL_OFFSET): fills `offset` if any shell has one.
 void fill_offsets(Segments& segments, const model::Model& model);
 
-/// The nodes of a selection whose segments have their thickness; each takes the largest thickness of its segments, nodes without segments that of all
-/// elements at them.
+/// The nodes of a selection whose segments have their thickness; each takes the largest thickness of its segments, nodes
+/// without segments that of all elements at them.
 [[nodiscard]] TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model,
                                          const ThicknessSide& side, const std::vector<Vector>& x, MeshIndex& index);
 

@@ -9,6 +9,12 @@ namespace {
 /// SSTHK = 0: share of the shortest edge that a single-surface contact thickness may reach [workshop].
 constexpr double edge_share = 0.4;
 
+/// SFT of the part stands in for SFST and SFMT of the contact (dynasupport.com, "Contact thickness").
+double scale_of(const model::PartContact* part, const ThicknessSide& side) {
+  const bool own = part != nullptr && part->sft != 0;
+  return (own ? part->sft : side.scale) * side.global_scale;
+}
+
 }  // namespace
 
 ThicknessSide thickness_side(const model::Contact& contact, const ContactSettings& settings,
@@ -41,8 +47,7 @@ Thickness shell_thickness(double element, double shortest_edge, const model::Par
   if (side.optt && part != nullptr && part->optt != 0) return {std::abs(part->optt), ThicknessRule::part_contact};
   if (side.override_value != 0) return {side.override_value, ThicknessRule::contact_card};
   if (side.global_value != 0) return {side.global_value, ThicknessRule::global};
-  const double part_scale = part != nullptr && part->sft != 0 ? part->sft : 1;
-  const double scaled = element * part_scale * side.scale * side.global_scale;
+  const double scaled = element * scale_of(part, side);
   const double limit = edge_share * shortest_edge;
   if (side.edge_limit && limit < scaled) return {limit, ThicknessRule::edge_limit};
   return {scaled, scaled > 0 ? ThicknessRule::element : ThicknessRule::none};
@@ -57,8 +62,7 @@ Thickness beam_thickness(double radius, const model::PartContact* part, const Th
   if (side.optt && part != nullptr && part->optt != 0) return {std::abs(part->optt), ThicknessRule::part_contact};
   if (side.override_value != 0) return {side.override_value, ThicknessRule::contact_card};
   if (side.global_value != 0) return {side.global_value, ThicknessRule::global};
-  const double part_scale = part != nullptr && part->sft != 0 ? part->sft : 1;
-  const double scaled = 2 * radius * part_scale * side.scale * side.global_scale;
+  const double scaled = 2 * radius * scale_of(part, side);
   return {scaled, scaled > 0 ? ThicknessRule::beam_section : ThicknessRule::none};
 }
 

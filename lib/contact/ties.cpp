@@ -7,12 +7,15 @@
 namespace gapcheck::contact {
 namespace {
 
-/// PARMAX of tied contacts (MPP default).
-constexpr double default_parmax = 1.035;
+/// How far projections may lie beyond a segment where the contact does not say: MAXPAR as R14 (SMP) prints it for type 2
+/// without card A, PARMAX of the manual where the keyword has the MPP card.
+constexpr double default_maxpar = 1.07, default_parmax = 1.035;
 
 double parmax(const model::Contact& contact) {
-  const double given = contact.parmax > 0 ? contact.parmax : contact.maxpar > 0 ? contact.maxpar : default_parmax;
-  return std::max(1.0, given);
+  const bool mpp = contact.written.ends_with("_MPP") || contact.written.find("_MPP_") != std::string::npos;
+  if (mpp && contact.parmax > 0) return std::max(1.0, contact.parmax);
+  if (contact.maxpar > 0) return std::max(1.0, contact.maxpar);
+  return mpp ? default_parmax : default_maxpar;
 }
 
 /// One tied contact on its way.

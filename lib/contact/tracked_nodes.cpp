@@ -114,20 +114,24 @@ void offer_all_elements(NodeThickness& nodes, const model::Model& model, const T
 }
 
 /// From each node to its mid-surface: the mean over its segments.
-std::vector<Vector> mean_shifts(const Segments& s, const TrackedNodes& nodes, const std::vector<Vector>& x) {
+std::vector<Vector> mean_shifts(const Selection& selection, const TrackedNodes& nodes, const std::vector<Vector>& x) {
   const NodeSlots slots(nodes.node);
   std::vector<Vector> sum(slots.size(), Vector::Zero());
   std::vector<int> count(slots.size(), 0);
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    const auto& n = s.nodes[i];
-    const Vector normal = (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]).stableNormalized();
-    for (std::size_t c = 0; c < 4; ++c) {
-      if (c > 0 && n[c] == n[c - 1]) continue;
-      const std::uint32_t slot = slots.slot(n[c]);
-      sum[slot] += s.offset[i] * normal;
-      ++count[slot];
+  const auto add = [&](const Segments& s) {
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      const auto& n = s.nodes[i];
+      const Vector normal = (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]).stableNormalized();
+      for (std::size_t c = 0; c < 4; ++c) {
+        const std::uint32_t slot = slots.slot(n[c]);
+        if ((c > 0 && n[c] == n[c - 1]) || slot == NodeSlots::missing) continue;
+        if (!s.offset.empty()) sum[slot] += s.offset[i] * normal;
+        ++count[slot];
+      }
     }
-  }
+  };
+  add(selection.segments);
+  add(selection.cut);
   std::vector<Vector> shift;
   shift.reserve(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) shift.push_back(sum[i] / std::max(1, count[i]));
@@ -149,7 +153,7 @@ TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model
   NodeThickness nodes(few ? slots_of(selection) : NodeSlots(x.size()));
   if (!selection.nodes.empty()) {
     for (const NodeIndex n : selection.nodes) nodes.track(n);
-    offer_all_elements(nodes, model, side, x, index, few);
+    if (selection.cut.size() == 0) offer_all_elements(nodes, model, side, x, index, few);
   }
   for (std::size_t i = 0; i < s.size(); ++i) {
     const PartIndex part = part_of(model.mesh, s, i);
@@ -158,8 +162,12 @@ TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model
       nodes.offer(n, s.half[i], s.rule[i], part);
     }
   }
+  const Segments& cut = selection.cut;
+  for (std::size_t i = 0; i < cut.size(); ++i)
+    for (const NodeIndex n : cut.nodes[i])
+      if (nodes.tracked(n)) nodes.offer(n, cut.half[i], cut.rule[i], part_of(model.mesh, cut, i));
   TrackedNodes all = nodes.collect(bare_node_thickness(side));
-  if (!s.offset.empty()) all.shift = mean_shifts(s, all, x);
+  if (!s.offset.empty() || !cut.offset.empty()) all.shift = mean_shifts(selection, all, x);
   return all;
 }
 

@@ -212,7 +212,12 @@ void read_a(const Card& card, Contact& contact) {
 }
 
 void read_b(const Card& card, double length_factor, Contact& contact) {
-  contact.penmax = card.real("penmax");
+  // A length in the old types 3, 5, 10 and in mortar contacts, a multiple of the thickness in the others.
+  const bool length = contact.keyword.find("_MORTAR") != std::string::npos ||
+                      (contact.keyword.find("AUTOMATIC") == std::string::npos &&
+                       contact.keyword.find("SINGLE_SURFACE") == std::string::npos &&
+                       contact.keyword.find("ERODING") == std::string::npos);
+  contact.penmax = card.real("penmax") * (length ? length_factor : 1);
   contact.thkopt = card.integer("thkopt");
   contact.shlthk = card.integer("shlthk");
   contact.snlog = card.integer("snlog");

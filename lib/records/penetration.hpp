@@ -60,7 +60,7 @@ struct Penetration {
   std::int64_t element_part = 0;       ///< id of that element's part; 0: unknown
   double depth = 0;                    ///< penetration, positive
   double contact_distance = 0;         ///< h; the remaining distance is h - depth
-  double s = 0, t = 0;                 ///< coordinates on the segment, -1 to 1; edges: on the other and on the tracked edge
+  double s = 0, t = 0;                 ///< on the segment, -1 to 1; edges: on the other and the tracked one; NaN: unknown
   /// The node before the contact was initialised; edges: the point of the tracked edge that is nearest to the other one.
   Vector original = Vector::Zero();
   Vector point = Vector::Zero();       ///< closest point of the segment or of the other edge

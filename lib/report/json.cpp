@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -100,13 +101,14 @@ void append_penetration(const Report& report, const Penetration& record, const s
     object.number("remaining", record.remaining());
     object.number("contact_distance", record.contact_distance);
   }
-  if (deck || record.segment[0] != 0) {
+  // Solver files may name the segment and not the place on it.
+  if (std::isfinite(record.s) && std::isfinite(record.t) && (deck || record.segment[0] != 0)) {
     object.array("st", std::array{record.s, record.t});
     object.plain("feature", name(record.feature));
   }
   if (placed) object.array("original", coordinates(record.original));
   if (placed) object.array("point", coordinates(record.point));
-  if (record.outcome == Outcome::moved || record.moved_to != record.original)
+  if (placed && (record.outcome == Outcome::moved || record.moved_to != record.original))
     object.array("moved_to", coordinates(record.moved_to));
   // The solver does not list nodes of the edge zone, so nothing happens to them yet. What it does with edges is not known.
   if (record.kind != PenetrationKind::edge_zone && record.kind != PenetrationKind::edge)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -91,8 +92,8 @@ void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
   row[5] = real(record.remaining());
   row[6] = real(record.contact_distance);
   row[7] = record.contact_distance > 0 ? fmt::format("{:.3f}", record.depth / record.contact_distance) : "-";
-  row[8] = fmt::format("{:.3f}", record.s);
-  row[9] = fmt::format("{:.3f}", record.t);
+  row[8] = std::isfinite(record.s) ? fmt::format("{:.3f}", record.s) : "-";
+  row[9] = std::isfinite(record.t) ? fmt::format("{:.3f}", record.t) : "-";
   row[10] = name(record.feature);
   row[11] = record.kind == PenetrationKind::edge_zone ? "not listed"
             : record.kind == PenetrationKind::edge     ? "-"

@@ -65,13 +65,19 @@ Quote after(Quote quote, std::string_view line) {
   return quote == Quote::card && !rule ? Quote::card : Quote::none;
 }
 
-bool belongs(std::string_view line, std::string_view trimmed_line, Quote quote) {
+/// The indent that lines of the block have at least: the solver's own, or less where lost blanks made it so (texts that
+/// went through mails and tickets). A header that says something itself needs no such lines.
+std::size_t least_indent(std::string_view first_line, const MessageBlock& block) {
+  return block.header_text ? indent_of_text : std::min(indent_of_text, indent(first_line));
+}
+
+bool belongs(std::string_view line, std::string_view trimmed_line, Quote quote, std::size_t least) {
   if (trimmed_line.empty()) return quote == Quote::card;
   if (trimmed_line.starts_with("*** ")) return false;
   if (quote == Quote::path || quote == Quote::card) return true;
   if (quote == Quote::rule && trimmed_line.starts_with("-----")) return true;
   if (is_id_list(trimmed_line)) return true;
-  return indent(line) >= indent_of_text && !is_cycle(trimmed_line);
+  return indent(line) >= least && !is_cycle(trimmed_line);
 }
 
 void read_header(std::string_view line, MessageBlock& block) {
@@ -109,13 +115,15 @@ void read_message_block(Lines& lines, MessageBlock& block) {
   block.line = lines.number();
   read_header(lines.line(), block);
   Quote quote = Quote::none;
+  std::optional<std::size_t> least;
   constexpr std::size_t longest_quote = 100;
   for (std::size_t quoted = 0;;) {
     block.open = lines.open();
     lines.advance();
     if (lines.done()) break;
     const std::string_view text = inner(lines.line());
-    if (!belongs(lines.line(), text, quote)) {
+    if (!least) least = least_indent(lines.line(), block);
+    if (!belongs(lines.line(), text, quote, *least)) {
       // Blanks without a line end: the file was cut in the indent of the next line.
       block.open = text.empty() && lines.open();
       break;
@@ -135,6 +143,20 @@ std::optional<Field> field(std::string_view line) {
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos) return std::nullopt;
   return Field{inner(line.substr(0, equals)), inner(line.substr(equals + 1))};
+}
+
+std::vector<Field> fields(std::string_view line) {
+  std::vector<Field> list;
+  for (std::size_t equals = line.find('='); equals != std::string_view::npos; equals = line.find('=')) {
+    const std::string_view label = inner(line.substr(0, equals)), behind = line.substr(equals + 1);
+    line = behind;
+    if (behind.find('=') == std::string_view::npos)
+      line = line.substr(line.size());
+    else
+      for (std::string_view after = line; take_real(after);) line = after;
+    list.push_back({label, inner(behind.substr(0, behind.size() - line.size()))});
+  }
+  return list;
 }
 
 std::string joined_text(const MessageBlock& block, std::size_t limit) {

@@ -39,6 +39,10 @@ void read_message_block(Lines& lines, MessageBlock& block);
 /// Nothing for a line without `=`.
 [[nodiscard]] std::optional<Field> field(std::string_view line);
 
+/// The fields of a line, of which joined texts have several: "tied interface # = 92 tracked node # = 1". Whatever stands
+/// between a field's numbers and the next `=` is the next label.
+[[nodiscard]] std::vector<Field> fields(std::string_view line);
+
 /// The block's lines with one blank between words; cut after `limit` bytes, saying so.
 [[nodiscard]] std::string joined_text(const MessageBlock& block, std::size_t limit);
 

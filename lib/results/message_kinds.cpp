@@ -100,6 +100,17 @@ bool read_line(std::string_view line, std::vector<MessageKind>& kinds, Labels& c
   return key == "record" && read_record(value, kinds.back());
 }
 
+/// Lower case, one blank between words.
+std::string plain_words(std::string_view text) {
+  std::string plain;
+  for (const char c : trimmed(text)) {
+    const bool blank = c == ' ' || c == '\t';
+    if (!blank) plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (blank && plain.back() != ' ') plain += ' ';
+  }
+  return plain;
+}
+
 bool has_words(const MessageKind& kind, const std::string& text) {
   return kind.words.empty() || std::any_of(kind.words.begin(), kind.words.end(), [&](const auto& phrases) {
            return std::all_of(phrases.begin(), phrases.end(),
@@ -109,9 +120,19 @@ bool has_words(const MessageKind& kind, const std::string& text) {
 
 }  // namespace
 
-bool MessageKind::has_label(Label what, std::string_view label) const {
-  const auto& list = labels[what];
-  return std::find(list.begin(), list.end(), label) != list.end();
+std::optional<MessageKind::Label> MessageKind::label_of(std::string_view label) const {
+  const auto search = [&](const auto& fits) -> std::optional<Label> {
+    for (std::uint8_t what = 0; what < label_count; ++what)
+      if (std::any_of(labels[what].begin(), labels[what].end(), fits)) return static_cast<Label>(what);
+    return std::nullopt;
+  };
+  if (const auto exact = search([&](const std::string& known) { return known == label; })) return exact;
+  constexpr std::size_t longest = 200;  // joined texts are not much longer
+  const std::string wanted = plain_words(label.substr(label.size() - std::min(label.size(), longest)));
+  if (const auto same = search([&](const std::string& known) { return plain_words(known) == wanted; })) return same;
+  return search([&](const std::string& known) {
+    return known.ends_with('#') && wanted.ends_with(' ' + plain_words(known));
+  });
 }
 
 MessageKinds::MessageKinds() {

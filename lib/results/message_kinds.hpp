@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -24,8 +25,9 @@ struct MessageKind {
   BlockRecord record = BlockRecord::none;
   TieReason reason = TieReason::not_found;
   std::array<std::vector<std::string>, label_count> labels;
-  /// True if the field with this label holds what is asked for.
-  [[nodiscard]] bool has_label(Label what, std::string_view label) const;
+  /// What the field with this label holds. Where no label fits to the letter, one fits whatever its case and blanks, and
+  /// one that ends in "#" also behind other words, as they come before it in joined texts.
+  [[nodiscard]] std::optional<Label> label_of(std::string_view label) const;
 };
 
 /// The table: entries of a user before the built-in ones, each in the order of its file.

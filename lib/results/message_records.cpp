@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "base/number.hpp"
 #include "results/printed_number.hpp"
@@ -34,11 +35,10 @@ class Values {
     return true;
   }
 
-  bool position(std::string_view& text, std::string_view label, std::uint32_t& value) {
+  void position(std::string_view& text, std::string_view label, std::uint32_t& value) {
     std::int64_t number = 0;
-    if (!id(text, label, number)) return false;
+    if (!id(text, label, number)) return;
     if (number <= std::numeric_limits<std::uint32_t>::max()) value = static_cast<std::uint32_t>(number);
-    return true;
   }
 
   void missing(const char* what) {
@@ -74,6 +74,26 @@ int axis(std::string_view label) {
                                                                                                       : -1;
 }
 
+/// The ids of a line, four at most. Ids that fill their columns touch each other: columns of 8 or 10, at the right.
+std::vector<std::string_view> ids_in(std::string_view line) {
+  constexpr std::size_t longest_id = 10;
+  std::vector<std::string_view> ids;
+  bool touching = false;
+  for (std::string_view rest = trimmed(line); !rest.empty() && ids.size() < 4; rest = trimmed(rest)) {
+    ids.push_back(rest.substr(0, rest.find_first_of(" \t")));
+    touching = touching || ids.back().size() > longest_id;
+    rest.remove_prefix(ids.back().size());
+  }
+  for (const std::size_t width : {std::size_t{8}, std::size_t{10}}) {
+    if (!touching || line.size() <= 3 * width || line.size() > 4 * width) continue;
+    ids.clear();
+    for (std::size_t end = line.size() - 3 * width, begin = 0; begin < line.size(); begin = end, end += width)
+      ids.push_back(trimmed(line.substr(begin, end - begin)));
+    break;
+  }
+  return ids;
+}
+
 struct PenetrationReader {
   const MessageKind& kind;
   PenetrationBlock& result;
@@ -81,29 +101,48 @@ struct PenetrationReader {
   Heading under = Heading::none;
   Vector target = Vector::Zero();
   double remaining = 0;
-  bool depth = false, remaining_known = false, segment = false, st = false, original = false, modified = false,
-       recommended = false;
+  std::size_t segment_ids = 0, coordinates_on_segment = 0;
+  std::string_view unfinished = {};  ///< label of a field whose numbers stand in the next line
+  bool depth = false, remaining_known = false, segment = false, original = false, modified = false, recommended = false;
 
-  void number(Field entry) {
+  void number(const Field& entry) {
     Penetration& p = result.record;
     std::string_view value = entry.value;
-    if (kind.has_label(MessageKind::contact, entry.label)) {
-      values.id(value, entry.label, result.contact);
-    } else if (kind.has_label(MessageKind::node, entry.label)) {
-      values.id(value, entry.label, p.node);
-    } else if (kind.has_label(MessageKind::distance, entry.label)) {
-      depth = values.real(value, entry.label, p.depth);
-      p.depth = std::abs(p.depth);
-    } else if (kind.has_label(MessageKind::remaining, entry.label)) {
-      remaining_known = values.real(value, entry.label, remaining);
-    } else if (kind.has_label(MessageKind::segment, entry.label)) {
-      values.position(value, entry.label, p.segment_number);
-    } else if (entry.label == "s,t") {
-      st = values.real(value, entry.label, p.s) && values.real(value, entry.label, p.t);
+    unfinished = value.empty() ? entry.label : std::string_view{};
+    if (entry.label == "s,t") return on_segment(value);
+    const auto what = kind.label_of(entry.label);
+    if (!what || value.empty()) return;
+    switch (*what) {
+      case MessageKind::contact:
+        return void(values.id(value, entry.label, result.contact));
+      case MessageKind::node:
+        return void(values.id(value, entry.label, p.node));
+      case MessageKind::segment:
+        return values.position(value, entry.label, p.segment_number);
+      case MessageKind::distance:
+        depth = values.real(value, entry.label, p.depth);
+        p.depth = std::abs(p.depth);
+        return;
+      case MessageKind::remaining:
+        remaining_known = values.real(value, entry.label, remaining);
+        return;
+      case MessageKind::label_count:
+        return;
     }
   }
 
-  void coordinate(int i, Field entry) {
+  /// s and t, as far as the line has them.
+  void on_segment(std::string_view value) {
+    for (double* target_value : {&result.record.s, &result.record.t}) {
+      if (target_value == &result.record.s && coordinates_on_segment > 0) continue;
+      if (trimmed(value).empty()) break;
+      if (!values.real(value, "s,t", *target_value)) return;
+      ++coordinates_on_segment;
+    }
+    unfinished = coordinates_on_segment < 2 ? "s,t" : "";
+  }
+
+  void coordinate(int i, const Field& entry) {
     std::string_view value = entry.value;
     Vector& point = under == Heading::original ? result.record.original : target;
     const bool read = values.real(value, entry.label, point[i]);
@@ -113,26 +152,40 @@ struct PenetrationReader {
     recommended = recommended || under == Heading::recommended;
   }
 
+  /// Three ids are a triangle, if no fourth follows.
   void segment_nodes(std::string_view line) {
-    std::array<std::int64_t, 4> nodes{};
-    std::size_t count = 0;
-    for (; count < 4 && !trimmed(line).empty(); ++count)
-      if (!values.id(line, "penetrated segment nodes", nodes[count])) return;
-    if (count < 3) return values.missing("segment's nodes");
-    if (count == 3) nodes[3] = nodes[2];
-    result.record.segment = nodes;
-    segment = true;
+    auto& nodes = result.record.segment;
+    for (std::string_view text : ids_in(line)) {
+      if (segment_ids == 4) return;
+      if (!values.id(text, "penetrated segment nodes", nodes[segment_ids])) {
+        under = Heading::none;
+        return;
+      }
+      ++segment_ids;
+    }
+    segment = segment_ids >= 3;
+    if (segment_ids == 3) nodes[3] = nodes[2];
+    if (segment_ids == 4) under = Heading::none;
+  }
+
+  void text_line(std::string_view text) {
+    if (text.ends_with("segment nodes:")) {
+      under = Heading::nodes;
+    } else if (under == Heading::nodes) {
+      segment_nodes(text);
+    } else if (!unfinished.empty()) {
+      number({unfinished, text});
+    } else {
+      under = Heading::none;
+    }
+    result.awaits_more = (under == Heading::nodes && !segment) || !unfinished.empty();
   }
 
   void line(std::string_view text) {
     const auto entry = field(text);
+    if (!entry) return text_line(text);
+    if (under == Heading::nodes && segment_ids > 0 && !segment) values.missing("segment's nodes");
     result.awaits_more = false;
-    if (!entry) {
-      if (under == Heading::nodes) segment_nodes(text);
-      under = text.ends_with("segment nodes:") ? Heading::nodes : Heading::none;
-      result.awaits_more = under == Heading::nodes;
-      return;
-    }
     const int i = axis(entry->label);
     if (i >= 0 && under >= Heading::original) {
       coordinate(i, *entry);
@@ -142,13 +195,16 @@ struct PenetrationReader {
       result.awaits_more = true;
     } else {
       under = Heading::none;
-      number(*entry);
+      for (const Field& one : fields(text)) number(one);
+      result.awaits_more = !unfinished.empty();
     }
   }
 
   void finish() {
     Penetration& p = result.record;
-    if (remaining_known) p.contact_distance = p.depth + remaining;
+    if (depth && remaining_known) p.contact_distance = p.depth + remaining;
+    const bool st = coordinates_on_segment == 2;
+    if (!st) p.s = p.t = std::numeric_limits<double>::quiet_NaN();
     p.moved_to = modified ? target : p.original;
     p.outcome = recommended ? Outcome::kept : Outcome::reported;
     if (modified && original && p.moved_to != p.original) p.outcome = Outcome::moved;
@@ -198,20 +254,35 @@ PenetrationBlock penetration_of(const MessageBlock& block, const MessageKind& ki
 FromBlock<TieFailure> tie_failure_of(const MessageBlock& block, const MessageKind& kind) {
   FromBlock<TieFailure> result;
   Values values(block, result.fault);
+  const auto take = [&](const Field& entry) {
+    std::string_view value = entry.value;
+    const auto what = kind.label_of(entry.label);
+    if (!what) return;
+    double distance = 0;
+    switch (*what) {
+      case MessageKind::contact:
+        return void(values.id(value, entry.label, result.contact));
+      case MessageKind::node:
+        return void(values.id(value, entry.label, result.record.node));
+      case MessageKind::segment:
+        return values.position(value, entry.label, result.record.segment_number);
+      case MessageKind::distance:
+        if (values.real(value, entry.label, distance)) result.record.distance = std::abs(distance);
+        return;
+      case MessageKind::remaining:
+      case MessageKind::label_count:
+        return;
+    }
+  };
+  std::string_view unfinished;
   for (std::size_t i = 0; i < block.lines.size(); ++i) {
-    const auto entry = field(block.lines[i]);
-    if (!entry) continue;
     values.at(i);
-    std::string_view value = entry->value;
-    if (kind.has_label(MessageKind::contact, entry->label)) {
-      values.id(value, entry->label, result.contact);
-    } else if (kind.has_label(MessageKind::node, entry->label)) {
-      values.id(value, entry->label, result.record.node);
-    } else if (kind.has_label(MessageKind::segment, entry->label)) {
-      values.position(value, entry->label, result.record.segment_number);
-    } else if (kind.has_label(MessageKind::distance, entry->label)) {
-      double distance = 0;
-      if (values.real(value, entry->label, distance)) result.record.distance = std::abs(distance);
+    const std::vector<Field> list = fields(block.lines[i]);
+    if (list.empty() && !unfinished.empty()) take({unfinished, block.lines[i]});
+    unfinished = {};
+    for (const Field& entry : list) {
+      if (entry.value.empty()) unfinished = entry.label;
+      else take(entry);
     }
   }
   result.record.reason = kind.reason;

@@ -89,7 +89,7 @@ TEST(MessageKinds, LabelsOfAnEntryAndOfAll) {
     Lines lines(bytes);
     MessageBlock block;
     read_message_block(lines, block);
-    return kinds.find(block)->has_label(MessageKind::node, label);
+    return kinds.find(block)->label_of(label) == MessageKind::node;
   };
   EXPECT_TRUE(labels("1", "the node"));
   EXPECT_FALSE(labels("1", "slave node #"));

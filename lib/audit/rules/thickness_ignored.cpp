@@ -15,7 +15,9 @@ double shell_at(const model::Model& model, const contact::Segments& s, std::size
 
 std::string message(const model::Contact& contact, const Worst& shells) {
   const bool card = contact.sst != 0 || contact.mst != 0;
-  const char* cause = contact.thkopt == 2 ? "THKOPT = 2" : "SHLTHK = 0";
+  const char* cause = contact.thkopt == 2                          ? "THKOPT = 2"
+                      : contact.thkopt == 0 && contact.shlthk > 0 ? "SHLTHK of card B needs THKOPT = 1"
+                                                                  : "SHLTHK = 0";
   return fmt::format(
       "{} ignores thickness ({}): {} shells, up to {:.4g} thick{}, meet at their mid-surfaces; set SHLTHK = 1 on card B or "
       "in *CONTROL_CONTACT, or use the AUTOMATIC type",
