@@ -31,6 +31,7 @@ struct TieFailure {
   std::uint32_t segment_number = 0;  ///< running number in the interface, from 1; 0: unknown
   double distance = -1;              ///< separation; negative: unknown
   double allowed = -1;               ///< distance within which it would tie; negative: unknown
+  double segment_size = -1;          ///< the shorter diagonal of the segment; negative: unknown
   TieReason reason = TieReason::not_found;
   bool by_node_set = false;          ///< the node was named by a node set, so it was surely meant to tie
   std::optional<Vector> position = std::nullopt;  ///< of the node in the deck; none: unknown
