@@ -5,7 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "keyword/deck.hpp"
+#include "records/report.hpp"
+
 namespace gapcheck::audit {
+
+struct AuditOptions;
 
 /// A closed range of ids.
 struct IdRange {
@@ -26,5 +31,30 @@ struct IgnoreEntry {
   std::string file;                                  ///< where it stands
   std::uint32_t line = 0;
 };
+
+/// What the rules on ignores have to report. One line for each place, however often its file is included.
+struct IgnoreOutcome {
+  struct Place {
+    std::string file;
+    std::uint32_t line = 0;
+    std::string rules;  ///< as they are written: "GC101, GC3"
+    std::optional<std::chrono::year_month_day> until;
+    std::uint64_t matched = 0;  ///< expired ones: findings that they would leave out
+  };
+  struct Bad {
+    std::string file;
+    std::uint32_t line = 0;
+    std::string what;  ///< what is wrong and what to write
+  };
+  std::vector<Place> unused;   ///< matched nothing, although everything that they could match was looked for
+  std::vector<Place> expired;
+  std::vector<Bad> bad;        ///< comments that are not understood
+};
+
+/// Moves the findings that the comments of the deck and `options.ignores` leave out into `report.ignored`. Ids in
+/// comments are those of the file that they stand in, so that the offsets of its *INCLUDE_TRANSFORM apply to them; they
+/// hold for the whole deck. Findings of the rules on ignores are never left out. The counts of the contacts are left to
+/// the caller.
+[[nodiscard]] IgnoreOutcome leave_out_ignored(Report& report, const keyword::Deck& deck, const AuditOptions& options);
 
 }  // namespace gapcheck::audit

@@ -33,6 +33,7 @@ struct KnownFinding {
 /// A report against a baseline.
 struct BaselineComparison {
   std::vector<BaselineState> states;  ///< of the penetrations, ties and other findings of the report, in that order
+  std::vector<BaselineState> ignored_states;  ///< of those in Report::ignored, in its order
   std::vector<KnownFinding> gone;     ///< in the baseline's order
   [[nodiscard]] std::size_t count(BaselineState state) const;
 };

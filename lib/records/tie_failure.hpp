@@ -20,6 +20,8 @@ enum class TieReason : std::uint8_t {
 };
 
 [[nodiscard]] std::string_view name(TieReason reason);
+/// The rule that such a node is a finding of: "GC201".
+[[nodiscard]] std::string_view rule_id(TieReason reason);
 /// True for the reasons that leave the node untied.
 [[nodiscard]] bool untied(TieReason reason);
 
