@@ -15,11 +15,19 @@ struct Piece {
   std::uint32_t lines = 0;
 };
 
+/// Most comments are not worth a closer look: blanks, then no letter that could begin the name.
+bool may_be_directive(std::string_view bytes, std::size_t dollar) {
+  std::size_t at = dollar + 1;
+  while (at < bytes.size() && (bytes[at] == ' ' || bytes[at] == '\t')) ++at;
+  return at < bytes.size() && (bytes[at] == 'g' || bytes[at] == 'G');
+}
+
 std::optional<Mark::Kind> kind_of(std::string_view from_line_start) {
   if (from_line_start.front() == '*') return Mark::Kind::keyword;
+  if (from_line_start.front() == '$')
+    return directive_text(from_line_start) ? std::optional(Mark::Kind::directive) : std::nullopt;
   if (from_line_start.starts_with("-----BEGIN PGP MESSAGE-----")) return Mark::Kind::encrypted_begin;
   if (from_line_start.starts_with("-----END PGP MESSAGE-----")) return Mark::Kind::encrypted_end;
-  if (directive_text(from_line_start)) return Mark::Kind::directive;
   return std::nullopt;
 }
 
@@ -35,7 +43,7 @@ Piece scan_piece(std::string_view bytes, std::size_t begin, std::size_t end) {
   std::size_t offset = begin;
   while (offset < end) {
     const char first = bytes[offset];
-    if (first == '*' || first == '-' || first == '$')
+    if (first == '*' || first == '-' || (first == '$' && may_be_directive(bytes, offset)))
       if (const auto kind = kind_of(bytes.substr(offset))) piece.marks.push_back({*kind, piece.lines, offset});
     ++piece.lines;
     const void* newline = std::memchr(bytes.data() + offset, '\n', bytes.size() - offset);

@@ -317,10 +317,15 @@ void append_sum(const Reports& reports, Stream& stream) {
     stream.text(json_string(reports.unread[i]));
   }
   Totals sum;
-  for (const Report& report : reports.all) sum += totals(report);
+  std::size_t ignored = 0;
+  for (const Report& report : reports.all) {
+    sum += totals(report);
+    ignored += report.ignored.size();
+  }
   fmt::format_to(fmt::appender(stream.buffer),
-                 "],\n\"summary\":{{\"decks\":{},\"unread\":{},\"errors\":{},\"warnings\":{},\"notes\":{}}}}}",
-                 reports.all.size(), reports.unread.size(), sum.errors, sum.warnings, sum.notes);
+                 "],\n\"summary\":{{\"decks\":{},\"unread\":{},\"errors\":{},\"warnings\":{},\"notes\":{}{}}}}}",
+                 reports.all.size(), reports.unread.size(), sum.errors, sum.warnings, sum.notes,
+                 ignored > 0 ? fmt::format(",\"ignored\":{}", ignored) : "");
 }
 
 }  // namespace

@@ -377,6 +377,9 @@ std::string text_of_all(const Reports& reports, const TextOptions& options) {
   for (const Report& report : reports.all) sum += totals(report);
   const Paint paint{options.color};
   std::string line = fmt::format("{}: {}", count(reports.all.size(), "deck"), numbers_of(sum, paint));
+  std::size_t ignored = 0;
+  for (const Report& report : reports.all) ignored += report.ignored.size();
+  if (ignored > 0) line += fmt::format(", {} ignored", ignored);
   if (!reports.unread.empty())
     line += "; " + paint.severity(Severity::error, fmt::format("{} more could not be read", reports.unread.size()));
   return line + '\n';
