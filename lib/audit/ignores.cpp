@@ -97,20 +97,33 @@ class IdIndex {
   std::vector<std::pair<std::int64_t, std::uint32_t>> entries_;
 };
 
+/// The rules that lists of ids, names and beginnings pick; a deck may have the same list in every comment.
+class RuleLists {
+ public:
+  /// By position in rules(). Lives as long as the lists.
+  const std::vector<bool>& of(const std::vector<std::string>& patterns) {
+    const auto [known, is_new] = known_.try_emplace(patterns);
+    if (is_new)
+      for (const RuleInfo& rule : rules()) known->second.push_back(!patterns.empty() && selected(rule, patterns, {}));
+    return known->second;
+  }
+
+ private:
+  std::map<std::vector<std::string>, std::vector<bool>> known_;
+};
+
 /// One demand with everything looked up that can be looked up once.
 class Demand {
  public:
-  explicit Demand(IgnoreEntry entry) : entry_(std::move(entry)), of_rule_(rules().size()) {
+  Demand(IgnoreEntry entry, RuleLists& lists) : entry_(std::move(entry)), of_rule_(&lists.of(entry_.rules)) {
     for (std::vector<IdRange>* ids : {&entry_.contacts, &entry_.nodes, &entry_.parts, &entry_.elements}) join(*ids);
-    for (std::size_t i = 0; i < rules().size(); ++i)
-      of_rule_[i] = !entry_.rules.empty() && selected(rules()[i], entry_.rules, {});
     if (!entry_.files.empty()) base_ = absolute(entry_.base);
   }
   [[nodiscard]] const IgnoreEntry& entry() const { return entry_; }
 
   [[nodiscard]] bool matches(const Fact& fact) {
     const auto lets = [](const std::vector<IdRange>& ids, std::int64_t id) { return ids.empty() || holds(ids, id); };
-    return fact.rule != none_of_them && of_rule_[fact.rule] && lets(entry_.contacts, fact.contact) &&
+    return fact.rule != none_of_them && (*of_rule_)[fact.rule] && lets(entry_.contacts, fact.contact) &&
            lets(entry_.nodes, fact.node) && lets(entry_.elements, fact.element) &&
            (lets(entry_.parts, fact.part) || lets(entry_.parts, fact.element_part)) && shallow(fact) && in_files(fact);
   }
@@ -126,7 +139,7 @@ class Demand {
                                                                               entry_.contacts.end(), looked_at)))
       return false;
     for (std::size_t i = 0; i < rules().size(); ++i)
-      if (of_rule_[i] && !rules()[i].of_runs && !selected(rules()[i], options.select, options.ignore)) return false;
+      if ((*of_rule_)[i] && !rules()[i].of_runs && !selected(rules()[i], options.select, options.ignore)) return false;
     return true;
   }
 
@@ -154,7 +167,7 @@ class Demand {
   }
 
   IgnoreEntry entry_;
-  std::vector<bool> of_rule_;
+  const std::vector<bool>* of_rule_;
   std::filesystem::path base_;
   std::unordered_map<std::string, bool> of_file_;
 };
@@ -216,7 +229,7 @@ class Engine {
   void add(IgnoreEntry entry, bool in_deck) {
     const auto [known, is_new] = position_.try_emplace({entry.file, entry.line, words_of(entry)}, places_.size());
     if (is_new) places_.push_back({{}, in_deck});
-    places_[known->second].demands.emplace_back(std::move(entry));
+    places_[known->second].demands.emplace_back(std::move(entry), lists_);
   }
   [[nodiscard]] bool expired(const IgnoreEntry& entry) const {
     return entry.until && options_.today != std::chrono::sys_days{} && std::chrono::sys_days(*entry.until) < options_.today;
@@ -230,6 +243,7 @@ class Engine {
   Report& report_;
   const AuditOptions& options_;
   std::map<std::tuple<std::string, std::uint32_t, std::string>, std::size_t> position_;
+  RuleLists lists_;
   std::vector<Place> places_;
   std::vector<Fact> facts_;
   IdIndex by_contact_, by_node_, by_part_, by_element_;
