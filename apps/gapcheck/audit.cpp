@@ -2,6 +2,8 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <chrono>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <string>
@@ -62,6 +64,14 @@ void add_work(CLI::App& command, AuditArguments& arguments) {
   for (CLI::Option* option : options) option->group("Reading and work");
 }
 
+/// The day here, not in Greenwich: ignores hold until the end of their last day.
+std::chrono::sys_days today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  if (::localtime_r(&now, &local) == nullptr) return {};
+  return std::chrono::year(local.tm_year + 1900) / (local.tm_mon + 1) / local.tm_mday;
+}
+
 }  // namespace
 
 void add_audit(CLI::App& app, Action& action) {
@@ -78,6 +88,7 @@ void add_audit(CLI::App& app, Action& action) {
   add_work(*command, *arguments);
   command->callback([&action, arguments] {
     action = [arguments] {
+      arguments->audit.today = today();
       if (!arguments->units.empty()) arguments->audit.millimetre = 1 / unit_systems.at(arguments->units);
       arguments->audit.scene = !arguments->output.html.empty();
       arguments->audit.read.skip_missing_includes = arguments->missing_includes == "skip";

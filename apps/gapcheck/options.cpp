@@ -107,6 +107,15 @@ void write_format(const report::Reports& reports, const OutputOptions& options, 
   if (options.format == "csv") report::csv(reports, sink);
 }
 
+/// Formats that have no place for findings that are left out on purpose must not hide that there are any.
+void say_ignored(const report::Reports& reports, const OutputOptions& options) {
+  std::size_t ignored = 0;
+  for (const Report& report : reports.all) ignored += report.ignored.size();
+  if (ignored == 0 || options.text.quiet || (options.format != "csv" && options.format != "gitlab")) return;
+  print(Diagnostic{Severity::note, "", 0,
+                   fmt::format("{} ignored, not in the {}: see --format text", ignored, options.format)});
+}
+
 }  // namespace
 
 bool write_page(const Report& report, const OutputOptions& options, const report::NodePosition& position) {
@@ -119,6 +128,7 @@ bool write_page(const Report& report, const OutputOptions& options, const report
 }
 
 bool write(const report::Reports& reports, const OutputOptions& options) {
+  say_ignored(reports, options);
   Output output(options.output);
   if (options.format == "text") {
     write_text(reports, options, output);

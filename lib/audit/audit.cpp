@@ -167,12 +167,14 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
     report.penetrations = std::move(initial.penetrations);
     std::erase_if(report.penetrations, [&](const Penetration& p) { return !keep(p, context); });
     report.tie_failures = tie_failures(initial, model, context);
-    recount(report);
   } else {
     report.contacts = contacts_alone(model);
   }
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   place_at_nodes(report.findings, model.mesh.nodes);
+  context.set_ignores(leave_out_ignored(report, deck, options));
+  review_ignores(context, report);
+  if (context.initialised()) recount(report);
   for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);
   report.timing.surface_s = context.counters().surface_s + context.surface_store().seconds();
   report.timing.search_s = context.counters().search_s;

@@ -1,7 +1,9 @@
 #pragma once
+#include <chrono>
 #include <string>
 #include <vector>
 
+#include "audit/ignores.hpp"
 #include "base/diagnostic.hpp"
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
@@ -14,6 +16,9 @@ struct AuditOptions {
   std::vector<std::string> select, ignore;  ///< rule ids, names or prefixes; empty select = all
   std::vector<std::int64_t> contacts;       ///< --contact; empty = all
   std::vector<std::int64_t> parts;          ///< --part: only nodes or segments of these parts; empty = all
+  std::vector<IgnoreEntry> ignores;         ///< of a settings file; those of the deck's comments come first
+  Severities severities;                    ///< instead of those of the rules
+  std::chrono::sys_days today{};            ///< what ignores with a last day are held against; 1970-01-01: they hold
   double ptol = -1;     ///< --ptol: replaces the default tolerance; negative = not given
   double rtol = -1;     ///< --rtol: only findings with a remaining distance below it; negative = not given
   double ratio = -1;    ///< --ratio: only findings with depth / contact distance above it; negative = not given

@@ -46,6 +46,7 @@ std::span<const RuleInfo> rules() {
     for (const Rule* rule : all_rules()) {
       list.push_back(rule->info);
       list.back().of_runs = rule->judge != nullptr;
+      list.back().of_ignores = rule->review != nullptr;
     }
     return list;
   }();
@@ -79,6 +80,13 @@ void run_rules(Context& context, Report& report) {
     rule->run(rule->info, context, report);
     context.count_rule(context.requests() > before);
   }
+}
+
+void review_ignores(const Context& context, Report& report) {
+  const AuditOptions& options = context.options();
+  for (const Rule* rule : all_rules())
+    if (rule->review != nullptr && selected(rule->info, options.select, options.ignore))
+      rule->review(rule->info, context, report);
 }
 
 void run_rules(RunContext& context, Report& report) {

@@ -15,6 +15,7 @@ struct RuleInfo {
   Severity severity;
   std::string_view summary;  ///< one line
   bool of_runs = false;      ///< judges what a run has written, not a deck
+  bool of_ignores = false;   ///< judges the demands to leave findings out
 };
 
 /// All rules, ascending by id.

@@ -65,6 +65,9 @@ class Context {
   /// How the rules about crossing elements decided; printed by --stats.
   [[nodiscard]] contact::CrossingCounters& crossing_counters() { return crossing_counters_; }
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
+  /// What became of the ignores; for Rule::review.
+  [[nodiscard]] const IgnoreOutcome& ignores() const { return ignores_; }
+  void set_ignores(IgnoreOutcome outcome) { ignores_ = std::move(outcome); }
   /// Asks for the records of one kind in the report.
   void want(PenetrationKind kind) {
     ++requests_;
@@ -93,6 +96,7 @@ class Context {
   contact::InitialCounters counters_, other_counters_;
   std::uint64_t requests_ = 0, other_surfaces_ = 0;
   RuleCounters rules_;
+  IgnoreOutcome ignores_;
   contact::CrossingCounters crossing_counters_;
   std::bitset<penetration_kinds> wanted_;
   std::bitset<8> wanted_ties_;
@@ -105,6 +109,8 @@ struct Rule {
   RuleInfo info;
   void (*run)(const RuleInfo& info, Context& context, Report& report) = nullptr;
   void (*judge)(const RuleInfo& info, RunContext& context, Report& report) = nullptr;
+  /// In place of `run`: looks at what has become of the findings of all the others.
+  void (*review)(const RuleInfo& info, const Context& context, Report& report) = nullptr;
 };
 
 /// A finding with the rule's id, name and severity filled in.

@@ -12,6 +12,7 @@ TieFailure record_tie(const JudgedNode& judged, const model::Model& model) {
     failure.segment_number = judged.segment + 1;
     failure.distance = judged.distance;
     failure.allowed = judged.allowed;
+    failure.segment_size = judged.diagonal;
   }
   failure.reason = *judged.reason;
   failure.by_node_set = judged.by_node_set;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "base/number.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 /// Far beyond any real deck; keeps a file of nothing but stars from filling the memory.
 constexpr std::size_t max_blocks = 5'000'000;
+constexpr std::size_t max_directives = 1'000'000;
 
 std::string upper_case(std::string_view text) {
   std::string upper(text);
@@ -81,6 +83,8 @@ Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
 }
 
 Result<Deck> DeckReader::finish() {
+  std::stable_sort(deck_.directives_.begin(), deck_.directives_.end(),
+                   [](const Directive& a, const Directive& b) { return a.file.value < b.file.value; });
   resolve_transforms();
   return std::move(deck_);
 }
@@ -111,10 +115,16 @@ FileIndex DeckReader::add_file(const std::string& path, std::string_view bytes, 
   return FileIndex(static_cast<std::uint32_t>(deck_.files_.size() - 1));
 }
 
-void DeckReader::read_file(FileContext context, const std::vector<Mark>& marks) {
+void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) {
   const std::string_view bytes = deck_.files_[context.file.value].bytes;
   const std::size_t begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  const auto directive = [](const Mark& mark) { return mark.kind == Mark::Kind::directive; };
+  std::vector<Mark> structure, comments;
+  if (std::any_of(lines.begin(), lines.end(), directive))
+    std::partition_copy(lines.begin(), lines.end(), std::back_inserter(comments), std::back_inserter(structure), directive);
+  const std::vector<Mark>& marks = comments.empty() ? lines : structure;
   check_before_keywords(context, begin, marks.empty() ? bytes.size() : marks.front().offset);
+  std::size_t read_to = bytes.size();
   for (std::size_t at = 0; at < marks.size() && !stopped_;) {
     const Mark& mark = marks[at];
     if (mark.kind == Mark::Kind::encrypted_begin) {
@@ -131,7 +141,27 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& marks) 
     Block block = block_of(context, line_at(bytes, mark.offset, body));
     block.line = mark.line;
     block.body = bytes.substr(body, std::max(end, body) - body);
-    if (!add_block(std::move(block), context)) return;
+    if (add_block(std::move(block), context)) continue;
+    read_to = mark.offset;
+    break;
+  }
+  add_directives(context, comments, read_to);
+}
+
+/// The comments to gapcheck as far as the file is read.
+void DeckReader::add_directives(const FileContext& context, const std::vector<Mark>& comments, std::size_t read_to) {
+  const std::string_view bytes = deck_.files_[context.file.value].bytes;
+  for (const Mark& comment : comments) {
+    if (comment.offset >= read_to) return;
+    if (deck_.directives_.size() == max_directives) {
+      diagnostics_.error(path_of(context.file), comment.line,
+                         "more than " + std::to_string(max_directives) +
+                             " comments that start with \"gapcheck:\"; the rest was not read");
+      return;
+    }
+    std::size_t next = 0;
+    if (const auto text = directive_text(line_at(bytes, comment.offset, next)))
+      deck_.directives_.push_back({*text, context.file, comment.line, context.transform});
   }
 }
 

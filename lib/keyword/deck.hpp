@@ -38,6 +38,14 @@ struct Block {
   std::uint32_t order = 0;      ///< place in the input; parameters are visible from their definition on
 };
 
+/// A comment that speaks to gapcheck: `$ gapcheck: …`.
+struct Directive {
+  std::string_view text;  ///< behind the colon, to the end of the line
+  FileIndex file;
+  std::uint32_t line = 0;
+  TransformIndex transform{0};
+};
+
 struct ReadOptions {
   std::vector<std::string> include_directories;  ///< -I
   bool skip_missing_includes = false;            ///< then each is a warning
@@ -59,6 +67,8 @@ class Deck {
   [[nodiscard]] std::span<const SourceFile> files() const { return files_; }
   [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
   [[nodiscard]] const SourceFile& file(FileIndex index) const { return files_[index.value]; }
+  /// By file and line; of what is read, so not behind *END.
+  [[nodiscard]] std::span<const Directive> directives() const { return directives_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[nodiscard]] const Transform& transform(TransformIndex index) const { return transforms_[index.value]; }
   [[nodiscard]] const DeckCounters& counters() const { return counters_; }
@@ -74,6 +84,7 @@ class Deck {
   std::vector<std::string> texts_;  ///< bytes of decks given as text
   std::vector<SourceFile> files_;
   std::vector<Block> blocks_;
+  std::vector<Directive> directives_;
   Parameters parameters_;
   std::vector<Transform> transforms_{Transform{}};
   DeckCounters counters_;

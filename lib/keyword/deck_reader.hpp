@@ -45,6 +45,7 @@ class DeckReader {
   void read_file(FileContext context, const std::vector<Mark>& marks);
   void check_before_keywords(const FileContext& context, std::size_t begin, std::size_t end);
   std::size_t pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at);
+  void add_directives(const FileContext& context, const std::vector<Mark>& comments, std::size_t read_to);
   [[nodiscard]] static Block block_of(FileContext& context, std::string_view line);
   bool add_block(Block block, const FileContext& context);
   void dispatch(const FileContext& context, const Block& block);

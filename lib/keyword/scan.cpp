@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <optional>
 
 #include "base/parallel.hpp"
 
@@ -16,8 +15,17 @@ struct Piece {
   std::uint32_t lines = 0;
 };
 
+/// Most comments are not worth a closer look: blanks, then no letter that could begin the name.
+bool may_be_directive(std::string_view bytes, std::size_t dollar) {
+  std::size_t at = dollar + 1;
+  while (at < bytes.size() && (bytes[at] == ' ' || bytes[at] == '\t')) ++at;
+  return at < bytes.size() && (bytes[at] == 'g' || bytes[at] == 'G');
+}
+
 std::optional<Mark::Kind> kind_of(std::string_view from_line_start) {
   if (from_line_start.front() == '*') return Mark::Kind::keyword;
+  if (from_line_start.front() == '$')
+    return directive_text(from_line_start) ? std::optional(Mark::Kind::directive) : std::nullopt;
   if (from_line_start.starts_with("-----BEGIN PGP MESSAGE-----")) return Mark::Kind::encrypted_begin;
   if (from_line_start.starts_with("-----END PGP MESSAGE-----")) return Mark::Kind::encrypted_end;
   return std::nullopt;
@@ -35,7 +43,7 @@ Piece scan_piece(std::string_view bytes, std::size_t begin, std::size_t end) {
   std::size_t offset = begin;
   while (offset < end) {
     const char first = bytes[offset];
-    if (first == '*' || first == '-')
+    if (first == '*' || first == '-' || (first == '$' && may_be_directive(bytes, offset)))
       if (const auto kind = kind_of(bytes.substr(offset))) piece.marks.push_back({*kind, piece.lines, offset});
     ++piece.lines;
     const void* newline = std::memchr(bytes.data() + offset, '\n', bytes.size() - offset);
@@ -66,6 +74,18 @@ std::vector<Mark> find_marks(std::string_view bytes) {
     piece = {};
   }
   return marks;
+}
+
+std::optional<std::string_view> directive_text(std::string_view line) {
+  constexpr std::string_view name = "gapcheck:";
+  if (!line.starts_with('$')) return std::nullopt;
+  const auto start = line.find_first_not_of(" \t", 1);
+  if (start == std::string_view::npos) return std::nullopt;
+  line.remove_prefix(start);
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  const bool named = line.size() >= name.size() &&
+                     std::equal(name.begin(), name.end(), line.begin(), [&](char a, char b) { return a == lower(b); });
+  return named ? std::optional(line.substr(name.size())) : std::nullopt;
 }
 
 std::string_view line_at(std::string_view bytes, std::size_t offset, std::size_t& next) {

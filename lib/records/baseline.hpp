@@ -25,6 +25,7 @@ struct KnownFinding {
   std::int64_t contact = 0;        ///< id; 0: none
   std::optional<Vector> position;  ///< finite, rounded to six digits of the largest coordinate
   double penetration = -1, contact_distance = -1;  ///< six digits; negative: unknown
+  double segment_size = -1;        ///< the same, of ties
   std::uint64_t count = 1;         ///< things that the finding stands for
   std::string message;             ///< only where a position does not tell what is meant
 };
@@ -32,6 +33,7 @@ struct KnownFinding {
 /// A report against a baseline.
 struct BaselineComparison {
   std::vector<BaselineState> states;  ///< of the penetrations, ties and other findings of the report, in that order
+  std::vector<BaselineState> ignored_states;  ///< of those in Report::ignored, in its order
   std::vector<KnownFinding> gone;     ///< in the baseline's order
   [[nodiscard]] std::size_t count(BaselineState state) const;
 };

@@ -43,6 +43,8 @@ enum class ThicknessRule : std::uint8_t {
   beam_section,   ///< radius of a beam's section
 };
 
+/// "GC101".
+[[nodiscard]] std::string_view rule_id(PenetrationKind kind);
 [[nodiscard]] std::string_view name(Feature feature);
 [[nodiscard]] std::string_view name(Outcome outcome);
 [[nodiscard]] std::string_view name(ThicknessRule rule);

@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -67,10 +69,15 @@ struct Timing {
   double read_s = 0, model_s = 0, surface_s = 0, search_s = 0, total_s = 0;
 };
 
+/// Severities that replace those of the rules, by rule id.
+using Severities = std::map<std::string, Severity, std::less<>>;
+
 /// Everything that one source (deck, messag, run) has to say; all views and writers work on it.
 struct Report {
   std::string source;  ///< "deck"
   std::string input;   ///< as given by the user
+  std::string settings;    ///< path of the settings file that was used; empty: none
+  Severities severities;   ///< of the records; `findings` have theirs already
   std::vector<std::string> files;  ///< what Penetration::file points into
   ModelCounts model;
   std::vector<ContactSummary> contacts;    ///< in deck order

@@ -20,6 +20,8 @@ enum class TieReason : std::uint8_t {
 };
 
 [[nodiscard]] std::string_view name(TieReason reason);
+/// The rule that such a node is a finding of: "GC201".
+[[nodiscard]] std::string_view rule_id(TieReason reason);
 /// True for the reasons that leave the node untied.
 [[nodiscard]] bool untied(TieReason reason);
 
@@ -31,6 +33,7 @@ struct TieFailure {
   std::uint32_t segment_number = 0;  ///< running number in the interface, from 1; 0: unknown
   double distance = -1;              ///< separation; negative: unknown
   double allowed = -1;               ///< distance within which it would tie; negative: unknown
+  double segment_size = -1;          ///< the shorter diagonal of the segment; negative: unknown
   TieReason reason = TieReason::not_found;
   bool by_node_set = false;          ///< the node was named by a node set, so it was surely meant to tie
   std::optional<Vector> position = std::nullopt;  ///< of the node in the deck; none: unknown

@@ -63,6 +63,7 @@ KnownFinding known_finding(const Item& item) {
   if (item.position) known.position = rounded(*item.position);
   known.penetration = six_digits(item.penetration);
   known.contact_distance = six_digits(item.contact_distance);
+  known.segment_size = six_digits(item.segment_size);
   known.count = item.count;
   // As the file will have it: bytes that are no UTF-8 do not come back.
   if (!known.position || known.count > 1)
@@ -111,6 +112,7 @@ std::string read_line(std::string_view line, KnownFinding& finding) {
   });
   member("penetration", false, length(finding.penetration));
   member("contact_distance", false, length(finding.contact_distance));
+  member("segment_size", false, length(finding.segment_size));
   member("count", false, [&](const Json& value) {
     return value.is_number_unsigned() && (finding.count = value.get<std::uint64_t>()) > 1;
   });
@@ -153,6 +155,7 @@ void append_known(const KnownFinding& finding, Buffer& out) {
     object.array("position", std::array{finding.position->x(), finding.position->y(), finding.position->z()});
   if (finding.penetration >= 0) object.number("penetration", finding.penetration);
   if (finding.contact_distance >= 0) object.number("contact_distance", finding.contact_distance);
+  if (finding.segment_size >= 0) object.number("segment_size", finding.segment_size);
   if (finding.count > 1) object.integer("count", finding.count);
   if (!finding.message.empty()) object.string("message", finding.message);
   object.close();
@@ -162,7 +165,7 @@ std::string baseline_text(std::vector<KnownFinding> findings) {
   const auto key = [](const KnownFinding& f) {
     const Vector x = f.position.value_or(Vector::Zero());
     return std::tuple(f.contact, std::string_view(f.id), x[0], x[1], x[2], f.penetration, std::string_view(f.message),
-                      f.count, f.contact_distance, f.severity);
+                      f.count, f.contact_distance, f.segment_size, f.severity);
   };
   std::sort(findings.begin(), findings.end(),
             [&](const KnownFinding& a, const KnownFinding& b) { return key(a) < key(b); });
@@ -206,16 +209,24 @@ Result<std::vector<KnownFinding>> read_baseline(std::string_view text, const std
 
 BaselineComparison compare_with_baseline(const Report& report, const std::vector<KnownFinding>& baseline,
                                          const LookedFor& looked_for) {
-  const std::vector<KnownFinding> now = known_findings(report);
+  std::vector<KnownFinding> now = known_findings(report);
+  const auto shown = static_cast<std::ptrdiff_t>(now.size());
+  // What is ignored now is not gone.
+  for_each_ignored(report, [&](const Item& item) {
+    now.push_back(known_finding(item));
+    return true;
+  });
   const std::vector<std::uint32_t> match = match_findings(baseline, now);
-  BaselineComparison comparison;
-  comparison.states.assign(now.size(), BaselineState::fresh);
+  std::vector<BaselineState> states(now.size(), BaselineState::fresh);
   std::vector<bool> there(baseline.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (match[i] == unmatched) continue;
     there[match[i]] = true;
-    comparison.states[i] = worse(baseline[match[i]], now[i]) ? BaselineState::worse : BaselineState::unchanged;
+    states[i] = worse(baseline[match[i]], now[i]) ? BaselineState::worse : BaselineState::unchanged;
   }
+  BaselineComparison comparison;
+  comparison.states.assign(states.begin(), states.begin() + shown);
+  comparison.ignored_states.assign(states.begin() + shown, states.end());
   for (std::size_t i = 0; i < baseline.size(); ++i)
     if (!there[i] && looked_for(baseline[i])) comparison.gone.push_back(baseline[i]);
   return comparison;

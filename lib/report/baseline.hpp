@@ -12,7 +12,7 @@
 
 namespace gapcheck::report {
 
-/// The findings of a report as a baseline keeps them, in the report's order.
+/// The findings of a report as a baseline keeps them, in the report's order; without those that are left out on purpose.
 [[nodiscard]] std::vector<KnownFinding> known_findings(const Report& report);
 
 /// A baseline file: JSON lines, the schema first, then one line per finding, sorted, so that a version control shows
@@ -29,12 +29,13 @@ void append_known(const KnownFinding& finding, fmt::memory_buffer& out);
 using LookedFor = std::function<bool(const KnownFinding&)>;
 
 /// Holds the findings of a report against a baseline. A finding is known by contact, rule and position; of those left
-/// over, the nearest ones within half the contact distance belong together (where no contact distance is known: within
-/// a thousandth of the diagonal of all positions), and findings without a position by their words without numbers. Each
+/// over, the nearest ones within half the contact distance belong together (of ties: within a tenth of the segment's
+/// shorter diagonal; where neither is known: within a thousandth of the diagonal of all positions), and findings without a position by their words without numbers. Each
 /// finding of the baseline answers for one of the report. Rules that are degrees of one thing count as one (GC106,
 /// GC101, GC102; GC204, GC202, GC201).
 /// Worse is: a graver degree or severity, more things in one line, or deeper by more than 1 % of the contact distance
 /// (unknown: of the depth before).
+/// Findings that are left out on purpose (Report::ignored) are compared too, so that they are not gone.
 /// Where a rule lists the first findings and counts the rest, which ones are listed is left to the totals: only what
 /// exceeds the baseline's total is new.
 [[nodiscard]] BaselineComparison compare_with_baseline(const Report& report, const std::vector<KnownFinding>& baseline,

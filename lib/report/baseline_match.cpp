@@ -1,9 +1,10 @@
 #include "report/baseline_match.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
+
+#include "report/nearest_points.hpp"
 
 namespace gapcheck::report {
 namespace {
@@ -44,48 +45,16 @@ double diagonal(const List& before, const List& now) {
   return std::isfinite(length) ? length : 0;
 }
 
-/// Findings by cells of a grid as wide as the search.
-class Grid {
- public:
-  using Cell = std::array<double, 3>;
-  Grid(const List& list, const Places& places, double width) : list_(list), width_(width) {
-    for (const std::uint32_t i : places) entries_.emplace_back(cell(*list[i].position), i);
-    std::sort(entries_.begin(), entries_.end());
-  }
-  /// Calls visit(position) for what may be within a cell's width of x; of crowded cells only the first ones.
-  template <class Visit>
-  void around(const Vector& x, const Visit& visit) const {
-    constexpr std::ptrdiff_t crowd = 64;
-    const Cell middle = cell(x);
-    for (int i = 0; i < 9; ++i) {
-      const double u = middle[0] + i / 3 - 1, v = middle[1] + i % 3 - 1;
-      auto entry = std::lower_bound(entries_.begin(), entries_.end(), std::pair(Cell{u, v, middle[2] - 1}, 0U));
-      for (std::ptrdiff_t n = 0; entry != entries_.end() && n < 3 * crowd; ++entry, ++n) {
-        const Cell& found = entry->first;
-        if (found[0] != u || found[1] != v || found[2] > middle[2] + 1) break;
-        visit(entry->second);
-      }
-    }
-  }
-
- private:
-  [[nodiscard]] Cell cell(const Vector& x) const {
-    return {std::floor(x[0] / width_), std::floor(x[1] / width_), std::floor(x[2] / width_)};
-  }
-  const List& list_;
-  double width_;
-  std::vector<std::pair<Cell, std::uint32_t>> entries_;
-};
-
 /// The findings of one contact and family, as far as they have found nothing yet.
 class Group {
  public:
   Group(const List& before, const List& now, double unknown_reach, Places& match)
-      : before_(before), now_(now), unknown_reach_(unknown_reach), match_(match), taken_(before.size()) {}
+      : before_(before), now_(now), widest_reach_(unknown_reach), match_(match), taken_(before.size()) {}
 
   void run(Places old, Places fresh) {
     old_ = std::move(old);
     fresh_ = std::move(fresh);
+    set_unknown_reach();
     old_total_ = total(before_, old_);
     const std::uint64_t fresh_total = total(now_, fresh_);
     const bool counted = counts_rest(before_, old_) || counts_rest(now_, fresh_);
@@ -142,49 +111,58 @@ class Group {
     fresh_ = std::move(fresh_left);
   }
 
-  [[nodiscard]] double reach(const KnownFinding& a, const KnownFinding& b) const {
-    const double h = std::max(a.contact_distance, b.contact_distance);
-    return h > 0 ? h / 2 : unknown_reach_;
+  /// How far the place of a finding may have moved.
+  [[nodiscard]] double reach(const KnownFinding& f) const {
+    if (f.contact_distance > 0) return f.contact_distance / 2;
+    return f.segment_size > 0 ? share_of_segment * f.segment_size : unknown_reach_;
   }
 
-  /// Pairs findings that are nearest to one another within `part` of their reach, the closest pairs first.
-  void nearest(double part) {
-    const auto placed = [](const List& list, const Places& places) {
-      Places some;
-      for (const std::uint32_t i : places)
-        if (!by_words(list[i])) some.push_back(i);
-      return some;
+  /// What is not known of a tie is what is known of the others of its contact.
+  void set_unknown_reach() {
+    double widest = 0;
+    const auto look = [&](const List& list, const Places& places) {
+      for (const std::uint32_t i : places) widest = std::max(widest, share_of_segment * list[i].segment_size);
     };
+    look(before_, old_);
+    look(now_, fresh_);
+    unknown_reach_ = widest > 0 ? std::min(widest, widest_reach_) : widest_reach_;
+  }
+
+  static Places placed(const List& list, const Places& places) {
+    Places some;
+    for (const std::uint32_t i : places)
+      if (!by_words(list[i])) some.push_back(i);
+    return some;
+  }
+
+  static NearestPoints points(const List& list, const Places& places) {
+    std::vector<NearestPoints::Point> points;
+    for (const std::uint32_t i : places) points.emplace_back(*list[i].position, i);
+    return NearestPoints(std::move(points));
+  }
+
+  /// Pairs findings that are nearest to one another within `part` of the reach of either, the closest pairs first.
+  void nearest(double part) {
+    constexpr std::size_t few = 8;
     const Places old = placed(before_, old_), fresh = placed(now_, fresh_);
     if (old.empty() || fresh.empty()) return;
-    double width = 0;
-    for (const std::uint32_t i : old) width = std::max(width, reach(before_[i], before_[i]));
-    for (const std::uint32_t i : fresh) width = std::max(width, reach(now_[i], now_[i]));
-    width *= part;
-    if (!(width > 0) || !std::isfinite(width)) return;
-    const Grid grid(before_, old, width);
+    const NearestPoints old_points = points(before_, old), fresh_points = points(now_, fresh);
     std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> pairs;  // distance, fresh, old
-    for (const std::uint32_t k : fresh) closest(grid, k, part, pairs);
+    std::vector<std::pair<double, std::uint32_t>> found;
+    for (const std::uint32_t k : fresh) {
+      old_points.nearest(*now_[k].position, part * reach(now_[k]), few, found);
+      for (const auto& [distance, i] : found) pairs.emplace_back(distance, k, i);
+    }
+    for (const std::uint32_t i : old) {
+      fresh_points.nearest(*before_[i].position, part * reach(before_[i]), few, found);
+      for (const auto& [distance, k] : found) pairs.emplace_back(distance, k, i);
+    }
     std::sort(pairs.begin(), pairs.end());
     for (const auto& [distance, k, i] : pairs) {
       if (match_[k] == unmatched && !taken_[i]) pair(i, k);
     }
     std::erase_if(fresh_, [&](std::uint32_t k) { return match_[k] != unmatched; });
     std::erase_if(old_, [&](std::uint32_t i) { return taken_[i]; });
-  }
-
-  /// Adds the few nearest of the baseline.
-  void closest(const Grid& grid, std::uint32_t k, double part,
-               std::vector<std::tuple<double, std::uint32_t, std::uint32_t>>& pairs) const {
-    constexpr std::size_t few = 8;
-    std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> found;
-    grid.around(*now_[k].position, [&](std::uint32_t i) {
-      const double distance = (*before_[i].position - *now_[k].position).norm();
-      if (distance <= part * reach(before_[i], now_[k])) found.emplace_back(distance, k, i);
-    });
-    std::sort(found.begin(), found.end());
-    if (found.size() > few) found.resize(few);
-    pairs.insert(pairs.end(), found.begin(), found.end());
   }
 
   /// Only the first of many are listed and the rest are counted, so which ones they are says nothing.
@@ -198,7 +176,9 @@ class Group {
   }
 
   const List &before_, &now_;
-  double unknown_reach_;
+  /// Of the shorter diagonal: the nodes of a mesh as fine as the segments are farther apart.
+  static constexpr double share_of_segment = 0.1;
+  double widest_reach_, unknown_reach_ = 0;
   Places& match_;
   std::vector<bool> taken_;  // of `before_`
   Places old_, fresh_;

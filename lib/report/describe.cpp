@@ -90,6 +90,12 @@ void append_message(const Penetration& record, Out& out) {
   append_cause(record, out);
 }
 
+std::string shortened(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return std::string(text);
+  while (longest > 0 && (static_cast<unsigned char>(text[longest]) & 0xC0) == 0x80) --longest;
+  return std::string(text.substr(0, longest)) + "…";
+}
+
 std::string printable(std::string_view text) {
   std::string result(text);
   for (char& c : result)

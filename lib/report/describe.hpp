@@ -24,6 +24,9 @@ void append_cause(const Penetration& record, fmt::memory_buffer& out);
 /// One sentence on a record that a person understands. Plain ASCII without quotes and backslashes.
 void append_message(const Penetration& record, fmt::memory_buffer& out);
 
+/// The beginning of a long text with "…" behind it; whole characters of UTF-8.
+[[nodiscard]] std::string shortened(std::string_view text, std::size_t longest);
+
 /// Text of a deck made safe for a terminal: control characters become '?'.
 [[nodiscard]] std::string printable(std::string_view text);
 

@@ -82,4 +82,19 @@ std::uint64_t fingerprint(const TieFailure& failure, std::int64_t contact_id) {
   return fingerprint(finding);
 }
 
+std::uint64_t fingerprint(const KnownFinding& known) {
+  if (!known.position || known.count > 1) {
+    Finding finding;
+    finding.id = known.id;
+    finding.message = known.message;
+    finding.contact = known.contact;
+    return fingerprint(finding);
+  }
+  Hash hash;
+  hash.integer(known.contact);
+  hash.text(known.id);
+  add_position(*known.position, hash);
+  return hash.value();
+}
+
 }  // namespace gapcheck::report

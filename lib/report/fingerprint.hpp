@@ -18,4 +18,8 @@ namespace gapcheck::report {
 /// The same for a node of a tied contact; where nothing says where it is, its number enters with the message.
 [[nodiscard]] std::uint64_t fingerprint(const TieFailure& failure, std::int64_t contact_id);
 
+/// Of a finding as a baseline has it: penetrations and ties as above; of others with a position the same of that, since a
+/// baseline does not keep their words.
+[[nodiscard]] std::uint64_t fingerprint(const KnownFinding& known);
+
 }  // namespace gapcheck::report

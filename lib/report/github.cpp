@@ -61,6 +61,12 @@ void append(const Report& report, std::size_t top, Stream& stream) {
   if (known > 0)
     append(Severity::note, report.input, 0, "baseline",
            fmt::format("{} findings that the baseline knows are left out", known), stream);
+  if (const std::size_t ignored = report.ignored.size(); ignored > 0) {
+    const std::vector<IgnoreSource>& sources = report.ignored.sources;
+    const std::string more = sources.size() > 1 ? fmt::format(" and {} more", sources.size() - 1) : "";
+    append(Severity::note, sources.front().file, sources.front().line, "ignored",
+           fmt::format("{} left out on purpose by {}{}", ignored, describe(sources.front()), more), stream);
+  }
 }
 
 }  // namespace

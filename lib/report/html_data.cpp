@@ -12,6 +12,7 @@
 #include <span>
 
 #include "report/base64.hpp"
+#include "report/baseline.hpp"
 #include "report/describe.hpp"
 #include "report/json_members.hpp"
 #include "report/sums.hpp"
@@ -80,7 +81,10 @@ void add_head(const Report& report, const HtmlOptions& options, std::size_t show
   data.raw("totals",
            fmt::format("{{\"errors\":{},\"warnings\":{},\"notes\":{}}}", total.errors, total.warnings, total.notes));
   data.integer("shown", shown);
-  data.integer("found", report.penetrations.size() + report.tie_failures.size() + report.findings.size());
+  data.integer("found", report.penetrations.size() + report.tie_failures.size() + report.findings.size() +
+                            report.ignored.size());
+  data.integer("ignored", report.ignored.size());
+  data.string("baseline", report.baseline ? summary(*report.baseline) : "");
   const ModelCounts& m = report.model;
   data.raw("model",
            fmt::format("{{\"nodes\":{},\"shells\":{},\"solids\":{},\"thick shells\":{},\"beams\":{},"
@@ -154,6 +158,12 @@ std::string findings_json(const std::vector<HtmlFinding>& findings, Texts& texts
   text("file", [](const Item& item) { return item.file; });
   object.raw("line", json_array(findings, [](const HtmlFinding& f) { return fmt::format("{}", f.item.line); }));
   object.raw("count", json_array(findings, [](const HtmlFinding& f) { return fmt::format("{}", f.item.count); }));
+  text("state", [](const Item& item) {
+    return item.ignored != nullptr ? std::string_view("ignored") : item.state ? name(*item.state) : std::string_view();
+  });
+  object.raw("ignored_by", json_array(findings, [&](const HtmlFinding& f) {
+               return fmt::format("{}", texts.position(f.item.ignored != nullptr ? describe(*f.item.ignored) : ""));
+             }));
   text("message", [](const Item& item) { return std::string_view(item.message); });
   object.raw("segment", json_array(findings, [](const HtmlFinding& f) { return json_array(f.segment, id_text); }));
   object.close();

@@ -23,7 +23,7 @@ struct HtmlFinding {
 };
 
 /// The first `options.group` findings of each rule in each contact, then the gravest and deepest, at most
-/// `options.findings`; in the report's order.
+/// `options.findings`; in the report's order, those that are left out on purpose last.
 [[nodiscard]] std::vector<HtmlFinding> html_findings(const Report& report, const NodePosition& position,
                                                      const HtmlOptions& options);
 

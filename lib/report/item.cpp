@@ -30,6 +30,23 @@ void set_place(const Report& report, std::uint32_t file, std::uint32_t line, Ite
   item.line = line;
 }
 
+/// Hands over what is in the three lists, until `visit` gives false.
+template <class Lists, class Visit>
+void hand_over(const Report& report, const Lists& lists, const Visit& visit) {
+  for (const Penetration& record : lists.penetrations)
+    if (!visit(item_of(report, record))) return;
+  for (const TieFailure& failure : lists.tie_failures)
+    if (!visit(item_of(report, failure))) return;
+  std::unordered_map<std::int64_t, std::uint32_t> position;  // of a contact's id; the first of equal ones
+  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) position.emplace(report.contacts[i].id, i);
+  for (const Finding& finding : lists.findings) {
+    Item item = item_of(finding);
+    if (const auto found = position.find(finding.contact); finding.contact != 0 && found != position.end())
+      item.contact_position = found->second;
+    if (!visit(std::move(item))) return;
+  }
+}
+
 }  // namespace
 
 Item item_of(const Report& report, const Penetration& record) {
@@ -63,6 +80,7 @@ Item item_of(const Report& report, const TieFailure& failure) {
   item.message = message(failure);
   item.node = failure.node;
   item.part = failure.part;
+  item.segment_size = failure.segment_size;
   item.position = failure.position;
   item.outcome = name(failure.reason);
   item.fingerprint = fingerprint(failure, item.contact);
@@ -95,37 +113,53 @@ std::optional<BaselineState> state_of(const Report& report, std::size_t number) 
 
 void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit) {
   std::size_t number = 0;
-  const auto hand_over = [&](Item item) {
+  hand_over(report, report, [&](Item item) {
     item.state = state_of(report, number++);
     return visit(item);
-  };
-  for (const Penetration& record : report.penetrations)
-    if (!hand_over(item_of(report, record))) return;
-  for (const TieFailure& failure : report.tie_failures)
-    if (!hand_over(item_of(report, failure))) return;
-  std::unordered_map<std::int64_t, std::uint32_t> position;  // of a contact's id; the first of equal ones
-  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) position.emplace(report.contacts[i].id, i);
-  for (const Finding& finding : report.findings) {
-    Item item = item_of(finding);
-    if (const auto found = position.find(finding.contact); finding.contact != 0 && found != position.end())
-      item.contact_position = found->second;
-    if (!hand_over(std::move(item))) return;
-  }
+  });
+}
+
+void for_each_ignored(const Report& report, const std::function<bool(const Item&)>& visit) {
+  const Ignored& ignored = report.ignored;
+  std::size_t number = 0;
+  hand_over(report, ignored, [&](Item item) {
+    if (report.baseline && number < report.baseline->ignored_states.size())
+      item.state = report.baseline->ignored_states[number];
+    item.ignored = &ignored.sources[ignored.source[number++]];
+    return visit(item);
+  });
+}
+
+std::string describe(const IgnoreSource& source) {
+  std::string text = source.line == 0 ? source.file : fmt::format("{}:{}", source.file, source.line);
+  return source.reason.empty() ? text : text + ": " + shortened(source.reason, reason_shown);
 }
 
 std::vector<ItemGroup> item_groups(const Report& report, std::size_t top) {
   std::map<std::pair<std::uint32_t, std::string_view>, ItemGroup> groups;
-  for_each_item(report, [&](const Item& item) {
+  const auto group_of = [&](const Item& item) -> ItemGroup& {
     ItemGroup& group = groups[{item.contact_position, item.id}];
     group.contact_position = item.contact_position;
     group.id = item.id;
     group.rule = item.rule;
+    return group;
+  };
+  for_each_item(report, [&](const Item& item) {
+    ItemGroup& group = group_of(item);
     if (!item.counts()) {
       ++group.known;
       return true;
     }
     group.severity = std::max(group.severity, item.severity);
     if (group.items++ < top) group.shown.push_back(item);
+    return true;
+  });
+  for_each_ignored(report, [&](const Item& item) {
+    ItemGroup& group = group_of(item);
+    ++group.ignored;
+    if (group.sources.size() < ignore_sources_shown &&
+        std::find(group.sources.begin(), group.sources.end(), item.ignored) == group.sources.end())
+      group.sources.push_back(item.ignored);
     return true;
   });
   std::vector<ItemGroup> list;

@@ -19,6 +19,7 @@ struct Item {
   std::uint32_t contact_position = no_contact;  ///< in Report::contacts
   std::int64_t contact = 0, node = 0, part = 0, element = 0, element_part = 0;
   double penetration = -1, contact_distance = -1;
+  double segment_size = -1;        ///< of ties: the shorter diagonal of the segment
   std::optional<Vector> position;  ///< where to look
   std::string_view outcome;        ///< what the solver does with the node
   std::string_view file;
@@ -26,10 +27,11 @@ struct Item {
   std::uint64_t count = 1;         ///< things that the line stands for
   std::uint64_t fingerprint = 0;
   std::optional<BaselineState> state;  ///< only where there is a baseline
+  const IgnoreSource* ignored = nullptr;  ///< what leaves it out; nullptr: nothing
 
   static constexpr std::uint32_t no_contact = 0xffffffffU;
-  /// Not in the baseline as bad as this: what counts for exit codes and failures.
-  [[nodiscard]] bool counts() const { return state != BaselineState::unchanged; }
+  /// Not left out, and not in the baseline as bad as this: what counts for exit codes and failures.
+  [[nodiscard]] bool counts() const { return ignored == nullptr && state != BaselineState::unchanged; }
   [[nodiscard]] bool of_contact() const { return contact_position != no_contact; }
 };
 
@@ -45,6 +47,15 @@ struct Item {
 /// false.
 void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit);
 
+/// The same for the findings that were left out on purpose; Item::ignored says by what.
+void for_each_ignored(const Report& report, const std::function<bool(const Item&)>& visit);
+
+/// How much of a reason is shown where not all of it has to be.
+inline constexpr std::size_t reason_shown = 200;
+
+/// "deck.k:14", and the reason where there is one: "deck.k:14: welded on purpose"; a long one only begins.
+[[nodiscard]] std::string describe(const IgnoreSource& source);
+
 /// The findings of one rule in one contact (or in none).
 struct ItemGroup {
   std::uint32_t contact_position = Item::no_contact;
@@ -52,10 +63,14 @@ struct ItemGroup {
   Severity severity = Severity::note;  ///< the gravest of `items`
   std::size_t items = 0;    ///< those that the baseline does not know as they are
   std::size_t known = 0;    ///< the others
+  std::size_t ignored = 0;  ///< left out on purpose, in neither of the two
   std::vector<Item> shown;  ///< the first of `items`
+  std::vector<const IgnoreSource*> sources;  ///< of `ignored`, each once, at most ignore_sources_shown
 };
 
-/// All findings in groups, contacts in deck order and what belongs to none last, rules in the order of their ids; of each
+inline constexpr std::size_t ignore_sources_shown = 10;
+
+/// All findings in groups, those left out on purpose too, contacts in deck order and what belongs to none last, rules in the order of their ids; of each
 /// group the first `top` findings.
 [[nodiscard]] std::vector<ItemGroup> item_groups(const Report& report, std::size_t top);
 

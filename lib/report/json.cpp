@@ -182,10 +182,15 @@ void append_statistics(const Report& report, Buffer& out) {
   out.push_back(']');
 }
 
-void append_findings(const Report& report, Stream& stream) {
+/// The report's file names, quoted.
+std::vector<std::string> quoted_files(const Report& report) {
   std::vector<std::string> files;
   files.reserve(report.files.size());
   for (const std::string& file : report.files) files.push_back(json_string(file));
+  return files;
+}
+
+void append_findings(const Report& report, const std::vector<std::string>& files, Stream& stream) {
   bool first = true;
   std::size_t number = 0;
   for (const Penetration& record : report.penetrations) {
@@ -203,6 +208,49 @@ void append_findings(const Report& report, Stream& stream) {
     stream.separator(std::exchange(first, false));
     append_finding(finding, state_of(report, number++), stream.buffer);
   }
+}
+
+/// The finding with this number, counted over the three lists.
+void append_ignored_finding(const Report& report, const std::vector<std::string>& files, std::size_t number, Buffer& out) {
+  const Ignored& ignored = report.ignored;
+  std::optional<BaselineState> state;
+  if (report.baseline && number < report.baseline->ignored_states.size()) state = report.baseline->ignored_states[number];
+  const std::size_t ties = ignored.penetrations.size(), others = ties + ignored.tie_failures.size();
+  if (number < ties)
+    append_penetration(report, ignored.penetrations[number], files, state, out);
+  else if (number < others)
+    append_tie_failure(report, ignored.tie_failures[number - ties], files, state, out);
+  else
+    append_finding(ignored.findings[number - others], state, out);
+}
+
+/// What was left out on purpose, place by place.
+void append_ignored(const Report& report, const std::vector<std::string>& files, Stream& stream) {
+  const Ignored& ignored = report.ignored;
+  std::vector<std::vector<std::size_t>> of_source(ignored.sources.size());
+  for (std::size_t i = 0; i < ignored.source.size(); ++i) of_source[ignored.source[i]].push_back(i);
+  stream.text("\"ignored\":[");
+  for (std::size_t i = 0; i < ignored.sources.size(); ++i) {
+    if (!stream.open()) return;
+    const IgnoreSource& source = ignored.sources[i];
+    stream.separator(i == 0);
+    Members object(stream.buffer);
+    object.string("file", source.file);
+    if (source.line != 0) object.integer("line", source.line);
+    object.plain("by", source.in_deck ? "comment" : "settings");
+    if (!source.reason.empty()) object.string("reason", source.reason);
+    object.integer("count", of_source[i].size());
+    object.key("findings");
+    stream.text("[");
+    for (std::size_t k = 0; k < of_source[i].size(); ++k) {
+      if (!stream.open()) return;
+      stream.separator(k == 0);
+      append_ignored_finding(report, files, of_source[i][k], stream.buffer);
+    }
+    stream.text("]");
+    object.close();
+  }
+  stream.text("],\n");
 }
 
 /// Findings of the baseline that are not there any more.
@@ -247,12 +295,16 @@ void append_report(const Report& report, bool statistics, Stream& stream) {
     append_contact(report, i, stream.buffer);
   }
   stream.text("],\n\"findings\":[");
-  append_findings(report, stream);
+  const std::vector<std::string> files = quoted_files(report);
+  append_findings(report, files, stream);
   const Totals sum = totals(report);
   stream.text("],\n");
   if (report.baseline) append_gone(*report.baseline, stream);
-  fmt::format_to(fmt::appender(stream.buffer), "\"summary\":{{\"errors\":{},\"warnings\":{},\"notes\":{}{}}},\n",
-                 sum.errors, sum.warnings, sum.notes, report.baseline ? counts_of(*report.baseline) : "");
+  const std::size_t ignored = report.ignored.size();
+  if (ignored > 0) append_ignored(report, files, stream);
+  fmt::format_to(fmt::appender(stream.buffer), "\"summary\":{{\"errors\":{},\"warnings\":{},\"notes\":{}{}{}}},\n",
+                 sum.errors, sum.warnings, sum.notes, ignored > 0 ? fmt::format(",\"ignored\":{}", ignored) : "",
+                 report.baseline ? counts_of(*report.baseline) : "");
   stream.text("\"timing\":");
   append_timing(report.timing, stream.buffer);
   if (statistics) append_statistics(report, stream.buffer);
@@ -267,10 +319,15 @@ void append_sum(const Reports& reports, Stream& stream) {
     stream.text(json_string(reports.unread[i]));
   }
   Totals sum;
-  for (const Report& report : reports.all) sum += totals(report);
+  std::size_t ignored = 0;
+  for (const Report& report : reports.all) {
+    sum += totals(report);
+    ignored += report.ignored.size();
+  }
   fmt::format_to(fmt::appender(stream.buffer),
-                 "],\n\"summary\":{{\"decks\":{},\"unread\":{},\"errors\":{},\"warnings\":{},\"notes\":{}}}}}",
-                 reports.all.size(), reports.unread.size(), sum.errors, sum.warnings, sum.notes);
+                 "],\n\"summary\":{{\"decks\":{},\"unread\":{},\"errors\":{},\"warnings\":{},\"notes\":{}{}}}}}",
+                 reports.all.size(), reports.unread.size(), sum.errors, sum.warnings, sum.notes,
+                 ignored > 0 ? fmt::format(",\"ignored\":{}", ignored) : "");
 }
 
 }  // namespace

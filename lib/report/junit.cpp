@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,30 @@ std::string body(const ItemGroup& group) {
   return text;
 }
 
+bool has_case(const ItemGroup& group) { return group.items + group.known > 0; }
+
+/// A case for what was found, and one for what is left out on purpose.
+std::size_t cases(const Suite& suite) {
+  std::size_t count = 0;
+  for (const ItemGroup* group : suite.groups) count += (has_case(*group) ? 1 : 0) + (group->ignored > 0 ? 1 : 0);
+  return suite.groups.empty() ? 1 : count;
+}
+
+std::size_t skipped(const Suite& suite) {
+  return static_cast<std::size_t>(
+      std::count_if(suite.groups.begin(), suite.groups.end(), [](const ItemGroup* group) { return group->ignored > 0; }));
+}
+
+void append_ignored(const Suite& suite, const ItemGroup& group, Stream& stream) {
+  std::string why;
+  for (const IgnoreSource* source : group.sources) why += (why.empty() ? "" : "; ") + describe(*source);
+  if (group.sources.size() == ignore_sources_shown) why += "; …";
+  stream.text(fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">\n"
+                          "      <skipped message=\"{}\"/>\n    </testcase>\n",
+                          suite.name, xml_text(fmt::format("{} {} (ignored)", group.id, group.rule)),
+                          xml_text(fmt::format("{} left out on purpose by {}", group.ignored, why))));
+}
+
 void append_case(const Suite& suite, const ItemGroup& group, const Severity* limit, Stream& stream) {
   const std::string name = xml_text(fmt::format("{} {}", group.id, group.rule));
   stream.text(fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">\n", suite.name, name));
@@ -69,9 +94,8 @@ void append_case(const Suite& suite, const ItemGroup& group, const Severity* lim
 }
 
 void append_suite(const Report& report, const Suite& suite, const Severity* limit, Stream& stream) {
-  const std::size_t cases = suite.groups.empty() ? 1 : suite.groups.size();
-  stream.text(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"0\">\n",
-                          suite.name, cases, failures(suite, limit)));
+  stream.text(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"0\">\n",
+                          suite.name, cases(suite), failures(suite, limit), skipped(suite)));
   if (suite.groups.empty()) {
     const bool contact = suite.contact_position != Item::no_contact;
     const std::string& why = contact ? report.contacts[suite.contact_position].not_checked : std::string();
@@ -80,7 +104,10 @@ void append_suite(const Report& report, const Suite& suite, const Severity* limi
                             : fmt::format(">\n      <system-out>penetrations not checked: {}</system-out>\n    </testcase>\n",
                                           xml_text(why)));
   }
-  for (const ItemGroup* group : suite.groups) append_case(suite, *group, limit, stream);
+  for (const ItemGroup* group : suite.groups) {
+    if (has_case(*group)) append_case(suite, *group, limit, stream);
+    if (group->ignored > 0) append_ignored(suite, *group, stream);
+  }
   stream.text("  </testsuite>\n");
   stream.pause();
 }
@@ -114,19 +141,19 @@ void append_unread(const std::string& deck, Stream& stream) {
 
 void junit(const Reports& reports, const Severity* limit, std::size_t top, const Sink& sink) {
   const std::vector<Document> documents = documents_of(reports, top);
-  std::size_t cases = reports.unread.size(), failed = 0;
+  std::size_t tests = reports.unread.size(), failed = 0;
   double time = 0;
   for (const Document& document : documents) {
     time += document.report->timing.total_s;
     for (const Suite& suite : document.suites) {
-      cases += suite.groups.empty() ? 1 : suite.groups.size();
+      tests += cases(suite);
       failed += failures(suite, limit);
     }
   }
   Stream stream(sink);
   stream.text(fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                           "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n",
-                          reports.several() ? "gapcheck" : xml_text(reports.all.front().input), cases, failed,
+                          reports.several() ? "gapcheck" : xml_text(reports.all.front().input), tests, failed,
                           reports.unread.size(), time));
   for (const Document& document : documents)
     for (const Suite& suite : document.suites) append_suite(*document.report, suite, limit, stream);

@@ -6,6 +6,7 @@
 
 #include "report/baseline.hpp"
 #include "report/describe.hpp"
+#include "report/fingerprint.hpp"
 #include "report/formats.hpp"
 #include "report/item.hpp"
 #include "report/json_members.hpp"
@@ -79,6 +80,20 @@ std::string_view baseline_state(BaselineState state) {
   return state == BaselineState::worse ? "updated" : name(state);
 }
 
+/// Says why the finding does not count, and where that stands.
+void append_suppression(const IgnoreSource& source, Members& result, Buffer& out) {
+  result.key("suppressions");
+  out.push_back('[');
+  Members suppression(out);
+  suppression.plain("kind", source.in_deck ? "inSource" : "external");
+  if (!source.reason.empty()) suppression.string("justification", source.reason);
+  const std::string region = source.line == 0 ? "" : fmt::format(",\"region\":{{\"startLine\":{}}}", source.line);
+  suppression.raw("location", fmt::format("{{\"physicalLocation\":{{\"artifactLocation\":{{\"uri\":{}}}{}}}}}",
+                                          json_string(uri(source.file)), region));
+  suppression.close();
+  out.push_back(']');
+}
+
 void append_result(const Item& item, std::size_t rule, std::string_view input, Buffer& out) {
   Members result(out);
   result.string("ruleId", item.id);
@@ -102,6 +117,7 @@ void append_result(const Item& item, std::size_t rule, std::string_view input, B
   if (item.count > 1) result.integer("occurrenceCount", item.count);
   result.raw("partialFingerprints", fmt::format("{{\"gapcheck/v1\":\"{:016x}\"}}", item.fingerprint));
   if (item.state) result.plain("baselineState", baseline_state(*item.state));
+  if (item.ignored != nullptr) append_suppression(*item.ignored, result, out);
   append_properties(item, result, out);
   result.close();
 }
@@ -114,6 +130,7 @@ void append_gone(const KnownFinding& finding, std::string_view input, Buffer& ou
   append_text("message", describe(finding), result);
   result.raw("locations", fmt::format("[{{\"physicalLocation\":{{\"artifactLocation\":{{\"uri\":{}}}}}}}]",
                                       json_string(uri(input))));
+  result.raw("partialFingerprints", fmt::format("{{\"gapcheck/v1\":\"{:016x}\"}}", fingerprint(finding)));
   result.plain("baselineState", "absent");
   result.close();
 }
@@ -137,12 +154,14 @@ void append_run(const Report& report, std::string_view version, std::span<const 
   stream.text(json_string(fmt::format("gapcheck/{}/", report.input)));
   stream.text("},\n\"results\":[");
   bool first = true;
-  for_each_item(report, [&](const Item& item) {
+  const auto append = [&](const Item& item) {
     stream.separator(std::exchange(first, false));
     const auto rule = index.find(item.id);
     append_result(item, rule == index.end() ? std::string_view::npos : rule->second, report.input, stream.buffer);
     return stream.open();
-  });
+  };
+  for_each_item(report, append);
+  for_each_ignored(report, append);
   if (report.baseline) {
     for (const KnownFinding& finding : report.baseline->gone) {
       stream.separator(std::exchange(first, false));

@@ -14,6 +14,7 @@
 #include "report/sums.hpp"
 #include "report/table.hpp"
 #include "report/text_baseline.hpp"
+#include "report/text_ignored.hpp"
 #include "report/text_run.hpp"
 #include "report/writers.hpp"
 
@@ -303,6 +304,7 @@ std::string verdict(const Report& report, const Paint& paint) {
       static_cast<std::size_t>(std::count_if(report.contacts.begin(), report.contacts.end(),
                                              [](const auto& contact) { return !contact.not_checked.empty(); }));
   if (open > 0) line += fmt::format(", {} not checked", open);
+  if (const std::size_t n = report.ignored.size(); n > 0) line += fmt::format(", {} ignored", n);
   if (report.baseline) line += "; against the baseline: " + summary(*report.baseline);
   return line + '\n';
 }
@@ -364,6 +366,7 @@ std::string text(const Report& report, const TextOptions& options) {
   const Timesteps* steps = timesteps(report);
   if (steps != nullptr && (report.run || steps->contact_timestep > 0)) append_timestep_limits(*steps, out);
   if (report.contacts.size() > 1) append_total(report, total, out);
+  append_ignored(report, options.top, options.list, out);
   append_baseline(report, options.list ? std::numeric_limits<std::size_t>::max() : options.top, out);
   if (options.stats) out += "\nstatistics\n" + statistics(report);
   out += '\n' + verdict(report, paint);
@@ -375,6 +378,9 @@ std::string text_of_all(const Reports& reports, const TextOptions& options) {
   for (const Report& report : reports.all) sum += totals(report);
   const Paint paint{options.color};
   std::string line = fmt::format("{}: {}", count(reports.all.size(), "deck"), numbers_of(sum, paint));
+  std::size_t ignored = 0;
+  for (const Report& report : reports.all) ignored += report.ignored.size();
+  if (ignored > 0) line += fmt::format(", {} ignored", ignored);
   if (!reports.unread.empty())
     line += "; " + paint.severity(Severity::error, fmt::format("{} more could not be read", reports.unread.size()));
   return line + '\n';

@@ -7,18 +7,10 @@
 #include "report/baseline.hpp"
 #include "report/describe.hpp"
 #include "report/item.hpp"
+#include "report/text_item.hpp"
 
 namespace gapcheck::report {
 namespace {
-
-std::string line_of(const Item& item) {
-  std::string line = fmt::format("    {} {}: ", printable(item.id), printable(item.rule));
-  if (!item.file.empty()) line += printable(item.file);
-  if (!item.file.empty() && item.line != 0) line += fmt::format(":{}", item.line);
-  if (!item.file.empty()) line += ": ";
-  if (item.contact != 0) line += fmt::format("contact {}: ", item.contact);
-  return line + printable(item.message) + '\n';
-}
 
 void append_more(std::size_t total, std::size_t shown, std::string& out) {
   if (shown < total) out += fmt::format("    … and {} more\n", total - shown);
@@ -31,7 +23,7 @@ void append_state(const Report& report, BaselineState state, std::size_t top, st
   std::size_t shown = 0;
   for_each_item(report, [&](const Item& item) {
     if (shown == top) return false;
-    if (item.state == state) out += line_of(item), ++shown;
+    if (item.state == state) out += line_of(item, 4), ++shown;
     return true;
   });
   append_more(total, shown, out);

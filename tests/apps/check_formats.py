@@ -26,7 +26,8 @@ CLASSES = {"tool": sarif_om.Tool, "driver": sarif_om.ToolComponent, "rules": sar
            "physicalLocation": sarif_om.PhysicalLocation, "artifactLocation": sarif_om.ArtifactLocation,
            "region": sarif_om.Region, "logicalLocations": sarif_om.LogicalLocation, "message": sarif_om.Message,
            "shortDescription": sarif_om.MultiformatMessageString, "help": sarif_om.MultiformatMessageString,
-           "defaultConfiguration": sarif_om.ReportingConfiguration}
+           "defaultConfiguration": sarif_om.ReportingConfiguration, "suppressions": sarif_om.Suppression,
+           "location": sarif_om.Location}
 
 
 def read_sarif(value, cls):
@@ -74,15 +75,18 @@ class Checker:
         assert suites.tests == len(cases)
         return suites
 
-    def check(self, arguments):
+    def check(self, arguments, ignored=0):
         findings, status = self.write(arguments, "json")
         report = json.loads(findings)
         self.schema.validate(report)
         count = len(report["findings"])
+        assert report["summary"].get("ignored", 0) == ignored
+        assert sum(len(place["findings"]) for place in report.get("ignored", [])) == ignored
 
         log = json.loads(self.write(arguments, "sarif")[0])
         read = read_sarif(log, sarif_om.SarifLog)
-        assert len(read.runs[0].results) == count, "SARIF has other findings"
+        assert len(read.runs[0].results) == count + ignored, "SARIF has other findings"
+        assert sum(bool(result.suppressions) for result in read.runs[0].results) == ignored
         known = [rule.id for rule in read.runs[0].tool.driver.rules]
         for result in read.runs[0].results:
             assert known[result.rule_index] == result.rule_id, "SARIF names another rule by its index"
@@ -97,9 +101,11 @@ class Checker:
 
         suites = self.read_junit(self.write(arguments, "junit")[0].encode())
         assert (suites.failures > 0) == (status == 1), "JUnit fails where the exit code does not"
+        assert sum(suite.skipped for suite in suites) > 0 if ignored else True, "JUnit skips what is ignored"
 
         for line in self.write(arguments, "github")[0].splitlines():
-            assert line.startswith(("::error file=", "::warning file=", "::notice file=")) and ",title=GC" in line, line
+            assert line.startswith(("::error file=", "::warning file=", "::notice file=")), line
+            assert ",title=GC" in line or ",title=ignored::" in line, line
         return count
 
 
@@ -155,6 +161,34 @@ def check_several(checker):
     assert all(line.startswith(b"::") for line in written["github"].stdout.splitlines())
 
 
+def check_ignores(checker):
+    """A deck with comments that leave findings out, together with a baseline: every format agrees."""
+    deck = (checker.root / "data/two_plates.k").read_text()
+    comments = ("$ gapcheck: ignore GC101 node=1000-1999 because it is \\"agreed\\" & <done>\n"
+                "$ gapcheck: ignore GC101 node=2001\n$ gapcheck: ignore GC102 contact=9\n"
+                "$ gapcheck: ignore GC101 until=2020-12-31\n$ gapcheck: ignore everything\n")
+    with tempfile.TemporaryDirectory() as folder:
+        path, baseline = pathlib.Path(folder) / "deck.k", pathlib.Path(folder) / "baseline"
+        path.write_text(comments + deck)
+        count = checker.check(["audit", str(path)], ignored=10)
+        report = json.loads(checker.write(["audit", str(path)], "json")[0])
+        assert count == 8 + 3, "unused, expired, bad, and what is left"
+        assert [(place["line"], place["count"]) for place in report["ignored"]] == [(1, 9), (2, 1)]
+        assert {finding["id"] for finding in report["findings"]} == {"GC101", "GC513", "GC514", "GC515"}
+        run = subprocess.run([checker.gapcheck, "audit", path, "--format", "csv"], capture_output=True, check=True)
+        assert b"10 ignored" in run.stderr, run.stderr
+        path.write_text(deck)
+        subprocess.run([checker.gapcheck, "audit", path, "--quiet", "--write-baseline", baseline], check=True,
+                       stdout=subprocess.DEVNULL)
+        path.write_text(comments + deck)
+        report = json.loads(checker.write(["audit", str(path), "--baseline", str(baseline)], "json")[0])
+        checker.schema.validate(report)
+        assert report["summary"]["baseline"] == {"new": 3, "worse": 0, "unchanged": 8, "gone": 0}, report["summary"]
+        subprocess.run([checker.gapcheck, "audit", path, "--quiet", "--write-baseline", baseline], check=True,
+                       stdout=subprocess.DEVNULL)
+        assert len(baseline.read_text().splitlines()) == 1 + count, "a baseline has nothing that is left out"
+
+
 def can_fail(checker):
     """The readers notice what is wrong."""
     report = json.loads(checker.write(["audit", "data/two_plates.k"], "json")[0])
@@ -176,6 +210,7 @@ def main():
     can_fail(checker)
     check_baseline(checker)
     check_several(checker)
+    check_ignores(checker)
     decks = sorted(checker.root.glob("data/*.k"))
     findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)
     assert len(decks) > 30 and findings > 300

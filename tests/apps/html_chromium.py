@@ -63,6 +63,38 @@ def check_sorting_and_filters(browser):
         browser.click("#filters button")
 
 
+def check_states(browser):
+    """The column and the filter of states are there if and only if there is a baseline or something is ignored."""
+    data = json.loads(browser.value("document.getElementById('data').textContent"))
+    heads = browser.value("[...document.querySelectorAll('#findings th')].map(h => h.textContent)")
+    there = data["baseline"] != "" or data["ignored"] > 0
+    check(("state" in heads) == there, f"a column of states where there are any: {heads}")
+    choice = "[...document.querySelectorAll('#filters select')].find(s => s.ariaLabel === 'State')"
+    check(browser.value(f"{choice} !== undefined") == there, "a filter of states where there are any")
+    if not there:
+        return
+    verdict = browser.value("document.getElementById('verdict').textContent").replace(",", "")
+    check(data["ignored"] == 0 or f"{data['ignored']} ignored" in verdict, "the verdict says how many are ignored")
+    check(data["baseline"].replace(",", "") in verdict, "the verdict counts against the baseline")
+    column = heads.index("state")
+    states = [data["texts"][text] for text in data["findings"]["state"]]
+    for state in sorted(set(states)):
+        browser.value(f"(() => {{ const s = {choice}; s.value = '{state}'; "
+                      "s.dispatchEvent(new Event('input', {bubbles: true})); })()")
+        count = browser.value("Number(document.getElementById('count').textContent.split(' ')[0].replaceAll(',', ''))")
+        check(count == states.count(state), f"the filter leaves what is {state}")
+        shown = browser.value("[...document.querySelectorAll('#findings tr.choice')]"
+                              f".map(r => r.children[{column}].textContent)")
+        check(shown and set(shown) == {state}, f"rows that are {state} say so")
+    if "ignored" in states:
+        browser.value(f"(() => {{ const s = {choice}; s.value = 'ignored'; "
+                      "s.dispatchEvent(new Event('input', {bubbles: true})); })()")
+        browser.click(row(browser, 0))
+        detail = browser.value("document.getElementById('detail').textContent")
+        check("left out by" in detail, f"the details say what leaves it out: {detail}")
+    browser.click("#filters button")
+
+
 def check_keyboard(browser):
     browser.click(row(browser, 0))
     first = browser.value(SELECTED)
@@ -133,6 +165,7 @@ def check_page(path):
         if check_tables(browser):
             check_keyboard(browser)
             check_sorting_and_filters(browser)
+            check_states(browser)
             if browser.value("document.getElementById('canvas') !== null"):
                 check_picture(browser)
             else:

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 #include <string>
 
 #include "program.hpp"
@@ -47,6 +48,16 @@ TEST_F(Html, AFileThatCannotBeWrittenIsAnError) {
 
 TEST_F(Html, ADeckInChromium) {
   ASSERT_EQ(gapcheck("audit --html page.html " + deck("two_plates_tilted.k")).code, 0);
+  expect_good("page.html");
+}
+
+TEST_F(Html, ABaselineAndIgnoresInChromium) {
+  const std::string text = content(project / "data/two_plates.k");
+  file("deck.k", text);
+  ASSERT_EQ(gapcheck("audit --quiet --write-baseline known deck.k").code, 0);
+  const std::string deeper = std::regex_replace(text, std::regex("             0\\.7\n"), "             0.6\n");
+  file("deck.k", "$ gapcheck: ignore GC101 node=1000-1999 because <b>it</b> is\n" + deeper);
+  ASSERT_EQ(gapcheck("audit --baseline known --html page.html deck.k").code, 0);
   expect_good("page.html");
 }
 

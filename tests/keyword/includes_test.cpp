@@ -33,6 +33,29 @@ TEST_F(Includes, StandWhereTheyAreIncluded) {
   for (std::size_t i = 0; i < deck.blocks().size(); ++i) EXPECT_EQ(deck.blocks()[i].order, i);
 }
 
+TEST_F(Includes, DirectivesOfAllFilesThatAreRead) {
+  directory.write("a.k", "$ Gapcheck: three\n*NODE\n*END\n$gapcheck: behind the end\n");
+  directory.write("main.k",
+                  "$ gapcheck: one\n*KEYWORD\n*INCLUDE_TRANSFORM\na.k\n      1000\n\n\n\n\n*NODE\n$gapcheck:two\r\n"
+                  "       1\n*END\n$ gapcheck: behind the end\n");
+  read("main.k");
+  std::string all;
+  for (const Directive& directive : deck.directives())
+    all += std::to_string(directive.file.value) + ":" + std::to_string(directive.line) + " " +
+           std::to_string(deck.transform(directive.transform).offset[1]) + std::string(directive.text) + "\n";
+  EXPECT_EQ(all, "0:1 0 one\n0:11 0two\n1:1 1000 three\n");
+  EXPECT_EQ(reports(diagnostics), "");
+}
+
+TEST_F(Includes, DirectivesWithoutMeasureAreAnError) {
+  std::string many;
+  for (int i = 0; i < 1'000'001; ++i) many += "$gapcheck:\n";
+  directory.write("main.k", "*KEYWORD\n" + many);
+  read("main.k");
+  EXPECT_EQ(deck.directives().size(), 1'000'000u);
+  EXPECT_NE(reports(diagnostics).find("the rest was not read"), std::string::npos);
+}
+
 TEST_F(Includes, ContinuedNames) {
   directory.write("some/deep/directory/mesh.k", "*NODE\n");
   directory.write("main.k", "*INCLUDE\nsome/deep +\n/directory/ +\nmesh.k\n");

@@ -1,6 +1,7 @@
 #include "keyword/scan.hpp"
 
 #include <random>
+#include <regex>
 
 #include "base/parallel.hpp"
 #include "support.hpp"
@@ -19,6 +20,9 @@ std::vector<Mark> marks_by_lines(const std::string& text) {
     if (line.starts_with("*")) marks.push_back({Mark::Kind::keyword, number, at});
     if (line.starts_with("-----BEGIN PGP MESSAGE-----")) marks.push_back({Mark::Kind::encrypted_begin, number, at});
     if (line.starts_with("-----END PGP MESSAGE-----")) marks.push_back({Mark::Kind::encrypted_end, number, at});
+    static const std::regex directive("^\\$[ \t]*gapcheck:.*", std::regex::icase);
+    if (line.starts_with("$") && std::regex_match(line.substr(0, 200), directive))
+      marks.push_back({Mark::Kind::directive, number, at});
     at = end + 1;
   }
   return marks;
@@ -36,7 +40,8 @@ void expect_same(const std::string& text) {
 
 TEST(Scan, SmallTexts) {
   for (const char* text : {"", "\n", "*", "*A", "*A\n", "\n*A", " *A\n*B\n\n*C", "-----BEGIN PGP MESSAGE-----\n-\n----",
-                           "$*\n*\n**\r\n-----END PGP MESSAGE-----"})
+                           "$*\n*\n**\r\n-----END PGP MESSAGE-----", "$gapcheck:", "$\t GapCheck: x\n$gapcheck :\n $gapcheck:\n$ gapcheck",
+                           "$ \n$", "$ gapcheck\n: ignore\n$gapcheck:\n"})
     expect_same(text);
 }
 
@@ -48,10 +53,19 @@ TEST(Scan, BigTextsOverManyPieces) {
     if (kind == 0) text += "*KEYWORD";
     if (kind == 1) text += "-----BEGIN PGP MESSAGE-----";
     if (kind == 2) text += "-----END PGP MESSAGE-----";
+    if (kind == 3) text += "$ gapcheck: ";
+    if (kind == 4) text += "$ ";
     text += std::string(random() % 200, "x*-"[random() % 3]) + "\n";
     if (random() % 2000 == 0) text += std::string(random() % 3'000'000, ' ');
   }
   expect_same(text);
+}
+
+TEST(Scan, TextOfADirective) {
+  EXPECT_EQ(directive_text("$ gapcheck: ignore GC101"), " ignore GC101");
+  EXPECT_EQ(directive_text("$GAPCHECK:"), "");
+  for (const char* line : {"gapcheck: ignore", "$$ gapcheck: ignore", "$ a gapcheck: ignore", "$ gapcheck ignore", "$", ""})
+    EXPECT_FALSE(directive_text(line)) << line;
 }
 
 }  // namespace

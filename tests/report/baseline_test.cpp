@@ -222,6 +222,69 @@ TEST(Baseline, FormatsSayIt) {
   EXPECT_EQ(counting_totals(now).warnings, 1U);
 }
 
+TEST(Baseline, WhatIsIgnoredIsNeitherGoneNorNew) {
+  const Report before = one_node(10, 0.3);
+  Report now = before;
+  now.ignored.penetrations.swap(now.penetrations);
+  now.ignored.source = {0};
+  now.ignored.sources = {{"deck.k", 3, "", true, 1}};
+  const BaselineComparison comparison = compared(before, now);
+  EXPECT_EQ(summary(comparison), "0 new, 0 worse, 0 unchanged, 0 gone");
+  EXPECT_EQ(comparison.ignored_states, std::vector{unchanged});
+  EXPECT_EQ(outcome(Report(), now), "0 new, 0 worse, 0 unchanged, 0 gone");
+  EXPECT_TRUE(known_findings(now).empty()) << "it is not written";
+}
+
+TEST(Baseline, WhatIsGoneHasTheFingerprintThatItHad) {
+  Report before = sample_report();
+  before.tie_failures = {TieFailure{.node = 5, .position = Vector(1234.5678, 2, 3)}};
+  Report now = Report();
+  now.baseline = compared(before, now);
+  ASSERT_EQ(now.baseline->gone.size(), 6U);
+  const auto prints = [](const Report& report) {
+    std::string text;
+    sarif(report, "1", {}, [&text](std::string_view piece) { return text += piece, true; });
+    const auto log = nlohmann::json::parse(text);
+    std::vector<std::string> list;
+    for (const auto& result : log["runs"][0]["results"]) list.push_back(result["partialFingerprints"]["gapcheck/v1"]);
+    std::sort(list.begin(), list.end());
+    return list;
+  };
+  EXPECT_EQ(prints(now), prints(before));
+}
+
+Report one_tie(double x, double segment_size, double far = 0) {
+  Report report;
+  report.source = "deck";
+  report.contacts.push_back(make_contact(7, 1, "CONTACT_TIED_NODES_TO_SURFACE", "6", 50, 32));
+  report.tie_failures = {TieFailure{.node = 5, .segment_size = segment_size, .position = Vector(x, 0, 0)}};
+  if (far > 0) report.tie_failures.push_back({.node = 6, .segment_size = segment_size, .position = Vector(far, 0, 0)});
+  return report;
+}
+
+TEST(Baseline, AMovedTieIsTheSameUpToATenthOfItsSegment) {
+  const auto moved = [](double to, double size) { return outcome(one_tie(10, size, 10000), one_tie(to, size, 10000)); };
+  EXPECT_EQ(moved(10.49, 5), "0 new, 0 worse, 2 unchanged, 0 gone");
+  EXPECT_EQ(moved(10.51, 5), "1 new, 0 worse, 1 unchanged, 1 gone") << "a model of ten metres does not widen it";
+  EXPECT_EQ(moved(15, -1), "0 new, 0 worse, 2 unchanged, 0 gone") << "a thousandth of the diagonal";
+}
+
+TEST(Baseline, VeryDifferentContactDistancesInOneCrowdTakeNoTime) {
+  const auto crowd = [](double shift) {
+    Report report = one_node(5000, 0.3);
+    report.penetrations[0].contact_distance = 1e6;
+    for (int i = 0; i < 50'000; ++i) {
+      Penetration p = report.penetrations[0];
+      p.original = {0.1 * (i % 250) + shift, 0.1 * (i / 250), 0};
+      p.contact_distance = 0.05;
+      p.depth = 0.01;
+      report.penetrations.push_back(p);
+    }
+    return report;
+  };
+  EXPECT_EQ(outcome(crowd(0), crowd(0.02)), "0 new, 0 worse, 50001 unchanged, 0 gone");
+}
+
 TEST(Baseline, KnownFindingsPassInJunit) {
   Report report = sample_report();
   report.baseline = compared(report, report);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "report/item.hpp"
+#include "report/writers.hpp"
 #include "sample.hpp"
 
 namespace gapcheck::report {
@@ -165,6 +166,98 @@ TEST(Junit, OneSuitePerContactAndFailuresAsTheLimitHasThem) {
   const std::string xml = written([&](const Sink& sink) { junit(clean, &note, 5, sink); });
   EXPECT_EQ(count_of(xml, "name=\"no findings\""), 3U);
   EXPECT_NE(xml.find("penetrations not checked: SOFT = 2"), std::string::npos);
+}
+
+/// The sample with one penetration, one tie and one finding left out, by two places.
+Report with_ignored() {
+  Report report = sample_report();
+  Ignored& ignored = report.ignored;
+  ignored.penetrations = {report.penetrations[0]};
+  ignored.tie_failures = {TieFailure{.contact = 1, .node = 77, .reason = TieReason::too_far}};
+  ignored.findings = {report.findings[0]};
+  ignored.source = {1, 0, 1};
+  ignored.sources = {{"mesh.k", 9, "", true, 1}, {"gapcheck <&>.toml", 12, "agreed, \"so\" <it> is", false, 2}};
+  return report;
+}
+
+TEST(Ignored, JsonHasThemPlaceByPlace) {
+  const Report report = with_ignored();
+  const Json read = Json::parse(json(report));
+  EXPECT_EQ(read["findings"].size(), items(report));
+  EXPECT_EQ(read["summary"]["ignored"], 3);
+  ASSERT_EQ(read["ignored"].size(), 2U);
+  EXPECT_EQ(read["ignored"][0]["file"], "mesh.k");
+  EXPECT_EQ(read["ignored"][0]["line"], 9);
+  EXPECT_EQ(read["ignored"][0]["by"], "comment");
+  EXPECT_FALSE(read["ignored"][0].contains("reason"));
+  EXPECT_EQ(read["ignored"][0]["findings"][0]["node"], 77);
+  EXPECT_EQ(read["ignored"][1]["by"], "settings");
+  EXPECT_EQ(read["ignored"][1]["reason"], report.ignored.sources[1].reason);
+  EXPECT_EQ(read["ignored"][1]["count"], 2);
+  EXPECT_EQ(read["ignored"][1]["findings"][0]["id"], "GC102");
+  EXPECT_EQ(read["ignored"][1]["findings"][1]["id"], "GC501");
+  const Json plain = Json::parse(json(sample_report()));
+  EXPECT_FALSE(plain.contains("ignored"));
+  EXPECT_FALSE(plain["summary"].contains("ignored"));
+}
+
+TEST(Ignored, SarifSuppressesThem) {
+  const Report report = with_ignored();
+  const Json log = Json::parse(written([&](const Sink& sink) { sarif(report, "1.2", two_rules, sink); }));
+  const Json& results = log["runs"][0]["results"];
+  ASSERT_EQ(results.size(), items(report) + 3);
+  for (std::size_t i = 0; i < items(report); ++i) EXPECT_FALSE(results[i].contains("suppressions"));
+  const Json& external = results[items(report)]["suppressions"][0];
+  EXPECT_EQ(external["kind"], "external");
+  EXPECT_EQ(external["justification"], report.ignored.sources[1].reason);
+  EXPECT_EQ(external["location"]["physicalLocation"]["region"]["startLine"], 12);
+  EXPECT_EQ(results[items(report) + 1]["suppressions"][0]["kind"], "inSource");
+  EXPECT_FALSE(results[items(report) + 1]["suppressions"][0].contains("justification"));
+}
+
+TEST(Ignored, JunitSkipsThem) {
+  Report report = with_ignored();
+  const Severity note = Severity::note;
+  const auto text = [&] { return written([&](const Sink& sink) { junit(report, &note, 5, sink); }); };
+  const std::string xml = text();
+  EXPECT_EQ(count_of(xml, "<failure "), items(report));
+  EXPECT_EQ(count_of(xml, "<skipped "), 3U);
+  EXPECT_EQ(count_of(xml, "skipped=\"1\""), 3U);
+  EXPECT_EQ(count_of(xml, "<testcase "), 8U);
+  EXPECT_NE(xml.find("tests=\"8\" failures=\"5\""), xml.npos);
+  EXPECT_NE(xml.find("1 left out on purpose by gapcheck &lt;&amp;&gt;.toml:12: agreed, &quot;so&quot; &lt;it&gt; is"), xml.npos)
+      << xml;
+  report.penetrations.clear();
+  report.findings.clear();
+  const std::string left = text();
+  EXPECT_EQ(count_of(left, "<failure "), 0U);
+  EXPECT_EQ(count_of(left, "<testcase "), 3U) << "what is left out is no finding";
+}
+
+TEST(Ignored, AreLeftOutOfListsOfFindings) {
+  const Report report = with_ignored(), plain = sample_report();
+  EXPECT_EQ(written([&](const Sink& sink) { gitlab(report, sink); }), written([&](const Sink& sink) { gitlab(plain, sink); }));
+  EXPECT_EQ(written([&](const Sink& sink) { csv(report, sink); }), written([&](const Sink& sink) { csv(plain, sink); }));
+  EXPECT_EQ(written([&](const Sink& sink) { github(report, 100, sink); }),
+            written([&](const Sink& sink) { github(plain, 100, sink); }) +
+                "::notice file=mesh.k,line=9,title=ignored::3 left out on purpose by mesh.k:9 and 1 more\n");
+}
+
+TEST(Ignored, TextNamesThePlacesAndListsTheFindings) {
+  Report report = with_ignored();
+  const std::string short_text = text(report, {}), list = text(report, {.list = true}), quiet = text(report, {.quiet = true});
+  EXPECT_NE(short_text.find("\n3 ignored\n  mesh.k:9 (1)\n  gapcheck <&>.toml:12 (2) agreed, \"so\" <it> is\n"),
+            std::string::npos)
+      << short_text;
+  EXPECT_EQ(short_text.find("node 77"), std::string::npos);
+  EXPECT_NE(list.find("mesh.k:9 (1)\n    GC201 untied-node: contact 2: node 77"), std::string::npos) << list;
+  EXPECT_NE(quiet.find(", 3 ignored"), std::string::npos) << quiet;
+  EXPECT_EQ(text(sample_report(), {}).find("ignored"), std::string::npos);
+  EXPECT_NE(text(report, {.top = 1}).find("  … and 1 more\n"), std::string::npos);
+  report.ignored.sources[0].reason = "\x1b[31m" + std::string(1000, 'x') + "ä";
+  EXPECT_NE(text(report, {}).find("(1) ?[31mxxx"), std::string::npos);
+  EXPECT_LT(text(report, {}).size(), short_text.size() + 300);
+  EXPECT_NE(text(report, {.list = true}).find("xä\n"), std::string::npos);
 }
 
 TEST(Formats, ASinkThatClosesEndsTheWriting) {

@@ -86,6 +86,37 @@ TEST(Html, DataHoldsWhatTheReportHolds) {
   EXPECT_EQ(data["pairs"]["list"], nlohmann::json::parse("[[1,2,1,0.9],[0,2,1,0.3]]"));
 }
 
+TEST(Html, StatesOfFindings) {
+  Report report = sample_report();
+  nlohmann::json data = data_of(report);
+  EXPECT_EQ(data["ignored"], 0);
+  EXPECT_EQ(data["baseline"], "");
+  report.ignored.penetrations = {report.penetrations[2]};
+  report.ignored.findings = {report.findings[1]};
+  report.ignored.source = {0, 0};
+  report.ignored.sources = {{"deck.k", 9, "</script>", true, 2}};
+  report.baseline.emplace();
+  report.baseline->states = {BaselineState::fresh, BaselineState::worse, BaselineState::unchanged, BaselineState::fresh,
+                             BaselineState::unchanged};
+  data = data_of(report);
+  EXPECT_EQ(data["ignored"], 2);
+  EXPECT_EQ(data["baseline"], "2 new, 1 worse, 2 unchanged, 0 gone");
+  EXPECT_EQ(data["found"], 7);
+  EXPECT_EQ(data["shown"], 7);
+  std::string states;
+  for (const auto& at : data["findings"]["state"]) states += data["texts"][at.get<std::size_t>()].get<std::string>() + " ";
+  EXPECT_EQ(states, "new worse unchanged new unchanged ignored ignored ");
+  EXPECT_EQ(data["texts"][data["findings"]["ignored_by"][5].get<std::size_t>()], "deck.k:9: </script>");
+  EXPECT_EQ(data["findings"]["node"][5], 16);
+  EXPECT_EQ(data["totals"], nlohmann::json({{"errors", 3}, {"warnings", 1}, {"notes", 1}}));
+  HtmlOptions few = options();
+  few.findings = 5;
+  data = data_of(report, {}, few);
+  EXPECT_EQ(data["shown"], 5);
+  EXPECT_EQ(data["found"], 7);
+  EXPECT_EQ(data["ignored"], 2);
+}
+
 TEST(Html, TextOfADeckIsNeverMarkup) {
   Report report = sample_report();
   const std::string hostile = "</script><script>alert(\"1\")</script><!--'\\\x01\n\xff\xc3\x28 \xe2\x80\xa8";

@@ -86,6 +86,7 @@ TEST(Registry, AgreesWithTheWriters) {
     ASSERT_NE(info, nullptr) << rule.id;
     EXPECT_EQ(info->name, rule.name);
     EXPECT_EQ(info->severity, rule.severity);
+    EXPECT_EQ(rule_id(static_cast<PenetrationKind>(kind)), rule.id);
   }
   for (const TieReason reason : report::tie_reasons) {
     const report::RecordRule rule = report::rule_of(TieFailure{.reason = reason});
@@ -93,6 +94,7 @@ TEST(Registry, AgreesWithTheWriters) {
     ASSERT_NE(info, nullptr) << rule.id;
     EXPECT_EQ(info->name, rule.name);
     EXPECT_EQ(info->severity, rule.severity);
+    EXPECT_EQ(rule_id(reason), rule.id);
   }
 }
 

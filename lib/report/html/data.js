@@ -24,6 +24,11 @@ function textOf(data, column, finding) {
   return data.texts[data.findings[column][finding]];
 }
 
+/** There is a baseline, or something is left out on purpose. */
+function hasStates(data) {
+  return data.baseline !== "" || data.ignored > 0;
+}
+
 /** Ids of 0 are not known. */
 function idText(id) {
   return id === 0 ? "" : String(id);

@@ -19,6 +19,7 @@ function makeFilters(data, changed) {
   const partIds = [...new Set([...findings.part, ...findings.element_part])].filter((id) => id !== 0);
   partIds.sort((a, b) => Number(a) - Number(b));
   const part = selectOf("Part", [["", "any part"], ...partIds.slice(0, 5000).map((id) => [String(id), `part ${id}`])]);
+  const state = selectOf("State", [["", "any state"], ...["new", "worse", "unchanged", "ignored"].map((s) => [s, s])]);
   const depth =
       element("input", {type: "number", min: 0, step: "any", placeholder: "depth from", "aria-label": "Depth from"});
   const reset = element("button", {type: "button"}, "All");
@@ -36,6 +37,7 @@ function makeFilters(data, changed) {
     if (severity.value !== "" && findings.severity[i] !== Number(severity.value)) return false;
     if (rule.value !== "" && textOf(data, "id", i) !== rule.value) return false;
     if (contact.value !== "" && String(findings.contact[i]) !== contact.value) return false;
+    if (state.value !== "" && textOf(data, "state", i) !== state.value) return false;
     if (part.value !== "" && String(findings.part[i]) !== part.value && String(findings.element_part[i]) !== part.value)
       return false;
     if (range.pair && (findings.part[i] !== range.pair.part || findings.element_part[i] !== range.pair.other))
@@ -60,14 +62,14 @@ function makeFilters(data, changed) {
   }
 
   reset.addEventListener("click", () => {
-    for (const field of [text, severity, rule, contact, part, depth]) field.value = "";
+    for (const field of [text, severity, state, rule, contact, part, depth]) field.value = "";
     range.depth = range.pair = null;
     for (const bar of document.querySelectorAll("#histogram .chosen")) bar.classList.remove("chosen");
     for (const cell of document.querySelectorAll("#matrix [aria-pressed=\"true\"]"))
       cell.setAttribute("aria-pressed", "false");
     apply();
   });
-  byId("filters").append(text, severity, rule, contact, part, depth, reset);
+  byId("filters").append(text, severity, ...(hasStates(data) ? [state] : []), rule, contact, part, depth, reset);
   byId("filters").addEventListener("input", apply);
   byId("filters").addEventListener("submit", (event) => event.preventDefault());
   return {

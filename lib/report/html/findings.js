@@ -8,6 +8,7 @@ function findingColumns(data) {
   const id = (name) => ({text: (i) => idText(f[name][i]), key: (i) => Number(f[name][i]), kind: "number"});
   const share = (i) =>
       (f.penetration[i] === null || !(f.contact_distance[i] > 0) ? null : f.penetration[i] / f.contact_distance[i]);
+  const state = {head: "state", width: 66, text: (i) => textOf(data, "state", i), key: (i) => textOf(data, "state", i)};
   return [
     {head: "severity", width: 62, text: (i) => severities[f.severity[i]], key: (i) => f.severity[i], descend: true},
     {head: "rule", width: 56, text: (i) => textOf(data, "id", i), key: (i) => textOf(data, "id", i)},
@@ -32,6 +33,7 @@ function findingColumns(data) {
       key: (i) => share(i) ?? -1,
       descend: true
     },
+    ...(hasStates(data) ? [state] : []),
     {
       head: "place",
       width: 0,
@@ -137,7 +139,7 @@ function makeFindings(data, selected) {
     select(order[next]);
   }
 
-  const table = element("table", {role: "grid", "aria-label": "Findings"}, element("thead", {}, head()), body);
+  const table = element("table", {role: "grid", "aria-label": "Findings", class: hasStates(data) ? "states" : ""}, element("thead", {}, head()), body);
   place.setAttribute("tabindex", "0");
   place.append(table);
   place.addEventListener("scroll", draw, {passive: true});
@@ -172,6 +174,8 @@ function showDetail(data, i) {
   const digits = (value) => Number(value.toPrecision(9));
   if (f.penetration[i] !== null) add("depth, contact distance", lengths.map(digits).join(", "));
   add("segment", f.segment[i].join(" "));
+  add("state", textOf(data, "state", i));
+  add("left out by", textOf(data, "ignored_by", i));
   add("outcome", textOf(data, "outcome", i));
   if (f.count[i] > 1) add("stands for", counted(f.count[i], "thing"));
   const [x, y, z] = data.picture.positions.subarray(3 * i, 3 * i + 3);

@@ -7,9 +7,11 @@ function showHead(data) {
   byId("title").textContent = data.input;
   const verdict = byId("verdict");
   verdict.dataset.severity = errors ? "error" : warnings ? "warning" : notes ? "note" : "clean";
-  verdict.textContent = errors + warnings + notes === 0 ?
+  const found = errors + warnings + notes === 0 ?
       "Nothing found" :
       [counted(errors, "error"), counted(warnings, "warning"), counted(notes, "note")].join(", ");
+  verdict.textContent = found + (data.ignored > 0 ? `, ${data.ignored.toLocaleString("en")} ignored` : "") +
+      (data.baseline ? `; against the baseline: ${data.baseline}` : "");
   const present = Object.entries(data.model).filter((entry) => entry[1] > 0);
   const kinds = present.map(([kind, count]) => counted(count, kind.slice(0, -1)));
   byId("model").textContent =

@@ -1,0 +1,17 @@
+#include "audit/rules.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+void review(const RuleInfo& rule, const Context& context, Report& report) {
+  for (const IgnoreOutcome::Bad& bad : context.ignores().bad)
+    report.findings.push_back(finding(rule, bad.what, bad.file, bad.line));
+}
+
+}  // namespace
+
+const Rule bad_ignore{
+    .info = {"GC515", "bad-ignore", Severity::warning, "a comment to gapcheck is not understood, so it leaves out nothing"},
+    .review = review};
+
+}  // namespace gapcheck::audit
