@@ -6,6 +6,7 @@
 #include "audit/audit.hpp"
 #include "baseline_options.hpp"
 #include "options.hpp"
+#include "settings.hpp"
 
 namespace gapcheck::app {
 
@@ -18,6 +19,8 @@ struct AuditArguments {
   OutputOptions output;
   ExportOptions exports;
   BaselineOptions baseline;
+  SettingsOptions settings_file;
+  Settings settings;  ///< what that file says and is no option
   std::size_t jobs = 0;
 };
 
