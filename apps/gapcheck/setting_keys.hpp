@@ -14,11 +14,12 @@ enum class SettingType : std::uint8_t { word, rules, ids, ranges, amount, count,
 
 /// One key that a settings file may have.
 struct SettingKey {
-  std::string_view table;   ///< "" for the top level
+  std::string_view table;         ///< "" for the top level
   std::string_view name;
   SettingType type;
-  std::string_view option;  ///< of the command line that it stands for; empty: none
-  bool reading = false;     ///< of use to every command that reads a deck; otherwise to audit alone
+  std::string_view option;        ///< of the command line that it stands for; empty: none
+  std::string_view meaning = "";  ///< where no option tells
+  bool reading = false;           ///< of use to every command that reads a deck; otherwise to audit alone
 };
 
 /// All keys, the top level first. Those of [severity] are the rules and not among them.

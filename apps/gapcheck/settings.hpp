@@ -18,8 +18,8 @@ void add_settings(CLI::App& command, SettingsOptions& options);
 /// The name of settings files.
 inline constexpr const char* settings_name = "gapcheck.toml";
 
-/// The settings file beside the deck, or in the nearest folder above, up to the first that has .git; empty: none. As seen
-/// from the working directory if the deck's path is. Of a pattern for decks, the folder before its first * or ?.
+/// The settings file beside the deck, or in the nearest folder above, up to the first that has .git; empty: none. As
+/// seen from the working directory if the deck's path is. Of a pattern for decks, the folder before its first * or ?.
 [[nodiscard]] std::string find_settings(const std::string& deck);
 
 /// Reads the settings for a deck and gives the command's options what the command line left open. `audit`: all of it,

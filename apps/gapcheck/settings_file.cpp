@@ -16,8 +16,8 @@
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
 #define TOML_MAX_NESTED_VALUES 32
-// A table [.a] breaks an assumption of version 3.3, which then refuses it all the same: assumptions must neither end the
-// program nor be taken for true.
+// A table [.a] breaks an assumption of version 3.3, which then refuses it all the same: assumptions must neither end
+// the program nor be taken for true.
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)
 #include <toml++/toml.h>

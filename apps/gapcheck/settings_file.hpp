@@ -11,7 +11,7 @@
 
 namespace gapcheck::app {
 
-/// A key of the top level with its values as the command line would have them; paths as seen from the working directory.
+/// A key of the top level with its values as the command line would have them; paths as seen from the working folder.
 struct Setting {
   const SettingKey* key;
   std::vector<std::string> values;
@@ -33,8 +33,8 @@ struct Settings {
 };
 
 /// Reads the text (TOML 1.0, UTF-8) of the settings file `path`. All that is wrong goes to `diagnostics` as errors with
-/// line; after one in the syntax nothing is read. What is not wrong is in the result. Limits: lists and inline tables in
-/// each other 32 deep, keys of 100 names.
+/// line; after one in the syntax nothing is read. What is not wrong is in the result. Limits: lists and inline tables
+/// in each other 32 deep, keys of 100 names.
 [[nodiscard]] Settings read_settings(std::string_view text, const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::app

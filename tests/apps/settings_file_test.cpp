@@ -109,9 +109,11 @@ not ours"""
 )",
                             "a/gapcheck.toml");
   ASSERT_TRUE(good.errors.empty()) << good.errors[0].message;
-  const auto& list = good.settings.ignores;
+  std::vector<audit::IgnoreEntry> list;
+  for (const SettingsIgnore& ignore : good.settings.ignores) list.push_back(ignore.entry);
   ASSERT_EQ(list.size(), 6u);
   for (std::size_t i = 0; i < list.size(); ++i) {
+    EXPECT_TRUE(good.settings.ignores[i].decks.empty());
     EXPECT_EQ(list[i].files, i < 3 ? "lib/*.k" : "dummy/**");
     EXPECT_EQ(list[i].base, "a");
     EXPECT_EQ(list[i].file, "a/gapcheck.toml");
@@ -129,6 +131,7 @@ not ours"""
 TEST(SettingsFile, AnExceptionNamesIdsAndRanges) {
   const Outcome outcome = read(R"([[exception]]
 ignore = "GC101"
+deck = "./models/*.k"
 contact = 3
 node = ["1-500", 7]
 part = "9223372036854775807"
@@ -139,7 +142,7 @@ ignore = ["released-node"]
 )");
   ASSERT_TRUE(outcome.errors.empty()) << outcome.errors[0].message;
   ASSERT_EQ(outcome.settings.ignores.size(), 2u);
-  const audit::IgnoreEntry& entry = outcome.settings.ignores[0];
+  const audit::IgnoreEntry& entry = outcome.settings.ignores[0].entry;
   const auto is = [](const audit::IdRange& range, std::int64_t first, std::int64_t last) {
     return range.first == first && range.last == last;
   };
@@ -155,8 +158,9 @@ ignore = ["released-node"]
   EXPECT_EQ(*entry.until, std::chrono::year(2028) / 2 / 29);
   EXPECT_EQ(entry.files, "");
   EXPECT_LT(entry.ptol, 0);
-  EXPECT_EQ(outcome.settings.ignores[1].line, 8u);
-  EXPECT_TRUE(outcome.settings.ignores[1].nodes.empty());
+  EXPECT_EQ(outcome.settings.ignores[0].decks, Words{"models/*.k"});
+  EXPECT_EQ(outcome.settings.ignores[1].entry.line, 9u);
+  EXPECT_TRUE(outcome.settings.ignores[1].entry.nodes.empty() && outcome.settings.ignores[1].decks.empty());
 }
 
 TEST(SettingsFile, SeveritiesByIdOrName) {
@@ -199,7 +203,8 @@ TEST(SettingsFile, WrongOnesAreNamedWithTheirLine) {
        "2: path: is absolute; write it as seen from the folder of this file"},
       {"[[include]]\npath = 'a\\b.k'\nptol = 1\n", "2: path: has a \\; folders are parted by /"},
       {"[[include]]\npath = []\nptol = 1\n", "2: path is empty; leave it out"},
-      {"[[include]]\npath = \"a\"\nnode = 1\nptol = 1\n", "3: unknown key \"node\" of [[include]]"},
+      {"[[include]]\npath = \"a\"\nnode = 1\nptol = 1\n",
+       "3: unknown key \"node\" of [[include]]"},
       {"[[exception]]\nnode = 1\n", "1: [[exception]] names no rules: ignore = \"GC101\""},
       {"[[exception]]\nignore = []\n", "2: ignore is empty; leave it out"},
       {"[[exception]]\nignore = \"GC1\"\nnode = []\n", "3: node is empty; leave it out"},
@@ -239,7 +244,8 @@ TEST(SettingsFile, FaultsOfSyntaxHaveTheirLine) {
       {"contact = 99999999999999999999\n", "1: is no TOML: "},
       {"[.a]\n", "1: is no TOML: "},
   };
-  for (const auto& [text, expected] : cases) EXPECT_NE(error_of(text).find(expected), std::string::npos) << error_of(text);
+  for (const auto& [text, expected] : cases)
+    EXPECT_NE(error_of(text).find(expected), std::string::npos) << error_of(text);
 }
 
 /// `text` so many times.
@@ -271,7 +277,8 @@ TEST(SettingsFile, ManyErrorsAreBounded) {
 
 TEST(SettingsFile, AnyBytesAreEitherReadOrRefused) {
   const std::string good = "units = \"mm-s-t\"\nselect = [\"GC1\"]\n[[include]]\npath = \"*.k\"\nptol = 1e-3\n"
-                           "until = 2027-01-31\n[severity]\nGC101 = \"note\"\n[[exception]]\nignore = \"GC5\"\nnode = \"1-5\"\n";
+                           "until = 2027-01-31\n[severity]\nGC101 = \"note\"\n[[exception]]\nignore = \"GC5\"\n"
+                           "node = \"1-5\"\n";
   std::mt19937 random(11);
   std::size_t refused = 0;
   for (int round = 0; round < 5000; ++round) {
@@ -287,7 +294,7 @@ TEST(SettingsFile, AnyBytesAreEitherReadOrRefused) {
     const Outcome outcome = read(text);
     for (const Diagnostic& error : outcome.errors) EXPECT_FALSE(error.message.empty());
     refused += outcome.errors.empty() ? 0 : 1;
-    for (const audit::IgnoreEntry& entry : outcome.settings.ignores) EXPECT_FALSE(entry.rules.empty());
+    for (const SettingsIgnore& ignore : outcome.settings.ignores) EXPECT_FALSE(ignore.entry.rules.empty());
   }
   EXPECT_GT(refused, 2000u);
 }
