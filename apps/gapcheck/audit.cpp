@@ -90,6 +90,7 @@ void add_audit(CLI::App& app, Action& action) {
   add_work(*command, *arguments);
   command->callback([&action, arguments, command] {
     action = [arguments, command] {
+      arguments->selection = selects(arguments->audit);
       arguments->baseline.by_settings = arguments->baseline.compare.empty();
       auto settings = use_settings(arguments->settings_file, arguments->decks.front(), true, *command);
       if (!settings) return static_cast<int>(failed);

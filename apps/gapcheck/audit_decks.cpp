@@ -50,11 +50,6 @@ AuditArguments arguments_for(const std::string& deck, AuditArguments arguments) 
   return arguments;
 }
 
-bool selects(const audit::AuditOptions& audit) {
-  return !audit.select.empty() || !audit.ignore.empty() || !audit.contacts.empty() || !audit.parts.empty() ||
-         audit.ptol >= 0 || audit.rtol >= 0 || audit.ratio >= 0;
-}
-
 /// Why the files cannot all be written: one would take a deck's place, or that of another deck's results, or a baseline
 /// would lose what a selection leaves out. Empty: they can.
 std::string obstacle(const AuditArguments& arguments, const std::vector<std::string>& decks) {
@@ -77,7 +72,7 @@ std::string obstacle(const AuditArguments& arguments, const std::vector<std::str
         return fmt::format("{} would hold the results of {} and of {}; write {{deck}} into the name where their own are "
                            "to stand, and give decks different names", *name, first->second, deck);
     }
-    if (selects(own.audit) && same_file(own.baseline))
+    if (arguments.selection && same_file(own.baseline))
       return "--write-baseline into the file of --baseline would lose what the selection leaves out; write another file";
   }
   if (decks.size() > 1 && !arguments.baseline.compare.empty() && arguments.baseline.compare.find("{deck}") == std::string::npos)
@@ -186,6 +181,11 @@ class Run {
 };
 
 }  // namespace
+
+bool selects(const audit::AuditOptions& audit) {
+  return !audit.select.empty() || !audit.ignore.empty() || !audit.contacts.empty() || !audit.parts.empty() ||
+         audit.ptol >= 0 || audit.rtol >= 0 || audit.ratio >= 0;
+}
 
 int audit_decks(AuditArguments arguments) {
   keyword::FileCache cache;

@@ -20,9 +20,13 @@ struct AuditArguments {
   ExportOptions exports;
   BaselineOptions baseline;
   SettingsOptions settings_file;
-  Settings settings;  ///< what that file says and is no option
+  Settings settings;       ///< what that file says and is no option
+  bool selection = false;  ///< the command line leaves something out, which a settings file does for good
   std::size_t jobs = 0;
 };
+
+/// True if the options leave anything out.
+[[nodiscard]] bool selects(const audit::AuditOptions& audit);
 
 /// Audits the decks one after the other and writes what was asked for; the exit code. Files that hold one deck's results
 /// carry {deck} in their name where there are several.

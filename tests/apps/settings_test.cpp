@@ -317,6 +317,8 @@ TEST_F(SettingsProgram, ABaselineIsWrittenBeforeItIsThere) {
   EXPECT_EQ(shell("cd models && '" GAPCHECK_BINARY "' audit a.k --quiet").code, 0) << "it is beside the settings";
   const std::string part = "audit models/a.k --quiet --select GC1 --write-baseline ./known";
   EXPECT_EQ(gapcheck(part).code, 2) << "would lose the rest";
+  settings("baseline = \"known\"\nfail-on = \"warning\"\nselect = \"GC1\"\n");
+  EXPECT_EQ(gapcheck("audit models/a.k --quiet --write-baseline known").code, 0) << "for good, so nothing is lost";
   EXPECT_EQ(gapcheck("audit models/a.k --quiet --no-config --baseline lacks --write-baseline lacks").code, 2);
 }
 
