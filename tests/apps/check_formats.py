@@ -202,7 +202,7 @@ def check_settings(checker):
         assert report["summary"]["errors"] == 9
         results = read_sarif(json.loads(checker.write(arguments, "sarif")[0]), sarif_om.SarifLog).runs[0].results
         suppressions = [entry for result in results for entry in result.suppressions or []]
-        assert [entry["kind"] for entry in suppressions] == ["external"] * 9, suppressions
+        assert [entry.kind for entry in suppressions] == ["external"] * 9, suppressions
         assert sum(result.level == "error" for result in results) == 18
 
 
