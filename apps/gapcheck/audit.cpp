@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "common/version.hpp"
 #include "options.hpp"
+#include "settings.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -85,9 +86,16 @@ void add_audit(CLI::App& app, Action& action) {
   add_output(*command, arguments->output);
   add_baseline(*command, arguments->baseline);
   add_exports(*command, arguments->exports);
+  add_settings(*command, arguments->settings_file);
   add_work(*command, *arguments);
-  command->callback([&action, arguments] {
-    action = [arguments] {
+  command->callback([&action, arguments, command] {
+    action = [arguments, command] {
+      arguments->selection = selects(arguments->audit);
+      arguments->baseline.by_settings = arguments->baseline.compare.empty();
+      auto settings = use_settings(arguments->settings_file, arguments->decks.front(), true, *command);
+      if (!settings) return static_cast<int>(failed);
+      arguments->settings = std::move(*settings);
+      arguments->audit.severities = arguments->settings.severities;
       arguments->audit.today = today();
       if (!arguments->units.empty()) arguments->audit.millimetre = 1 / unit_systems.at(arguments->units);
       arguments->audit.scene = !arguments->output.html.empty();

@@ -46,12 +46,8 @@ auto names_of(Arguments& arguments) {
 AuditArguments arguments_for(const std::string& deck, AuditArguments arguments) {
   for (std::string* name : names_of(arguments)) *name = name_for(*name, deck);
   arguments.baseline.compare = name_for(arguments.baseline.compare, deck);
+  arguments.audit.ignores = ignores_for(deck, arguments.settings);
   return arguments;
-}
-
-bool selects(const audit::AuditOptions& audit) {
-  return !audit.select.empty() || !audit.ignore.empty() || !audit.contacts.empty() || !audit.parts.empty() ||
-         audit.ptol >= 0 || audit.rtol >= 0 || audit.ratio >= 0;
 }
 
 /// Why the files cannot all be written: one would take a deck's place, or that of another deck's results, or a baseline
@@ -76,7 +72,7 @@ std::string obstacle(const AuditArguments& arguments, const std::vector<std::str
         return fmt::format("{} would hold the results of {} and of {}; write {{deck}} into the name where their own are "
                            "to stand, and give decks different names", *name, first->second, deck);
     }
-    if (selects(own.audit) && !own.baseline.write.empty() && own.baseline.write == own.baseline.compare)
+    if (arguments.selection && same_file(own.baseline))
       return "--write-baseline into the file of --baseline would lose what the selection leaves out; write another file";
   }
   if (decks.size() > 1 && !arguments.baseline.compare.empty() && arguments.baseline.compare.find("{deck}") == std::string::npos)
@@ -152,6 +148,10 @@ class Run {
     print(diagnostics, own.output.text.quiet);
     if (!result) return unread(deck, result.error());
     Report& report = reports_.emplace_back(std::move(result).value());
+    if (const std::string& settings = own.settings.path; !settings.empty()) {
+      report.settings = settings;
+      report.statistics.emplace_back("settings file", settings);
+    }
     compare(baseline.value(), [&own](const KnownFinding& known) { return looked_for(known, own.audit); }, report);
     const auto& contacts = own.audit.contacts;
     const bool whole = !diagnostics.has_errors() &&
@@ -181,6 +181,11 @@ class Run {
 };
 
 }  // namespace
+
+bool selects(const audit::AuditOptions& audit) {
+  return !audit.select.empty() || !audit.ignore.empty() || !audit.contacts.empty() || !audit.parts.empty() ||
+         audit.ptol >= 0 || audit.rtol >= 0 || audit.ratio >= 0;
+}
 
 int audit_decks(AuditArguments arguments) {
   keyword::FileCache cache;

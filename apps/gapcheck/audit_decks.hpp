@@ -6,6 +6,7 @@
 #include "audit/audit.hpp"
 #include "baseline_options.hpp"
 #include "options.hpp"
+#include "settings.hpp"
 
 namespace gapcheck::app {
 
@@ -18,8 +19,14 @@ struct AuditArguments {
   OutputOptions output;
   ExportOptions exports;
   BaselineOptions baseline;
+  SettingsOptions settings_file;
+  Settings settings;       ///< what that file says and is no option
+  bool selection = false;  ///< the command line leaves something out, which a settings file does for good
   std::size_t jobs = 0;
 };
+
+/// True if the options leave anything out.
+[[nodiscard]] bool selects(const audit::AuditOptions& audit);
 
 /// Audits the decks one after the other and writes what was asked for; the exit code. Files that hold one deck's results
 /// carry {deck} in their name where there are several.

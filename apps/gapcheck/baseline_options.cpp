@@ -1,6 +1,8 @@
 #include "baseline_options.hpp"
 
 #include <CLI/Option.hpp>
+#include <filesystem>
+#include <system_error>
 
 #include "base/mapped_file.hpp"
 #include "common/files.hpp"
@@ -18,8 +20,17 @@ void add_baseline(CLI::App& command, BaselineOptions& options) {
   for (CLI::Option* option : added) option->group("Baseline");
 }
 
+bool same_file(const BaselineOptions& options) {
+  if (options.compare.empty() || options.write.empty()) return false;
+  std::error_code failed;
+  const auto place = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, failed); };
+  return options.compare == options.write || place(options.compare) == place(options.write);
+}
+
 Result<Baseline> read(const BaselineOptions& options) {
   if (options.compare.empty()) return Baseline();
+  std::error_code failed;
+  if (options.by_settings && same_file(options) && !std::filesystem::exists(options.compare, failed)) return Baseline();
   const auto file = MappedFile::open(options.compare);
   if (!file) return file.error();
   auto findings = report::read_baseline(file.value().bytes(), options.compare);

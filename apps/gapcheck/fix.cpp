@@ -25,6 +25,7 @@
 #include "progress.hpp"
 #include "report/describe.hpp"
 #include "report/fix_report.hpp"
+#include "settings.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -38,6 +39,7 @@ struct Arguments {
   keyword::ReadOptions read;
   audit::FixOptions fix;
   report::FixTextOptions text;
+  SettingsOptions settings;
   std::size_t jobs = 0;
   bool dry_run = false, stats = false;
 };
@@ -209,10 +211,12 @@ void add_fix(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_flag("--quiet", arguments->text.quiet, "Only the last line, and no warnings");
   command->add_flag("--stats", arguments->stats, "Show counters and times, on standard error");
+  add_settings(*command, arguments->settings);
   add_includes(*command, arguments->read, arguments->missing_includes);
   add_jobs(*command, arguments->jobs);
-  command->callback([&action, arguments] {
-    action = [arguments] {
+  command->callback([&action, arguments, command] {
+    action = [arguments, command] {
+      if (!use_settings(arguments->settings, arguments->deck, false, *command)) return static_cast<int>(failed);
       arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
       for (const std::string& text : arguments->locks) arguments->fix.locks.push_back(*parse_lock(text));
       for (const std::string& text : arguments->priorities)

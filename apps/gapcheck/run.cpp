@@ -22,6 +22,7 @@
 #include "run_progress.hpp"
 #include "run_summary.hpp"
 #include "run_vtu.hpp"
+#include "settings.hpp"
 #include "solver/run_files.hpp"
 #include "solver/supported.hpp"
 
@@ -32,6 +33,7 @@ struct Arguments {
   std::string deck, directory;
   std::string missing_includes = "error";
   keyword::ReadOptions read;
+  SettingsOptions settings;
   double until = 0;
   std::uint64_t cycles = 0;
   std::size_t jobs = 0;
@@ -183,10 +185,12 @@ void add_run(CLI::App& app, Action& action) {
   command->add_flag("--vtu", arguments->vtu, "Also write each plot state as a .vtu file, and run.pvd that lists them");
   command->add_flag("--quiet", arguments->quiet, "No summary, no warnings");
   command->add_flag("--stats", arguments->stats, "Show counters and times");
+  add_settings(*command, arguments->settings);
   add_includes(*command, arguments->read, arguments->missing_includes);
   add_jobs(*command, arguments->jobs);
-  command->callback([&action, arguments] {
-    action = [arguments] {
+  command->callback([&action, arguments, command] {
+    action = [arguments, command] {
+      if (!use_settings(arguments->settings, arguments->deck, false, *command)) return static_cast<int>(failed);
       arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
       return run_deck(*arguments);
     };

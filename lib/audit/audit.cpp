@@ -85,6 +85,13 @@ void place_at_nodes(std::vector<Finding>& findings, const model::Nodes& nodes) {
   }
 }
 
+void set_severities(const Severities& severities, Report& report) {
+  report.severities = severities;
+  for (std::vector<Finding>* findings : {&report.findings, &report.ignored.findings})
+    for (Finding& f : *findings)
+      if (const auto changed = severities.find(f.id); changed != severities.end()) f.severity = changed->second;
+}
+
 /// Numbers of a contact's block after the filters, so that totals and list agree.
 void recount(Report& report) {
   for (ContactSummary& contact : report.contacts) {
@@ -174,6 +181,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   place_at_nodes(report.findings, model.mesh.nodes);
   context.set_ignores(leave_out_ignored(report, deck, options));
   review_ignores(context, report);
+  set_severities(options.severities, report);
   if (context.initialised()) recount(report);
   for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);
   report.timing.surface_s = context.counters().surface_s + context.surface_store().seconds();

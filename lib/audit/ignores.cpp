@@ -329,7 +329,8 @@ IgnoreOutcome Engine::run() {
       outcome_.expired.push_back({entry.file, entry.line, rules_of(entry), entry.until, count->second});
       continue;
     }
-    if (count->second == 0 && tried(place))
+    // Settings hold for many decks.
+    if (place.in_deck && count->second == 0 && tried(place))
       outcome_.unused.push_back({entry.file, entry.line, rules_of(entry), entry.until, 0});
     claim(found, {entry.file, entry.line, entry.reason, place.in_deck, 0});
   }

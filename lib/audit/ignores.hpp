@@ -46,7 +46,7 @@ struct IgnoreOutcome {
     std::uint32_t line = 0;
     std::string what;  ///< what is wrong and what to write
   };
-  std::vector<Place> unused;   ///< matched nothing, although everything that they could match was looked for
+  std::vector<Place> unused;   ///< comments that matched nothing, although all that they could match was looked for
   std::vector<Place> expired;
   std::vector<Bad> bad;        ///< comments that are not understood
 };

@@ -42,6 +42,14 @@ RecordRule rule_of(PenetrationKind kind) {
   return {"GC101", "initial-penetration", Severity::warning};
 }
 
+RecordRule with_severity(const Report& report, RecordRule rule) {
+  if (const auto changed = report.severities.find(rule.id); changed != report.severities.end())
+    rule.severity = changed->second;
+  return rule;
+}
+
+RecordRule rule_of(const Report& report, PenetrationKind kind) { return with_severity(report, rule_of(kind)); }
+
 std::string_view name(Severity severity) {
   switch (severity) {
     case Severity::note:

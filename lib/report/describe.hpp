@@ -14,6 +14,9 @@ struct RecordRule {
   Severity severity;
 };
 [[nodiscard]] RecordRule rule_of(PenetrationKind kind);
+/// The same with the severity that the report gives it.
+[[nodiscard]] RecordRule rule_of(const Report& report, PenetrationKind kind);
+[[nodiscard]] RecordRule with_severity(const Report& report, RecordRule rule);
 
 [[nodiscard]] std::string_view name(Severity severity);
 

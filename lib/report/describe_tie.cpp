@@ -11,6 +11,8 @@ RecordRule rule_of(const TieFailure& failure) {
   return {"GC202", "tie-offset", Severity::warning};
 }
 
+RecordRule rule_of(const Report& report, const TieFailure& failure) { return with_severity(report, rule_of(failure)); }
+
 std::string_view what_happened(TieReason reason) {
   switch (reason) {
     case TieReason::sep:

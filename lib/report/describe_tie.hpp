@@ -16,6 +16,8 @@ inline constexpr std::array tie_reasons{TieReason::sep,       TieReason::offset,
 /// GC201 for nodes that stay untied (an error where a node set names them), GC202 for ties with a separation that stays,
 /// GC204 for those that are moved.
 [[nodiscard]] RecordRule rule_of(const TieFailure& failure);
+/// The same with the severity that the report gives it.
+[[nodiscard]] RecordRule rule_of(const Report& report, const TieFailure& failure);
 
 /// What happened to the node: "on no segment (untied)".
 [[nodiscard]] std::string_view what_happened(TieReason reason);

@@ -34,8 +34,8 @@ std::vector<Candidate> candidates(const Report& report, std::size_t group) {
       const bool first = found[{contact, rule.id}]++ < group;
       list.push_back({first, rule.severity, std::isfinite(depth) ? depth : 0, list.size(), ignored});
     };
-    for (const Penetration& record : lists.penetrations) add(record.contact, rule_of(record.kind), record.depth);
-    for (const TieFailure& failure : lists.tie_failures) add(failure.contact, rule_of(failure), 0);
+    for (const Penetration& record : lists.penetrations) add(record.contact, rule_of(report, record.kind), record.depth);
+    for (const TieFailure& failure : lists.tie_failures) add(failure.contact, rule_of(report, failure), 0);
     for (const Finding& finding : lists.findings)
       add(finding.contact, {finding.id, finding.rule, finding.severity}, finding.penetration);
   };

@@ -51,7 +51,7 @@ void hand_over(const Report& report, const Lists& lists, const Visit& visit) {
 
 Item item_of(const Report& report, const Penetration& record) {
   Item item;
-  set_rule(rule_of(record.kind), item);
+  set_rule(rule_of(report, record.kind), item);
   set_contact(report, record.contact, item);
   set_place(report, record.file, record.line, item);
   fmt::memory_buffer message;
@@ -74,7 +74,7 @@ Item item_of(const Report& report, const Penetration& record) {
 
 Item item_of(const Report& report, const TieFailure& failure) {
   Item item;
-  set_rule(rule_of(failure), item);
+  set_rule(rule_of(report, failure), item);
   set_contact(report, failure.contact, item);
   set_place(report, failure.file, failure.line, item);
   item.message = message(failure);

@@ -77,7 +77,7 @@ void append_contact(const Report& report, std::uint32_t position, Buffer& out) {
 /// `files`: the report's file names, quoted.
 void append_penetration(const Report& report, const Penetration& record, const std::vector<std::string>& files,
                         std::optional<BaselineState> state, Buffer& out) {
-  const RecordRule rule = rule_of(record.kind);
+  const RecordRule rule = rule_of(report, record.kind);
   const bool contact_known = record.contact < report.contacts.size();
   const std::int64_t contact = contact_known ? report.contacts[record.contact].id : 0;
   Members object(out);
@@ -280,6 +280,7 @@ void append_report(const Report& report, bool statistics, Stream& stream) {
   stream.text(json_string(report.source));
   stream.text(",\"input\":");
   stream.text(json_string(report.input));
+  if (!report.settings.empty()) stream.text(",\"settings\":" + json_string(report.settings));
   if (report.run) {
     stream.text(",\n\"run\":");
     append_run(report, stream.buffer);

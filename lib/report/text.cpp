@@ -170,14 +170,14 @@ std::string contact_title(const ContactSummary& contact, const Paint& paint) {
 }
 
 /// `unlisted`: penetrating nodes that a log counts without listing them.
-std::string result_line(const Sums& sum, std::uint64_t unlisted, const Paint& paint) {
+std::string result_line(const Report& report, const Sums& sum, std::uint64_t unlisted, const Paint& paint) {
   if (unlisted > 0)
-    return (sum.penetrations() > 0 ? result_line(sum, 0, paint) + ", " : "") +
+    return (sum.penetrations() > 0 ? result_line(report, sum, 0, paint) + ", " : "") +
            paint.severity(Severity::warning, count(unlisted, "penetration") + " without a list of nodes");
   std::string line = sum.penetrations() == 0 ? "no penetrations" : "";
   const auto add = [&](PenetrationKind kind, std::string_view noun) {
     if (const std::size_t number = sum.of(kind); number > 0)
-      line += (line.empty() ? "" : ", ") + paint.severity(rule_of(kind).severity, count(number, noun));
+      line += (line.empty() ? "" : ", ") + paint.severity(rule_of(report, kind).severity, count(number, noun));
   };
   add(PenetrationKind::initial, "penetration");
   add(PenetrationKind::released, "released node");
@@ -186,7 +186,8 @@ std::string result_line(const Sums& sum, std::uint64_t unlisted, const Paint& pa
   add(PenetrationKind::edge, "edge penetration");
   if (sum.deepest != nullptr) line += fmt::format(", deepest {:.6g} at node {}", sum.deepest->depth, sum.deepest->node);
   if (const std::size_t number = sum.of(PenetrationKind::edge_zone); number > 0)
-    line += ", " + paint.severity(Severity::note, count(number, "node") + " in the edge zone");
+    line += ", " + paint.severity(rule_of(report, PenetrationKind::edge_zone).severity,
+                                  count(number, "node") + " in the edge zone");
   return line;
 }
 
@@ -205,13 +206,13 @@ bool unknown(const std::vector<PartPair>& pairs) {
 }
 
 /// One table per reason for which nodes of a tied contact need a look.
-void append_tie_sections(std::span<const TieFailure> failures, const TextOptions& options, const Paint& paint,
-                         std::string& out) {
+void append_tie_sections(const Report& report, std::span<const TieFailure> failures, const TextOptions& options,
+                         const Paint& paint, std::string& out) {
   for (const TieReason reason : tie_reasons) {
     const auto records = in_view_order(failures, reason);
     if (records.empty()) continue;
     const std::size_t limit = options.list ? records.size() : options.top;
-    out += fmt::format("\n  {}: {}, {}", paint.severity(rule_of(*records.front()).severity, name(reason)),
+    out += fmt::format("\n  {}: {}, {}", paint.severity(rule_of(report, *records.front()).severity, name(reason)),
                        count(records.size(), "node"), what_happened(reason));
     out += limit < records.size() ? fmt::format(", first {} of {}\n", limit, records.size()) : "\n";
     if (limit > 0) append_ties(records, limit, true, out);
@@ -228,7 +229,7 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   const auto ties = ties_of(report, position);
   const std::uint64_t unlisted = unlisted_penetrations(contact);
   if (!records.empty() || unlisted > 0 || (contact.not_checked.empty() && ties.empty()))
-    out += "  " + size_of(report, contact) + result_line(sum, unlisted, paint) + '\n';
+    out += "  " + size_of(report, contact) + result_line(report, sum, unlisted, paint) + '\n';
   if (const Timesteps* steps = timesteps(report)) append_surface_timesteps(*steps, position, out);
   if (contact.ties > 0) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
   if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));
@@ -241,7 +242,7 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   append_nodes(records, Table::edges, sum.of(PenetrationKind::edge), "penetrating edges", options, out);
   if (!sum.edge_pairs.empty()) append_pairs(sum.edge_pairs, "edges by part", options, out);
   append_nodes(records, Table::edge_zone, sum.of(PenetrationKind::edge_zone), "nodes in the edge zone", options, out);
-  append_tie_sections(ties, options, paint, out);
+  append_tie_sections(report, ties, options, paint, out);
   return sum;
 }
 

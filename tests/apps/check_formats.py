@@ -189,6 +189,23 @@ def check_ignores(checker):
         assert len(baseline.read_text().splitlines()) == 1 + count, "a baseline has nothing that is left out"
 
 
+def check_settings(checker):
+    """A settings file that leaves findings out and makes others graver: every format agrees."""
+    with tempfile.TemporaryDirectory() as folder:
+        settings = pathlib.Path(folder) / "gapcheck.toml"
+        settings.write_text('[severity]\nGC101 = "error"\n[[exception]]\nignore = "GC101"\nnode = "1000-1999"\n'
+                            'because = "agreed"\n')
+        arguments = ["audit", "data/two_plates.k", "--config", str(settings)]
+        checker.check(arguments, ignored=9)
+        report = json.loads(checker.write(arguments, "json")[0])
+        assert report["settings"] == str(settings)
+        assert report["summary"]["errors"] == 9
+        results = read_sarif(json.loads(checker.write(arguments, "sarif")[0]), sarif_om.SarifLog).runs[0].results
+        suppressions = [entry for result in results for entry in result.suppressions or []]
+        assert [entry.kind for entry in suppressions] == ["external"] * 9, suppressions
+        assert sum(result.level == "error" for result in results) == 18
+
+
 def can_fail(checker):
     """The readers notice what is wrong."""
     report = json.loads(checker.write(["audit", "data/two_plates.k"], "json")[0])
@@ -211,6 +228,7 @@ def main():
     check_baseline(checker)
     check_several(checker)
     check_ignores(checker)
+    check_settings(checker)
     decks = sorted(checker.root.glob("data/*.k"))
     findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)
     assert len(decks) > 30 and findings > 300

@@ -26,10 +26,11 @@ step(bash -c "source '${prefix}/share/bash-completion/completions/gapcheck'
   COMP_WORDS=(gapcheck audit --format sa) COMP_CWORD=3; _gapcheck; [ \"\${COMPREPLY[*]}\" = sarif ] || exit 1
   COMP_WORDS=(gapcheck au) COMP_CWORD=1; _gapcheck; [ \"\${COMPREPLY[*]}\" = audit ] || exit 2
   COMP_WORDS=(gapcheck compare --cu) COMP_CWORD=2; _gapcheck; [[ \" \${COMPREPLY[*]} \" = *' --curves '* ]] || exit 3
+  COMP_WORDS=(gapcheck audit --conf) COMP_CWORD=2; _gapcheck; [ \"\${COMPREPLY[*]}\" = --config ] || exit 5
   source '${prefix}/share/bash-completion/completions/check-c'
   COMP_WORDS=(check-c -time) COMP_CWORD=1; _check_c; [ \"\${COMPREPLY[*]}\" = -timestep ] || exit 4")
 file(READ ${prefix}/share/man/man1/gapcheck.1 page)
-foreach(text "\n.SH gapcheck audit\n" "\n\\fB\\-\\-fail\\-on\\fR " "\n.SH EXIT STATUS\n")
+foreach(text "\n.SH gapcheck audit\n" "\n\\fB\\-\\-fail\\-on\\fR " "\n\\fB\\-\\-config\\fR " "\n.SH EXIT STATUS\n")
   string(FIND "${page}" "${text}" at)
   if(at EQUAL -1)
     message(FATAL_ERROR "the manual page lacks ${text}")

@@ -1,0 +1,121 @@
+#include "settings.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Error.hpp>
+#include <CLI/Option.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "base/mapped_file.hpp"
+#include "base/path_pattern.hpp"
+#include "commands.hpp"
+#include "output.hpp"
+
+namespace gapcheck::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_file = 1 << 20;
+
+/// Gives an option values in place of those that it has; what is wrong with them, empty: nothing.
+std::string give(CLI::Option& option, const std::vector<std::string>& values) {
+  try {
+    option.clear();
+    option.add_result(values);
+    option.run_callback();
+    return "";
+  } catch (const CLI::Error& error) {
+    // "--top: Value 5000 not in range": the key says which one.
+    const std::string_view text = error.what();
+    const std::size_t colon = text.find(": ");
+    return std::string(colon == text.npos ? text : text.substr(colon + 2));
+  }
+}
+
+/// All settings must be good for an audit, whatever the command uses of them.
+void check_options(const Settings& settings, Diagnostics& diagnostics) {
+  CLI::App app;
+  Action action;
+  add_audit(app, action);
+  for (const Setting& setting : settings.options) {
+    CLI::Option& option = *app.get_subcommand("audit")->get_option(std::string(setting.key->option));
+    if (const std::string wrong = give(option, setting.values); !wrong.empty())
+      diagnostics.error(settings.path, setting.line, fmt::format("{}: {}", setting.key->name, wrong));
+  }
+}
+
+Settings read_file(const std::string& path, Diagnostics& diagnostics) {
+  const auto file = MappedFile::open(path);
+  if (!file) {
+    diagnostics.add(file.error());
+    return {path, {}, {}, {}};
+  }
+  if (file.value().bytes().size() > largest_file) {
+    diagnostics.error(path, 0, "is no settings file: it has more than a megabyte");
+    return {path, {}, {}, {}};
+  }
+  Settings settings = read_settings(file.value().bytes(), path, diagnostics);
+  check_options(settings, diagnostics);
+  return settings;
+}
+
+}  // namespace
+
+void add_settings(CLI::App& command, SettingsOptions& options) {
+  CLI::Option* file = command.add_option("--config", options.file, "Settings file, instead of the gapcheck.toml beside "
+                                                                   "the deck or above it")
+                          ->type_name("FILE");
+  CLI::Option* none = command.add_flag("--no-config", options.none, "Use no settings file")->excludes(file);
+  for (CLI::Option* option : {file, none}) option->group("Settings");
+}
+
+std::string find_settings(const std::string& deck) {
+  std::error_code failed;
+  const fs::path here = fs::current_path(failed);
+  if (failed) return "";
+  // By the names that the user gave, as patterns for files are.
+  const std::string_view fixed = std::string_view(deck).substr(0, deck.find_first_of("*?"));
+  fs::path folder = (here / fixed).lexically_normal().parent_path();
+  for (;; folder = folder.parent_path()) {
+    const fs::path file = folder / settings_name;
+    if (fs::is_regular_file(file, failed))
+      return fs::path(deck).is_absolute() ? file.string() : file.lexically_proximate(here).string();
+    if (fs::exists(folder / ".git", failed) || folder == folder.parent_path()) return "";
+  }
+}
+
+std::optional<Settings> use_settings(const SettingsOptions& options, const std::string& deck, bool audit,
+                                     CLI::App& command) {
+  if (options.none) return Settings();
+  const std::string path = options.file.empty() ? find_settings(deck) : options.file;
+  if (path.empty()) return Settings();
+  Diagnostics diagnostics;
+  Settings settings = read_file(path, diagnostics);
+  print(diagnostics, false);
+  if (diagnostics.has_errors()) return std::nullopt;
+  for (const Setting& setting : settings.options) {
+    if (!audit && !setting.key->reading) continue;
+    CLI::Option& option = *command.get_option(std::string(setting.key->option));
+    if (option.count() == 0) give(option, setting.values);
+  }
+  return settings;
+}
+
+std::vector<audit::IgnoreEntry> ignores_for(const std::string& deck, const Settings& settings) {
+  std::vector<audit::IgnoreEntry> list;
+  std::error_code failed;
+  const fs::path here = fs::current_path(failed);
+  for (const SettingsIgnore& ignore : settings.ignores) {
+    const fs::path base = (here / ignore.entry.base).lexically_normal();
+    const std::string name = (here / deck).lexically_normal().lexically_relative(base).generic_string();
+    const auto meant = [&](const std::string& pattern) { return matches(pattern, name); };
+    if (ignore.decks.empty() || std::any_of(ignore.decks.begin(), ignore.decks.end(), meant))
+      list.push_back(ignore.entry);
+  }
+  return list;
+}
+
+}  // namespace gapcheck::app
