@@ -19,6 +19,9 @@ struct FixOptions {
   std::vector<std::pair<std::int64_t, double>> priorities; ///< --priority: part id and factor, positive
   ShapeLimits limits;
   std::uint32_t rounds = 40;                               ///< searches of the contacts at most
+  /// Pairs decided and conditions solved at most, some minutes: a search that has cost so much ends with what it has.
+  /// Corrections of what would cross may take as much again.
+  std::uint64_t work = 10'000'000'000;
 };
 
 /// A corrected deck: what was done, and the lines that change.
