@@ -86,12 +86,26 @@ class Reporter {
       report_.notes.push_back(std::move(note));
     }
     for (const std::string& note : mover_.before().state.notes) report_.notes.push_back(note);
+    welds();
     if (report_.crossings_after > 0)
       report_.notes.push_back(fmt::format(
           "{} pairs of elements cross each other; nodes stay on the side on which they are", report_.crossings_after));
   }
 
  private:
+  /// With --free-welds.
+  void welds() {
+    const auto move = [&](NodeIndex n) { return Vector(model_.mesh.nodes.x[n.value] - deck_[n.value]); };
+    const double rounding = 1e-3 * report_.largest_move;
+    const auto stretched = [&](const model::Weld& weld) {
+      return std::any_of(weld.nodes.begin(), weld.nodes.end(),
+                         [&](NodeIndex n) { return (move(n) - move(weld.nodes.front())).norm() > rounding; });
+    };
+    const auto count = std::count_if(model_.welds.begin(), model_.welds.end(), stretched);
+    if (count > 0)
+      report_.notes.push_back(fmt::format("{} spot welds have nodes that have moved against each other", count));
+  }
+
   const model::Model& model_;
   const std::vector<Vector>& deck_;
   Mover& mover_;
@@ -132,10 +146,11 @@ std::optional<Diagnostic> unknown_choice(const model::Model& model, const FixOpt
 }
 
 /// The lines of the moved nodes, file by file.
-std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const std::vector<NodeIndex>& moved) {
+std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const Mover& mover,
+                             const std::vector<NodeIndex>& moved) {
   std::map<std::uint32_t, std::vector<keyword::LineEdit>> by_file;
   for (const NodeIndex n : moved)
-    by_file[model.mesh.nodes.origins.file(n.value).value].push_back(lines.edit(n, model.mesh.nodes.x[n.value]));
+    by_file[model.mesh.nodes.origins.file(n.value).value].push_back(lines.edit(n, mover.target(n)));
   std::vector<Fix::File> files;
   for (auto& [file, list] : by_file) {
     std::sort(list.begin(), list.end(),
@@ -170,7 +185,8 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   const UnreadConstraints unread = unread_constraints(deck, model);
   const model::Links links = model::read_links(deck, model, diagnostics);
   Freedoms freedoms =
-      find_freedoms(model, options.locks, options.priorities, unread.held, JoinedNodes(model, links.joined));
+      find_freedoms(model, options.locks, options.priorities, unread.held,
+                    JoinedNodes(model, links.joined, !options.free_welds));
   Mover mover(model, lines, bounds, x, std::move(freedoms), links.hanging, options);
   mover.run();
   const std::vector<NodeIndex> moved = mover.moved();
@@ -189,7 +205,7 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   reporter.moved(moved);
   reporter.unfixed();
   reporter.notes(unread);
-  fix.files = edits(model, lines, moved);
+  fix.files = edits(model, lines, mover, moved);
   for (const Fix::File& file : fix.files)
     report.changed.push_back({deck.file(file.file).path, "", file.edits.size()});
   return fix;

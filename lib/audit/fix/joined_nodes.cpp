@@ -63,14 +63,16 @@ bool constrains(std::string_view name) {
 
 }  // namespace
 
-JoinedNodes::JoinedNodes(const model::Model& model, const std::vector<model::NodeLink>& links) {
+JoinedNodes::JoinedNodes(const model::Model& model, const std::vector<model::NodeLink>& links, bool welds) {
   const std::size_t count = model.mesh.nodes.size();
   Groups groups(count);
-  for (const model::Weld& weld : model.welds) groups.join(weld.nodes, true);
   for (const model::NodeLink& link : links)
-    if (link.freedoms != 0) groups.join(link.nodes, true);
-  join_welds(groups, model, model.mesh.beams, 2);
-  join_welds(groups, model, model.mesh.solids, 8);
+    if (link.freedoms != 0 && (welds || link.kind == model::NodeLink::Kind::node_set)) groups.join(link.nodes, true);
+  if (welds) {
+    for (const model::Weld& weld : model.welds) groups.join(weld.nodes, true);
+    join_welds(groups, model, model.mesh.beams, 2);
+    join_welds(groups, model, model.mesh.solids, 8);
+  }
   if (!groups.any()) return;
   named_ = groups.take_named();
   leader_.reserve(count);

@@ -17,7 +17,8 @@ namespace gapcheck::audit {
 class JoinedNodes {
  public:
   JoinedNodes() = default;  ///< all move alone
-  JoinedNodes(const model::Model& model, const std::vector<model::NodeLink>& links);
+  /// `welds`: whether spot welds, rivets and weld elements join; node sets always do.
+  JoinedNodes(const model::Model& model, const std::vector<model::NodeLink>& links, bool welds = true);
   /// The first of the nodes that move with a node; itself where it moves alone.
   [[nodiscard]] NodeIndex leader(NodeIndex node) const {
     return leader_.empty() ? node : leader_[node.value];

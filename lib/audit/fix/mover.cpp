@@ -39,6 +39,7 @@ Mover::Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const
       hanging_(hanging),
       options_(options),
       base_(deck_x),
+      target_(deck_x),
       best_(deck_x),
       gaps_(bounds.index()),
       slot_(deck_x.size()),
@@ -82,7 +83,7 @@ void Mover::run() {
 }
 
 void Mover::start_again() {
-  best_ = deck_;
+  target_ = best_ = deck_;
   after_ = before_;
   for (Gap& gap : gaps_.list()) {
     gap.multiplier = 0;
@@ -124,8 +125,9 @@ void Mover::search(std::uint64_t work) {
       for (const model::HangingNode& hanging : hanging_) all_ties_.push_back(held_tie(hanging));
     }
     gaps_.add(model_, *surfaces_, now.state, written);
+    gaps_.give_up(freedoms_.joined);
     const bool open = open_gaps(now);
-    if (take_best(written, std::move(now))) progress = round;
+    if (take_best(x, written, std::move(now))) progress = round;
     if (gaps_.list().empty() || (!open && settled) || round - progress > stubborn) break;
     cut_short_ = work_ > most_work_ || (open && round == options_.rounds);
     if (cut_short_) break;
@@ -157,12 +159,13 @@ void Mover::tie_first() {
 }
 
 /// True if it is better than the best so far.
-bool Mover::take_best(const std::vector<Vector>& x, Judgement&& now) {
+bool Mover::take_best(const std::vector<Vector>& x, const std::vector<Vector>& written, Judgement&& now) {
   const bool fewer = now.penetrating < after_.penetrating;
   const bool less = now.penetrating == after_.penetrating && now.depth < after_.depth * (1 - rounding);
   const bool same = now.penetrating == after_.penetrating && now.depth <= after_.depth * (1 + rounding);
   if (!fewer && !same) return false;
-  best_ = x;
+  target_ = x;
+  best_ = written;
   after_ = std::move(now);
   return fewer || less;
 }
@@ -325,8 +328,7 @@ bool Mover::give_up(std::span<const MoveCondition> conditions, std::span<const s
       worst = std::max(worst, missing);
     } else if (missing > gap.clearance * (1 - rounding)) {
       const HoldReason why = freedoms_.reason[gap.node.value];
-      const bool joined = !freedoms_.joined.followers(freedoms_.joined.leader(gap.node)).empty();
-      gap.given_up = why != HoldReason::none ? why : joined ? HoldReason::constrained : HoldReason::conflict;
+      gap.given_up = why == HoldReason::none ? HoldReason::conflict : why;
       any = true;
     }
   }

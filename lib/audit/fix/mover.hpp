@@ -39,6 +39,8 @@ class Mover {
   [[nodiscard]] const Judgement& after() const { return after_; }
   /// Nodes that lie elsewhere than in the deck, ascending.
   [[nodiscard]] std::vector<NodeIndex> moved() const;
+  /// Where a moved node was to go; the model has the nearest place that its line can tell.
+  [[nodiscard]] const Vector& target(NodeIndex node) const { return target_[node.value]; }
   [[nodiscard]] bool onto_tie(NodeIndex node) const { return base_[node.value] != deck_[node.value]; }
   /// Why a record of after() is still there.
   [[nodiscard]] HoldReason reason(const Penetration& record);
@@ -62,7 +64,7 @@ class Mover {
   bool hold_crossing();
   Judgement judge(const std::vector<Vector>& x);
   void tie_first();
-  bool take_best(const std::vector<Vector>& x, Judgement&& now);
+  bool take_best(const std::vector<Vector>& x, const std::vector<Vector>& written, Judgement&& now);
   [[nodiscard]] bool open_gaps(const Judgement& now);
   std::vector<Vector> solve(const std::vector<Vector>& at);
   std::vector<MoveCondition> conditions(const std::vector<Vector>& at, std::vector<std::size_t>& gap_of);
@@ -84,7 +86,7 @@ class Mover {
   const FixOptions& options_;
   std::optional<contact::SurfaceStore> surfaces_;  ///< on the coordinates judged last
   std::vector<Vector> base_;   ///< the deck's coordinates with tied nodes on their segments
-  std::vector<Vector> best_;
+  std::vector<Vector> target_, best_;  ///< the best so far: as it was found, and as the lines of the deck can tell it
   Judgement before_, after_;
   std::set<ElementPair> crossings_before_;
   std::uint64_t crossings_after_ = 0;

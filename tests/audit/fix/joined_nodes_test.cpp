@@ -107,6 +107,31 @@ TEST(JoinedNodes, MoveTogether) {
   }
 }
 
+TEST(JoinedNodes, WeldsMayBeFree) {
+  audit::FixOptions options;
+  options.free_welds = true;
+  for (const std::string keyword : {"*CONSTRAINED_SPOTWELD\n", "*CONSTRAINED_RIVET\n"}) {
+    const FixRun run = fix_text(deck_with(keyword + row(middle.below, middle.above)), options);
+    EXPECT_TRUE(complete(run.report())) << keyword;
+    EXPECT_GT((run.move(middle.above) - run.move(middle.below)).z(), 0.29) << keyword;
+    const bool noted = std::any_of(run.report().notes.begin(), run.report().notes.end(),
+                                   [](const std::string& note) { return note.starts_with("1 spot welds"); });
+    EXPECT_EQ(noted, keyword == "*CONSTRAINED_SPOTWELD\n");
+  }
+  const std::string set = "*SET_NODE_LIST\n         9\n" + row(middle.below, middle.above);
+  EXPECT_FALSE(complete(fix_text(deck_with(set + "*CONSTRAINED_NODE_SET\n         9         7\n"), options).report()));
+}
+
+TEST(JoinedNodes, AWeldHoldsNoMoreThanItsSurroundings) {
+  // A weld in the middle of two larger plates: what is not next to it comes free.
+  const Plate below{.id = 1, .nx = 8, .ny = 8}, above{.id = 2, .z = 0.7, .nx = 8, .ny = 8};
+  const FixRun run = fix_text("*KEYWORD\n" + material + below.deck() + above.deck() + single_surface +
+                              "*CONSTRAINED_SPOTWELD\n" + row(below.node(4, 4), above.node(4, 4)) + "*END\n");
+  EXPECT_LE(run.report().unfixed.size(), 2u);
+  for (const UnfixedNode& node : run.report().unfixed)
+    EXPECT_TRUE(node.node == below.node(4, 4) || node.node == above.node(4, 4)) << node.node;
+}
+
 TEST(JoinedNodes, WhatHoldsOneHoldsAll) {
   // The rivet joins a corner of the upper plate to a distant node that is locked.
   const Plate far{.id = 3, .z = 50};
