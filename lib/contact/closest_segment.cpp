@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "contact/hidden_faces.hpp"
 #include "geometry/pair_batch.hpp"
 
 namespace gapcheck::contact {
@@ -210,6 +211,7 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
     for (const Stage stage : {Stage::filter, Stage::interval, Stage::exact, Stage::triangulated})
       geometry::count(decisions, stage, sweep.decided_by(stage));
   }
+  drop_outside(scene, search, all);
   return chosen_hits(scene, all, std::move(measured));
 }
 

@@ -74,10 +74,17 @@ class References {
 }  // namespace
 
 std::vector<std::uint8_t> referenced_nodes(const keyword::Deck& deck, const Model& model, std::string_view family) {
+  return referenced_nodes(deck, model, [&](std::string_view name) { return name.starts_with(family); });
+}
+
+std::vector<std::uint8_t> referenced_nodes(const keyword::Deck& deck, const Model& model,
+                                           const std::function<bool(std::string_view)>& chosen) {
   References references(deck, model);
   for (const keyword::Block& block : deck.blocks())
-    if (block.name.starts_with(family) && !is_mesh(block.name)) references.read(block);
+    if (!is_mesh(block.name) && chosen(block.name)) references.read(block);
   return references.take();
 }
+
+bool nodes_can_be_told(std::string_view keyword) { return !is_mesh(keyword) && !cards_with_nodes(keyword).empty(); }
 
 }  // namespace gapcheck::model

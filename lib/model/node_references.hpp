@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -15,5 +16,12 @@ namespace gapcheck::model {
 /// matters: the cost is that of reading the blocks.
 [[nodiscard]] std::vector<std::uint8_t> referenced_nodes(const keyword::Deck& deck, const Model& model,
                                                          std::string_view family);
+
+/// The same for blocks whose name `chosen` takes.
+[[nodiscard]] std::vector<std::uint8_t> referenced_nodes(const keyword::Deck& deck, const Model& model,
+                                                         const std::function<bool(std::string_view)>& chosen);
+
+/// True if referenced_nodes() can tell which nodes a keyword names.
+[[nodiscard]] bool nodes_can_be_told(std::string_view keyword);
 
 }  // namespace gapcheck::model

@@ -19,7 +19,7 @@ std::string_view words(HoldReason reason) {
   switch (reason) {
     case HoldReason::locked: return "locked nodes";
     case HoldReason::rigid: return "rigid bodies have the nodes";
-    case HoldReason::constrained: return "boundary conditions hold the nodes";
+    case HoldReason::constrained: return "boundary conditions, welds or other joints hold the nodes";
     case HoldReason::unwritable: return "the coordinates cannot be rewritten";
     case HoldReason::shape: return "an element would lose its shape";
     case HoldReason::conflict: return "what frees it from one segment pushes it into another";

@@ -52,7 +52,8 @@ struct FixProposal {
   std::int64_t contact = 0, part = 0, other_part = 0;  ///< ids; part 0: nodes without part
   std::uint64_t penetrations = 0;
   double deepest = 0;
-  double thickness = 0;  ///< the largest for both without penetrations; 0: none helps
+  double thickness = 0;  ///< the largest for both without penetrations; 0: none was found
+  bool not_searched = false;  ///< OPTT was not searched: there are too many pairs
   std::vector<FixAlternative> alternatives;
 };
 
@@ -89,6 +90,7 @@ struct FixReport {
   std::uint64_t crossings_before = 0, crossings_after = 0;    ///< elements that cross another one
   std::uint64_t separated_ties_before = 0, separated_ties_after = 0;
   std::uint64_t rounds = 0;
+  bool cut_short = false;  ///< the search has ended because it took too long; more might be possible
   bool dry_run = false;
   [[nodiscard]] double mean_move() const { return moved.empty() ? 0 : total_move / static_cast<double>(moved.size()); }
 };

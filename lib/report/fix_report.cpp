@@ -88,7 +88,9 @@ void proposals(const FixReport& report, std::size_t top, std::string& out) {
     const FixProposal& p = report.proposals[i];
     out += fmt::format("  contact {}, {} and {}: {}, at most {:.6g} deep\n", p.contact, part_name(p.part),
                        part_name(p.other_part), plural(p.penetrations, "penetration"), p.deepest);
-    if (p.thickness == 0) out += "    no thickness helps: nodes lie next to the other part's surface or behind it\n";
+    if (p.not_searched)
+      out += "    a thickness was searched for the first pairs only\n";
+    else if (p.thickness == 0) out += "    no thickness was found that helps\n";
     for (const FixAlternative& a : p.alternatives) {
       out += "    " + a.text + "\n";
       for (std::size_t at = 0; at < a.card.size();) {
@@ -154,6 +156,7 @@ Json proposal_json(const FixProposal& p) {
   Json json{{"contact", p.contact}, {"part", p.part}, {"other_part", p.other_part}, {"penetrations", p.penetrations},
             {"max_penetration", p.deepest}};
   if (p.thickness > 0) json["thickness"] = p.thickness;
+  if (p.not_searched) json["not_searched"] = true;
   json["alternatives"] = Json::array();
   for (const FixAlternative& a : p.alternatives) json["alternatives"].push_back({{"text", a.text}, {"card", a.card}});
   return json;
@@ -205,7 +208,8 @@ std::string fix_json(const FixReport& report) {
                      {"crossings_after", report.crossings_after},
                      {"separated_ties_before", report.separated_ties_before},
                      {"separated_ties_after", report.separated_ties_after},
-                     {"rounds", report.rounds}};
+                     {"rounds", report.rounds},
+                     {"cut_short", report.cut_short}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

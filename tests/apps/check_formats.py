@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Holds every format of gapcheck audit against readers that are not ours: jsonschema with the published schema of
-gapcheck/1, the classes that were generated from the public schema of SARIF 2.1.0, junitparser and xmllint, the csv module.
+gapcheck/1 (and gapcheck fix with that of gapcheck-fix/1), the classes that were generated from the public schema of
+SARIF 2.1.0, junitparser and xmllint, the csv module.
 
 usage: check_formats.py GAPCHECK ROOT
 With GAPCHECK_SARIF_SCHEMA set to a file with the public schema itself, SARIF is held against that, too, and JUnit against
@@ -107,6 +108,36 @@ class Checker:
             assert line.startswith(("::error file=", "::warning file=", "::notice file=")), line
             assert ",title=GC" in line or ",title=ignored::" in line, line
         return count
+
+
+def strict(schema):
+    """The schema without leave to have other keys than it names."""
+    if isinstance(schema, list):
+        return [strict(item) for item in schema]
+    if not isinstance(schema, dict):
+        return schema
+    copy = {key: strict(member) for key, member in schema.items()}
+    if "properties" in copy and copy.get("type") == "object":
+        copy["additionalProperties"] = False
+    return copy
+
+
+def check_fix(gapcheck, root):
+    """The report of a correction of every deck: written, and as a dry run with something locked."""
+    schema = json.loads((root / "docs/schema/gapcheck-fix-1.schema.json").read_text())
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(strict(schema))
+    seen = set()
+    with tempfile.TemporaryDirectory() as folder:
+        for deck in sorted((root / "data").glob("*.k")):
+            for more in (["-o", folder], ["--dry-run", "--lock", "1"]):
+                run = subprocess.run([gapcheck, "fix", deck, "--format", "json", *more], capture_output=True, text=True)
+                assert run.returncode in (0, 1), f"{deck}: {run.stderr}"
+                report = json.loads(run.stdout)
+                validator.validate(report)
+                assert report["summary"]["complete"] == (run.returncode == 0), deck
+                seen |= {key for key in ("moved", "unfixed", "proposals", "files") if report[key]}
+    assert seen == {"moved", "unfixed", "proposals", "files"}, seen
 
 
 def check_baseline(checker):
@@ -229,6 +260,7 @@ def main():
     check_several(checker)
     check_ignores(checker)
     check_settings(checker)
+    check_fix(checker.gapcheck, checker.root)
     decks = sorted(checker.root.glob("data/*.k"))
     findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)
     assert len(decks) > 30 and findings > 300

@@ -68,6 +68,21 @@ TEST(FixReport, JsonIsComplete) {
   EXPECT_EQ(json["summary"]["complete"], false);
 }
 
+TEST(FixReport, SaysWhatWasNotSearched) {
+  FixReport report = sample();
+  report.proposals.push_back({7, 1, 3, 2, 0.1, 0, false, {}});
+  report.proposals.push_back({7, 1, 4, 2, 0.1, 0, true, {}});
+  report.cut_short = true;
+  const std::string text = fix_text(report, {});
+  EXPECT_NE(text.find("part 3: 2 penetrations, at most 0.1 deep\n    no thickness was found that helps"), std::string::npos) << text;
+  EXPECT_NE(text.find("part 4: 2 penetrations, at most 0.1 deep\n    a thickness was searched for the first pairs only"),
+            std::string::npos) << text;
+  const auto json = nlohmann::json::parse(fix_json(report));
+  EXPECT_EQ(json["proposals"][2]["not_searched"], true);
+  EXPECT_FALSE(json["proposals"][1].contains("not_searched"));
+  EXPECT_EQ(json["summary"]["cut_short"], true);
+}
+
 TEST(FixReport, AnEmptyReportIsComplete) {
   const FixReport nothing;
   EXPECT_TRUE(complete(nothing));

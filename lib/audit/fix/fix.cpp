@@ -1,6 +1,7 @@
 #include "audit/fix/fix.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -66,7 +67,16 @@ class Reporter {
     }
   }
 
-  void notes() {
+  void notes(const UnreadConstraints& unread) {
+    if (mover_.cut_short())
+      report_.notes.push_back(fmt::format("the search was ended after {} round{}: it took too much work, or gained too "
+                                          "little in each; {} nodes remain",
+                                          mover_.rounds(), mover_.rounds() == 1 ? "" : "s", report_.unfixed.size()));
+    if (!unread.keywords.empty())
+      report_.notes.push_back(fmt::format("nodes that *{} name are held", fmt::join(unread.keywords, ", *")));
+    if (!unread.unknown.empty())
+      report_.notes.push_back(fmt::format("what *{} hold is not known, and may have been moved",
+                                          fmt::join(unread.unknown, ", *")));
     for (const auto& [why, nodes] : mover_.unwritable()) {
       const std::uint32_t n = nodes.first.value;
       const model::Nodes& all = model_.mesh.nodes;
@@ -83,13 +93,13 @@ class Reporter {
   }
 
  private:
-  /// Welds join nodes that lie apart; nothing but their positions says how they should move.
+  /// With --free-welds.
   void welds() {
     const auto move = [&](NodeIndex n) { return Vector(model_.mesh.nodes.x[n.value] - deck_[n.value]); };
+    const double rounding = 1e-3 * report_.largest_move;
     const auto stretched = [&](const model::Weld& weld) {
-      return std::any_of(weld.nodes.begin(), weld.nodes.end(), [&](NodeIndex n) {
-        return n != none<NodeIndex> && weld.nodes.front() != none<NodeIndex> && move(n) != move(weld.nodes.front());
-      });
+      return std::any_of(weld.nodes.begin(), weld.nodes.end(),
+                         [&](NodeIndex n) { return (move(n) - move(weld.nodes.front())).norm() > rounding; });
     };
     const auto count = std::count_if(model_.welds.begin(), model_.welds.end(), stretched);
     if (count > 0)
@@ -136,10 +146,11 @@ std::optional<Diagnostic> unknown_choice(const model::Model& model, const FixOpt
 }
 
 /// The lines of the moved nodes, file by file.
-std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const std::vector<NodeIndex>& moved) {
+std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const Mover& mover,
+                             const std::vector<NodeIndex>& moved) {
   std::map<std::uint32_t, std::vector<keyword::LineEdit>> by_file;
   for (const NodeIndex n : moved)
-    by_file[model.mesh.nodes.origins.file(n.value).value].push_back(lines.edit(n, model.mesh.nodes.x[n.value]));
+    by_file[model.mesh.nodes.origins.file(n.value).value].push_back(lines.edit(n, mover.target(n)));
   std::vector<Fix::File> files;
   for (auto& [file, list] : by_file) {
     std::sort(list.begin(), list.end(),
@@ -147,6 +158,14 @@ std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const 
     files.push_back({FileIndex{file}, std::move(list)});
   }
   return files;
+}
+
+/// What could be done about the deck as it was.
+std::vector<FixProposal> proposals(model::Model& model, std::vector<Vector> deck, const contact::InitialState& before) {
+  std::swap(model.mesh.nodes.x, deck);
+  std::vector<FixProposal> list = propose(model, before);
+  std::swap(model.mesh.nodes.x, deck);
+  return list;
 }
 
 }  // namespace
@@ -163,24 +182,30 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   Fix fix;
   FixReport& report = fix.report;
   report.files = model.files;
-  Mover mover(model, lines, bounds, x, find_freedoms(model, options.locks, options.priorities), options);
+  const UnreadConstraints unread = unread_constraints(deck, model);
+  const model::Links links = model::read_links(deck, model, diagnostics);
+  Freedoms freedoms =
+      find_freedoms(model, options.locks, options.priorities, unread.held,
+                    JoinedNodes(model, links.joined, !options.free_welds));
+  Mover mover(model, lines, bounds, x, std::move(freedoms), links.hanging, options);
   mover.run();
   const std::vector<NodeIndex> moved = mover.moved();
   report.crossings_before = mover.crossings_before();
   report.crossings_after = mover.crossings_after();
   report.rounds = mover.rounds();
+  report.cut_short = mover.cut_short();
   report.separated_ties_before = separated(mover.before());
   report.separated_ties_after = separated(mover.after());
   const ElementBounds::Change change = bounds.change(model.mesh.nodes.x, moved);
   report.elements_touched = change.touched;
   report.elements_worsened = change.worsened;
-  report.proposals = propose(model, mover.before().state.penetrations);
+  report.proposals = proposals(model, x, mover.before().state);
   Reporter reporter(model, x, mover, report);
   reporter.contacts();
   reporter.moved(moved);
   reporter.unfixed();
-  reporter.notes();
-  fix.files = edits(model, lines, moved);
+  reporter.notes(unread);
+  fix.files = edits(model, lines, mover, moved);
   for (const Fix::File& file : fix.files)
     report.changed.push_back({deck.file(file.file).path, "", file.edits.size()});
   return fix;

@@ -17,8 +17,12 @@ namespace gapcheck::audit {
 struct FixOptions {
   std::vector<Lock> locks;                                 ///< --lock
   std::vector<std::pair<std::int64_t, double>> priorities; ///< --priority: part id and factor, positive
+  bool free_welds = false;  ///< --free-welds: nodes of spot welds, rivets and weld elements may move against each other
   ShapeLimits limits;
   std::uint32_t rounds = 40;                               ///< searches of the contacts at most
+  /// Pairs decided and conditions solved at most, some minutes: a search that has cost so much ends with what it has.
+  /// Corrections of what would cross may take as much again.
+  std::uint64_t work = 10'000'000'000;
 };
 
 /// A corrected deck: what was done, and the lines that change.

@@ -103,6 +103,29 @@ class Holder {
       if (rigid.owner(NodeIndex{i})) freedoms_.hold(NodeIndex{i}, HoldReason::rigid);
   }
 
+  void hold_others(std::span<const std::uint8_t> held) {
+    for (std::uint32_t i = 0; i < held.size(); ++i)
+      if (held[i] != 0) hold(NodeIndex{i}, 7);
+  }
+
+  /// One weight for nodes that are joined; what holds one of them holds all.
+  void join() {
+    for (const NodeIndex leader : freedoms_.joined.leaders()) {
+      Vector weight = Vector::Zero(), free = Vector::Ones();
+      bool any = false;
+      for (const NodeIndex n : freedoms_.joined.followers(leader)) {
+        const Vector& mobility = freedoms_.mobility[n.value];
+        free = (mobility.array() > 0).select(free, 0);
+        weight += mobility.cwiseMax(1 / largest).cwiseInverse();
+        any = any || freedoms_.reason[n.value] != HoldReason::none;
+      }
+      for (const NodeIndex n : freedoms_.joined.followers(leader)) {
+        freedoms_.mobility[n.value] = free.cwiseQuotient(weight);
+        if (any && freedoms_.reason[n.value] == HoldReason::none) freedoms_.reason[n.value] = HoldReason::constrained;
+      }
+    }
+  }
+
   void hold_boundaries() {
     for (const model::SinglePointConstraint& spc : model_.spcs)
       for_each(spc.nodes, [&](NodeIndex n) { hold(n, spc.system != 0 && (spc.freedoms & 7) != 0 ? 7 : spc.freedoms); });
@@ -157,13 +180,18 @@ class Holder {
 }  // namespace
 
 void Freedoms::hold(NodeIndex node, HoldReason why) {
+  for (const NodeIndex n : joined.followers(joined.leader(node))) {
+    mobility[n.value].setZero();
+    if (reason[n.value] == HoldReason::none) reason[n.value] = HoldReason::constrained;
+  }
   mobility[node.value].setZero();
   if (reason[node.value] == HoldReason::none || reason[node.value] == HoldReason::constrained) reason[node.value] = why;
 }
 
 Freedoms find_freedoms(const model::Model& model, const std::vector<Lock>& locks,
-                       const std::vector<std::pair<std::int64_t, double>>& priorities) {
-  Freedoms freedoms;
+                       const std::vector<std::pair<std::int64_t, double>>& priorities,
+                       std::span<const std::uint8_t> held, JoinedNodes joined) {
+  Freedoms freedoms{{}, {}, std::move(joined)};
   for (const double weight : Weights(model, priorities).take())
     freedoms.mobility.push_back(Vector::Constant(1 / weight));
   freedoms.reason.assign(freedoms.mobility.size(), HoldReason::none);
@@ -171,6 +199,8 @@ Freedoms find_freedoms(const model::Model& model, const std::vector<Lock>& locks
   holder.lock(locks);
   holder.hold_rigid();
   holder.hold_boundaries();
+  holder.hold_others(held);
+  holder.join();
   return freedoms;
 }
 

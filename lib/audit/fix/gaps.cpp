@@ -126,6 +126,15 @@ void Gaps::add(const model::Model& model, contact::SurfaceStore& surfaces, const
   }
 }
 
+void Gaps::give_up(const JoinedNodes& joined) {
+  if (joined.leaders().empty()) return;
+  for (Gap& gap : gaps_) {
+    const NodeIndex own = joined.leader(gap.node);
+    const bool one = std::any_of(gap.corners.begin(), gap.corners.end(), [&](NodeIndex n) { return joined.leader(n) == own; });
+    if (one && gap.given_up == HoldReason::none) gap.given_up = HoldReason::constrained;
+  }
+}
+
 Gap* Gaps::find(const model::Model& model, const Penetration& record) {
   const auto node = model.mesh.nodes.lookup.find(record.node);
   if (!node) return nullptr;

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "audit/fix/joined_nodes.hpp"
 #include "audit/fix/least_movement.hpp"
 #include "contact/contact_surfaces.hpp"
 #include "contact/initial.hpp"
@@ -51,6 +52,8 @@ class Gaps {
   /// is rounding.
   void add(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& state,
            const std::vector<Vector>& x);
+  /// Gives up gaps to segments that the node is joined to: around a weld the sheets cannot part.
+  void give_up(const JoinedNodes& joined);
   [[nodiscard]] std::vector<Gap>& list() { return gaps_; }
   [[nodiscard]] const std::vector<Gap>& list() const { return gaps_; }
   /// The gap of a record; nullptr where there is none.

@@ -25,6 +25,11 @@ std::vector<HeldTie> held_ties(std::span<const contact::JudgedNode> judged, cont
   return ties;
 }
 
+HeldTie held_tie(const model::HangingNode& hanging) {
+  const auto& [a, b] = hanging.between;
+  return {hanging.node, {a, b, b, b}, {0.5, 0.5, 0, 0}};
+}
+
 std::vector<HeldTie> ties_of(std::vector<HeldTie> ties, std::vector<std::uint8_t>& moving) {
   const auto concerned = [&](const HeldTie& tie) {
     return moving[tie.node.value] != 0 ||

@@ -7,6 +7,7 @@
 #include "audit/fix/least_movement.hpp"
 #include "contact/contact_surfaces.hpp"
 #include "contact/ties.hpp"
+#include "model/links.hpp"
 
 namespace gapcheck::audit {
 
@@ -20,6 +21,9 @@ struct HeldTie {
 /// The ties that the contacts make; `judged` and `surfaces`: of the same model on the coordinates `x`.
 [[nodiscard]] std::vector<HeldTie> held_ties(std::span<const contact::JudgedNode> judged,
                                              contact::SurfaceStore& surfaces, const std::vector<Vector>& x);
+
+/// The same for a node that hangs on an edge: in its middle.
+[[nodiscard]] HeldTie held_tie(const model::HangingNode& hanging);
 
 /// Ties that have one of the nodes, or a node of such a tie, and so on. `moving`: by node, 1 for the nodes that may
 /// move; those of the ties are added.

@@ -13,7 +13,8 @@ constexpr double solved = 1e-7, contradicted = 1e-3;
 constexpr std::uint32_t stubborn = 8;
 /// Attempts to find moves that keep all elements in shape; each holds one node more at least.
 constexpr int attempts = 200;
-/// New searches with elements held that would cross others; then nothing is moved at all.
+/// New searches with elements held that would cross others; then nothing is moved at all. Together they may take as
+/// much work as the first.
 constexpr int crossing_attempts = 6;
 /// Moves below this share of the largest are rounding.
 constexpr double rounding = 1e-9;
@@ -29,14 +30,16 @@ double largest_difference(const std::vector<Vector>& a, const std::vector<Vector
 }  // namespace
 
 Mover::Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const std::vector<Vector>& deck_x,
-             Freedoms freedoms, const FixOptions& options)
+             Freedoms freedoms, const std::vector<model::HangingNode>& hanging, const FixOptions& options)
     : model_(model),
       lines_(lines),
       bounds_(bounds),
       deck_(deck_x),
       freedoms_(std::move(freedoms)),
+      hanging_(hanging),
       options_(options),
       base_(deck_x),
+      target_(deck_x),
       best_(deck_x),
       gaps_(bounds.index()),
       slot_(deck_x.size()),
@@ -50,6 +53,7 @@ Judgement Mover::judge(const std::vector<Vector>& x) {
   contact::InitialCounters counters;
   Judgement now;
   now.state = contact::initialise_contacts(model_, *surfaces_, options, counters);
+  work_ += counters.sweep.candidate_pairs + x.size();
   for (const Penetration& record : now.state.penetrations) {
     if (!to_be_fixed(record.kind)) continue;
     ++now.penetrating;
@@ -63,12 +67,12 @@ void Mover::run() {
   crossings_before_ = crossing_pairs(model_);
   start_again();
   tie_first();
-  search();
+  search(options_.work);
   // Elements that would cross are held, and the others have to do without them.
   bool crossed = hold_crossing();
   for (int attempt = 0; crossed && attempt < crossing_attempts; ++attempt) {
     start_again();
-    search();
+    search(options_.work / crossing_attempts);
     crossed = hold_crossing();
   }
   if (crossed) {
@@ -79,7 +83,7 @@ void Mover::run() {
 }
 
 void Mover::start_again() {
-  best_ = deck_;
+  target_ = best_ = deck_;
   after_ = before_;
   for (Gap& gap : gaps_.list()) {
     gap.multiplier = 0;
@@ -106,7 +110,9 @@ bool Mover::hold_crossing() {
   return any;
 }
 
-void Mover::search() {
+/// `work`: at most, but for what the step that exceeds it takes.
+void Mover::search(std::uint64_t work) {
+  most_work_ = work_ + work;
   std::vector<Vector> x = base_;
   std::uint32_t progress = 0;
   bool settled = false;
@@ -114,11 +120,17 @@ void Mover::search() {
     ++rounds_;
     const std::vector<Vector> written = as_written(x);
     Judgement now = judge(written);
-    if (round == 1) all_ties_ = held_ties(now.state.judged, *surfaces_, written);
+    if (round == 1) {
+      all_ties_ = held_ties(now.state.judged, *surfaces_, written);
+      for (const model::HangingNode& hanging : hanging_) all_ties_.push_back(held_tie(hanging));
+    }
     gaps_.add(model_, *surfaces_, now.state, written);
+    gaps_.give_up(freedoms_.joined);
     const bool open = open_gaps(now);
-    if (take_best(written, std::move(now))) progress = round;
+    if (take_best(x, written, std::move(now))) progress = round;
     if (gaps_.list().empty() || (!open && settled) || round - progress > stubborn) break;
+    cut_short_ = work_ > most_work_ || (open && round == options_.rounds);
+    if (cut_short_) break;
     number_nodes();
     std::vector<Vector> next = solve(x);
     settled = largest_difference(next, x, nodes_) <= settled_share * largest_difference(next, base_, nodes_);
@@ -135,7 +147,9 @@ void Mover::tie_first() {
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
   hold_unwritable();
-  std::erase_if(nodes_, [&](NodeIndex n) { return freedoms_.reason[n.value] != HoldReason::none; });
+  std::erase_if(nodes_, [&](NodeIndex n) {
+    return freedoms_.reason[n.value] != HoldReason::none || freedoms_.joined.by_keyword(n);
+  });
   for (const NodeIndex n : nodes_) base_[n.value] = tied[n.value];
   for (auto held = bounds_.offenders(base_, nodes_); !held.empty(); held = bounds_.offenders(base_, nodes_))
     for (const NodeIndex n : held) {
@@ -145,12 +159,13 @@ void Mover::tie_first() {
 }
 
 /// True if it is better than the best so far.
-bool Mover::take_best(const std::vector<Vector>& x, Judgement&& now) {
+bool Mover::take_best(const std::vector<Vector>& x, const std::vector<Vector>& written, Judgement&& now) {
   const bool fewer = now.penetrating < after_.penetrating;
   const bool less = now.penetrating == after_.penetrating && now.depth < after_.depth * (1 - rounding);
   const bool same = now.penetrating == after_.penetrating && now.depth <= after_.depth * (1 + rounding);
   if (!fewer && !same) return false;
-  best_ = x;
+  target_ = x;
+  best_ = written;
   after_ = std::move(now);
   return fewer || less;
 }
@@ -165,23 +180,44 @@ bool Mover::open_gaps(const Judgement& now) {
   return false;
 }
 
-/// All nodes that some gap names, or that are tied to such nodes.
+/// Marks the nodes that are tied or joined to marked ones.
+void Mover::bring_along(std::vector<std::uint8_t>& moving) {
+  const std::size_t known = ties_.size();
+  const JoinedNodes& joined = freedoms_.joined;
+  for (bool more = true; more;) {
+    ties_ = ties_of(all_ties_, moving);
+    more = false;
+    for (const NodeIndex leader : joined.leaders()) {
+      const auto followers = joined.followers(leader);
+      const auto marked = std::count_if(followers.begin(), followers.end(), [&](NodeIndex n) { return moving[n.value] != 0; });
+      if (marked == 0 || static_cast<std::size_t>(marked) == followers.size()) continue;
+      for (const NodeIndex n : followers) moving[n.value] = 1;
+      more = true;
+    }
+  }
+  if (ties_.size() != known) tie_multipliers_.assign(3 * ties_.size(), 0);
+}
+
+/// All nodes that some gap names, or that are tied or joined to such nodes.
 void Mover::number_nodes() {
   std::vector<std::uint8_t> moving(deck_.size());
+  for (std::uint32_t i = 0; i < moving.size(); ++i) moving[i] = base_[i] != deck_[i];
   for (const Gap& gap : gaps_.list()) {
     moving[gap.node.value] = 1;
     for (const NodeIndex n : gap.corners) moving[n.value] = 1;
   }
   for (const ShapeCondition& shape : shapes_)
     for (const NodeIndex n : shape.nodes) moving[n.value] = 1;
-  const std::size_t known = ties_.size();
-  ties_ = ties_of(all_ties_, moving);
-  if (ties_.size() != known) tie_multipliers_.assign(3 * ties_.size(), 0);
+  bring_along(moving);
   nodes_.clear();
+  leaders_.clear();
   for (std::uint32_t i = 0; i < moving.size(); ++i) {
-    if (moving[i] == 0 && base_[i] == deck_[i]) continue;
-    slot_[i] = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back(NodeIndex{i});
+    if (moving[i] == 0) continue;
+    const NodeIndex node{i}, leader = freedoms_.joined.leader(node);
+    // The leader is the first of its nodes.
+    slot_[i] = leader == node ? static_cast<std::uint32_t>(leaders_.size()) : slot_[leader.value];
+    if (leader == node) leaders_.push_back(node);
+    nodes_.push_back(node);
   }
   hold_unwritable();
 }
@@ -209,11 +245,18 @@ std::vector<Vector> Mover::as_written(const std::vector<Vector>& x) {
 /// One condition for each gap that counts at these coordinates, then three for each tie, then those of shapes.
 std::vector<MoveCondition> Mover::conditions(const std::vector<Vector>& at, std::vector<std::size_t>& gap_of) {
   std::vector<MoveCondition> list;
+  // Gives what the left side is at these coordinates.
   const auto add_terms = [&](MoveCondition& c, NodeIndex node, const model::SegmentNodes& corners,
                              const std::array<double, 4>& share) {
+    const auto move = [&](NodeIndex n) { return c.direction.dot(at[n.value] - base_[n.value]); };
+    double sum = move(node);
     c.add(slot_[node.value], 1);
-    for (std::size_t i = 0; i < 4; ++i)
-      if (share[i] != 0) c.add(slot_[corners[i].value], -share[i]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (share[i] == 0) continue;
+      c.add(slot_[corners[i].value], -share[i]);
+      sum -= share[i] * move(corners[i]);
+    }
+    return sum;
   };
   for (std::size_t i = 0; i < gaps_.list().size(); ++i) {
     Gap& gap = gaps_.list()[i];
@@ -221,12 +264,7 @@ std::vector<MoveCondition> Mover::conditions(const std::vector<Vector>& at, std:
     const GapState state = measure_gap(gap, at);
     MoveCondition c;
     c.direction = state.direction;
-    add_terms(c, gap.node, gap.corners, state.share);
-    c.bound = gap.distance + gap.clearance - state.gap;
-    for (std::size_t k = 0; k < c.count; ++k) {
-      const std::uint32_t n = nodes_[c.terms[k].node].value;
-      c.bound += c.terms[k].coefficient * c.direction.dot(at[n] - base_[n]);
-    }
+    c.bound = gap.distance + gap.clearance - state.gap + add_terms(c, gap.node, gap.corners, state.share);
     c.multiplier = gap.multiplier;
     if (!state.counts || !std::isfinite(c.bound) || !c.direction.allFinite()) {
       gap.multiplier = 0;
@@ -312,18 +350,20 @@ bool Mover::give_up(std::span<const MoveCondition> conditions, std::span<const s
 std::vector<Vector> Mover::solve(const std::vector<Vector>& at) {
   std::vector<Vector> moves, mobility;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    moves.resize(nodes_.size());
+    moves.resize(leaders_.size());
     mobility.clear();
-    for (const NodeIndex n : nodes_) mobility.push_back(freedoms_.mobility[n.value]);
+    for (const NodeIndex n : leaders_) mobility.push_back(freedoms_.mobility[n.value]);
     std::vector<std::size_t> gap_of;
     std::vector<MoveCondition> list = conditions(at, gap_of);
     double largest = 0;
     for (const MoveCondition& c : list) largest = std::max(largest, c.bound);
     const MovementResult result = least_movement(list, mobility, moves, solved * largest, sweeps);
     keep_multipliers(list, gap_of);
+    work_ += result.sweeps * list.size();
+    if (work_ > most_work_) break;
     if (give_up(list, gap_of, moves, mobility, result.sweeps < sweeps)) continue;
     std::vector<Vector> x = base_;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) x[nodes_[i].value] += moves[i];
+    for (const NodeIndex n : nodes_) x[n.value] += moves[slot_[n.value]];
     const std::vector<ElementOfKind> broken = bounds_.broken(x, nodes_);
     if (broken.empty()) return x;
     // Neighbours are to come along first; what that does not help is held.

@@ -31,7 +31,7 @@ class Mover {
  public:
   /// `lines`: of the deck that the model was read from.
   Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const std::vector<Vector>& deck_x,
-        Freedoms freedoms, const FixOptions& options);
+        Freedoms freedoms, const std::vector<model::HangingNode>& hanging, const FixOptions& options);
   void run();
 
   [[nodiscard]] const Judgement& before() const { return before_; }
@@ -39,10 +39,14 @@ class Mover {
   [[nodiscard]] const Judgement& after() const { return after_; }
   /// Nodes that lie elsewhere than in the deck, ascending.
   [[nodiscard]] std::vector<NodeIndex> moved() const;
+  /// Where a moved node was to go; the model has the nearest place that its line can tell.
+  [[nodiscard]] const Vector& target(NodeIndex node) const { return target_[node.value]; }
   [[nodiscard]] bool onto_tie(NodeIndex node) const { return base_[node.value] != deck_[node.value]; }
   /// Why a record of after() is still there.
   [[nodiscard]] HoldReason reason(const Penetration& record);
   [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
+  /// True if the search has ended because it took too much work, and not because nothing was left to gain.
+  [[nodiscard]] bool cut_short() const { return cut_short_; }
   /// Pairs of elements that cross.
   [[nodiscard]] std::uint64_t crossings_before() const { return crossings_before_.size(); }
   [[nodiscard]] std::uint64_t crossings_after() const { return crossings_after_; }
@@ -55,12 +59,12 @@ class Mover {
   [[nodiscard]] const std::map<std::string, Unwritable>& unwritable() const { return unwritable_; }
 
  private:
-  void search();
+  void search(std::uint64_t work);
   void start_again();
   bool hold_crossing();
   Judgement judge(const std::vector<Vector>& x);
   void tie_first();
-  bool take_best(const std::vector<Vector>& x, Judgement&& now);
+  bool take_best(const std::vector<Vector>& x, const std::vector<Vector>& written, Judgement&& now);
   [[nodiscard]] bool open_gaps(const Judgement& now);
   std::vector<Vector> solve(const std::vector<Vector>& at);
   std::vector<MoveCondition> conditions(const std::vector<Vector>& at, std::vector<std::size_t>& gap_of);
@@ -69,6 +73,7 @@ class Mover {
   [[nodiscard]] bool keep_shapes(std::span<const ElementOfKind> broken);
   void keep_multipliers(std::span<const MoveCondition> list, std::span<const std::size_t> gap_of);
   void number_nodes();
+  void bring_along(std::vector<std::uint8_t>& moving);
   void hold_unwritable();
   [[nodiscard]] std::vector<Vector> as_written(const std::vector<Vector>& x);
 
@@ -77,10 +82,11 @@ class Mover {
   ElementBounds& bounds_;
   const std::vector<Vector>& deck_;
   Freedoms freedoms_;
+  const std::vector<model::HangingNode>& hanging_;
   const FixOptions& options_;
   std::optional<contact::SurfaceStore> surfaces_;  ///< on the coordinates judged last
   std::vector<Vector> base_;   ///< the deck's coordinates with tied nodes on their segments
-  std::vector<Vector> best_;
+  std::vector<Vector> target_, best_;  ///< the best so far: as it was found, and as the lines of the deck can tell it
   Judgement before_, after_;
   std::set<ElementPair> crossings_before_;
   std::uint64_t crossings_after_ = 0;
@@ -88,12 +94,15 @@ class Mover {
   std::vector<HeldTie> all_ties_, ties_;
   std::set<ElementOfKind> shaped_;       ///< elements that have shape conditions
   std::vector<ShapeCondition> shapes_;
-  std::vector<NodeIndex> nodes_;       ///< that some condition names, ascending
-  std::vector<std::uint32_t> slot_;    ///< by node: position in nodes_
+  std::vector<NodeIndex> nodes_;       ///< that some condition names, and those joined to them; ascending
+  std::vector<NodeIndex> leaders_;     ///< of nodes_, ascending: each moves on its own, with all that follow it
+  std::vector<std::uint32_t> slot_;    ///< by node: position of its leader in leaders_
   std::vector<std::uint8_t> looked_at_;  ///< by node: whether its line can be rewritten was asked
   std::vector<double> tie_multipliers_;
   std::map<std::string, Unwritable> unwritable_;
   std::uint32_t rounds_ = 0;
+  std::uint64_t work_ = 0, most_work_ = 0;  ///< done so far, and where the present search ends; FixOptions::work
+  bool cut_short_ = false;
 };
 
 }  // namespace gapcheck::audit

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 
 #include "audit/fix/gaps.hpp"
+#include "audit/fix/thickness_trial.hpp"
+#include "audit/free_thickness.hpp"
+#include "audit/records_of.hpp"
 #include "contact/contact_type.hpp"
 
 namespace gapcheck::audit {
@@ -17,39 +19,8 @@ namespace {
 /// What is left of the distance must be more than this share of it: a thickness of next to nothing is none.
 constexpr double least_share = 0.05;
 
-bool solid_part(const model::Model& model, std::int64_t id) {
-  const auto part = model.part_of_id.find(id);
-  if (part == model.part_of_id.end()) return false;
-  const auto& section = model.part(part->second).section;
-  if (!section) return false;
-  const model::SectionKind kind = model.sections[*section].kind;
-  return kind == model::SectionKind::solid || kind == model::SectionKind::thick_shell;
-}
-
-/// Four digits, rounded down: what is printed must still be free.
-double rounded_down(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
-  return std::floor(value / unit * (1 + 1e-12)) * unit;
-}
-
-struct Pair {
-  std::uint64_t count = 0;
-  double deepest = 0;
-  double thickness = std::numeric_limits<double>::infinity();
-  bool behind = false;  ///< a node lies on or behind the segment: no thickness helps
-  bool optt = false;    ///< a thickness of the parts themselves goes before SST
-};
-
-void take(Pair& pair, const model::Model& model, const Penetration& p) {
-  ++pair.count;
-  pair.deepest = std::max(pair.deepest, p.depth);
-  pair.optt = pair.optt || p.node_rule == ThicknessRule::part_contact || p.segment_rule == ThicknessRule::part_contact;
-  const double share = (solid_part(model, p.part) ? 0 : 0.5) + (solid_part(model, p.element_part) ? 0 : 0.5);
-  if (share == 0 || !(p.remaining() > least_share * p.contact_distance))
-    pair.behind = true;
-  else
-    pair.thickness = std::min(pair.thickness, p.remaining() / share);
-}
+/// Contact (position) and the ids of the parts, the smaller one first.
+using PairKey = std::tuple<std::uint32_t, std::int64_t, std::int64_t>;
 
 FixAlternative by_optt(double thickness) {
   return {fmt::format("OPTT = {:.4g} for both parts", thickness),
@@ -65,6 +36,21 @@ FixAlternative by_sst(std::int64_t contact, double thickness, bool single) {
                       "$      SFS       SFM       SST       MST\n"
                       "        1.        1.{:>10.4g}{:>10.4g}\n",
                       contact, thickness, single ? 0 : thickness)};
+}
+
+FixAlternative by_sections(const ThinnerSections& thinner) {
+  FixAlternative alternative;
+  for (const auto& [section, thickness] : thinner.thickness) {
+    alternative.text += fmt::format("{}T1 … T4 = {:.4g} in section {}", alternative.text.empty() ? "" : ", ", thickness, section);
+    alternative.card += fmt::format("*SECTION_SHELL  (card 2 of section {})\n"
+                                    "$       T1        T2        T3        T4\n"
+                                    "{:>10.4g}{:>10.4g}{:>10.4g}{:>10.4g}\n",
+                                    section, thickness, thickness, thickness, thickness);
+  }
+  alternative.text += "; this makes the shells softer and lighter";
+  if (thinner.other_parts > 0)
+    alternative.text += fmt::format(", also {} other part{}", thinner.other_parts, thinner.other_parts == 1 ? "" : "s");
+  return alternative;
 }
 
 FixAlternative by_exclusion(std::int64_t contact, std::int64_t a, std::int64_t b) {
@@ -85,39 +71,89 @@ FixAlternative by_ignore(std::int64_t contact) {
                       contact)};
 }
 
-}  // namespace
+class Proposer {
+ public:
+  Proposer(model::Model& model, const contact::InitialState& state) : model_(model), state_(state), trial_(model) {}
 
-std::vector<FixProposal> propose(const model::Model& model, std::span<const Penetration> records) {
-  std::map<std::tuple<std::uint32_t, std::int64_t, std::int64_t>, Pair> pairs;
-  for (const Penetration& p : records)
-    if (to_be_fixed(p.kind))
-      take(pairs[{p.contact, std::min(p.part, p.element_part), std::max(p.part, p.element_part)}], model, p);
-  std::map<std::uint32_t, std::size_t> pairs_of_contact;
-  for (const auto& [key, pair] : pairs) ++pairs_of_contact[std::get<0>(key)];
-  std::vector<FixProposal> list;
-  for (const auto& [key, pair] : pairs) {
+  std::vector<FixProposal> run() {
+    for (const Penetration& p : state_.penetrations)
+      if (to_be_fixed(p.kind))
+        pairs_[{p.contact, std::min(p.part, p.element_part), std::max(p.part, p.element_part)}].push_back(p);
+    for (const auto& [key, records] : pairs_) ++pairs_of_contact_[std::get<0>(key)];
+    find_cards();
+    std::vector<FixProposal> list;
+    for (const auto& [key, records] : pairs_) list.push_back(proposal(key, records));
+    return list;
+  }
+
+ private:
+  /// SST of the contacts in which one pair of parts penetrates, as GC308 has it.
+  void find_cards() {
+    std::vector<std::uint32_t> alone;
+    for (const auto& [contact, count] : pairs_of_contact_)
+      if (count == 1) alone.push_back(contact);
+    for (const FreeCard& card : trial_.cards(alone, state_))
+      if (card.bound.stuck_count == 0) card_[card.contact] = rounded_down(card.value);
+  }
+
+  FixProposal proposal(const PairKey& key, const std::vector<Penetration>& records) {
     const auto& [position, a, b] = key;
-    const model::Contact& contact = model.contacts[position];
+    const model::Contact& contact = model_.contacts[position];
     FixProposal proposal;
     proposal.contact = contact.id.value;
     proposal.part = a;
     proposal.other_part = b;
-    proposal.penetrations = pair.count;
-    proposal.deepest = pair.deepest;
+    proposal.penetrations = records.size();
+    for (const Penetration& p : records) proposal.deepest = std::max(proposal.deepest, p.depth);
     const contact::ContactType type = contact::classify(contact);
-    if (!pair.behind && std::isfinite(pair.thickness)) {
-      proposal.thickness = rounded_down(pair.thickness);
+    if (clear(records)) {
       const bool single = type.treatment == contact::Treatment::single_surface;
-      if (pairs_of_contact[position] == 1 && !pair.optt)
-        proposal.alternatives.push_back(by_sst(proposal.contact, proposal.thickness, single));
-      if (a > 0 && b > 0) proposal.alternatives.push_back(by_optt(proposal.thickness));
+      if (const auto card = card_.find(position); card != card_.end()) {
+        proposal.thickness = card->second;
+        proposal.alternatives.push_back(by_sst(proposal.contact, card->second, single));
+      }
+      if (a > 0 && b > 0) thickness_of_parts(key, records, proposal);
     }
     if (a > 0 && b > 0 && a != b) proposal.alternatives.push_back(by_exclusion(proposal.contact, a, b));
-    if (contact::settings(contact, type, model.controls).ignore == 0)
+    if (contact::settings(contact, type, model_.controls).ignore == 0)
       proposal.alternatives.push_back(by_ignore(proposal.contact));
-    list.push_back(std::move(proposal));
+    return proposal;
   }
-  return list;
+
+  /// True if every node keeps enough of its distance for a thickness to be worth its name.
+  static bool clear(const std::vector<Penetration>& records) {
+    return std::all_of(records.begin(), records.end(),
+                       [](const Penetration& p) { return p.remaining() > least_share * p.contact_distance; });
+  }
+
+  void thickness_of_parts(const PairKey& key, const std::vector<Penetration>& records, FixProposal& proposal) {
+    if (trials_ == most_thickness_trials) {
+      proposal.not_searched = true;
+      return;
+    }
+    ++trials_;
+    const auto& [position, a, b] = key;
+    const double thickness = trial_.free_optt(position, a, b, records, records_of(state_, position));
+    if (!(thickness > 0)) return;
+    proposal.thickness = std::max(proposal.thickness, thickness);
+    proposal.alternatives.push_back(by_optt(thickness));
+    if (const auto thinner = trial_.sections(position, a, b, records, thickness))
+      proposal.alternatives.push_back(by_sections(*thinner));
+  }
+
+  model::Model& model_;
+  const contact::InitialState& state_;
+  ThicknessTrial trial_;
+  std::map<PairKey, std::vector<Penetration>> pairs_;
+  std::map<std::uint32_t, std::size_t> pairs_of_contact_;
+  std::map<std::uint32_t, double> card_;
+  std::size_t trials_ = 0;
+};
+
+}  // namespace
+
+std::vector<FixProposal> propose(model::Model& model, const contact::InitialState& state) {
+  return Proposer(model, state).run();
 }
 
 }  // namespace gapcheck::audit

@@ -61,6 +61,24 @@ TEST(FixHostile, NodesInOnePlace) {
   for (const MovedNode& m : run.report().moved) EXPECT_TRUE(m.to.allFinite());
 }
 
+TEST(FixHostile, EndsWithinItsWork) {
+  const FixRun whole = fix_text(plates_deck(lower, upper));
+  ASSERT_TRUE(complete(whole.report()));
+  EXPECT_FALSE(whole.report().cut_short);
+  audit::FixOptions options;
+  options.work = 1;
+  const FixRun run = fix_text(plates_deck(lower, upper), options);
+  EXPECT_TRUE(run.report().cut_short);
+  EXPECT_FALSE(complete(run.report()));
+  EXPECT_EQ(run.report().unfixed.size(), 32u);
+  ASSERT_FALSE(run.report().notes.empty());
+  EXPECT_NE(run.report().notes[0].find("ended after 1 round"), std::string::npos) << run.report().notes[0];
+  EXPECT_NE(run.report().notes[0].find("32 nodes remain"), std::string::npos);
+  options.work = 10'000'000'000;
+  options.rounds = 1;
+  EXPECT_TRUE(fix_text(plates_deck(lower, upper), options).report().cut_short);
+}
+
 TEST(FixHostile, FreeFormatAndLongLines) {
   std::string text = plates_deck(lower, upper);
   for (int j = 0; j <= 3; ++j)

@@ -15,17 +15,18 @@ TEST(Proposals, NamesThicknessExclusionAndIgnore) {
   EXPECT_EQ(p.other_part, 2);
   EXPECT_EQ(p.penetrations, 32u);
   EXPECT_NEAR(p.thickness, 0.7, 1e-12);
-  ASSERT_EQ(p.alternatives.size(), 4u);
+  ASSERT_EQ(p.alternatives.size(), 5u);
   EXPECT_NE(p.alternatives[0].text.find("SST = 0.7"), std::string::npos);
   EXPECT_NE(p.alternatives[1].text.find("OPTT = 0.7"), std::string::npos);
-  EXPECT_NE(p.alternatives[3].text.find("IGNORE = 1"), std::string::npos);
+  EXPECT_NE(p.alternatives[2].text.find("T1 … T4 = 0.7 in section 1, T1 … T4 = 0.7 in section 2"), std::string::npos);
+  EXPECT_NE(p.alternatives[4].text.find("IGNORE = 1"), std::string::npos);
 }
 
 // The cards do what they promise when they are put into the deck.
 TEST(Proposals, TheExclusionEndsThePenetrations) {
   std::string text = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});
   const FixRun run = fix_text(text);
-  text.insert(text.find("*END"), run.report().proposals.at(0).alternatives.at(2).card);
+  text.insert(text.find("*END"), run.report().proposals.at(0).alternatives.at(3).card);
   audit::AuditOptions options;
   options.select = {"GC101"};
   EXPECT_TRUE(run_text(text, options).report.penetrations.empty());

@@ -1,6 +1,8 @@
 // Random scenes: a correction never makes it worse, and no element is turned inside out.
 #include "audit/random_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "audit/fix/run_fix.hpp"
@@ -72,6 +74,35 @@ TEST(FixRandomScene, NeverWorseAndNothingInverted) {
   RecordProperty("free_scenes", std::to_string(complete_scenes));
   // Many of these bodies run deep into each other: no small movement parts them.
   EXPECT_LT(2 * after, before);
+}
+
+TEST(FixRandomScene, JoinedNodesMoveAlike) {
+  std::uint64_t moved = 0, followers = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Scene scene = random_scene(seed);
+    // Every fifth node is welded to one somewhere else.
+    std::vector<std::pair<std::int64_t, std::int64_t>> welds;
+    std::string text = scene.text(), cards = "*CONSTRAINED_SPOTWELD\n";
+    for (std::size_t i = 0; i < scene.nodes.size(); i += 5) {
+      const auto& a = scene.nodes[i];
+      const auto& b = scene.nodes[(7 * i + 13 * seed) % scene.nodes.size()];
+      if (a.id == b.id) continue;
+      welds.emplace_back(a.id, b.id);
+      cards += fmt::format("{:10}{:10}\n", a.id, b.id);
+    }
+    text.insert(text.find("*END"), cards);
+    const FixRun run = fix_text(text);
+    ASSERT_EQ(run.errors, 0u) << "seed " << seed;
+    EXPECT_LE(found(run.report(), true), found(run.report(), false)) << "seed " << seed;
+    expect_upright(model_of(text), model_of(run.text), seed);
+    for (const auto& [a, b] : welds) {
+      EXPECT_LT((run.move(a) - run.move(b)).norm(), 1e-9) << "seed " << seed << ", nodes " << a << " and " << b;
+      followers += run.moved(a) != nullptr ? 1 : 0;
+    }
+    moved += run.report().moved.size();
+  }
+  EXPECT_GT(followers, 10u);
+  EXPECT_GT(moved, followers);
 }
 
 }  // namespace

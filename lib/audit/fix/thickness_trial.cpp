@@ -1,0 +1,145 @@
+#include "audit/fix/thickness_trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "audit/fix/gaps.hpp"
+#include "audit/records_of.hpp"
+
+namespace gapcheck::audit {
+namespace {
+
+constexpr int searches = 2;
+
+bool between(const Penetration& p, std::int64_t a, std::int64_t b) {
+  return std::minmax(p.part, p.element_part) == std::minmax(a, b);
+}
+
+/// A half from each side that is no solid.
+double share(const model::Model& model, const Penetration& p) {
+  return (solid_part(model, p.part) ? 0 : 0.5) + (solid_part(model, p.element_part) ? 0 : 0.5);
+}
+
+/// OPTT of two parts for as long as it lives.
+class WithOptt {
+ public:
+  WithOptt(model::Model& model, PartIndex a, PartIndex b, double value)
+      : a_(model.parts[a.value]), b_(model.parts[b.value]), contact_a_(a_.contact), contact_b_(b_.contact) {
+    for (model::Part* part : {&a_, &b_}) {
+      if (!part->contact) part->contact.emplace();
+      part->contact->optt = value;
+    }
+  }
+  WithOptt(const WithOptt&) = delete;
+  WithOptt& operator=(const WithOptt&) = delete;
+  ~WithOptt() {
+    a_.contact = contact_a_;
+    b_.contact = contact_b_;
+  }
+
+ private:
+  model::Part &a_, &b_;
+  std::optional<model::PartContact> contact_a_, contact_b_;
+};
+
+}  // namespace
+
+std::vector<FreeCard> ThicknessTrial::cards(std::span<const std::uint32_t> contacts, const contact::InitialState& state) {
+  const FreeCardScene scene{
+      model_, [&](std::uint32_t contact) -> const contact::ContactSurfaces& { return present_.at(contact); },
+      [&](std::vector<contact::ThicknessChange> changes, const std::vector<std::uint32_t>& chosen) {
+        return search(std::move(changes), chosen);
+      }};
+  return free_cards(scene, contacts, state).list;
+}
+
+contact::InitialState ThicknessTrial::search(std::vector<contact::ThicknessChange> changes,
+                                             const std::vector<std::uint32_t>& chosen) {
+  contact::InitialOptions options;
+  options.nodes_stay = true;
+  for (const std::uint32_t i : chosen) options.contacts.push_back(model_.contacts[i].id.value);
+  // Tied nodes are not reported against what they are tied to, so the ties must be made.
+  for (const model::Contact& contact : model_.contacts)
+    if (contact::classify(contact).family == contact::Family::tied) options.contacts.push_back(contact.id.value);
+  contact::SurfaceStore surfaces(model_, std::move(changes));
+  contact::InitialCounters counters;
+  return contact::initialise_contacts(model_, surfaces, options, counters);
+}
+
+double ThicknessTrial::free_optt(std::uint32_t contact, std::int64_t a, std::int64_t b,
+                                 std::span<const Penetration> records, std::span<const Penetration> all) {
+  const auto part_a = model_.part_of_id.find(a), part_b = model_.part_of_id.find(b);
+  if (part_a == model_.part_of_id.end() || part_b == model_.part_of_id.end()) return 0;
+  const auto limit = [&](std::span<const Penetration> some) {
+    return free_thickness(some, [&](const Penetration& p) { return share(model_, p); });
+  };
+  const auto others = [&](std::span<const Penetration> some) {
+    return std::count_if(some.begin(), some.end(),
+                         [&](const Penetration& p) { return to_be_fixed(p.kind) && !between(p, a, b); });
+  };
+  FreeThickness bound = limit(records);
+  for (int i = 0; i < searches; ++i) {
+    if (bound.stuck_count > 0 || !std::isfinite(bound.value)) return 0;
+    const double thickness = rounded_down(bound.value);
+    const WithOptt optt(model_, part_a->second, part_b->second, thickness);
+    const contact::InitialState state = search({}, {contact});
+    const auto found = records_of(state, contact);
+    std::vector<Penetration> left;
+    for (const Penetration& p : found)
+      if (to_be_fixed(p.kind) && between(p, a, b)) left.push_back(p);
+    if (left.empty()) return others(found) <= others(all) ? thickness : 0;
+    bound = limit(left);
+  }
+  return 0;
+}
+
+/// What a part's section must have for a contact thickness; nothing where that is not all that decides.
+std::optional<double> ThicknessTrial::section_thickness(std::uint32_t contact, PartIndex index, double thickness) const {
+  const model::Part& part = model_.part(index);
+  if (!part.section || part.composite_thickness > 0) return std::nullopt;
+  const model::Section& section = model_.sections[*part.section];
+  const double present = section.thickness[0];
+  const auto same = [&](double t) { return t == present; };
+  if (section.kind != model::SectionKind::shell || section.nloc != 0 ||
+      !std::all_of(section.thickness.begin(), section.thickness.end(), same))
+    return std::nullopt;
+  for (const model::ShellThickness& own : model_.mesh.shells.own_thickness)
+    if (model_.mesh.shells.part[own.shell] == index) return std::nullopt;
+  const model::Contact& card = model_.contacts[contact];
+  const auto settings = contact::settings(card, contact::classify(card), model_.controls);
+  const auto side = [&](bool b) { return contact::thickness_side(card, settings, model_.controls, b); };
+  if (side(false).scale != side(true).scale) return std::nullopt;
+  const double part_scale = part.contact && part.contact->sft != 0 ? part.contact->sft : 1;
+  const double needed = rounded_down(thickness / (part_scale * side(false).scale * side(false).global_scale));
+  if (!(needed > 0) || needed > present) return std::nullopt;
+  return needed;
+}
+
+std::optional<ThinnerSections> ThicknessTrial::sections(std::uint32_t contact, std::int64_t a, std::int64_t b,
+                                                        std::span<const Penetration> records, double thickness) const {
+  const bool by_element = std::all_of(records.begin(), records.end(), [&](const Penetration& p) {
+    const auto fits = [&](ThicknessRule rule, std::int64_t part) {
+      return rule == ThicknessRule::element || (rule == ThicknessRule::none && solid_part(model_, part));
+    };
+    return fits(p.node_rule, p.part) && fits(p.segment_rule, p.element_part);
+  });
+  if (!by_element) return std::nullopt;
+  ThinnerSections thinner;
+  for (const std::int64_t id : {a, b}) {
+    if (solid_part(model_, id)) continue;
+    const auto part = model_.part_of_id.find(id);
+    if (part == model_.part_of_id.end()) return std::nullopt;
+    const auto needed = section_thickness(contact, part->second, thickness);
+    if (!needed) return std::nullopt;
+    const std::int64_t section = model_.part(part->second).section_id;
+    const auto [entry, is_new] = thinner.thickness.emplace(section, *needed);
+    entry->second = std::min(entry->second, *needed);
+  }
+  if (thinner.thickness.empty()) return std::nullopt;
+  for (const model::Part& part : model_.parts)
+    if (part.id.value != a && part.id.value != b && thinner.thickness.contains(part.section_id)) ++thinner.other_parts;
+  return thinner;
+}
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "audit/free_thickness.hpp"
+#include "contact/contact_surfaces.hpp"
+#include "contact/initial.hpp"
+#include "model/model.hpp"
+
+namespace gapcheck::audit {
+
+/// Thinner sections of two parts.
+struct ThinnerSections {
+  std::map<std::int64_t, double> thickness;  ///< T1 … T4 by section id
+  std::size_t other_parts = 0;               ///< that have one of these sections, too
+};
+
+/// Tries other thicknesses on a model and puts them back: what a contact finds with them is searched. The model must
+/// outlive it.
+class ThicknessTrial {
+ public:
+  explicit ThicknessTrial(model::Model& model) : model_(model), present_(model) {}
+
+  /// SST = MST of the contacts (positions) without thicknesses that it does not replace.
+  [[nodiscard]] std::vector<FreeCard> cards(std::span<const std::uint32_t> contacts, const contact::InitialState& state);
+
+  /// The largest OPTT, four digits, with which nothing penetrates between two parts (ids) in a contact (position), and
+  /// no more nodes than now elsewhere in it; 0: there is none, or it was not found in two searches. `records`: of the
+  /// pair, `all`: of the contact.
+  [[nodiscard]] double free_optt(std::uint32_t contact, std::int64_t a, std::int64_t b,
+                                 std::span<const Penetration> records, std::span<const Penetration> all);
+
+  /// The thickness of the parts' sections that gives them a contact thickness; nothing where something else than one
+  /// uniform thickness for each part's shells decides, or a section would become thicker.
+  [[nodiscard]] std::optional<ThinnerSections> sections(std::uint32_t contact, std::int64_t a, std::int64_t b,
+                                                        std::span<const Penetration> records, double thickness) const;
+
+ private:
+  [[nodiscard]] contact::InitialState search(std::vector<contact::ThicknessChange> changes,
+                                             const std::vector<std::uint32_t>& chosen);
+  [[nodiscard]] std::optional<double> section_thickness(std::uint32_t contact, PartIndex part, double thickness) const;
+
+  model::Model& model_;
+  contact::SurfaceStore present_;
+};
+
+}  // namespace gapcheck::audit

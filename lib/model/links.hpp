@@ -1,0 +1,43 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "keyword/deck.hpp"
+#include "model/model.hpp"
+
+namespace gapcheck::model {
+
+/// Nodes that a keyword joins without any element between them: *CONSTRAINED_NODE_SET, *CONSTRAINED_RIVET.
+struct NodeLink {
+  enum class Kind : std::uint8_t { node_set, rivet } kind;
+  std::int64_t id = 0;           ///< given, or 0
+  std::vector<NodeIndex> nodes;  ///< of a rivet two
+  std::uint8_t freedoms = 7;     ///< translations that they share: bits 0 … 2; rivets keep all
+  double failure_time = 0;       ///< in the model's unit; 0: none
+  Place place;
+};
+
+/// *CONSTRAINED_ADAPTIVITY: a node on the edge between two others, where a fine mesh meets a coarse one.
+struct HangingNode {
+  NodeIndex node;
+  std::array<NodeIndex, 2> between{};
+  Place place;
+};
+
+/// In input order.
+struct Links {
+  std::vector<NodeLink> joined;
+  std::vector<HangingNode> hanging;
+};
+
+/// Reads the links of a deck for those who move its nodes; the model itself does without. `model`: read from `deck`.
+/// Nodes and sets that are not defined are warnings, and what names them is left out.
+[[nodiscard]] Links read_links(const keyword::Deck& deck, const Model& model, Diagnostics& diagnostics);
+
+/// True for the keywords that read_links() reads.
+[[nodiscard]] bool is_link(std::string_view keyword);
+
+}  // namespace gapcheck::model
