@@ -165,7 +165,9 @@ class FindingGrid {
     mark(points_.rule[p], rule);
     if (!first && !(depth > points_.depth[p])) return;
     points_.depth[p] = depth;
-    points_.remaining[p] = record.contact_distance > 0 ? record.remaining() : points_.remaining[p];
+    // Solids have no thickness; in solver files it is the distance that is missing.
+    const bool distance_known = report_.source == "deck" || record.contact_distance > 0;
+    points_.remaining[p] = distance_known ? record.remaining() : std::numeric_limits<double>::quiet_NaN();
     points_.contact[p] = contact;
     points_.outcome[p] = first_outcome + static_cast<int>(record.outcome);
     const auto line = penetration_line(report_, record, known);
