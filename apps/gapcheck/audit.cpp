@@ -99,6 +99,8 @@ void add_audit(CLI::App& app, Action& action) {
       arguments->audit.today = today();
       if (!arguments->units.empty()) arguments->audit.millimetre = 1 / unit_systems.at(arguments->units);
       arguments->audit.scene = !arguments->output.html.empty();
+      arguments->audit.mesh = !arguments->exports.vtu.empty();
+      arguments->audit.members = !arguments->exports.sets.empty();
       arguments->audit.read.skip_missing_includes = arguments->missing_includes == "skip";
       return audit_decks(std::move(*arguments));
     };

@@ -38,8 +38,8 @@ bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
 template <class Arguments>
 auto names_of(Arguments& arguments) {
   auto& exports = arguments.exports;
-  return std::vector{&arguments.output.html, &exports.key,    &exports.ani,
-                     &exports.a4sel,         &exports.medina, &arguments.baseline.write};
+  return std::vector{&arguments.output.html, &exports.key, &exports.ani,  &exports.a4sel,
+                     &exports.medina,        &exports.vtu, &exports.sets, &arguments.baseline.write};
 }
 
 /// The arguments for one of the decks: its names in place of {deck}.
@@ -164,6 +164,8 @@ class Run {
     written = write(report, own.baseline, whole) && written;
     written = write(report, own.exports, position) && written;
     report.scene.reset();
+    report.mesh.reset();
+    for (Finding& finding : report.findings) finding.members = {};
     complete_ = complete_ && whole && written;
   }
 

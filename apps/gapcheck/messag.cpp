@@ -4,12 +4,14 @@
 #include <CLI/Validators.hpp>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "audit/element_mesh.hpp"
 #include "audit/judge.hpp"
 #include "audit/scene_mesh.hpp"
 #include "base/parallel.hpp"
@@ -102,6 +104,17 @@ void judge(const Arguments& arguments, const std::string& first_file, Report& re
   for (const std::string& skip : skips) print(Diagnostic{Severity::note, directory, 0, "not judged: " + skip});
 }
 
+/// What pictures and sets need of the deck.
+void add_deck(const model::Model& model, bool picture, bool grid, Report& report) {
+  report.highest_set = audit::highest_set(model.sets);
+  if (picture) report.scene = audit::scene_mesh(model, report);
+  if (!grid) return;
+  contact::SurfaceStore surfaces(model);
+  std::vector<std::uint32_t> contacts(model.contacts.size());
+  std::iota(contacts.begin(), contacts.end(), 0U);
+  report.mesh = audit::element_mesh(model, surfaces, contacts);
+}
+
 int show_logs(const Arguments& arguments) {
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
@@ -119,8 +132,9 @@ int show_logs(const Arguments& arguments) {
     return report;
   }();
   std::optional<model::Model> model;
-  const bool picture = !arguments.output.html.empty();
-  auto mesh = find_mesh(arguments.deck, arguments.d3plot, first_file, diagnostics, picture ? &model : nullptr);
+  const bool picture = !arguments.output.html.empty(), grid = !arguments.exports.vtu.empty();
+  const bool with_model = picture || grid || !arguments.exports.sets.empty();
+  auto mesh = find_mesh(arguments.deck, arguments.d3plot, first_file, diagnostics, with_model ? &model : nullptr);
   print(diagnostics, !talk);
   if (!read || !mesh) {
     print(!read ? read.error() : mesh.error());
@@ -131,7 +145,7 @@ int show_logs(const Arguments& arguments) {
   results::MeshSource known;
   if (mesh) known = std::move(mesh).value();
   add_parts(report, known);
-  if (model) report.scene = audit::scene_mesh(*model, report);
+  if (model) add_deck(*model, picture, grid, report);
   complete = write_page(report, arguments.output, positions(known)) && complete;
   complete = write(report, arguments.output) && complete;
   complete = write(report, arguments.exports, positions(known)) && complete;

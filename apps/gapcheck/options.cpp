@@ -16,6 +16,7 @@
 #include "common/version.hpp"
 #include "output.hpp"
 #include "report/describe.hpp"
+#include "report/finding_grid.hpp"
 #include "report/formats.hpp"
 #include "report/html.hpp"
 
@@ -163,7 +164,14 @@ void add_exports(CLI::App& command, ExportOptions& options) {
       command.add_option("--mnode", options.medina_node, "First id of new nodes in the Medina protocol")
           ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}).description(""))
           ->type_name("N")
-          ->capture_default_str()};
+          ->capture_default_str(),
+      command.add_option("--vtu", options.vtu, "Write the mesh for ParaView, with depths and vectors of penetrations")
+          ->type_name("FILE"),
+      command.add_option("--sets", options.sets, "Write a keyword file with sets of nodes and segments, rule by rule")
+          ->type_name("FILE"),
+      command.add_option("--set-id", options.set_id, "First id of these sets; without it, above those of the deck")
+          ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}).description(""))
+          ->type_name("N")};
   for (CLI::Option* option : added) option->group("Files for post-processors");
 }
 
@@ -180,6 +188,8 @@ bool write(const Report& report, const ExportOptions& options, const report::Nod
   write(options.ani, [&] { return report::animator_session(report, false); });
   write(options.a4sel, [&] { return report::animator_session(report, true); });
   write(options.medina, [&] { return report::medina_protocol(report, position, options.medina_node); });
+  write(options.vtu, [&] { return report::vtu(report::finding_grid(report, position)); });
+  write(options.sets, [&] { return report::keyword_sets(report, options.set_id); });
   return written;
 }
 

@@ -51,8 +51,9 @@ bool write_page(const Report& report, const OutputOptions& options, const report
 
 /// Files for post-processors; empty names: not asked for.
 struct ExportOptions {
-  std::string key, ani, a4sel, medina;
+  std::string key, ani, a4sel, medina, vtu, sets;
   std::int64_t medina_node = 9999999;
+  std::int64_t set_id = 0;  ///< 0: above the deck's sets
 };
 void add_exports(CLI::App& command, ExportOptions& options);
 

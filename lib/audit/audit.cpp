@@ -6,6 +6,8 @@
 #include <chrono>
 #include <numeric>
 
+#include "audit/element_mesh.hpp"
+#include "audit/members.hpp"
 #include "audit/run_rules.hpp"
 #include "audit/scene_mesh.hpp"
 #include "contact/record_tie.hpp"
@@ -187,6 +189,9 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   report.timing.surface_s = context.counters().surface_s + context.surface_store().seconds();
   report.timing.search_s = context.counters().search_s;
   add_statistics(report, deck, model, context);
+  report.highest_set = highest_set(model.sets);
+  if (options.members) add_named_elements(model, report.findings);
+  if (options.mesh) report.mesh = element_mesh(model, context.surface_store(), context.contacts());
   if (options.scene) report.scene = scene_mesh(model, report);
   return report;
 }

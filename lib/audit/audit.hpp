@@ -26,6 +26,8 @@ struct AuditOptions {
   bool exact = false;        ///< --exact: no floating-point filter
   bool brute_force = false;  ///< the slow search, for tests
   bool scene = false;        ///< fill Report::scene
+  bool mesh = false;         ///< fill Report::mesh
+  bool members = false;      ///< fill Finding::members
 };
 
 /// Reads a deck and reports everything that the selected rules find. Errors: the deck cannot be read at all; other

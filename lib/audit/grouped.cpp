@@ -8,7 +8,7 @@
 namespace gapcheck::audit {
 
 void add_grouped(Report& report, std::vector<Found> found, const std::function<Finding(const Found&)>& words,
-                 const std::function<Finding(const Found&, std::uint64_t)>& rest) {
+                 const std::function<Finding(const Found&, std::uint64_t)>& rest, const Collect& collect) {
   tbb::parallel_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     if (a.group != b.group) return a.group < b.group;
     return a.weight != b.weight ? a.weight > b.weight : a.item < b.item;
@@ -18,10 +18,14 @@ void add_grouped(Report& report, std::vector<Found> found, const std::function<F
     while (end < found.size() && found[end].group == found[first].group) ++end;
     // One more is said as shortly in full as by a line that counts it.
     const std::size_t shown = end - first <= found_in_full + 1 ? end : first + found_in_full;
-    for (std::size_t i = first; i < shown; ++i) report.findings.push_back(words(found[i]));
+    for (std::size_t i = first; i < shown; ++i) {
+      report.findings.push_back(words(found[i]));
+      if (collect) collect(found[i], report.findings.back().members);
+    }
     if (shown < end) {
       Finding f = rest(found[shown], end - shown);
       f.count = end - shown;
+      for (std::size_t i = shown; collect && i < end; ++i) collect(found[i], f.members);
       report.findings.push_back(std::move(f));
     }
     first = end;

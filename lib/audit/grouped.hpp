@@ -26,11 +26,15 @@ struct Found {
 /// How many findings of one group are reported in full where there are more than one beyond them.
 inline constexpr std::size_t found_in_full = 10;
 
+/// Adds the nodes and segments of one thing to those of a finding; empty: nobody asked for them.
+using Collect = std::function<void(const Found&, FindingMembers&)>;
+
 /// Adds the heaviest findings of each group in full and one finding for the rest of it, if there is a rest: a fault that
 /// a whole mesh has must not drown the others. `words(found)` makes one finding; `rest(heaviest of the rest, count)` the
-/// one that stands for `count` more, whose `count` is filled in here.
+/// one that stands for `count` more, whose `count` is filled in here. `collect` is called for each thing that a finding
+/// stands for.
 void add_grouped(Report& report, std::vector<Found> found, const std::function<Finding(const Found&)>& words,
-                 const std::function<Finding(const Found&, std::uint64_t)>& rest);
+                 const std::function<Finding(const Found&, std::uint64_t)>& rest, const Collect& collect = {});
 
 /// Adds the first findings of a rule in full and one finding for the rest, if there is a rest: for rules that can fire
 /// for every contact of a deck. `what` names the rest: "more tied contacts have friction values".

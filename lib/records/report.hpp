@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -9,6 +10,7 @@
 
 #include "base/diagnostic.hpp"
 #include "records/baseline.hpp"
+#include "records/element_mesh.hpp"
 #include "records/ignored.hpp"
 #include "records/penetration.hpp"
 #include "records/scene_mesh.hpp"
@@ -16,6 +18,12 @@
 #include "records/tie_failure.hpp"
 
 namespace gapcheck {
+
+/// Ids of all nodes and segments that one finding stands for; triangles, beams and edges repeat their last node.
+struct FindingMembers {
+  std::vector<std::int64_t> nodes;
+  std::vector<std::array<std::int64_t, 4>> segments;
+};
 
 /// One finding that is not a penetration record (references, definitions, mesh, input). Ids of 0 and negative lengths:
 /// not known or without a meaning for the rule.
@@ -32,6 +40,7 @@ struct Finding {
   std::uint64_t count = 1;        ///< more than 1: a line that stands for so many things found
   std::string file;               ///< empty: none
   std::uint32_t line = 0;
+  FindingMembers members = {};    ///< only where they were asked for; what a rule does not list may be missing
 };
 
 /// One contact definition and what was found in it.
@@ -90,7 +99,9 @@ struct Report {
   std::optional<Timesteps> predicted;      ///< time steps computed from a deck, where a rule asked for them
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
   Timing timing;
-  std::optional<SceneMesh> scene;  ///< only where it was asked for
+  std::optional<SceneMesh> scene;   ///< only where it was asked for
+  std::optional<ElementMesh> mesh;  ///< only where it was asked for
+  std::int64_t highest_set = 0;     ///< largest id of a set of the deck; 0: none, or no deck was read
 };
 
 }  // namespace gapcheck

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -17,6 +18,14 @@ using NodePosition = std::function<std::optional<Vector>(std::int64_t node)>;
 /// of the tracked nodes themselves, which only the model defines. New ids start above every id of the report; with more
 /// than 8 digits they make it a file in long format. Records that cannot be drawn are in the sets, with a comment.
 [[nodiscard]] std::string keyword_beams(const Report& report, const NodePosition& position);
+
+/// Keyword file with one *SET_NODE_LIST_TITLE and one *SET_SEGMENT_TITLE per rule and contact, as far as its findings
+/// name nodes or segments; both have the same id. Nodes: tracked nodes of penetrations, nodes of ties, nodes that other
+/// findings name or list, and where they name none the corners of their segments. Segments: those that penetrations are
+/// in, and those that other findings list (Finding::members). What has less than three corners is in the node set. Ids
+/// count up from `first_id`, or where that is 0 from above the deck's sets (without a deck: above every id of the
+/// report). Ids of more than ten digits make it a file in long format. What is in no set is counted in comments.
+[[nodiscard]] std::string keyword_sets(const Report& report, std::int64_t first_id);
 
 /// Session file for Animator 3 (`ide nod …`) or Animator 4 (`sel nod …` with groups `id<sid> <warn-type>`).
 [[nodiscard]] std::string animator_session(const Report& report, bool animator4);

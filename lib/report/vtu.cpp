@@ -26,12 +26,13 @@ std::string encoded(const std::vector<Value>& values) {
   return text;
 }
 
-std::vector<float> single(std::span<const double> values) {
+std::vector<float> single(std::span<const double> values, bool gaps = false) {
   constexpr double most = std::numeric_limits<float>::max();
   std::vector<float> list;
   list.reserve(values.size());
   for (const double value : values)
-    list.push_back(static_cast<float>(std::isnan(value) ? 0 : std::clamp(value, -most, most)));
+    list.push_back(std::isnan(value) ? (gaps ? std::numeric_limits<float>::quiet_NaN() : 0.0F)
+                                     : static_cast<float>(std::clamp(value, -most, most)));
   return list;
 }
 
@@ -42,19 +43,47 @@ std::string array(std::string_view type, std::string_view name, unsigned compone
       xml_text(name), components, encoded(values));
 }
 
-std::string data_arrays(const std::vector<VtuArray>& list) {
+/// In 32 bits where all fit.
+std::string integers(std::string_view name, unsigned components, const std::vector<std::int64_t>& values) {
+  using Short = std::numeric_limits<std::int32_t>;
+  const auto is_short = [](std::int64_t value) { return value >= Short::min() && value <= Short::max(); };
+  if (!std::all_of(values.begin(), values.end(), is_short)) return array("Int64", name, components, values);
+  std::vector<std::int32_t> list;
+  list.reserve(values.size());
+  for (const std::int64_t value : values) list.push_back(static_cast<std::int32_t>(value));
+  return array("Int32", name, components, list);
+}
+
+std::string data_arrays(const std::vector<VtuArray>& list, const std::vector<VtuIds>& ids) {
   std::string text;
   for (const VtuArray& data : list) {
     if (!data.whole) {
-      text += array("Float32", data.name, data.components, single(data.values));
+      text += array("Float32", data.name, data.components, single(data.values, data.gaps));
       continue;
     }
-    std::vector<std::int64_t> integers;
+    std::vector<std::int64_t> whole;
     for (const double value : data.values)
-      integers.push_back(std::abs(value) < 9e18 ? static_cast<std::int64_t>(value) : 0);
-    text += array("Int64", data.name, data.components, integers);
+      whole.push_back(std::abs(value) < 9e18 ? static_cast<std::int64_t>(value) : 0);
+    text += integers(data.name, data.components, whole);
   }
+  for (const VtuIds& data : ids) text += integers(data.name, 1, data.values);
   return text;
+}
+
+/// Strings stand in these files as the numbers of their bytes, each string with a zero behind it.
+std::string field_data(const std::vector<VtuWords>& list) {
+  if (list.empty()) return "";
+  std::string text = "<FieldData>\n";
+  for (const VtuWords& words : list) {
+    text += fmt::format("<DataArray type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">\n",
+                        xml_text(words.name), words.values.size());
+    for (const std::string& word : words.values) {
+      for (const char c : plain_text(word)) text += fmt::format("{} ", static_cast<unsigned char>(c));
+      text += "0\n";
+    }
+    text += "</DataArray>\n";
+  }
+  return text + "</FieldData>\n";
 }
 
 const std::string head = fmt::format(
@@ -66,7 +95,7 @@ const std::string head = fmt::format(
 
 void VtuGrid::add_cell(std::span<const std::uint32_t> nodes) {
   std::size_t corners = nodes.size();
-  VtuCell type = VtuCell::line;
+  VtuCell type = corners == 1 ? VtuCell::vertex : VtuCell::line;
   if (corners == 8) {
     const bool four = std::all_of(nodes.begin() + 4, nodes.end(), [&](std::uint32_t node) { return node == nodes[3]; });
     type = four ? VtuCell::tetrahedron : VtuCell::hexahedron;
@@ -88,13 +117,14 @@ std::string vtu(const VtuGrid& grid) {
   std::vector<std::uint8_t> types;
   for (const VtuCell type : grid.types) types.push_back(static_cast<std::uint8_t>(type));
   std::string text = fmt::format(fmt::runtime(head), "UnstructuredGrid");
-  text += fmt::format("<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(),
+  text += "<UnstructuredGrid>\n" + field_data(grid.words);
+  text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(),
                       grid.types.size());
   text += "<Points>\n" + array("Float32", "Points", 3, single(points)) + "</Points>\n";
-  text += "<Cells>\n" + array("Int64", "connectivity", 1, connectivity) + array("Int64", "offsets", 1, offsets) +
+  text += "<Cells>\n" + integers("connectivity", 1, connectivity) + integers("offsets", 1, offsets) +
           array("UInt8", "types", 1, types) + "</Cells>\n";
-  text += "<PointData>\n" + data_arrays(grid.point_data) + "</PointData>\n";
-  text += "<CellData>\n" + data_arrays(grid.cell_data) + "</CellData>\n";
+  text += "<PointData>\n" + data_arrays(grid.point_data, grid.point_ids) + "</PointData>\n";
+  text += "<CellData>\n" + data_arrays(grid.cell_data, grid.cell_ids) + "</CellData>\n";
   return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 

@@ -9,7 +9,7 @@
 namespace gapcheck::report {
 
 /// Cells of an unstructured grid, as VTK numbers them.
-enum class VtuCell : std::uint8_t { line = 3, triangle = 5, quad = 9, tetrahedron = 10, hexahedron = 12 };
+enum class VtuCell : std::uint8_t { vertex = 1, line = 3, triangle = 5, quad = 9, tetrahedron = 10, hexahedron = 12 };
 
 /// A named array of one, three or six numbers per point or cell.
 struct VtuArray {
@@ -17,6 +17,19 @@ struct VtuArray {
   unsigned components = 1;
   std::vector<double> values = {};  ///< as many as there are points or cells times `components`
   bool whole = false;               ///< ids and the like: written as integers
+  bool gaps = false;                ///< NaN stays NaN: "not known"
+};
+
+/// The same for integers that no double holds.
+struct VtuIds {
+  std::string name;
+  std::vector<std::int64_t> values;
+};
+
+/// Words that belong to the grid as a whole.
+struct VtuWords {
+  std::string name;
+  std::vector<std::string> values;
 };
 
 /// An unstructured grid with its data.
@@ -26,14 +39,17 @@ struct VtuGrid {
   std::vector<std::uint64_t> offsets;       ///< where each cell ends in it
   std::vector<VtuCell> types;
   std::vector<VtuArray> point_data, cell_data;
+  std::vector<VtuIds> point_ids, cell_ids;
+  std::vector<VtuWords> words;
 
-  /// Adds a shell or solid of the solver: repeated corners at the end make a triangle or a tetrahedron; wedges and
-  /// pyramids stay hexahedra with repeated corners.
+  /// Adds a particle, beam, shell or solid of the solver: repeated corners at the end make a triangle or a tetrahedron;
+  /// wedges and pyramids stay hexahedra with repeated corners.
   void add_cell(std::span<const std::uint32_t> nodes);
 };
 
 /// The grid as a .vtu file (VTK XML, version 1.0, binary data in base64 with 64-bit lengths): numbers in single
-/// precision, ids and places of points as integers. Numbers beyond that range are its ends, what is no number is 0.
+/// precision, ids and places of points as integers of 32 bits where all of an array fit, of 64 otherwise. Numbers
+/// beyond the range are its ends, what is no number is 0. Control characters of words become '?'.
 [[nodiscard]] std::string vtu(const VtuGrid& grid);
 
 /// One file of a series.

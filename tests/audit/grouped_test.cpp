@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
 
 namespace gapcheck::audit {
 namespace {
@@ -30,6 +31,21 @@ TEST(Grouped, AFewAreReportedOneByOneHeaviestFirst) {
   EXPECT_EQ(report.findings[1].node, 3);
   EXPECT_EQ(report.findings[2].node, 7);
   for (const Finding& f : report.findings) EXPECT_EQ(f.count, 1U);
+}
+
+TEST(Grouped, WhatIsCollectedIsThatOfEveryThing) {
+  std::vector<Found> found;
+  for (std::uint64_t i = 1; i <= 100; ++i) found.push_back({1, static_cast<double>(i), i});
+  Report report;
+  add_grouped(report, found, words, rest, [](const Found& f, FindingMembers& members) {
+    members.nodes.push_back(static_cast<std::int64_t>(f.item));
+  });
+  ASSERT_EQ(report.findings.size(), 11U);
+  EXPECT_EQ(report.findings[0].members.nodes, (std::vector<std::int64_t>{100}));
+  const auto& others = report.findings[10].members.nodes;
+  EXPECT_EQ(others.size(), 90U);
+  EXPECT_EQ(std::set<std::int64_t>(others.begin(), others.end()).size(), 90U);
+  EXPECT_EQ(others.back(), 1);
 }
 
 TEST(Grouped, ManyGetOneLineForTheRestOfEachGroup) {

@@ -252,11 +252,5 @@ TEST_F(CommandLine, ABaselineThatCannotBeReadOrWrittenGivesTwo) {
   EXPECT_FALSE(fs::exists(never));
 }
 
-TEST_F(CommandLine, TheReadmeShowsWhatTheToolPrints) {
-  const std::string readme = content(fs::path(GAPCHECK_ROOT) / "README.md");
-  EXPECT_NE(readme.find("```\n$ ./run audit data/two_plates.k\n" + run("audit data/two_plates.k").out + "```\n"),
-            std::string::npos);
-}
-
 }  // namespace
 }  // namespace gapcheck

@@ -55,8 +55,8 @@ TEST(Vtu, CellsOfAllKinds) {
   EXPECT_NE(text.find("<Piece NumberOfPoints=\"8\" NumberOfCells=\"5\">"), std::string::npos);
   EXPECT_NE(text.find("header_type=\"UInt64\""), std::string::npos);
   EXPECT_EQ(values_of<std::uint8_t>(text, "types"), (std::vector<std::uint8_t>{9, 5, 12, 10, 3}));
-  EXPECT_EQ(values_of<std::int64_t>(text, "offsets"), (std::vector<std::int64_t>{4, 7, 15, 19, 21}));
-  const auto connectivity = values_of<std::int64_t>(text, "connectivity");
+  EXPECT_EQ(values_of<std::int32_t>(text, "offsets"), (std::vector<std::int32_t>{4, 7, 15, 19, 21}));
+  const auto connectivity = values_of<std::int32_t>(text, "connectivity");
   ASSERT_EQ(connectivity.size(), 21u);
   EXPECT_EQ(connectivity[6], 3);
   EXPECT_EQ(connectivity[18], 4);
@@ -73,10 +73,39 @@ TEST(Vtu, Data) {
   grid.cell_data.push_back({"strain", 1, {0.5, std::nan(""), 1e300, -1e300, 0}});
   const std::string text = vtu(grid);
   EXPECT_EQ(values_of<float>(text, "velocity"), std::vector<float>(24, 0.25F));
-  EXPECT_EQ(values_of<std::int64_t>(text, "element")[3], 123456789) << "exact, though no float holds it";
+  EXPECT_EQ(values_of<std::int32_t>(text, "element")[3], 123456789) << "exact, though no float holds it";
   const auto strain = values_of<float>(text, "strain");
   constexpr float most = std::numeric_limits<float>::max();
   EXPECT_EQ(strain, (std::vector<float>{0.5F, 0, most, -most, 0}));
+}
+
+TEST(Vtu, IdsThatNoDoubleHolds) {
+  VtuGrid grid = sample();
+  constexpr std::int64_t large = (std::int64_t{1} << 60) + 1;
+  grid.point_ids.push_back({"node", {1, 2, 3, 4, 5, 6, 7, large}});
+  grid.cell_ids.push_back({"part", {1, 2, 3, 4, -5}});
+  const std::string text = vtu(grid);
+  EXPECT_EQ(values_of<std::int64_t>(text, "node").back(), large);
+  EXPECT_EQ(values_of<std::int32_t>(text, "part").back(), -5);
+}
+
+TEST(Vtu, GapsStayGaps) {
+  VtuGrid grid = sample();
+  grid.cell_data.push_back({.name = "remaining", .values = {0.5, std::nan(""), 1, 2, 3}, .gaps = true});
+  const auto remaining = values_of<float>(vtu(grid), "remaining");
+  EXPECT_TRUE(std::isnan(remaining[1]));
+  EXPECT_EQ(remaining[0], 0.5F);
+}
+
+TEST(Vtu, ParticlesAndWords) {
+  VtuGrid grid = sample();
+  grid.add_cell(std::array<std::uint32_t, 1>{7});
+  grid.words.push_back({"a<b", {"ab", "", "c\x01"}});
+  const std::string text = vtu(grid);
+  EXPECT_EQ(values_of<std::uint8_t>(text, "types").back(), 1);
+  EXPECT_NE(text.find("Name=\"a&lt;b\" NumberOfTuples=\"3\" format=\"ascii\">\n97 98 0\n0\n99 63 0\n"),
+            std::string::npos)
+      << text;
 }
 
 TEST(Vtu, EmptyGrid) {

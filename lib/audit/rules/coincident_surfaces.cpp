@@ -4,6 +4,7 @@
 
 #include "audit/element_text.hpp"
 #include "audit/grouped.hpp"
+#include "audit/members.hpp"
 #include "audit/rules.hpp"
 #include "contact/coincident.hpp"
 
@@ -50,7 +51,8 @@ void check_shells(const RuleInfo& rule, Context& context, Report& report) {
         const Coincidence& pair = pairs[f.item];
         return words(f, fmt::format("{} more shell{} of {} on the nodes of shells of {}", count, count == 1 ? "" : "s",
                                     part(pair.again), part(pair.first)));
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) { add(shells.nodes[pairs[f.item].again]); }));
 }
 
 /// Segment sets that name a segment twice: its contact force is counted twice.
@@ -71,6 +73,9 @@ void check_sets(const RuleInfo& rule, Context& context, Report& report) {
                                          side->id, pairs.size(), pairs.size() == 1 ? "" : "s",
                                          model.mesh.nodes.id[set->second.members[pairs[0].again][0].value]));
       f.count = pairs.size();
+      if (context.options().members)
+        for (const Coincidence& pair : pairs)
+          add_segment(model.mesh.nodes, set->second.members[pair.again], f.members);
       report.findings.push_back(std::move(f));
     }
   }

@@ -1,3 +1,4 @@
+#include "audit/members.hpp"
 #include "contact/crossed_edges.hpp"
 
 #include <fmt/format.h>
@@ -69,7 +70,12 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
         return words(f, fmt::format("{} more pair{} of edges of {}{} cross", count, count == 1 ? "" : "s",
                                     part_text(model, c.a.part),
                                     c.a.part == c.b.part ? "" : " and " + part_text(model, c.b.part)));
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) {
+        const auto& c = crossings[f.item].second;
+        add(c.a.nodes);
+        add(c.b.nodes);
+      }));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "audit/element_text.hpp"
 #include "audit/grouped.hpp"
+#include "audit/members.hpp"
 #include "audit/rules.hpp"
 #include "contact/crossings.hpp"
 
@@ -64,7 +65,12 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
       [&](const Found& f) { return words(rule, context, crossings[f.item], pair_text(model, crossings[f.item])); },
       [&](const Found& f, std::uint64_t count) {
         return words(rule, context, crossings[f.item], rest_text(model, crossings[f.item], count));
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) {
+        const auto& c = crossings[f.item];
+        add(c.a.nodes);
+        add(c.b.nodes);
+      }));
 }
 
 }  // namespace

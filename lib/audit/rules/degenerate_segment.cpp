@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "audit/members.hpp"
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
@@ -58,7 +59,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
                                        fmt::format("{} more segments{} like {}: each {}", count, of_part(*mesh, f.item),
                                                    segment_name(*mesh, f.item), what_is_wrong(quality[f.item].fault))),
                       f.item);
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) { add(mesh->nodes(f.item)); }));
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ class Search {
     }
     add_grouped(
         report, std::move(found), [&](const Found& f) { return one(pairs_[f.item]); },
-        [&](const Found& f, std::uint64_t count) { return rest(pairs_[f.item], count); });
+        [&](const Found& f, std::uint64_t count) { return rest(pairs_[f.item], count); }, collect());
   }
 
  private:
@@ -127,6 +127,15 @@ class Search {
     f.node = 0;
     f.point.reset();
     return f;
+  }
+
+  /// Both nodes of each pair.
+  [[nodiscard]] Collect collect() const {
+    if (!context_.options().members) return {};
+    return [this](const Found& f, FindingMembers& members) {
+      const contact::CoincidentNodes& pair = pairs_[f.item];
+      members.nodes.insert(members.nodes.end(), {id(pair.first), id(pair.second)});
+    };
   }
 
   const RuleInfo& rule_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "audit/members.hpp"
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 #include "contact/element_nodes.hpp"
@@ -46,7 +47,8 @@ void report_tracked(const RuleInfo& rule, Context& context, Report& report, cons
             fmt::format("{} more tracked nodes of contact {} belong to no element", count, contact.id.value));
         at.severity = Severity::warning;
         return at;
-      });
+      },
+      collect_nodes(context, [](const Found& f) { return NodeIndex{static_cast<std::uint32_t>(f.item)}; }));
 }
 
 /// One line for all nodes that nothing uses.
@@ -70,6 +72,9 @@ void report_unused(const RuleInfo& rule, Context& context, Report& report, std::
       count == 1 ? fmt::format("node {} belongs to no element and no set; delete it", id)
                  : fmt::format("{} nodes belong to no element and no set, the first is {}; delete them", count, id));
   at.count = count;
+  if (context.options().members)
+    for (std::uint32_t n = first; n < used.size(); ++n)
+      if (used[n] == 0 && referenced[n] == 0) at.members.nodes.push_back(model.mesh.nodes.id[n]);
   report.findings.push_back(std::move(at));
 }
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <utility>
 
+#include "audit/members.hpp"
 #include "audit/rules.hpp"
 #include "contact/surface_parts.hpp"
 
@@ -19,6 +21,7 @@ bool oriented(const model::Contact& contact, const contact::ContactType& type) {
 struct Turned {
   std::uint64_t count = 0;
   std::uint32_t first = 0;  ///< segment
+  FindingMembers members;
 };
 
 void check_side(const RuleInfo& rule, Context& context, Report& report, std::uint32_t contact, char letter,
@@ -29,8 +32,9 @@ void check_side(const RuleInfo& rule, Context& context, Report& report, std::uin
     if (!context.part_chosen(m.part)) continue;
     Turned& turned = by_part[m.part];
     if (turned.count++ == 0) turned.first = m.segment;
+    if (context.options().members) add_segment(model.mesh.nodes, segments.nodes[m.segment], turned.members);
   }
-  for (const auto& [part, turned] : by_part) {
+  for (auto& [part, turned] : by_part) {
     const std::int64_t part_id = part == none<PartIndex> ? 0 : model.part(part).id.value;
     const std::int64_t element = contact::element_id(model.mesh, segments, turned.first);
     std::string at = element != 0 ? fmt::format("element {}", element) : fmt::format("segment {}", turned.first + 1);
@@ -43,6 +47,7 @@ void check_side(const RuleInfo& rule, Context& context, Report& report, std::uin
     f.part = f.element_part = part_id;
     f.element = element;
     f.count = turned.count;
+    f.members = std::move(turned.members);
     const auto& nodes = segments.nodes[turned.first];
     f.point = (model.mesh.nodes.x[nodes[0].value] + model.mesh.nodes.x[nodes[2].value]) / 2;
     report.findings.push_back(std::move(f));

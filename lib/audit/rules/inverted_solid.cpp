@@ -3,8 +3,10 @@
 #include <array>
 #include <limits>
 
+#include "audit/members.hpp"
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "model/faces.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -81,7 +83,11 @@ void check(const RuleInfo& rule, Context& context, Report& report, const contact
         return at(f, segments_finding(rule, context, mesh, face,
                                       fmt::format("{} more {}s{} are turned inside out{}", count, word,
                                                   of_part(mesh, face), f.group % 2 != 0 ? " at a corner" : "")));
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) {
+        const auto& nodes = elements.nodes[mesh.element(faces[f.item])];
+        for (const model::SegmentNodes& face : model::SolidFaces(nodes)) add(face);
+      }));
 }
 
 void run(const RuleInfo& rule, Context& context, Report& report) {

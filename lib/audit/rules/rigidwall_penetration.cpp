@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "audit/members.hpp"
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 #include "contact/rigid_wall.hpp"
@@ -42,7 +43,8 @@ void check(const RuleInfo& rule, Context& context, Report& report, contact::Wall
             context.path(wall.place.file), wall.place.line);
         finding.penetration = f.weight;
         return finding;
-      });
+      },
+      collect_nodes(context, [](const Found& f) { return NodeIndex{static_cast<std::uint32_t>(f.item)}; }));
 }
 
 void run(const RuleInfo& rule, Context& context, Report& report) {

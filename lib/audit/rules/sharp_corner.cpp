@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "audit/members.hpp"
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
@@ -79,7 +80,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
         return segments_finding(rule, context, *mesh, f.item >> 32,
                                 fmt::format("{} more pairs of segments{} meet at less than {} degrees, down to {:.1f}",
                                             count, of_part(*mesh, f.item >> 32), least_angle, degrees(f.weight)));
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) {
+        add(mesh->nodes(f.item >> 32));
+        add(mesh->nodes(f.item & 0xFFFFFFFFU));
+      }));
 }
 
 }  // namespace

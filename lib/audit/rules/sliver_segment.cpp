@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "audit/members.hpp"
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
@@ -38,7 +39,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
             rule, context, *mesh, f.item,
             fmt::format("{} more segments{} are slivers, down to a ratio of {:.3g} (below {})", count,
                         of_part(*mesh, f.item), quality[f.item].slenderness, least_slenderness));
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) { add(mesh->nodes(f.item)); }));
 }
 
 }  // namespace

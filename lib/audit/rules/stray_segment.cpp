@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "audit/members.hpp"
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
@@ -29,7 +30,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
       [&](const Found& f, std::uint64_t count) {
         return segments_finding(rule, context, *mesh, f.item,
                                 fmt::format("{} more segments of this contact are no faces of any element", count));
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) { add(mesh->nodes(f.item)); }));
 }
 
 }  // namespace

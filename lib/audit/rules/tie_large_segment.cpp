@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "audit/grouped.hpp"
+#include "audit/members.hpp"
 #include "audit/rules.hpp"
 #include "audit/tied_contacts.hpp"
 #include "model/faces.hpp"
@@ -97,7 +98,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
                       fmt::format("{} more tie over up to {:.6g} of their own edges because their segments are large",
                                   node_count(count), item.weight));
   };
-  add_grouped(report, std::move(found), words, rest);
+  add_grouped(report, std::move(found), words, rest,
+              collect_nodes(context, [&](const Found& f) { return suspects[f.item].node; }));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "audit/members.hpp"
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
@@ -69,7 +70,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
             rule, context, *mesh, f.item >> 32,
             fmt::format("{} more pairs of neighbours{} differ in size by more than {} times, up to {:.3g}", count,
                         of_part(*mesh, f.item >> 32), largest_ratio, f.weight));
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) {
+        add(mesh->nodes(f.item >> 32));
+        add(mesh->nodes(f.item & 0xFFFFFFFFU));
+      }));
 }
 
 }  // namespace

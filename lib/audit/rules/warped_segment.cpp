@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "audit/members.hpp"
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
@@ -39,7 +40,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
             rule, context, *mesh, f.item,
             fmt::format("{} more segments{} are warped by more than {} degrees, up to {:.1f}", count,
                         of_part(*mesh, f.item), largest_warp, contact::warp_degrees(quality[f.item])));
-      });
+      },
+      collect_segments(context, [&](const Found& f, const auto& add) { add(mesh->nodes(f.item)); }));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the pictures of docs/html.md: pages of two example decks in Chromium.
 
-usage: html_pictures.py GAPCHECK
+usage: html_page.py GAPCHECK
 """
 
 import pathlib
@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-root = pathlib.Path(__file__).resolve().parents[1]
+root = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(root / "tests" / "apps"))
 from chromium import Browser, program  # noqa: E402
 
