@@ -82,6 +82,11 @@ void append_message(const Penetration& record, Out& out) {
     if (record.depth > 0) fmt::format_to(end, FMT_COMPILE(" by {:.6g}"), record.depth);
     return;
   }
+  if (record.depth == 0 && record.contact_distance == 0) {  // a log in which neither could be read
+    append(" penetrates ", out);
+    append_segment(record, out);
+    return;
+  }
   fmt::format_to(end, FMT_COMPILE(" is {:.6g} inside the contact distance {:.6g} of "), record.depth,
                  record.contact_distance);
   if (record.kind == PenetrationKind::edge_zone)

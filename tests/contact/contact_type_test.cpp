@@ -104,7 +104,45 @@ TEST(ContactType, OldTypesIgnoreThicknessUnlessAskedTo) {
   EXPECT_EQ(settings(c, type, controls).shlthk, 1);
   c.thkopt = 2;
   EXPECT_EQ(settings(c, type, controls).shlthk, 0);
+  // SHLTHK of the contact counts with THKOPT = 1 and with nothing else.
+  controls.shlthk = 0;
+  c.shlthk = 2;
+  EXPECT_EQ(settings(c, type, controls).shlthk, 0);
+  c.thkopt = 0;
+  EXPECT_EQ(settings(c, type, controls).shlthk, 0);
+  c.thkopt = 1;
+  EXPECT_EQ(settings(c, type, controls).shlthk, 2);
   EXPECT_EQ(settings(named("AUTOMATIC_SURFACE_TO_SURFACE"), classify(named("AUTOMATIC_SURFACE_TO_SURFACE")), {}).shlthk, 2);
+}
+
+TEST(ContactType, OnlyAutomaticTypesKnowIgnore) {
+  model::Controls controls;
+  controls.ignore = 1;
+  const auto ignore = [&](const char* keyword) {
+    const model::Contact contact = named(keyword);
+    return settings(contact, classify(contact), controls).ignore;
+  };
+  for (const char* keyword : {"AUTOMATIC_SINGLE_SURFACE", "AUTOMATIC_NODES_TO_SURFACE", "AUTOMATIC_GENERAL",
+                              "ERODING_SINGLE_SURFACE", "AUTOMATIC_SURFACE_TO_SURFACE_MORTAR"})
+    EXPECT_EQ(ignore(keyword), 1) << keyword;
+  for (const char* keyword : {"SURFACE_TO_SURFACE", "NODES_TO_SURFACE", "ONE_WAY_SURFACE_TO_SURFACE", "SINGLE_SURFACE",
+                              "FORMING_ONE_WAY_SURFACE_TO_SURFACE", "CONSTRAINT_SURFACE_TO_SURFACE"})
+    EXPECT_EQ(ignore(keyword), 0) << keyword;
+}
+
+TEST(ContactType, SquareEdges) {
+  model::Controls controls;
+  model::Contact c = named("AUTOMATIC_SINGLE_SURFACE");
+  const auto square = [&] { return settings(c, classify(c), controls).square_edges; };
+  controls.shledg = 1;
+  EXPECT_FALSE(square());
+  c.soft = 2;
+  EXPECT_TRUE(square());
+  c.shledg = 2;
+  EXPECT_FALSE(square()) << "the contact's own word goes before the control card's";
+  controls.shledg = 0;
+  c.shledg = 1;
+  EXPECT_TRUE(square());
 }
 
 }  // namespace

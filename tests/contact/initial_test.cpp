@@ -210,7 +210,10 @@ TEST(Initial, SquareEdgesEndTheSurface) {
   c.a = {5, 4, 0, true};
   c.b = {1, 3, 0, true};
   EXPECT_EQ(scene.run().penetrations.size(), 3U);
+  // SHLEDG is read with SOFT = 2 alone.
   scene.model.contacts[0].shledg = 1;
+  EXPECT_EQ(scene.run().penetrations.size(), 3U);
+  scene.model.contacts[0].srnde = 1;
   const InitialState state = scene.run();
   ASSERT_EQ(state.penetrations.size(), 2U);
   for (const Penetration& p : state.penetrations) EXPECT_NEAR(p.depth, 2, 1e-12);

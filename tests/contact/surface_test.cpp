@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/contact_surfaces.hpp"
 #include "contact/segment_elements.hpp"
 #include "scene.hpp"
 
@@ -83,6 +84,30 @@ TEST(Surface, BoxKeepsSegmentsWhollyInside) {
   MeshIndex index(scene.model);
   const Selection s = select(scene.model, {1, 3, 4, true}, one_way, scene.model.mesh.nodes.x, index);
   EXPECT_EQ(s.segments.size(), 1U);
+}
+
+/// A node inside a box has the thickness of its own part, though its segment reaches out, and not that of other parts.
+TEST(Surface, NodesOfSegmentsThatABoxCuts) {
+  Scene scene;
+  const auto plate = scene.plate(scene.part(1, 1), {0, 0, 0}, {10, 0, 0}, {0, 10, 0}, 1, 1);
+  const NodeIndex a = scene.node({-10, 0, 0}), b = scene.node({-10, 10, 0});
+  scene.shell(scene.part(2, 3), {a, plate[0], plate[2], b});
+  scene.model.sections[0].nloc = 1;
+  model::Box box;
+  box.low = Vector(-1, -1, -1);
+  box.high = Vector(5, 11, 1);
+  scene.model.boxes[4] = box;
+  auto& contact = scene.contact("AUTOMATIC_SURFACE_TO_SURFACE");
+  contact.a = {1, 3, 4, true};
+  contact.b = {2, 3, 0, true};
+  contact.shloff = 1;
+  MeshIndex index(scene.model);
+  const ContactSurfaces s = build_surfaces(scene.model, contact, scene.model.mesh.nodes.x, index, {});
+  EXPECT_EQ(s.a.selection.segments.size(), 0U);
+  EXPECT_EQ(s.a.nodes.node, (std::vector<NodeIndex>{plate[0], plate[2]}));
+  EXPECT_EQ(s.a.nodes.half, (std::vector<double>{0.5, 0.5}));
+  ASSERT_EQ(s.a.nodes.shift.size(), 2U);
+  EXPECT_NEAR(s.a.nodes.shift[0].z(), -0.5, 1e-12);
 }
 
 TEST(Surface, NodesTakeTheLargestThicknessOfTheirElements) {

@@ -30,6 +30,16 @@ TEST(Thickness, EdgeLimitBitesOnlyOnTheElementsOwn) {
   EXPECT_DOUBLE_EQ(shell_thickness(1, 5, nullptr, false, side).value, 3);
 }
 
+TEST(Thickness, ScaleOfThePartStandsInForThatOfTheContact) {
+  ThicknessSide side;
+  side.scale = 0.5;
+  model::PartContact part;
+  EXPECT_DOUBLE_EQ(shell_thickness(2, 10, &part, false, side).value, 1);
+  part.sft = 0.8;
+  EXPECT_DOUBLE_EQ(shell_thickness(2, 10, &part, false, side).value, 1.6);
+  EXPECT_DOUBLE_EQ(beam_thickness(1, &part, side).value, 1.6);
+}
+
 TEST(Thickness, ChangesForATrial) {
   ThicknessSide side;
   side.override_value = 0.5;

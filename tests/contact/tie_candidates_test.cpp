@@ -83,7 +83,7 @@ TEST(TieCandidates, AgreeWithTheSlowRuleOnWarpedMeshes) {
     for (int i = 0; i < 1000; ++i) {
       const Vector x = some_node(random, segments[random() % segments.size()]);
       scene.model.sets.nodes[5].members.push_back(scene.node(x));
-      expected.push_back(reference::tie_verdict(segments, x, 0, 1.035));
+      expected.push_back(reference::tie_verdict(segments, x, 0, 1.07));
     }
     const InitialState state = scene.run();
     ASSERT_EQ(state.judged.size(), expected.size());
@@ -158,11 +158,11 @@ TEST(TieCandidates, NodesExactlyAtTheShareOfTheDiagonalTie) {
 }
 
 TEST(TieCandidates, ProjectionsExactlyAtParmaxCount) {
-  // Half a shell is 5 long: PARMAX 1.035 ends 0.175 beyond the free edge at 20, 1.1 ends 0.5 beyond.
-  EXPECT_TRUE(ties({0, 0, 0}, 10, 1, {20.175, 3, 0.1}));
-  EXPECT_TRUE(ties({0, 0, 0}, 10, 1, {20.175, 20.175, 0.1}));
-  EXPECT_FALSE(ties({0, 0, 0}, 10, 1, {20.17501, 3, 0.1}));
-  EXPECT_FALSE(ties({0, 0, 0}, 10, 1, {20.1, 20.17501, 0.1}));
+  // Half a shell is 5 long: MAXPAR 1.07 ends 0.35 beyond the free edge at 20, 1.1 ends 0.5 beyond.
+  EXPECT_TRUE(ties({0, 0, 0}, 10, 1, {20.35, 3, 0.1}));
+  EXPECT_TRUE(ties({0, 0, 0}, 10, 1, {20.35, 20.35, 0.1}));
+  EXPECT_FALSE(ties({0, 0, 0}, 10, 1, {20.35001, 3, 0.1}));
+  EXPECT_FALSE(ties({0, 0, 0}, 10, 1, {20.1, 20.35001, 0.1}));
   EXPECT_TRUE(ties({0, 0, 0}, 10, 1, {20.5, 3, 0.1}, 1.1));
   EXPECT_FALSE(ties({0, 0, 0}, 10, 1, {20.50001, 3, 0.1}, 1.1));
 }
@@ -180,8 +180,8 @@ TEST(TieCandidates, OfTrianglesABarycentricBandOfHalfThatWidthCounts) {
     contact.b = {1, 3, 0, true};
     return scene.run().contacts[0].ties == 1;
   };
-  EXPECT_TRUE(triangle(-0.175));
-  EXPECT_FALSE(triangle(-0.17501));
+  EXPECT_TRUE(triangle(-0.35));
+  EXPECT_FALSE(triangle(-0.35001));
 }
 
 TEST(TieCandidates, EquallyNearSegmentsGiveTheFirst) {

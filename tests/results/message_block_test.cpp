@@ -47,6 +47,31 @@ TEST(MessageBlock, EndsWhereTheSolverGoesOn) {
   }
 }
 
+TEST(MessageBlock, TextThatHasLostItsIndent) {
+  std::string next;
+  const std::string text = "*** Warning 40538 (SOL+538)\n Slave node is not constrained\n slave node # = 14\n\nafter\n";
+  EXPECT_EQ(joined_text(block_of(text, &next), 200), "Slave node is not constrained slave node # = 14");
+  EXPECT_EQ(next, "");
+  const std::string said = " *** Warning Penetration is close\n at 3 s\n";
+  EXPECT_EQ(joined_text(block_of(said, &next), 200), "Penetration is close");
+}
+
+TEST(MessageBlock, FieldsOfALine) {
+  const auto list = fields("not found on a segment. tied interface # = 92 tracked node # = 1");
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].label, "not found on a segment. tied interface #");
+  EXPECT_EQ(list[0].value, "92");
+  EXPECT_EQ(list[1].label, "tracked node #");
+  EXPECT_EQ(list[1].value, "1");
+  const auto pair = fields("s,t = -2.3E-01-8.0E-02 x =");
+  ASSERT_EQ(pair.size(), 2u);
+  EXPECT_EQ(pair[0].value, "-2.3E-01-8.0E-02");
+  EXPECT_EQ(pair[1].value, "");
+  EXPECT_EQ(fields("file = a b c").at(0).value, "a b c");
+  EXPECT_TRUE(fields("no value").empty());
+  EXPECT_EQ(fields("===").size(), 3u);
+}
+
 TEST(MessageBlock, IdListsAndDeeperTextBelong) {
   const std::string text =
       " *** Warning 30128 (INI+128)\n     Massless nodes\n 1002057 1002058\n 12 ********\n   normal check in   4 "

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <tuple>
+
 #include "fixtures.hpp"
 #include "read.hpp"
 
@@ -51,6 +54,53 @@ TEST(SolverLog, WithoutModifiedCoordinatesTheNodeIsOnlyReported) {
   EXPECT_EQ(record.outcome, Outcome::reported);
   EXPECT_EQ(record.moved_to, record.original);
   EXPECT_EQ(record.point, record.original);
+}
+
+/// The lines of a block wrap, join and lose their blanks on the way through other programs.
+TEST(SolverLog, WrappedLinesOfARecord) {
+  const Read plain = read_text(fixtures::smp_penetrations);
+  const auto same = [&](const std::string& before, const std::string& after) {
+    std::string text = fixtures::smp_penetrations;
+    const std::size_t at = text.find(before);
+    ASSERT_NE(at, std::string::npos) << before;
+    text.replace(at, before.size(), after);
+    const Read read = read_text(text);
+    EXPECT_FALSE(read.errors) << after << ": " << first_error(read);
+    ASSERT_EQ(read.report.penetrations.size(), 2u) << after;
+    const Penetration &a = read.report.penetrations[0], &b = plain.report.penetrations[0];
+    EXPECT_EQ(std::tuple(a.node, a.segment, a.s, a.t, a.depth, a.contact_distance, a.moved_to),
+              std::tuple(b.node, b.segment, b.s, b.t, b.depth, b.contact_distance, b.moved_to)) << after;
+  };
+  same(" 22124 22164 22165 22125\n", " 22124 22164\n 22165 22125\n");
+  same(" 22124 22164 22165 22125\n", "     22124\n     22164\n     22165\n     22125\n");
+  same("= -2.3980E-01 -8.0082E-02\n", "=\n      -2.3980E-01 -8.0082E-02\n");
+  same("= -2.3980E-01 -8.0082E-02\n", "= -2.3980E-01\n      -8.0082E-02\n");
+  same("penetrating node #  ", "Penetrating  node # ");
+  same("remaining distance to shell midsurface =  5.0000E-01\n", "remaining distance to shell midsurface =\n      5.0000E-01\n");
+}
+
+TEST(SolverLog, IdsThatTouch) {
+  std::string text = fixtures::smp_penetrations;
+  const std::string ids = " 22124 22164 22165 22125\n";
+  text.replace(text.find(ids), ids.size(), "   221241000000220000003   22125\n");
+  const Read read = read_text(text);
+  EXPECT_FALSE(read.errors) << first_error(read);
+  EXPECT_EQ(read.report.penetrations.at(0).segment, (std::array<std::int64_t, 4>{22124, 10000002, 20000003, 22125}));
+}
+
+/// What cannot be read is not made up.
+TEST(SolverLog, NumbersThatAreNone) {
+  std::string text = fixtures::smp_penetrations;
+  const std::string depth = "= -5.0000E-01\n", place = "= -2.3980E-01 -8.0082E-02\n";
+  text.replace(text.find(depth), depth.size(), "= ************\n");
+  text.replace(text.find(place), place.size(), "= ************\n");
+  const Read read = read_text(text);
+  EXPECT_TRUE(read.errors);
+  ASSERT_EQ(read.report.penetrations.size(), 2u);
+  const auto& records = read.report.penetrations;
+  const Penetration& record = records[0].node == 14 ? records[0] : records[1];
+  EXPECT_EQ(record.contact_distance, 0);
+  EXPECT_TRUE(std::isnan(record.s) && std::isnan(record.t));
 }
 
 TEST(SolverLog, ContactsOfD3hspInDeckOrder) {
