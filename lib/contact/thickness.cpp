@@ -27,7 +27,9 @@ ThicknessSide thickness_side(const model::Contact& contact, const ContactSetting
   side.global_value = controls.th;
   side.global_scale = controls.th_sf != 0 ? controls.th_sf : 1;
   side.solid_coating = contact.sldthk;
-  side.shlthk = settings.shlthk;
+  // IGNROFF: 1 for side B, 2 for side A [manual, card F].
+  const bool ignored = contact.ignroff == 3 || contact.ignroff == (side_b ? 1 : 2);
+  side.shlthk = ignored ? 0 : settings.shlthk;
   side.edge_limit = settings.thickness_limit;
   return side;
 }

@@ -105,6 +105,7 @@ struct Contact {
   // E
   std::int64_t sharec = 0, ipback = 0, srnde = 0;
   // F, G
+  std::int64_t ignroff = 0;  ///< IGNROFF: shell thickness is ignored on side B (1), A (2) or both (3)
   double shloff = 0;
   std::uint32_t optional_cards = 0;  ///< how many of A … G are in the deck
 };

@@ -269,6 +269,9 @@ void read_optional(Context& context, CardReader& reader, Contact& contact) {
       case 'E':
         read_e(card, contact);
         break;
+      case 'F':
+        contact.ignroff = card.integer("ignroff");
+        break;
       case 'G':
         contact.shloff = card.real("shloff");
         break;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace gapcheck::contact {
 namespace {
 
@@ -38,6 +40,21 @@ TEST(Thickness, ScaleOfThePartStandsInForThatOfTheContact) {
   part.sft = 0.8;
   EXPECT_DOUBLE_EQ(shell_thickness(2, 10, &part, false, side).value, 1.6);
   EXPECT_DOUBLE_EQ(beam_thickness(1, &part, side).value, 1.6);
+}
+
+TEST(Thickness, SidesWhoseShellThicknessIsIgnored) {
+  model::Contact contact;
+  contact.sst = contact.mst = 2;
+  ContactSettings settings;
+  settings.shlthk = 2;
+  const auto thickness = [&](bool b) {
+    return shell_thickness(1, 10, nullptr, false, thickness_side(contact, settings, {}, b)).value;
+  };
+  for (const auto& [flag, a, b] : {std::tuple{0, 2., 2.}, std::tuple{1, 2., 0.}, std::tuple{2, 0., 2.}, std::tuple{3, 0., 0.}}) {
+    contact.ignroff = flag;
+    EXPECT_EQ(thickness(false), a) << flag;
+    EXPECT_EQ(thickness(true), b) << flag;
+  }
 }
 
 TEST(Thickness, ChangesForATrial) {
