@@ -244,13 +244,19 @@ ElementKey key(const CrossingSegment& s) {
   return {s.kind, s.element, s.element == unknown ? segment_key(s.nodes) : model::SegmentNodes{}};
 }
 
-/// Puts the two sides of each crossing in order, sorts by them, and leaves the longest of each pair of elements.
+/// Seven digits: what adding in another order changes does not count.
+float rough(double value) { return static_cast<float>(std::clamp(value, -1e38, 1e38)); }
+
+/// Puts the two sides of each crossing in order, sorts by them, and leaves the longest of each pair of elements; of
+/// equally long ones the first by its place, whatever the order of the nodes.
 void tidy(std::vector<Crossing>& crossings) {
   for (Crossing& c : crossings)
     if (key(c.b) < key(c.a)) std::swap(c.a, c.b);
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& l, const Crossing& r) {
     const auto order = [](const Crossing& c) {
-      return std::tuple(key(c.a), key(c.b), -c.length(), segment_key(c.a.nodes), segment_key(c.b.nodes));
+      const Vector middle = 0.5 * (c.from + c.to);
+      return std::tuple(key(c.a), key(c.b), -rough(c.length()), rough(middle.x()), rough(middle.y()), rough(middle.z()),
+                        segment_key(c.a.nodes), segment_key(c.b.nodes));
     };
     return order(l) < order(r);
   });

@@ -60,6 +60,11 @@ class Group {
     const bool counted = counts_rest(before_, old_) || counts_rest(now_, fresh_);
     in_order([](const KnownFinding& f) { return std::tuple(place_key(f), by_words(f) ? f.message : std::string()); });
     for (const double part : {1.0 / 16, 1.0 / 4, 1.0}) nearest(part);
+    // Lines that count as many as before belong together first; of the others the largest ones.
+    in_order([](const KnownFinding& f) { return std::tuple(without_numbers(f.message), f.count); }, true);
+    for (auto& [list, places] : {std::pair(&before_, &old_), std::pair(&now_, &fresh_)})
+      std::stable_sort(places->begin(), places->end(),
+                       [list = list](std::uint32_t a, std::uint32_t b) { return (*list)[a].count > (*list)[b].count; });
     in_order([](const KnownFinding& f) { return without_numbers(f.message); }, true);
     if (counted) as_totals_allow(fresh_total);
   }

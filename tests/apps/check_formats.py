@@ -195,7 +195,7 @@ def check_several(checker):
 def check_ignores(checker):
     """A deck with comments that leave findings out, together with a baseline: every format agrees."""
     deck = (checker.root / "data/two_plates.k").read_text()
-    comments = ("$ gapcheck: ignore GC101 node=1000-1999 because it is \\"agreed\\" & <done>\n"
+    comments = ("$ gapcheck: ignore GC101 node=1000-1999 because it is \"agreed\" & <done>\n"
                 "$ gapcheck: ignore GC101 node=2001\n$ gapcheck: ignore GC102 contact=9\n"
                 "$ gapcheck: ignore GC101 until=2020-12-31\n$ gapcheck: ignore everything\n")
     with tempfile.TemporaryDirectory() as folder:

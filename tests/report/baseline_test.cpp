@@ -222,6 +222,23 @@ TEST(Baseline, FormatsSayIt) {
   EXPECT_EQ(counting_totals(now).warnings, 1U);
 }
 
+TEST(Baseline, LinesThatCountAreToldApartByWhatTheyCount) {
+  const auto parts = [](std::vector<std::uint64_t> counts) {
+    Report report = one_node(10, 0.3);
+    for (const std::uint64_t count : counts) {
+      Finding f = make_finding("GC302", "thickness-limited", fmt::format("part 7: {} elements", count));
+      f.contact = 7;
+      f.count = count;
+      f.point = Vector(static_cast<double>(report.findings.size()), 0, 0);
+      report.findings.push_back(f);
+    }
+    return report;
+  };
+  EXPECT_EQ(outcome(parts({72, 6, 4}), parts({4, 72, 6})), "0 new, 0 worse, 4 unchanged, 0 gone");
+  EXPECT_EQ(outcome(parts({72, 6, 4}), parts({4, 73, 6})), "0 new, 1 worse, 3 unchanged, 0 gone");
+  EXPECT_EQ(outcome(parts({72, 6, 4}), parts({5, 71, 6})), "0 new, 1 worse, 3 unchanged, 0 gone");
+}
+
 TEST(Baseline, WhatIsIgnoredIsNeitherGoneNorNew) {
   const Report before = one_node(10, 0.3);
   Report now = before;
