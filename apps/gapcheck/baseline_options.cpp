@@ -23,7 +23,9 @@ void add_baseline(CLI::App& command, BaselineOptions& options) {
 bool same_file(const BaselineOptions& options) {
   if (options.compare.empty() || options.write.empty()) return false;
   std::error_code failed;
-  const auto place = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, failed); };
+  const auto place = [&](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, failed), failed);
+  };
   return options.compare == options.write || place(options.compare) == place(options.write);
 }
 

@@ -40,7 +40,8 @@ std::vector<std::string> find_files(const std::string& argument, Diagnostics& di
   const auto options = fs::directory_options::skip_permission_denied;
   if (!start.empty() && !fs::is_directory(start, error)) return found;
   fs::recursive_directory_iterator at(start.empty() ? fs::path(".") : start, options, error);
-  const std::ptrdiff_t parts = std::distance(fs::path(pattern).begin(), fs::path(pattern).end());
+  const fs::path whole(pattern);
+  const std::ptrdiff_t parts = std::distance(whole.begin(), whole.end());
   const std::ptrdiff_t fixed = std::distance(start.begin(), start.end());
   const bool any_depth = pattern.find("**") != std::string::npos;
   for (std::size_t entries = 0; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {

@@ -230,7 +230,8 @@ TEST(SettingsFile, WrongOnesAreNamedWithTheirLine) {
 }
 
 TEST(SettingsFile, AllErrorsAtOnce) {
-  const Outcome outcome = read("selct = 1\nptol = -1\n[[exception]]\nnode = 0\nfoo = 1\n[[include]]\n[severity]\nx = 1\n");
+  const Outcome outcome =
+      read("selct = 1\nptol = -1\n[[exception]]\nnode = 0\nfoo = 1\n[[include]]\n[severity]\nx = 1\n");
   EXPECT_EQ(outcome.errors.size(), 6u);
   EXPECT_TRUE(outcome.settings.options.empty() && outcome.settings.ignores.empty());
 }
