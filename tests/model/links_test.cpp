@@ -54,7 +54,7 @@ TEST(Links, Rivets) {
   EXPECT_EQ(read.links.joined[1].nodes, (std::vector{NodeIndex{2}, NodeIndex{4}}));
   EXPECT_EQ(read.links.joined[1].failure_time, 2);
   EXPECT_EQ(read.links.joined[2].id, 8);
-  EXPECT_EQ(read.links.joined[2].place.line, 11u);
+  EXPECT_EQ(read.links.joined[2].place.line, 12u);
 }
 
 TEST(Links, HangingNodes) {
