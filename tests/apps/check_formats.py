@@ -201,21 +201,22 @@ def check_ignores(checker):
     with tempfile.TemporaryDirectory() as folder:
         path, baseline = pathlib.Path(folder) / "deck.k", pathlib.Path(folder) / "baseline"
         path.write_text(comments + deck)
-        count = checker.check(["audit", str(path)], ignored=10)
-        report = json.loads(checker.write(["audit", str(path)], "json")[0])
+        arguments = ["audit", str(path), "--select", "GC1,GC513,GC514,GC515"]
+        count = checker.check(arguments, ignored=10)
+        report = json.loads(checker.write(arguments, "json")[0])
         assert count == 8 + 3, "unused, expired, bad, and what is left"
         assert [(place["line"], place["count"]) for place in report["ignored"]] == [(1, 9), (2, 1)]
         assert {finding["id"] for finding in report["findings"]} == {"GC101", "GC513", "GC514", "GC515"}
-        run = subprocess.run([checker.gapcheck, "audit", path, "--format", "csv"], capture_output=True, check=True)
+        run = subprocess.run([checker.gapcheck, *arguments, "--format", "csv"], capture_output=True, check=True)
         assert b"10 ignored" in run.stderr, run.stderr
         path.write_text(deck)
-        subprocess.run([checker.gapcheck, "audit", path, "--quiet", "--write-baseline", baseline], check=True,
+        subprocess.run([checker.gapcheck, *arguments, "--quiet", "--write-baseline", baseline], check=True,
                        stdout=subprocess.DEVNULL)
         path.write_text(comments + deck)
-        report = json.loads(checker.write(["audit", str(path), "--baseline", str(baseline)], "json")[0])
+        report = json.loads(checker.write([*arguments, "--baseline", str(baseline)], "json")[0])
         checker.schema.validate(report)
         assert report["summary"]["baseline"] == {"new": 3, "worse": 0, "unchanged": 8, "gone": 0}, report["summary"]
-        subprocess.run([checker.gapcheck, "audit", path, "--quiet", "--write-baseline", baseline], check=True,
+        subprocess.run([checker.gapcheck, *arguments, "--quiet", "--write-baseline", baseline], check=True,
                        stdout=subprocess.DEVNULL)
         assert len(baseline.read_text().splitlines()) == 1 + count, "a baseline has nothing that is left out"
 
