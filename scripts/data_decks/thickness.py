@@ -81,10 +81,10 @@ def thickness_shlthk_0():
 
 
 def thickness_shlthk_1():
-    deck = Deck("thickness_shlthk_1", """thickness_shlthk_0 with SHLTHK = 1 on optional card B: contact distance 1,
+    deck = Deck("thickness_shlthk_1", """thickness_shlthk_0 with THKOPT = SHLTHK = 1 on optional card B: contact distance 1,
         penetration 0.3 along the normal of the lower plate.""")
     upper = inside(deck, 0.7)
-    deck.contact("SURFACE_TO_SURFACE", 1, 2, 1, "with thickness", card_b=(0.0, 0, 1))
+    deck.contact("SURFACE_TO_SURFACE", 1, 2, 1, "with thickness", card_b=(0.0, 1, 1))
     for node in upper:
         deck.expect(1, node, 1.0, 0.7, UP)
     return deck
