@@ -12,9 +12,9 @@ namespace {
 constexpr double default_maxpar = 1.07, default_parmax = 1.035;
 
 double parmax(const model::Contact& contact) {
+  const double given = contact.parmax > 0 ? contact.parmax : contact.maxpar;
+  if (given > 0) return std::max(1.0, given);
   const bool mpp = contact.written.ends_with("_MPP") || contact.written.find("_MPP_") != std::string::npos;
-  if (mpp && contact.parmax > 0) return std::max(1.0, contact.parmax);
-  if (contact.maxpar > 0) return std::max(1.0, contact.maxpar);
   return mpp ? default_parmax : default_maxpar;
 }
 

@@ -122,7 +122,8 @@ TEST(TieCandidates, WithoutTheFilterTheyAreTheSame) {
 }
 
 /// Whether a node ties to a plate of 2 x 2 shells of `size` and thickness `t` from `corner` on.
-bool ties(const Vector& corner, double size, double t, const Vector& node, double parmax = 0) {
+bool ties(const Vector& corner, double size, double t, const Vector& node, double parmax = 0,
+          const std::string& options = "") {
   Scene scene;
   scene.plate(scene.part(1, t), corner, {size, 0, 0}, {0, size, 0}, 2, 2);
   scene.model.sets.nodes[5].members = {scene.node(node)};
@@ -130,6 +131,7 @@ bool ties(const Vector& corner, double size, double t, const Vector& node, doubl
   c.a = {5, 4, 0, true};
   c.b = {1, 3, 0, true};
   c.parmax = parmax;
+  c.written = c.keyword + options;
   return scene.run().contacts[0].ties == 1;
 }
 
@@ -165,6 +167,9 @@ TEST(TieCandidates, ProjectionsExactlyAtParmaxCount) {
   EXPECT_FALSE(ties({0, 0, 0}, 10, 1, {20.1, 20.35001, 0.1}));
   EXPECT_TRUE(ties({0, 0, 0}, 10, 1, {20.5, 3, 0.1}, 1.1));
   EXPECT_FALSE(ties({0, 0, 0}, 10, 1, {20.50001, 3, 0.1}, 1.1));
+  // The MPP card's own default, where the keyword has that card: 0.175.
+  EXPECT_TRUE(ties({0, 0, 0}, 10, 1, {20.175, 3, 0.1}, 0, "_MPP_ID"));
+  EXPECT_FALSE(ties({0, 0, 0}, 10, 1, {20.17501, 3, 0.1}, 0, "_MPP"));
 }
 
 TEST(TieCandidates, OfTrianglesABarycentricBandOfHalfThatWidthCounts) {

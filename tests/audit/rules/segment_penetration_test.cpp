@@ -51,7 +51,7 @@ TEST(SegmentPenetration, OneWayTypesAreSearchedBothWays) {
 
 TEST(SegmentPenetration, OldTypesAreTwoSidedToo) {
   // Part 1 as the reference side, with normals towards part 2; part 2 below it is behind them.
-  const std::string soft_2_with_thickness = "0.\n1.,1.\n2\n,,1\n";
+  const std::string soft_2_with_thickness = "0.\n1.,1.\n2\n,1,1\n";
   for (const double gap : {0.7, -0.7}) {
     const Report report =
         run_rule("GC107", two_plates(gap).contact(1, "SURFACE_TO_SURFACE", "2,1,3,3", soft_2_with_thickness));

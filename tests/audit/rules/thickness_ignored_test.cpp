@@ -24,7 +24,10 @@ TEST(ThicknessIgnored, OldTypesWithoutShlthk) {
 
 TEST(ThicknessIgnored, NotWithShlthkOnCardBOrGlobally) {
   const std::string card_a = "0,0.1,0,0.,0,0,0,0\n";
-  EXPECT_EQ(listed(run_rule("GC305", plates("SURFACE_TO_SURFACE", 1, "0.\n1.,1.\n" + card_a + "0.,0,1\n"))), 0U);
+  EXPECT_EQ(listed(run_rule("GC305", plates("SURFACE_TO_SURFACE", 1, "0.\n1.,1.\n" + card_a + "0.,1,1\n"))), 0U);
+  const Report unread = run_rule("GC305", plates("SURFACE_TO_SURFACE", 1, "0.\n1.,1.\n" + card_a + "0.,0,1\n"));
+  ASSERT_EQ(listed(unread), 1U);
+  EXPECT_NE(unread.findings[0].message.find("SHLTHK of card B needs THKOPT = 1"), std::string::npos);
   RuleDeck global = plates("SURFACE_TO_SURFACE");
   global.raw("CONTROL_CONTACT", "0.1,0.0,0,0,1,0,1,0\n");
   EXPECT_EQ(listed(run_rule("GC305", global)), 1U);
