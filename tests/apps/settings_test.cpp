@@ -1,6 +1,8 @@
 // gapcheck.toml as users see it: where it is looked for, what it does, what the command line takes from it.
 #include "settings.hpp"
 
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <CLI/Option.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
