@@ -163,6 +163,14 @@ ignore = ["released-node"]
   EXPECT_TRUE(outcome.settings.ignores[1].entry.nodes.empty() && outcome.settings.ignores[1].decks.empty());
 }
 
+TEST(SettingsFile, LettersOfAllKindsMayStandInTexts) {
+  const std::string text = "für ¡Ю 中 \xF0\x9F\x98\x80";
+  const Outcome outcome = read("[[exception]] # ü\nignore = \"GC1\"\nbecause = \"" + text + "\"\n");
+  ASSERT_TRUE(outcome.errors.empty()) << outcome.errors[0].message;
+  EXPECT_EQ(outcome.settings.ignores.at(0).entry.reason, text);
+  EXPECT_EQ(read("ü = 1\n").errors.size(), 1u);
+}
+
 TEST(SettingsFile, SeveritiesByIdOrName) {
   const Outcome outcome = read("[severity]\nGC106 = \"error\"\ntie-offset = \"note\"\ngc101 = \"warning\"\n");
   ASSERT_TRUE(outcome.errors.empty()) << outcome.errors[0].message;
