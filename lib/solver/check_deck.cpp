@@ -60,7 +60,7 @@ void name_differences(const model::Contact& contact, const contact::ContactSurfa
   if (contact.keyword.ends_with("_EDGEONLY")) warn("EDGEONLY: nodes are held off segments as well");
   if (!surfaces.type.by_segments()) return;
   if (surfaces.settings.shlthk == 0)
-    warn("SOFT = 2 holds shells apart by their thickness, which is left out here; set SHLTHK = 1");
+    warn("SOFT = 2 holds shells apart by their thickness, which is left out here; set THKOPT = SHLTHK = 1 on card B");
   if (contact.sbopt == 4 || contact.sbopt == 5)
     warn(fmt::format("SBOPT = {}: the sliding option is not calculated; segments are curved patches in any case",
                      contact.sbopt));

@@ -85,7 +85,7 @@ TEST_F(CommandLine, BadArgumentsGiveTwoAndNothingOnStandardOutput) {
                                 "audit data/clean.k --contact x",
                                 "audit data/clean.k --contact 99999999999999999999",
                                 "audit data/clean.k --select no-such-rule",
-                                "audit data/clean.k data/clean.k",
+                                "audit data/clean.k data/two_plates.k --html page.html",
                                 "explain no-such-rule",
                                 "explain",
                                 "messag x",

@@ -83,7 +83,7 @@ class SegmentTypes : public testing::TestWithParam<const char*> {};
 TEST_P(SegmentTypes, ThrowTheUpperPlateBack) {
   constexpr double speed = 0.5;
   ContactScene scene(sheet(1, 3, {0, 0, 0}, 1) + sheet(2, 2, {0.1, 0.15, 0.05}, 0.8) + elastic +
-                         contact_of(GetParam(), "2", "0.,0,1\n"),
+                         contact_of(GetParam(), "2", "0.,1,1\n"),
                      down(speed), steps(1e-3));
   ASSERT_TRUE(scene.stepper) << scene.why_not;
   const Vector before = scene.momentum();
@@ -414,7 +414,7 @@ TEST(SegmentPass, NamesWhatIsNotCalculated) {
   EXPECT_NE(warnings("2,,,,2,3", "", type).find("DEPTH = 3"), std::string::npos);
   EXPECT_NE(warnings("2,,,,2,35", "", type).find("last digit"), std::string::npos);
   EXPECT_NE(warnings("2", "", "SURFACE_TO_SURFACE").find("SHLTHK = 1"), std::string::npos);
-  EXPECT_EQ(warnings("2", "0.,0,1\n", "SURFACE_TO_SURFACE"), "");
+  EXPECT_EQ(warnings("2", "0.,1,1\n", "SURFACE_TO_SURFACE"), "");
   EXPECT_NE(warnings("2", "0.3\n", type).find("PENMAX"), std::string::npos);
 }
 
