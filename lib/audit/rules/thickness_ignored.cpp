@@ -19,8 +19,8 @@ std::string message(const model::Contact& contact, const Worst& shells) {
                       : contact.thkopt == 0 && contact.shlthk > 0 ? "SHLTHK of card B needs THKOPT = 1"
                                                                   : "SHLTHK = 0";
   return fmt::format(
-      "{} ignores thickness ({}): {} shells, up to {:.4g} thick{}, meet at their mid-surfaces; set THKOPT and SHLTHK = 1 on card B or SHLTHK = 1 "
-      "in *CONTROL_CONTACT, or use the AUTOMATIC type",
+      "{} ignores thickness ({}): {} shells, up to {:.4g} thick{}, meet at their mid-surfaces; set THKOPT and SHLTHK = 1 on "
+      "card B or SHLTHK = 1 in *CONTROL_CONTACT, or use the AUTOMATIC type",
       contact.written, cause, shells.count, shells.weight, card ? ", and SST/MST" : "");
 }
 
