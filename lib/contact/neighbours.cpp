@@ -25,7 +25,7 @@ NodeSlots slots_of(const Segments& segments, std::size_t mesh_nodes) {
 
 }  // namespace
 
-Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh, bool whole_solids)
+Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh, bool whole_solids, const Segments* cut)
     : segments_(&segments), mesh_(&mesh), slots_(slots_of(segments, mesh.nodes.size())), start_(slots_.size() + 1, 0) {
   for (const auto& nodes : segments.nodes) each_corner(nodes, [&](NodeIndex n) { ++start_[slots_.slot(n) + 1]; });
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
@@ -33,6 +33,10 @@ Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh, bool w
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
   for (std::uint32_t s = 0; s < segments.size(); ++s)
     each_corner(segments.nodes[s], [&](NodeIndex n) { list_[next[slots_.slot(n)]++] = s; });
+  if (cut != nullptr) {
+    for (const auto& corners : cut->nodes) each_corner(corners, [&](NodeIndex n) { cut_.emplace_back(n, corners); });
+    std::stable_sort(cut_.begin(), cut_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
   if (!whole_solids || mesh.solids.size() == 0) return;
   solid_start_.assign(mesh.nodes.size() + 1, 0);
   for (const auto& nodes : mesh.solids.nodes)
@@ -44,8 +48,16 @@ Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh, bool w
     for (const NodeIndex n : mesh.solids.nodes[e]) solid_list_[next[n.value]++] = e;
 }
 
+bool Neighbours::meets_cut(NodeIndex node, const model::SegmentNodes& corners) const {
+  auto own = std::lower_bound(cut_.begin(), cut_.end(), node, [](const auto& a, NodeIndex n) { return a.first < n; });
+  for (; own != cut_.end() && own->first == node; ++own)
+    if (std::any_of(own->second.begin(), own->second.end(), [&](NodeIndex n) { return has(corners, n); })) return true;
+  return false;
+}
+
 bool Neighbours::in_ring(NodeIndex node, std::uint32_t segment) const {
   const auto& corners = segments_->nodes[segment];
+  if (!cut_.empty() && meets_cut(node, corners)) return true;
   for (const std::uint32_t own : at(node)) {
     for (const NodeIndex n : segments_->nodes[own])
       if (has(corners, n)) return true;

@@ -6,7 +6,7 @@ SideScene::SideScene(const model::Model& model, std::uint32_t contact, const Con
                      const std::vector<Vector>& x)
     : tracked_(exchanged ? surfaces.b : surfaces.a),
       reference_(exchanged || !surfaces.two_sided() ? surfaces.a : surfaces.b),
-      neighbours_(reference_.selection.segments, model.mesh, !surfaces.two_sided()),
+      neighbours_(reference_.selection.segments, model.mesh, !surfaces.two_sided(), &reference_.selection.cut),
       scene_{model,
              model.contacts[contact],
              surfaces.type,

@@ -138,6 +138,16 @@ std::vector<Vector> mean_shifts(const Selection& selection, const TrackedNodes& 
   return shift;
 }
 
+/// Ascending.
+std::vector<NodeIndex> corners_of(const Segments& segments) {
+  std::vector<NodeIndex> nodes;
+  nodes.reserve(4 * segments.size());
+  for (const auto& corners : segments.nodes) nodes.insert(nodes.end(), corners.begin(), corners.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
 NodeSlots slots_of(const Selection& selection) {
   std::vector<NodeIndex> nodes = selection.nodes;
   for (const auto& corners : selection.segments.nodes) nodes.insert(nodes.end(), corners.begin(), corners.end());
@@ -152,8 +162,16 @@ TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model
   const bool few = NodeSlots::few(selection.nodes.size() + 4 * s.size(), x.size());
   NodeThickness nodes(few ? slots_of(selection) : NodeSlots(x.size()));
   if (!selection.nodes.empty()) {
+    // Nodes of segments that a box cuts have the thickness of these, all others that of their elements.
+    const std::vector<NodeIndex> cut = corners_of(selection.cut);
+    bool loose = false;
+    for (const NodeIndex n : selection.nodes) {
+      if (std::binary_search(cut.begin(), cut.end(), n)) continue;
+      nodes.track(n);
+      loose = true;
+    }
+    if (loose) offer_all_elements(nodes, model, side, x, index, few);
     for (const NodeIndex n : selection.nodes) nodes.track(n);
-    if (selection.cut.size() == 0) offer_all_elements(nodes, model, side, x, index, few);
   }
   for (std::size_t i = 0; i < s.size(); ++i) {
     const PartIndex part = part_of(model.mesh, s, i);

@@ -100,7 +100,7 @@ std::optional<Vector> out_of_segment(const Report& report, const Penetration& re
   const auto corners = segment_of(record, position);
   // Solver files do not print the closest point, but where on the segment it is.
   const bool point_known = exact || (!record.point.isZero(0) && record.point != record.original);
-  if (!point_known && !corners) return std::nullopt;
+  if (!point_known && !(corners && std::isfinite(record.s) && std::isfinite(record.t))) return std::nullopt;
   const Vector point = point_known ? record.point : point_at(*corners, record.s, record.t);
   // Nearer than the digits can tell, the difference is no direction.
   const double digits = point_known ? 1e-12 : 1e-4;

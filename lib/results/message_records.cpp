@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -86,10 +87,14 @@ std::vector<std::string_view> ids_in(std::string_view line) {
   }
   for (const std::size_t width : {std::size_t{8}, std::size_t{10}}) {
     if (!touching || line.size() <= 3 * width || line.size() > 4 * width) continue;
-    ids.clear();
+    std::vector<std::string_view> columns;
     for (std::size_t end = line.size() - 3 * width, begin = 0; begin < line.size(); begin = end, end += width)
-      ids.push_back(trimmed(line.substr(begin, end - begin)));
-    break;
+      columns.push_back(trimmed(line.substr(begin, end - begin)));
+    // A blank between digits of one column: these are no columns, but longer ids.
+    const bool whole = std::all_of(columns.begin(), columns.end(), [](std::string_view id) {
+      return !id.empty() && id.find_first_of(" \t") == std::string_view::npos;
+    });
+    if (whole) return columns;
   }
   return ids;
 }

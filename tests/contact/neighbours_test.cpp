@@ -34,6 +34,22 @@ TEST(Neighbours, ListsTheSegmentsAtANode) {
   EXPECT_EQ(n.at(NodeIndex{1}).size(), 2U);
 }
 
+/// An element that a box cuts is still the node's own.
+TEST(Neighbours, SegmentsThatABoxCutsAreInTheRing) {
+  Surface s(plate(2));
+  Segments cut;
+  cut.nodes = {s.segments.nodes.back()};
+  s.segments.nodes.pop_back();
+  const auto last = cut.nodes[0];
+  const NodeIndex corner = *std::max_element(last.begin(), last.end());
+  const Neighbours without(s.segments, s.scene.model.mesh), with(s.segments, s.scene.model.mesh, false, &cut);
+  for (std::uint32_t i = 0; i < s.segments.nodes.size(); ++i) {
+    EXPECT_FALSE(without.in_ring(corner, i));
+    EXPECT_TRUE(with.in_ring(corner, i)) << "all of them have the middle node";
+  }
+  EXPECT_FALSE(with.in_ring(NodeIndex{0}, 1) && !without.in_ring(NodeIndex{0}, 1));
+}
+
 TEST(Neighbours, RingIsOneElementWide) {
   const Surface s(plate(5));
   const Neighbours n(s.segments, s.scene.model.mesh);

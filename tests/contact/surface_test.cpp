@@ -110,6 +110,27 @@ TEST(Surface, NodesOfSegmentsThatABoxCuts) {
   EXPECT_NEAR(s.a.nodes.shift[0].z(), -0.5, 1e-12);
 }
 
+/// Particles beside segments that a box cuts keep their part.
+TEST(Surface, LooseNodesBesideABoxThatCuts) {
+  Scene scene;
+  const auto plate = scene.plate(scene.part(1, 1), {0, 0, 0}, {10, 0, 0}, {0, 10, 0}, 1, 1);
+  const NodeIndex a = scene.node({20, 0, 0}), b = scene.node({20, 10, 0}), alone = scene.node({1, 1, 0});
+  scene.shell(scene.part(2, 3), {alone, a, b, b});
+  Selection s;
+  s.cut.nodes = {scene.model.mesh.shells.nodes[0]};
+  s.cut.element = {0};
+  s.cut.element_kind = {model::ElementKind::shell};
+  s.cut.kind = {SegmentKind::shell};
+  s.nodes = {plate[0], alone};
+  const ThicknessSide side;
+  const auto& x = scene.model.mesh.nodes.x;
+  fill_thickness(s.cut, scene.model, side, x);
+  MeshIndex index(scene.model);
+  const TrackedNodes nodes = tracked_nodes(s, scene.model, side, x, index);
+  EXPECT_EQ(nodes.half, (std::vector<double>{0.5, 1.5}));
+  EXPECT_EQ(nodes.part, (std::vector<PartIndex>{PartIndex{0}, PartIndex{1}}));
+}
+
 TEST(Surface, NodesTakeTheLargestThicknessOfTheirElements) {
   Scene scene;
   const auto thin = scene.plate(scene.part(1, 1), {0, 0, 0}, {10, 0, 0}, {0, 10, 0}, 1, 1);

@@ -88,6 +88,15 @@ TEST(SolverLog, IdsThatTouch) {
   EXPECT_EQ(read.report.penetrations.at(0).segment, (std::array<std::int64_t, 4>{22124, 10000002, 20000003, 22125}));
 }
 
+TEST(SolverLog, IdsOfElevenDigits) {
+  std::string text = fixtures::smp_penetrations;
+  const std::string ids = " 22124 22164 22165 22125\n";
+  text.replace(text.find(ids), ids.size(), "  12345678901 22345678902 32345678903\n");
+  const Read read = read_text(text);
+  EXPECT_EQ(read.report.penetrations.at(0).segment,
+            (std::array<std::int64_t, 4>{12345678901, 22345678902, 32345678903, 32345678903}));
+}
+
 /// What cannot be read is not made up.
 TEST(SolverLog, NumbersThatAreNone) {
   std::string text = fixtures::smp_penetrations;
