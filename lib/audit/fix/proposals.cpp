@@ -66,8 +66,8 @@ FixAlternative by_exclusion(std::int64_t contact, std::int64_t a, std::int64_t b
 FixAlternative by_ignore(std::int64_t contact) {
   return {fmt::format("IGNORE = 1 in contact {}: the penetration stays, without force", contact),
           fmt::format("$ card C of contact {}, behind cards A and B\n"
-                      "$   IGNORE\n"
-                      "         1\n",
+                      "$     IGAP    IGNORE\n"
+                      "         1         1\n",
                       contact)};
 }
 

@@ -32,6 +32,17 @@ TEST(Proposals, TheExclusionEndsThePenetrations) {
   EXPECT_TRUE(run_text(text, options).report.penetrations.empty());
 }
 
+TEST(Proposals, TheModelReadsTheCardOfIgnore) {
+  std::string text = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});
+  const FixRun run = fix_text(text);
+  text.insert(text.find("*END"), "\n\n" + run.report().proposals.at(0).alternatives.at(4).card);  // behind A and B
+  Diagnostics diagnostics;
+  const auto deck = keyword::read_deck_text(text, "deck.k", {}, diagnostics);
+  const auto model = model::read_model(deck.value(), diagnostics);
+  ASSERT_TRUE(model.ok() && !diagnostics.has_errors());
+  EXPECT_EQ(model.value().contacts.at(0).ignore, 1);
+}
+
 TEST(Proposals, NoThicknessHelpsNextToTheSurface) {
   const FixRun run = fix_text(plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.01}));
   ASSERT_EQ(run.report().proposals.size(), 1u);
