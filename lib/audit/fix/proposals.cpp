@@ -115,7 +115,7 @@ class Proposer {
       if (a > 0 && b > 0) thickness_of_parts(key, records, proposal);
     }
     if (a > 0 && b > 0 && a != b) proposal.alternatives.push_back(by_exclusion(proposal.contact, a, b));
-    if (contact::settings(contact, type, model_.controls).ignore == 0)
+    if (contact::knows_ignore(type) && contact::settings(contact, type, model_.controls).ignore == 0)
       proposal.alternatives.push_back(by_ignore(proposal.contact));
     return proposal;
   }
