@@ -165,12 +165,11 @@ bool has_soft_2(const ContactType& type) {
   return false;
 }
 
-namespace {
-
-/// IGNORE is an option of automatic contacts [workshop; manual, card C]. Type 4 is none, though two-sided like them.
 bool knows_ignore(const ContactType& type) {
   return (type.family == Family::automatic && type.code != "4") || type.family == Family::mortar;
 }
+
+namespace {
 
 /// SHLEDG is read by segment-based contact alone [manual, card D and *CONTROL_CONTACT]; 2 on the contact is round,
 /// whatever the control card says. SRNDE = 1 does not let edges grow either. Mortar segments meet where they overlap in

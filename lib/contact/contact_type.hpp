@@ -45,6 +45,10 @@ struct ContactType {
 /// True for the types that have the segment-based contact of SOFT = 2; for others the solver takes SOFT = 1.
 [[nodiscard]] bool has_soft_2(const ContactType& type);
 
+/// True for the types that read IGNORE: automatic and mortar ones [workshop; manual, card C]. Type 4 does not, though
+/// it is two-sided like them.
+[[nodiscard]] bool knows_ignore(const ContactType& type);
+
 /// The values that decide, after contact card, MPP card and *CONTROL_CONTACT have been merged.
 struct ContactSettings {
   std::int64_t ignore = 0;  ///< first that is not zero: MPP card, card C, *CONTROL_CONTACT; 0 but for automatic types

@@ -9,13 +9,12 @@ namespace {
 /// SSTHK = 0: share of the shortest edge that a single-surface contact thickness may reach [workshop].
 constexpr double edge_share = 0.4;
 
-/// SFT of the part stands in for SFST and SFMT of the contact (dynasupport.com, "Contact thickness").
+}  // namespace
+
 double scale_of(const model::PartContact* part, const ThicknessSide& side) {
   const bool own = part != nullptr && part->sft != 0;
   return (own ? part->sft : side.scale) * side.global_scale;
 }
-
-}  // namespace
 
 ThicknessSide thickness_side(const model::Contact& contact, const ContactSettings& settings,
                              const model::Controls& controls, bool side_b) {

@@ -39,15 +39,19 @@ struct ThicknessChange {
 
 [[nodiscard]] ThicknessSide changed(ThicknessSide side, const ThicknessChange& change);
 
-/// Thickness of a shell in a contact: OPTT, then SST/MST, then TH, then the element's own × SFT × SFST (limited by 0.4
-/// of the shortest edge where `edge_limit`). `element` and `shortest_edge` in deck units. Source: contact rules, 4.
+/// What an element's own thickness is multiplied with: SFT of the part, which stands in for SFST and SFMT of the
+/// contact (dynasupport.com, "Contact thickness"), and TH_SF.
+[[nodiscard]] double scale_of(const model::PartContact* part, const ThicknessSide& side);
+
+/// Thickness of a shell in a contact: OPTT, then SST/MST, then TH, then the element's own × SFT or SFST (limited by
+/// 0.4 of the shortest edge where `edge_limit`). `element` and `shortest_edge` in deck units. Source: contact rules, 4.
 [[nodiscard]] Thickness shell_thickness(double element, double shortest_edge, const model::PartContact* part, bool rigid,
                                         const ThicknessSide& side);
 
 /// Thickness of a solid's facet or node: SLDTHK, else none.
 [[nodiscard]] Thickness solid_thickness(const ThicknessSide& side);
 
-/// Thickness (diameter) of a beam: OPTT, then SST/MST, then TH, then twice the section's radius × SFST.
+/// Thickness (diameter) of a beam: OPTT, then SST/MST, then TH, then twice the section's radius × SFT or SFST.
 [[nodiscard]] Thickness beam_thickness(double radius, const model::PartContact* part, const ThicknessSide& side);
 
 /// Mean thickness of a shell element: own values of *ELEMENT_SHELL_THICKNESS before the section's; plies of

@@ -180,10 +180,12 @@ class Holder {
 }  // namespace
 
 void Freedoms::hold(NodeIndex node, HoldReason why) {
-  for (const NodeIndex n : joined.followers(joined.leader(node))) {
-    mobility[n.value].setZero();
-    if (reason[n.value] == HoldReason::none) reason[n.value] = HoldReason::constrained;
-  }
+  // What holds a node wholly holds all that are joined to it: each group is walked once, however often it is held.
+  if (reason[node.value] == HoldReason::none || !(mobility[node.value].array() == 0).all())
+    for (const NodeIndex n : joined.followers(joined.leader(node))) {
+      mobility[n.value].setZero();
+      if (reason[n.value] == HoldReason::none) reason[n.value] = HoldReason::constrained;
+    }
   mobility[node.value].setZero();
   if (reason[node.value] == HoldReason::none || reason[node.value] == HoldReason::constrained) reason[node.value] = why;
 }

@@ -66,8 +66,8 @@ FixAlternative by_exclusion(std::int64_t contact, std::int64_t a, std::int64_t b
 FixAlternative by_ignore(std::int64_t contact) {
   return {fmt::format("IGNORE = 1 in contact {}: the penetration stays, without force", contact),
           fmt::format("$ card C of contact {}, behind cards A and B\n"
-                      "$   IGNORE\n"
-                      "         1\n",
+                      "$     IGAP    IGNORE\n"
+                      "         1         1\n",
                       contact)};
 }
 
@@ -115,7 +115,7 @@ class Proposer {
       if (a > 0 && b > 0) thickness_of_parts(key, records, proposal);
     }
     if (a > 0 && b > 0 && a != b) proposal.alternatives.push_back(by_exclusion(proposal.contact, a, b));
-    if (contact::settings(contact, type, model_.controls).ignore == 0)
+    if (contact::knows_ignore(type) && contact::settings(contact, type, model_.controls).ignore == 0)
       proposal.alternatives.push_back(by_ignore(proposal.contact));
     return proposal;
   }

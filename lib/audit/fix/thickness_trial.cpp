@@ -108,10 +108,12 @@ std::optional<double> ThicknessTrial::section_thickness(std::uint32_t contact, P
     if (model_.mesh.shells.part[own.shell] == index) return std::nullopt;
   const model::Contact& card = model_.contacts[contact];
   const auto settings = contact::settings(card, contact::classify(card), model_.controls);
-  const auto side = [&](bool b) { return contact::thickness_side(card, settings, model_.controls, b); };
-  if (side(false).scale != side(true).scale) return std::nullopt;
-  const double part_scale = part.contact && part.contact->sft != 0 ? part.contact->sft : 1;
-  const double needed = rounded_down(thickness / (part_scale * side(false).scale * side(false).global_scale));
+  const auto scale = [&](bool b) {
+    return contact::scale_of(part.contact ? &*part.contact : nullptr,
+                             contact::thickness_side(card, settings, model_.controls, b));
+  };
+  if (scale(false) != scale(true)) return std::nullopt;
+  const double needed = rounded_down(thickness / scale(false));
   if (!(needed > 0) || needed > present) return std::nullopt;
   return needed;
 }

@@ -17,7 +17,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   for (const std::uint32_t i : context.read_contacts()) {
     const model::Contact& contact = context.model().contacts[i];
     const contact::ContactType type = contact::classify(contact);
-    if (type.treatment == contact::Treatment::none || type.family == contact::Family::tied) continue;
+    if (!contact::knows_ignore(type)) continue;
     const Source sources[] = {{"the MPP card", contact.mpp_ignore.value_or(0)},
                               {"card C", contact.ignore.value_or(0)},
                               {"*CONTROL_CONTACT", context.model().controls.ignore}};

@@ -5,8 +5,10 @@
 namespace gapcheck::audit {
 namespace {
 
-/// IGNORE is an option of the automatic contacts.
-bool can_ignore(const contact::ContactType& type) { return type.family == contact::Family::automatic; }
+/// Mortar types read IGNORE too, but keep their penetrations with any value.
+bool can_ignore(const contact::ContactType& type) {
+  return contact::knows_ignore(type) && type.family != contact::Family::mortar;
+}
 
 void run(const RuleInfo& rule, Context& context, Report& report) {
   const model::Model& model = context.model();

@@ -13,15 +13,22 @@ double shell_at(const model::Model& model, const contact::Segments& s, std::size
   return part == none<PartIndex> || model.rigid(part) ? 0 : contact::element_thickness(model, s.element[i]);
 }
 
+/// *CONTROL_CONTACT has a say only where THKOPT leaves it one.
+const char* advice(const model::Contact& contact) {
+  if (contact.thkopt == 1) return "set SHLTHK = 1 on card B";
+  if (contact.thkopt == 2) return "set THKOPT and SHLTHK = 1 on card B";
+  return "set THKOPT and SHLTHK = 1 on card B or SHLTHK = 1 in *CONTROL_CONTACT";
+}
+
 std::string message(const model::Contact& contact, const Worst& shells) {
   const bool card = contact.sst != 0 || contact.mst != 0;
   const char* cause = contact.thkopt == 2                          ? "THKOPT = 2"
                       : contact.thkopt == 0 && contact.shlthk > 0 ? "SHLTHK of card B needs THKOPT = 1"
                                                                   : "SHLTHK = 0";
   return fmt::format(
-      "{} ignores thickness ({}): {} shells, up to {:.4g} thick{}, meet at their mid-surfaces; set THKOPT and SHLTHK = 1 on "
-      "card B or SHLTHK = 1 in *CONTROL_CONTACT, or use the AUTOMATIC type",
-      contact.written, cause, shells.count, shells.weight, card ? ", and SST/MST" : "");
+      "{} ignores thickness ({}): {} shells, up to {:.4g} thick{}, meet at their mid-surfaces; {}, or use the "
+      "AUTOMATIC type",
+      contact.written, cause, shells.count, shells.weight, card ? ", and SST/MST" : "", advice(contact));
 }
 
 void run(const RuleInfo& rule, Context& context, Report& report) {

@@ -1,7 +1,10 @@
 #include "audit/fix/freedoms.hpp"
 
+#include <ctime>
+
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
+#include "model/links.hpp"
 
 namespace gapcheck::audit_test {
 namespace {
@@ -50,6 +53,27 @@ TEST(Freedoms, RigidBodiesAreHeld) {
   const audit::Freedoms f = audit::find_freedoms(model.value(), {}, {});
   for (std::uint32_t i = 0; i < 16; ++i) EXPECT_TRUE(f.held(NodeIndex{i}));
   EXPECT_EQ(f.reason[3], HoldReason::rigid);
+}
+
+// The work grows with the model, not with the square of a node set: here 3e10 steps.
+TEST(Freedoms, ALargeNodeSetIsHeldOnce) {
+  constexpr int n = 300;
+  Diagnostics diagnostics;
+  const auto deck = keyword::read_deck_text(
+      "*KEYWORD\n" + material + Plate{.id = 1, .nx = n, .ny = n}.deck() +
+          "*SET_NODE_LIST_GENERATE\n         1\n         1  99999999\n"
+          "*CONSTRAINED_NODE_SET\n         1         1\n*END\n",
+      "deck.k", {}, diagnostics);
+  const auto model = model::read_model(deck.value(), diagnostics);
+  ASSERT_TRUE(model.ok() && !diagnostics.has_errors());
+  const model::Links links = model::read_links(deck.value(), model.value(), diagnostics);
+  const std::clock_t start = std::clock();
+  const audit::Freedoms f = audit::find_freedoms(model.value(), {{false, 1, 1}}, {}, {}, {model.value(), links.joined});
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10);
+  for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
+    ASSERT_TRUE(f.held(NodeIndex{i}));
+    ASSERT_EQ(f.reason[i], HoldReason::locked);
+  }
 }
 
 }  // namespace

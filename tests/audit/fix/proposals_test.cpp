@@ -32,6 +32,37 @@ TEST(Proposals, TheExclusionEndsThePenetrations) {
   EXPECT_TRUE(run_text(text, options).report.penetrations.empty());
 }
 
+TEST(Proposals, TheModelReadsTheCardOfIgnore) {
+  std::string text = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});
+  const FixRun run = fix_text(text);
+  text.insert(text.find("*END"), "\n\n" + run.report().proposals.at(0).alternatives.at(4).card);  // behind A and B
+  Diagnostics diagnostics;
+  const auto deck = keyword::read_deck_text(text, "deck.k", {}, diagnostics);
+  const auto model = model::read_model(deck.value(), diagnostics);
+  ASSERT_TRUE(model.ok() && !diagnostics.has_errors());
+  EXPECT_EQ(model.value().contacts.at(0).ignore, 1);
+}
+
+TEST(Proposals, IgnoreOnlyWhereTheTypeReadsIt) {
+  const auto proposed = [](const std::string& keyword, const std::string& cards) {
+    std::string text = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});
+    text.erase(text.find("*CONTACT"));
+    text += "*CONTROL_CONTACT\n       0.1       0.0         0         1         1\n";
+    const FixRun run = fix_text(text + "*CONTACT_" + keyword + "\n" + cards + "\n\n*END\n");
+    EXPECT_EQ(run.report().proposals.size(), 1u) << keyword;
+    for (const FixProposal& p : run.report().proposals)
+      for (const FixAlternative& a : p.alternatives)
+        if (a.text.find("IGNORE") != std::string::npos) return true;
+    return false;
+  };
+  const std::string all = "         0         0         5\n", parts = "         1         2         3         3\n";
+  EXPECT_TRUE(proposed("AUTOMATIC_SINGLE_SURFACE", all));
+  EXPECT_FALSE(proposed("SINGLE_SURFACE", all));
+  EXPECT_TRUE(proposed("AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", parts));
+  EXPECT_FALSE(proposed("ONE_WAY_SURFACE_TO_SURFACE", parts));
+  EXPECT_FALSE(proposed("FORMING_ONE_WAY_SURFACE_TO_SURFACE", parts));
+}
+
 TEST(Proposals, NoThicknessHelpsNextToTheSurface) {
   const FixRun run = fix_text(plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.01}));
   ASSERT_EQ(run.report().proposals.size(), 1u);

@@ -87,6 +87,26 @@ TEST(ThicknessTrial, SectionsThatCount) {
   EXPECT_FALSE(sections(card));
 }
 
+// SFT of a part stands in for SFST and SFMT: 0.9 × 0.7777 is at most 0.7, and 0.95 × 0.7368.
+TEST(ThicknessTrial, SectionsWithTheScaleOfThePart) {
+  const auto sections = [](double scale_b) {
+    std::string text = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});
+    const std::string first = "*PART\nplate\n         1         1         1\n";
+    text.replace(text.find(first), first.size(),
+                 "*PART_CONTACT\nplate\n         1         1         1\n" + std::string(50, ' ') + "       0.9\n");
+    text.replace(text.find("\n\n\n*END"), 7, fmt::format("\n\n{:40}{:10}{:10}\n*END", "", 0.95, scale_b));
+    model::Model model = read(text);
+    const contact::InitialState state = state_of(model);
+    audit::ThicknessTrial trial(model);
+    return trial.sections(0, 1, 2, state.penetrations, 0.7);
+  };
+  const auto found = sections(0.95);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(found->thickness.at(1), 0.7777, 1e-12);
+  EXPECT_NEAR(found->thickness.at(2), 0.7368, 1e-12);
+  EXPECT_FALSE(sections(0.8));  // part 2 has no scale of its own
+}
+
 // The cards do what they promise when they stand in the deck.
 TEST(ThicknessTrial, SectionsOfTheProposalEndThePenetrations) {
   std::string text = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});

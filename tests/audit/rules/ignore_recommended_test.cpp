@@ -26,6 +26,7 @@ TEST(IgnoreRecommended, NotWithIgnoreNorForOtherTypes) {
   ASSERT_EQ(at_control.findings.size(), 1U);
   EXPECT_EQ(at_control.findings[0].contact, 0);
   EXPECT_EQ(run_rule("GC421", plates(0.7, "SURFACE_TO_SURFACE", "1,2,3,3")).findings.size(), 0U);
+  EXPECT_EQ(run_rule("GC421", plates(0.7, "SINGLE_SURFACE")).findings.size(), 0U);
 }
 
 TEST(IgnoreRecommended, OneNoteForAllContacts) {

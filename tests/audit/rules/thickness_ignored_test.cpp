@@ -40,6 +40,18 @@ TEST(ThicknessIgnored, NotWithShlthkOnCardBOrGlobally) {
   EXPECT_NE(report.findings[0].message.find("THKOPT = 2"), std::string::npos);
 }
 
+// *CONTROL_CONTACT is no help where THKOPT is not 0.
+TEST(ThicknessIgnored, AdviceThatHelps) {
+  const auto message = [](int thkopt) {
+    const std::string cards = fmt::format("0.\n1.,1.\n0,0.1,0,0.,0,0,0,0\n0.,{},0\n", thkopt);
+    const Report report = run_rule("GC305", plates("SURFACE_TO_SURFACE", 1, cards));
+    return report.findings.size() == 1 ? report.findings[0].message : std::string();
+  };
+  EXPECT_NE(message(0).find("card B or SHLTHK = 1 in *CONTROL_CONTACT, or use"), std::string::npos);
+  EXPECT_NE(message(1).find("set SHLTHK = 1 on card B, or use"), std::string::npos);
+  EXPECT_NE(message(2).find("set THKOPT and SHLTHK = 1 on card B, or use"), std::string::npos);
+}
+
 TEST(ThicknessIgnored, RigidToolsAndSolidsHaveNoneToIgnore) {
   EXPECT_EQ(listed(run_rule("GC305", plates("SURFACE_TO_SURFACE", 2))), 0U);
   RuleDeck deck;
