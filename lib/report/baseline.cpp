@@ -210,13 +210,13 @@ Result<std::vector<KnownFinding>> read_baseline(std::string_view text, const std
 BaselineComparison compare_with_baseline(const Report& report, const std::vector<KnownFinding>& baseline,
                                          const LookedFor& looked_for) {
   std::vector<KnownFinding> now = known_findings(report);
-  const auto shown = static_cast<std::ptrdiff_t>(now.size());
+  const std::size_t shown = now.size();
   // What is ignored now is not gone.
   for_each_ignored(report, [&](const Item& item) {
     now.push_back(known_finding(item));
     return true;
   });
-  const std::vector<std::uint32_t> match = match_findings(baseline, now);
+  const std::vector<std::uint32_t> match = match_findings(baseline, now, shown);
   std::vector<BaselineState> states(now.size(), BaselineState::fresh);
   std::vector<bool> there(baseline.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -225,8 +225,9 @@ BaselineComparison compare_with_baseline(const Report& report, const std::vector
     states[i] = worse(baseline[match[i]], now[i]) ? BaselineState::worse : BaselineState::unchanged;
   }
   BaselineComparison comparison;
-  comparison.states.assign(states.begin(), states.begin() + shown);
-  comparison.ignored_states.assign(states.begin() + shown, states.end());
+  const auto first_ignored = states.begin() + static_cast<std::ptrdiff_t>(shown);
+  comparison.states.assign(states.begin(), first_ignored);
+  comparison.ignored_states.assign(first_ignored, states.end());
   for (std::size_t i = 0; i < baseline.size(); ++i)
     if (!there[i] && looked_for(baseline[i])) comparison.gone.push_back(baseline[i]);
   return comparison;
