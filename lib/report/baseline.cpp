@@ -11,6 +11,7 @@
 
 #include "report/baseline_match.hpp"
 #include "report/describe.hpp"
+#include "report/fingerprint.hpp"
 #include "report/item.hpp"
 #include "report/json_members.hpp"
 
@@ -67,7 +68,7 @@ KnownFinding known_finding(const Item& item) {
   known.count = item.count;
   // As the file will have it: bytes that are no UTF-8 do not come back.
   if (!known.position || known.count > 1)
-    known.message = Json::parse(json_string(without_lines(item.message))).get<std::string>();
+    known.message = Json::parse(json_string(without_lines(without_place(item.message)))).get<std::string>();
   return known;
 }
 
@@ -117,6 +118,7 @@ std::string read_line(std::string_view line, KnownFinding& finding) {
     return value.is_number_unsigned() && (finding.count = value.get<std::uint64_t>()) > 1;
   });
   member("message", false, text(finding.message));
+  finding.message = without_place(finding.message);
   if (wrong.empty() && !finding.position && finding.message.empty())
     wrong = "there is neither \"position\" nor \"message\"";
   return wrong;
