@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -244,6 +245,50 @@ TEST(Ignores, HostileComments) {
   EXPECT_EQ(of_rule(audited(end.substr(0, at) + "$ gapcheck: ignore GC101 node=").report, "GC515"), 1U);
   EXPECT_EQ(of_rule(audited(end.substr(0, at) + "$ gapcheck:").report, "GC515"), 1U);
   EXPECT_EQ(of_rule(audited(end.substr(0, at) + "$ gapcheck: ign" + std::string(5000, 'x') + std::string("\0\xff\x01\0", 4)).report, "GC515"), 1U);
+}
+
+/// Every comment against every finding.
+TEST(Ignores, ManyAreWhatTheyAreOneByOne) {
+  const std::vector<Penetration> all = plates("").penetrations;
+  std::mt19937 random(7);
+  const auto below = [&](std::int64_t n) { return static_cast<std::int64_t>(random() % static_cast<std::uint32_t>(n)); };
+  for (int trial = 0; trial < 40; ++trial) {
+    std::string comments;
+    std::vector<std::uint64_t> matched;
+    std::set<std::size_t> taken;
+    std::size_t unused = 0;
+    for (int line = 0; line < 60; ++line) {
+      audit::IdRange node{1, 9999}, element = node, part = node;
+      std::string text = below(5) == 0 ? "GC102" : below(5) == 0 ? "GC102,GC101" : "GC1";
+      const auto narrow = [&](const char* key, audit::IdRange& range, std::int64_t first, std::int64_t count) {
+        range.first = first + below(count);
+        range.last = range.first + below(4);
+        text += fmt::format(" {}={}-{}", key, range.first, range.last);
+      };
+      if (below(2) == 0) narrow("node", node, below(2) == 0 ? 1000 : 2000, 18);
+      if (below(4) == 0) narrow("element", element, below(2) == 0 ? 1000 : 2009, 12);
+      if (below(4) == 0) narrow("part", part, 1, 3);
+      const auto in = [](const audit::IdRange& range, std::int64_t id) { return range.first <= id && id <= range.last; };
+      std::uint64_t mine = 0;
+      bool used = false;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const Penetration& p = all[i];
+        if (text.starts_with("GC102") && !text.starts_with("GC102,")) continue;
+        if (!in(node, p.node) || !in(element, p.element) || !(in(part, p.part) || in(part, p.element_part))) continue;
+        used = true;
+        mine += taken.insert(i).second ? 1 : 0;
+      }
+      if (mine > 0) matched.push_back(mine);
+      unused += used ? 0 : 1;
+      comments += "$ gapcheck: ignore " + text + "\n";
+    }
+    const Report report = plates(comments);
+    std::vector<std::uint64_t> found;
+    for (const IgnoreSource& source : report.ignored.sources) found.push_back(source.matched);
+    EXPECT_EQ(found, matched) << comments;
+    EXPECT_EQ(report.ignored.size(), taken.size());
+    EXPECT_EQ(of_rule(report, "GC513"), unused) << comments;
+  }
 }
 
 TEST(Ignores, TheSameForAnyNumberOfThreads) {
