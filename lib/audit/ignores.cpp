@@ -34,17 +34,24 @@ void move_ids(std::vector<IdRange>& ids, std::int64_t offset) {
   }
 }
 
-std::string rules_of(const IgnoreEntry& entry) {
+/// The rules of all demands, each once.
+std::string rules_of(const Place& place) {
   constexpr std::size_t most = 5;
+  std::vector<std::string_view> all;
+  for (const Demand& demand : place.demands)
+    for (const std::string& rule : demand.entry().rules)
+      if (all.size() <= most && std::find(all.begin(), all.end(), rule) == all.end()) all.push_back(rule);
   std::string text;
-  for (std::size_t i = 0; i < std::min(entry.rules.size(), most); ++i) text += (i > 0 ? ", " : "") + entry.rules[i];
-  return entry.rules.size() > most ? text + ", …" : text;
+  for (std::size_t i = 0; i < std::min(all.size(), most); ++i) text += fmt::format("{}{}", i > 0 ? ", " : "", all[i]);
+  return all.size() > most ? text + ", …" : text;
 }
 
-/// What a reader of an entry sees of it, but for its ids, which offsets change.
-std::string words_of(const IgnoreEntry& entry) {
+/// What a reader of an entry sees of it, but for its ids, which offsets change. One entry of settings may be several
+/// demands of different rules.
+std::string words_of(const IgnoreEntry& entry, bool in_deck) {
   std::string text = fmt::format("{}|", entry.until ? std::chrono::sys_days(*entry.until).time_since_epoch().count() : 0);
-  for (const std::string& rule : entry.rules) text += rule + ",";
+  if (in_deck)
+    for (const std::string& rule : entry.rules) text += rule + ",";
   return text + "|" + entry.reason;
 }
 
@@ -72,7 +79,7 @@ class Engine {
 
  private:
   void add(IgnoreEntry entry, bool in_deck) {
-    const auto [known, is_new] = position_.try_emplace({entry.file, entry.line, words_of(entry)}, places_.size());
+    const auto [known, is_new] = position_.try_emplace({entry.file, entry.line, words_of(entry, in_deck)}, places_.size());
     if (is_new) places_.push_back({{}, in_deck});
     places_[known->second].demands.emplace_back(std::move(entry), lists_);
   }
@@ -202,7 +209,9 @@ IgnoreOutcome Engine::run() {
     if (expired(entry)) {
       const auto [count, is_new] = expired_matches.try_emplace(conditions_of(place), 0);
       if (is_new) count->second = matched(place);
-      outcome_.expired.push_back({entry.file, entry.line, rules_of(entry), entry.until, count->second});
+      // Settings hold for many decks.
+      if (place.in_deck || count->second > 0)
+        outcome_.expired.push_back({entry.file, entry.line, rules_of(place), entry.until, count->second});
       continue;
     }
     const std::size_t sources = report_.ignored.sources.size();
@@ -211,9 +220,8 @@ IgnoreOutcome Engine::run() {
       claim(place, {entry.file, entry.line, entry.reason, place.in_deck, 0});
       none->second = report_.ignored.sources.size() == sources && tried(place) && !matches_any(place);
     }
-    // Settings hold for many decks.
     if (place.in_deck && none->second)
-      outcome_.unused.push_back({entry.file, entry.line, rules_of(entry), entry.until, 0});
+      outcome_.unused.push_back({entry.file, entry.line, rules_of(place), entry.until, 0});
   }
   leave_out();
   return std::move(outcome_);

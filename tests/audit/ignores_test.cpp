@@ -163,6 +163,30 @@ TEST(Ignores, OfSettings) {
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.base = "nowhere", e.files = "scene.k"; }), 0U);
 }
 
+TEST(Ignores, OneLineOfSettingsIsOnePlace) {
+  IgnoreEntry entry;
+  entry.rules = {"GC5"};
+  entry.reason = "bought";
+  entry.file = "gapcheck.toml";
+  entry.line = 7;
+  entry.until = std::chrono::year(2027) / 6 / 14;
+  AuditOptions options;
+  options.ignores = {entry, entry, entry};
+  options.ignores[1].rules = options.ignores[2].rules = {"GC1"};
+  options.ignores[1].ptol = 0.31;
+  options.ignores[2].ratio = 0.31;
+  const auto messages = [&] {
+    std::vector<std::string> texts;
+    for (const Finding& f : plates("", options).findings)
+      if (f.id == "GC514") texts.push_back(f.message);
+    return texts;
+  };
+  EXPECT_EQ(messages(), std::vector<std::string>{"the ignore of GC5, GC1 held until 2027-06-14; the 18 findings that it "
+                                                 "would leave out count again: mend them, or give a later day"});
+  options.ignores[1].ptol = options.ignores[2].ratio = 0.1;
+  EXPECT_TRUE(messages().empty()) << "it may serve another deck";
+}
+
 /// Files of a deck in a folder of their own.
 class IgnoresInIncludes : public testing::Test {
  protected:
