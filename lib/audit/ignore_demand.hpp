@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -13,6 +14,12 @@
 #include "base/path_pattern.hpp"
 
 namespace gapcheck::audit {
+
+/// True if the last day of the entry is over.
+inline bool expired(const IgnoreEntry& entry, const AuditOptions& options) {
+  return entry.until && options.today != std::chrono::sys_days{} &&
+         std::chrono::sys_days(*entry.until) < options.today;
+}
 
 /// The rules that lists of ids, names and beginnings pick; a deck may have the same list in every comment.
 class RuleLists {

@@ -83,9 +83,6 @@ class Engine {
     if (is_new) places_.push_back({{}, in_deck});
     places_[known->second].demands.emplace_back(std::move(entry), lists_);
   }
-  [[nodiscard]] bool expired(const IgnoreEntry& entry) const {
-    return entry.until && options_.today != std::chrono::sys_days{} && std::chrono::sys_days(*entry.until) < options_.today;
-  }
   void index();
   std::pair<FactIndex*, const std::vector<IdRange>*> index_for(const Demand& demand);
   void claim(Place& place, IgnoreSource source);
@@ -206,7 +203,7 @@ IgnoreOutcome Engine::run() {
   std::unordered_map<std::string, bool> unused;
   for (Place& place : places_) {
     const IgnoreEntry& entry = place.demands.front().entry();
-    if (expired(entry)) {
+    if (expired(entry, options_)) {
       const auto [count, is_new] = expired_matches.try_emplace(conditions_of(place), 0);
       if (is_new) count->second = matched(place);
       // Settings hold for many decks.

@@ -163,6 +163,35 @@ TEST(Ignores, OfSettings) {
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.base = "nowhere", e.files = "scene.k"; }), 0U);
 }
 
+TEST(Ignores, OfSettingsLeaveOutWhatIsSaidOfComments) {
+  const std::string comments = "$ gapcheck: ignore GC101 node=9\n$ gapcheck: ignr GC1\n"
+                               "$ gapcheck: ignore GC101 node=2001 until=2020-01-01\n";
+  IgnoreEntry entry;
+  entry.rules = {"GC513", "bad-ignore", "GC514"};
+  entry.files = "*.k";
+  entry.base = ".";
+  entry.file = "gapcheck.toml";
+  entry.line = 7;
+  IgnoreEntry over = entry;
+  over.rules = {"GC101"};
+  over.line = 9;
+  over.until = std::chrono::year(2027) / 6 / 14;
+  AuditOptions options;
+  options.ignores = {over, entry};
+  const Report report = plates(comments, options);
+  ASSERT_EQ(report.ignored.findings.size(), 3U);
+  EXPECT_EQ(report.ignored.source, (std::vector<std::uint32_t>{0, 0, 0}));
+  ASSERT_EQ(report.ignored.sources.size(), 1U);
+  EXPECT_EQ(report.ignored.sources[0].matched, 3U);
+  EXPECT_EQ(of_rule(report, "GC513") + of_rule(report, "GC515"), 0U);
+  EXPECT_EQ(of_rule(report, "GC514"), 1U) << "of the entry itself";
+  options.ignores[1].files = "lib/*.k";
+  EXPECT_EQ(plates(comments, options).ignored.size(), 0U);
+  options.ignores[1].files = "";
+  options.ignores[1].until = over.until;
+  EXPECT_EQ(of_rule(plates(comments, options), "GC515"), 1U) << "its last day is over";
+}
+
 TEST(Ignores, OneLineOfSettingsIsOnePlace) {
   IgnoreEntry entry;
   entry.rules = {"GC5"};
