@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <system_error>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -36,12 +37,31 @@ class RuleLists {
   std::map<std::vector<std::string>, std::vector<bool>> known_;
 };
 
+/// True if the pattern, as seen from the folder `base`, means the file: by the names given, or by those behind links.
+inline bool in_folder(const std::string& pattern, const std::filesystem::path& base,
+                      const std::filesystem::path& file) {
+  namespace fs = std::filesystem;
+  const auto meant = [&](const fs::path& from, const fs::path& to) {
+    return gapcheck::matches(pattern, to.lexically_relative(from).generic_string());
+  };
+  const auto full = [](const fs::path& path) {
+    std::error_code failed;
+    const fs::path whole = fs::absolute(path, failed);
+    return (failed ? path : whole).lexically_normal();
+  };
+  if (meant(full(base), full(file))) return true;
+  std::error_code failed[2];
+  const fs::path from = fs::weakly_canonical(fs::absolute(base, failed[0]), failed[0]);
+  const fs::path to = fs::weakly_canonical(fs::absolute(file, failed[1]), failed[1]);
+  return !failed[0] && !failed[1] && meant(from, to);
+}
+
 /// One demand with everything looked up that can be looked up once.
 class Demand {
  public:
   Demand(IgnoreEntry entry, RuleLists& lists) : entry_(std::move(entry)), of_rule_(&lists.of(entry_.rules)) {
     for (std::vector<IdRange>* ids : {&entry_.contacts, &entry_.nodes, &entry_.parts, &entry_.elements}) join(*ids);
-    if (!entry_.files.empty()) base_ = absolute(entry_.base);
+    if (!entry_.files.empty()) base_ = entry_.base;
   }
   [[nodiscard]] const IgnoreEntry& entry() const { return entry_; }
   /// By position in rules().
@@ -70,12 +90,6 @@ class Demand {
   }
 
  private:
-  static std::filesystem::path absolute(const std::filesystem::path& path) {
-    std::error_code error;
-    const std::filesystem::path full = std::filesystem::absolute(path, error);
-    return (error ? path : full).lexically_normal();
-  }
-
   /// Decides on the distance that is left, as --ptol does: a depth is the difference of two lengths.
   static bool within(const Fact& fact, double limit) {
     const double h = fact.contact_distance;
@@ -91,9 +105,7 @@ class Demand {
     if (entry_.files.empty()) return true;
     if (fact.file == nullptr) return false;
     const auto [known, is_new] = of_file_.try_emplace(*fact.file, false);
-    if (is_new)
-      known->second =
-          gapcheck::matches(entry_.files, absolute(*fact.file).lexically_relative(base_).generic_string());
+    if (is_new) known->second = in_folder(entry_.files, base_, *fact.file);
     return known->second;
   }
 

@@ -79,7 +79,8 @@ class Engine {
 
  private:
   void add(IgnoreEntry entry, bool in_deck) {
-    const auto [known, is_new] = position_.try_emplace({entry.file, entry.line, words_of(entry, in_deck)}, places_.size());
+    const auto [known, is_new] =
+        position_.try_emplace({entry.file, entry.line, words_of(entry, in_deck)}, places_.size());
     if (is_new) places_.push_back({{}, in_deck});
     places_[known->second].demands.emplace_back(std::move(entry), lists_);
   }

@@ -154,6 +154,9 @@ TEST(Ignores, OfSettings) {
   };
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ptol = 0.29; }), 0U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ptol = 0.31; }), 18U);
+  EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ptol = 0.3; }), 18U) << "1 - 0.7, as --ptol decides";
+  EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ptol = 0.29999999999; }), 0U);
+  EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ratio = 0.3; }), 18U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ratio = 0.29; }), 0U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ratio = 0.31; }), 18U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.rules = {}; }), 0U);
@@ -267,6 +270,24 @@ TEST_F(IgnoresInIncludes, AFileThatIsIncludedTwiceIsOnePlace) {
   EXPECT_EQ(of_rule(report, "GC513"), 0U) << "used by one of the two";
   EXPECT_EQ(of_rule(report, "GC514"), 1U);
   EXPECT_EQ(of_rule(report, "GC515"), 1U);
+}
+
+TEST_F(IgnoresInIncludes, FilesBehindLinksHaveBothNames) {
+  std::filesystem::create_directories(folder_ / "real/deep");
+  std::filesystem::create_directory_symlink("real", folder_ / "link");
+  write("real/deep/mesh.k", data("two_plates"));
+  const std::string deck = write("main.k", "*KEYWORD\n*INCLUDE\nlink/deep/mesh.k\n*END\n");
+  for (const auto& [pattern, left] : std::vector<std::pair<std::string, std::size_t>>{
+           {"link/**", 0}, {"real/**", 0}, {"**/deep/*", 0}, {"*", 18}, {"rea/**", 18}, {"link/real/**", 18}}) {
+    IgnoreEntry entry;
+    entry.rules = {"GC101"};
+    entry.files = pattern;
+    entry.base = folder_.string();
+    entry.file = "gapcheck.toml";
+    AuditOptions options;
+    options.ignores = {entry};
+    EXPECT_EQ(run_file(deck, options).report.penetrations.size(), left) << pattern;
+  }
 }
 
 TEST(Ignores, AnywhereInTheDeck) {
