@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "audit/ignore_demand.hpp"
 #include "base/mapped_file.hpp"
-#include "base/path_pattern.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 
@@ -108,12 +108,8 @@ std::optional<Settings> use_settings(const SettingsOptions& options, const std::
 
 std::vector<audit::IgnoreEntry> ignores_for(const std::string& deck, const Settings& settings) {
   std::vector<audit::IgnoreEntry> list;
-  std::error_code failed;
-  const fs::path here = fs::current_path(failed);
   for (const SettingsIgnore& ignore : settings.ignores) {
-    const fs::path base = (here / ignore.entry.base).lexically_normal();
-    const std::string name = (here / deck).lexically_normal().lexically_relative(base).generic_string();
-    const auto meant = [&](const std::string& pattern) { return matches(pattern, name); };
+    const auto meant = [&](const std::string& pattern) { return audit::in_folder(pattern, ignore.entry.base, deck); };
     if (ignore.decks.empty() || std::any_of(ignore.decks.begin(), ignore.decks.end(), meant))
       list.push_back(ignore.entry);
   }

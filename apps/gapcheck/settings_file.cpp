@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "audit/registry.hpp"
@@ -57,11 +58,13 @@ std::optional<std::string> value_of(const toml::node& node, SettingType type) {
   return std::nullopt;
 }
 
-/// "./lib/" as patterns are: "lib/**".
-std::string normal_pattern(const std::string& pattern) {
+/// "./lib/" as patterns are: "lib/**"; a folder that there is means all below it, too.
+std::string normal_pattern(const std::string& pattern, const fs::path& folder) {
   std::string normal = fs::path(pattern).lexically_normal().string();
-  if (normal.ends_with('/')) normal += "**";
-  return normal;
+  if (normal == "." || normal == "./") return "**";
+  std::error_code failed;
+  if (normal.ends_with('/')) return normal + "**";
+  return fs::is_directory(folder / normal, failed) ? normal + "/**" : normal;
 }
 
 /// Control characters, such as line breaks, become blanks.
@@ -202,7 +205,7 @@ class Reader {
       return error(line, "[[include]] says nothing of its files; give ignore, ptol or ratio");
     audit::IgnoreEntry entry = entry_of(given, line);
     for (const std::string& pattern : given.at("path").values) {
-      entry.files = normal_pattern(pattern);
+      entry.files = normal_pattern(pattern, folder_);
       entry.ptol = entry.ratio = -1;
       if (rules != end) {
         entry.rules = rules->second.values;
@@ -235,7 +238,7 @@ class Reader {
     take("element", entry.elements);
     std::vector<std::string> decks;
     if (const auto patterns = given.find("deck"); patterns != given.end())
-      for (const std::string& pattern : patterns->second.values) decks.push_back(normal_pattern(pattern));
+      for (const std::string& pattern : patterns->second.values) decks.push_back(normal_pattern(pattern, folder_));
     settings_.ignores.push_back({std::move(entry), std::move(decks)});
   }
 

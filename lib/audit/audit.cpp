@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "audit/element_mesh.hpp"
+#include "audit/ignore_reviews.hpp"
 #include "audit/members.hpp"
 #include "audit/run_rules.hpp"
 #include "audit/scene_mesh.hpp"
@@ -182,7 +183,9 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   place_at_nodes(report.findings, model.mesh.nodes);
   context.set_ignores(leave_out_ignored(report, deck, options));
+  const std::size_t reviews = report.findings.size();
   review_ignores(context, report);
+  leave_out_reviews(report, reviews, options);
   set_severities(options.severities, report);
   if (context.initialised()) recount(report);
   for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);

@@ -11,6 +11,7 @@
 
 #include "report/baseline_match.hpp"
 #include "report/describe.hpp"
+#include "report/fingerprint.hpp"
 #include "report/item.hpp"
 #include "report/json_members.hpp"
 
@@ -67,7 +68,7 @@ KnownFinding known_finding(const Item& item) {
   known.count = item.count;
   // As the file will have it: bytes that are no UTF-8 do not come back.
   if (!known.position || known.count > 1)
-    known.message = Json::parse(json_string(without_lines(item.message))).get<std::string>();
+    known.message = Json::parse(json_string(without_lines(without_place(item.message)))).get<std::string>();
   return known;
 }
 
@@ -117,6 +118,7 @@ std::string read_line(std::string_view line, KnownFinding& finding) {
     return value.is_number_unsigned() && (finding.count = value.get<std::uint64_t>()) > 1;
   });
   member("message", false, text(finding.message));
+  finding.message = without_place(finding.message);
   if (wrong.empty() && !finding.position && finding.message.empty())
     wrong = "there is neither \"position\" nor \"message\"";
   return wrong;
@@ -210,13 +212,13 @@ Result<std::vector<KnownFinding>> read_baseline(std::string_view text, const std
 BaselineComparison compare_with_baseline(const Report& report, const std::vector<KnownFinding>& baseline,
                                          const LookedFor& looked_for) {
   std::vector<KnownFinding> now = known_findings(report);
-  const auto shown = static_cast<std::ptrdiff_t>(now.size());
+  const std::size_t shown = now.size();
   // What is ignored now is not gone.
   for_each_ignored(report, [&](const Item& item) {
     now.push_back(known_finding(item));
     return true;
   });
-  const std::vector<std::uint32_t> match = match_findings(baseline, now);
+  const std::vector<std::uint32_t> match = match_findings(baseline, now, shown);
   std::vector<BaselineState> states(now.size(), BaselineState::fresh);
   std::vector<bool> there(baseline.size());
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -225,8 +227,9 @@ BaselineComparison compare_with_baseline(const Report& report, const std::vector
     states[i] = worse(baseline[match[i]], now[i]) ? BaselineState::worse : BaselineState::unchanged;
   }
   BaselineComparison comparison;
-  comparison.states.assign(states.begin(), states.begin() + shown);
-  comparison.ignored_states.assign(states.begin() + shown, states.end());
+  const auto first_ignored = states.begin() + static_cast<std::ptrdiff_t>(shown);
+  comparison.states.assign(states.begin(), first_ignored);
+  comparison.ignored_states.assign(first_ignored, states.end());
   for (std::size_t i = 0; i < baseline.size(); ++i)
     if (!there[i] && looked_for(baseline[i])) comparison.gone.push_back(baseline[i]);
   return comparison;

@@ -35,7 +35,8 @@ using LookedFor = std::function<bool(const KnownFinding&)>;
 /// GC101, GC102; GC204, GC202, GC201).
 /// Worse is: a graver degree or severity, more things in one line, or deeper by more than 1 % of the contact distance
 /// (unknown: of the depth before).
-/// Findings that are left out on purpose (Report::ignored) are compared too, so that they are not gone.
+/// Findings that are left out on purpose (Report::ignored) are compared too, so that they are not gone, but after the
+/// others: those take what both could have.
 /// Where a rule lists the first findings and counts the rest, which ones are listed is left to the totals: only what
 /// exceeds the baseline's total is new.
 [[nodiscard]] BaselineComparison compare_with_baseline(const Report& report, const std::vector<KnownFinding>& baseline,

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <tuple>
+#include <utility>
 
 #include "report/nearest_points.hpp"
 
@@ -51,22 +53,17 @@ class Group {
   Group(const List& before, const List& now, double unknown_reach, Places& match)
       : before_(before), now_(now), widest_reach_(unknown_reach), match_(match), taken_(before.size()) {}
 
-  void run(Places old, Places fresh) {
+  /// `shown` come before `ignored`: only an entry in the very place of an ignored one is kept for that.
+  void run(Places old, Places shown, Places ignored) {
+    old_total_ = total(before_, old);
+    const std::uint64_t all = total(now_, shown) + total(now_, ignored);
+    counted_ = counts_rest(before_, old) || counts_rest(now_, shown) || counts_rest(now_, ignored);
+    set_unknown_reach({{&before_, &old}, {&now_, &shown}, {&now_, &ignored}});
     old_ = std::move(old);
-    fresh_ = std::move(fresh);
-    set_unknown_reach();
-    old_total_ = total(before_, old_);
-    const std::uint64_t fresh_total = total(now_, fresh_);
-    const bool counted = counts_rest(before_, old_) || counts_rest(now_, fresh_);
-    in_order([](const KnownFinding& f) { return std::tuple(place_key(f), by_words(f) ? f.message : std::string()); });
-    for (const double part : {1.0 / 16, 1.0 / 4, 1.0}) nearest(part);
-    // Lines that count as many as before belong together first; of the others the largest ones.
-    in_order([](const KnownFinding& f) { return std::tuple(without_numbers(f.message), f.count); }, true);
-    for (auto& [list, places] : {std::pair(&before_, &old_), std::pair(&now_, &fresh_)})
-      std::stable_sort(places->begin(), places->end(),
-                       [list = list](std::uint32_t a, std::uint32_t b) { return (*list)[a].count > (*list)[b].count; });
-    in_order([](const KnownFinding& f) { return without_numbers(f.message); }, true);
-    if (counted) as_totals_allow(fresh_total);
+    in_one_place(shown);
+    const std::uint64_t waiting = (in_one_place(ignored), total(now_, ignored));
+    match_rest(std::move(shown), all - waiting);
+    match_rest(std::move(ignored), all);
   }
 
  private:
@@ -77,6 +74,26 @@ class Group {
   }
   static bool counts_rest(const List& list, const Places& places) {
     return std::any_of(places.begin(), places.end(), [&](std::uint32_t i) { return list[i].count > 1; });
+  }
+
+  /// Pairs what is in one place, or has the same words; `fresh` becomes what is left.
+  void in_one_place(Places& fresh) {
+    fresh_ = std::move(fresh);
+    in_order([](const KnownFinding& f) { return std::tuple(place_key(f), by_words(f) ? f.message : std::string()); });
+    fresh = std::move(fresh_);
+  }
+
+  /// `fresh_total`: things that the findings up to these stand for.
+  void match_rest(Places fresh, std::uint64_t fresh_total) {
+    fresh_ = std::move(fresh);
+    for (const double part : {1.0 / 16, 1.0 / 4, 1.0}) nearest(part);
+    // Lines that count as many as before belong together first; of the others the largest ones.
+    in_order([](const KnownFinding& f) { return std::tuple(without_numbers(f.message), f.count); }, true);
+    for (auto& [list, places] : {std::pair(&before_, &old_), std::pair(&now_, &fresh_)})
+      std::stable_sort(places->begin(), places->end(),
+                       [list = list](std::uint32_t a, std::uint32_t b) { return (*list)[a].count > (*list)[b].count; });
+    in_order([](const KnownFinding& f) { return without_numbers(f.message); }, true);
+    if (counted_) as_totals_allow(fresh_total);
   }
 
   void pair(std::uint32_t old, std::uint32_t fresh) {
@@ -123,13 +140,10 @@ class Group {
   }
 
   /// What is not known of a tie is what is known of the others of its contact.
-  void set_unknown_reach() {
+  void set_unknown_reach(std::initializer_list<std::pair<const List*, const Places*>> all) {
     double widest = 0;
-    const auto look = [&](const List& list, const Places& places) {
-      for (const std::uint32_t i : places) widest = std::max(widest, share_of_segment * list[i].segment_size);
-    };
-    look(before_, old_);
-    look(now_, fresh_);
+    for (const auto& [list, places] : all)
+      for (const std::uint32_t i : *places) widest = std::max(widest, share_of_segment * (*list)[i].segment_size);
     unknown_reach_ = widest > 0 ? std::min(widest, widest_reach_) : widest_reach_;
   }
 
@@ -188,6 +202,7 @@ class Group {
   std::vector<bool> taken_;  // of `before_`
   Places old_, fresh_;
   std::uint64_t old_total_ = 0;
+  bool counted_ = false;  // some are only counted
 };
 
 /// The end of the group that starts at `first`.
@@ -221,14 +236,18 @@ std::string without_numbers(std::string_view text) {
   return out;
 }
 
-std::vector<std::uint32_t> match_findings(const List& before, const List& now) {
+std::vector<std::uint32_t> match_findings(const List& before, const List& now, std::size_t shown) {
   Places match(now.size(), unmatched);
   const Places old = sorted(before), fresh = sorted(now);
   Group group(before, now, diagonal(before, now) / 1000, match);
   for (std::size_t i = 0, k = 0; i < old.size() && k < fresh.size();) {
     const std::size_t i_end = group_end(before, old, i), k_end = group_end(now, fresh, k);
     const auto a = group_key(before[old[i]]), b = group_key(now[fresh[k]]);
-    if (a == b) group.run({old.begin() + i, old.begin() + i_end}, {fresh.begin() + k, fresh.begin() + k_end});
+    if (a == b) {
+      Places of_group[2];  // shown, ignored
+      for (std::size_t at = k; at < k_end; ++at) of_group[fresh[at] < shown ? 0 : 1].push_back(fresh[at]);
+      group.run({old.begin() + i, old.begin() + i_end}, std::move(of_group[0]), std::move(of_group[1]));
+    }
     if (a <= b) i = i_end;
     if (b <= a) k = k_end;
   }

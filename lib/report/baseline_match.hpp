@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -22,8 +23,8 @@ struct Degree {
 inline constexpr std::uint32_t unmatched = 0xffffffffU;
 
 /// For each of `now` the position in `before` of the finding that it belongs to, or `unmatched`; each of `before` at
-/// most once. Deterministic. See compare_with_baseline().
+/// most once. The first `shown` of `now` come before the others. Deterministic. See compare_with_baseline().
 [[nodiscard]] std::vector<std::uint32_t> match_findings(const std::vector<KnownFinding>& before,
-                                                        const std::vector<KnownFinding>& now);
+                                                        const std::vector<KnownFinding>& now, std::size_t shown);
 
 }  // namespace gapcheck::report

@@ -44,6 +44,16 @@ void add_position(const Vector& x, Hash& hash) {
 
 }  // namespace
 
+std::string without_place(std::string_view message) {
+  constexpr std::string_view begin = " (first in line", of = " of ";
+  const auto at = message.find(begin);
+  if (at == message.npos || !message.ends_with(')')) return std::string(message);
+  std::string_view rest = message.substr(at + begin.size());
+  if (rest.size() > 1 && rest[0] == ' ' && rest[1] >= '0' && rest[1] <= '9')
+    rest.remove_prefix(std::min(rest.find_first_not_of("0123456789", 1), rest.size()));
+  return rest.starts_with(of) ? std::string(message.substr(0, at)) + " (first)" : std::string(message);
+}
+
 std::uint64_t fingerprint(const Penetration& record, std::int64_t contact_id) {
   Hash hash;
   hash.integer(contact_id);
@@ -57,7 +67,8 @@ std::uint64_t fingerprint(const Finding& finding) {
   Hash hash;
   hash.integer(finding.contact);
   hash.text(finding.id);
-  std::string_view rest = finding.message;
+  const std::string message = without_place(finding.message);
+  std::string_view rest = message;
   for (auto at = rest.find(mark); at != rest.npos; at = rest.find(mark)) {
     hash.text(rest.substr(0, at));
     rest.remove_prefix(at + mark.size());

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "records/report.hpp"
@@ -12,7 +13,13 @@ namespace gapcheck::report {
 /// digits. Limit: coincident nodes in one contact share it. The same on every machine.
 [[nodiscard]] std::uint64_t fingerprint(const Penetration& record, std::int64_t contact_id);
 
-/// The same for findings without a position: the message takes its place, numbers after "line " left out.
+/// A message without the place of something else: "defined again (first in line 40 of a.k)" becomes "defined again
+/// (first)", since lines move and the same file has another path from another folder. The file's name may be any; it
+/// ends where the message does. "line of", as earlier baselines have it, is the same.
+[[nodiscard]] std::string without_place(std::string_view message);
+
+/// The same for findings without a position: the message without_place() takes its place, numbers after "line " left
+/// out.
 [[nodiscard]] std::uint64_t fingerprint(const Finding& finding);
 
 /// The same for a node of a tied contact; where nothing says where it is, its number enters with the message.

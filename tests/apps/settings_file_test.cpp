@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -316,6 +317,23 @@ TEST(SettingsFile, EveryKeyOfTheTopLevelIsAnOption) {
       EXPECT_EQ(key.option, "--" + std::string(key.name));
     }
   }
+}
+
+TEST(SettingsFile, FoldersAreAllThatIsInThem) {
+  namespace fs = std::filesystem;
+  std::string pattern = (fs::temp_directory_path() / "gapcheck-XXXXXX").string();
+  const fs::path folder = ::mkdtemp(pattern.data());
+  fs::create_directories(folder / "lib/deep");
+  const std::vector<std::pair<std::string, std::string>> meant{
+      {".", "**"},           {"./", "**"},           {"lib/..", "**"}, {"lib", "lib/**"},  {"lib/", "lib/**"},
+      {"./lib", "lib/**"},   {"lib/deep", "lib/deep/**"}, {"lob", "lob"},   {"lib/*", "lib/*"}, {"**", "**"}};
+  for (const auto& [written, read_as] : meant) {
+    const Outcome include = read("[[include]]\npath = \"" + written + "\"\nignore = \"GC1\"\n",
+                                 (folder / "gapcheck.toml").string());
+    ASSERT_EQ(include.settings.ignores.size(), 1u) << written;
+    EXPECT_EQ(include.settings.ignores[0].entry.files, read_as) << written;
+  }
+  fs::remove_all(folder);
 }
 
 }  // namespace

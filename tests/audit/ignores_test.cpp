@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -153,6 +154,9 @@ TEST(Ignores, OfSettings) {
   };
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ptol = 0.29; }), 0U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ptol = 0.31; }), 18U);
+  EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ptol = 0.3; }), 18U) << "1 - 0.7, as --ptol decides";
+  EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ptol = 0.29999999999; }), 0U);
+  EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ratio = 0.3; }), 18U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ratio = 0.29; }), 0U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.ratio = 0.31; }), 18U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.rules = {}; }), 0U);
@@ -160,6 +164,59 @@ TEST(Ignores, OfSettings) {
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.base = ".", e.files = "sc*.k"; }), 18U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.base = "..", e.files = "**/scene.k"; }), 18U);
   EXPECT_EQ(ignored([](IgnoreEntry& e) { e.base = "nowhere", e.files = "scene.k"; }), 0U);
+}
+
+TEST(Ignores, OfSettingsLeaveOutWhatIsSaidOfComments) {
+  const std::string comments = "$ gapcheck: ignore GC101 node=9\n$ gapcheck: ignr GC1\n"
+                               "$ gapcheck: ignore GC101 node=2001 until=2020-01-01\n";
+  IgnoreEntry entry;
+  entry.rules = {"GC513", "bad-ignore", "GC514"};
+  entry.files = "*.k";
+  entry.base = ".";
+  entry.file = "gapcheck.toml";
+  entry.line = 7;
+  IgnoreEntry over = entry;
+  over.rules = {"GC101"};
+  over.line = 9;
+  over.until = std::chrono::year(2027) / 6 / 14;
+  AuditOptions options;
+  options.ignores = {over, entry};
+  const Report report = plates(comments, options);
+  ASSERT_EQ(report.ignored.findings.size(), 3U);
+  EXPECT_EQ(report.ignored.source, (std::vector<std::uint32_t>{0, 0, 0}));
+  ASSERT_EQ(report.ignored.sources.size(), 1U);
+  EXPECT_EQ(report.ignored.sources[0].matched, 3U);
+  EXPECT_EQ(of_rule(report, "GC513") + of_rule(report, "GC515"), 0U);
+  EXPECT_EQ(of_rule(report, "GC514"), 1U) << "of the entry itself";
+  options.ignores[1].files = "lib/*.k";
+  EXPECT_EQ(plates(comments, options).ignored.size(), 0U);
+  options.ignores[1].files = "";
+  options.ignores[1].until = over.until;
+  EXPECT_EQ(of_rule(plates(comments, options), "GC515"), 1U) << "its last day is over";
+}
+
+TEST(Ignores, OneLineOfSettingsIsOnePlace) {
+  IgnoreEntry entry;
+  entry.rules = {"GC5"};
+  entry.reason = "bought";
+  entry.file = "gapcheck.toml";
+  entry.line = 7;
+  entry.until = std::chrono::year(2027) / 6 / 14;
+  AuditOptions options;
+  options.ignores = {entry, entry, entry};
+  options.ignores[1].rules = options.ignores[2].rules = {"GC1"};
+  options.ignores[1].ptol = 0.31;
+  options.ignores[2].ratio = 0.31;
+  const auto messages = [&] {
+    std::vector<std::string> texts;
+    for (const Finding& f : plates("", options).findings)
+      if (f.id == "GC514") texts.push_back(f.message);
+    return texts;
+  };
+  EXPECT_EQ(messages(), std::vector<std::string>{"the ignore of GC5, GC1 held until 2027-06-14; the 18 findings that it "
+                                                 "would leave out count again: mend them, or give a later day"});
+  options.ignores[1].ptol = options.ignores[2].ratio = 0.1;
+  EXPECT_TRUE(messages().empty()) << "it may serve another deck";
 }
 
 /// Files of a deck in a folder of their own.
@@ -215,6 +272,24 @@ TEST_F(IgnoresInIncludes, AFileThatIsIncludedTwiceIsOnePlace) {
   EXPECT_EQ(of_rule(report, "GC515"), 1U);
 }
 
+TEST_F(IgnoresInIncludes, FilesBehindLinksHaveBothNames) {
+  std::filesystem::create_directories(folder_ / "real/deep");
+  std::filesystem::create_directory_symlink("real", folder_ / "link");
+  write("real/deep/mesh.k", data("two_plates"));
+  const std::string deck = write("main.k", "*KEYWORD\n*INCLUDE\nlink/deep/mesh.k\n*END\n");
+  for (const auto& [pattern, left] : std::vector<std::pair<std::string, std::size_t>>{
+           {"link/**", 0}, {"real/**", 0}, {"**/deep/*", 0}, {"*", 18}, {"rea/**", 18}, {"link/real/**", 18}}) {
+    IgnoreEntry entry;
+    entry.rules = {"GC101"};
+    entry.files = pattern;
+    entry.base = folder_.string();
+    entry.file = "gapcheck.toml";
+    AuditOptions options;
+    options.ignores = {entry};
+    EXPECT_EQ(run_file(deck, options).report.penetrations.size(), left) << pattern;
+  }
+}
+
 TEST(Ignores, AnywhereInTheDeck) {
   const std::string deck = data("two_plates"), comment = "$  gapCheck:ignore GC101 node=2001\n";
   for (const char* mark : {"*NODE\n", "*CONTACT", "*TITLE\n", "    2001  ", "*END"}) {
@@ -244,6 +319,50 @@ TEST(Ignores, HostileComments) {
   EXPECT_EQ(of_rule(audited(end.substr(0, at) + "$ gapcheck: ignore GC101 node=").report, "GC515"), 1U);
   EXPECT_EQ(of_rule(audited(end.substr(0, at) + "$ gapcheck:").report, "GC515"), 1U);
   EXPECT_EQ(of_rule(audited(end.substr(0, at) + "$ gapcheck: ign" + std::string(5000, 'x') + std::string("\0\xff\x01\0", 4)).report, "GC515"), 1U);
+}
+
+/// Every comment against every finding.
+TEST(Ignores, ManyAreWhatTheyAreOneByOne) {
+  const std::vector<Penetration> all = plates("").penetrations;
+  std::mt19937 random(7);
+  const auto below = [&](std::int64_t n) { return static_cast<std::int64_t>(random() % static_cast<std::uint32_t>(n)); };
+  for (int trial = 0; trial < 40; ++trial) {
+    std::string comments;
+    std::vector<std::uint64_t> matched;
+    std::set<std::size_t> taken;
+    std::size_t unused = 0;
+    for (int line = 0; line < 60; ++line) {
+      audit::IdRange node{1, 9999}, element = node, part = node;
+      std::string text = below(5) == 0 ? "GC102" : below(5) == 0 ? "GC102,GC101" : "GC1";
+      const auto narrow = [&](const char* key, audit::IdRange& range, std::int64_t first, std::int64_t count) {
+        range.first = first + below(count);
+        range.last = range.first + below(4);
+        text += fmt::format(" {}={}-{}", key, range.first, range.last);
+      };
+      if (below(2) == 0) narrow("node", node, below(2) == 0 ? 1000 : 2000, 18);
+      if (below(4) == 0) narrow("element", element, below(2) == 0 ? 1000 : 2009, 12);
+      if (below(4) == 0) narrow("part", part, 1, 3);
+      const auto in = [](const audit::IdRange& range, std::int64_t id) { return range.first <= id && id <= range.last; };
+      std::uint64_t mine = 0;
+      bool used = false;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const Penetration& p = all[i];
+        if (text.starts_with("GC102") && !text.starts_with("GC102,")) continue;
+        if (!in(node, p.node) || !in(element, p.element) || !(in(part, p.part) || in(part, p.element_part))) continue;
+        used = true;
+        mine += taken.insert(i).second ? 1 : 0;
+      }
+      if (mine > 0) matched.push_back(mine);
+      unused += used ? 0 : 1;
+      comments += "$ gapcheck: ignore " + text + "\n";
+    }
+    const Report report = plates(comments);
+    std::vector<std::uint64_t> found;
+    for (const IgnoreSource& source : report.ignored.sources) found.push_back(source.matched);
+    EXPECT_EQ(found, matched) << comments;
+    EXPECT_EQ(report.ignored.size(), taken.size());
+    EXPECT_EQ(of_rule(report, "GC513"), unused) << comments;
+  }
 }
 
 TEST(Ignores, TheSameForAnyNumberOfThreads) {

@@ -110,6 +110,20 @@ TEST(Baseline, WordsWithoutNumbersWhereThereIsNoPosition) {
   EXPECT_EQ(outcome(before, after), "1 new, 0 worse, 1 unchanged, 0 gone");
 }
 
+TEST(Baseline, ThePathOfTheDeckIsNoPartOfWords) {
+  Report before, after;
+  before.findings.push_back(make_finding("GC501", "duplicate-id", "node 12 is defined again (first in line 40 of V/a.k)"));
+  after.findings.push_back(make_finding("GC501", "duplicate-id", "node 12 is defined again (first in line 3 of /w/a.k)"));
+  EXPECT_EQ(outcome(before, after), "0 new, 0 worse, 1 unchanged, 0 gone");
+  EXPECT_EQ(baseline_text(known_findings(before)), baseline_text(known_findings(after)));
+  const auto earlier = read_baseline("{\"schema\":\"gapcheck-baseline/1\"}\n{\"id\":\"GC501\",\"rule\":\"duplicate-id\","
+                                     "\"severity\":\"warning\",\"message\":\"node 12 is defined again (first in line "
+                                     "of V/a.k)\"}\n",
+                                     "b");
+  ASSERT_TRUE(earlier.ok());
+  EXPECT_EQ(summary(compare_with_baseline(after, earlier.value(), all)), "0 new, 0 worse, 1 unchanged, 0 gone");
+}
+
 TEST(Baseline, OfListsThatCountTheRestOnlyTheTotalSays) {
   const auto listing = [](int first, int last, std::uint64_t rest) {
     Report report;
@@ -250,6 +264,50 @@ TEST(Baseline, WhatIsIgnoredIsNeitherGoneNorNew) {
   EXPECT_EQ(comparison.ignored_states, std::vector{unchanged});
   EXPECT_EQ(outcome(Report(), now), "0 new, 0 worse, 0 unchanged, 0 gone");
   EXPECT_TRUE(known_findings(now).empty()) << "it is not written";
+}
+
+TEST(Baseline, IgnoredFindingsTakeNothingFromOthers) {
+  // Two nodes in one place, the deeper one ignored; and in another place one that nothing hides.
+  Report now = one_node(10, 0.3);
+  now.ignored.penetrations = one_node(10, 0.4).penetrations;
+  now.ignored.source = {0};
+  now.ignored.sources = {{"deck.k", 3, "", true, 1}};
+  EXPECT_EQ(outcome(now, now), "0 new, 0 worse, 1 unchanged, 0 gone");
+  Report before = now;
+  before.penetrations.push_back(before.ignored.penetrations[0]);
+  before.ignored = {};
+  EXPECT_EQ(compared(before, now).ignored_states, std::vector{unchanged});
+  EXPECT_EQ(outcome(before, now), "0 new, 0 worse, 1 unchanged, 0 gone");
+  // Moved with its plate, nearer to where the other one was.
+  Report moved = now;
+  moved.penetrations[0].original = {10.2, 0, 0};
+  moved.ignored.penetrations[0].original = {10.1, 0, 0};
+  EXPECT_EQ(outcome(now, moved), "0 new, 0 worse, 1 unchanged, 0 gone");
+  // In the very place of a known one: a new neighbour is not taken for it.
+  moved.ignored.penetrations[0].original = {10, 0, 0};
+  EXPECT_EQ(outcome(now, moved), "1 new, 0 worse, 0 unchanged, 0 gone");
+}
+
+TEST(Baseline, IgnoredFindingsTakeNoWordsAndTotalsFromOthers) {
+  const auto listing = [](int first, std::uint64_t rest) {
+    Report report;
+    for (int i = first; i < first + 6; ++i) {
+      report.findings.push_back(make_finding("GC506", "sliver-segment", fmt::format("shell {}", i)));
+      report.findings.back().point = Vector(100.0 * i, 0, 0);
+    }
+    report.findings.push_back(make_finding("GC506", "sliver-segment", fmt::format("{} more", rest)));
+    report.findings.back().count = rest;
+    report.findings.push_back(make_finding("GC501", "duplicate-id", fmt::format("node {} again", first)));
+    report.ignored.sources = {{"deck.k", 3, "", true, 2}};
+    report.ignored.source = {0, 0};
+    report.ignored.findings = {report.findings[0], report.findings[7]};
+    report.ignored.findings[1].message = fmt::format("node {} again", first - 1);
+    report.findings.erase(report.findings.begin());
+    return report;
+  };
+  EXPECT_EQ(outcome(listing(0, 90), listing(0, 90)), "0 new, 0 worse, 7 unchanged, 0 gone");
+  EXPECT_EQ(outcome(listing(0, 90), listing(20, 90)), "0 new, 0 worse, 7 unchanged, 0 gone");
+  EXPECT_EQ(outcome(listing(0, 90), listing(20, 91)), "0 new, 1 worse, 6 unchanged, 0 gone");
 }
 
 TEST(Baseline, WhatIsGoneHasTheFingerprintThatItHad) {

@@ -76,6 +76,8 @@ TEST(Fingerprint, FindingsKeepItWhenLinesMove) {
   b.message = "node 12 is defined again (first in line 4711 of a.k)";
   b.line = 9;
   EXPECT_EQ(fingerprint(a), fingerprint(b));
+  b.message = "node 12 is defined again (first in line 40 of ../lib of (my line 3) parts/a (2).k)";
+  EXPECT_EQ(fingerprint(a), fingerprint(b)) << "the path by which the deck was named";
   b.message = "node 13 is defined again (first in line 40 of a.k)";
   EXPECT_NE(fingerprint(a), fingerprint(b));
   b = a;
@@ -84,6 +86,14 @@ TEST(Fingerprint, FindingsKeepItWhenLinesMove) {
   b = a;
   b.message = "ends with line ";
   EXPECT_NE(fingerprint(a), fingerprint(b));
+}
+
+TEST(Fingerprint, PlacesOfOtherThingsAreLeftOut) {
+  EXPECT_EQ(without_place("node 1 again (first in line 66 of V/m.k)"), "node 1 again (first)");
+  EXPECT_EQ(without_place("node 1 again (first in line of V/m.k)"), "node 1 again (first)");
+  for (const char* other : {"", "x", "node 1 again (first in line 66 of V/m.k", "again (first in line 6)",
+                            "again (first in line)", "again (first in lines 6 of a)", "again (first in line 6 or a)"})
+    EXPECT_EQ(without_place(other), other);
 }
 
 }  // namespace
