@@ -74,6 +74,18 @@ TEST_F(AuditProgram, DecksThatIncludeOneAnotherAreAudited) {
   EXPECT_NE(run.err.find("it includes itself"), std::string::npos) << run.err;
 }
 
+/// Files in a circle are not passed over in silence because there is a deck besides.
+TEST_F(AuditProgram, ACircleBesideAnotherDeckIsAudited) {
+  file("models/side/lib/mesh.k", "*KEYWORD\n*INCLUDE\n../rear.k\n*INCLUDE\n../../a.k\n*END\n");
+  file("models/a.k", content(project / "data/clean.k"));
+  const Ended run = gapcheck("audit 'models/**/*.k' --quiet");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("it includes itself"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out.rfind("models/front.k: 0 errors, 18 warnings", 0), 0u) << run.out;
+  EXPECT_NE(run.out.find("\nmodels/side/lib/mesh.k: "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("models/a.k"), std::string::npos) << "the circle includes it";
+}
+
 /// The gravest exit code is that of the call; one deck that cannot be read does not keep the others back.
 TEST_F(AuditProgram, ExitCodes) {
   EXPECT_EQ(gapcheck("audit models/front.k models/side/rear.k --fail-on warning").code, 1);
