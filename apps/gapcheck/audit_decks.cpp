@@ -44,7 +44,9 @@ auto names_of(Arguments& arguments) {
 /// The arguments for one of the decks: its names in place of {deck}.
 AuditArguments arguments_for(const std::string& deck, AuditArguments arguments) {
   for (std::string* name : names_of(arguments)) *name = name_for(*name, deck);
-  arguments.baseline.compare = name_for(arguments.baseline.compare, deck);
+  const bool by_settings = arguments.baseline.by_settings;
+  arguments.baseline.compare =
+      name_for(arguments.baseline.compare, by_settings ? seen_from_settings(deck, arguments.settings) : deck);
   arguments.audit.ignores = ignores_for(deck, arguments.settings);
   return arguments;
 }
@@ -104,6 +106,13 @@ bool make_folders(const AuditArguments& arguments, AuditArguments& own) {
     return false;
   }
   return true;
+}
+
+/// "known/a: cannot be opened: …"
+std::string reason_of(const Diagnostic& why) {
+  std::string place = report::printable(why.file);
+  if (why.line != 0) place += fmt::format(":{}", why.line);
+  return (place.empty() ? "" : place + ": ") + report::printable(why.message);
 }
 
 /// The decks of one call, one after the other.
@@ -181,14 +190,14 @@ class Run {
 
   void unread(const std::string& deck, const Diagnostic& why) {
     print(why);
-    unread_.push_back(deck);
+    unread_.push_back({deck, reason_of(why)});
     complete_ = false;
   }
 
   AuditArguments arguments_;
   std::vector<std::string> decks_;
   std::vector<Report> reports_;
-  std::vector<std::string> unread_;
+  std::vector<report::Unread> unread_;
   bool complete_ = true;
 };
 

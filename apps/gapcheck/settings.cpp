@@ -106,13 +106,17 @@ std::optional<Settings> use_settings(const SettingsOptions& options, const std::
   return settings;
 }
 
-std::vector<audit::IgnoreEntry> ignores_for(const std::string& deck, const Settings& settings) {
-  std::vector<audit::IgnoreEntry> list;
+std::string seen_from_settings(const std::string& deck, const Settings& settings) {
   std::error_code failed;
   const fs::path here = fs::current_path(failed);
+  const fs::path folder = (here / settings.path).lexically_normal().parent_path();
+  return (here / deck).lexically_normal().lexically_relative(folder).generic_string();
+}
+
+std::vector<audit::IgnoreEntry> ignores_for(const std::string& deck, const Settings& settings) {
+  std::vector<audit::IgnoreEntry> list;
+  const std::string name = seen_from_settings(deck, settings);
   for (const SettingsIgnore& ignore : settings.ignores) {
-    const fs::path base = (here / ignore.entry.base).lexically_normal();
-    const std::string name = (here / deck).lexically_normal().lexically_relative(base).generic_string();
     const auto meant = [&](const std::string& pattern) { return matches(pattern, name); };
     if (ignore.decks.empty() || std::any_of(ignore.decks.begin(), ignore.decks.end(), meant))
       list.push_back(ignore.entry);
