@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <optional>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -16,6 +14,7 @@
 #include "deck_list.hpp"
 #include "keyword/file_cache.hpp"
 #include "output.hpp"
+#include "output_guard.hpp"
 #include "progress.hpp"
 #include "report/describe.hpp"
 
@@ -45,36 +44,49 @@ auto names_of(Arguments& arguments) {
 /// The arguments for one of the decks: its names in place of {deck}.
 AuditArguments arguments_for(const std::string& deck, AuditArguments arguments) {
   for (std::string* name : names_of(arguments)) *name = name_for(*name, deck);
-  arguments.baseline.compare = name_for(arguments.baseline.compare, deck);
+  const bool by_settings = arguments.baseline.by_settings;
+  arguments.baseline.compare =
+      name_for(arguments.baseline.compare, by_settings ? seen_from_settings(deck, arguments.settings) : deck);
   arguments.audit.ignores = ignores_for(deck, arguments.settings);
   return arguments;
 }
 
-/// Why the files cannot all be written: one would take a deck's place, or that of another deck's results, or a baseline
-/// would lose what a selection leaves out. Empty: they can.
-std::string obstacle(const AuditArguments& arguments, const std::vector<std::string>& decks) {
-  std::map<std::string, std::string> taken;
-  std::set<fs::path> originals;
-  std::error_code none;
-  for (const std::string& deck : decks) originals.insert(fs::canonical(deck, none));
-  originals.erase("");
+/// Every file that the call writes.
+std::vector<PlannedOutput> planned_outputs(const AuditArguments& arguments, const std::vector<std::string>& decks) {
+  std::vector<PlannedOutput> outputs{{"--output", arguments.output.output}};
   for (const std::string& deck : decks) {
-    AuditArguments own = arguments_for(deck, arguments);
-    std::vector<std::string*> names = names_of(own);
-    names.push_back(&own.output.output);
-    for (const std::string* name : names) {
-      if (name->empty()) continue;
-      if (fs::equivalent(*name, deck, none) || originals.contains(fs::canonical(*name, none)))
-        return *name + " is the deck itself; give another file to write";
-      if (name == &own.output.output) continue;
-      const auto [first, fresh] = taken.emplace(*name, deck);
-      if (!fresh && first->second != deck)
-        return fmt::format("{} would hold the results of {} and of {}; write {{deck}} into the name where their own are "
-                           "to stand, and give decks different names", *name, first->second, deck);
-    }
-    if (arguments.selection && same_file(own.baseline))
-      return "--write-baseline into the file of --baseline would lose what the selection leaves out; write another file";
+    const AuditArguments own = arguments_for(deck, arguments);
+    outputs.push_back({"--html", own.output.html, deck});
+    for (PlannedOutput& output : app::planned_outputs(own.exports))
+      outputs.push_back({std::move(output.option), std::move(output.path), deck});
+    outputs.push_back({"--write-baseline", own.baseline.write, deck});
   }
+  std::erase_if(outputs, [](const PlannedOutput& output) { return output.path.empty(); });
+  return outputs;
+}
+
+/// Every file that the call reads. A baseline that is brought up to date is written once it has been read.
+std::vector<ReadInput> files_read(const AuditArguments& arguments, const std::vector<std::string>& decks,
+                                  const std::vector<PlannedOutput>& outputs) {
+  std::vector<ReadInput> files{{arguments.settings.path, "the settings file"}};
+  for (const std::string& deck : decks) {
+    add_deck_files(deck, arguments.audit.read, outputs, files);
+    const BaselineOptions baseline = arguments_for(deck, arguments).baseline;
+    if (!same_file(baseline)) files.push_back({baseline.compare, "the baseline to compare with"});
+  }
+  return files;
+}
+
+/// Why the files cannot all be written: one would take the place of a file that is read, or that of another deck's
+/// results, or a baseline would lose what a selection leaves out. Empty: they can.
+std::string obstacle(const AuditArguments& arguments, const std::vector<std::string>& decks) {
+  const std::vector<PlannedOutput> outputs = planned_outputs(arguments, decks);
+  if (!outputs.empty())
+    if (std::string why = output_obstacle(files_read(arguments, decks, outputs), outputs); !why.empty()) return why;
+  for (const std::string& deck : decks)
+    if (arguments.selection && same_file(arguments_for(deck, arguments).baseline))
+      return "--write-baseline into the file of --baseline would lose what the selection leaves out; write another "
+             "file";
   if (decks.size() > 1 && !arguments.baseline.compare.empty() && arguments.baseline.compare.find("{deck}") == std::string::npos)
     return "--baseline: each deck has a baseline of its own; write {deck} into the name";
   return "";
@@ -94,6 +106,13 @@ bool make_folders(const AuditArguments& arguments, AuditArguments& own) {
     return false;
   }
   return true;
+}
+
+/// "known/a: cannot be opened: …"
+std::string reason_of(const Diagnostic& why) {
+  std::string place = report::printable(why.file);
+  if (why.line != 0) place += fmt::format(":{}", why.line);
+  return (place.empty() ? "" : place + ": ") + report::printable(why.message);
 }
 
 /// The decks of one call, one after the other.
@@ -171,14 +190,14 @@ class Run {
 
   void unread(const std::string& deck, const Diagnostic& why) {
     print(why);
-    unread_.push_back(deck);
+    unread_.push_back({deck, reason_of(why)});
     complete_ = false;
   }
 
   AuditArguments arguments_;
   std::vector<std::string> decks_;
   std::vector<Report> reports_;
-  std::vector<std::string> unread_;
+  std::vector<report::Unread> unread_;
   bool complete_ = true;
 };
 

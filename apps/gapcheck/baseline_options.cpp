@@ -34,7 +34,11 @@ Result<Baseline> read(const BaselineOptions& options) {
   std::error_code failed;
   if (options.by_settings && same_file(options) && !std::filesystem::exists(options.compare, failed)) return Baseline();
   const auto file = MappedFile::open(options.compare);
-  if (!file) return file.error();
+  if (!file) {
+    Diagnostic why = file.error();
+    if (!std::filesystem::exists(options.compare, failed)) why.message += "; --write-baseline writes a first one";
+    return why;
+  }
   auto findings = report::read_baseline(file.value().bytes(), options.compare);
   if (!findings) return findings.error();
   return Baseline(std::move(findings).value());

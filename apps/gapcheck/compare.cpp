@@ -5,9 +5,11 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,7 @@
 #include "compare_curves.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "output_guard.hpp"
 #include "progress.hpp"
 #include "report/check_c_view.hpp"
 #include "report/describe.hpp"
@@ -74,8 +77,32 @@ bool contacts_exist(const report::Comparison& comparison, const std::vector<std:
   return all;
 }
 
+/// Why the results cannot be written beside what is read; empty: they can.
+std::string obstacle(const Arguments& arguments) {
+  const std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
+  std::vector<ReadInput> read;
+  for (const std::string& path : {arguments.first, arguments.second}) {
+    const auto input = recognise(path);
+    if (!input) continue;  // said when it is read
+    if (input.value().deck) {
+      add_deck_files(path, arguments.audit.read, outputs, read);
+      continue;
+    }
+    for (const std::string& file : input.value().files) read.push_back({file, "one of those compared"});
+    std::error_code failed;
+    const bool directory = std::filesystem::is_directory(path, failed);
+    add_run_files(directory ? path : std::filesystem::path(path).parent_path().string(), read);
+  }
+  for (const std::string& table : arguments.log.message_files) read.push_back({table, "a table of messages"});
+  return output_obstacle(read, outputs);
+}
+
 int compare_sources(const Arguments& arguments) {
   const JobLimit limit(arguments.jobs);
+  if (const std::string why = obstacle(arguments); !why.empty()) {
+    print_error(report::printable(why));
+    return failed;
+  }
   bool complete = true;
   const auto first = read(arguments.first, arguments, complete), second = read(arguments.second, arguments, complete);
   if (!first || !second) return failed;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <system_error>
 
@@ -95,15 +96,58 @@ std::vector<Candidate> candidates(const std::vector<std::string>& arguments, Dia
   return list;
 }
 
-/// The files that a deck includes, by canonical path. What is wrong with the deck is said when it is audited.
-std::vector<std::string> includes_of(const std::string& path, const keyword::ReadOptions& options) {
+/// The other files that a deck includes, itself or through them, by canonical path. What is wrong with the deck is said
+/// when it is audited.
+std::set<std::string> includes_of(const Candidate& candidate, const keyword::ReadOptions& options) {
   Diagnostics unheard;
-  std::vector<std::string> files;
-  const auto deck = keyword::read_deck(path, options, unheard);
+  std::set<std::string> files;
+  const auto deck = keyword::read_deck(candidate.path, options, unheard);
   if (!deck) return files;
-  for (const keyword::SourceFile& file : deck.value().files().subspan(1)) files.push_back(canonical(file.path));
+  for (const keyword::SourceFile& file : deck.value().files().subspan(1)) files.insert(canonical(file.path));
+  files.erase(candidate.canonical);
   return files;
 }
+
+/// Chooses the decks so that each candidate is one or is included by one.
+class Choice {
+ public:
+  Choice(const std::vector<Candidate>& all, const keyword::ReadOptions& options) : all_(all) {
+    for (const Candidate& candidate : all) includes_.push_back(includes_of(candidate, options));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (const std::string& file : includes_[i]) includers_[file].push_back(i);
+  }
+
+  /// Per candidate: it is a deck of its own.
+  std::vector<bool> decks() {
+    std::vector<bool> stays(all_.size(), false);
+    const auto keep = [&](std::size_t i) {
+      stays[i] = true;
+      covered_.insert(includes_[i].begin(), includes_[i].end());
+    };
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (all_[i].named) keep(i);
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (!stays[i] && !covered_.contains(all_[i].canonical) && leads(i)) keep(i);
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (!stays[i] && !covered_.contains(all_[i].canonical)) keep(i);
+    return stays;
+  }
+
+ private:
+  /// Nothing includes the file but what it includes itself: of files that include one another in a circle, the first
+  /// will do, and reading it says what is wrong.
+  [[nodiscard]] bool leads(std::size_t i) const {
+    const auto found = includers_.find(all_[i].canonical);
+    return found == includers_.end() || std::all_of(found->second.begin(), found->second.end(), [&](std::size_t other) {
+             return includes_[i].contains(all_[other].canonical);
+           });
+  }
+
+  const std::vector<Candidate>& all_;
+  std::vector<std::set<std::string>> includes_;
+  std::map<std::string, std::vector<std::size_t>> includers_;
+  std::set<std::string> covered_;
+};
 
 }  // namespace
 
@@ -111,18 +155,9 @@ DeckList list_decks(const std::vector<std::string>& arguments, const keyword::Re
                     Diagnostics& diagnostics) {
   DeckList list;
   const std::vector<Candidate> all = candidates(arguments, diagnostics);
-  std::set<std::string> included;
-  if (std::any_of(all.begin(), all.end(), [](const Candidate& c) { return !c.named; }))
-    for (const Candidate& candidate : all)
-      for (std::string& file : includes_of(candidate.path, options))
-        if (file != candidate.canonical) included.insert(std::move(file));
-  // Files that include one another in a circle are decks, if nothing else is: reading them says what is wrong.
-  if (std::all_of(all.begin(), all.end(), [&](const Candidate& c) { return included.contains(c.canonical); }))
-    included.clear();
-  for (const Candidate& candidate : all) {
-    const bool part = !candidate.named && included.contains(candidate.canonical);
-    (part ? list.parts_of_others : list.decks).push_back(candidate.path);
-  }
+  const bool named = std::all_of(all.begin(), all.end(), [](const Candidate& candidate) { return candidate.named; });
+  const std::vector<bool> decks = named ? std::vector<bool>(all.size(), true) : Choice(all, options).decks();
+  for (std::size_t i = 0; i < all.size(); ++i) (decks[i] ? list.decks : list.parts_of_others).push_back(all[i].path);
   return list;
 }
 

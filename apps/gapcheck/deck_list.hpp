@@ -15,8 +15,9 @@ struct DeckList {
 
 /// Decks from the command line: paths as they are, and patterns (`*`, `?`, `**` for any folders) that no file is named
 /// like. What patterns find is sorted, without hidden folders and folders behind links. A file that is only found by a
-/// pattern and that another of the decks includes is no deck of its own. Errors go to `diagnostics`: patterns that find
-/// nothing, folders that cannot be read, more files than a call should take.
+/// pattern and that one of the listed decks includes is no deck of its own; of files that include one another in a
+/// circle one is. Errors go to `diagnostics`: patterns that find nothing, folders that cannot be read, more files than
+/// a call should take.
 [[nodiscard]] DeckList list_decks(const std::vector<std::string>& arguments, const keyword::ReadOptions& options,
                                   Diagnostics& diagnostics);
 

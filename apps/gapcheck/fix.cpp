@@ -22,6 +22,7 @@
 #include "common/files.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "output_guard.hpp"
 #include "progress.hpp"
 #include "report/describe.hpp"
 #include "report/fix_report.hpp"
@@ -34,6 +35,7 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   std::string deck, directory, format = "text", output;
+  std::string settings_path;  ///< empty: none is used
   std::string missing_includes = "error";
   std::vector<std::string> locks, priorities;
   keyword::ReadOptions read;
@@ -111,8 +113,17 @@ bool choose_places(const keyword::Deck& deck, const Arguments& arguments, audit:
   return true;
 }
 
-bool write_files(const keyword::Deck& deck, const Arguments& arguments, audit::Fix& fix) {
-  if (!choose_places(deck, arguments, fix)) return false;
+/// False (and a message) where the report would take the place of a file that is read, or of a corrected one.
+bool report_has_place(const keyword::Deck& deck, const Arguments& arguments, const FixReport& report) {
+  std::vector<ReadInput> read{{arguments.settings_path, "the settings file"}};
+  add_deck_files(deck, read);
+  std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
+  for (const FixedFile& file : report.changed) outputs.push_back({"-o", file.written});
+  const std::string why = output_obstacle(read, outputs);
+  return why.empty() || fail(report::printable(why));
+}
+
+bool write_files(const keyword::Deck& deck, const audit::Fix& fix) {
   for (std::size_t i = 0; i < fix.files.size(); ++i) {
     const std::string& path = fix.report.changed[i].written;
     std::error_code error;
@@ -172,7 +183,9 @@ int fix_deck(const Arguments& arguments) {
   FixReport& report = fix.value().report;
   report.input = arguments.deck;
   report.dry_run = arguments.dry_run;
-  if (!arguments.dry_run && !write_files(deck.value(), arguments, fix.value())) return failed;
+  if (!arguments.dry_run && !choose_places(deck.value(), arguments, fix.value())) return failed;
+  if (!report_has_place(deck.value(), arguments, report)) return failed;
+  if (!arguments.dry_run && !write_files(deck.value(), fix.value())) return failed;
   if (!write_report(arguments, report)) return failed;
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   if (arguments.stats) print_statistics(deck.value(), report, spent.count());
@@ -218,7 +231,9 @@ void add_fix(CLI::App& app, Action& action) {
   add_jobs(*command, arguments->jobs);
   command->callback([&action, arguments, command] {
     action = [arguments, command] {
-      if (!use_settings(arguments->settings, arguments->deck, false, *command)) return static_cast<int>(failed);
+      const auto settings = use_settings(arguments->settings, arguments->deck, false, *command);
+      if (!settings) return static_cast<int>(failed);
+      arguments->settings_path = settings->path;
       arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
       for (const std::string& text : arguments->locks) arguments->fix.locks.push_back(*parse_lock(text));
       for (const std::string& text : arguments->priorities)

@@ -21,6 +21,7 @@
 #include "common/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "output_guard.hpp"
 #include "progress.hpp"
 #include "report/check_c_view.hpp"
 #include "report/describe.hpp"
@@ -115,6 +116,20 @@ void add_deck(const model::Model& model, bool picture, bool grid, Report& report
   report.mesh = audit::element_mesh(model, surfaces, contacts);
 }
 
+/// Why the files cannot be written beside what is read; empty: they can.
+std::string obstacle(const Arguments& arguments, const std::vector<std::string>& logs) {
+  std::vector<PlannedOutput> outputs = planned_outputs(arguments.output);
+  for (PlannedOutput& output : planned_outputs(arguments.exports)) outputs.push_back(std::move(output));
+  std::vector<ReadInput> read;
+  for (const std::string& log : logs) read.push_back({log, "a log that is read"});
+  add_run_files(std::filesystem::path(logs.front()).parent_path().string(), read);
+  read.push_back({arguments.log.d3hsp, "the d3hsp file"});
+  read.push_back({arguments.d3plot, "the d3plot file"});
+  for (const std::string& table : arguments.log.message_files) read.push_back({table, "a table of messages"});
+  if (!arguments.deck.empty()) add_deck_files(arguments.deck, {}, outputs, read);
+  return output_obstacle(read, outputs);
+}
+
 int show_logs(const Arguments& arguments) {
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
@@ -125,6 +140,10 @@ int show_logs(const Arguments& arguments) {
     return failed;
   }
   const std::string& first_file = files.value().front();
+  if (const std::string why = obstacle(arguments, files.value()); !why.empty()) {
+    print_error(report::printable(why));
+    return failed;
+  }
   auto read = [&] {
     const Progress progress("reading " + report::printable(arguments.files.front()), talk);
     auto report = results::read_solver_logs(files.value(), arguments.log, diagnostics);

@@ -106,6 +106,13 @@ std::optional<Settings> use_settings(const SettingsOptions& options, const std::
   return settings;
 }
 
+std::string seen_from_settings(const std::string& deck, const Settings& settings) {
+  std::error_code failed;
+  const fs::path here = fs::current_path(failed);
+  const fs::path folder = (here / settings.path).lexically_normal().parent_path();
+  return (here / deck).lexically_normal().lexically_relative(folder).generic_string();
+}
+
 std::vector<audit::IgnoreEntry> ignores_for(const std::string& deck, const Settings& settings) {
   std::vector<audit::IgnoreEntry> list;
   for (const SettingsIgnore& ignore : settings.ignores) {

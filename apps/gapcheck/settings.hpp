@@ -27,6 +27,9 @@ inline constexpr const char* settings_name = "gapcheck.toml";
 [[nodiscard]] std::optional<Settings> use_settings(const SettingsOptions& options, const std::string& deck, bool audit,
                                                    CLI::App& command);
 
+/// The deck's path as seen from the folder of the settings file, whatever the working folder is.
+[[nodiscard]] std::string seen_from_settings(const std::string& deck, const Settings& settings);
+
 /// What the settings leave out of the report on a deck.
 [[nodiscard]] std::vector<audit::IgnoreEntry> ignores_for(const std::string& deck, const Settings& settings);
 

@@ -248,10 +248,30 @@ std::string describe(const KnownFinding& finding) {
   return text;
 }
 
-std::string summary(const BaselineComparison& comparison) {
+BaselineCounts counts(const BaselineComparison& comparison) {
   using enum BaselineState;
-  return fmt::format("{} new, {} worse, {} unchanged, {} gone", comparison.count(fresh), comparison.count(worse),
-                     comparison.count(unchanged), comparison.gone.size());
+  return {comparison.count(fresh), comparison.count(worse), comparison.count(unchanged), comparison.gone.size()};
 }
+
+std::optional<BaselineCounts> baseline_counts(const Reports& reports) {
+  std::optional<BaselineCounts> sum;
+  for (const Report& report : reports.all) {
+    if (!report.baseline) continue;
+    if (!sum) sum.emplace();
+    const BaselineCounts own = counts(*report.baseline);
+    sum->fresh += own.fresh;
+    sum->worse += own.worse;
+    sum->unchanged += own.unchanged;
+    sum->gone += own.gone;
+  }
+  return sum;
+}
+
+std::string summary(const BaselineCounts& counts) {
+  return fmt::format("{} new, {} worse, {} unchanged, {} gone", counts.fresh, counts.worse, counts.unchanged,
+                     counts.gone);
+}
+
+std::string summary(const BaselineComparison& comparison) { return summary(counts(comparison)); }
 
 }  // namespace gapcheck::report

@@ -1,7 +1,9 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +11,7 @@
 
 #include "base/result.hpp"
 #include "records/report.hpp"
+#include "report/writers.hpp"
 
 namespace gapcheck::report {
 
@@ -45,7 +48,16 @@ using LookedFor = std::function<bool(const KnownFinding&)>;
 /// One sentence on a finding that is gone: "GC101 initial-penetration: contact 1 at 5 5 0, penetration 0.3".
 [[nodiscard]] std::string describe(const KnownFinding& finding);
 
+/// How many findings of each kind there are.
+struct BaselineCounts {
+  std::size_t fresh = 0, worse = 0, unchanged = 0, gone = 0;
+};
+[[nodiscard]] BaselineCounts counts(const BaselineComparison& comparison);
+/// Of all that have a baseline; none without any.
+[[nodiscard]] std::optional<BaselineCounts> baseline_counts(const Reports& reports);
+
 /// "3 new, 1 worse, 40 unchanged, 2 gone".
+[[nodiscard]] std::string summary(const BaselineCounts& counts);
 [[nodiscard]] std::string summary(const BaselineComparison& comparison);
 
 }  // namespace gapcheck::report

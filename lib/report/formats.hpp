@@ -10,7 +10,7 @@ namespace gapcheck::report {
 
 // Formats that other programs read; the contents are those of json(). All of them are deterministic but for times, end
 // early when the sink gives false, and need memory for one finding at a time unless they say otherwise. Several decks
-// come one after the other; those that could not be read are no findings, and only json() and junit() name them.
+// come one after the other; those that were not audited are no findings, and only json() and junit() name them.
 
 /// What a format may say of a rule.
 struct RuleText {
@@ -27,7 +27,7 @@ void sarif(const Reports& reports, std::string_view version, std::span<const Rul
 /// JUnit: one suite per contact and one for the rest, a case per rule that found something there. A case fails if one of
 /// its findings is at least as severe as `limit`; without a limit none fails. A suite without findings has one case
 /// that passes. Each case shows the first `top` findings and counts the others. Of several decks the suites' names begin
-/// with the deck; one that could not be read is a suite with an error.
+/// with the deck; one that was not audited is a suite with an error that says why.
 void junit(const Reports& reports, const Severity* limit, std::size_t top, const Sink& sink);
 
 /// Annotations as GitHub's runners read them from standard output. At most `top` per rule and contact, then one that

@@ -6,6 +6,7 @@
 #include "report/describe.hpp"
 #include "report/formats.hpp"
 #include "report/item.hpp"
+#include "report/normal_path.hpp"
 #include "report/stream.hpp"
 #include "report/xml_text.hpp"
 
@@ -26,7 +27,7 @@ std::string_view command(Severity severity) { return severity == Severity::note 
 
 void append(Severity severity, std::string_view file, std::uint32_t line, std::string_view title,
             std::string_view message, Stream& stream) {
-  stream.text(fmt::format("::{} file={}", command(severity), escaped(file, true)));
+  stream.text(fmt::format("::{} file={}", command(severity), escaped(normal_path(file), true)));
   if (line != 0) stream.text(fmt::format(",line={}", line));
   stream.text(fmt::format(",title={}::{}\n", escaped(title, true), escaped(message, false)));
   stream.pause();

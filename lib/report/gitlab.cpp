@@ -3,6 +3,7 @@
 
 #include "report/formats.hpp"
 #include "report/item.hpp"
+#include "report/normal_path.hpp"
 #include "report/stream.hpp"
 
 namespace gapcheck::report {
@@ -38,7 +39,7 @@ void append_items(const Report& report, std::unordered_map<std::uint64_t, std::s
                                             : fmt::format("{:016x}-{}", item.fingerprint, before));
     object.plain("severity", degree(item.severity));
     object.raw("location", fmt::format("{{\"path\":{},\"lines\":{{\"begin\":{}}}}}",
-                                       json_string(item.file.empty() ? report.input : item.file),
+                                       json_string(normal_path(item.file.empty() ? report.input : item.file)),
                                        item.line == 0 ? 1 : item.line));
     object.close();
     return stream.open();

@@ -265,10 +265,9 @@ void append_gone(const BaselineComparison& comparison, Stream& stream) {
   stream.text("],\n");
 }
 
-std::string counts_of(const BaselineComparison& comparison) {
-  using enum BaselineState;
-  return fmt::format(",\"baseline\":{{\"new\":{},\"worse\":{},\"unchanged\":{},\"gone\":{}}}", comparison.count(fresh),
-                     comparison.count(worse), comparison.count(unchanged), comparison.gone.size());
+std::string counts_of(const BaselineCounts& counts) {
+  return fmt::format(",\"baseline\":{{\"new\":{},\"worse\":{},\"unchanged\":{},\"gone\":{}}}", counts.fresh,
+                     counts.worse, counts.unchanged, counts.gone);
 }
 
 }  // namespace
@@ -305,7 +304,7 @@ void append_report(const Report& report, bool statistics, Stream& stream) {
   if (ignored > 0) append_ignored(report, files, stream);
   fmt::format_to(fmt::appender(stream.buffer), "\"summary\":{{\"errors\":{},\"warnings\":{},\"notes\":{}{}{}}},\n",
                  sum.errors, sum.warnings, sum.notes, ignored > 0 ? fmt::format(",\"ignored\":{}", ignored) : "",
-                 report.baseline ? counts_of(*report.baseline) : "");
+                 report.baseline ? counts_of(counts(*report.baseline)) : "");
   stream.text("\"timing\":");
   append_timing(report.timing, stream.buffer);
   if (statistics) append_statistics(report, stream.buffer);
@@ -317,7 +316,12 @@ void append_sum(const Reports& reports, Stream& stream) {
   stream.text("],\n\"unread\":[");
   for (std::size_t i = 0; i < reports.unread.size(); ++i) {
     stream.separator(i == 0);
-    stream.text(json_string(reports.unread[i]));
+    stream.text(json_string(reports.unread[i].deck));
+  }
+  stream.text("],\n\"reasons\":[");
+  for (std::size_t i = 0; i < reports.unread.size(); ++i) {
+    stream.separator(i == 0);
+    stream.text(json_string(reports.unread[i].reason));
   }
   Totals sum;
   std::size_t ignored = 0;
@@ -325,10 +329,11 @@ void append_sum(const Reports& reports, Stream& stream) {
     sum += totals(report);
     ignored += report.ignored.size();
   }
+  const auto known = baseline_counts(reports);
   fmt::format_to(fmt::appender(stream.buffer),
-                 "],\n\"summary\":{{\"decks\":{},\"unread\":{},\"errors\":{},\"warnings\":{},\"notes\":{}{}}}}}",
+                 "],\n\"summary\":{{\"decks\":{},\"unread\":{},\"errors\":{},\"warnings\":{},\"notes\":{}{}{}}}}}",
                  reports.all.size(), reports.unread.size(), sum.errors, sum.warnings, sum.notes,
-                 ignored > 0 ? fmt::format(",\"ignored\":{}", ignored) : "");
+                 ignored > 0 ? fmt::format(",\"ignored\":{}", ignored) : "", known ? counts_of(*known) : "");
 }
 
 }  // namespace

@@ -129,12 +129,12 @@ std::vector<Document> documents_of(const Reports& reports, std::size_t top) {
   return documents;
 }
 
-void append_unread(const std::string& deck, Stream& stream) {
-  const std::string name = xml_text(deck);
+void append_unread(const Unread& unread, Stream& stream) {
+  const std::string name = xml_text(unread.deck);
   stream.text(fmt::format("  <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" time=\"0\">\n"
                           "    <testcase classname=\"{0}\" name=\"read\" time=\"0\">\n"
-                          "      <error message=\"the deck could not be read\" type=\"error\"/>\n"
-                          "    </testcase>\n  </testsuite>\n", name));
+                          "      <error message=\"{1}\" type=\"error\"/>\n"
+                          "    </testcase>\n  </testsuite>\n", name, xml_text(unread.reason)));
 }
 
 }  // namespace
@@ -157,7 +157,7 @@ void junit(const Reports& reports, const Severity* limit, std::size_t top, const
                           reports.unread.size(), time));
   for (const Document& document : documents)
     for (const Suite& suite : document.suites) append_suite(*document.report, suite, limit, stream);
-  for (const std::string& deck : reports.unread) append_unread(deck, stream);
+  for (const Unread& unread : reports.unread) append_unread(unread, stream);
   stream.text("</testsuites>\n");
   stream.flush();
 }

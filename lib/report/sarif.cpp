@@ -10,13 +10,15 @@
 #include "report/formats.hpp"
 #include "report/item.hpp"
 #include "report/json_members.hpp"
+#include "report/normal_path.hpp"
 #include "report/stream.hpp"
 
 namespace gapcheck::report {
 namespace {
 
 /// A path as the reference of a URI: separators stay, everything that is not plain is escaped; absolute ones get a scheme.
-std::string uri(std::string_view path) {
+std::string uri(std::string_view name) {
+  const std::string path = normal_path(name);
   std::string out = path.starts_with('/') ? "file://" : "";
   for (const char c : path) {
     const auto byte = static_cast<unsigned char>(c);

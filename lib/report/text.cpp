@@ -382,8 +382,9 @@ std::string text_of_all(const Reports& reports, const TextOptions& options) {
   std::size_t ignored = 0;
   for (const Report& report : reports.all) ignored += report.ignored.size();
   if (ignored > 0) line += fmt::format(", {} ignored", ignored);
+  if (const auto counts = baseline_counts(reports)) line += "; against the baselines: " + summary(*counts);
   if (!reports.unread.empty())
-    line += "; " + paint.severity(Severity::error, fmt::format("{} more could not be read", reports.unread.size()));
+    line += "; " + paint.severity(Severity::error, fmt::format("{} more not audited", reports.unread.size()));
   return line + '\n';
 }
 

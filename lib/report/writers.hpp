@@ -9,14 +9,19 @@
 
 namespace gapcheck::report {
 
+/// A deck that was not audited, and why: it cannot be read, or the baseline to hold it against cannot.
+struct Unread {
+  std::string deck, reason;
+};
+
 /// What one call has to tell: one report, or those of several decks.
 struct Reports {
   Reports(const Report& report) : all(&report, 1) {}  // NOLINT: one report is the usual case
-  Reports(std::span<const Report> reports, std::span<const std::string> not_read) : all(reports), unread(not_read) {}
+  Reports(std::span<const Report> reports, std::span<const Unread> not_read) : all(reports), unread(not_read) {}
   /// Decides the form of the output, not how many could be read.
   [[nodiscard]] bool several() const { return all.size() + unread.size() > 1; }
   std::span<const Report> all;
-  std::span<const std::string> unread = {};  ///< decks that could not be read; why has been said elsewhere
+  std::span<const Unread> unread = {};
 };
 
 struct TextOptions {
@@ -30,7 +35,8 @@ struct TextOptions {
 /// The report for a person: one block per contact, deepest nodes, part-pair sums, totals. Deterministic.
 [[nodiscard]] std::string text(const Report& report, const TextOptions& options);
 
-/// The last line for several decks: "3 decks: 1 error, 12 warnings, 0 notes; 1 more could not be read".
+/// The last line for several decks: "3 decks: 1 error, 12 warnings, 0 notes; against the baselines: 3 new, 1 worse, 40
+/// unchanged, 2 gone; 1 more not audited".
 [[nodiscard]] std::string text_of_all(const Reports& reports, const TextOptions& options);
 
 /// The counters and times alone, as `text` prints them with `stats`.
@@ -44,7 +50,8 @@ using Sink = std::function<bool(std::string_view piece)>;
 
 /// The same in pieces of about a megabyte, for reports of which the whole text should not stand in memory. `statistics`:
 /// with the counters too, as a list "statistics" of {"name", "value"} in the order of printing. Several decks are a list
-/// "decks" of such objects, the "unread" ones by name, and the "summary" of all.
+/// "decks" of such objects, the "unread" ones by name with their
+/// "reasons", and the "summary" of all.
 void json(const Reports& reports, const Sink& sink, bool statistics = false);
 
 /// Number of findings by severity, penetration records included.

@@ -74,6 +74,18 @@ TEST_F(AuditProgram, DecksThatIncludeOneAnotherAreAudited) {
   EXPECT_NE(run.err.find("it includes itself"), std::string::npos) << run.err;
 }
 
+/// Files in a circle are not passed over in silence because there is a deck besides.
+TEST_F(AuditProgram, ACircleBesideAnotherDeckIsAudited) {
+  file("models/side/lib/mesh.k", "*KEYWORD\n*INCLUDE\n../rear.k\n*INCLUDE\n../../a.k\n*END\n");
+  file("models/a.k", content(project / "data/clean.k"));
+  const Ended run = gapcheck("audit 'models/**/*.k' --quiet");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("it includes itself"), std::string::npos) << run.err;
+  EXPECT_EQ(run.out.rfind("models/front.k: 0 errors, 18 warnings", 0), 0u) << run.out;
+  EXPECT_NE(run.out.find("\nmodels/side/lib/mesh.k: "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("models/a.k"), std::string::npos) << "the circle includes it";
+}
+
 /// The gravest exit code is that of the call; one deck that cannot be read does not keep the others back.
 TEST_F(AuditProgram, ExitCodes) {
   EXPECT_EQ(gapcheck("audit models/front.k models/side/rear.k --fail-on warning").code, 1);
@@ -81,7 +93,7 @@ TEST_F(AuditProgram, ExitCodes) {
   file("empty.k", "");
   const Ended run = gapcheck("audit empty.k models/front.k --fail-on warning --quiet");
   EXPECT_EQ(run.code, 2);
-  EXPECT_EQ(last_line(run.out), "1 deck: 0 errors, 18 warnings, 2 notes; 1 more could not be read\n");
+  EXPECT_EQ(last_line(run.out), "1 deck: 0 errors, 18 warnings, 2 notes; 1 more not audited\n");
   EXPECT_NE(run.err.find("empty.k: is empty"), std::string::npos) << run.err;
   EXPECT_EQ(gapcheck("audit empty.k --format json").out, "");
 }
@@ -127,6 +139,43 @@ TEST_F(AuditProgram, ABaselineForEachDeck) {
   EXPECT_NE(one.err.find("write {deck} into the name"), std::string::npos) << one.err;
   fs::remove(folder_ / "known/models/front");
   EXPECT_EQ(gapcheck("audit 'models/**/*.k' --baseline 'known/{deck}' --quiet").code, 2);
+}
+
+/// A deck without a baseline is not audited, and every format that names it says why.
+TEST_F(AuditProgram, ABaselineThatOneDeckLacks) {
+  ASSERT_EQ(gapcheck("audit 'models/**/*.k' --write-baseline 'known/{deck}' --quiet").code, 0);
+  const std::string all = "audit 'models/**/*.k' --baseline 'known/{deck}' ";
+  EXPECT_EQ(last_line(gapcheck(all + "--quiet").out),
+            "2 decks: 0 errors, 36 warnings, 4 notes; against the baselines: 0 new, 0 worse, 40 unchanged, 0 gone\n");
+  EXPECT_EQ(nlohmann::json::parse(gapcheck(all + "--format json").out)["summary"]["baseline"]["unchanged"], 40);
+  fs::remove(folder_ / "known/models/front");
+  const Ended run = gapcheck(all + "--quiet");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(last_line(run.out), "1 deck: 0 errors, 18 warnings, 2 notes; against the baselines: 0 new, 0 worse, 20 "
+                                "unchanged, 0 gone; 1 more not audited\n");
+  const std::string why =
+      "known/models/front: cannot be opened: No such file or directory; --write-baseline writes a first one";
+  EXPECT_NE(run.err.find(why), std::string::npos) << run.err;
+  const auto json = nlohmann::json::parse(gapcheck(all + "--format json").out);
+  EXPECT_EQ(json["unread"], nlohmann::json::array({"models/front.k"}));
+  EXPECT_EQ(json["reasons"], nlohmann::json::array({why}));
+  EXPECT_EQ(json["summary"]["baseline"]["unchanged"], 20);
+  const std::string junit = gapcheck(all + "--format junit").out;
+  EXPECT_NE(junit.find("<error message=\"" + why + "\""), std::string::npos) << junit;
+}
+
+/// In the settings {deck} is the path from their folder, wherever one calls from.
+TEST_F(AuditProgram, TheBaselineOfTheSettingsIsTheSameFromAnyFolder) {
+  file("gapcheck.toml", "baseline = \"known/{deck}.base\"\nfail-on = \"warning\"\n");
+  ASSERT_EQ(gapcheck("audit 'models/**/*.k' --quiet --write-baseline 'known/{deck}.base'").code, 1);
+  ASSERT_TRUE(fs::exists(folder_ / "known/models/side/rear.base"));
+  EXPECT_EQ(gapcheck("audit 'models/**/*.k' --quiet").code, 0);
+  const std::string program = "'" GAPCHECK_BINARY "' audit ";
+  for (const char* decks : {"front.k", "front.k side/rear.k", "'**/*.k'",
+                            "../models/front.k", "\"$PWD/side/rear.k\""}) {
+    const Ended run = shell("cd models && " + program + decks + " --quiet");
+    EXPECT_EQ(run.code, 0) << decks << ": " << run.err;
+  }
 }
 
 /// Decks that share an include read it once, and find the same as alone.

@@ -122,6 +122,22 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
   return rows;
 }
 
+/// Merge requests know the files of a repository by one name only.
+TEST(Formats, PathsAreThoseOfTheRepository) {
+  Report report = sample_report();
+  report.input = "./plates.k";
+  report.files[1] = "models/../common/./mesh.inc";
+  report.findings[0].file = "";
+  const std::string all = written([&](const Sink& sink) { sarif(report, "1", two_rules, sink); }) +
+                          written([&](const Sink& sink) { gitlab(report, sink); }) +
+                          written([&](const Sink& sink) { github(report, 100, sink); });
+  for (const char* place : {"\"uri\":\"common/mesh.inc\"", "\"path\":\"common/mesh.inc\"", "file=common/mesh.inc,",
+                            "\"uri\":\"plates.k\"", "\"path\":\"plates.k\"", "file=plates.k"})
+    EXPECT_NE(all.find(place), std::string::npos) << place;
+  for (const char* place : {"models/..", "\"path\":\"./plates", "\"uri\":\"./plates", "file=./plates"})
+    EXPECT_EQ(all.find(place), std::string::npos) << place;
+}
+
 TEST(Csv, EveryLineHasTheColumnsOfTheHead) {
   const Report report = with_hostile_text();
   const auto rows = read_csv(written([&](const Sink& sink) { csv(report, sink); }));
