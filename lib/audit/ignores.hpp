@@ -53,8 +53,8 @@ struct IgnoreOutcome {
 
 /// Moves the findings that the comments of the deck and `options.ignores` leave out into `report.ignored`. Ids in
 /// comments are those of the file that they stand in, so that the offsets of its *INCLUDE_TRANSFORM apply to them; they
-/// hold for the whole deck. Findings of the rules on ignores are never left out. The counts of the contacts are left to
-/// the caller.
+/// hold for the whole deck. Findings of the rules on ignores are left out by settings alone. The counts of the contacts
+/// are left to the caller.
 [[nodiscard]] IgnoreOutcome leave_out_ignored(Report& report, const keyword::Deck& deck, const AuditOptions& options);
 
 }  // namespace gapcheck::audit
