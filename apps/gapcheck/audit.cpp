@@ -46,14 +46,9 @@ void add_selection(CLI::App& command, AuditArguments& arguments) {
 }
 
 void add_work(CLI::App& command, AuditArguments& arguments) {
+  add_includes(command, arguments.audit.read, arguments.missing_includes);
   const std::vector<CLI::Option*> options{
-      command.add_option("-I", arguments.audit.read.include_directories, "Further directory for *INCLUDE")
-          ->take_all()
-          ->allow_extra_args(false)
-          ->type_name("DIR"),
-      command.add_option("--missing-includes", arguments.missing_includes, "What to do about missing include files")
-          ->check(CLI::IsMember({"error", "skip"}))
-          ->capture_default_str(),
+      command.get_option("-I"), command.get_option("--missing-includes"),
       command.add_option("--units", arguments.units, "Of the deck, for rules that know millimetres: mm-ms-kg, m-s-kg, …")
           ->check(CLI::IsMember(unit_systems))
           ->type_name("SYSTEM"),
