@@ -68,23 +68,23 @@ for kind, name in (("two_way", "two-way"), ("single", "single surface")):
 
 HEAD = """# What the solver's tests measure
 
-Written by `scripts/solver_accuracy.py` from a run of `gapcheck_test_solver`; no number is typed by hand. The tests ask for
-these orders and bounds; here is what they find. Errors are relative to the closed form. Sources of the models:
-`tests/solver/vibration_test.cpp`, `yield_test.cpp`, `impact_test.cpp`, `hertz_test.cpp`, `penalty_test.cpp`.
+`scripts/solver_accuracy.py` writes this page from a run of `gapcheck_test_solver`; no number is typed manually. The
+tests assert orders and bounds; this is what they measure. Errors are relative to the closed form. Sources of the
+models: `tests/solver/vibration_test.cpp`, `yield_test.cpp`, `impact_test.cpp`, `hertz_test.cpp`, `penalty_test.cpp`.
 """
 
 TAIL = """
-## How they are meant
+## How to read them
 
 - The closed form of plate and beam is that of Mindlin and Timoshenko, with the rotational inertia of the real section.
-- The plate moves by so little that membrane forces do not stiffen it: at 4 % of the thickness they do by 0.15 %.
-- Rods touch by their end faces and part when the wave comes back; the springs of the contact delay that by about two
-  elements, so that the order is one.
-- The ball's mesh is coarse: its zone of contact is a few bricks wide. The exponent is fitted between 40 % and all of the
-  approach. A half-space would give 1.5; a mesh in which node after node comes into contact lies above.
-- The energy ratio counts the work of the contact, so it says that the sum is kept. Whether springs give back what they
-  took is the contact energy left between impacts.
-- The energy over dt has kinetic energy from the mean of the velocities before and after. The sum that the solver
+- The plate moves by so little that membrane forces do not stiffen it: at 4 % of the thickness they would by 0.15 %.
+- Rods touch with their end faces and separate when the wave returns; the contact springs delay that by about two
+  elements, so the order is one.
+- The ball's mesh is coarse: its zone of contact is a few bricks wide. The exponent is fitted between 40 % and 100 % of
+  the approach. A half-space would give 1.5; a mesh whose nodes come into contact one by one gives more.
+- The energy ratio includes the work of the contact, so it shows that the sum is conserved. The contact energy left
+  between impacts shows whether springs give back what they took.
+- The energy over dt uses kinetic energy from the mean of the velocities before and after. The sum that the solver
   reports, with their product, is constant to rounding.
 """
 

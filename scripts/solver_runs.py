@@ -170,21 +170,22 @@ def main():
     PICTURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         done = [run(program, decks, pathlib.Path(folder), *one) for one in RUNS]
-    PAGE.write_text("""# Runs of decks by others
+    PAGE.write_text("""# Runs of other people's decks
 
-What the verification solver makes of decks that were not written for it; `scripts/solver_runs.py` runs them and writes
-this page. Units are those of the decks. The pictures show the last state, coloured by plastic strain (grey: none, red:
-the most). Contact forces are summed as sizes over all nodes of both sides and halved, since a single-surface contact has no resultant.
+The verification solver on decks that were not written for it; `scripts/solver_runs.py` runs them and writes this page.
+Units are those of the decks. The pictures show the last state, coloured by plastic strain (grey: none, red: the most).
+Contact forces are the magnitudes summed over all nodes of both sides and halved, since a single-surface contact has no
+resultant.
 
 | deck | end time | cycles | energy ratio | hourglass share | sliding share | largest contact force | plastic strain |
 |---|---:|---:|---|---:|---:|---:|---:|
 """ + "\n".join(row for row, _ in done) + """
 
 Shares are of the total energy at the end. The deck of roll_forming comes without `*PART`: its parts were added with the
-sections and materials of the same numbers, and mesh refinement (`*CONTROL_ADAPTIVE`) is left out. Its yield curve
-is calculated as it stands: from 0 to 13 over a plastic strain of 1, where SIGY is 201. So the strip has hardly any strength
-and is drawn out to a thread: the run is in balance, but it is not the forming that was meant. The nodes of rigid bodies and
-welds of car6 pass through its pole, which a warning says.
+sections and materials of the same numbers, and mesh refinement (`*CONTROL_ADAPTIVE`) is left out. Its yield curve is
+used as given: from 0 to 13 over a plastic strain of 1, where SIGY is 201. So the strip has hardly any strength and is
+drawn out to a thread: the run is in balance, but it is not the intended forming. The nodes of rigid bodies and welds of
+car6 pass through its pole, and a warning says so.
 
 """ + "\n".join(text for _, text in done), encoding="ascii")
 

@@ -35,22 +35,34 @@ install_packages() {
   touch "$stamp"
 }
 
-# build PRESET TARGET…: configures build/PRESET once, then lets ninja decide what to do.
+# build PRESET TARGET…: configures build/PRESET once, then lets ninja decide what to do and says how far it is. In CI
+# (CI=true) warnings are errors; elsewhere a newer compiler's new warning must not stop the build.
 build() {
-  local preset=$1 folder=$root/build/$1 log=$root/build/$1.log
+  local preset=$1 folder=$root/build/$1 log=$root/build/$1.log options=()
   shift
+  [[ ${CI:-} == true ]] && options=(-DGAPCHECK_WERROR=ON)
   if [[ ! -f $folder/build.ninja ]]; then
     say "Configuring $preset …"
-    if ! (cd "$root" && cmake --preset "$preset") >"$log" 2>&1; then
+    if ! (cd "$root" && cmake --preset "$preset" "${options[@]}") >"$log" 2>&1; then
       cat "$log" >&2
       exit 2
     fi
   fi
-  # ninja prints one status line on a terminal; without one only what goes wrong is of interest.
+  # On a terminal ninja keeps one line up to date. Elsewhere a line at each quarter of a long build is enough, and of what
+  # the compiler says only what goes wrong is of interest.
   if [[ -t 2 ]]; then
-    ninja -C "$folder" "$@" >&2 || exit 2
-  elif ! ninja -C "$folder" "$@" >"$log" 2>&1; then
+    NINJA_STATUS='Building: step %f of %t, %es  ' ninja -C "$folder" "$@" >&2 || exit 2
+  elif ! ninja -C "$folder" "$@" 2>&1 | tee "$log" | tell_quarters; then
     grep -v -e '^\[' -e '^ninja: Entering' "$log" >&2
     exit 2
   fi
+}
+
+# Reads "[STEP/ALL] …" and says, of builds with more than ten steps, when a quarter, a half and three quarters are done.
+tell_quarters() {
+  awk '/^\[[0-9]+\/[0-9]+\]/ {
+    split(substr($1, 2), step, /[\/\]]/)
+    done = int(4 * step[1] / step[2])
+    if (step[2] > 10 && done > told && done < 4) { told = done; print 25 * done " % built"; fflush() }
+  }' >&2
 }

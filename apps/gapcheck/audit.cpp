@@ -25,7 +25,7 @@ const std::map<std::string, double> unit_systems{
     {"cm-s-g", 10},  {"m-s-kg", 1000}, {"in-s-lbf", 25.4}, {"ft-s-lbf", 304.8},
 };
 
-void add_selection(CLI::App& command, AuditArguments& arguments) {
+void add_deck_selection(CLI::App& command, AuditArguments& arguments) {
   audit::AuditOptions& audit = arguments.audit;
   const CLI::Validator rule(check_deck_rule, ""), amount(check_amount, ""), id(check_id, "");
   const std::vector<CLI::Option*> options{
@@ -77,7 +77,7 @@ void add_audit(CLI::App& app, Action& action) {
   command->add_option("DECK", arguments->decks, "Keyword files; patterns in quotes find them: 'models/**/*.k'")
       ->required()
       ->type_name("");
-  add_selection(*command, *arguments);
+  add_deck_selection(*command, *arguments);
   add_output(*command, arguments->output);
   add_baseline(*command, arguments->baseline);
   add_exports(*command, arguments->exports);

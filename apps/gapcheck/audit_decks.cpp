@@ -52,12 +52,12 @@ AuditArguments arguments_for(const std::string& deck, AuditArguments arguments) 
 }
 
 /// Every file that the call writes.
-std::vector<PlannedOutput> planned_outputs(const AuditArguments& arguments, const std::vector<std::string>& decks) {
+std::vector<PlannedOutput> files_written(const AuditArguments& arguments, const std::vector<std::string>& decks) {
   std::vector<PlannedOutput> outputs{{"--output", arguments.output.output}};
   for (const std::string& deck : decks) {
     const AuditArguments own = arguments_for(deck, arguments);
     outputs.push_back({"--html", own.output.html, deck});
-    for (PlannedOutput& output : app::planned_outputs(own.exports))
+    for (PlannedOutput& output : planned_outputs(own.exports))
       outputs.push_back({std::move(output.option), std::move(output.path), deck});
     outputs.push_back({"--write-baseline", own.baseline.write, deck});
   }
@@ -79,8 +79,8 @@ std::vector<ReadInput> files_read(const AuditArguments& arguments, const std::ve
 
 /// Why the files cannot all be written: one would take the place of a file that is read, or that of another deck's
 /// results, or a baseline would lose what a selection leaves out. Empty: they can.
-std::string obstacle(const AuditArguments& arguments, const std::vector<std::string>& decks) {
-  const std::vector<PlannedOutput> outputs = planned_outputs(arguments, decks);
+std::string audit_obstacle(const AuditArguments& arguments, const std::vector<std::string>& decks) {
+  const std::vector<PlannedOutput> outputs = files_written(arguments, decks);
   if (!outputs.empty())
     if (std::string why = output_obstacle(files_read(arguments, decks, outputs), outputs); !why.empty()) return why;
   for (const std::string& deck : decks)
@@ -215,7 +215,7 @@ int audit_decks(AuditArguments arguments) {
   const DeckList list = list_decks(arguments.decks, arguments.audit.read, diagnostics);
   print(diagnostics, arguments.output.text.quiet);
   if (diagnostics.has_errors()) return failed;
-  if (const std::string why = obstacle(arguments, list.decks); !why.empty()) {
+  if (const std::string why = audit_obstacle(arguments, list.decks); !why.empty()) {
     print_error(report::printable(why));
     return failed;
   }

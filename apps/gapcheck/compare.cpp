@@ -30,7 +30,7 @@
 namespace gapcheck::app {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::string first, second;
   std::vector<std::int64_t> contacts;
   double tolerance = 0;
@@ -43,7 +43,7 @@ struct Arguments {
 };
 
 /// A deck is audited, everything else read. Diagnostics are printed.
-Result<Report> read(const std::string& path, const Arguments& arguments, bool& complete) {
+Result<Report> read_source(const std::string& path, const CompareArguments& arguments, bool& complete) {
   Diagnostics diagnostics;
   auto report = [&]() -> Result<Report> {
     const auto input = recognise(path);
@@ -78,7 +78,7 @@ bool contacts_exist(const report::Comparison& comparison, const std::vector<std:
 }
 
 /// Why the results cannot be written beside what is read; empty: they can.
-std::string obstacle(const Arguments& arguments) {
+std::string comparison_obstacle(const CompareArguments& arguments) {
   const std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
   std::vector<ReadInput> read;
   for (const std::string& path : {arguments.first, arguments.second}) {
@@ -97,14 +97,15 @@ std::string obstacle(const Arguments& arguments) {
   return output_obstacle(read, outputs);
 }
 
-int compare_sources(const Arguments& arguments) {
+int compare_sources(const CompareArguments& arguments) {
   const JobLimit limit(arguments.jobs);
-  if (const std::string why = obstacle(arguments); !why.empty()) {
+  if (const std::string why = comparison_obstacle(arguments); !why.empty()) {
     print_error(report::printable(why));
     return failed;
   }
   bool complete = true;
-  const auto first = read(arguments.first, arguments, complete), second = read(arguments.second, arguments, complete);
+  const auto first = read_source(arguments.first, arguments, complete),
+             second = read_source(arguments.second, arguments, complete);
   if (!first || !second) return failed;
   const report::Comparison comparison = report::compare(first.value(), second.value(), arguments.tolerance);
   CurvesOfBoth curves(arguments.first, arguments.second, arguments.contacts, arguments.curves, arguments.quiet);
@@ -121,7 +122,7 @@ int compare_sources(const Arguments& arguments) {
   return comparison.equal() && (compared == nullptr || compared->differ == 0) ? clean : findings;
 }
 
-void add_options(CLI::App& command, Arguments& arguments) {
+void add_options(CLI::App& command, CompareArguments& arguments) {
   const CLI::Validator amount(check_amount, ""), id(check_id, "");
   command.add_option("--tol", arguments.tolerance, "Depths may differ by X, besides the rounding of printed numbers")
       ->check(amount)
@@ -154,7 +155,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
 void add_compare(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("compare", "Compare two decks or runs: penetrations and ties node by node, result curves");
   command->set_version_flag("--version", version_line("gapcheck"));
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompareArguments>();
   const char* what = "Keyword deck, messag or d3hsp file, or the directory of a run";
   command->add_option("A", arguments->first, what)->required()->type_name("");
   command->add_option("B", arguments->second, what)->required()->type_name("");

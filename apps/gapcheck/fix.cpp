@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct FixArguments {
   std::string deck, directory, format = "text", output;
   std::string settings_path;  ///< empty: none is used
   std::string missing_includes = "error";
@@ -86,7 +86,7 @@ bool fail(const std::string& message) {
 
 /// Where each changed file goes: as it lies to the main file, or by its name alone where that is elsewhere. False
 /// (and a message) where this would overwrite a file of the deck, or two files would go to one place.
-bool choose_places(const keyword::Deck& deck, const Arguments& arguments, audit::Fix& fix) {
+bool choose_places(const keyword::Deck& deck, const FixArguments& arguments, audit::Fix& fix) {
   std::error_code error;
   const fs::path home = fs::weakly_canonical(fs::path(arguments.deck), error).parent_path();
   std::set<fs::path> sources, taken;
@@ -114,7 +114,7 @@ bool choose_places(const keyword::Deck& deck, const Arguments& arguments, audit:
 }
 
 /// False (and a message) where the report would take the place of a file that is read, or of a corrected one.
-bool report_has_place(const keyword::Deck& deck, const Arguments& arguments, const FixReport& report) {
+bool report_has_place(const keyword::Deck& deck, const FixArguments& arguments, const FixReport& report) {
   std::vector<ReadInput> read{{arguments.settings_path, "the settings file"}};
   add_deck_files(deck, read);
   std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
@@ -138,7 +138,7 @@ bool write_files(const keyword::Deck& deck, const audit::Fix& fix) {
   return true;
 }
 
-bool write_report(const Arguments& arguments, const FixReport& report) {
+bool write_report(const FixArguments& arguments, const FixReport& report) {
   Output output(arguments.output);
   output.write(arguments.format == "json" ? report::fix_json(report) : report::fix_text(report, arguments.text));
   return output.close();
@@ -155,7 +155,7 @@ void print_statistics(const keyword::Deck& deck, const FixReport& report, double
   line("time: total", fmt::format("{:.3f} s", seconds));
 }
 
-int fix_deck(const Arguments& arguments) {
+int fix_deck(const FixArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const JobLimit limit(arguments.jobs);
   if (arguments.directory.empty() && !arguments.dry_run) {
@@ -192,7 +192,7 @@ int fix_deck(const Arguments& arguments) {
   return complete(report) ? clean : findings;
 }
 
-void add_choices(CLI::App& command, Arguments& arguments) {
+void add_choices(CLI::App& command, FixArguments& arguments) {
   const CLI::Validator lock(check_lock, ""), priority(check_priority, "");
   add_list(command, "--lock", arguments.locks, "Parts and nodes that must not move: 3, 7-9, node:100-200")
       ->check(lock)
@@ -207,7 +207,7 @@ void add_choices(CLI::App& command, Arguments& arguments) {
 void add_fix(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("fix", "Remove initial penetrations of a keyword deck with the least movement");
   command->set_version_flag("--version", version_line("gapcheck"));
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<FixArguments>();
   command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
   command->add_option("-o", arguments->directory, "Directory for the files that change; made where it is not there")
       ->type_name("DIR");

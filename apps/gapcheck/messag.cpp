@@ -31,7 +31,7 @@
 namespace gapcheck::app {
 namespace {
 
-struct Arguments {
+struct MessagArguments {
   std::vector<std::string> files;  ///< or directories
   results::LogOptions log;
   report::CheckCOptions pick;
@@ -42,7 +42,7 @@ struct Arguments {
   std::size_t jobs = 0;
 };
 
-void add_selection(CLI::App& command, Arguments& arguments) {
+void add_run_selection(CLI::App& command, MessagArguments& arguments) {
   const CLI::Validator amount(check_amount, ""), id(check_id, "");
   const std::vector<CLI::Option*> options{
       add_list(command, "--contact", arguments.pick.sid, "Only these contacts")->check(id)->type_name("IDS"),
@@ -61,7 +61,7 @@ void add_selection(CLI::App& command, Arguments& arguments) {
   for (CLI::Option* option : options) option->group("Selection");
 }
 
-void add_input(CLI::App& command, Arguments& arguments) {
+void add_input(CLI::App& command, MessagArguments& arguments) {
   const std::vector<CLI::Option*> options{
       command.add_option("--d3hsp", arguments.log.d3hsp, "d3hsp file, if it is not beside the first file")
           ->type_name("FILE"),
@@ -94,7 +94,7 @@ Result<std::vector<std::string>> log_files(const std::vector<std::string>& given
 
 /// Judges the run by the result files beside its first log. Says what was not judged where the user may expect it:
 /// where there is any such file, or a directory was given.
-void judge(const Arguments& arguments, const std::string& first_file, Report& report, Diagnostics& diagnostics) {
+void judge(const MessagArguments& arguments, const std::string& first_file, Report& report, Diagnostics& diagnostics) {
   const std::string directory = std::filesystem::path(first_file).parent_path().string();
   const results::RunResults files = results::read_run_results(directory, false, diagnostics);
   audit::JudgeOptions options = arguments.judge;
@@ -117,7 +117,7 @@ void add_deck(const model::Model& model, bool picture, bool grid, Report& report
 }
 
 /// Why the files cannot be written beside what is read; empty: they can.
-std::string obstacle(const Arguments& arguments, const std::vector<std::string>& logs) {
+std::string messag_obstacle(const MessagArguments& arguments, const std::vector<std::string>& logs) {
   std::vector<PlannedOutput> outputs = planned_outputs(arguments.output);
   for (PlannedOutput& output : planned_outputs(arguments.exports)) outputs.push_back(std::move(output));
   std::vector<ReadInput> read;
@@ -130,7 +130,7 @@ std::string obstacle(const Arguments& arguments, const std::vector<std::string>&
   return output_obstacle(read, outputs);
 }
 
-int show_logs(const Arguments& arguments) {
+int show_logs(const MessagArguments& arguments) {
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
   const bool talk = !arguments.output.text.quiet;
@@ -140,7 +140,7 @@ int show_logs(const Arguments& arguments) {
     return failed;
   }
   const std::string& first_file = files.value().front();
-  if (const std::string why = obstacle(arguments, files.value()); !why.empty()) {
+  if (const std::string why = messag_obstacle(arguments, files.value()); !why.empty()) {
     print_error(report::printable(why));
     return failed;
   }
@@ -177,11 +177,11 @@ void add_messag(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("messag", "Show what the solver's message files say of the contacts, and judge the run");
   command->set_version_flag("--version", version_line("gapcheck"));
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<MessagArguments>();
   command->add_option("FILE", arguments->files, "messag, mesNNNN, d3hsp, status.out files of one run, or its directory")
       ->required()
       ->type_name("");
-  add_selection(*command, *arguments);
+  add_run_selection(*command, *arguments);
   add_output(*command, arguments->output);
   add_exports(*command, arguments->exports);
   add_input(*command, *arguments);

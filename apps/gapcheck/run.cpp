@@ -29,7 +29,7 @@
 namespace gapcheck::app {
 namespace {
 
-struct Arguments {
+struct RunArguments {
   std::string deck, directory;
   std::string missing_includes = "error";
   keyword::ReadOptions read;
@@ -77,7 +77,7 @@ class Watch : public solver::Run::Observer {
 };
 
 /// True if the run may go on.
-bool tell_unsupported(const std::vector<solver::Unsupported>& list, const Arguments& arguments) {
+bool tell_unsupported(const std::vector<solver::Unsupported>& list, const RunArguments& arguments) {
   const Severity severity = arguments.ignore_unsupported ? Severity::warning : Severity::error;
   for (const solver::Unsupported& one : list)
     if (!arguments.ignore_unsupported || !arguments.quiet)
@@ -95,13 +95,13 @@ void tell_output_notes(const keyword::Deck& deck, const model::Model& model, Dia
     diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
 }
 
-bool fail(const solver::Failure& failure) {
+bool tell_failure(const solver::Failure& failure) {
   print_error(failure.message);
   return false;
 }
 
 /// Steps to the end and tells what came of it.
-bool calculate(solver::Run& run, contact::SurfaceStore& surfaces, const Arguments& arguments) {
+bool calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArguments& arguments) {
   solver::RunFilesSettings settings;
   settings.directory = arguments.directory;
   settings.program = fmt::format("gapcheck {}", version());
@@ -113,20 +113,20 @@ bool calculate(solver::Run& run, contact::SurfaceStore& surfaces, const Argument
     };
   }
   auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
-  if (const auto* failure = std::get_if<solver::Failure>(&files)) return fail(*failure);
+  if (const auto* failure = std::get_if<solver::Failure>(&files)) return tell_failure(*failure);
   solver::RunEnd end{};
   {
     const Interruptible interruptible;
     Watch watch(std::get<solver::RunFiles>(files), !arguments.quiet);
     end = run.go(watch);
   }
-  if (run.failure()) fail(*run.failure());
+  if (run.failure()) tell_failure(*run.failure());
   if (!arguments.quiet) std::fputs(run_summary(run, end).c_str(), stdout);
   if (arguments.stats) std::fputs(run_statistics(run).c_str(), stdout);
   return end != solver::RunEnd::failed;
 }
 
-int run_deck(const Arguments& arguments) {
+int run_deck(const RunArguments& arguments) {
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
   std::optional<Progress> reading;
@@ -157,7 +157,7 @@ int run_deck(const Arguments& arguments) {
   auto run = solver::Run::prepare(model.value(), surfaces, settings, diagnostics);
   print(diagnostics, arguments.quiet);
   if (const auto* failure = std::get_if<solver::Failure>(&run)) {
-    fail(*failure);
+    tell_failure(*failure);
     return failed;
   }
   return calculate(std::get<solver::Run>(run), surfaces, arguments) ? clean : failed;
@@ -168,7 +168,7 @@ int run_deck(const Arguments& arguments) {
 void add_run(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("run", "Calculate a keyword deck with the verification solver");
   command->set_version_flag("--version", version_line("gapcheck"));
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RunArguments>();
   command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
   const CLI::Validator amount(check_amount, "");
   command->add_option("-o", arguments->directory, "Directory for the result files; made where it is not there")

@@ -13,41 +13,42 @@
 namespace gapcheck::app {
 namespace {
 
-using enum SettingType;
+constexpr std::array keys = [] {
+  using enum SettingType;
+  return std::array{
+      SettingKey{"", "units", word, "--units"},
+      SettingKey{"", "include-directories", paths, "-I", "", true},
+      SettingKey{"", "missing-includes", word, "--missing-includes", "", true},
+      SettingKey{"", "jobs", count, "--jobs", "", true},
+      SettingKey{"", "select", rules, "--select"},
+      SettingKey{"", "ignore", rules, "--ignore"},
+      SettingKey{"", "contact", ids, "--contact"},
+      SettingKey{"", "part", ids, "--part"},
+      SettingKey{"", "ptol", amount, "--ptol"},
+      SettingKey{"", "rtol", amount, "--rtol"},
+      SettingKey{"", "ratio", amount, "--ratio"},
+      SettingKey{"", "format", word, "--format"},
+      SettingKey{"", "top", count, "--top"},
+      SettingKey{"", "fail-on", word, "--fail-on"},
+      SettingKey{"", "baseline", path, "--baseline"},
+      SettingKey{"include", "path", patterns, "", "The files, as seen from the folder of the settings"},
+      SettingKey{"include", "ignore", rules, "", "Rules that are left out there"},
+      SettingKey{"include", "ptol", amount, "", "Only penetrations deeper than this there"},
+      SettingKey{"include", "ratio", amount, "", "Only penetrations deeper than so much of the contact distance there"},
+      SettingKey{"include", "until", day, "", "The last day on which it holds"},
+      SettingKey{"include", "because", text, "", "Why"},
+      SettingKey{"exception", "ignore", rules, "", "Rules whose findings are left out"},
+      SettingKey{"exception", "deck", patterns, "", "Only in these decks, as seen from the folder of the settings"},
+      SettingKey{"exception", "contact", ranges, "", "Only findings in these contacts"},
+      SettingKey{"exception", "node", ranges, "", "Only findings on these nodes"},
+      SettingKey{"exception", "part", ranges, "", "Only findings on these parts"},
+      SettingKey{"exception", "element", ranges, "", "Only findings on these elements"},
+      SettingKey{"exception", "until", day, "", "The last day on which it holds"},
+      SettingKey{"exception", "because", text, "", "Why"},
+  };
+}();
 
-constexpr std::array keys{
-    SettingKey{"", "units", word, "--units"},
-    SettingKey{"", "include-directories", paths, "-I", "", true},
-    SettingKey{"", "missing-includes", word, "--missing-includes", "", true},
-    SettingKey{"", "jobs", count, "--jobs", "", true},
-    SettingKey{"", "select", rules, "--select"},
-    SettingKey{"", "ignore", rules, "--ignore"},
-    SettingKey{"", "contact", ids, "--contact"},
-    SettingKey{"", "part", ids, "--part"},
-    SettingKey{"", "ptol", amount, "--ptol"},
-    SettingKey{"", "rtol", amount, "--rtol"},
-    SettingKey{"", "ratio", amount, "--ratio"},
-    SettingKey{"", "format", word, "--format"},
-    SettingKey{"", "top", count, "--top"},
-    SettingKey{"", "fail-on", word, "--fail-on"},
-    SettingKey{"", "baseline", path, "--baseline"},
-    SettingKey{"include", "path", patterns, "", "The files, as seen from the folder of the settings"},
-    SettingKey{"include", "ignore", rules, "", "Rules that are left out there"},
-    SettingKey{"include", "ptol", amount, "", "Only penetrations deeper than this there"},
-    SettingKey{"include", "ratio", amount, "", "Only penetrations deeper than so much of the contact distance there"},
-    SettingKey{"include", "until", day, "", "The last day on which it holds"},
-    SettingKey{"include", "because", text, "", "Why"},
-    SettingKey{"exception", "ignore", rules, "", "Rules whose findings are left out"},
-    SettingKey{"exception", "deck", patterns, "", "Only in these decks, as seen from the folder of the settings"},
-    SettingKey{"exception", "contact", ranges, "", "Only findings in these contacts"},
-    SettingKey{"exception", "node", ranges, "", "Only findings on these nodes"},
-    SettingKey{"exception", "part", ranges, "", "Only findings on these parts"},
-    SettingKey{"exception", "element", ranges, "", "Only findings on these elements"},
-    SettingKey{"exception", "until", day, "", "The last day on which it holds"},
-    SettingKey{"exception", "because", text, "", "Why"},
-};
-
-constexpr std::array<std::string_view, 3> tables{"include", "exception", "severity"};
+constexpr std::array<std::string_view, 3> table_names{"include", "exception", "severity"};
 
 constexpr std::size_t longest_value = 4096;
 
@@ -65,7 +66,7 @@ std::string wrong_pattern(std::string_view pattern) {
 }  // namespace
 
 std::span<const SettingKey> setting_keys() { return keys; }
-std::span<const std::string_view> setting_tables() { return tables; }
+std::span<const std::string_view> setting_tables() { return table_names; }
 
 const SettingKey* find_setting_key(std::string_view table, std::string_view name) {
   for (const SettingKey& key : keys)
@@ -74,6 +75,7 @@ const SettingKey* find_setting_key(std::string_view table, std::string_view name
 }
 
 std::string_view expected(SettingType type) {
+  using enum SettingType;
   switch (type) {
     case word:
       return "a word in quotes";
@@ -102,10 +104,12 @@ std::string_view expected(SettingType type) {
 }
 
 bool takes_list(SettingType type) {
+  using enum SettingType;
   return type == rules || type == ids || type == ranges || type == paths || type == patterns;
 }
 
 std::string what_is_wrong(SettingType type, const std::string& value) {
+  using enum SettingType;
   if (type == text) return "";
   if (value.empty()) return "is empty";
   if (value.size() > longest_value) return fmt::format("has more than {} characters", longest_value);
@@ -145,7 +149,7 @@ std::string suggestion(std::string_view table, std::string_view name) {
   std::vector<std::string_view> candidates;
   for (const SettingKey& key : keys)
     if (key.table == table) candidates.push_back(key.name);
-  if (table.empty()) candidates.insert(candidates.end(), tables.begin(), tables.end());
+  if (table.empty()) candidates.insert(candidates.end(), table_names.begin(), table_names.end());
   std::string_view best;
   double least = 3;  // further apart it is another word
   for (const std::string_view candidate : candidates) {

@@ -18,7 +18,8 @@
 #define TOML_ENABLE_FORMATTERS 0
 #define TOML_MAX_NESTED_VALUES 32
 // A table [.a] breaks an assumption of version 3.3, which then refuses it all the same: assumptions must neither end
-// the program nor be taken for true.
+// the program nor be taken for true. What is included behind it keeps its own.
+#pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_assert(true)
 #include <toml++/impl/preprocessor.h>
@@ -29,6 +30,7 @@
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE __builtin_unreachable()
 #include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace gapcheck::app {
 namespace {

@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::uint32_t width = BoxPack::width;
 /// Cells of the curve with more boxes get a curve of their own.
-constexpr std::size_t crowded = 8 * width;
+constexpr std::size_t crowded_cell = 8 * width;
 /// Curves within curves: each is at least 500 times finer, so that these reach from 10^300 to the last bit.
-constexpr int deepest = 128;
+constexpr int deepest_curve = 128;
 
 /// Boxes and points as the tree takes them.
 struct BoxItems {
@@ -35,7 +35,7 @@ struct PointItems {
 
 /// Up to about 1024 middles of the items along one axis, unsorted; those that are no numbers are left out.
 template <class Items>
-void add_sample(const Items& items, int axis, std::vector<double>& sample) {
+void sample_middles(const Items& items, int axis, std::vector<double>& sample) {
   constexpr std::size_t samples = 1024;
   for (std::size_t i = 0; i < items.size(); i += std::max<std::size_t>(1, items.size() / samples))
     if (!items.empty(i) && std::isfinite(items.middle(i, axis))) sample.push_back(items.middle(i, axis));
@@ -53,7 +53,7 @@ class Curve {
     double extent = 0;
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<double> sample;
-      add_sample(items, axis, sample);
+      sample_middles(items, axis, sample);
       if (sample.empty()) continue;
       std::sort(sample.begin(), sample.end());
       const std::size_t margin = sample.size() / 50;
@@ -125,11 +125,11 @@ void sort_along(const Items& items, const Curve& curve, std::span<Place> places,
               [](const Place& a, const Place& b) { return std::tie(a.key, a.item) < std::tie(b.key, b.item); });
   else
     radix_sort(places, spare, Curve::bits, [](const Place& place) { return place.key; });
-  if (depth == deepest) return;
+  if (depth == deepest_curve) return;
   for (std::size_t begin = 0, end = 0; begin < places.size(); begin = end) {
     end = begin + 1;
     while (end < places.size() && places[end].key == places[begin].key) ++end;
-    if (end - begin <= crowded) continue;
+    if (end - begin <= crowded_cell) continue;
     const auto run = places.subspan(begin, end - begin);
     const Curve finer = Curve::over_all(items, run);
     if (!finer.flat()) sort_along(items, finer, run, spare.subspan(begin, end - begin), depth + 1);

@@ -20,9 +20,9 @@
 namespace gapcheck::contact {
 namespace {
 
-constexpr int bits = 21;  // per axis: 3 × 21 fit one key
+constexpr int bits_per_axis = 21;  // 3 × 21 fit one key
 /// Buckets with more points are split on the way: a look at so many costs less than finding the halves.
-constexpr std::uint32_t crowded = 256;
+constexpr std::uint32_t crowded_bucket = 256;
 using Cell = std::array<std::uint32_t, 3>;
 
 std::uint64_t spread(std::uint64_t v) {
@@ -85,7 +85,7 @@ class Grid {
     const Bounds core = core_of(points);
     origin_ = core.low;
     const double extent = (core.high - core.low).maxCoeff();
-    cells_per_length_ = extent > 0 ? (1 << bits) / extent : 0;
+    cells_per_length_ = extent > 0 ? (1 << bits_per_axis) / extent : 0;
     sort(points);
     build_levels(levels_asked(boxes));
   }
@@ -94,7 +94,7 @@ class Grid {
     Cell c{};
     for (int i = 0; i < 3; ++i) {
       const double v = (x[i] - origin_[i]) * cells_per_length_;
-      c[i] = v > 0 ? static_cast<std::uint32_t>(std::min(v, double((1 << bits) - 1))) : 0;
+      c[i] = v > 0 ? static_cast<std::uint32_t>(std::min(v, double((1 << bits_per_axis) - 1))) : 0;
     }
     return c;
   }
@@ -162,7 +162,7 @@ class Grid {
       constexpr int lower_bits = 30;
       constexpr std::size_t many = 4096;
       std::vector<Item> spare(items.size());
-      radix_sort(std::span(items), std::span(spare), 3 * bits - lower_bits,
+      radix_sort(std::span(items), std::span(spare), 3 * bits_per_axis - lower_bits,
                  [](const Item& item) { return item.key >> lower_bits; });
       for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
         end = begin + 1;
@@ -202,11 +202,11 @@ class Grid {
 
   void build_levels(std::uint32_t asked) {
     // Two neighbours on the curve are in different buckets of all levels below their highest different bit.
-    std::array<std::size_t, bits + 1> parted{};
+    std::array<std::size_t, bits_per_axis + 1> parted{};
     for (std::size_t i = 1; i < keys_.size(); ++i)
       if (keys_[i] != keys_[i - 1])
         ++parted[static_cast<std::size_t>((std::bit_width(keys_[i] ^ keys_[i - 1]) - 1) / 3)];
-    for (std::size_t level = bits; level-- > 0;) parted[level] += parted[level + 1];
+    for (std::size_t level = bits_per_axis; level-- > 0;) parted[level] += parted[level + 1];
     parallel_for(levels_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t level = begin; level < end; ++level)
         if ((asked >> level & 1) != 0) levels_[level].build(keys_, static_cast<int>(level), 1 + parted[level]);
@@ -214,13 +214,13 @@ class Grid {
   }
 
   void visit(Range range, int level, const Cell& at, const Query& query, std::vector<std::uint32_t>& inside) const {
-    if (range.end - range.begin <= crowded || level == 0) {
+    if (range.end - range.begin <= crowded_bucket || level == 0) {
       sorted_.inside(range.begin, range.end, query.mapped, [&](std::size_t p) {
         if (query.box.contains(input_[index_[p]])) inside.push_back(index_[p]);
       });
       return;
     }
-    const int child_level = level - 1;  // at most `bits` deep
+    const int child_level = level - 1;  // at most `bits_per_axis` deep
     const int shift = 3 * child_level;
     std::uint32_t begin = range.begin;
     for (std::uint32_t octant = 0; octant < 8 && begin < range.end; ++octant) {
@@ -250,7 +250,7 @@ class Grid {
   std::vector<std::uint64_t> keys_;   // sorted
   std::vector<std::uint32_t> index_;  // beside keys_: position of the point in the input
   FloatPoints sorted_;                // beside keys_
-  std::array<Level, bits + 1> levels_;
+  std::array<Level, bits_per_axis + 1> levels_;
 };
 
 class BucketGrid final : public CandidateSearch {

@@ -17,12 +17,6 @@
 namespace gapcheck::contact {
 namespace {
 
-constexpr std::size_t grain = 4096;
-
-bool is_corner(const model::SegmentNodes& n, NodeIndex node) {
-  return n[0] == node || n[1] == node || n[2] == node || n[3] == node;
-}
-
 /// Hits by slot: those of slot i stand in [start[i], start[i + 1]).
 struct BySlot {
   std::vector<std::uint32_t> start;
@@ -141,6 +135,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
   const Segments& s = scene.segments;
   ++counters.searches;
   std::vector<Bounds> boxes(s.size());
+  constexpr std::size_t grain = 4096;
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto segment = static_cast<std::uint32_t>(i);

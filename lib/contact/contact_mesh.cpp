@@ -11,13 +11,11 @@
 namespace gapcheck::contact {
 namespace {
 
-constexpr std::size_t grain = 8192;
-
 /// Remembers the segments that were met before: shells by element, faces of solids by element and corners, others by
 /// their nodes.
-class Seen {
+class SeenSegments {
  public:
-  explicit Seen(const model::Mesh& mesh) : mesh_(mesh) {}
+  explicit SeenSegments(const model::Mesh& mesh) : mesh_(mesh) {}
 
   /// True the first time that a segment is shown.
   bool first(const Segments& s, std::size_t i) {
@@ -78,7 +76,7 @@ void for_each_edge(const model::SegmentNodes& n, const Visit& visit) {
 
 ContactMesh::ContactMesh(const model::Model& model, SurfaceStore& surfaces, std::span<const std::uint32_t> contacts)
     : model_(model) {
-  Seen seen(model.mesh);
+  SeenSegments seen(model.mesh);
   const auto add = [&](const ContactSide& side, std::uint32_t contact) {
     const Segments& s = side.selection.segments;
     if (s.size() == 0) return;
@@ -100,6 +98,7 @@ ContactMesh::ContactMesh(const model::Model& model, SurfaceStore& surfaces, std:
 const std::vector<SegmentQuality>& ContactMesh::quality() {
   if (quality_.size() == size()) return quality_;
   quality_.resize(size());
+  constexpr std::size_t grain = 8192;
   parallel_for(size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) quality_[i] = segment_quality(nodes(i), model_.mesh.nodes.x);
   });

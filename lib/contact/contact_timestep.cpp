@@ -13,14 +13,10 @@
 namespace gapcheck::contact {
 namespace {
 
-constexpr std::size_t grain = 16384;
+constexpr std::size_t springs_per_task = 16384;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Rounding in sums of equal terms must not decide which of several equal nodes controls.
-constexpr double same = 1e-12;
-
-bool has(const model::SegmentNodes& nodes, NodeIndex node) {
-  return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-}
+constexpr double equal_squared_steps = 1e-12;
 
 /// The lowest node of a side; none where it has none.
 NodeIndex lowest_node(const ContactSide& side) {
@@ -45,13 +41,13 @@ NodeIndex TimestepEstimate::smallest(const Segments& s) {
   double least = infinite;
   NodeIndex node = none<NodeIndex>;
   if (most_of_the_mesh(s)) {
-    parallel_for(sums_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) sums_[n].weighted = squared_step(static_cast<std::uint32_t>(n));
     });
     for (const NodeStiffness& sum : sums_) least = std::min(least, sum.weighted);
     if (least == infinite) return node;
     for (std::uint32_t n = 0; n < sums_.size() && node == none<NodeIndex>; ++n)
-      if (sums_[n].weighted <= least * (1 + same)) node = NodeIndex{n};
+      if (sums_[n].weighted <= least * (1 + equal_squared_steps)) node = NodeIndex{n};
     return node;
   }
   for (const auto& nodes : s.nodes)
@@ -59,13 +55,13 @@ NodeIndex TimestepEstimate::smallest(const Segments& s) {
   if (least == infinite) return node;
   for (const auto& nodes : s.nodes)
     for (const NodeIndex n : nodes)
-      if (n < node && squared_step(n.value) <= least * (1 + same)) node = n;
+      if (n < node && squared_step(n.value) <= least * (1 + equal_squared_steps)) node = n;
   return node;
 }
 
 SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLimit limit) {
   corners_.resize(s.size());
-  parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(s.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       // Beams have springs of their own in types 26 alone, of which no estimate is known.
       const SegmentSpring spring = s.element_kind[i] == model::ElementKind::beam
@@ -83,7 +79,7 @@ SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLim
   if (result.node != none<NodeIndex>) {
     NodeStiffness own;
     for (std::size_t i = 0; i < s.size(); ++i) {
-      if (!has(s.nodes[i], result.node) || !(corners_[i].weight > 0)) continue;
+      if (!is_corner(s.nodes[i], result.node) || !(corners_[i].weight > 0)) continue;
       if (result.part == none<PartIndex>) result.part = part_of(model_.mesh, s, i);
       result.triangles = result.triangles || corner_count(s.nodes[i]) == 3;
       own += corners_[i];
@@ -92,7 +88,7 @@ SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLim
     result.timestep = limit == TimestepLimit::printed ? std::sqrt(squared_period / 2) : 2 * std::sqrt(squared_period);
   }
   if (most_of_the_mesh(s)) {
-    parallel_for(sums_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) sums_[n] = {};
     });
     return result;

@@ -21,13 +21,13 @@ struct SideTimestep {
 };
 
 /// Which limit is meant. `printed`: the one that the solver prints when it initialises, √(m / (2 k)) with K A / t for
-/// shells (contact rules, section 12). `spring`: 2 √(m / k) with the stiffness of the springs themselves (section 6), the
-/// step at which a node oscillates without bound against a surface that does not give way.
+/// shells (contact rules, section 12.3). `spring`: 2 √(m / k) with the stiffness of the springs themselves (contact
+/// rules, section 6.1), the step at which a node oscillates without bound against a surface that does not give way.
 enum class TimestepLimit : std::uint8_t { printed, spring };
 
 /// Estimates the stable time step of contact springs: for each side the smallest limit of its nodes, with m the node's
 /// mass and k the weighted stiffness of the segments at the node.
-/// Steps that differ by less than 1e-12 are equal; the lowest node controls. Source: contact rules, section 12.
+/// Steps that differ by less than 1e-12 are equal; the lowest node controls. Source: contact rules, section 12.3.
 /// Not for use from several threads. Model and sizes must outlive it.
 class TimestepEstimate {
  public:

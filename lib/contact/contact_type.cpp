@@ -15,56 +15,57 @@ struct Row {
   bool edges = false;
 };
 
-using enum Treatment;
-using enum Family;
-
-constexpr std::array table{
-    Row{"SLIDING_ONLY", "1", two_way, old},
-    Row{"SLIDING_ONLY_PENALTY", "1", two_way, old},
-    Row{"TIED_SURFACE_TO_SURFACE", "2", one_way, tied},
-    Row{"TIED_SURFACE_TO_SURFACE_FAILURE", "2", one_way, tied},
-    Row{"SURFACE_TO_SURFACE", "3", two_way, old},
-    Row{"AUTOMATIC_SURFACE_TO_SURFACE", "a3", two_way, automatic},
-    Row{"FORMING_SURFACE_TO_SURFACE", "m3", two_way, forming},
-    Row{"SINGLE_SURFACE", "4", single_surface, automatic},
-    Row{"NODES_TO_SURFACE", "5", one_way, old},
-    Row{"AUTOMATIC_NODES_TO_SURFACE", "a5", one_way, automatic},
-    Row{"AUTOMATIC_BEAMS_TO_SURFACE", "a5", one_way, automatic},
-    Row{"FORMING_NODES_TO_SURFACE", "m5", one_way, forming},
-    Row{"TIED_NODES_TO_SURFACE", "6", one_way, tied},
-    Row{"TIED_SHELL_EDGE_TO_SURFACE", "7", one_way, tied},
-    Row{"TIED_SHELL_EDGE_TO_SOLID", "7", one_way, tied},
-    Row{"SPOTWELD", "7", one_way, tied},
-    Row{"SPOTWELD_WITH_TORSION", "7", one_way, tied},
-    Row{"SPOTWELD_WITH_TORSION_PENALTY", "7", one_way, tied},
-    Row{"TIEBREAK_NODES_TO_SURFACE", "8", one_way, tied},
-    Row{"TIEBREAK_NODES_ONLY", "8", one_way, tied},
-    Row{"TIEBREAK_SURFACE_TO_SURFACE", "9", one_way, tied},
-    Row{"TIEBREAK_SURFACE_TO_SURFACE_ONLY", "9", one_way, tied},
-    Row{"ONE_WAY_SURFACE_TO_SURFACE", "10", one_way, old},
-    Row{"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", "a10", one_way, automatic},
-    Row{"FORMING_ONE_WAY_SURFACE_TO_SURFACE", "m10", one_way, forming},
-    Row{"AUTOMATIC_SINGLE_SURFACE", "13", single_surface, automatic},
-    Row{"AIRBAG_SINGLE_SURFACE", "a13", single_surface, automatic},
-    Row{"ERODING_SURFACE_TO_SURFACE", "14", two_way, automatic},
-    Row{"ERODING_SINGLE_SURFACE", "15", single_surface, automatic},
-    Row{"ERODING_NODES_TO_SURFACE", "16", one_way, automatic},
-    Row{"CONSTRAINT_SURFACE_TO_SURFACE", "17", two_way, constraint},
-    Row{"CONSTRAINT_NODES_TO_SURFACE", "18", one_way, constraint},
-    Row{"RIGID_NODES_TO_RIGID_BODY", "20", one_way, other},
-    Row{"RIGID_BODY_TWO_WAY_TO_RIGID_BODY", "21", two_way, other},
-    Row{"RIGID_BODY_ONE_WAY_TO_RIGID_BODY", "21", one_way, other},
-    Row{"SINGLE_EDGE", "22", none, other},
-    Row{"DRAWBEAD", "23", none, other},
-    Row{"DRAWBEAD_BENDING", "23", none, other},
-    Row{"DRAWBEAD_INITIALIZE", "23", none, other},
-    Row{"FORCE_TRANSDUCER", "25", none, other},
-    Row{"FORCE_TRANSDUCER_PENALTY", "25", none, other},
-    Row{"FORCE_TRANSDUCER_CONSTRAINT", "25", none, other},
-    Row{"AUTOMATIC_GENERAL", "26", single_surface, automatic, true},
-    Row{"AUTOMATIC_GENERAL_INTERIOR", "i26", single_surface, automatic, true},
-    Row{"AUTOMATIC_GENERAL_EDGEONLY", "26", single_surface, automatic, true},
-};
+constexpr auto table = [] {
+  using enum Treatment;
+  using enum Family;
+  return std::array{
+      Row{"SLIDING_ONLY", "1", two_way, old},
+      Row{"SLIDING_ONLY_PENALTY", "1", two_way, old},
+      Row{"TIED_SURFACE_TO_SURFACE", "2", one_way, tied},
+      Row{"TIED_SURFACE_TO_SURFACE_FAILURE", "2", one_way, tied},
+      Row{"SURFACE_TO_SURFACE", "3", two_way, old},
+      Row{"AUTOMATIC_SURFACE_TO_SURFACE", "a3", two_way, automatic},
+      Row{"FORMING_SURFACE_TO_SURFACE", "m3", two_way, forming},
+      Row{"SINGLE_SURFACE", "4", single_surface, automatic},
+      Row{"NODES_TO_SURFACE", "5", one_way, old},
+      Row{"AUTOMATIC_NODES_TO_SURFACE", "a5", one_way, automatic},
+      Row{"AUTOMATIC_BEAMS_TO_SURFACE", "a5", one_way, automatic},
+      Row{"FORMING_NODES_TO_SURFACE", "m5", one_way, forming},
+      Row{"TIED_NODES_TO_SURFACE", "6", one_way, tied},
+      Row{"TIED_SHELL_EDGE_TO_SURFACE", "7", one_way, tied},
+      Row{"TIED_SHELL_EDGE_TO_SOLID", "7", one_way, tied},
+      Row{"SPOTWELD", "7", one_way, tied},
+      Row{"SPOTWELD_WITH_TORSION", "7", one_way, tied},
+      Row{"SPOTWELD_WITH_TORSION_PENALTY", "7", one_way, tied},
+      Row{"TIEBREAK_NODES_TO_SURFACE", "8", one_way, tied},
+      Row{"TIEBREAK_NODES_ONLY", "8", one_way, tied},
+      Row{"TIEBREAK_SURFACE_TO_SURFACE", "9", one_way, tied},
+      Row{"TIEBREAK_SURFACE_TO_SURFACE_ONLY", "9", one_way, tied},
+      Row{"ONE_WAY_SURFACE_TO_SURFACE", "10", one_way, old},
+      Row{"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", "a10", one_way, automatic},
+      Row{"FORMING_ONE_WAY_SURFACE_TO_SURFACE", "m10", one_way, forming},
+      Row{"AUTOMATIC_SINGLE_SURFACE", "13", single_surface, automatic},
+      Row{"AIRBAG_SINGLE_SURFACE", "a13", single_surface, automatic},
+      Row{"ERODING_SURFACE_TO_SURFACE", "14", two_way, automatic},
+      Row{"ERODING_SINGLE_SURFACE", "15", single_surface, automatic},
+      Row{"ERODING_NODES_TO_SURFACE", "16", one_way, automatic},
+      Row{"CONSTRAINT_SURFACE_TO_SURFACE", "17", two_way, constraint},
+      Row{"CONSTRAINT_NODES_TO_SURFACE", "18", one_way, constraint},
+      Row{"RIGID_NODES_TO_RIGID_BODY", "20", one_way, other},
+      Row{"RIGID_BODY_TWO_WAY_TO_RIGID_BODY", "21", two_way, other},
+      Row{"RIGID_BODY_ONE_WAY_TO_RIGID_BODY", "21", one_way, other},
+      Row{"SINGLE_EDGE", "22", none, other},
+      Row{"DRAWBEAD", "23", none, other},
+      Row{"DRAWBEAD_BENDING", "23", none, other},
+      Row{"DRAWBEAD_INITIALIZE", "23", none, other},
+      Row{"FORCE_TRANSDUCER", "25", none, other},
+      Row{"FORCE_TRANSDUCER_PENALTY", "25", none, other},
+      Row{"FORCE_TRANSDUCER_CONSTRAINT", "25", none, other},
+      Row{"AUTOMATIC_GENERAL", "26", single_surface, automatic, true},
+      Row{"AUTOMATIC_GENERAL_INTERIOR", "i26", single_surface, automatic, true},
+      Row{"AUTOMATIC_GENERAL_EDGEONLY", "26", single_surface, automatic, true},
+  };
+}();
 
 /// Takes a token with its underscore out of a name; true if it was there.
 bool take(std::string& name, std::string_view token) {
@@ -137,8 +138,8 @@ ContactType classify(const model::Contact& contact) {
     type.edges = row.edges;
     if (tiebreak && type.family == Family::automatic) make_tiebreak(type);
     type.interior_edges = row.code == "i26";
-    const bool ties = tiebreak || tied_weld || row.family == tied;
-    if (row.treatment != none && row.family != other && !ties)
+    const bool ties = tiebreak || tied_weld || row.family == Family::tied;
+    if (row.treatment != Treatment::none && row.family != Family::other && !ties)
       type.pairing = mortar                                  ? Pairing::mortar
                      : contact.soft == 2 && has_soft_2(type) ? Pairing::segments
                                                              : Pairing::nodes;
@@ -171,8 +172,8 @@ bool knows_ignore(const ContactType& type) {
 
 namespace {
 
-/// SHLEDG is read by segment-based contact alone [manual, card D and *CONTROL_CONTACT]; 2 on the contact is round,
-/// whatever the control card says. SRNDE = 1 does not let edges grow either. Mortar segments meet where they overlap in
+/// SHLEDG is read by segment-based contact alone (contact rules, section 3.3); 2 on the contact is round, whatever the
+/// control card says. SRNDE = 1 does not let edges grow either. Mortar segments meet where they overlap in
 /// projection: nothing lies beside a free edge.
 bool has_square_edges(const model::Contact& contact, const ContactType& type, const model::Controls& controls) {
   if (type.family == Family::mortar || contact.srnde == 1) return true;
@@ -192,7 +193,7 @@ ContactSettings settings(const model::Contact& contact, const ContactType& type,
   s.snlog = contact.snlog;
   switch (type.family) {
     case Family::old:
-      // THKOPT: 0 takes the global setting, 1 the one beside it, 2 switches thickness off [manual, card B].
+      // THKOPT: 0 takes the global setting, 1 the one beside it, 2 none (contact rules, section 4.4).
       s.shlthk = contact.thkopt == 2 ? 0 : contact.thkopt == 1 ? contact.shlthk : controls.shlthk;
       break;
     case Family::forming:

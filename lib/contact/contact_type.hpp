@@ -6,7 +6,7 @@
 
 namespace gapcheck::contact {
 
-/// Which nodes meet which segments (contact rules, section 1).
+/// Which nodes meet which segments (contact rules, section 1.3).
 enum class Treatment : std::uint8_t { one_way, two_way, single_surface, none };
 
 /// What the surfaces mean: `old` types are oriented and may ignore thickness, `automatic` ones are two-sided.
@@ -45,7 +45,7 @@ struct ContactType {
 /// True for the types that have the segment-based contact of SOFT = 2; for others the solver takes SOFT = 1.
 [[nodiscard]] bool has_soft_2(const ContactType& type);
 
-/// True for the types that read IGNORE: automatic and mortar ones [workshop; manual, card C]. Type 4 does not, though
+/// True for the types that read IGNORE: automatic and mortar ones (contact rules, section 1.5). Type 4 does not, though
 /// it is two-sided like them.
 [[nodiscard]] bool knows_ignore(const ContactType& type);
 

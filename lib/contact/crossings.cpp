@@ -19,7 +19,7 @@ namespace gapcheck::contact {
 namespace {
 
 using geometry::Triangle;
-constexpr std::uint32_t unknown = static_cast<std::uint32_t>(-1);
+constexpr std::uint32_t no_rigid_body = static_cast<std::uint32_t>(-1);
 
 bool share_a_node(const model::SegmentNodes& a, const model::SegmentNodes& b) {
   bool shared = false;
@@ -241,7 +241,7 @@ class Decider {
 /// What names an element: segments without one are named by their nodes.
 using ElementKey = std::tuple<model::ElementKind, std::uint32_t, model::SegmentNodes>;
 ElementKey key(const CrossingSegment& s) {
-  return {s.kind, s.element, s.element == unknown ? segment_key(s.nodes) : model::SegmentNodes{}};
+  return {s.kind, s.element, s.element == unknown_element ? segment_key(s.nodes) : model::SegmentNodes{}};
 }
 
 /// Seven digits: what adding in another order changes does not count.
@@ -275,7 +275,7 @@ std::vector<std::uint32_t> rigid_bodies(const model::Model& model) {
   for (const model::RigidGroup& group : model.rigid_groups)
     if (group.kind == model::RigidGroup::Kind::merged_parts)
       for (const PartIndex p : group.parts) body[root(p.value)] = root(group.parts[0].value);
-  std::vector<std::uint32_t> out(model.parts.size(), unknown);
+  std::vector<std::uint32_t> out(model.parts.size(), no_rigid_body);
   for (std::uint32_t p = 0; p < out.size(); ++p)
     if (model.rigid(PartIndex{p})) out[p] = root(p);
   return out;
@@ -293,7 +293,7 @@ CrossingPairs::CrossingPairs(const model::Model& model, ContactId contact)
 
 bool CrossingPairs::counts(PartIndex a, PartIndex b) const {
   if (a == none<PartIndex> || b == none<PartIndex>) return true;
-  if (rigid_body_[a.value] != unknown && rigid_body_[a.value] == rigid_body_[b.value]) return false;
+  if (rigid_body_[a.value] != no_rigid_body && rigid_body_[a.value] == rigid_body_[b.value]) return false;
   return !exclusions_.excluded(a, b);
 }
 
@@ -319,7 +319,8 @@ std::vector<Crossing> find_crossings(const model::Model& model, std::uint32_t co
     counters.box_pairs.fetch_add(1, std::memory_order_relaxed);
     Crossing crossing{contact, a.segment(i), b.segment(j)};
     const bool one_element = crossing.a.kind == crossing.b.kind && crossing.a.element == crossing.b.element;
-    if ((one_element && crossing.a.element != unknown) || !pairs.counts(crossing.a.part, crossing.b.part)) return;
+    if ((one_element && crossing.a.element != unknown_element) || !pairs.counts(crossing.a.part, crossing.b.part))
+      return;
     if (!decider.cross(i, j, crossing)) return;
     const std::lock_guard lock(mutex);
     found.push_back(crossing);

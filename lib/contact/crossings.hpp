@@ -15,7 +15,7 @@ namespace gapcheck::contact {
 struct CrossingSegment {
   model::SegmentNodes nodes{};
   model::ElementKind kind = model::ElementKind::shell;
-  std::uint32_t element = static_cast<std::uint32_t>(-1);  ///< position in the array of its kind; max = unknown
+  std::uint32_t element = unknown_element;  ///< position in the array of its kind
   PartIndex part = none<PartIndex>;
 };
 

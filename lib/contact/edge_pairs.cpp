@@ -13,10 +13,6 @@
 namespace gapcheck::contact {
 namespace {
 
-bool has(const model::SegmentNodes& n, NodeIndex node) {
-  return n[0] == node || n[1] == node || n[2] == node || n[3] == node;
-}
-
 /// An end that penetrates, and by this share of h less than the edges do, tells as much as they.
 constexpr double nearly_as_deep = 0.05;
 
@@ -36,7 +32,7 @@ Beyond beyond(const PairScene& scene, std::uint32_t segment, NodeIndex a, NodeIn
   const Segments& s = scene.segments;
   Beyond result;
   for (const std::uint32_t other : scene.neighbours.at(a)) {
-    if (other == segment || s.kind[other] == SegmentKind::line || !has(s.nodes[other], b)) continue;
+    if (other == segment || s.kind[other] == SegmentKind::line || !is_corner(s.nodes[other], b)) continue;
     result.free = false;
     if (s.kind[other] != SegmentKind::shell) continue;
     result.first = result.first && other > segment;
@@ -72,7 +68,7 @@ Bounds box_of(const SurfaceEdge& edge) {
   return grown(box, edge.half);
 }
 
-double largest_coordinate(const geometry::Edge& e) {
+double largest_end_coordinate(const geometry::Edge& e) {
   return std::max(e[0].cwiseAbs().maxCoeff(), e[1].cwiseAbs().maxCoeff());
 }
 
@@ -94,7 +90,7 @@ EdgeMeeting meet_edges(const PairScene& scene, const geometry::Edge& e, const ge
   if (!meeting.between) return meeting;
   const double tolerance = scene.tolerance >= 0
                                ? scene.tolerance
-                               : default_tolerance(h, std::max(largest_coordinate(e), largest_coordinate(f)));
+                               : default_tolerance(h, std::max(largest_end_coordinate(e), largest_end_coordinate(f)));
   const geometry::Decision decision = geometry::decide_edges(e, f, h - tolerance, scene.mode, &meeting.closest);
   meeting.penetrates = decision.closer;
   meeting.stage = decision.stage;

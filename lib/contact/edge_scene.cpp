@@ -21,7 +21,7 @@ void append(Segments& all, const Segments& more) {
   all.offset.resize(all.size(), 0);
 }
 
-Segments joined(const ContactSurfaces& surfaces) {
+Segments both_sides(const ContactSurfaces& surfaces) {
   Segments both;
   if (!surfaces.two_sided()) return both;
   append(both, surfaces.a.selection.segments);
@@ -41,7 +41,7 @@ EdgeScene::EdgeScene(const model::Model& model, std::uint32_t contact, const Con
                      const std::vector<Vector>& x, bool whole_solids)
     : of_a_(surfaces.a.selection.segments.size()),
       two_sided_(surfaces.two_sided()),
-      both_(joined(surfaces)),
+      both_(both_sides(surfaces)),
       segments_(two_sided_ ? both_ : surfaces.a.selection.segments),
       neighbours_(segments_, model.mesh, whole_solids),
       scene_{model,

@@ -10,7 +10,7 @@
 namespace gapcheck::contact {
 
 /// True for contacts that hold edges against edges: types 26, and SOFT = 2 with a DEPTH that ends in 5.
-/// Source: LS-DYNA Keyword User's Manual, Vol. I, *CONTACT card A, as commonly quoted.
+/// Source: contact rules, section 1.5.
 [[nodiscard]] bool looks_at_edges(const model::Contact& contact, const ContactType& type);
 
 /// The edges of one contact, with what the scene of their pairs refers to. Both sides of a two-sided contact are one

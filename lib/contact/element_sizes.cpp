@@ -10,7 +10,7 @@
 namespace gapcheck::contact {
 namespace {
 
-constexpr std::size_t grain = 8192;
+constexpr std::size_t elements_per_task = 8192;
 
 double squared_distance(const std::vector<Vector>& x, NodeIndex a, NodeIndex b) {
   return (x[a.value] - x[b.value]).squaredNorm();
@@ -18,7 +18,7 @@ double squared_distance(const std::vector<Vector>& x, NodeIndex a, NodeIndex b) 
 
 std::vector<double> volumes(const model::Elements<8>& elements, const std::vector<Vector>& x) {
   std::vector<double> volume(elements.size());
-  parallel_for(elements.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(elements.size(), elements_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) volume[i] = brick_volume(elements.nodes[i], x);
   });
   return volume;
@@ -67,7 +67,7 @@ ElementSizes element_sizes(const model::Model& model) {
   sizes.shell_area.resize(mesh.shells.size());
   sizes.shell_thickness.resize(mesh.shells.size());
   sizes.shell_length.resize(mesh.shells.size());
-  parallel_for(mesh.shells.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(mesh.shells.size(), elements_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& nodes = mesh.shells.nodes[i];
       sizes.shell_area[i] = shell_area(nodes, x);

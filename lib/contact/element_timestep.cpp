@@ -12,11 +12,9 @@
 namespace gapcheck::contact {
 namespace {
 
-constexpr std::size_t grain = 16384;
-constexpr std::int64_t discrete_beam = 6;
 constexpr double nearly_incompressible = 0.4999;
 /// Steps that differ by less are equal: their elements have the same shape.
-constexpr double same = 1e-12;
+constexpr double equal_steps = 1e-12;
 
 double root(double stiffness, double density) {
   const double squared_speed = stiffness / density;
@@ -40,6 +38,7 @@ template <std::size_t N, class Length>
 std::vector<double> steps_of(const model::Elements<N>& elements, const std::vector<double>& speed,
                              const Length& length) {
   std::vector<double> steps(elements.size());
+  constexpr std::size_t grain = 16384;
   parallel_for(elements.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const PartIndex part = elements.part[i];
@@ -63,7 +62,7 @@ void for_each_kind(const model::Model& model, const ElementSizes& sizes, const T
     return solid_sound_speed(material, density);
   });
   const auto beam = speeds(model, [&](const model::Material& material, double density, const model::Part& part) {
-    const bool discrete = part.section && model.sections[*part.section].elform == discrete_beam;
+    const bool discrete = part.section && model.sections[*part.section].elform == model::discrete_beam;
     return discrete ? 0 : beam_sound_speed(material, density);
   });
   take(model::ElementKind::shell, steps_of(mesh.shells, shell, [&](std::size_t i) { return sizes.shell_length[i]; }));
@@ -106,7 +105,7 @@ ElementTimestep smallest_element_timestep(const model::Model& model, const Eleme
   for_each_kind(model, sizes, [&](model::ElementKind kind, const std::vector<double>& steps) {
     const auto least = std::min_element(steps.begin(), steps.end());
     if (least == steps.end() || !std::isfinite(*least)) return;
-    const double bound = *least * (1 + same);
+    const double bound = *least * (1 + equal_steps);
     if (best.timestep > 0 && bound >= best.timestep) return;
     const auto first = std::find_if(steps.begin(), steps.end(), [&](double step) { return step <= bound; });
     best = {*first, kind, static_cast<std::uint32_t>(first - steps.begin())};

@@ -10,7 +10,7 @@
 namespace gapcheck::contact {
 namespace {
 
-std::optional<std::vector<bool>> parts_of(const model::Model& model, std::int64_t id, std::int64_t type) {
+std::optional<std::vector<bool>> existing_parts(const model::Model& model, std::int64_t id, std::int64_t type) {
   std::vector<bool> mask(model.parts.size(), false);
   if (type == static_cast<std::int64_t>(model::SurfaceType::part)) {
     const auto part = model.part_of_id.find(id);
@@ -33,7 +33,7 @@ Exclusions::Exclusions(const model::Model& model, ContactId contact) {
   for (const model::ContactExclusion& exclusion : model.exclusions) {
     if (exclusion.contact != 0 && exclusion.contact != contact.value) continue;
     for (const auto& pair : exclusion.pairs) {
-      auto a = parts_of(model, pair.a, pair.type_a), b = parts_of(model, pair.b, pair.type_b);
+      auto a = existing_parts(model, pair.a, pair.type_a), b = existing_parts(model, pair.b, pair.type_b);
       if (a && b)
         pairs_.emplace_back(std::move(*a), std::move(*b));
       else

@@ -16,7 +16,7 @@ Vector area_vector(const model::SegmentNodes& n, const std::vector<Vector>& x) {
   return 0.5 * (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]);
 }
 
-void turn_outward(Face& face, const Vector& inside, const std::vector<Vector>& x) {
+void turn_away(Face& face, const Vector& inside, const std::vector<Vector>& x) {
   const Vector centre = mean(face.nodes, x);
   const bool triangle = face.nodes[2] == face.nodes[3];
   if (area_vector(face.nodes, x).dot(centre - inside) >= 0) return;
@@ -29,7 +29,7 @@ void turn_outward(Face& face, const Vector& inside, const std::vector<Vector>& x
 }  // namespace
 
 void turn_outward(Face& face, const std::array<NodeIndex, 8>& element_nodes, const std::vector<Vector>& x) {
-  turn_outward(face, mean(element_nodes, x), x);
+  turn_away(face, mean(element_nodes, x), x);
 }
 
 std::vector<Face> faces_of(const std::array<NodeIndex, 8>& nodes, std::uint32_t element, const std::vector<Vector>& x) {
@@ -37,7 +37,7 @@ std::vector<Face> faces_of(const std::array<NodeIndex, 8>& nodes, std::uint32_t 
   const Vector inside = mean(nodes, x);
   for (const model::SegmentNodes& face : model::SolidFaces(nodes)) {
     faces.push_back({face, element});
-    turn_outward(faces.back(), inside, x);
+    turn_away(faces.back(), inside, x);
   }
   return faces;
 }

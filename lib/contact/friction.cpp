@@ -15,7 +15,7 @@ constexpr std::string_view with_table[] = {"a5", "a10", "a3", "13", "26", "i26",
 /// A row of sets of thousands of parts would be millions of pairs.
 constexpr std::size_t most_pairs = 1'000'000;
 
-std::vector<PartIndex> parts_of(const model::Model& model, std::int64_t id, bool set) {
+std::vector<PartIndex> parts_named(const model::Model& model, std::int64_t id, bool set) {
   if (set) {
     const auto found = model.sets.parts.find(id);
     return found == model.sets.parts.end() ? std::vector<PartIndex>{} : found->second.members;
@@ -64,7 +64,7 @@ Friction::Friction(const model::Model& model, const model::Contact& contact) : m
   if (table_ == nullptr) return;
   any_ = acts(table_->others);
   for (const auto& row : table_->rows) {
-    const auto i = parts_of(model, row.i, row.i_is_set), j = parts_of(model, row.j, row.j_is_set);
+    const auto i = parts_named(model, row.i, row.i_is_set), j = parts_named(model, row.j, row.j_is_set);
     if (i.size() * j.size() > most_pairs) continue;
     any_ = any_ || acts(row.law);
     for (const PartIndex a : i)

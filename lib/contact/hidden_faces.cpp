@@ -15,8 +15,6 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Faces count as equally near within this share of the distance.
-constexpr double equally_near = 1e-9;
 constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 bool behind_solid(const PairScene& scene, const Hit& hit) {

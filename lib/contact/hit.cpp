@@ -7,9 +7,6 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Segments count as equally near within this share of the distance.
-constexpr double equally_near = 1e-9;
-
 /// True if the hit lies behind a facet that is not the nearest of its body.
 bool behind_another(const PairScene& scene, const Hit& hit, std::span<const Hit> hits, std::span<const Hit> measured) {
   if (!std::signbit(hit.distance)) return false;

@@ -37,7 +37,7 @@ bool only_touches(const PairScene& scene, const Hit& hit) {
   return h == 0 && scene.tolerance < 0 && -hit.distance <= written_digits * min_diagonal(scene.facet(hit.segment));
 }
 
-std::unique_ptr<CandidateSearch> make_search(const InitialOptions& options, SearchTally& tally) {
+std::unique_ptr<CandidateSearch> search_by_options(const InitialOptions& options, SearchTally& tally) {
   if (options.brute_force) return make_counted_search(SearchKind::brute_force, tally);
   return options.search ? make_counted_search(*options.search, tally) : make_chosen_search(tally);
 }
@@ -51,7 +51,7 @@ class Initialiser {
         options_(options),
         counters_(counters),
         state_(state),
-        search_(make_search(options, counters.searches_by_kind)),
+        search_(search_by_options(options, counters.searches_by_kind)),
         ties_(model) {}
 
   void run() {

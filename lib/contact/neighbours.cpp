@@ -5,10 +5,6 @@
 namespace gapcheck::contact {
 namespace {
 
-bool has(const model::SegmentNodes& nodes, NodeIndex node) {
-  return nodes[0] == node || nodes[1] == node || nodes[2] == node || nodes[3] == node;
-}
-
 /// Distinct corners: a triangle names its last one twice, a line its second one three times.
 template <class Visit>
 void each_corner(const model::SegmentNodes& n, const Visit& visit) {
@@ -51,7 +47,8 @@ Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh, bool w
 bool Neighbours::meets_cut(NodeIndex node, const model::SegmentNodes& corners) const {
   auto own = std::lower_bound(cut_.begin(), cut_.end(), node, [](const auto& a, NodeIndex n) { return a.first < n; });
   for (; own != cut_.end() && own->first == node; ++own)
-    if (std::any_of(own->second.begin(), own->second.end(), [&](NodeIndex n) { return has(corners, n); })) return true;
+    if (std::any_of(own->second.begin(), own->second.end(), [&](NodeIndex n) { return is_corner(corners, n); }))
+      return true;
   return false;
 }
 
@@ -60,27 +57,26 @@ bool Neighbours::in_ring(NodeIndex node, std::uint32_t segment) const {
   if (!cut_.empty() && meets_cut(node, corners)) return true;
   for (const std::uint32_t own : at(node)) {
     for (const NodeIndex n : segments_->nodes[own])
-      if (has(corners, n)) return true;
+      if (is_corner(corners, n)) return true;
     const auto kind = segments_->element_kind[own];
     const std::uint32_t e = segments_->element[own];
     if (e == static_cast<std::uint32_t>(-1)) continue;
     if (kind != model::ElementKind::solid && kind != model::ElementKind::thick_shell) continue;
     const auto& solid = (kind == model::ElementKind::solid ? mesh_->solids : mesh_->thick_shells).nodes[e];
-    if (std::any_of(solid.begin(), solid.end(), [&](NodeIndex n) { return has(corners, n); })) return true;
+    if (std::any_of(solid.begin(), solid.end(), [&](NodeIndex n) { return is_corner(corners, n); })) return true;
   }
   if (solid_start_.empty()) return false;
   for (std::uint32_t i = solid_start_[node.value]; i < solid_start_[node.value + 1]; ++i) {
     const auto& solid = mesh_->solids.nodes[solid_list_[i]];
-    if (std::any_of(solid.begin(), solid.end(), [&](NodeIndex n) { return has(corners, n); })) return true;
+    if (std::any_of(solid.begin(), solid.end(), [&](NodeIndex n) { return is_corner(corners, n); })) return true;
   }
   return false;
 }
 
 bool Neighbours::free_edge(std::uint32_t segment, NodeIndex a, NodeIndex b) const {
   const auto around = at(a);
-  return std::none_of(around.begin(), around.end(), [&](std::uint32_t other) {
-    return other != segment && has(segments_->nodes[other], b);
-  });
+  return std::none_of(around.begin(), around.end(),
+                      [&](std::uint32_t other) { return other != segment && is_corner(segments_->nodes[other], b); });
 }
 
 }  // namespace gapcheck::contact

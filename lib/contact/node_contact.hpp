@@ -39,12 +39,12 @@ enum class NodeAction : std::uint8_t {
 
 /// The same for SOFT = 2: the depth found in the `first` cycle is the baseline without force. It follows the penetration
 /// downwards only and loses the share `reduction` in every cycle. What penetrates later is forced from its first cycle
-/// on; nothing is moved or released. Source: contact rules, section 7.
+/// on; nothing is moved or released. Source: contact rules, section 7.4.
 [[nodiscard]] NodeAction advance_from_baseline(NodeContact& node, const NodeEncounter& encounter, bool first,
                                                double reduction);
 
 /// DPRFAC at a time: the share of the baseline that goes in each cycle, 0 to 1. Negative: number of a curve over time.
-/// Source: LS-DYNA Keyword User's Manual, Vol. I, *CONTACT card C, as commonly quoted.
+/// Source: contact rules, section 7.4.
 [[nodiscard]] double baseline_reduction(const model::Model& model, const model::Contact& contact, double time);
 
 }  // namespace gapcheck::contact

@@ -7,9 +7,6 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Beam formulation 6: its mass is not that of a bar.
-constexpr std::int64_t discrete_beam = 6;
-
 /// Densities by part; elements without a part get none.
 class Densities {
  public:
@@ -54,7 +51,7 @@ double beam_mass(const model::Model& model, std::size_t beam, double density) {
   const auto& [a, b] = beams.nodes[beam];
   if (part == none<PartIndex> || b == none<NodeIndex> || !model.part(part).section) return 0;
   const model::Section& section = model.sections[*model.part(part).section];
-  if (section.elform == discrete_beam) return 0;
+  if (section.elform == model::discrete_beam) return 0;  // its mass is not that of a bar
   return density * section.beam_area * (model.mesh.nodes.x[a.value] - model.mesh.nodes.x[b.value]).norm();
 }
 

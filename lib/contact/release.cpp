@@ -6,14 +6,14 @@ namespace gapcheck::contact {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-/// Contact thickness of a solid in single-surface types, as a share of V / A [workshop].
+/// Contact thickness of a solid in single-surface types, as a share of V / A (contact rules, section 4.5).
 constexpr double single_surface_solid_share = 0.4;
-/// Default PENMAX of types a3, a5, a10, 13, 15: solid segments / shell segments [workshop].
+/// Default PENMAX of types a3, a5, a10, 13, 15: solid segments / shell segments (contact rules, section 5).
 constexpr double penmax_solid = 0.5, penmax_shell = 0.4;
-/// Default PENMAX of types 26 [manual].
+/// Default PENMAX of types 26 (contact rules, section 5).
 constexpr double penmax_general = 200;
-/// PENCHK = 2: share of the shorter diagonal [manual].
-constexpr double diagonal_share = 0.05;
+/// PENCHK = 2: share of the shorter diagonal (contact rules, section 5).
+constexpr double penchk_diagonal_share = 0.05;
 
 /// XPENE · t with t of the segment: in the contact, or of its element where the contact does not count it (rigid tools).
 double xpene_depth(const model::Controls& controls, const ReleasePair& pair, double solid_t) {
@@ -40,7 +40,7 @@ double release_depth(const model::Contact& contact, const ContactType& type, con
       if (type.code == "1") return never;
       if (settings.shlthk > 0) return xpene_depth(controls, pair, solid_t);
       if (contact.penchk == 1) return xpene_depth(controls, pair, solid_t);
-      if (contact.penchk == 2) return diagonal_share * pair.min_diagonal;
+      if (contact.penchk == 2) return penchk_diagonal_share * pair.min_diagonal;
       return contact.penmax > 0 ? contact.penmax : never;
     case Family::forming:
     case Family::constraint: return xpene_depth(controls, pair, solid_t);

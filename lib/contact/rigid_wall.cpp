@@ -12,15 +12,15 @@ namespace {
 using Shape = model::RigidWall::Shape;
 
 /// A face of a wall: how deep the point is below it, and the face's outward normal.
-struct Face {
+struct WallFace {
   double depth;
   Vector normal;
 };
 
 /// The face that the point is least deep below; one with a depth that is not positive means that it is outside.
-std::optional<WallPenetration> nearest_face(std::initializer_list<Face> faces, const Vector& x, double tolerance) {
-  const Face face =
-      *std::min_element(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.depth < b.depth; });
+std::optional<WallPenetration> nearest_face(std::initializer_list<WallFace> faces, const Vector& x, double tolerance) {
+  const WallFace face = *std::min_element(faces.begin(), faces.end(),
+                                          [](const WallFace& a, const WallFace& b) { return a.depth < b.depth; });
   if (!(face.depth > tolerance) || !std::isfinite(face.depth)) return std::nullopt;
   return WallPenetration{face.depth, x + face.depth * face.normal, face.normal};
 }

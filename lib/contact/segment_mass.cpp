@@ -8,17 +8,15 @@
 namespace gapcheck::contact {
 namespace {
 
-constexpr std::uint32_t unknown = static_cast<std::uint32_t>(-1);
-
 double beam_volume(const model::Model& model, PartIndex part, const model::SegmentNodes& nodes) {
   if (part == none<PartIndex> || !model.part(part).section) return 0;
   const std::vector<Vector>& x = model.mesh.nodes.x;
   return model.sections[*model.part(part).section].beam_area * (x[nodes[0].value] - x[nodes[1].value]).norm();
 }
 
-double volume(const model::Model& model, const ElementSizes& sizes, const Segments& s, std::size_t i) {
+double segment_volume(const model::Model& model, const ElementSizes& sizes, const Segments& s, std::size_t i) {
   const std::uint32_t e = s.element[i];
-  if (e == unknown) return 0;
+  if (e == unknown_element) return 0;
   switch (s.element_kind[i]) {
     case model::ElementKind::shell: return sizes.shell_area[e] * sizes.shell_thickness[e];
     case model::ElementKind::solid: return sizes.solid_volume[e] / 2;
@@ -32,7 +30,8 @@ double volume(const model::Model& model, const ElementSizes& sizes, const Segmen
 
 double segment_mass(const model::Model& model, const ElementSizes& sizes, const std::vector<double>& node_mass,
                     const Segments& segments, std::size_t segment) {
-  const double mass = density(model, part_of(model.mesh, segments, segment)) * volume(model, sizes, segments, segment);
+  const double mass =
+      density(model, part_of(model.mesh, segments, segment)) * segment_volume(model, sizes, segments, segment);
   if (mass > 0 && std::isfinite(mass)) return mass;
   double sum = 0;
   const model::SegmentNodes& nodes = segments.nodes[segment];

@@ -8,7 +8,7 @@ namespace gapcheck::contact {
 
 /// Mass of a segment in the stiffness of SOFT = 2: that of its shell or beam, half that of its solid; of a segment
 /// whose element is not known, or has no mass, a quarter of the mass of its nodes for each corner. `node_mass`: by
-/// node. Source: LS-DYNA Theory Manual, segment-based contact, as commonly quoted; the last case is our own choice.
+/// node. Source: contact rules, section 6.4; the last case is our own choice.
 [[nodiscard]] double segment_mass(const model::Model& model, const ElementSizes& sizes,
                                   const std::vector<double>& node_mass, const Segments& segments, std::size_t segment);
 

@@ -10,7 +10,7 @@ namespace {
 /// Areas below this fraction of the squared longest edge are zero but for rounding.
 constexpr double no_area = 1e-10;
 /// How far a corner must turn the other way, as a fraction of the whole, to count as turned.
-constexpr double turned = 1e-6;
+constexpr double turned_fraction = 1e-6;
 
 /// Different nodes among the four, and whether they are written as a triangle or quad should be.
 SegmentFault numbering(const model::SegmentNodes& n) {
@@ -28,7 +28,7 @@ SegmentFault numbering(const model::SegmentNodes& n) {
 SegmentFault shape(const std::array<Vector, 4>& corner, double largest) {
   const Vector whole = corner[1] + corner[3];
   if (whole.norm() <= no_area * largest) return SegmentFault::crossed;
-  const double limit = -turned * whole.squaredNorm();
+  const double limit = -turned_fraction * whole.squaredNorm();
   const auto inward =
       std::count_if(corner.begin(), corner.end(), [&](const Vector& c) { return c.dot(whole) < limit; });
   return inward >= 2 ? SegmentFault::crossed : inward == 1 ? SegmentFault::folded : SegmentFault::none;

@@ -9,8 +9,6 @@
 namespace gapcheck::contact {
 namespace {
 
-constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
-
 /// Of a triangle the longest side.
 double longest_diagonal(const model::SegmentNodes& n, const std::vector<Vector>& x) {
   const auto squared = [&](std::size_t a, std::size_t b) { return (x[n[a].value] - x[n[b].value]).squaredNorm(); };
@@ -41,7 +39,7 @@ SegmentSpring SegmentSprings::beam(const model::SegmentNodes& nodes, PartIndex p
 SegmentSpring SegmentSprings::operator()(const Segments& s, std::size_t i, double scale, bool printed,
                                          double solid_modulus) const {
   const bool of_beam = s.element_kind[i] == model::ElementKind::beam;
-  if (s.element[i] == unknown || (of_beam && printed)) return {};
+  if (s.element[i] == unknown_element || (of_beam && printed)) return {};
   const PartIndex part = part_of(model_.mesh, s, i);
   if (part == none<PartIndex>) return {};
   if (of_beam) return beam(s.nodes[i], part, scale);

@@ -21,7 +21,7 @@ class SegmentSprings {
   /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top. `printed`: K A / t for shells, as in the solver's
   /// estimate of the time step, instead of K A / longest diagonal. `solid_modulus`: SLDSTF, replaces the modulus of
   /// solids where it is positive. A beam counts as a shell strip as wide as its section is thick, which the printed
-  /// estimate leaves out. Source: contact rules, sections 4, 6 and 12; of beams our own choice.
+  /// estimate leaves out. Source: contact rules, sections 6.1 and 12.3; of beams our own choice.
   [[nodiscard]] SegmentSpring operator()(const Segments& segments, std::size_t segment, double scale,
                                          bool printed = false, double solid_modulus = 0) const;
 

@@ -7,7 +7,7 @@
 namespace gapcheck::contact {
 namespace {
 
-const std::array<NodeIndex, 8>& element_nodes(const Segments& s, const model::Mesh& mesh, std::size_t i) {
+const std::array<NodeIndex, 8>& nodes_of_solid(const Segments& s, const model::Mesh& mesh, std::size_t i) {
   const auto& elements = s.element_kind[i] == model::ElementKind::solid ? mesh.solids : mesh.thick_shells;
   return elements.nodes[s.element[i]];
 }
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> bodies(const Segments& s, std::size_t nodes) {
 
 double solid_depth(const Segments& s, const model::Mesh& mesh, std::size_t i, const std::vector<Vector>& x) {
   const double a = area(s.nodes[i], x);
-  return a > 0 ? volume(element_nodes(s, mesh, i), x) / a : 0;
+  return a > 0 ? volume(nodes_of_solid(s, mesh, i), x) / a : 0;
 }
 
 SolidExtents solid_extents(const Segments& s, const model::Mesh& mesh, const std::vector<Vector>& x) {
@@ -53,7 +53,7 @@ SolidExtents solid_extents(const Segments& s, const model::Mesh& mesh, const std
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (s.kind[i] != SegmentKind::solid) continue;
     solids.depth[i] = solid_depth(s, mesh, i, x);
-    solids.extent[i] = reach_behind(s.nodes[i], element_nodes(s, mesh, i), x);
+    solids.extent[i] = reach_behind(s.nodes[i], nodes_of_solid(s, mesh, i), x);
   }
   return solids;
 }

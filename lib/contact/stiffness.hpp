@@ -6,8 +6,8 @@
 namespace gapcheck::contact {
 
 // Penalty stiffness of contact, one function per formula. Units: those of the deck. A quotient whose divisor is not
-// positive is 0: nothing can be said, and no stiffness is better than an infinite one. Source: contact rules, section 6
-// and, for the estimates of the printed time step, section 12.
+// positive is 0: nothing can be said, and no stiffness is better than an infinite one. Source: contact rules, section 6;
+// for the estimates of the printed time step: contact rules, section 12.3.
 
 /// Bulk modulus that contact takes for a material: K, or E / (3 (1 - 2 ν)); *MAT_FABRIC: Ea / (1 - ν²). 0 = unknown.
 [[nodiscard]] double contact_modulus(const model::Material& material);

@@ -14,9 +14,6 @@ namespace gapcheck::contact {
 namespace {
 
 using model::ElementKind;
-constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
-/// Beam formulation 6: a discrete beam has no contact surface.
-constexpr std::int64_t discrete_beam = 6;
 
 void append(Segments& s, const model::SegmentNodes& nodes, std::uint32_t element, ElementKind element_kind,
             SegmentKind kind) {
@@ -49,7 +46,7 @@ std::vector<bool> part_mask(const model::Model& model, const model::SurfaceInput
 bool beam_has_contact(const model::Model& model, PartIndex index) {
   const model::Part& part = model.part(index);
   if (part.material && model.materials[*part.material].spotweld) return false;
-  return !(part.section && model.sections[*part.section].elform == discrete_beam);
+  return !(part.section && model.sections[*part.section].elform == model::discrete_beam);
 }
 
 /// Parts that a surface is made of.
@@ -136,7 +133,7 @@ void select_segments(Selection& selection, const model::Model& model, std::int64
   const std::vector<SegmentElement> owners = find_segment_elements(model.mesh, segments, index);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     Face face{distinct_corners(segments[i]), owners[i].element};
-    const bool found = owners[i].element != unknown;
+    const bool found = owners[i].element != unknown_element;
     const bool solid = found && owners[i].kind == ElementKind::solid;
     const bool thick = found && owners[i].kind == ElementKind::thick_shell;
     if (solid || thick)
@@ -253,7 +250,7 @@ void fill_thickness(Segments& s, const model::Model& model, const ThicknessSide&
         if (part != none<PartIndex> && model.part(part).section) radius = model.sections[*model.part(part).section].beam_radius;
         t = beam_thickness(radius, own, side);
       } else {
-        const double element = s.element[i] == unknown ? 0 : element_thickness(model, s.element[i]);
+        const double element = s.element[i] == unknown_element ? 0 : element_thickness(model, s.element[i]);
         const double edge = side.edge_limit ? shortest_edge(s.nodes[i], x) : 0;
         t = shell_thickness(element, edge, own, part != none<PartIndex> && model.rigid(part), side);
       }
@@ -277,7 +274,7 @@ bool same_side(const model::SegmentNodes& segment, const model::SegmentNodes& sh
 
 void fill_offsets(Segments& s, const model::Model& model) {
   for (std::size_t i = 0; i < s.size(); ++i) {
-    if (s.element_kind[i] != ElementKind::shell || s.element[i] == unknown) continue;
+    if (s.element_kind[i] != ElementKind::shell || s.element[i] == unknown_element) continue;
     const double offset = mid_surface_offset(model, s.element[i]);
     if (offset == 0) continue;
     s.offset.resize(s.size(), 0);
@@ -286,7 +283,7 @@ void fill_offsets(Segments& s, const model::Model& model) {
 }
 
 PartIndex part_of(const model::Mesh& mesh, const Segments& s, std::size_t i) {
-  if (s.element[i] == unknown) return none<PartIndex>;
+  if (s.element[i] == unknown_element) return none<PartIndex>;
   switch (s.element_kind[i]) {
     case ElementKind::shell: return mesh.shells.part[s.element[i]];
     case ElementKind::solid: return mesh.solids.part[s.element[i]];
@@ -297,7 +294,7 @@ PartIndex part_of(const model::Mesh& mesh, const Segments& s, std::size_t i) {
 }
 
 std::int64_t element_id(const model::Mesh& mesh, const Segments& s, std::size_t i) {
-  if (s.element[i] == unknown) return 0;
+  if (s.element[i] == unknown_element) return 0;
   switch (s.element_kind[i]) {
     case ElementKind::shell: return mesh.shells.id[s.element[i]];
     case ElementKind::solid: return mesh.solids.id[s.element[i]];

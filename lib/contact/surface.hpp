@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,11 +19,14 @@ enum class SegmentKind : std::uint8_t {
   line,   ///< beam axis: nodes[0], nodes[1]
 };
 
+/// In place of an element's position: it is not known, or there is none.
+inline constexpr std::uint32_t unknown_element = std::numeric_limits<std::uint32_t>::max();
+
 /// The reference side of a contact: segments with their contact thickness. Arrays of equal length, in the order in
 /// which the deck lists them (shells, solids, thick shells, beams part by part; sets as written).
 struct Segments {
   std::vector<model::SegmentNodes> nodes;
-  std::vector<std::uint32_t> element;           ///< position in the array of its kind; max = unknown
+  std::vector<std::uint32_t> element;           ///< position in the array of its kind, or unknown_element
   std::vector<model::ElementKind> element_kind;
   std::vector<SegmentKind> kind;
   std::vector<double> half;                     ///< half the contact thickness
@@ -68,6 +72,11 @@ void fill_offsets(Segments& segments, const model::Model& model);
 /// without segments that of all elements at them.
 [[nodiscard]] TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model,
                                          const ThicknessSide& side, const std::vector<Vector>& x, MeshIndex& index);
+
+/// True if the node is a corner of the segment.
+[[nodiscard]] inline bool is_corner(const model::SegmentNodes& nodes, NodeIndex node) {
+  return nodes[0] == node || nodes[1] == node || nodes[2] == node || nodes[3] == node;
+}
 
 /// Shortest edge of a segment; infinity if all its corners are one node.
 [[nodiscard]] double shortest_edge(const model::SegmentNodes& nodes, const std::vector<Vector>& x);

@@ -6,7 +6,7 @@
 namespace gapcheck::contact {
 namespace {
 
-/// SSTHK = 0: share of the shortest edge that a single-surface contact thickness may reach [workshop].
+/// SSTHK = 0: share of the shortest edge that a single-surface thickness may reach (contact rules, section 4.3).
 constexpr double edge_share = 0.4;
 
 }  // namespace
@@ -26,7 +26,7 @@ ThicknessSide thickness_side(const model::Contact& contact, const ContactSetting
   side.global_value = controls.th;
   side.global_scale = controls.th_sf != 0 ? controls.th_sf : 1;
   side.solid_coating = contact.sldthk;
-  // IGNROFF: 1 for side B, 2 for side A [manual, card F].
+  // IGNROFF: 1 for side B, 2 for side A (contact rules, section 4.4).
   const bool ignored = contact.ignroff == 3 || contact.ignroff == (side_b ? 1 : 2);
   side.shlthk = ignored ? 0 : settings.shlthk;
   side.edge_limit = settings.thickness_limit;

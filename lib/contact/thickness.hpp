@@ -44,7 +44,8 @@ struct ThicknessChange {
 [[nodiscard]] double scale_of(const model::PartContact* part, const ThicknessSide& side);
 
 /// Thickness of a shell in a contact: OPTT, then SST/MST, then TH, then the element's own × SFT or SFST (limited by
-/// 0.4 of the shortest edge where `edge_limit`). `element` and `shortest_edge` in deck units. Source: contact rules, 4.
+/// 0.4 of the shortest edge where `edge_limit`). `element` and `shortest_edge` in deck units.
+/// Source: contact rules, section 4.2.
 [[nodiscard]] Thickness shell_thickness(double element, double shortest_edge, const model::PartContact* part, bool rigid,
                                         const ThicknessSide& side);
 

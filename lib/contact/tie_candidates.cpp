@@ -9,11 +9,12 @@
 namespace gapcheck::contact {
 namespace {
 
-constexpr double diagonal_share = 0.05;  // [workshop]
+/// Share of the segment's shorter diagonal within which a node ties (contact rules, section 9.1).
+constexpr double tie_diagonal_share = 0.05;
 /// Nodes that no node set names are taken as meant to tie within this multiple of the tie distance.
 constexpr double meant_to_tie = 2;
 /// Segments count as equally near within this share of the tie distance.
-constexpr double equally_near = 1e-9;
+constexpr double equally_near_to_tie = 1e-9;
 
 struct Diagonals {
   double shorter, longer;
@@ -53,7 +54,8 @@ std::vector<TieCandidate> best_candidates(const std::vector<std::vector<Pair>>& 
       const auto& by_rank = nearest[pair.slot];
       const std::size_t first = by_rank[0] < infinity ? 0 : by_rank[1] < infinity ? 1 : 2;
       const TieCandidate& candidate = pair.candidate;
-      if (rank(candidate) != first || candidate.distance > by_rank[first] + equally_near * pair.allowed) continue;
+      if (rank(candidate) != first || candidate.distance > by_rank[first] + equally_near_to_tie * pair.allowed)
+        continue;
       if (candidate.segment < best[pair.slot].segment) best[pair.slot] = candidate;
     }
   return best;
@@ -64,7 +66,7 @@ std::vector<TieCandidate> best_candidates(const std::vector<std::vector<Pair>>& 
 double tie_distance(double node_thickness, double segment_thickness, double diagonal, bool solid_segment,
                     bool negative_thickness) {
   const double d1 = tie_thickness_share * (node_thickness + segment_thickness);
-  const double d2 = diagonal_share * diagonal;
+  const double d2 = tie_diagonal_share * diagonal;
   if (negative_thickness) return d1;
   return solid_segment ? d2 : std::max(d1, d2);
 }

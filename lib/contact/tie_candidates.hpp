@@ -9,13 +9,13 @@
 
 namespace gapcheck::contact {
 
-/// Distance within which a node ties to a segment (contact rules, section 9): shells max(0.6 (ts + tm), 0.05 of the
-/// shorter diagonal), solids the latter; with negative SST or MST 0.6 (|SST| + |MST|) alone.
+/// Distance within which a node ties to a segment (contact rules, section 9.1): shells max(0.6 (ts + tm), 0.05 of
+/// the shorter diagonal), solids the latter; with negative SST or MST 0.6 (|SST| + |MST|) alone.
 [[nodiscard]] double tie_distance(double node_thickness, double segment_thickness, double min_diagonal,
                                   bool solid_segment, bool negative_thickness);
 
-/// Share of the thickness sum within which a node ties.
-inline constexpr double tie_thickness_share = 0.6;  // [workshop]
+/// Share of the thickness sum within which a node ties (contact rules, section 9.1).
+inline constexpr double tie_thickness_share = 0.6;
 
 /// The segment that a tracked node ties to, or would come nearest to tying to.
 struct TieCandidate {

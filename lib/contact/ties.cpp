@@ -8,7 +8,7 @@ namespace gapcheck::contact {
 namespace {
 
 /// How far projections may lie beyond a segment where the contact does not say: MAXPAR as R14 (SMP) prints it for type 2
-/// without card A, PARMAX of the manual where the keyword has the MPP card.
+/// without card A, PARMAX of the manual where the keyword has the MPP card (contact rules, section 9.1).
 constexpr double default_maxpar = 1.07, default_parmax = 1.035;
 
 double parmax(const model::Contact& contact) {

@@ -14,7 +14,7 @@ struct Transducer {
 };
 
 /// Whether SURFB of a force transducer counts: only FORCE_TRANSDUCER_PENALTY measures between two surfaces, and then
-/// only what automatic contacts do. Source: workshop slides, contact output.
+/// only what automatic contacts do. Source: contact rules, section 10.
 [[nodiscard]] bool measures_between(const model::Contact& transducer);
 /// Whether SURFB names anything.
 [[nodiscard]] bool has_second_surface(const model::Contact& transducer);

@@ -13,7 +13,7 @@ namespace {
 /// Parallel edges are as near at an end as between the ends, up to rounding.
 constexpr double equally_near = 1e-9;
 
-bool all_finite(const Edge& edge) { return edge[0].allFinite() && edge[1].allFinite(); }
+bool has_finite_ends(const Edge& edge) { return edge[0].allFinite() && edge[1].allFinite(); }
 
 /// Where the common perpendicular of the two lines meets them, if that is between the ends.
 bool between_ends(const Edge& first, const Edge& second, EdgesClosest& c) {
@@ -75,7 +75,7 @@ Decision decide_edges(const Edge& first, const Edge& second, double bound, Mode 
       if (verdict == Verdict::closer || verdict == Verdict::apart) return {verdict == Verdict::closer, Stage::filter};
     }
   }
-  if (!all_finite(first) || !all_finite(second)) return {false, Stage::exact};
+  if (!has_finite_ends(first) || !has_finite_ends(second)) return {false, Stage::exact};
   return {std::isinf(bound) || exact::edges_closer(first, second, bound), Stage::exact};
 }
 

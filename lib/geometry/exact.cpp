@@ -28,7 +28,7 @@ int sign(const Number& a) { return static_cast<int>(CGAL::sign(a)); }
 Number amount(const Number& a) { return sign(a) < 0 ? -a : a; }
 
 /// Segment a b nearer to the origin than the root of `bound`?
-bool segment_closer(const Point& a, const Point& b, const Number& bound) {
+bool segment_closer_to_origin(const Point& a, const Point& b, const Number& bound) {
   const Point along = b - a;
   const Number from_a = -dot(a, along), length = square(along);
   if (sign(from_a) <= 0) return square(a) < bound;
@@ -37,7 +37,7 @@ bool segment_closer(const Point& a, const Point& b, const Number& bound) {
 }
 
 /// The same for the triangle a b c.
-bool triangle_closer(const Point& a, const Point& b, const Point& c, const Number& bound) {
+bool triangle_closer_to_origin(const Point& a, const Point& b, const Point& c, const Number& bound) {
   const Point n = cross(b - a, c - a);
   const Number nn = square(n);
   if (sign(nn) > 0 && sign(dot(n, cross(a, b))) >= 0 && sign(dot(n, cross(b, c))) >= 0 &&
@@ -45,7 +45,8 @@ bool triangle_closer(const Point& a, const Point& b, const Point& c, const Numbe
     const Number height = dot(n, a);
     return height * height < bound * nn;
   }
-  return segment_closer(a, b, bound) || segment_closer(b, c, bound) || segment_closer(c, a, bound);
+  return segment_closer_to_origin(a, b, bound) || segment_closer_to_origin(b, c, bound) ||
+         segment_closer_to_origin(c, a, bound);
 }
 
 /// Coefficients of the piece's squared distance in Bernstein form: its values lie between the least and the greatest.
@@ -188,7 +189,7 @@ Verdict verdict_of_coefficients(const std::array<Point, 4>& p, const Number& bou
   });
   if (all_apart) return Verdict::apart;
   const auto edge = [&](std::size_t i) {
-    return segment_closer(p[i], p[(i + 1) % 4], bound) ? Verdict::closer : Verdict::apart;
+    return segment_closer_to_origin(p[i], p[(i + 1) % 4], bound) ? Verdict::closer : Verdict::apart;
   };
   if (const int trend = monotone_in_s(k); trend != 0) return edge(trend > 0 ? 3 : 1);
   if (const int trend = monotone_in_s(transposed(k)); trend != 0) return edge(trend > 0 ? 0 : 2);
@@ -210,12 +211,12 @@ std::array<Point, 4> piece_corners(const Facet& facet, const Vector& query, cons
 
 bool segment_closer(const Vector& a, const Vector& b, const Vector& query, double bound) {
   const Point q = exact(query);
-  return segment_closer(exact(a) - q, exact(b) - q, Number(bound) * Number(bound));
+  return segment_closer_to_origin(exact(a) - q, exact(b) - q, Number(bound) * Number(bound));
 }
 
 bool triangle_closer(const Vector& a, const Vector& b, const Vector& c, const Vector& query, double bound) {
   const Point q = exact(query);
-  return triangle_closer(exact(a) - q, exact(b) - q, exact(c) - q, Number(bound) * Number(bound));
+  return triangle_closer_to_origin(exact(a) - q, exact(b) - q, exact(c) - q, Number(bound) * Number(bound));
 }
 
 bool plane_closer(const Vector& a, const Vector& b, const Vector& c, const Vector& query, double bound) {
@@ -228,7 +229,8 @@ bool edges_closer(const std::array<Vector, 2>& first, const std::array<Vector, 2
   // The parallelogram of all differences between points of the one and the other.
   const Point a = exact(first[0]), b = exact(first[1]), c = exact(second[0]), d = exact(second[1]);
   const Number squared_bound = Number(bound) * Number(bound);
-  return triangle_closer(c - a, d - a, d - b, squared_bound) || triangle_closer(c - a, d - b, c - b, squared_bound);
+  return triangle_closer_to_origin(c - a, d - a, d - b, squared_bound) ||
+         triangle_closer_to_origin(c - a, d - b, c - b, squared_bound);
 }
 
 bool fan_closer(const Facet& facet, const Vector& query, double bound) {
@@ -236,7 +238,7 @@ bool fan_closer(const Facet& facet, const Vector& query, double bound) {
   const Point centre = Number(0.25) * (p[0] + p[1] + p[2] + p[3]);
   const Number squared_bound = Number(bound) * Number(bound);
   for (std::size_t i = 0; i < 4; ++i) {
-    if (triangle_closer(p[i], p[(i + 1) % 4], centre, squared_bound)) return true;
+    if (triangle_closer_to_origin(p[i], p[(i + 1) % 4], centre, squared_bound)) return true;
   }
   return false;
 }

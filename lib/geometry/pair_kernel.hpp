@@ -64,15 +64,15 @@ struct Products {
   }
 };
 
-/// Parameters of a trial point. `inside`: it is the stationary point, and lies within the borders.
+/// Parameters of trial points, one per lane. `inside`: it is the stationary point, and lies within the borders.
 template <class V>
-struct Trial {
+struct Trials {
   V s, t;
   Mask<V> inside, settled;
 };
 
 template <class V>
-inline Trial<V> stationary_point(const Products<V>& g, int steps) {
+inline Trials<V> stationary_point(const Products<V>& g, int steps) {
   const V unit = 1.0 / (g.aa * g.bb - g.ab * g.ab);
   V s = clamped<V>((g.ab * g.mb - g.bb * g.ma) * unit, -2, 2),
     t = clamped<V>((g.ab * g.ma - g.aa * g.mb) * unit, -2, 2);
@@ -96,7 +96,7 @@ inline Trial<V> stationary_point(const Products<V>& g, int steps) {
 
 /// For points beyond the border: the nearest point of the edge, or the better of the two, that they lie beyond.
 template <class V>
-inline void move_to_border(const Products<V>& g, Trial<V>& trial) {
+inline void move_to_border(const Products<V>& g, Trials<V>& trial) {
   const V one = all<V>(1);
   const V end_s = trial.s > 0.0 ? one : -one, end_t = trial.t > 0.0 ? one : -one;
   const V along_t = clamped<V>(-(g.mb + g.ac + end_s * (g.mc + g.ab)) / (g.bb + g.cc + 2.0 * end_s * g.bc), -1, 1);
@@ -133,7 +133,7 @@ inline V usable_slope(const V& slope, const V& parameter, const V& margin) {
 }
 
 template <class V>
-inline Drop<V> largest_drop(const Products<V>& g, const PointProducts<V>& w, const Trial<V>& at, const V& squares) {
+inline Drop<V> drop_bound(const Products<V>& g, const PointProducts<V>& w, const Trials<V>& at, const V& squares) {
   const V margin = 512 * batch_roundoff * squares;
   const V turn = g.bc + at.s * g.cc, tt = g.bb + at.s * (g.bc + turn), mixed = g.ab + at.s * g.ac + w.wc;
   const V q0 = tt * g.aa - mixed * mixed, q1 = 2.0 * (tt * g.ac - mixed * turn), q2 = tt * g.cc - turn * turn;
@@ -154,7 +154,7 @@ inline void decide_quads(PairArrays& p, std::size_t first) {
   const auto m = quarter * (low + high), a = quarter * (right + left), b = quarter * (high - low),
              c = quarter * (left - right);
   const Products<V> g(m, a, b, c);
-  Trial<V> at = stationary_point(g, steps_to_prove);
+  Trials<V> at = stationary_point(g, steps_to_prove);
   if (bits<V>(~at.inside) != 0) move_to_border(g, at);
 
   const auto w = (m + at.t * b) + at.s * (a + at.t * c);
@@ -168,7 +168,7 @@ inline void decide_quads(PairArrays& p, std::size_t first) {
   Mask<V> nearest = (least >= on.ww - scale.error) & (on.ww >= 0x1p20 * scale.error);
   const Mask<V> open = (scale.usable & (on.ww > scale.limit) & ~apart) | (face & ~nearest);
   if (bits<V>(open) != 0) {
-    const Drop<V> fall = largest_drop(g, on, at, squares);
+    const Drop<V> fall = drop_bound(g, on, at, squares);
     const Mask<V> bounded = scale.usable & (fall.least > 0.0);
     apart = apart | (bounded & (on.ww > scale.limit) & ((on.ww - scale.limit - scale.error) * fall.least >= fall.drop));
     const V slack = nearest_share_of_distance * on.ww + nearest_share_of_size * squares;

@@ -158,10 +158,6 @@ std::optional<ParameterValue> Card::substituted(std::size_t field, std::string_v
 
 namespace {
 
-bool is_reference(std::string_view raw) {
-  return raw.starts_with('&') || raw.starts_with("-&") || raw.starts_with('<');
-}
-
 std::optional<std::int64_t> whole(double value) {
   if (value != std::floor(value) || std::abs(value) > 9.0e15) return std::nullopt;
   return static_cast<std::int64_t>(value);
@@ -175,7 +171,7 @@ std::int64_t Card::integer(std::size_t field, std::int64_t default_value) const 
   const auto raw = raw_text(field);
   if (raw.empty()) return default_value;
   std::optional<std::int64_t> value;
-  if (is_reference(raw)) {
+  if (is_parameter_reference(raw)) {
     const auto found = substituted(field, raw);
     if (!found) return default_value;
     const auto* real = std::get_if<double>(&*found);
@@ -204,7 +200,7 @@ double Card::real(std::size_t field, double default_value) const {
   const auto raw = raw_text(field);
   if (raw.empty()) return default_value;
   std::optional<double> value;
-  if (is_reference(raw)) {
+  if (is_parameter_reference(raw)) {
     const auto found = substituted(field, raw);
     if (!found) return default_value;
     const auto* integer = std::get_if<std::int64_t>(&*found);

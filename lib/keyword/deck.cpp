@@ -7,6 +7,7 @@
 
 #include "base/number.hpp"
 #include "keyword/deck_reader.hpp"
+#include "keyword/upper_case.hpp"
 
 namespace gapcheck::keyword {
 namespace {
@@ -14,13 +15,6 @@ namespace {
 /// Far beyond any real deck; keeps a file of nothing but stars from filling the memory.
 constexpr std::size_t max_blocks = 5'000'000;
 constexpr std::size_t max_directives = 1'000'000;
-
-std::string upper_case(std::string_view text) {
-  std::string upper(text);
-  for (char& c : upper)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return upper;
-}
 
 /// What keeps a file from being a keyword file; empty: nothing.
 std::string unreadable(std::string_view bytes) {

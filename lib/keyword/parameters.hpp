@@ -12,6 +12,11 @@ namespace gapcheck::keyword {
 
 using ParameterValue = std::variant<std::int64_t, double, std::string>;
 
+/// Whether a field names a parameter or holds an expression in place of its value: `&name`, `-&name`, `<expression>`.
+[[nodiscard]] inline bool is_parameter_reference(std::string_view field) {
+  return field.starts_with('&') || field.starts_with("-&") || field.starts_with('<');
+}
+
 /// The values of *PARAMETER and its relatives, with the place from which each is visible.
 class Parameters {
  public:

@@ -12,10 +12,10 @@ namespace gapcheck::keyword {
 namespace {
 
 /// Text and numbers of a piece stay in the cache of one core.
-constexpr std::size_t piece_size = std::size_t{1} << 16;
+constexpr std::size_t body_piece_size = std::size_t{1} << 16;
 
 /// A part of the block's body that starts at a line start.
-struct Piece {
+struct BodyPiece {
   std::size_t begin = 0, end = 0;
   std::uint32_t first_line = 0, lines = 0;
   std::size_t first_row = 0, rows = 0;
@@ -89,7 +89,7 @@ bool count_fast(std::string_view, std::uint32_t&, std::size_t&) { return false; 
 #endif
 
 /// Counts the lines of a piece, and those that are neither comment nor blank.
-void count(std::string_view body, Piece& piece) {
+void count(std::string_view body, BodyPiece& piece) {
   if (count_fast(body.substr(piece.begin, piece.end - piece.begin), piece.lines, piece.rows)) return;
   piece.lines = 0;
   piece.rows = 0;
@@ -97,12 +97,12 @@ void count(std::string_view body, Piece& piece) {
     if (is_row(line_from(body, at, at))) ++piece.rows;
 }
 
-std::vector<Piece> cut(std::string_view body) {
-  std::vector<Piece> pieces;
+std::vector<BodyPiece> cut(std::string_view body) {
+  std::vector<BodyPiece> pieces;
   for (std::size_t begin = 0; begin < body.size();) {
-    const std::size_t newline = body.find('\n', std::min(begin + piece_size, body.size()) - 1);
+    const std::size_t newline = body.find('\n', std::min(begin + body_piece_size, body.size()) - 1);
     const std::size_t end = newline == std::string_view::npos ? body.size() : newline + 1;
-    Piece piece;
+    BodyPiece piece;
     piece.begin = begin;
     piece.end = end;
     pieces.push_back(piece);
@@ -166,7 +166,7 @@ class RowReader {
   [[nodiscard]] std::size_t real_columns() const { return real_columns_.size(); }
 
   /// Reads the rows of one piece; `rows` has room for them and one more, since a line may turn out to be none.
-  void read(const Piece& piece, Rows& rows, Diagnostics& diagnostics) const {
+  void read(const BodyPiece& piece, Rows& rows, Diagnostics& diagnostics) const {
     const std::string_view body = block_.body;
     std::int64_t* integers = rows.integers.data();
     double* reals = rows.reals.data();
@@ -273,13 +273,13 @@ void hand_on(const Diagnostics& from, Diagnostics& to) {
 
 void read_rows_in_pieces(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics,
                          const MakeRoom& make_room, const TakeRows& take) {
-  std::vector<Piece> pieces = cut(block.body);
+  std::vector<BodyPiece> pieces = cut(block.body);
   parallel_for(pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) count(block.body, pieces[i]);
   });
   std::uint32_t line = block.line + 1;
   std::size_t rows_in_all = 0;
-  for (Piece& piece : pieces) {
+  for (BodyPiece& piece : pieces) {
     piece.first_line = line;
     piece.first_row = rows_in_all;
     line += piece.lines;

@@ -8,9 +8,9 @@
 namespace gapcheck::keyword {
 namespace {
 
-constexpr std::size_t piece_size = std::size_t{1} << 21;
+constexpr std::size_t file_piece_size = std::size_t{1} << 21;
 
-struct Piece {
+struct FilePiece {
   std::vector<Mark> marks;  // lines counted from the start of the piece
   std::uint32_t lines = 0;
 };
@@ -38,8 +38,8 @@ std::size_t line_start(std::string_view bytes, std::size_t offset) {
   return end == std::string_view::npos ? bytes.size() : end + 1;
 }
 
-Piece scan_piece(std::string_view bytes, std::size_t begin, std::size_t end) {
-  Piece piece;
+FilePiece scan_piece(std::string_view bytes, std::size_t begin, std::size_t end) {
+  FilePiece piece;
   std::size_t offset = begin;
   while (offset < end) {
     const char first = bytes[offset];
@@ -56,16 +56,16 @@ Piece scan_piece(std::string_view bytes, std::size_t begin, std::size_t end) {
 }  // namespace
 
 std::vector<Mark> find_marks(std::string_view bytes) {
-  const std::size_t count = (bytes.size() + piece_size - 1) / piece_size;
-  std::vector<Piece> pieces(count);
+  const std::size_t count = (bytes.size() + file_piece_size - 1) / file_piece_size;
+  std::vector<FilePiece> pieces(count);
   parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      pieces[i] = scan_piece(bytes, line_start(bytes, i * piece_size),
-                             i + 1 == count ? bytes.size() : line_start(bytes, (i + 1) * piece_size));
+      pieces[i] = scan_piece(bytes, line_start(bytes, i * file_piece_size),
+                             i + 1 == count ? bytes.size() : line_start(bytes, (i + 1) * file_piece_size));
   });
   std::vector<Mark> marks;
   std::uint32_t line = 1;
-  for (Piece& piece : pieces) {
+  for (FilePiece& piece : pieces) {
     for (Mark mark : piece.marks) {
       mark.line += line;
       marks.push_back(mark);

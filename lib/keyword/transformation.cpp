@@ -6,15 +6,10 @@
 #include <numbers>
 #include <string>
 
+#include "keyword/upper_case.hpp"
+
 namespace gapcheck::keyword {
 namespace {
-
-std::string upper_case(std::string_view text) {
-  std::string upper(text);
-  for (char& c : upper)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return upper;
-}
 
 /// Reader at the card with the id.
 CardReader at_first_card(const Deck& deck, const Block& block, Diagnostics& diagnostics) {
@@ -23,9 +18,10 @@ CardReader at_first_card(const Deck& deck, const Block& block, Diagnostics& diag
   return reader;
 }
 
-class Rows {
+class TransformationRows {
  public:
-  Rows(CardReader reader, Diagnostics& diagnostics) : reader_(std::move(reader)), diagnostics_(diagnostics) {}
+  TransformationRows(CardReader reader, Diagnostics& diagnostics)
+      : reader_(std::move(reader)), diagnostics_(diagnostics) {}
 
   std::optional<Placement> read() {
     reader_.skip();
@@ -152,7 +148,7 @@ std::int64_t transformation_id(const Deck& deck, const Block& block, Diagnostics
 }
 
 std::optional<Placement> read_transformation(const Deck& deck, const Block& block, Diagnostics& diagnostics) {
-  return Rows(at_first_card(deck, block, diagnostics), diagnostics).read();
+  return TransformationRows(at_first_card(deck, block, diagnostics), diagnostics).read();
 }
 
 }  // namespace gapcheck::keyword

@@ -30,10 +30,6 @@ std::string tidied(std::string text) {
   return text;
 }
 
-bool is_reference(std::string_view text) {
-  return text.starts_with('&') || text.starts_with("-&") || text.starts_with('<');
-}
-
 std::string in_columns(std::string line, const Cell& cell, const std::string& number) {
   if (line.size() < cell.column) line.resize(cell.column, ' ');
   const std::size_t covered = std::min(cell.width, line.size() - cell.column);
@@ -98,7 +94,7 @@ std::string number_text(double value, std::size_t width) {
 
 std::string why_not_replaceable(const Card& card, std::size_t field) {
   const std::string_view written = card.written(field);
-  if (is_reference(written)) return fmt::format("{} is a parameter", written.substr(0, 80));
+  if (is_parameter_reference(written)) return fmt::format("{} is a parameter", written.substr(0, 80));
   if (!card.free_format() && card.raw_line().find('\t') != std::string_view::npos)
     return "the line has tabs in fixed columns";
   if (card.free_format() && written.empty() && card.raw_line().find_first_of("([") != std::string_view::npos)

@@ -51,7 +51,7 @@ struct TiebreakStrength {
 };
 
 /// One 3D *CONTACT definition with all its cards. Defaults are the solver's; where "not given" matters, it is an
-/// optional. Old and new field names as in contact_rules: A = slave = tracked, B = master = reference.
+/// optional. Old and new field names (contact rules, section 1.1): A = slave = tracked, B = master = reference.
 struct Contact {
   ContactId id;
   /// Place in the deck among all contacts, from 1; 0 for what only modifies others (CONTACT_INTERIOR, AUTO_MOVE,

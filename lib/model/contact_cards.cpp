@@ -11,8 +11,6 @@ namespace {
 using keyword::CardLayout;
 using keyword::FieldType;
 
-const CardLayout& layout(std::string_view card) { return keyword::card_layout("CONTACT", card); }
-
 /// The types with one card of their own; the first entry that the name holds counts.
 struct OwnCard {
   std::string_view token, card;
@@ -44,13 +42,15 @@ const CardLayout& texts() {
 
 bool fits(std::string_view text, const keyword::Field* field) {
   // What a parameter or an expression stands for is found when the field is read.
-  if (text.empty() || text.starts_with('&') || text.starts_with("-&") || text.starts_with('<')) return true;
+  if (text.empty() || keyword::is_parameter_reference(text)) return true;
   if (field == nullptr) return parse_real(text) == 0.0;
   if (field->type == FieldType::integer) return parse_integer(text).has_value();
   return field->type == FieldType::text || parse_real(text).has_value();
 }
 
 }  // namespace
+
+const CardLayout& contact_card_layout(std::string_view card) { return keyword::card_layout("CONTACT", card); }
 
 const CardLayout* type_card(const ContactName& name) {
   switch (name.extra) {
@@ -59,20 +59,20 @@ const CardLayout* type_card(const ContactName& name) {
       return nullptr;
     case ExtraCards::tiebreak:
     case ExtraCards::tiebreak_damping:
-      return &layout("TIEBREAK");
+      return &contact_card_layout("TIEBREAK");
     case ExtraCards::tiebreak_user:
-      return &layout("TIEBREAK_USER");
+      return &contact_card_layout("TIEBREAK_USER");
     case ExtraCards::tied_weld:
-      return &layout("TIED_WELD1");
+      return &contact_card_layout("TIED_WELD1");
     case ExtraCards::drawbead:
     case ExtraCards::drawbead_initialize:
-      return &layout("DRAWBEAD1");
+      return &contact_card_layout("DRAWBEAD1");
     case ExtraCards::one:
       break;
   }
   const auto own = std::find_if(std::begin(own_cards), std::end(own_cards),
                                 [&](const OwnCard& entry) { return name.bare.find(entry.token) != std::string::npos; });
-  return own == std::end(own_cards) ? nullptr : &layout(own->card);
+  return own == std::end(own_cards) ? nullptr : &contact_card_layout(own->card);
 }
 
 std::string card_words(const CardLayout& layout) {

@@ -1,10 +1,14 @@
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "keyword/card.hpp"
 #include "model/contact_name.hpp"
 
 namespace gapcheck::model {
+
+/// Layout of a card of *CONTACT: "card1", "MPP1", "ERODING".
+[[nodiscard]] const keyword::CardLayout& contact_card_layout(std::string_view card);
 
 /// Layout of the card that a type of contact has behind card 3; nullptr: it has none.
 [[nodiscard]] const keyword::CardLayout* type_card(const ContactName& name);

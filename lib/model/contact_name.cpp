@@ -13,43 +13,41 @@ struct ContactType {
   ExtraCards extra = ExtraCards::none;
 };
 
-using enum ExtraCards;
-
 /// All 3D contacts.
-constexpr ContactType types[] = {
+constexpr ContactType contact_types[] = {
     {"AIRBAG_SINGLE_SURFACE"},
     {"AUTOMATIC_BEAMS_TO_SURFACE"},
     {"AUTOMATIC_GENERAL"},
     {"AUTOMATIC_GENERAL_EDGEONLY"},
     {"AUTOMATIC_GENERAL_INTERIOR"},
-    {"AUTOMATIC_GENERAL_TIEBREAK", tiebreak},
-    {"AUTOMATIC_GENERAL_TIEBREAK_BEAM_OFFSET", tiebreak},
+    {"AUTOMATIC_GENERAL_TIEBREAK", ExtraCards::tiebreak},
+    {"AUTOMATIC_GENERAL_TIEBREAK_BEAM_OFFSET", ExtraCards::tiebreak},
     {"AUTOMATIC_NODES_TO_SURFACE"},
-    {"AUTOMATIC_NODES_TO_SURFACE_TIEBREAK", tiebreak},
+    {"AUTOMATIC_NODES_TO_SURFACE_TIEBREAK", ExtraCards::tiebreak},
     {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"},
-    {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK", tiebreak},
-    {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK_DAMPING", tiebreak_damping},
-    {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK_USER", tiebreak_user},
+    {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK", ExtraCards::tiebreak},
+    {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK_DAMPING", ExtraCards::tiebreak_damping},
+    {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK_USER", ExtraCards::tiebreak_user},
     {"AUTOMATIC_SINGLE_SURFACE"},
-    {"AUTOMATIC_SINGLE_SURFACE_TIEBREAK", tiebreak},
-    {"AUTOMATIC_SINGLE_SURFACE_TIEBREAK_BEAM_OFFSET", tiebreak},
-    {"AUTOMATIC_SINGLE_SURFACE_TIED", one},
+    {"AUTOMATIC_SINGLE_SURFACE_TIEBREAK", ExtraCards::tiebreak},
+    {"AUTOMATIC_SINGLE_SURFACE_TIEBREAK_BEAM_OFFSET", ExtraCards::tiebreak},
+    {"AUTOMATIC_SINGLE_SURFACE_TIED", ExtraCards::one},
     {"AUTOMATIC_SURFACE_TO_SURFACE"},
-    {"AUTOMATIC_SURFACE_TO_SURFACE_COMPOSITE", one},
-    {"AUTOMATIC_SURFACE_TO_SURFACE_LUBRICATION", one},
-    {"AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", tiebreak},
-    {"AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_DAMPING", tiebreak_damping},
-    {"AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_USER", tiebreak_user},
+    {"AUTOMATIC_SURFACE_TO_SURFACE_COMPOSITE", ExtraCards::one},
+    {"AUTOMATIC_SURFACE_TO_SURFACE_LUBRICATION", ExtraCards::one},
+    {"AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", ExtraCards::tiebreak},
+    {"AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_DAMPING", ExtraCards::tiebreak_damping},
+    {"AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_USER", ExtraCards::tiebreak_user},
     {"AUTOMATIC_SURFACE_TO_SURFACE_TIED"},
-    {"AUTOMATIC_SURFACE_TO_SURFACE_TIED_WELD", tied_weld},
-    {"CONSTRAINT_NODES_TO_SURFACE", one},
-    {"CONSTRAINT_SURFACE_TO_SURFACE", one},
-    {"DRAWBEAD", drawbead},
-    {"DRAWBEAD_BENDING", drawbead_initialize},
-    {"DRAWBEAD_INITIALIZE", drawbead_initialize},
-    {"ERODING_NODES_TO_SURFACE", one},
-    {"ERODING_SINGLE_SURFACE", one},
-    {"ERODING_SURFACE_TO_SURFACE", one},
+    {"AUTOMATIC_SURFACE_TO_SURFACE_TIED_WELD", ExtraCards::tied_weld},
+    {"CONSTRAINT_NODES_TO_SURFACE", ExtraCards::one},
+    {"CONSTRAINT_SURFACE_TO_SURFACE", ExtraCards::one},
+    {"DRAWBEAD", ExtraCards::drawbead},
+    {"DRAWBEAD_BENDING", ExtraCards::drawbead_initialize},
+    {"DRAWBEAD_INITIALIZE", ExtraCards::drawbead_initialize},
+    {"ERODING_NODES_TO_SURFACE", ExtraCards::one},
+    {"ERODING_SINGLE_SURFACE", ExtraCards::one},
+    {"ERODING_SURFACE_TO_SURFACE", ExtraCards::one},
     {"FORCE_TRANSDUCER"},
     {"FORCE_TRANSDUCER_CONSTRAINT"},
     {"FORCE_TRANSDUCER_PENALTY"},
@@ -57,12 +55,12 @@ constexpr ContactType types[] = {
     {"FORMING_ONE_WAY_SURFACE_TO_SURFACE"},
     {"FORMING_SURFACE_TO_SURFACE"},
     {"NODES_TO_SURFACE"},
-    {"NODES_TO_SURFACE_INTERFERENCE", one},
+    {"NODES_TO_SURFACE_INTERFERENCE", ExtraCards::one},
     {"ONE_WAY_SURFACE_TO_SURFACE"},
-    {"ONE_WAY_SURFACE_TO_SURFACE_INTERFERENCE", one},
-    {"RIGID_BODY_ONE_WAY_TO_RIGID_BODY", one},
-    {"RIGID_BODY_TWO_WAY_TO_RIGID_BODY", one},
-    {"RIGID_NODES_TO_RIGID_BODY", one},
+    {"ONE_WAY_SURFACE_TO_SURFACE_INTERFERENCE", ExtraCards::one},
+    {"RIGID_BODY_ONE_WAY_TO_RIGID_BODY", ExtraCards::one},
+    {"RIGID_BODY_TWO_WAY_TO_RIGID_BODY", ExtraCards::one},
+    {"RIGID_NODES_TO_RIGID_BODY", ExtraCards::one},
     {"SINGLE_EDGE"},
     {"SINGLE_SURFACE"},
     {"SLIDING_ONLY"},
@@ -74,12 +72,12 @@ constexpr ContactType types[] = {
     {"SPOTWELD_WITH_TORSION"},
     {"SPOTWELD_WITH_TORSION_PENALTY"},
     {"SURFACE_TO_SURFACE"},
-    {"SURFACE_TO_SURFACE_CONTRACTION_JOINT", one},
-    {"SURFACE_TO_SURFACE_INTERFERENCE", one},
-    {"TIEBREAK_NODES_ONLY", one},
-    {"TIEBREAK_NODES_TO_SURFACE", one},
-    {"TIEBREAK_SURFACE_TO_SURFACE", one},
-    {"TIEBREAK_SURFACE_TO_SURFACE_ONLY", one},
+    {"SURFACE_TO_SURFACE_CONTRACTION_JOINT", ExtraCards::one},
+    {"SURFACE_TO_SURFACE_INTERFERENCE", ExtraCards::one},
+    {"TIEBREAK_NODES_ONLY", ExtraCards::one},
+    {"TIEBREAK_NODES_TO_SURFACE", ExtraCards::one},
+    {"TIEBREAK_SURFACE_TO_SURFACE", ExtraCards::one},
+    {"TIEBREAK_SURFACE_TO_SURFACE_ONLY", ExtraCards::one},
     {"TIED_NODES_TO_SURFACE"},
     {"TIED_NODES_TO_SURFACE_BEAM_OFFSET"},
     {"TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET"},
@@ -114,16 +112,6 @@ bool in_any(std::string_view name, const std::string_view (&families)[N]) {
   return std::any_of(std::begin(families), std::end(families), [&](auto family) { return in_family(name, family); });
 }
 
-std::vector<std::string_view> words_of(std::string_view name) {
-  std::vector<std::string_view> words;
-  while (true) {
-    const std::size_t cut = name.find('_');
-    words.push_back(name.substr(0, cut));
-    if (cut == std::string_view::npos) return words;
-    name.remove_prefix(cut + 1);
-  }
-}
-
 std::string joined(const std::vector<std::string_view>& words) {
   std::string name;
   for (const std::string_view word : words) {
@@ -134,6 +122,16 @@ std::string joined(const std::vector<std::string_view>& words) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> words_of(std::string_view name) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const std::size_t cut = name.find('_');
+    words.push_back(name.substr(0, cut));
+    if (cut == std::string_view::npos) return words;
+    name.remove_prefix(cut + 1);
+  }
+}
 
 ContactName parse_contact_name(std::string_view written) {
   ContactName name;
@@ -156,17 +154,17 @@ ContactName parse_contact_name(std::string_view written) {
       kept.push_back(word);
   }
   const std::string type = joined(kept);
-  const auto found =
-      std::find_if(std::begin(types), std::end(types), [&](const ContactType& entry) { return entry.name == type; });
-  if (found != std::end(types)) {
+  const auto found = std::find_if(std::begin(contact_types), std::end(contact_types),
+                                  [&](const ContactType& entry) { return entry.name == type; });
+  if (found != std::end(contact_types)) {
     name.known = true;
     name.extra = found->extra;
     name.transducer = in_family(type, "FORCE_TRANSDUCER");
     // The tiebreak of mortar contacts has its option card only.
-    if (mortar && name.extra == tiebreak) name.extra = one;
+    if (mortar && name.extra == ExtraCards::tiebreak) name.extra = ExtraCards::one;
   } else if (in_any(type, own_families)) {
     name.known = true;
-    name.extra = own;
+    name.extra = ExtraCards::own;
     name.modifier = in_any(type, modifiers);
   }
   name.bare = "CONTACT_" + type + (mortar ? "_MORTAR" : "");
@@ -176,7 +174,7 @@ ContactName parse_contact_name(std::string_view written) {
 const std::vector<std::string_view>& known_contact_names() {
   static const std::vector<std::string_view> names = [] {
     std::vector<std::string_view> list;
-    for (const ContactType& type : types) list.push_back(type.name);
+    for (const ContactType& type : contact_types) list.push_back(type.name);
     constexpr std::string_view family = "CONTACT_";
     for (std::string_view name : keyword::layout_names(family))
       if (name.remove_prefix(family.size()); in_any(name, own_families)) list.push_back(name);

@@ -18,6 +18,9 @@ enum class ExtraCards : unsigned char {
   own,  ///< none of the cards of a 3D contact
 };
 
+/// The words of a keyword's name, which underscores keep apart; views into the name.
+[[nodiscard]] std::vector<std::string_view> words_of(std::string_view name);
+
 /// What the name of a *CONTACT keyword says.
 struct ContactName {
   std::string bare;  ///< without option words, MORTAR last: "CONTACT_AUTOMATIC_SINGLE_SURFACE_MORTAR"

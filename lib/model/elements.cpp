@@ -59,35 +59,20 @@ class Appender {
   Appender(Context& context, const Block& block, const ElementTraits& traits, Elements<N>& elements)
       : context_(context), block_(block), traits_(traits), elements_(elements), first_(elements.size()) {}
 
-  void make_room(std::size_t count) {
-    if (count == 0) return;
-    elements_.id.resize(first_ + count);
-    elements_.nodes.resize(first_ + count);
-    elements_.part.resize(first_ + count);
-    elements_.line.resize(first_ + count);
-    elements_.origins.add(static_cast<std::uint32_t>(first_), block_.file);
+  void take_all(const ElementRows& rows) {
+    make_room(rows.size());
+    parallel_for(rows.size(), grain, [&](std::size_t begin, std::size_t end) {
+      take(begin, end - begin, rows.nodes, rows.row(begin), rows.lines.data() + begin);
+    });
   }
 
-  /// Row `first_row` and those behind it; `nodes` ids behind the element's and the part's in each.
-  void take(std::size_t first_row, std::size_t count, std::size_t nodes, const std::int64_t* values,
-            const std::uint32_t* lines) {
-    PartFinder parts(context_);
-    Faults faults;
-    const std::size_t to = first_ + first_row;
-    std::copy_n(lines, count, elements_.line.data() + to);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::int64_t* row = values + i * (2 + nodes);
-      const auto number = static_cast<std::uint32_t>(first_row + i);
-      elements_.id[to + i] = row[0];
-      elements_.part[to + i] = parts.find(row[1]);
-      std::int64_t unknown_node = 0;
-      if (row[0] <= 0 ||
-          !find_nodes(context_.model.mesh.nodes, traits_, row + 2, nodes, elements_.nodes[to + i], unknown_node))
-        faults.left_out.push_back({number, lines[i], row[0], unknown_node});
-      else if (elements_.part[to + i] == none<PartIndex> && (traits_.needs_part || row[1] != 0))
-        faults.unknown_parts[row[1]].add({number, lines[i], row[0], 1});
-    }
-    if (!faults.left_out.empty() || !faults.unknown_parts.empty()) keep(std::move(faults));
+  /// The rows of the whole block, straight from the text.
+  void take_block() {
+    keyword::read_rows_in_pieces(
+        context_.deck, block_, element_line(N), context_.diagnostics, [&](std::size_t count) { make_room(count); },
+        [&](std::size_t first, const keyword::Rows& rows) {
+          take(first, rows.count, N, rows.integers.data(), rows.lines.data());
+        });
   }
 
   /// Reports what is wrong and takes the rows left out away; returns them, ascending.
@@ -135,6 +120,37 @@ class Appender {
     std::map<std::int64_t, Use> unknown_parts;
   };
 
+  void make_room(std::size_t count) {
+    if (count == 0) return;
+    elements_.id.resize(first_ + count);
+    elements_.nodes.resize(first_ + count);
+    elements_.part.resize(first_ + count);
+    elements_.line.resize(first_ + count);
+    elements_.origins.add(static_cast<std::uint32_t>(first_), block_.file);
+  }
+
+  /// Row `first_row` and those behind it; `nodes` ids behind the element's and the part's in each.
+  void take(std::size_t first_row, std::size_t count, std::size_t nodes, const std::int64_t* values,
+            const std::uint32_t* lines) {
+    PartFinder parts(context_);
+    Faults faults;
+    const std::size_t to = first_ + first_row;
+    std::copy_n(lines, count, elements_.line.data() + to);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int64_t* row = values + i * (2 + nodes);
+      const auto number = static_cast<std::uint32_t>(first_row + i);
+      elements_.id[to + i] = row[0];
+      elements_.part[to + i] = parts.find(row[1]);
+      std::int64_t unknown_node = 0;
+      if (row[0] <= 0 ||
+          !find_nodes(context_.model.mesh.nodes, traits_, row + 2, nodes, elements_.nodes[to + i], unknown_node))
+        faults.left_out.push_back({number, lines[i], row[0], unknown_node});
+      else if (elements_.part[to + i] == none<PartIndex> && (traits_.needs_part || row[1] != 0))
+        faults.unknown_parts[row[1]].add({number, lines[i], row[0], 1});
+    }
+    if (!faults.left_out.empty() || !faults.unknown_parts.empty()) keep(std::move(faults));
+  }
+
   void keep(Faults&& faults) {
     const std::lock_guard lock(mutex_);
     faults_.left_out.insert(faults_.left_out.end(), faults.left_out.begin(), faults.left_out.end());
@@ -172,21 +188,14 @@ template <std::size_t N>
 std::vector<std::uint32_t> append_elements(Context& context, const Block& block, const ElementTraits& traits,
                                            const ElementRows& rows, Elements<N>& elements) {
   Appender<N> appender(context, block, traits, elements);
-  appender.make_room(rows.size());
-  parallel_for(rows.size(), grain, [&](std::size_t begin, std::size_t end) {
-    appender.take(begin, end - begin, rows.nodes, rows.row(begin), rows.lines.data() + begin);
-  });
+  appender.take_all(rows);
   return appender.finish();
 }
 
 template <std::size_t N>
 void read_elements(Context& context, const Block& block, const ElementTraits& traits, Elements<N>& elements) {
   Appender<N> appender(context, block, traits, elements);
-  keyword::read_rows_in_pieces(
-      context.deck, block, element_line(N), context.diagnostics, [&](std::size_t count) { appender.make_room(count); },
-      [&](std::size_t first, const keyword::Rows& rows) {
-        appender.take(first, rows.count, N, rows.integers.data(), rows.lines.data());
-      });
+  appender.take_block();
   appender.finish();
 }
 

@@ -12,11 +12,11 @@ namespace gapcheck::model {
 namespace {
 
 constexpr std::string_view node_set = "CONSTRAINED_NODE_SET", rivet = "CONSTRAINED_RIVET",
-                           hanging_node = "CONSTRAINED_ADAPTIVITY", with_id = "_ID";
+                           hanging_node = "CONSTRAINED_ADAPTIVITY", id_option = "_ID";
 
 /// True for the keyword itself and its form with an id.
 bool is(std::string_view name, std::string_view keyword) {
-  return name.starts_with(keyword) && (name.size() == keyword.size() || name.substr(keyword.size()) == with_id);
+  return name.starts_with(keyword) && (name.size() == keyword.size() || name.substr(keyword.size()) == id_option);
 }
 
 class Reader {
@@ -83,7 +83,7 @@ class Reader {
 
   /// The number on the card in front of each link of the form with an id.
   static std::int64_t read_id(const Block& block, CardReader& reader, const keyword::CardLayout& layout) {
-    return block.name.ends_with(with_id) ? reader.next(layout).integer(0) : 0;
+    return block.name.ends_with(id_option) ? reader.next(layout).integer(0) : 0;
   }
 
   std::optional<NodeIndex> node(const Block& block, const Card& card, std::string_view field) {

@@ -35,7 +35,7 @@ struct Family {
 constexpr std::string_view set_options =
     "TITLE LIST GENERATE INCREMENT GENERAL COLUMN ADD ADVANCED INTERSECT COLLECT SMOOTH";
 
-constexpr Family families[] = {
+constexpr Family keyword_families[] = {
     {"NODE", Phase::nodes, read_nodes},
     {"NODE_MERGE", Phase::rest, warn_unread, "*"},
     {"NODE_THICKNESS", Phase::rest, warn_unread, "*"},
@@ -152,7 +152,7 @@ bool contains_word(std::string_view words, std::string_view word) {
 /// The family with the longest name that the keyword begins with, and the words behind it.
 Plan plan_for(std::string_view name) {
   const Family* family = nullptr;
-  for (const Family& candidate : families) {
+  for (const Family& candidate : keyword_families) {
     const bool matches = name.starts_with(candidate.name) &&
                          (name.size() == candidate.name.size() || name[candidate.name.size()] == '_');
     if (matches && (family == nullptr || candidate.name.size() > family->name.size())) family = &candidate;
@@ -179,20 +179,21 @@ void skip_block(const Block& block, Model& model) {
 
 void read_blocks(Context& context) {
   std::unordered_map<std::string_view, Plan> plans;
-  struct Job {
+  struct PlannedBlock {
     const Block* block;
     const Plan* plan;
   };
-  std::array<std::vector<Job>, phases> jobs;
+  std::array<std::vector<PlannedBlock>, phases> planned;
   for (const Block& block : context.deck.blocks()) {
     const auto [entry, is_new] = plans.try_emplace(block.name);
     if (is_new) entry->second = plan_for(block.name);
     const Plan& plan = entry->second;
     if (plan.read == nullptr || plan.read == warn_unread) skip_block(block, context.model);
-    if (plan.read != nullptr) jobs[static_cast<std::size_t>(plan.phase)].push_back({&block, &plan});
+    if (plan.read != nullptr) planned[static_cast<std::size_t>(plan.phase)].push_back({&block, &plan});
   }
   const auto run = [&](Phase phase) {
-    for (const Job& job : jobs[static_cast<std::size_t>(phase)]) job.plan->read(context, *job.block, job.plan->options);
+    for (const PlannedBlock& next : planned[static_cast<std::size_t>(phase)])
+      next.plan->read(context, *next.block, next.plan->options);
   };
   run(Phase::nodes);
   finish_nodes(context);
@@ -205,7 +206,8 @@ void read_blocks(Context& context) {
   run(Phase::sets);
   resolve_sets(context);
   run(Phase::rest);
-  for (const Job& job : jobs[static_cast<std::size_t>(Phase::nodes)]) read_node_constraints(context, *job.block);
+  for (const PlannedBlock& next : planned[static_cast<std::size_t>(Phase::nodes)])
+    read_node_constraints(context, *next.block);
   finish_contacts(context);
 }
 

@@ -27,16 +27,6 @@ double word_cost(std::string_view a, std::string_view b) {
   return 2 * letters_apart(a, b) / static_cast<double>(std::max<std::size_t>(1, std::max(a.size(), b.size())));
 }
 
-Words words_of(std::string_view name) {
-  Words words;
-  while (true) {
-    const std::size_t cut = name.find('_');
-    words.push_back(name.substr(0, cut));
-    if (cut == std::string_view::npos) return words;
-    name.remove_prefix(cut + 1);
-  }
-}
-
 /// Names that share less than half of their letters are only compared by words.
 double spelling_apart(std::string_view a, std::string_view b) {
   const double letters = letters_apart(a, b);

@@ -71,6 +71,9 @@ struct BeamSection {
   double line_mass = 0;                            ///< NSM: mass per length that is not of the material
 };
 
+/// ELFORM of discrete beams: springs, with neither the mass of a bar nor a contact surface.
+inline constexpr std::int64_t discrete_beam = 6;
+
 struct Section {
   std::int64_t id = 0;
   SectionKind kind = SectionKind::other;

@@ -1,12 +1,11 @@
 #include "model/context.hpp"
+#include "model/field_values.hpp"
 
 namespace gapcheck::model {
 namespace {
 
-const keyword::CardLayout& layout(std::string_view card) { return keyword::card_layout("PART_INERTIA", card); }
-
-Vector vector_at(const Card& card, std::size_t field) {
-  return {card.real(field), card.real(field + 1), card.real(field + 2)};
+const keyword::CardLayout& inertia_card_layout(std::string_view card) {
+  return keyword::card_layout("PART_INERTIA", card);
 }
 
 Eigen::Matrix3d tensor_of(const Card& card) {
@@ -33,17 +32,17 @@ void turn_to_local(const Card& card, BodyInertia& inertia) {
 
 BodyInertia read_body_inertia(Context& context, CardReader& reader) {
   const keyword::Transform& transform = context.transform(reader.block());
-  const Card card = reader.next(layout("card3"));
+  const Card card = reader.next(inertia_card_layout("card3"));
   BodyInertia inertia;
   const double length = transform.length_factor;
   inertia.center = transform.apply(length * Vector(card.real("xc"), card.real("yc"), card.real("zc")));
   inertia.center_node = card.integer("nodeid");
   inertia.mass = card.real("tm") * transform.mass_factor;
-  inertia.tensor = tensor_of(reader.next(layout("card4"))) * (transform.mass_factor * length * length);
-  const Card motion = reader.next(layout("card5"));
+  inertia.tensor = tensor_of(reader.next(inertia_card_layout("card4"))) * (transform.mass_factor * length * length);
+  const Card motion = reader.next(inertia_card_layout("card5"));
   inertia.velocity = vector_at(motion, 0) * (length / transform.time_factor);
   inertia.spin = vector_at(motion, 3) / transform.time_factor;
-  if (card.integer("ircs") == 1) turn_to_local(reader.next(layout("card6")), inertia);
+  if (card.integer("ircs") == 1) turn_to_local(reader.next(inertia_card_layout("card6")), inertia);
   if (transform.places) {
     const Eigen::Matrix3d& turn = transform.matrix;
     inertia.tensor = (turn * inertia.tensor * turn.transpose()).eval();

@@ -5,13 +5,10 @@
 
 #include "model/cards.hpp"
 #include "model/context.hpp"
+#include "model/field_values.hpp"
 
 namespace gapcheck::model {
 namespace {
-
-Vector vector_at(const Card& card, std::size_t field) {
-  return {card.real(field), card.real(field + 1), card.real(field + 2)};
-}
 
 /// Axes from a point on the local x axis and one in the local xy plane, both seen from the origin. False where they
 /// are on one line.

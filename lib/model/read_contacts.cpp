@@ -7,17 +7,12 @@
 #include "model/contact_cards.hpp"
 #include "model/contact_name.hpp"
 #include "model/context.hpp"
+#include "model/field_values.hpp"
 
 namespace gapcheck::model {
 namespace {
 
 using keyword::IdKind;
-
-const keyword::CardLayout& layout(std::string_view card) { return keyword::card_layout("CONTACT", card); }
-
-/// The solver takes zero and blank for its default.
-double or_default(double value, double default_value) { return value == 0 ? default_value : value; }
-std::int64_t or_default(std::int64_t value, std::int64_t default_value) { return value == 0 ? default_value : value; }
 
 IdKind id_kind(std::int64_t surface_type) {
   switch (static_cast<SurfaceType>(surface_type)) {
@@ -53,7 +48,7 @@ void skip_cards(CardReader& reader, Contact& contact, std::string_view card, std
 
 void read_mpp(CardReader& reader, Contact& contact) {
   if (!has_card(reader, contact, "the MPP card")) return;
-  const Card card = reader.next(layout("MPP1"));
+  const Card card = reader.next(contact_card_layout("MPP1"));
   if (!card.blank("ignore")) contact.mpp_ignore = card.integer("ignore");
   contact.parmax = card.real("parmax");
   if (trimmed(reader.peek()).starts_with('&')) reader.skip();
@@ -76,16 +71,16 @@ bool read_mandatory(Context& context, CardReader& reader, const ContactName& nam
                   fmt::format("*{} ends before {}; add the card", contact.written, contact.cards.missing));
     return false;
   }
-  const Card card1 = reader.next(layout("card1"));
+  const Card card1 = reader.next(contact_card_layout("card1"));
   contact.a = read_surface(context, block, card1, "surfa", "surfatyp", "saboxid");
   contact.b = read_surface(context, block, card1, "surfb", "surfbtyp", "sbboxid");
   contact.print_a = card1.integer("sapr") != 0;
   contact.print_b = card1.integer("sbpr") != 0;
   // A transducer needs neither friction nor stiffness.
   if (!name.transducer) has_card(reader, contact, "card 2 (friction, birth and death)");
-  const Card card2 = reader.next(layout("card2"));
+  const Card card2 = reader.next(contact_card_layout("card2"));
   if (!name.transducer) has_card(reader, contact, "card 3 (stiffness and thickness)");
-  const Card card3 = reader.next(layout("card3"));
+  const Card card3 = reader.next(contact_card_layout("card3"));
   contact.fs = card2.real("fs");
   contact.fd = card2.real("fd");
   contact.dc = card2.real("dc");
@@ -123,7 +118,7 @@ void read_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   const auto& units = context.transform(reader.block());
   const double stress = units.mass_factor / (units.length_factor * units.time_factor * units.time_factor);
   constexpr std::int64_t linear_damage = 6;
-  const Card card = reader.next(layout("TIEBREAK"));
+  const Card card = reader.next(contact_card_layout("TIEBREAK"));
   contact.tiebreak_option = card.integer("option");
   contact.tiebreak.normal = card.real("nfls") * stress;
   contact.tiebreak.shear = card.real("sfls") * stress;
@@ -136,7 +131,7 @@ void read_old_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   const auto& units = context.transform(reader.block());
   const double force = units.mass_factor * units.length_factor / (units.time_factor * units.time_factor);
   const bool nodes = contact.keyword.starts_with("CONTACT_TIEBREAK_NODES");
-  const Card card = reader.next(layout(nodes ? "TIEBREAK_NODES" : "TIEBREAK_SURFACE"));
+  const Card card = reader.next(contact_card_layout(nodes ? "TIEBREAK_NODES" : "TIEBREAK_SURFACE"));
   TiebreakStrength& strength = contact.tiebreak;
   if (nodes) {
     strength.normal = card.real("nflf") * force;
@@ -167,7 +162,7 @@ void read_type_cards(Context& context, CardReader& reader, const ContactName& na
       if (contact.keyword.find("_TIEBREAK_") != std::string::npos && contact.keyword.starts_with("CONTACT_AUTOMATIC_"))
         read_tiebreak(context, reader, contact);
       else if (contact.keyword.starts_with("CONTACT_ERODING") && contact.cards.misread == 0)
-        read_eroding(reader.next(layout("ERODING")), contact);
+        read_eroding(reader.next(contact_card_layout("ERODING")), contact);
       else if (contact.keyword.starts_with("CONTACT_TIEBREAK_"))
         read_old_tiebreak(context, reader, contact);
       else
@@ -180,18 +175,18 @@ void read_type_cards(Context& context, CardReader& reader, const ContactName& na
       if (has_cohesive_law()) skip_cards(reader, contact, "the cards of the cohesive law (G1C_0, G2C_0)", 2);
       break;
     case ExtraCards::tiebreak_user:
-      contact.tiebreak_option = reader.next(layout("TIEBREAK_USER")).integer("option");
+      contact.tiebreak_option = reader.next(contact_card_layout("TIEBREAK_USER")).integer("option");
       skip_cards(reader, contact, "the user's cards (UP1 to UP16)", 2);
       break;
     case ExtraCards::tied_weld: {
-      const std::int64_t parameters = reader.next(layout("TIED_WELD1")).integer("ntprm");
+      const std::int64_t parameters = reader.next(contact_card_layout("TIED_WELD1")).integer("ntprm");
       skip_cards(reader, contact, "the weld's parameters (TPRM1)", parameters <= 0 ? 1 : (parameters - 1) / 8 + 1);
       break;
     }
     case ExtraCards::drawbead:
     case ExtraCards::drawbead_initialize:
       skip_cards(reader, contact, "the beads' points (POINT1, POINT2)",
-                 reader.next(layout("DRAWBEAD1")).integer("nbead"));
+                 reader.next(contact_card_layout("DRAWBEAD1")).integer("nbead"));
       if (name.extra == ExtraCards::drawbead_initialize)
         skip_cards(reader, contact, "the last card of the draw bead", 1);
       break;
@@ -252,7 +247,7 @@ void read_optional(Context& context, CardReader& reader, Contact& contact) {
   for (const std::string_view name : names) {
     if (reader.at_end()) return;
     ++contact.optional_cards;
-    const Card card = reader.next(layout(name));
+    const Card card = reader.next(contact_card_layout(name));
     switch (name.front()) {
       case 'A':
         read_a(card, contact);
@@ -325,7 +320,7 @@ void read_contact(Context& context, const Block& block, const Options&) {
   if (!name.modifier) contact.order = ++context.interfaces;
   CardReader reader(context.deck, block, context.diagnostics);
   if (name.id) {
-    const Card card = reader.next(layout("ID"));
+    const Card card = reader.next(contact_card_layout("ID"));
     contact.id = ContactId(card.integer("cid"));
     contact.title = card.text("heading");
   }

@@ -1,11 +1,8 @@
 #include "model/context.hpp"
+#include "model/field_values.hpp"
 
 namespace gapcheck::model {
 namespace {
-
-/// The solver takes zero and blank for its default.
-double or_default(double value, double default_value) { return value == 0 ? default_value : value; }
-std::int64_t or_default(std::int64_t value, std::int64_t default_value) { return value == 0 ? default_value : value; }
 
 /// The next card, or one of blanks where the block has ended.
 Card next_card(CardReader& reader, std::string_view keyword, std::string_view card) {

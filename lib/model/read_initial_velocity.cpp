@@ -4,8 +4,6 @@
 namespace gapcheck::model {
 namespace {
 
-using Kind = InitialVelocity::Kind;
-
 /// Velocities of a block in the model's units and axes.
 struct Motions {
   const keyword::Transform& transform;
@@ -22,7 +20,7 @@ struct Motions {
   }
 };
 
-InitialVelocity start(const Block& block, Kind kind, const Card& card) {
+InitialVelocity start(const Block& block, InitialVelocity::Kind kind, const Card& card) {
   InitialVelocity initial;
   initial.kind = kind;
   initial.keyword = block.name;
@@ -39,7 +37,7 @@ void read_initial_velocity(Context& context, const Block& block, const Options&)
   for (bool first = true; !reader.at_end(); first = false) {
     if (!first && skip_blank(reader)) continue;
     const Card head = reader.next(keyword::card_layout("INITIAL_VELOCITY", "card1"));
-    InitialVelocity initial = start(block, Kind::general, head);
+    InitialVelocity initial = start(block, InitialVelocity::Kind::general, head);
     initial.id = head.integer("nsid");
     initial.exempted_set = head.integer("nsidex");
     initial.box = head.integer("boxid");
@@ -77,7 +75,7 @@ void read_initial_velocity_rigid_body(Context& context, const Block& block, cons
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
     const Card card = reader.next(layout);
-    InitialVelocity initial = start(block, Kind::rigid_body, card);
+    InitialVelocity initial = start(block, InitialVelocity::Kind::rigid_body, card);
     initial.id = card.integer("pid");
     initial.velocity = motions.velocity(card, "vx", "vy", "vz");
     initial.spin = motions.spin(card, "vxr", "vyr", "vzr");
@@ -94,7 +92,7 @@ void read_initial_velocity_generation(Context& context, const Block& block, cons
     if (skip_blank(reader)) continue;
     const Card card = reader.next(keyword::card_layout("INITIAL_VELOCITY_GENERATION", "card1"));
     const Card axis = reader.next(keyword::card_layout("INITIAL_VELOCITY_GENERATION", "card2"));
-    InitialVelocity initial = start(block, Kind::generation, card);
+    InitialVelocity initial = start(block, InitialVelocity::Kind::generation, card);
     initial.target = card.integer("styp");
     initial.id = context.with_offset(block, initial.target == 2 ? IdKind::part : IdKind::set, card.integer("id"));
     initial.velocity = motions.velocity(card, "vx", "vy", "vz");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/number.hpp"
+#include "keyword/upper_case.hpp"
 #include "model/cards.hpp"
 #include "model/context.hpp"
 
@@ -117,13 +118,6 @@ constexpr GeneralOption general_options[] = {
     {"SET_SPRING", Source::sets, SetKind::discrete},
 };
 
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return result;
-}
-
 /// What a word asks for; a `D` before it means: take away. `ELEM` is an element of the set's own kind.
 std::optional<SetClause> clause_of(std::string_view word, SetKind own) {
   for (const bool remove : {false, true}) {
@@ -159,7 +153,7 @@ void read_general(Context& context, CardReader& reader, SetKind own, RawSet& set
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
     const Card card = reader.next(layout);
-    const std::string word = upper(card.text(std::size_t{0}));
+    const std::string word = keyword::upper_case(card.text(std::size_t{0}));
     if (!word.empty()) {
       open = clause_of(word, own);
       if (!open)

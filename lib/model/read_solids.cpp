@@ -8,7 +8,7 @@ namespace gapcheck::model {
 namespace {
 
 constexpr ElementTraits solid{"solid", 4};
-constexpr std::size_t columns = 10;  ///< of every line that holds ids
+constexpr std::size_t ids_per_line = 10;
 
 /// How a form of *ELEMENT_SOLID with its own lines of nodes is laid out.
 struct SolidForm {
@@ -47,7 +47,7 @@ class SolidRows {
     rows_.values.push_back(context_.with_offset(block_, IdKind::element, ids[0]));
     rows_.values.push_back(context_.with_offset(block_, IdKind::part, ids[1]));
     rows_.lines.push_back(line);
-    const bool header_only = std::all_of(ids + 2, ids + columns, [](std::int64_t id) { return id == 0; });
+    const bool header_only = std::all_of(ids + 2, ids + ids_per_line, [](std::int64_t id) { return id == 0; });
     if (!header_only) {
       push_nodes(ids + 2, std::min<std::size_t>(8, form_.corners));
       return;
@@ -75,14 +75,14 @@ class SolidRows {
 
 /// With extra lines between the elements they are read one by one.
 ElementRows read_with_extra_lines(Context& context, const Block& block, const SolidForm& form, std::size_t extra) {
-  static const CardLayout ids = id_line(columns, 8, IdKind::plain);
+  static const CardLayout ids = id_line(ids_per_line, 8, IdKind::plain);
   SolidRows solids(context, block, form);
   CardReader reader(context.deck, block, context.diagnostics);
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
     const Card card = reader.next(ids);
-    std::int64_t row[columns];
-    for (std::size_t i = 0; i < columns; ++i) row[i] = card.integer(i);
+    std::int64_t row[ids_per_line];
+    for (std::size_t i = 0; i < ids_per_line; ++i) row[i] = card.integer(i);
     solids.add(row, card.line());
     if (solids.complete()) skip_lines(reader, static_cast<std::int64_t>(extra));
   }
@@ -90,10 +90,10 @@ ElementRows read_with_extra_lines(Context& context, const Block& block, const So
 }
 
 ElementRows read_in_bulk(Context& context, const Block& block, const SolidForm& form) {
-  static const CardLayout ids = id_line(columns, 8, IdKind::plain);
+  static const CardLayout ids = id_line(ids_per_line, 8, IdKind::plain);
   const keyword::Rows rows = keyword::read_rows(context.deck, block, ids, context.diagnostics);
   SolidRows solids(context, block, form);
-  for (std::size_t i = 0; i < rows.count; ++i) solids.add(&rows.integers[i * columns], rows.lines[i]);
+  for (std::size_t i = 0; i < rows.count; ++i) solids.add(&rows.integers[i * ids_per_line], rows.lines[i]);
   return std::move(solids).finish();
 }
 

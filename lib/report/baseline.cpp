@@ -18,8 +18,6 @@
 namespace gapcheck::report {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::string_view schema = "gapcheck-baseline/1";
 
 /// Six significant digits; what is no number or negative is unknown.
@@ -68,13 +66,13 @@ KnownFinding known_finding(const Item& item) {
   known.count = item.count;
   // As the file will have it: bytes that are no UTF-8 do not come back.
   if (!known.position || known.count > 1)
-    known.message = Json::parse(json_string(without_lines(without_place(item.message)))).get<std::string>();
+    known.message = nlohmann::json::parse(json_string(without_lines(without_place(item.message)))).get<std::string>();
   return known;
 }
 
 /// Reads one line; says what is wrong with it, or nothing.
 std::string read_line(std::string_view line, KnownFinding& finding) {
-  const Json json = Json::parse(line, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object()) return "this is no JSON object";
   std::string wrong;
   const auto member = [&](const char* key, bool needed, const auto& read) {
@@ -83,25 +81,26 @@ std::string read_line(std::string_view line, KnownFinding& finding) {
       if (wrong.empty()) wrong = fmt::format("\"{}\" is missing or not what it should be", key);
   };
   const auto text = [](std::string& into) {
-    return [&into](const Json& value) { return value.is_string() && (into = value.get<std::string>(), true); };
+    return
+        [&into](const nlohmann::json& value) { return value.is_string() && (into = value.get<std::string>(), true); };
   };
   const auto length = [](double& into) {
-    return [&into](const Json& value) {
+    return [&into](const nlohmann::json& value) {
       return value.is_number() && (into = value.get<double>()) >= 0 && std::isfinite(into);
     };
   };
   member("id", true, text(finding.id));
   member("rule", true, text(finding.rule));
-  member("severity", true, [&](const Json& value) {
+  member("severity", true, [&](const nlohmann::json& value) {
     for (const Severity severity : {Severity::note, Severity::warning, Severity::error})
       if (value == std::string(name(severity))) return finding.severity = severity, true;
     return false;
   });
-  member("contact", false, [&](const Json& value) {
+  member("contact", false, [&](const nlohmann::json& value) {
     return value.is_number_integer() && !(value.is_number_unsigned() && value.get<std::uint64_t>() >> 63 != 0) &&
            (finding.contact = value.get<std::int64_t>(), true);
   });
-  member("position", false, [&](const Json& value) {
+  member("position", false, [&](const nlohmann::json& value) {
     if (!value.is_array() || value.size() != 3) return false;
     Vector x;
     for (int axis = 0; axis < 3; ++axis) {
@@ -114,7 +113,7 @@ std::string read_line(std::string_view line, KnownFinding& finding) {
   member("penetration", false, length(finding.penetration));
   member("contact_distance", false, length(finding.contact_distance));
   member("segment_size", false, length(finding.segment_size));
-  member("count", false, [&](const Json& value) {
+  member("count", false, [&](const nlohmann::json& value) {
     return value.is_number_unsigned() && (finding.count = value.get<std::uint64_t>()) > 1;
   });
   member("message", false, text(finding.message));
@@ -195,7 +194,7 @@ Result<std::vector<KnownFinding>> read_baseline(std::string_view text, const std
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.size() > longest) return error("the line is longer than a megabyte");
     if (number == 1) {
-      const Json json = Json::parse(line, nullptr, false);
+      const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
       if (!json.is_object() || !json.contains("schema") || json["schema"] != std::string(schema))
         return error(fmt::format("this is no baseline: the first line must be {{\"schema\":\"{}\"}}", schema));
       continue;

@@ -15,7 +15,6 @@ namespace {
 constexpr std::string_view indent = "    ";
 
 std::string real(double value) { return fmt::format("{:.4E}", value); }
-std::string id_or_dash(std::int64_t id) { return id == 0 ? "-" : fmt::format("{}", id); }
 
 /// "22124 22164 22165 22125"; a triangle has three nodes; the running number where the nodes are unknown.
 std::string segment_text(const Penetration& record) {

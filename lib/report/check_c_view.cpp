@@ -49,7 +49,7 @@ void append_kind(const Report& report, std::span<const Penetration* const> all, 
   if (limit > 0) append_penetrations(report, records, limit, options.pid, out);
 }
 
-void append_tie_sections(std::span<const TieFailure> failures, const CheckCOptions& options, std::string& out) {
+void append_tie_warnings(std::span<const TieFailure> failures, const CheckCOptions& options, std::string& out) {
   for (const TieReason reason : tie_reasons) {
     const auto records = in_view_order(failures, reason);
     if (records.empty()) continue;
@@ -92,12 +92,12 @@ void append_interface(const Report& report, std::uint32_t position, const CheckC
   append_kind(report, order, PenetrationKind::mortar, "mortar segments, not listed by the solver", options, out);
   append_kind(report, order, PenetrationKind::edge, "edges, not listed by the solver", options, out);
   if (unlisted > 0) out += fmt::format("  pen, counted without a list: {}\n", nodes(unlisted));
-  append_tie_sections(ties, options, out);
+  append_tie_warnings(ties, options, out);
   if (options.bucket) append_histograms(report, records, ties, options, out);
   if (options.psum && records.size() + ties.size() > 0) append_part_sums(order, ties, out);
 }
 
-void append_total(const Report& report, std::string& out) {
+void append_total_of_interfaces(const Report& report, std::string& out) {
   std::uint64_t penetrations = report.penetrations.size(), untied_nodes = 0;
   std::set<std::uint32_t> interfaces;
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) {
@@ -140,7 +140,7 @@ std::string check_c_text(const Report& picked, const CheckCOptions& options) {
     append_messages(picked, options.list, "-list", out);
     if (options.timestep) append_timestep_limits(*picked.run, out);
   }
-  append_total(picked, out);
+  append_total_of_interfaces(picked, out);
   return out;
 }
 

@@ -21,7 +21,7 @@ struct Node {
 };
 
 /// A contact of one source: where it stands, and its nodes by key, one each (the deepest record).
-struct Side {
+struct ContactSide {
   const ContactSummary* contact = nullptr;
   std::vector<Node> nodes;
 };
@@ -43,7 +43,7 @@ std::vector<Node> nodes_of(const Report& report, std::uint32_t position, bool li
 }
 
 /// Positions of the contacts by id; of equal ids the first counts.
-std::map<std::int64_t, std::uint32_t> positions(const Report& report) {
+std::map<std::int64_t, std::uint32_t> contact_positions(const Report& report) {
   std::map<std::int64_t, std::uint32_t> result;
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) result.emplace(report.contacts[i].id, i);
   return result;
@@ -96,8 +96,8 @@ void compare_nodes(std::span<const Node> a, std::span<const Node> b, double tole
 }
 
 /// Where nodes are counted but not listed, the numbers are all there is to compare.
-void compare_counts(const Side& first, const Side& second, ContactComparison& sum) {
-  const auto count = [](const Side& side) {
+void compare_counts(const ContactSide& first, const ContactSide& second, ContactComparison& sum) {
+  const auto count = [](const ContactSide& side) {
     const std::uint64_t listed = static_cast<std::uint64_t>(
         std::count_if(side.nodes.begin(), side.nodes.end(), [](const Node& node) { return !node.released; }));
     return side.contact == nullptr ? 0 : std::max(listed, side.contact->reported_penetrations);
@@ -109,8 +109,8 @@ void compare_counts(const Side& first, const Side& second, ContactComparison& su
 }
 
 /// One contact of at least one source.
-ContactComparison compare_contact(const Side& first, const Side& second, double tolerance, bool listed_only,
-                                  std::vector<Difference>& differences) {
+ContactComparison compare_contact(const ContactSide& first, const ContactSide& second, double tolerance,
+                                  bool listed_only, std::vector<Difference>& differences) {
   const ContactSummary& named = first.contact != nullptr ? *first.contact : *second.contact;
   ContactComparison sum;
   sum.id = named.id;
@@ -118,7 +118,7 @@ ContactComparison compare_contact(const Side& first, const Side& second, double 
   sum.type = named.type.empty() && second.contact != nullptr ? second.contact->type : named.type;
   sum.missing_in_first = first.contact == nullptr;
   sum.missing_in_second = second.contact == nullptr;
-  for (const Side* side : {&first, &second}) {
+  for (const ContactSide* side : {&first, &second}) {
     if (side->contact == nullptr) continue;
     sum.not_checked = sum.not_checked || !side->contact->not_checked.empty() ||
                       (listed_only && side->contact->by_segments);
@@ -153,9 +153,9 @@ bool same_depth(double first, double second, double tolerance) {
 Comparison compare(const Report& first, const Report& second, double tolerance) {
   Comparison result;
   const bool listed_only = first.source != "deck" || second.source != "deck";
-  const auto in_first = positions(first), in_second = positions(second);
+  const auto in_first = contact_positions(first), in_second = contact_positions(second);
   const auto side = [&](const Report& report, std::optional<std::uint32_t> place) {
-    return place ? Side{&report.contacts[*place], nodes_of(report, *place, listed_only)} : Side{};
+    return place ? ContactSide{&report.contacts[*place], nodes_of(report, *place, listed_only)} : ContactSide{};
   };
   const auto add = [&](std::int64_t id) {
     const auto a = place_of(in_first, id), b = place_of(in_second, id);

@@ -132,7 +132,7 @@ class Sizes {
 
 using Positions = std::unordered_map<std::string_view, std::size_t>;
 
-Positions positions(const std::vector<Curve>& list) {
+Positions curve_positions(const std::vector<Curve>& list) {
   Positions result;
   for (std::size_t i = 0; i < list.size(); ++i) result.emplace(list[i].name, i);
   return result;
@@ -177,7 +177,7 @@ CurveComparison compare_curves(const std::vector<Curve>& first, const std::vecto
   Sizes sizes;
   sizes.add(first);
   sizes.add(second);
-  const Positions in_first = positions(first), in_second = positions(second);
+  const Positions in_first = curve_positions(first), in_second = curve_positions(second);
   for (std::size_t i = 0; i < first.size(); ++i) {
     const auto other = in_second.find(first[i].name);
     if (other == in_second.end() || !chosen(first[i], options.names)) continue;

@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json contact_json(const ContactComparison& c) {
+Json comparison_entry(const ContactComparison& c) {
   Json json{{"id", c.id}};
   if (!c.title.empty()) json["title"] = c.title;
   if (!c.type.empty()) json["type"] = c.type;
@@ -73,7 +73,7 @@ std::string comparison_json(const Comparison& comparison, const Report& first, c
             {"equal", comparison.equal() && (curves == nullptr || curves->differ == 0)},
             {"contacts", Json::array()},
             {"differences", Json::array()}};
-  for (const ContactComparison& contact : comparison.contacts) json["contacts"].push_back(contact_json(contact));
+  for (const ContactComparison& contact : comparison.contacts) json["contacts"].push_back(comparison_entry(contact));
   for (const Difference& d : comparison.differences) {
     Json entry{{"contact", d.contact}, {"node", d.node}};
     if (d.first >= 0) entry["first"] = d.first;

@@ -62,7 +62,7 @@ void append_differences(std::span<const Difference> differences, std::size_t top
       "  ", out);
 }
 
-void append_ties(const Comparison& comparison, std::string& out) {
+void append_tie_counts(const Comparison& comparison, std::string& out) {
   std::vector<const ContactComparison*> tied;
   for (const ContactComparison& contact : comparison.contacts)
     if (contact.ties_compared) tied.push_back(&contact);
@@ -124,7 +124,7 @@ void append_only(std::string_view side, const std::vector<std::string>& names, s
   out += shown < names.size() ? fmt::format("{}{} more\n", shown > 0 ? " and " : "", names.size() - shown) : "\n";
 }
 
-void append_pairs(const CurveComparison& curves, std::size_t rows, std::string& out) {
+void append_curve_pairs(const CurveComparison& curves, std::size_t rows, std::string& out) {
   constexpr std::array columns{Column{"curve", Align::left}, Column{"relative"},     Column{"L2"},
                                Column{"by at most"},         Column{"at time"},      Column{"largest A"},
                                Column{"largest B"},          Column{"", Align::left}};
@@ -148,7 +148,7 @@ void append_curves(const CurveComparison& curves, std::size_t top, std::string& 
   out += fmt::format("\ncurves: {} compared, {} differ{} by more than {:g} of the larger one\n",
                      curves.agree + curves.differ, curves.differ, curves.differ == 1 ? "s" : "", curves.tolerance);
   if (const std::size_t rows = std::min(top, curves.differ); rows > 0) {
-    append_pairs(curves, rows, out);
+    append_curve_pairs(curves, rows, out);
     if (rows < curves.differ) out += fmt::format("  … and {} more\n", curves.differ - rows);
   }
   if (curves.end_first != curves.end_second)
@@ -164,7 +164,7 @@ std::string comparison_text(const Comparison& comparison, const Report& first, c
                             const CurveComparison* curves) {
   std::string out = fmt::format("A: {}\nB: {}\n\n", printable(first.input), printable(second.input));
   append_contacts(comparison, out);
-  append_ties(comparison, out);
+  append_tie_counts(comparison, out);
   by_contact(std::span(comparison.differences), [&](auto part) { append_differences(part, top, out); });
   by_contact(std::span(comparison.tie_differences), [&](auto part) { append_tie_differences(part, top, out); });
   if (curves != nullptr) append_curves(*curves, top, out);

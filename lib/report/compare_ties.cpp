@@ -10,15 +10,15 @@ namespace {
 using UntiedNodes = std::map<std::int64_t, TieReason>;
 
 /// What one source says of a contact's ties.
-struct Side {
+struct TieSide {
   bool judged = true;
   bool ties = false;  ///< there are nodes that tie, or do not
   std::uint64_t out_of_reach = 0;
   UntiedNodes nodes;
 };
 
-Side side_of(const Report& report, std::optional<std::uint32_t> position) {
-  Side side;
+TieSide side_of(const Report& report, std::optional<std::uint32_t> position) {
+  TieSide side;
   if (!position) return side;
   const ContactSummary& contact = report.contacts[*position];
   for (const TieFailure& failure : ties_of(report, *position))
@@ -32,8 +32,8 @@ Side side_of(const Report& report, std::optional<std::uint32_t> position) {
 bool beyond_reach(TieReason reason) { return reason == TieReason::too_far || reason == TieReason::not_found; }
 
 /// The nodes of `from` that `other` does not have; `other` counts those out of reach that it does not list.
-void only_one(const Side& from, const Side& other, bool is_first, ContactComparison& sum,
-              std::vector<TieDifference>& differences) {
+void untied_only_in(const TieSide& from, const TieSide& other, bool is_first, ContactComparison& sum,
+                    std::vector<TieDifference>& differences) {
   std::uint64_t counted = 0;
   for (const auto& [node, reason] : from.nodes) {
     if (other.nodes.contains(node)) continue;
@@ -53,12 +53,12 @@ void only_one(const Side& from, const Side& other, bool is_first, ContactCompari
 void compare_ties(const Report& first, std::optional<std::uint32_t> in_first, const Report& second,
                   std::optional<std::uint32_t> in_second, ContactComparison& sum,
                   std::vector<TieDifference>& differences) {
-  const Side a = side_of(first, in_first), b = side_of(second, in_second);
+  const TieSide a = side_of(first, in_first), b = side_of(second, in_second);
   if (!a.judged || !b.judged || (!a.ties && !b.ties)) return;
   sum.ties_compared = true;
   const std::size_t before = differences.size();
-  only_one(a, b, true, sum, differences);
-  only_one(b, a, false, sum, differences);
+  untied_only_in(a, b, true, sum, differences);
+  untied_only_in(b, a, false, sum, differences);
   for (const auto& [node, reason] : a.nodes) {
     const auto found = b.nodes.find(node);
     if (found == b.nodes.end()) continue;

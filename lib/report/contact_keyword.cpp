@@ -10,10 +10,10 @@
 namespace gapcheck::report {
 namespace {
 
-using Entry = std::pair<std::string_view, std::string_view>;
+using CodeKeyword = std::pair<std::string_view, std::string_view>;
 
 /// Codes without a leading letter, and those whose letter changes more than a prefix or suffix.
-constexpr std::array<Entry, 24> names{{
+constexpr std::array<CodeKeyword, 24> keywords_by_code{{
     {"1", "SLIDING_ONLY"},
     {"2", "TIED_SURFACE_TO_SURFACE"},
     {"3", "SURFACE_TO_SURFACE"},
@@ -41,8 +41,9 @@ constexpr std::array<Entry, 24> names{{
 }};
 
 std::string_view look_up(std::string_view code) {
-  const auto found = std::find_if(names.begin(), names.end(), [&](const Entry& entry) { return entry.first == code; });
-  return found == names.end() ? std::string_view() : found->second;
+  const auto found = std::find_if(keywords_by_code.begin(), keywords_by_code.end(),
+                                  [&](const CodeKeyword& entry) { return entry.first == code; });
+  return found == keywords_by_code.end() ? std::string_view() : found->second;
 }
 
 }  // namespace

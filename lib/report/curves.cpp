@@ -37,9 +37,9 @@ void add_global(const std::vector<GlobalState>& states, std::vector<Curve>& list
 }
 
 /// Finds the curves of a contact or node, and makes them when it first appears.
-class Groups {
+class CurvesById {
  public:
-  explicit Groups(std::vector<Curve>& list) : list_(list) {}
+  explicit CurvesById(std::vector<Curve>& list) : list_(list) {}
 
   /// Position of the first curve; `make` appends them.
   template <class Make>
@@ -68,7 +68,7 @@ void make_vector(const std::string& file, const std::string& quantity, const std
 }
 
 void add_forces(const results::InterfaceHistory& history, std::vector<Curve>& list) {
-  Groups groups(list);
+  CurvesById groups(list);
   for (const results::InterfaceStates& state : history.states)
     for (const results::InterfaceState& contact : state.contacts) {
       const std::size_t first = groups.at(contact.contact, [&] {
@@ -81,7 +81,7 @@ void add_forces(const results::InterfaceHistory& history, std::vector<Curve>& li
 }
 
 void add_energies(const results::InterfaceHistory& history, std::vector<Curve>& list) {
-  Groups groups(list);
+  CurvesById groups(list);
   for (const results::InterfaceStates& state : history.states)
     for (const results::InterfaceState& contact : state.contacts) {
       const std::size_t first = groups.at(contact.contact, [&] {
@@ -102,7 +102,7 @@ void add_energies(const results::InterfaceHistory& history, std::vector<Curve>& 
 }
 
 void add_nodes(const results::NodeHistory& history, std::vector<Curve>& list) {
-  Groups groups(list);
+  CurvesById groups(list);
   for (const results::NodeStates& state : history.states)
     for (const results::NodeState& node : state.nodes) {
       const std::size_t first = groups.at(node.node, [&] {

@@ -103,10 +103,15 @@ void append_message(const Penetration& record, Out& out) {
   append_cause(record, out);
 }
 
+std::string_view beginning(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  while (longest > 0 && (static_cast<unsigned char>(text[longest]) & 0xC0) == 0x80) --longest;
+  return text.substr(0, longest);
+}
+
 std::string shortened(std::string_view text, std::size_t longest) {
   if (text.size() <= longest) return std::string(text);
-  while (longest > 0 && (static_cast<unsigned char>(text[longest]) & 0xC0) == 0x80) --longest;
-  return std::string(text.substr(0, longest)) + "…";
+  return std::string(beginning(text, longest)) + "…";
 }
 
 std::string printable(std::string_view text) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -27,7 +28,10 @@ void append_cause(const Penetration& record, fmt::memory_buffer& out);
 /// One sentence on a record that a person understands. Plain ASCII without quotes and backslashes.
 void append_message(const Penetration& record, fmt::memory_buffer& out);
 
-/// The beginning of a long text with "…" behind it; whole characters of UTF-8.
+/// The beginning of a text, `longest` bytes at most; whole characters of UTF-8.
+[[nodiscard]] std::string_view beginning(std::string_view text, std::size_t longest);
+
+/// The same as a copy, with "…" behind it where something is left out.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t longest);
 
 /// Text of a deck made safe for a terminal: control characters become '?'.

@@ -13,7 +13,7 @@
 namespace gapcheck::report {
 namespace {
 
-constexpr std::size_t longest_title = 70;
+constexpr std::size_t longest_group_title = 70;
 
 /// Place of a warning type among those of one contact.
 using TypeOrder = int;
@@ -43,15 +43,6 @@ WarningType type_of(const Penetration& record) {
 
 WarningType type_of(const TieFailure& failure) { return {6 + static_cast<int>(failure.reason), name(failure.reason)}; }
 
-/// Cut so that no UTF-8 character is left in pieces.
-std::string shortened(std::string text) {
-  if (text.size() <= longest_title) return text;
-  std::size_t end = longest_title;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  text.resize(end);
-  return text;
-}
-
 ExportGroup make_group(const Report& report, std::uint32_t contact, std::string_view type) {
   ExportGroup group;
   if (contact >= report.contacts.size()) {
@@ -61,7 +52,9 @@ ExportGroup make_group(const Report& report, std::uint32_t contact, std::string_
   const ContactSummary& summary = report.contacts[contact];
   group.name = fmt::format("id{} {}", summary.id, type);
   const std::string& speaking = summary.title.empty() ? summary.keyword : summary.title;
-  group.title = speaking.empty() ? group.name : shortened(fmt::format("{}: {}", group.name, printable(speaking)));
+  group.title = group.name;
+  if (speaking.empty()) return group;
+  group.title = beginning(fmt::format("{}: {}", group.name, printable(speaking)), longest_group_title);
   return group;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,6 +36,9 @@ struct PenetrationLine {
 /// the node is on the segment, the segment's normal.
 [[nodiscard]] std::optional<PenetrationLine> penetration_line(const Report& report, const Penetration& record,
                                                               const NodePosition& position);
+
+/// Ids on one card of *SET_NODE_LIST.
+inline constexpr std::size_t ids_per_card = 8;
 
 /// Above every id of nodes, elements, segments, parts and contacts in the report; ids of more than 18 digits, which no
 /// deck has, do not count.

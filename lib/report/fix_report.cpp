@@ -21,7 +21,7 @@ std::string plural(std::uint64_t count, std::string_view thing) {
   return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
-std::string place(const FixReport& report, std::uint32_t file, std::uint32_t line) {
+std::string file_and_line(const FixReport& report, std::uint32_t file, std::uint32_t line) {
   return file < report.files.size() ? fmt::format("{}:{}", printable(report.files[file]), line) : "";
 }
 
@@ -54,8 +54,12 @@ void moves(const FixReport& report, std::size_t top, std::string& out) {
   append_table(columns, list.size(), [&](std::size_t i, Row<6>& row) {
     const MovedNode& node = *list[i];
     const Vector d = node.to - node.from;
-    row = {std::to_string(node.node), number(node.distance()), number(d.x()), number(d.y()), number(d.z()),
-           place(report, node.file, node.line) + (node.onto_tie ? "  (tied)" : "")};
+    row = {std::to_string(node.node),
+           number(node.distance()),
+           number(d.x()),
+           number(d.y()),
+           number(d.z()),
+           file_and_line(report, node.file, node.line) + (node.onto_tie ? "  (tied)" : "")};
   }, "  ", out);
   if (report.moved.size() > list.size()) out += fmt::format("  {} more\n", report.moved.size() - list.size());
 }
@@ -72,8 +76,12 @@ void remaining(const FixReport& report, std::size_t top, std::string& out) {
       {{"contact"}, {"node"}, {"element"}, {"penetration"}, {"why", Align::left}, {"line", Align::left}}};
   append_table(columns, count, [&](std::size_t i, Row<6>& row) {
     const UnfixedNode& node = report.unfixed[i];
-    row = {std::to_string(report.contacts[node.contact].id), std::to_string(node.node), std::to_string(node.element),
-           number(node.depth), std::string(words(node.reason)), place(report, node.file, node.line)};
+    row = {std::to_string(report.contacts[node.contact].id),
+           std::to_string(node.node),
+           std::to_string(node.element),
+           number(node.depth),
+           std::string(words(node.reason)),
+           file_and_line(report, node.file, node.line)};
   }, "  ", out);
   if (report.unfixed.size() > count) out += fmt::format("  {} more\n", report.unfixed.size() - count);
 }
@@ -123,7 +131,7 @@ void place_json(const FixReport& report, std::uint32_t file, std::uint32_t line,
   json["line"] = line;
 }
 
-Json contact_json(const FixContact& c) {
+Json fix_contact_json(const FixContact& c) {
   Json json{{"id", c.id}, {"keyword", c.keyword}};
   if (!c.title.empty()) json["title"] = c.title;
   if (!c.not_checked.empty()) json["not_checked"] = c.not_checked;
@@ -189,7 +197,7 @@ std::string fix_text(const FixReport& report, const FixTextOptions& options) {
 std::string fix_json(const FixReport& report) {
   Json json{{"schema", "gapcheck-fix/1"}, {"input", report.input}, {"dry_run", report.dry_run}};
   for (const char* list : {"contacts", "moved", "unfixed", "proposals", "files", "notes"}) json[list] = Json::array();
-  for (const FixContact& c : report.contacts) json["contacts"].push_back(contact_json(c));
+  for (const FixContact& c : report.contacts) json["contacts"].push_back(fix_contact_json(c));
   for (const MovedNode& node : report.moved) json["moved"].push_back(moved_json(report, node));
   for (const UnfixedNode& node : report.unfixed) json["unfixed"].push_back(unfixed_json(report, node));
   for (const FixProposal& p : report.proposals) json["proposals"].push_back(proposal_json(p));

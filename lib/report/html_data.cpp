@@ -101,7 +101,7 @@ void add_head(const Report& report, const HtmlOptions& options, std::size_t show
   }
 }
 
-std::string contact_json(const ContactSummary& contact) {
+std::string contact_summary_json(const ContactSummary& contact) {
   Buffer out;
   Members object(out);
   object.raw("id", id_text(contact.id));
@@ -289,7 +289,7 @@ std::string html_data(const Report& report, const NodePosition& position, const 
   Buffer out;
   Members data(out);
   add_head(report, options, findings.size(), data);
-  data.raw("contacts", json_array(contacts, contact_json));
+  data.raw("contacts", json_array(contacts, contact_summary_json));
   data.integer("contacts_in_all", report.contacts.size());
   data.raw("findings", findings_json(findings, texts));
   data.raw("texts", texts.json());

@@ -225,7 +225,7 @@ void append_ignored_finding(const Report& report, const std::vector<std::string>
 }
 
 /// What was left out on purpose, place by place.
-void append_ignored(const Report& report, const std::vector<std::string>& files, Stream& stream) {
+void append_ignored_by_source(const Report& report, const std::vector<std::string>& files, Stream& stream) {
   const Ignored& ignored = report.ignored;
   std::vector<std::vector<std::size_t>> of_source(ignored.sources.size());
   for (std::size_t i = 0; i < ignored.source.size(); ++i) of_source[ignored.source[i]].push_back(i);
@@ -301,7 +301,7 @@ void append_report(const Report& report, bool statistics, Stream& stream) {
   stream.text("],\n");
   if (report.baseline) append_gone(*report.baseline, stream);
   const std::size_t ignored = report.ignored.size();
-  if (ignored > 0) append_ignored(report, files, stream);
+  if (ignored > 0) append_ignored_by_source(report, files, stream);
   fmt::format_to(fmt::appender(stream.buffer), "\"summary\":{{\"errors\":{},\"warnings\":{},\"notes\":{}{}{}}},\n",
                  sum.errors, sum.warnings, sum.notes, ignored > 0 ? fmt::format(",\"ignored\":{}", ignored) : "",
                  report.baseline ? counts_of(counts(*report.baseline)) : "");

@@ -10,7 +10,7 @@
 namespace gapcheck::report {
 namespace {
 
-std::string_view name(SolverRun::Termination termination) {
+std::string_view termination_name(SolverRun::Termination termination) {
   switch (termination) {
     case SolverRun::Termination::unknown:
       return "unknown";
@@ -55,7 +55,7 @@ void append_facts(const SolverRun& run, Members& object) {
   text("title", run.title);
   object.raw("mpp", run.mpp ? "true" : "false");
   if (run.ranks > 0) object.integer("ranks", run.ranks);
-  object.plain("termination", name(run.termination));
+  object.plain("termination", termination_name(run.termination));
   if (run.contact_timestep > 0) object.number("contact_timestep", run.contact_timestep);
   if (run.element_timestep > 0) object.number("element_timestep", run.element_timestep);
   if (run.problem_time > 0) object.number("problem_time", run.problem_time);

@@ -71,7 +71,7 @@ std::size_t skipped(const Suite& suite) {
       std::count_if(suite.groups.begin(), suite.groups.end(), [](const ItemGroup* group) { return group->ignored > 0; }));
 }
 
-void append_ignored(const Suite& suite, const ItemGroup& group, Stream& stream) {
+void append_skipped_case(const Suite& suite, const ItemGroup& group, Stream& stream) {
   std::string why;
   for (const IgnoreSource* source : group.sources) why += (why.empty() ? "" : "; ") + describe(*source);
   if (group.sources.size() == ignore_sources_shown) why += "; …";
@@ -106,7 +106,7 @@ void append_suite(const Report& report, const Suite& suite, const Severity* limi
   }
   for (const ItemGroup* group : suite.groups) {
     if (has_case(*group)) append_case(suite, *group, limit, stream);
-    if (group->ignored > 0) append_ignored(suite, *group, stream);
+    if (group->ignored > 0) append_skipped_case(suite, *group, stream);
   }
   stream.text("  </testsuite>\n");
   stream.pause();

@@ -14,15 +14,12 @@
 namespace gapcheck::report {
 namespace {
 
-using Buffer = fmt::memory_buffer;
-
 /// Column widths of the two formats. In the long format every field has 20 columns.
 struct Widths {
   int mesh_id, coordinate, field;
 };
 constexpr Widths standard{8, 16, 10}, long_format{20, 20, 20};
-constexpr std::int64_t most_standard_id = 99'999'999;
-constexpr std::size_t ids_per_line = 8;
+constexpr std::int64_t most_mesh_id = 99'999'999;
 
 /// The number with as many digits as fit into `width` columns.
 std::string fitted(double value, int width) {
@@ -33,7 +30,7 @@ std::string fitted(double value, int width) {
 }
 
 /// Leaves a blank before the number where that does not shift it noticeably.
-void append_coordinate(double value, int width, Buffer& out) {
+void append_coordinate(double value, int width, fmt::memory_buffer& out) {
   constexpr double noticeable = 1e-9;
   std::string text = fitted(value, width - 1);
   if (!(std::abs(parse_real(text).value_or(0) - value) < noticeable)) text = fitted(value, width);
@@ -52,7 +49,7 @@ class BeamFile {
     first_id_ = first_free_id(report);
     collect(report, position);
     const auto count = static_cast<std::int64_t>(std::max(2 * beams_.size(), groups_.size()));
-    long_ = first_id_ + count > most_standard_id;
+    long_ = first_id_ + count > most_mesh_id;
     widths_ = long_ ? long_format : standard;
   }
 
@@ -157,7 +154,7 @@ class BeamFile {
       field(part_id(g));
       const std::vector<std::int64_t>& nodes = groups_[g].nodes;
       for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (i % ids_per_line == 0) line("");
+        if (i % ids_per_card == 0) line("");
         field(nodes[i]);
       }
       line("");
@@ -174,7 +171,7 @@ class BeamFile {
   std::int64_t first_id_ = 1;
   bool long_ = false;
   Widths widths_ = standard;
-  Buffer out_;
+  fmt::memory_buffer out_;
 };
 
 }  // namespace

@@ -21,14 +21,13 @@ namespace {
 
 using Segment = std::array<std::int64_t, 4>;
 
-constexpr std::int64_t most_standard_id = 9'999'999'999;
+constexpr std::int64_t most_short_id = 9'999'999'999;
 constexpr std::int64_t most_set_id = 999'999'999'999'999'999;
-constexpr std::size_t longest_title = 80;
-constexpr std::size_t ids_per_line = 8;
+constexpr std::size_t longest_set_title = 80;
 constexpr std::uint32_t no_contact = 0xffffffffU;
 
 /// What the findings of one rule in one contact name.
-struct Members {
+struct SetMembers {
   std::string_view id, rule;
   std::vector<std::int64_t> nodes;  ///< ascending, each once, once `finish` has run
   std::vector<Segment> segments;    ///< so are these
@@ -45,7 +44,7 @@ void sort_once(std::vector<Value>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-void finish(Members& members) {
+void finish(SetMembers& members) {
   std::erase_if(members.segments, [&](const Segment& segment) {
     if (corners(segment) >= 3) return false;
     members.nodes.insert(members.nodes.end(), segment.begin(), segment.end());
@@ -60,9 +59,9 @@ void finish(Members& members) {
 }
 
 /// By contact, those of none last, then by rule.
-class Groups {
+class FindingGroups {
  public:
-  explicit Groups(const Report& report) : report_(report) {
+  explicit FindingGroups(const Report& report) : report_(report) {
     for (std::uint32_t i = 0; i < report.contacts.size(); ++i) position_.emplace(report.contacts[i].id, i);
     for (const Penetration& record : report.penetrations) add(record);
     for (const TieFailure& failure : report.tie_failures) add(failure);
@@ -71,12 +70,12 @@ class Groups {
   }
 
   using Key = std::pair<std::uint32_t, std::string_view>;  ///< position of the contact, id of the rule
-  [[nodiscard]] const std::map<Key, Members>& all() const { return groups_; }
+  [[nodiscard]] const std::map<Key, SetMembers>& all() const { return groups_; }
   [[nodiscard]] std::uint64_t without_place() const { return without_place_; }
 
  private:
-  Members& group(std::uint32_t contact, std::string_view id, std::string_view rule) {
-    Members& members = groups_[{contact < report_.contacts.size() ? contact : no_contact, id}];
+  SetMembers& group(std::uint32_t contact, std::string_view id, std::string_view rule) {
+    SetMembers& members = groups_[{contact < report_.contacts.size() ? contact : no_contact, id}];
     members.id = id;
     members.rule = rule;
     return members;
@@ -84,7 +83,7 @@ class Groups {
 
   void add(const Penetration& record) {
     const RecordRule rule = rule_of(record.kind);
-    Members& members = group(record.contact, rule.id, rule.name);
+    SetMembers& members = group(record.contact, rule.id, rule.name);
     members.nodes.push_back(record.node);
     // Solver files do not always say which segment it is.
     if (record.segment != Segment{}) members.segments.push_back(record.segment);
@@ -103,8 +102,8 @@ class Groups {
       return;
     }
     const auto contact = position_.find(finding.contact);
-    Members& members = group(finding.contact != 0 && contact != position_.end() ? contact->second : no_contact,
-                             finding.id, finding.rule);
+    SetMembers& members = group(finding.contact != 0 && contact != position_.end() ? contact->second : no_contact,
+                                finding.id, finding.rule);
     const std::size_t before = members.nodes.size();
     if (finding.node != 0) members.nodes.push_back(finding.node);
     members.nodes.insert(members.nodes.end(), listed.nodes.begin(), listed.nodes.end());
@@ -121,7 +120,7 @@ class Groups {
 
   const Report& report_;
   std::unordered_map<std::int64_t, std::uint32_t> position_;  ///< of a contact's id; the first of equal ones
-  std::map<Key, Members> groups_;
+  std::map<Key, SetMembers> groups_;
   std::uint64_t without_place_ = 0;
 };
 
@@ -130,14 +129,12 @@ std::string title_text(std::string_view text) {
   std::string title = printable(text);
   for (char& c : title)
     if (c == '&' || c == '<' || c == '>') c = '_';
-  std::size_t end = std::min(title.size(), longest_title);
-  while (end > 0 && end < title.size() && (static_cast<unsigned char>(title[end]) & 0xC0) == 0x80) --end;
-  title.resize(end);
+  title.resize(beginning(title, longest_set_title).size());
   return title;
 }
 
 /// "GC101 initial-penetration contact 3: 17 nodes, deepest 0.5; hood on hinge".
-std::string title_of(const Report& report, std::uint32_t contact, const Members& members, std::size_t count,
+std::string title_of(const Report& report, std::uint32_t contact, const SetMembers& members, std::size_t count,
                      std::string_view what) {
   std::string title = fmt::format("{} {}", members.id, members.rule);
   const bool known = contact < report.contacts.size();
@@ -163,7 +160,7 @@ class SetFile {
       for (const Segment& segment : members.segments)
         highest = std::max(highest, *std::max_element(segment.begin(), segment.end()));
     }
-    width_ = highest > most_standard_id ? 20 : 10;
+    width_ = highest > most_short_id ? 20 : 10;
   }
 
   std::string text() {
@@ -179,7 +176,7 @@ class SetFile {
   }
 
  private:
-  void write(std::uint32_t contact, const Members& members) {
+  void write(std::uint32_t contact, const SetMembers& members) {
     if (members.not_listed > 0)
       comment(fmt::format("{}: {} more are counted in the report and in no set", members.id, members.not_listed));
     if (members.without_id > 0)
@@ -191,18 +188,18 @@ class SetFile {
     ++id_;
   }
 
-  void write_nodes(std::string_view title, const Members& members) {
+  void write_nodes(std::string_view title, const SetMembers& members) {
     line("*SET_NODE_LIST_TITLE");
     line(title);
     field(id_);
     for (std::size_t i = 0; i < members.nodes.size(); ++i) {
-      if (i % ids_per_line == 0) line("");
+      if (i % ids_per_card == 0) line("");
       field(members.nodes[i]);
     }
     line("");
   }
 
-  void write_segments(std::string_view title, const Members& members) {
+  void write_segments(std::string_view title, const SetMembers& members) {
     line("*SET_SEGMENT_TITLE");
     line(title);
     field(id_);
@@ -221,7 +218,7 @@ class SetFile {
   void field(std::int64_t value) { fmt::format_to(fmt::appender(out_), "{:>{}}", value, width_); }
 
   const Report& report_;
-  Groups groups_;
+  FindingGroups groups_;
   std::int64_t id_ = 1;
   int width_ = 10;
   fmt::memory_buffer out_;

@@ -10,10 +10,8 @@
 namespace gapcheck::report {
 namespace {
 
-using Buffer = fmt::memory_buffer;
-
 /// `NODE id x y z`, or the id alone where the position is not known.
-void append_node(std::string_view word, std::int64_t id, const std::optional<Vector>& x, Buffer& out) {
+void append_node(std::string_view word, std::int64_t id, const std::optional<Vector>& x, fmt::memory_buffer& out) {
   fmt::format_to(fmt::appender(out), "{} {}", word, id);
   if (x && x->allFinite()) fmt::format_to(fmt::appender(out), " {} {} {}", (*x)[0], (*x)[1], (*x)[2]);
   out.push_back('\n');
@@ -24,7 +22,7 @@ void append_node(std::string_view word, std::int64_t id, const std::optional<Vec
 std::string medina_protocol(const Report& report, const NodePosition& position, std::int64_t first_node) {
   const auto count = static_cast<std::int64_t>(report.penetrations.size());
   std::int64_t next = std::min(first_node, std::numeric_limits<std::int64_t>::max() - count);
-  Buffer out;
+  fmt::memory_buffer out;
   for (const ExportGroup& group : export_groups(report)) {
     fmt::format_to(fmt::appender(out), "GROUP \"{}\"\n", group.name);
     for (const Penetration* record : group.penetrations) {

@@ -13,7 +13,15 @@
 namespace gapcheck::report {
 namespace {
 
-constexpr double width = 720, height = 420, left = 84, right = 700, top = 40, bottom = 372;
+/// The whole drawing.
+struct Canvas {
+  static constexpr double width = 720, height = 420;
+};
+
+/// The rectangle in the canvas that the axes span.
+struct Frame {
+  static constexpr double left = 84, right = 700, top = 40, bottom = 372;
+};
 
 /// Values between two pixels, with round values in between. Works on halves, so that no range overflows.
 class Axis {
@@ -81,7 +89,7 @@ std::string line(double x1, double y1, double x2, double y2, std::string_view st
   return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>\n", x1, y1, x2, y2, style);
 }
 
-std::string text(double x, double y, std::string_view anchor, std::string_view words) {
+std::string svg_text(double x, double y, std::string_view anchor, std::string_view words) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, xml_text(words));
 }
 
@@ -96,13 +104,13 @@ std::string grid(const Axis& x, const Axis& y) {
   std::string out;
   constexpr std::string_view style = R"(stroke="#dddddd")";
   for (const double value : x.ticks())
-    out += line(x(value), top, x(value), bottom, style) +
-           text(x(value), bottom + 16, "middle", fmt::format("{:.6g}", value));
+    out += line(x(value), Frame::top, x(value), Frame::bottom, style) +
+           svg_text(x(value), Frame::bottom + 16, "middle", fmt::format("{:.6g}", value));
   for (const double value : y.ticks())
-    out += line(left, y(value), right, y(value), style) +
-           text(left - 6, y(value) + 4, "end", fmt::format("{:.6g}", value));
+    out += line(Frame::left, y(value), Frame::right, y(value), style) +
+           svg_text(Frame::left - 6, y(value) + 4, "end", fmt::format("{:.6g}", value));
   return out + fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#333333\"/>\n",
-                           left, top, right - left, bottom - top);
+                           Frame::left, Frame::top, Frame::right - Frame::left, Frame::bottom - Frame::top);
 }
 
 std::string polyline(const PlotLine& plot_line, std::size_t position, const Axis& x, const Axis& y) {
@@ -115,7 +123,7 @@ std::string polyline(const PlotLine& plot_line, std::size_t position, const Axis
 }  // namespace
 
 std::string plot_svg(const Plot& plot) {
-  Axis x(left, right), y(bottom, top);
+  Axis x(Frame::left, Frame::right), y(Frame::bottom, Frame::top);
   for (const PlotLine& plot_line : plot.lines) {
     x.add(plot_line.x);
     y.add(plot_line.y);
@@ -125,16 +133,17 @@ std::string plot_svg(const Plot& plot) {
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
-      width, height);
-  out += text((left + right) / 2, top - 18, "middle", plot.title) + grid(x, y);
+      Canvas::width, Canvas::height);
+  out += svg_text((Frame::left + Frame::right) / 2, Frame::top - 18, "middle", plot.title) + grid(x, y);
   for (std::size_t i = 0; i < plot.lines.size(); ++i) out += polyline(plot.lines[i], i, x, y);
   for (std::size_t i = 0; i < plot.lines.size(); ++i) {
-    const double at = top + 14 + 17 * static_cast<double>(i);
-    out += line(left + 10, at, left + 34, at, stroke(i)) + text(left + 40, at + 4, "start", plot.lines[i].label);
+    const double at = Frame::top + 14 + 17 * static_cast<double>(i);
+    out += line(Frame::left + 10, at, Frame::left + 34, at, stroke(i)) +
+           svg_text(Frame::left + 40, at + 4, "start", plot.lines[i].label);
   }
-  out += text((left + right) / 2, height - 10, "middle", plot.x_label);
+  out += svg_text((Frame::left + Frame::right) / 2, Canvas::height - 10, "middle", plot.x_label);
   out += fmt::format("<text transform=\"translate(16 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-                     (top + bottom) / 2, xml_text(plot.y_label));
+                     (Frame::top + Frame::bottom) / 2, xml_text(plot.y_label));
   return out + "</svg>\n";
 }
 

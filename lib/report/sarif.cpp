@@ -125,7 +125,7 @@ void append_result(const Item& item, std::size_t rule, std::string_view input, B
 }
 
 /// A finding of the baseline that is not there any more; nothing says where it was in the files.
-void append_gone(const KnownFinding& finding, std::string_view input, Buffer& out) {
+void append_absent(const KnownFinding& finding, std::string_view input, Buffer& out) {
   Members result(out);
   result.string("ruleId", finding.id);
   result.plain("level", name(finding.severity));
@@ -141,7 +141,7 @@ void append_gone(const KnownFinding& finding, std::string_view input, Buffer& ou
 
 namespace {
 
-void append_run(const Report& report, std::string_view version, std::span<const RuleText> rules, Stream& stream) {
+void append_sarif_run(const Report& report, std::string_view version, std::span<const RuleText> rules, Stream& stream) {
   stream.text("{\"tool\":{\"driver\":{\"name\":\"gapcheck\",\"version\":");
   stream.text(json_string(version));
   stream.text(",\"rules\":[");
@@ -167,7 +167,7 @@ void append_run(const Report& report, std::string_view version, std::span<const 
   if (report.baseline) {
     for (const KnownFinding& finding : report.baseline->gone) {
       stream.separator(std::exchange(first, false));
-      append_gone(finding, report.input, stream.buffer);
+      append_absent(finding, report.input, stream.buffer);
     }
   }
   stream.text("]}");
@@ -180,7 +180,7 @@ void sarif(const Reports& reports, std::string_view version, std::span<const Rul
   stream.text("{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[");
   for (std::size_t i = 0; i < reports.all.size() && stream.open(); ++i) {
     if (i > 0) stream.separator(false);
-    append_run(reports.all[i], version, rules, stream);
+    append_sarif_run(reports.all[i], version, rules, stream);
   }
   stream.text("]}\n");
   stream.flush();

@@ -1,7 +1,10 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,6 +19,9 @@ struct Column {
 
 template <std::size_t N>
 using Row = std::array<std::string, N>;
+
+/// An id as it stands in tables; 0 is none.
+inline std::string id_or_dash(std::int64_t id) { return id == 0 ? "-" : fmt::format("{}", id); }
 
 /// Appends one line of cells, two blanks between them, nothing behind the last.
 template <std::size_t N, class Cells>

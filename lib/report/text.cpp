@@ -40,8 +40,6 @@ std::string count(std::uint64_t number, std::string_view noun) {
   return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
 }
 
-std::string id_or_dash(std::int64_t id) { return id == 0 ? "-" : fmt::format("{}", id); }
-
 /// "12 nodes, 3 shells": kinds that the model has none of are left out, but for nodes and contacts.
 std::string model_line(const ModelCounts& model) {
   std::string line = count(model.nodes, "node");
@@ -128,8 +126,8 @@ std::vector<const Penetration*> deepest(std::span<const Penetration> records, Ta
   return picked;
 }
 
-void append_nodes(std::span<const Penetration> records, Table table, std::size_t total, std::string_view what,
-                  const TextOptions& options, std::string& out) {
+void append_node_table(std::span<const Penetration> records, Table table, std::size_t total, std::string_view what,
+                       const TextOptions& options, std::string& out) {
   const std::size_t limit = options.list ? total : std::min(total, options.top);
   if (limit == 0) return;
   const auto picked = deepest(records, table, limit);
@@ -150,8 +148,8 @@ void fill_pair(const PartPair& pair, Row<pair_columns.size()>& row) {
          fmt::to_string(cause)};
 }
 
-void append_pairs(const std::vector<PartPair>& pairs, std::string_view title, const TextOptions& options,
-                  std::string& out) {
+void append_part_pairs(const std::vector<PartPair>& pairs, std::string_view title, const TextOptions& options,
+                       std::string& out) {
   const std::size_t shown = options.list ? pairs.size() : std::min(pairs.size(), pairs_in_full);
   out += fmt::format("\n  {}\n", title);
   append_table(
@@ -220,8 +218,8 @@ void append_tie_sections(const Report& report, std::span<const TieFailure> failu
 }
 
 /// Returns what the records of the contact amount to.
-Sums append_contact(const Report& report, std::uint32_t position, const TextOptions& options, const Paint& paint,
-                    std::string& out) {
+Sums append_contact_block(const Report& report, std::uint32_t position, const TextOptions& options, const Paint& paint,
+                          std::string& out) {
   const ContactSummary& contact = report.contacts[position];
   const auto records = records_of(report, position);
   Sums sum = sums(records);
@@ -236,30 +234,32 @@ Sums append_contact(const Report& report, std::uint32_t position, const TextOpti
   if (contact.out_of_reach > 0)
     out += fmt::format("  {} out of reach, not meant to tie\n", count(contact.out_of_reach, "node"));
   if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';
-  append_nodes(records, Table::nodes, sum.nodes(), "penetrating nodes", options, out);
+  append_node_table(records, Table::nodes, sum.nodes(), "penetrating nodes", options, out);
   if (report.source == "deck" ? !sum.pairs.empty() : !unknown(sum.pairs))
-    append_pairs(sum.pairs, "by part", options, out);
-  append_nodes(records, Table::edges, sum.of(PenetrationKind::edge), "penetrating edges", options, out);
-  if (!sum.edge_pairs.empty()) append_pairs(sum.edge_pairs, "edges by part", options, out);
-  append_nodes(records, Table::edge_zone, sum.of(PenetrationKind::edge_zone), "nodes in the edge zone", options, out);
+    append_part_pairs(sum.pairs, "by part", options, out);
+  append_node_table(records, Table::edges, sum.of(PenetrationKind::edge), "penetrating edges", options, out);
+  if (!sum.edge_pairs.empty()) append_part_pairs(sum.edge_pairs, "edges by part", options, out);
+  append_node_table(records, Table::edge_zone, sum.of(PenetrationKind::edge_zone), "nodes in the edge zone", options,
+                    out);
   append_tie_sections(report, ties, options, paint, out);
   return sum;
 }
 
-std::string place(const Finding& finding) {
+std::string finding_place(const Finding& finding) {
   if (finding.file.empty()) return "";
   if (finding.line == 0) return printable(finding.file) + ": ";
   return fmt::format("{}:{}: ", printable(finding.file), finding.line);
 }
 
-void append_finding(const Finding& finding, std::string& out) {
-  out += "  " + place(finding);
+void append_finding_line(const Finding& finding, std::string& out) {
+  out += "  " + finding_place(finding);
   if (finding.contact != 0) out += fmt::format("contact {}: ", finding.contact);
   out += printable(finding.message) + '\n';
 }
 
 /// The findings of one rule, which stand together. Lines that stand for many do not give way to single ones.
-void append_rule(std::span<const Finding> findings, const TextOptions& options, const Paint& paint, std::string& out) {
+void append_findings_of_rule(std::span<const Finding> findings, const TextOptions& options, const Paint& paint,
+                             std::string& out) {
   const Finding& first = findings.front();
   out += fmt::format("\n{}", paint.bold(printable(first.id) + ' ' + printable(first.rule)));
   std::string_view before = " ";
@@ -272,19 +272,19 @@ void append_rule(std::span<const Finding> findings, const TextOptions& options, 
   for (const Finding& finding : findings) {
     std::size_t& kind = finding.count > 1 ? summed : single;
     if (!options.list && kind >= findings_in_full) continue;
-    append_finding(finding, out);
+    append_finding_line(finding, out);
     ++kind, ++shown;
   }
   if (shown < findings.size()) out += fmt::format("  … and {} more\n", findings.size() - shown);
 }
 
-void append_findings(std::span<const Finding> findings, const TextOptions& options, const Paint& paint,
-                     std::string& out) {
+void append_findings_by_rule(std::span<const Finding> findings, const TextOptions& options, const Paint& paint,
+                             std::string& out) {
   while (!findings.empty()) {
     const auto end = std::find_if(findings.begin(), findings.end(),
                                   [&](const Finding& finding) { return finding.id != findings.front().id; });
     const auto length = static_cast<std::size_t>(end - findings.begin());
-    append_rule(findings.first(length), options, paint, out);
+    append_findings_of_rule(findings.first(length), options, paint, out);
     findings = findings.subspan(length);
   }
 }
@@ -354,12 +354,12 @@ std::string text(const Report& report, const TextOptions& options) {
   out += report.run ? run_line(*report.run) : "  " + model_line(report.model) + '\n';
   Sums total;
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) {
-    const Sums sum = append_contact(report, i, options, paint, out);
+    const Sums sum = append_contact_block(report, i, options, paint, out);
     for (std::size_t k = 0; k < total.count.size(); ++k) total.count[k] += sum.count[k];
     if (sum.deepest != nullptr && (total.deepest == nullptr || sum.deepest->depth > total.deepest->depth))
       total.deepest = sum.deepest;
   }
-  append_findings(report.findings, options, paint, out);
+  append_findings_by_rule(report.findings, options, paint, out);
   if (report.run) {
     append_rigidwalls(*report.run, options.list ? report.run->rigidwalls.size() : options.top, out);
     append_messages(report, options.list, "--list", out);

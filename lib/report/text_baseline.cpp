@@ -16,7 +16,7 @@ void append_more(std::size_t total, std::size_t shown, std::string& out) {
   if (shown < total) out += fmt::format("    … and {} more\n", total - shown);
 }
 
-void append_state(const Report& report, BaselineState state, std::size_t top, std::string& out) {
+void append_findings_in_state(const Report& report, BaselineState state, std::size_t top, std::string& out) {
   const std::size_t total = report.baseline->count(state);
   if (total == 0) return;
   out += fmt::format("  {}\n", name(state));
@@ -34,8 +34,8 @@ void append_state(const Report& report, BaselineState state, std::size_t top, st
 void append_baseline(const Report& report, std::size_t top, std::string& out) {
   if (!report.baseline) return;
   out += fmt::format("\nagainst the baseline: {}\n", summary(*report.baseline));
-  append_state(report, BaselineState::fresh, top, out);
-  append_state(report, BaselineState::worse, top, out);
+  append_findings_in_state(report, BaselineState::fresh, top, out);
+  append_findings_in_state(report, BaselineState::worse, top, out);
   const auto& gone = report.baseline->gone;
   if (gone.empty()) return;
   out += "  gone\n";

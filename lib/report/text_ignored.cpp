@@ -14,7 +14,7 @@ namespace gapcheck::report {
 namespace {
 
 /// "deck.k:14 (10) welded on purpose".
-std::string line_of(const IgnoreSource& source, bool whole) {
+std::string source_line(const IgnoreSource& source, bool whole) {
   std::string line = "  " + printable(source.file);
   if (source.line != 0) line += fmt::format(":{}", source.line);
   line += fmt::format(" ({})", source.matched);
@@ -36,7 +36,7 @@ void append_ignored(const Report& report, std::size_t top, bool list, std::strin
     });
   const std::size_t shown = list ? ignored.sources.size() : std::min(top, ignored.sources.size());
   for (std::size_t i = 0; i < shown; ++i) {
-    out += line_of(ignored.sources[i], list);
+    out += source_line(ignored.sources[i], list);
     if (list) out += findings[i];
   }
   if (shown < ignored.sources.size()) out += fmt::format("  … and {} more\n", ignored.sources.size() - shown);

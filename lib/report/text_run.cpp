@@ -12,11 +12,9 @@
 namespace gapcheck::report {
 namespace {
 
-std::string id_or_dash(std::int64_t id) { return id == 0 ? "-" : fmt::format("{}", id); }
-
 std::string times(std::uint64_t count) { return fmt::format("{} time{}", count, count == 1 ? "" : "s"); }
 
-std::string place(const Report& report, const SolverMessage& message) {
+std::string message_place(const Report& report, const SolverMessage& message) {
   if (message.line == 0 || message.file >= report.files.size()) return "";
   return fmt::format("  {}:{}", printable(report.files[message.file]), message.line);
 }
@@ -94,7 +92,7 @@ void append_messages(const Report& report, bool list, std::string_view option, s
       const SolverMessage& message = run.messages[next];
       count += message.count;
       if (!list) continue;
-      out += "  " + title + place(report, message) + (message.count > 1 ? ", " + times(message.count) : "");
+      out += "  " + title + message_place(report, message) + (message.count > 1 ? ", " + times(message.count) : "");
       out += "\n    " + printable(message.text) + '\n';
     }
     if (!list) out += fmt::format("  {}: {}\n", title, times(count));

@@ -7,7 +7,7 @@
 namespace gapcheck::report {
 namespace {
 
-Totals totals(const Report& report, bool with_known) {
+Totals totals_by_severity(const Report& report, bool with_known) {
   Totals sum;
   std::size_t number = 0;
   const auto add = [&](Severity severity) {
@@ -34,7 +34,7 @@ Totals totals(const Report& report, bool with_known) {
 
 }  // namespace
 
-Totals totals(const Report& report) { return totals(report, true); }
-Totals counting_totals(const Report& report) { return totals(report, false); }
+Totals totals(const Report& report) { return totals_by_severity(report, true); }
+Totals counting_totals(const Report& report) { return totals_by_severity(report, false); }
 
 }  // namespace gapcheck::report

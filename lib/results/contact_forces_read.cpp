@@ -26,7 +26,7 @@ struct SideRow {
 };
 
 /// "slave 2 time 0.0 x 0.0 y 0.0 z 0.0 mass 0.0 mx 0.0 my 0.0 mz 0.0"; old files have no moments.
-std::optional<SideRow> take_row(std::size_t side, std::string_view rest, ResultText& file) {
+std::optional<SideRow> take_side_row(std::size_t side, std::string_view rest, ResultText& file) {
   SideRow row;
   row.side = side;
   const auto id = take_integer(rest);
@@ -96,9 +96,9 @@ class Gathered {
   std::size_t rows_ = 0, rows_before_ = 0;
 };
 
-/// The text behind `words`, which the line begins with; nothing where it does not.
-std::optional<std::string_view> behind(std::string_view line, std::string_view words) {
-  return line.starts_with(words) ? std::optional(line.substr(words.size())) : std::nullopt;
+/// The text behind `prefix`, which the line begins with; nothing where it does not.
+std::optional<std::string_view> after_prefix(std::string_view line, std::string_view prefix) {
+  return line.starts_with(prefix) ? std::optional(line.substr(prefix.size())) : std::nullopt;
 }
 
 /// "10013   0.0000E+00   0.0000E+00            0.0000E+00": contact, side A, side B, friction.
@@ -122,13 +122,13 @@ InterfaceHistory read_rcforc(std::string_view text, const std::string& name, Dia
   for (; !file.done(); file.advance()) {
     if (file.take_legend(history.titles)) continue;
     std::string_view rest = trimmed(file.line());
-    if (auto number = behind(rest, "interface number,")) {
+    if (auto number = after_prefix(rest, "interface number,")) {
       if (const auto id = take_integer(*number)) single_surface.insert(*id);
       continue;
     }
     const auto side = side_of(take_token(rest));
     if (!side) continue;
-    if (const auto row = take_row(*side, rest, file)) states.add(*row);
+    if (const auto row = take_side_row(*side, rest, file)) states.add(*row);
   }
   history.single_surface.assign(single_surface.begin(), single_surface.end());
   if (states.cut()) {
@@ -151,7 +151,7 @@ InterfaceHistory read_sleout(std::string_view text, const std::string& name, Dia
   for (; !file.done(); file.advance()) {
     if (file.take_legend(history.titles)) continue;
     std::string_view line = trimmed(file.line());
-    if (auto rest = behind(line, "contact interface energy file, time=")) {
+    if (auto rest = after_prefix(line, "contact interface energy file, time=")) {
       drop_open();
       const double time = file.take(*rest);
       open = time == time;

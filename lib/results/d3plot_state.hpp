@@ -37,8 +37,9 @@ struct D3plotState {
   std::size_t layers = surfaces;
   std::vector<StressPoint> shell_points;  ///< `layers` per shell
   std::vector<ShellValues> shells;
+  static constexpr std::size_t beam_values = 6;
   /// Of beams: axial force, shear forces s t, bending moments s t, torsion; their own axes.
-  std::vector<std::array<double, 6>> beams;
+  std::vector<std::array<double, beam_values>> beams;
   std::vector<bool> deleted_solids, deleted_shells;  ///< failed elements
 };
 

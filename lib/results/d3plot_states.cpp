@@ -17,7 +17,6 @@ using control_words::Place;
 
 constexpr std::int64_t most_values = 1'000'000;  ///< per node, element or state
 constexpr std::uint64_t point_values = 7;        ///< six stresses and a plastic strain
-constexpr std::uint64_t beam_values = 6;
 constexpr std::int64_t rigid_material = 20;
 /// Kinds of titles behind the geometry.
 constexpr std::int64_t first_titles = 90000, last_titles = 90100;
@@ -60,7 +59,7 @@ class LayoutReader {
     layout_.solid_words = solid;
     take(mesh_.solids.ids.size() * solid);
     take(mesh_.thick_shells.ids.size() * thick_shell);
-    layout_.beams = mesh_.beams.ids.empty() || beam < beam_values ? 0 : position_;
+    layout_.beams = mesh_.beams.ids.empty() || beam < D3plotState::beam_values ? 0 : position_;
     layout_.beam_words = beam;
     take(mesh_.beams.ids.size() * beam);
     if (!find_shells()) return false;
@@ -280,7 +279,7 @@ D3plotState D3plotStates::read(std::size_t i) const {
   if (layout_.beams != 0)
     for (std::uint64_t k = 0; k < mesh_.beams.ids.size(); ++k) {
       state.beams.emplace_back();
-      for (std::uint64_t j = 0; j < beam_values; ++j)
+      for (std::uint64_t j = 0; j < D3plotState::beam_values; ++j)
         state.beams.back()[j] = words.real(start + layout_.beams + k * layout_.beam_words + j);
     }
   if (layout_.deletion != 0) {

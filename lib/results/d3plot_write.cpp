@@ -17,8 +17,8 @@
 namespace gapcheck::results {
 namespace {
 
-constexpr std::uint64_t block = D3plotWords::block_words;
-constexpr std::int64_t solid_values = 7, beam_values = 6, shell_values = 7 * D3plotState::surfaces + 8 + 4;
+constexpr std::uint64_t block_words = D3plotWords::block_words;
+constexpr std::int64_t solid_values = 7, shell_values = 7 * D3plotState::surfaces + 8 + 4;
 constexpr std::int64_t thick_shell_values = 7 * D3plotState::surfaces;
 constexpr std::int64_t global_values = 6, part_values = 7;
 /// MAXINT is -(this + layers) where states end in a table of the elements that are there (MDLOPT = 2).
@@ -58,7 +58,7 @@ class GeometryWriter {
     elements(mesh_.shells, 0);
     numbering();
     titles();
-    out_.pad(block);
+    out_.pad(block_words);
     return out_.bytes();
   }
 
@@ -83,7 +83,7 @@ class GeometryWriter {
     words[control_words::nel8] = count(mesh_.solids.ids.size());
     words[control_words::nv3d] = solid_values;
     words[control_words::nel2] = count(mesh_.beams.ids.size());
-    words[control_words::nv1d] = beam_values;
+    words[control_words::nv1d] = D3plotState::beam_values;
     words[control_words::nel4] = count(mesh_.shells.ids.size());
     words[control_words::nv2d] = shell_values;
     const std::int64_t layers = D3plotState::surfaces;
@@ -285,7 +285,7 @@ std::optional<Diagnostic> D3plotWriter::append(const D3plotState& state) {
     if (auto problem = open_member()) return problem;
   out.real(d3plot_end);
   const std::uint64_t end = position_ + out.words();
-  if (end % block != 0) out.zeros(block - end % block);
+  if (end % block_words != 0) out.zeros(block_words - end % block_words);
   errno = 0;
   const auto offset = static_cast<long>(position_ * static_cast<std::uint64_t>(settings_.word_bytes));
   if (std::fseek(file_.get(), offset, SEEK_SET) != 0 || !write_bytes(file_.get(), out.bytes()))

@@ -46,7 +46,7 @@ constexpr std::array<Row, 7> rows_behind_walls{{
 constexpr std::string_view total_label = "total energy";
 constexpr std::string_view wall_label = "stonewall energy...............";
 
-std::string row(std::string_view label, double value) {
+std::string labelled_row(std::string_view label, double value) {
   return fmt::format(" {}{}\n", label, scientific(value, 14, 5));
 }
 
@@ -58,7 +58,7 @@ std::string_view before_dots(std::string_view label) {
 }
 
 /// Where a row's value is kept; nullptr where it is not.
-double* place_of(std::string_view label, GlobalState& state) {
+double* global_value(std::string_view label, GlobalState& state) {
   for (const auto& rows : {std::span<const Row>(rows_before_walls), std::span<const Row>(rows_behind_walls)})
     for (const Row& entry : rows)
       if (entry.value != nullptr && before_dots(entry.label) == label) return &(state.*entry.value);
@@ -68,8 +68,8 @@ double* place_of(std::string_view label, GlobalState& state) {
 }
 
 /// False where the row is not kept.
-bool take_row(std::string_view label, std::string_view rest, ResultText& file, GlobalState& state) {
-  if (double* place = place_of(label, state)) {
+bool take_labelled_row(std::string_view label, std::string_view rest, ResultText& file, GlobalState& state) {
+  if (double* place = global_value(label, state)) {
     *place = file.take(rest);
     return true;
   }
@@ -100,13 +100,15 @@ std::string glstat_header(const FileHeader& header) { return header_text(header)
 std::string glstat_text(const GlobalState& state) {
   std::string text = fmt::format("\n\n dt of cycle{:8} is controlled by {:<10}", state.cycle, state.controlled_by);
   text += state.element != 0 ? fmt::format("{:10} of part{:10}\n\n", state.element, state.part) : "\n\n";
-  const auto add = [&](const Row& entry) { text += row(entry.label, entry.value != nullptr ? state.*entry.value : 0); };
+  const auto add = [&](const Row& entry) {
+    text += labelled_row(entry.label, entry.value != nullptr ? state.*entry.value : 0);
+  };
   for (const Row& entry : rows_before_walls) add(entry);
   for (const GlobalState::Wall& wall : state.walls)
     text += fmt::format(" {}{} wall#{:5}\n", wall_label, scientific(wall.energy, 14, 5), wall.number);
   for (const Row& entry : rows_behind_walls) add(entry);
   for (int axis = 0; axis < 3; ++axis)
-    text += row(fmt::format("global {} velocity..............", "xyz"[axis]), state.velocity[axis]);
+    text += labelled_row(fmt::format("global {} velocity..............", "xyz"[axis]), state.velocity[axis]);
   return text + fmt::format(" time per zone cycle.(nanosec)..{:14}\n", state.nanoseconds);
 }
 
@@ -140,7 +142,7 @@ std::vector<GlobalState> read_glstat(std::string_view text, const std::string& n
       rows_before = rows;
       rows = 0;
     } else if (!states.empty()) {
-      if (take_row(label, rest, file, states.back())) ++rows;
+      if (take_labelled_row(label, rest, file, states.back())) ++rows;
       if (label == total_label) open = false;
     }
   }

@@ -18,7 +18,6 @@
 namespace gapcheck::results {
 namespace {
 
-constexpr std::size_t kept_text = 2000;
 constexpr std::size_t release_step = std::size_t{64} << 20;
 
 /// A d3plot, an archive, UTF-16: many bytes that no text has.
@@ -241,8 +240,8 @@ class FileReader {
     const std::string& name = kind == nullptr ? unknown : kind->name;
     MessageLog& log = collector_.messages();
     if (!log.count(block_.severity, block_.code, name, text_hash(block_), collector_.file())) return;
-    log.keep({block_.severity, block_.code, std::string(block_.group), name, joined_text(block_, kept_text), 1,
-              collector_.file(), block_.line});
+    log.keep({block_.severity, block_.code, std::string(block_.group), name,
+              joined_text(block_, MessageLog::longest_text), 1, collector_.file(), block_.line});
   }
 
   std::string_view text_;

@@ -24,7 +24,7 @@ std::string_view label_before(std::string_view line, std::size_t end) {
   return near.substr(near.find_last_of(' ') + 1);
 }
 
-double* place_of(std::string_view label, PartState& part) {
+double* part_value(std::string_view label, PartState& part) {
   if (label == "inten") return &part.internal;
   if (label == "kinen") return &part.kinetic;
   if (label == "hgeng") return &part.hourglass;
@@ -36,9 +36,9 @@ double* place_of(std::string_view label, PartState& part) {
 }
 
 /// Reads states; counts the values of each to see where the last one was cut off.
-class Reader {
+class MatsumReader {
  public:
-  Reader(ResultText& file, PartHistory& history) : file_(file), history_(history) {}
+  MatsumReader(ResultText& file, PartHistory& history) : file_(file), history_(history) {}
 
   void line(std::string_view line) {
     const std::size_t first = line.find('=');
@@ -78,7 +78,7 @@ class Reader {
   }
 
   void value(std::string_view label, std::string_view rest) {
-    double* place = place_of(label, history_.states.back().parts.back());
+    double* place = part_value(label, history_.states.back().parts.back());
     if (place == nullptr) return;
     *place = file_.take(rest);
     ++values_;
@@ -114,7 +114,7 @@ std::string matsum_text(double time, std::span<const PartState> parts) {
 PartHistory read_matsum(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
   PartHistory history;
   ResultText file(text, name, diagnostics);
-  Reader reader(file, history);
+  MatsumReader reader(file, history);
   for (; !file.done(); file.advance())
     if (!file.take_legend(history.titles)) reader.line(file.line());
   reader.finish();

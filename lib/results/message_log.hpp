@@ -15,6 +15,8 @@ namespace gapcheck::results {
 class MessageLog {
  public:
   static constexpr std::size_t kept_texts = 20;
+  /// Bytes that are kept of one text; the caller cuts it.
+  static constexpr std::size_t longest_text = 2000;
 
   /// True if the text of a message with this hash is to be handed over with keep(); it is counted in any case.
   bool count(Severity severity, std::int64_t code, const std::string& kind, std::uint64_t hash, std::uint32_t file);

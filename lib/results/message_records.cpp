@@ -62,7 +62,7 @@ class Values {
 /// The coordinates that a block lists: three lines below a heading.
 enum class Heading : std::uint8_t { none, nodes, original, modified, recommended };
 
-Heading heading(std::string_view label) {
+Heading heading_of(std::string_view label) {
   if (label.starts_with("original coordinates")) return Heading::original;
   if (label.starts_with("modified coordinates")) return Heading::modified;
   if (label.starts_with("recommended coordinates")) return Heading::recommended;
@@ -195,7 +195,7 @@ struct PenetrationReader {
     if (i >= 0 && under >= Heading::original) {
       coordinate(i, *entry);
       result.awaits_more = i != 2;
-    } else if (const Heading next = heading(entry->label); next != Heading::none) {
+    } else if (const Heading next = heading_of(entry->label); next != Heading::none) {
       under = next;
       result.awaits_more = true;
     } else {

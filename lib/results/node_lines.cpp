@@ -14,8 +14,6 @@
 namespace gapcheck::results {
 namespace {
 
-constexpr std::size_t kept_text = 2000;
-
 bool has(std::string_view text, std::string_view words) { return text.find(words) != std::string_view::npos; }
 
 /// What comes behind the word and signs such as "#", "ID", "=", ":"; empty if the word is not there.
@@ -82,11 +80,11 @@ bool NodeLines::warning_summary(Lines& lines, std::string_view text) {
   if (!text.starts_with("Summary of warning messages for interface")) return false;
   const std::uint32_t first = lines.number();
   const auto id = id_behind(text, "interface");
-  std::string words(text.substr(0, kept_text));
+  std::string words(text.substr(0, MessageLog::longest_text));
   lines.advance();
   if (!lines.done() && trimmed(lines.line()).starts_with("number of warning messages")) {
     words += ' ';
-    words += trimmed(lines.line()).substr(0, kept_text);
+    words += trimmed(lines.line()).substr(0, MessageLog::longest_text);
     lines.advance();
   }
   if (id) collector_.slot(*id);
@@ -98,7 +96,7 @@ bool NodeLines::mortar(Lines& lines, std::string_view text) {
   if (!text.starts_with("Contact sliding interface")) return false;
   const std::uint32_t first = lines.number();
   if (const auto id = id_behind(text, "interface")) collector_.slot(*id);
-  std::string words(text.substr(0, kept_text));
+  std::string words(text.substr(0, MessageLog::longest_text));
   constexpr int most_lines = 12;
   lines.advance();
   for (int i = 0; i < most_lines && !lines.done(); ++i, lines.advance()) {
@@ -106,7 +104,7 @@ bool NodeLines::mortar(Lines& lines, std::string_view text) {
     if (!row.starts_with("Number of contact pairs") && !row.starts_with("Maximum ") && !row.starts_with("elements "))
       break;
     words += ' ';
-    words += row.substr(0, kept_text);
+    words += row.substr(0, MessageLog::longest_text);
   }
   list(words, first, "mortar-penetration", Severity::note);
   return true;
@@ -148,7 +146,7 @@ void NodeLines::list(std::string_view text, std::uint32_t line, const std::strin
   if (collector_.companion()) return;
   MessageLog& log = collector_.messages();
   if (!log.count(severity, 0, kind, std::hash<std::string_view>{}(text), collector_.file())) return;
-  log.keep({severity, 0, "", kind, std::string(text.substr(0, kept_text)), 1, collector_.file(), line});
+  log.keep({severity, 0, "", kind, std::string(text.substr(0, MessageLog::longest_text)), 1, collector_.file(), line});
 }
 
 }  // namespace gapcheck::results

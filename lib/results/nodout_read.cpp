@@ -12,28 +12,28 @@ namespace {
 
 constexpr std::size_t column = 12;  ///< of one value
 
-using Place = Vector NodeState::*;
-constexpr std::array<Place, 4> translations{&NodeState::displacement, &NodeState::velocity, &NodeState::acceleration,
-                                            &NodeState::position};
-constexpr std::array<Place, 3> rotations{&NodeState::rotation, &NodeState::angular_velocity,
-                                         &NodeState::angular_acceleration};
+using NodeQuantity = Vector NodeState::*;
+constexpr std::array<NodeQuantity, 4> translations{&NodeState::displacement, &NodeState::velocity,
+                                                   &NodeState::acceleration, &NodeState::position};
+constexpr std::array<NodeQuantity, 3> rotations{&NodeState::rotation, &NodeState::angular_velocity,
+                                                &NodeState::angular_acceleration};
 
 std::string_view without_blanks_behind(std::string_view text) {
   return text.substr(0, text.find_last_not_of(" \t") + 1);
 }
 
 /// "n o d a l   p r i n t   o u t   f o r   t i m e  s t e p   24   ( at time 4.8730101E-03 )".
-class Reader {
+class NodoutReader {
  public:
-  Reader(ResultText& file, NodeHistory& history) : file_(file), history_(history) {}
+  NodoutReader(ResultText& file, NodeHistory& history) : file_(file), history_(history) {}
 
   void line(std::string_view line) {
     const std::string_view text = trimmed(line);
     if (title_.empty()) title_ = text;
     if (text.starts_with("n o d a l")) return heading(text);
     if (text.starts_with("nodal point")) {
-      quantities_ = text.find("x-rot") != std::string_view::npos ? std::span<const Place>(rotations)
-                                                                 : std::span<const Place>(translations);
+      quantities_ = text.find("x-rot") != std::string_view::npos ? std::span<const NodeQuantity>(rotations)
+                                                                 : std::span<const NodeQuantity>(translations);
       position_ = 0;
       block_rows_ = 0;
       return;
@@ -80,7 +80,7 @@ class Reader {
     if (!node) return file_.unreadable();
     NodeState& state = node_at(*node);
     std::size_t at = line.size() - width;
-    for (const Place quantity : quantities_)
+    for (const NodeQuantity quantity : quantities_)
       for (int axis = 0; axis < 3; ++axis, at += column) {
         std::string_view field = trimmed(line.substr(at, column));
         (state.*quantity)[axis] = file_.take(field);
@@ -100,7 +100,7 @@ class Reader {
 
   ResultText& file_;
   NodeHistory& history_;
-  std::span<const Place> quantities_;  ///< of the block; empty: outside
+  std::span<const NodeQuantity> quantities_;  ///< of the block; empty: outside
   bool in_state_ = false;
   std::size_t position_ = 0;  ///< of the next row among the state's nodes
   std::size_t rows_ = 0, rows_before_ = 0, block_rows_ = 0;
@@ -112,7 +112,7 @@ class Reader {
 NodeHistory read_nodout(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
   NodeHistory history;
   ResultText file(text, name, diagnostics);
-  Reader reader(file, history);
+  NodoutReader reader(file, history);
   for (; !file.done(); file.advance())
     if (file.take_legend(history.titles))
       reader.end_block();

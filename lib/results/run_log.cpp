@@ -9,7 +9,7 @@
 namespace gapcheck::results {
 namespace {
 
-const std::string rule = " " + std::string(71, '*') + "\n";
+const std::string star_line = " " + std::string(71, '*') + "\n";
 
 /// "a3" as the solver prints it: the number in two columns, the letter in front of them.
 std::string spaced_type(const std::string& type, int width) {
@@ -26,7 +26,7 @@ std::string echo(std::string_view label, std::int64_t value) {
 }
 
 std::string definition(const ContactDefinition& c) {
-  std::string text = rule + fmt::format("\n Contact Interface {:6}\n\n{}\n\n\n", c.id, column_text(c.title, 70));
+  std::string text = star_line + fmt::format("\n Contact Interface {:6}\n\n{}\n\n\n", c.id, column_text(c.title, 70));
   text += fmt::format("       {:.<45}{}\n", "contact type", spaced_type(c.type, 6));
   text += fmt::format("       {:.<44}{:10}\n", "contact interface ID ", c.id);
   text += echo("contact order within input deck ", std::int64_t{c.order});
@@ -60,10 +60,10 @@ std::string contact_definitions(std::span<const ContactDefinition> contacts) {
   if (contacts.empty()) return "";
   std::string text = "\n c o n t a c t   i n t e r f a c e s\n";
   for (const ContactDefinition& contact : contacts) text += definition(contact);
-  text += rule + "\n\n  Contact summary \n\n  Order #  Contact ID   Type                     Title\n\n";
+  text += star_line + "\n\n  Contact summary \n\n  Order #  Contact ID   Type                     Title\n\n";
   for (const ContactDefinition& c : contacts)
     text += fmt::format("{:9}{:12}{} {}\n", c.order, c.id, spaced_type(c.type, 7), column_text(c.title, 70));
-  return text + "\n" + rule;
+  return text + "\n" + star_line;
 }
 
 std::string surface_timesteps(const Timesteps& timesteps, std::span<const ContactSummary> contacts) {

@@ -46,9 +46,10 @@ std::string d3hsp_beside(const std::vector<std::string>& paths) {
 }
 
 /// Reads the files one after the other; remembers which it has read, and whether any was a log.
-class Reader {
+class LogFilesReader {
  public:
-  Reader(const LogOptions& options, Diagnostics& diagnostics) : diagnostics_(diagnostics), collector_(diagnostics) {
+  LogFilesReader(const LogOptions& options, Diagnostics& diagnostics)
+      : diagnostics_(diagnostics), collector_(diagnostics) {
     add_kinds(options, kinds_, diagnostics);
   }
 
@@ -99,7 +100,7 @@ class Reader {
 Result<Report> read_solver_logs(const std::vector<std::string>& paths, const LogOptions& options,
                                 Diagnostics& diagnostics) {
   const auto start = std::chrono::steady_clock::now();
-  Reader reader(options, diagnostics);
+  LogFilesReader reader(options, diagnostics);
   std::vector<Diagnostic> failures;
   for (const std::string& path : paths)
     if (auto failure = reader.path(path, false)) failures.push_back(std::move(*failure));
@@ -120,7 +121,7 @@ Result<Report> read_solver_logs(const std::vector<std::string>& paths, const Log
 
 Report read_solver_log_text(std::string_view text, const std::string& name, const LogOptions& options,
                             Diagnostics& diagnostics) {
-  Reader reader(options, diagnostics);
+  LogFilesReader reader(options, diagnostics);
   reader.text(text, {name, false, false});
   Report report = reader.finish(options);
   report.input = name;

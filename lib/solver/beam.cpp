@@ -7,7 +7,7 @@
 namespace gapcheck::solver {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 /// Stiffness of one bending plane: M = first own turn + second the other end's.
 struct Bending {
@@ -24,7 +24,7 @@ Bending bending(const BeamProperties& properties, double moment_of_area, double 
 
 double axial_step(const BeamProperties& properties, double length) {
   const Material& material = properties.material;
-  return material.young > 0 ? length / std::sqrt(material.young / material.density) : never;
+  return material.young > 0 ? length / std::sqrt(material.young / material.density) : no_limit;
 }
 
 /// 2 / ω of the highest of the beam's uncoupled modes: stretching, twisting, bending of one sign and of two.
@@ -118,7 +118,7 @@ BeamForces resultant_beam_forces(const BeamProperties& properties, const BeamEnd
   if (dt > 0) turn_axes(ends, way, r, dt, state);
   forces.good = state.axis.allFinite();
   forces.manual_step = axial_step(properties, length);
-  forces.stable_step = never;
+  forces.stable_step = no_limit;
   const Material& material = properties.material;
   if (!material.has_stress()) return forces;
   const model::BeamSection& section = properties.section;

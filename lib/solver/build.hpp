@@ -4,7 +4,8 @@
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
-#include "solver/step.hpp"
+#include "solver/failure.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

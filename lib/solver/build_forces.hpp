@@ -7,7 +7,7 @@
 #include "model/model.hpp"
 #include "solver/failure.hpp"
 #include "solver/force.hpp"
-#include "solver/step.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

@@ -5,7 +5,7 @@
 namespace gapcheck::solver {
 namespace {
 
-using Kind = model::RigidGroup::Kind;
+using GroupKind = model::RigidGroup::Kind;
 
 /// For every part the first part of those that it is merged with.
 std::vector<std::uint32_t> merged_parts(const model::Model& model) {
@@ -16,7 +16,7 @@ std::vector<std::uint32_t> merged_parts(const model::Model& model) {
     return part;
   };
   for (const model::RigidGroup& group : model.rigid_groups) {
-    if (group.kind != Kind::merged_parts) continue;
+    if (group.kind != GroupKind::merged_parts) continue;
     for (std::size_t i = 1; i < group.parts.size(); ++i) {
       const std::uint32_t a = find(group.parts[0].value), b = find(group.parts[i].value);
       lead[std::max(a, b)] = std::min(a, b);
@@ -36,7 +36,7 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 void build_rigid_bodies(const model::Model& model, std::vector<RigidPart> parts, Structure& structure) {
   structure.rigid.resize(structure.state.x.size());
   for (const model::RigidGroup& group : model.rigid_groups)
-    if (group.kind == Kind::extra_nodes && !group.parts.empty() && model.rigid(group.parts[0]))
+    if (group.kind == GroupKind::extra_nodes && !group.parts.empty() && model.rigid(group.parts[0]))
       append(parts[group.parts[0].value].nodes, group.nodes);
   const std::vector<std::uint32_t> lead = merged_parts(model);
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -52,7 +52,7 @@ void build_rigid_bodies(const model::Model& model, std::vector<RigidPart> parts,
       if (lead[other] == i) structure.body_of_id.emplace(model.parts[other].id.value, body);
   }
   for (const model::RigidGroup& group : model.rigid_groups)
-    if (group.kind == Kind::nodal_rigid_body && !group.nodes.empty())
+    if (group.kind == GroupKind::nodal_rigid_body && !group.nodes.empty())
       structure.body_of_id.emplace(group.id, structure.rigid.add({}, group.nodes, 0, structure.state));
 }
 

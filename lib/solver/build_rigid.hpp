@@ -3,7 +3,7 @@
 
 #include "model/model.hpp"
 #include "solver/mass_points.hpp"
-#include "solver/step.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

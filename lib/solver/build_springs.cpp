@@ -7,7 +7,7 @@
 namespace gapcheck::solver {
 namespace {
 
-using Kind = model::DiscreteMaterial::Kind;
+using SpringKind = model::DiscreteMaterial::Kind;
 
 /// Collects springs; remembers the first failure.
 class Collector {
@@ -78,8 +78,8 @@ class Collector {
       warn(material.place, fmt::format("material {}: the curve over the rate (LCR) is not calculated", material.id));
     SpringLaw law;
     const double constant = data.constant * (section.torsional ? data.length_factor * data.length_factor : 1);
-    (data.kind == Kind::damper ? law.damping : law.stiffness) = constant;
-    if (data.kind == Kind::nonlinear_spring) law.curve = curve_of(material);
+    (data.kind == SpringKind::damper ? law.damping : law.stiffness) = constant;
+    if (data.kind == SpringKind::nonlinear_spring) law.curve = curve_of(material);
     laws.push_back(std::move(law));
     return entry->second;
   }

@@ -6,7 +6,7 @@
 #include "model/model.hpp"
 #include "solver/failure.hpp"
 #include "solver/springs.hpp"
-#include "solver/step.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

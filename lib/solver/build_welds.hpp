@@ -1,7 +1,7 @@
 #pragma once
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
-#include "solver/step.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

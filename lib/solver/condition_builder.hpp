@@ -9,7 +9,9 @@
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
 #include "solver/motion.hpp"
-#include "solver/step.hpp"
+#include "solver/failure.hpp"
+#include "solver/force.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

@@ -5,7 +5,9 @@
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
-#include "solver/step.hpp"
+#include "solver/failure.hpp"
+#include "solver/force.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

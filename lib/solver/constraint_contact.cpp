@@ -10,29 +10,13 @@
 #include "base/parallel.hpp"
 #include "contact/active_time.hpp"
 #include "contact/erosion.hpp"
+#include "solver/search_margin.hpp"
 
 namespace gapcheck::solver {
 namespace {
 
-/// Search margin in mean edges of the segments.
-constexpr double margin_in_edges = 0.5;
-/// Motion is measured in doubles; this covers their rounding.
-constexpr double rounding = 1 + 1e-12;
 /// Reactions push segments, which may so meet further nodes; what then still is behind is met in the next cycle.
-constexpr int most_rounds = 5;
-
-double mean_edge(const std::vector<const contact::Segments*>& all, const std::vector<Vector>& x) {
-  double length = 0;
-  std::size_t count = 0;
-  for (const contact::Segments* segments : all)
-    for (const auto& n : segments->nodes)
-      for (std::size_t i = 0; i < 4; ++i) {
-        if (n[i] == n[(i + 1) % 4]) continue;
-        length += (x[n[i].value] - x[n[(i + 1) % 4].value]).norm();
-        ++count;
-      }
-  return count == 0 ? 0 : length / static_cast<double>(count);
-}
+constexpr int most_reaction_rounds = 5;
 
 }  // namespace
 
@@ -91,15 +75,15 @@ void ConstraintContact::build(const std::vector<Vector>& x) {
   at_ = way_ = x;
   response_.give.assign(x.size(), Vector::Zero());
   response_.moved.assign(x.size(), Vector::Zero());
-  std::vector<const contact::Segments*> segments;
+  SearchMargin margin;
   for (Interface& interface : interfaces_) {
     if (moved_) interface.own = std::make_unique<contact::ContactSurfaces>(store_.build(interface.contact, x));
     interface.surfaces = moved_ ? interface.own.get() : &store_.at(interface.contact);
     add_passes(interface);
     for (const contact::ContactSide* side : {&interface.surfaces->a, &interface.surfaces->b})
-      segments.push_back(&side->selection.segments);
+      margin.add(side->selection.segments, x);
   }
-  margin_ = margin_in_edges * mean_edge(segments, x);
+  margin_ = margin.value();
   built_ = true;
 }
 
@@ -135,7 +119,7 @@ void ConstraintContact::follow() {
   double squared = 0;
   for (std::size_t i = 0; i < searched_.size(); ++i)
     squared = std::max(squared, (at_[nodes_[i]] - searched_[i] - drift).squaredNorm());
-  if (!searched_.empty() && 2 * std::sqrt(squared) * rounding <= margin_) return;
+  if (!searched_.empty() && 2 * std::sqrt(squared) * rounding_of_motion <= margin_) return;
   searched_.clear();
   for (const std::uint32_t node : nodes_) searched_.push_back(at_[node]);
   for (Interface& interface : interfaces_)
@@ -257,7 +241,7 @@ void ConstraintContact::react(const State& state, double mean, double next, Forc
   origins_.clear();
   step_ = next;
   predict(state, mean, next, net);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_reaction_rounds; ++round) {
     follow();
     if (!add_constraints()) break;
     solution_ = solve_constraints(constraints_, response_);

@@ -10,7 +10,7 @@
 #include "solver/contact_method.hpp"
 #include "solver/failure.hpp"
 #include "solver/force.hpp"
-#include "solver/step.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

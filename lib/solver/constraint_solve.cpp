@@ -7,8 +7,8 @@ namespace gapcheck::solver {
 namespace {
 
 /// Below this share of what its node and corners would give if they were free, a constraint is taken as held.
-constexpr double least_compliance = 1e-9;
-constexpr double tolerance = 1e-12;
+constexpr double least_compliance_share = 1e-9;
+constexpr double largest_open_share = 1e-12;
 
 /// What one unit of force moves the node against the segment: along the normal, and at most in any direction.
 struct Compliance {
@@ -43,7 +43,7 @@ void push(const SurfaceConstraint& c, const Vector& force, NodeResponse& respons
 
 /// Brings one constraint's reactions to where they would be if all others stayed; returns the displacement of that.
 double relax(SurfaceConstraint& c, const Compliance& k, NodeResponse& response) {
-  if (!(k.normal > least_compliance * k.any)) return 0;
+  if (!(k.normal > least_compliance_share * k.any)) return 0;
   const double gap = c.depth - c.normal.dot(relative(c, response.moved));
   const double before = c.push;
   c.push = std::max(0.0, c.push + gap / k.normal);
@@ -78,7 +78,7 @@ ConstraintSolution solve_constraints(std::span<SurfaceConstraint> constraints, N
     solution.open = 0;
     for (std::size_t i = 0; i < constraints.size(); ++i)
       solution.open = std::max(solution.open, relax(constraints[i], compliances[i], response));
-    if (!(solution.open > tolerance * scale)) break;
+    if (!(solution.open > largest_open_share * scale)) break;
   }
   return solution;
 }

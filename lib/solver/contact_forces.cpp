@@ -9,6 +9,7 @@
 #include "contact/edge_scene.hpp"
 #include "contact/erosion.hpp"
 #include "solver/edge_pass.hpp"
+#include "solver/search_margin.hpp"
 #include "solver/segment_pass.hpp"
 
 namespace gapcheck::solver {
@@ -19,14 +20,9 @@ bool has_offsets(const contact::ContactSide& side) {
 }
 
 using contact::NodeContact;
-using contact::Treatment;
 
-/// Search margin in mean edges of the segments.
-constexpr double margin_in_edges = 0.5;
-/// SOFT = 2 takes a new step where it has grown by more than this (contact rules, section 6).
+/// SOFT = 2 takes a new step where it has grown by more than this (contact rules, section 6.4).
 constexpr double step_growth = 1.05;
-/// Motion is summed up in doubles; this covers their rounding.
-constexpr double rounding = 1 + 1e-12;
 
 NodeContact memory_of(const Penetration& record) {
   switch (record.outcome) {
@@ -38,20 +34,6 @@ NodeContact memory_of(const Penetration& record) {
   }
   return {};
 }
-
-/// Sum and number of the sides of segments.
-struct Edges {
-  double length = 0;
-  std::size_t count = 0;
-  void add(const contact::Segments& segments, const std::vector<Vector>& x) {
-    for (const auto& n : segments.nodes)
-      for (std::size_t i = 0; i < 4; ++i) {
-        if (n[i] == n[(i + 1) % 4]) continue;
-        length += (x[n[i].value] - x[n[(i + 1) % 4].value]).norm();
-        ++count;
-      }
-  }
-};
 
 }  // namespace
 
@@ -89,13 +71,14 @@ void ContactForces::add_passes(Interface& interface, const std::vector<Vector>& 
   };
   nodes_in_segments(false);
   if (choose_method(model_.contacts[interface.contact]).method == ContactMethod::tiebreak) return;
-  if (surfaces.type.treatment == Treatment::two_way || (by_segments && surfaces.two_sided())) nodes_in_segments(true);
+  if (surfaces.type.treatment == contact::Treatment::two_way || (by_segments && surfaces.two_sided()))
+    nodes_in_segments(true);
   if (contact::looks_at_edges(model_.contacts[interface.contact], surfaces.type))
     interface.passes.push_back(std::make_unique<EdgePass>(setting_, interface.contact, surfaces, x));
 }
 
 void ContactForces::build(State& state) {
-  Edges edges;
+  SearchMargin margin;
   first_step_ = state.coming;
   interfaces_.reserve(model_.contacts.size());  // passes refer to the surfaces in them
   for (std::uint32_t c = 0; c < model_.contacts.size(); ++c) {
@@ -120,7 +103,7 @@ void ContactForces::build(State& state) {
     interface.start = time.start;
     interface.end = time.end;
     const contact::ContactSurfaces& surfaces = *interface.surfaces;
-    for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) edges.add(side->selection.segments, state.x);
+    for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) margin.add(side->selection.segments, state.x);
     add_passes(interface, state.x);
     for (const auto& pass : interface.passes)
       pass->set_timestep(contact.dtstif > 0 ? contact.dtstif : state.coming);
@@ -134,11 +117,11 @@ void ContactForces::build(State& state) {
     if (has_offsets(surfaces.a) || has_offsets(surfaces.b)) sort_interval_ = 1;
     ContactState& result = states_.emplace_back();
     result.contact = c;
-    result.single_surface = surfaces.type.treatment == Treatment::single_surface;
+    result.single_surface = surfaces.type.treatment == contact::Treatment::single_surface;
   }
   gather_nodes();
   limit_step();
-  if (edges.count > 0) margin_ = margin_in_edges * edges.length / static_cast<double>(edges.count);
+  margin_ = margin.value();
   built_ = true;
 }
 
@@ -204,7 +187,7 @@ double ContactForces::approach(const State& state) const {
   });
   double squared = 0;
   for (const double of_block : fastest) squared = std::max(squared, of_block);
-  return 2 * std::sqrt(squared) * state.dt * rounding;
+  return 2 * std::sqrt(squared) * state.dt * rounding_of_motion;
 }
 
 void ContactForces::follow(Interface& interface, const State& state) {
@@ -278,7 +261,7 @@ void ContactForces::add(State& state, Forces& forces) {
         growth = 0;
       }
       // It may be the node or a corner of the segment, or both.
-      used_ += 2 * pass->update(state, used_ + growth, counters_) * rounding;
+      used_ += 2 * pass->update(state, used_ + growth, counters_) * rounding_of_motion;
       pass->apply(state, forces, result);
     }
     interface.active = active;

@@ -24,9 +24,9 @@ using geometry::FollowedPairs;
 namespace {
 
 /// Places that are looked at in one go.
-constexpr std::size_t block_size = 256;
+constexpr std::size_t places_per_block = 256;
 constexpr std::size_t not_followed = FollowedPairs::capacity;
-static_assert(block_size % FollowedPairs::capacity == 0);
+static_assert(places_per_block % FollowedPairs::capacity == 0);
 
 double area_of(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]).norm() / 2; }
 
@@ -308,7 +308,7 @@ void ContactPass::add_work(const Link& link, const Velocities& velocities, doubl
 
 void ContactPass::look_at_block(std::size_t b, const State& state, double used, Scratch& scratch) {
   const std::size_t near = candidates_.slots().size(), places = near + lost_.size();
-  const std::size_t first = b * block_size, last = std::min(places, first + block_size);
+  const std::size_t first = b * places_per_block, last = std::min(places, first + places_per_block);
   Block& block = blocks_[b];
   pushes_[b].clear();
   if (block.sleep > used && last <= near) {
@@ -334,7 +334,7 @@ void ContactPass::look_at_block(std::size_t b, const State& state, double used, 
 
 double ContactPass::update(State& state, double used, ContactCounters& counters) {
   const std::size_t places = candidates_.slots().size() + lost_.size();
-  blocks_.resize((places + block_size - 1) / block_size);
+  blocks_.resize((places + places_per_block - 1) / places_per_block);
   pushes_.resize(blocks_.size());
   parallel_for(blocks_.size(), 1, [&](std::size_t begin, std::size_t end) {
     static thread_local Scratch scratch;

@@ -14,7 +14,7 @@ namespace {
 
 /// Another segment must be farther away by this share of the distance, which is far more than what choose_hit() takes for
 /// equally near; and what is summed up in doubles is trusted up to this share.
-constexpr double lead_slack = 1e-8, rounding = 1e-13;
+constexpr double lead_slack = 1e-8, rounding_share = 1e-13;
 /// Segments farther away than so many times the one that counts need not be asked how far exactly.
 constexpr double far_away = 1.5;
 
@@ -54,13 +54,13 @@ void ContactPass::separate(std::uint32_t slot, std::uint32_t segment, std::span<
       least = std::min(least, candidate.towards.dot(from_node));
       size = std::max(size, from_node.cwiseAbs().maxCoeff());
     }
-    candidate.wake = std::max(candidate.wake, used + least - rounding * size - reach);
+    candidate.wake = std::max(candidate.wake, used + least - rounding_share * size - reach);
   }
 }
 
 double ContactPass::lead(double nearest_other, const Contact& chosen, double used) const {
   const double gap =
-      nearest_other - std::abs(chosen.distance) * (1 + lead_slack) - rounding * (used + greatest_reach_);
+      nearest_other - std::abs(chosen.distance) * (1 + lead_slack) - rounding_share * (used + greatest_reach_);
   // One distance may grow by what the other one loses.
   return used + gap / 2;
 }

@@ -30,7 +30,7 @@ class ContactSprings {
     double node_mass = 0, segment_mass = 0;  ///< mass of the node and of all the segment's nodes
   };
   [[nodiscard]] Spring operator()(std::uint32_t slot, std::uint32_t segment) const;
-  /// Damping constant at VDC percent of the critical one: VDC / 100 · 2 m ω. Source: contact rules, section 8.
+  /// Damping constant at VDC percent of the critical one: VDC / 100 · 2 m ω. Source: contact rules, section 8.3.
   [[nodiscard]] static double damping(const Spring& spring, double percent);
 
  private:

@@ -25,9 +25,9 @@ using contact::SurfaceEdge;
 namespace {
 
 /// Pairs that are looked at in one go.
-constexpr std::size_t block_size = 256;
+constexpr std::size_t pairs_per_block = 256;
 /// Covers the rounding of distances between edges that are still some margin apart.
-constexpr double rounding = 1 + 1e-9;
+constexpr double rounding_of_distance = 1 + 1e-9;
 
 ContactPoint point_of(const SurfaceEdge& edge, double place) {
   return {{edge.a, edge.b, edge.b, edge.b}, {(1 - place) / 2, (1 + place) / 2, 0, 0}};
@@ -86,7 +86,7 @@ std::vector<std::uint64_t> EdgePass::find(double margin) const {
     const bool swap = scene_.line(edges_[k].segment) && !scene_.line(edges_[i].segment);
     const std::uint32_t tracked = swap ? k : i, other = swap ? i : k;
     const SurfaceEdge &e = edges_[tracked], &f = edges_[other];
-    const double reach = (half_sum(e, f) + margin) * rounding;
+    const double reach = (half_sum(e, f) + margin) * rounding_of_distance;
     if (!(geometry::closest_points(ends[tracked], ends[other]).squared_distance <= reach * reach)) return;
     if (!edge_scene_.opposite(e, f) || contact::edges_are_joined(scene_, e, f) || !rules_(e, f)) return;
     found.local().push_back(std::uint64_t{tracked} << 32 | other);
@@ -236,12 +236,12 @@ void EdgePass::look(std::uint32_t number, const State& state, double used, Block
 
 double EdgePass::update(State& state, double used, ContactCounters& counters) {
   if (scene_.type.by_segments()) reduction_ = contact::baseline_reduction(setting_.model, scene_.contact, state.time);
-  blocks_.resize((pairs_.size() + block_size - 1) / block_size);
+  blocks_.resize((pairs_.size() + pairs_per_block - 1) / pairs_per_block);
   parallel_for(blocks_.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
       blocks_[b].looks = blocks_[b].released = 0;
       blocks_[b].busy.clear();
-      for (std::size_t i = b * block_size; i < std::min(pairs_.size(), (b + 1) * block_size); ++i)
+      for (std::size_t i = b * pairs_per_block; i < std::min(pairs_.size(), (b + 1) * pairs_per_block); ++i)
         look(static_cast<std::uint32_t>(i), state, used, blocks_[b]);
     }
   });

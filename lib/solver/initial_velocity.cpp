@@ -10,7 +10,7 @@ namespace gapcheck::solver {
 namespace {
 
 using model::InitialVelocity;
-using Kind = InitialVelocity::Kind;
+using VelocityKind = InitialVelocity::Kind;
 
 constexpr std::string_view row_keyword = "INITIAL_VELOCITY_NODE";
 
@@ -45,11 +45,11 @@ std::vector<NodeIndex> nodes_of_part(ConditionBuilder& builder, const InitialVel
 /// The nodes of a card before its box and its exemptions.
 std::vector<NodeIndex> chosen_nodes(ConditionBuilder& builder, const InitialVelocity& initial) {
   if (initial.id == 0) return all_nodes(builder.model);
-  const bool part_set = initial.kind == Kind::generation ? initial.target == 1 : initial.irigid == -1;
-  const bool part = initial.kind == Kind::generation ? initial.target == 2 : initial.irigid == -2;
+  const bool part_set = initial.kind == VelocityKind::generation ? initial.target == 1 : initial.irigid == -1;
+  const bool part = initial.kind == VelocityKind::generation ? initial.target == 2 : initial.irigid == -2;
   if (part_set) return nodes_of_list(builder.model, builder.part_set(initial.id, initial.keyword, initial.place));
   if (part) return nodes_of_part(builder, initial);
-  if (initial.kind == Kind::generation && initial.target != 3) {
+  if (initial.kind == VelocityKind::generation && initial.target != 3) {
     builder.fail(Failure::Kind::not_calculated, initial.keyword, initial.place,
                  fmt::format("STYP {} is not calculated; 1, 2 and 3 are", initial.target));
     return {};
@@ -95,7 +95,7 @@ void apply_card(ConditionBuilder& builder, const InitialVelocity& initial, Given
   keep_inside(builder, initial, nodes);
   State& state = builder.structure.state;
   const bool over = initial.irigid != 0;
-  if (initial.kind == Kind::generation) {
+  if (initial.kind == VelocityKind::generation) {
     const Vector spin = generated_spin(builder, initial);
     if (!builder.failed() && spin == Vector::Zero() && initial.rate != 0)
       builder.fail(Failure::Kind::contradiction, initial.keyword, initial.place,
@@ -206,14 +206,14 @@ void apply_rows(ConditionBuilder& builder, Given& given) {
 void apply_initial_velocities(ConditionBuilder& builder) {
   const std::size_t nodes = builder.structure.state.x.size();
   Given given{std::vector<bool>(nodes), std::vector<bool>(nodes)};
-  for (const Kind kind : {Kind::general, Kind::generation})
+  for (const VelocityKind kind : {VelocityKind::general, VelocityKind::generation})
     for (const InitialVelocity& initial : builder.model.initial_velocities)
       if (initial.kind == kind && !builder.failed()) apply_card(builder, initial, given);
   if (!builder.failed()) apply_rows(builder, given);
   if (builder.failed()) return;
   move_bodies(builder, given);
   for (const InitialVelocity& initial : builder.model.initial_velocities) {
-    if (initial.kind != Kind::rigid_body) continue;
+    if (initial.kind != VelocityKind::rigid_body) continue;
     builder.refuse_system(initial.system, initial.keyword, initial.place);
     const auto body = builder.body(initial.id, initial.keyword, initial.place);
     if (builder.failed()) return;

@@ -8,7 +8,7 @@
 #include "results/d3plot_state.hpp"
 #include "results/file_header.hpp"
 #include "solver/part_masses.hpp"
-#include "solver/step.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

@@ -7,7 +7,7 @@
 #include "base/diagnostic.hpp"
 #include "contact/rigid_wall.hpp"
 #include "solver/force.hpp"
-#include "solver/step.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

@@ -21,7 +21,7 @@ namespace gapcheck::solver {
 namespace {
 
 /// A sum of steps may miss a multiple by this much, relatively.
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_time = 1e-12;
 
 Failure not_written(const std::string& path, const std::string& why) {
   return {Failure::Kind::output, fmt::format("{}: cannot be written: {}", path, why)};
@@ -68,11 +68,11 @@ std::vector<results::LegendEntry> node_titles(const model::Model& model) {
 }  // namespace
 
 bool Interval::due(double time) const {
-  return wanted() && (multiple_ == 0 || time >= multiple_ * length_ * (1 - rounding));
+  return wanted() && (multiple_ == 0 || time >= multiple_ * length_ * (1 - rounding_of_time));
 }
 
 void Interval::written(double time) {
-  multiple_ = std::max(multiple_, std::floor(time / length_ * (1 + rounding))) + 1;
+  multiple_ = std::max(multiple_, std::floor(time / length_ * (1 + rounding_of_time))) + 1;
 }
 
 model::Output output_intervals(const model::Model& model, double end_time) {

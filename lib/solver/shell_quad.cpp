@@ -7,7 +7,7 @@ namespace {
 
 /// Axes of the element, half diagonals and hourglass shape of its corners in them. With e3 normal to both diagonals
 /// the corners lie at ± warp / 4 from the mean plane.
-struct Frame {
+struct QuadFrame {
   Vector e1, e2, e3;
   double area;
   double bx1, bx2, by1, by2;      ///< ∂N/∂x of corners 1 and 2; 3 and 4 have the opposite
@@ -32,7 +32,7 @@ BothVectors operator-(const BothVectors& a, const BothVectors& b) { return {a.x 
 BothVectors operator*(const Both& f, const BothVectors& a) { return {f * a.x, f * a.y, f * a.z}; }
 
 /// The frames in the middle and at the end of the step.
-std::array<Frame, 2> make_frames(const std::array<Vector, 4>& middle, const std::array<Vector, 4>& end) {
+std::array<QuadFrame, 2> make_frames(const std::array<Vector, 4>& middle, const std::array<Vector, 4>& end) {
   const auto difference = [&](std::size_t i, std::size_t j) {
     return BothVectors(middle[i] - middle[j], end[i] - end[j]);
   };
@@ -50,8 +50,8 @@ std::array<Frame, 2> make_frames(const std::array<Vector, 4>& middle, const std:
   const BothVectors shape = difference(0, 1) - difference(3, 2);
   const Both shape_x = shape.dot(e1), shape_y = shape.dot(e2), warp = shape.dot(e3);
   const auto frame = [&](int i) {
-    return Frame{e1.at(i), e2.at(i), e3.at(i), twice_area[i] / 2, bx1[i], bx2[i], by1[i], by2[i],
-                 shape_x[i], shape_y[i], warp[i]};
+    return QuadFrame{e1.at(i), e2.at(i), e3.at(i),   twice_area[i] / 2, bx1[i], bx2[i],
+                     by1[i],   by2[i],   shape_x[i], shape_y[i],        warp[i]};
   };
   return {frame(0), frame(1)};
 }
@@ -61,7 +61,7 @@ struct Field {
   Vector dx, dy, hourglass;
 };
 
-Field field_of(const Frame& frame, const std::array<Vector, 4>& v) {
+Field field_of(const QuadFrame& frame, const std::array<Vector, 4>& v) {
   const auto local = [&](const Vector& a) { return Vector(a.dot(frame.e1), a.dot(frame.e2), a.dot(frame.e3)); };
   const Vector v13 = local(v[0] - v[2]), v24 = local(v[1] - v[3]), shape = local(v[0] - v[1] + v[2] - v[3]);
   Field field;
@@ -73,13 +73,13 @@ Field field_of(const Frame& frame, const std::array<Vector, 4>& v) {
 
 /// Rates of the five hourglass modes. The corners of a warped quad move out of step in x and y when it just turns
 /// about y and x; that part is no hourglassing.
-std::array<double, 5> hourglass_rates(const Frame& frame, const Field& v, const Field& w) {
+std::array<double, 5> hourglass_rates(const QuadFrame& frame, const Field& v, const Field& w) {
   return {v.hourglass.x() + frame.warp * v.dx.z(), v.hourglass.y() + frame.warp * v.dy.z(), v.hourglass.z(),
           w.hourglass.x(), w.hourglass.y()};
 }
 
 /// Stiffness (Belytschko, Lin and Tsay, eq. 24) or viscosity of the modes.
-std::array<double, 5> hourglass_moduli(const ShellProperties& properties, const Frame& frame, double thickness) {
+std::array<double, 5> hourglass_moduli(const ShellProperties& properties, const QuadFrame& frame, double thickness) {
   const Material& material = properties.material;
   const double r = properties.hourglass.coefficient, squared_thickness = thickness * thickness;
   if (properties.hourglass.kind == HourglassKind::viscous) {
@@ -98,7 +98,7 @@ std::array<double, 5> hourglass_moduli(const ShellProperties& properties, const 
 }
 
 /// Brings the hourglass stresses to the end of the step; returns the work.
-double update_hourglass(const ShellProperties& properties, const Frame& middle, const std::array<double, 5>& rates,
+double update_hourglass(const ShellProperties& properties, const QuadFrame& middle, const std::array<double, 5>& rates,
                         double dt, ShellState& state) {
   if (properties.hourglass.kind == HourglassKind::none || dt <= 0) return 0;
   const bool viscous = properties.hourglass.kind == HourglassKind::viscous;
@@ -112,7 +112,7 @@ double update_hourglass(const ShellProperties& properties, const Frame& middle, 
   return work;
 }
 
-ShellStrain strain_of(const Frame& frame, const Field& v, const Field& w, const std::array<Vector, 4>& all_w,
+ShellStrain strain_of(const QuadFrame& frame, const Field& v, const Field& w, const std::array<Vector, 4>& all_w,
                       double dt) {
   const Vector mean = (all_w[0] + all_w[1] + all_w[2] + all_w[3]) / 4;
   ShellStrain strain;
@@ -128,7 +128,8 @@ ShellStrain strain_of(const Frame& frame, const Field& v, const Field& w, const 
 }
 
 /// Spreads resultants and hourglass stresses to the corners; the transpose of the strain operators.
-void spread(const Frame& frame, const ShellResultants& n, const std::array<double, 5>& hourglass, ShellForces& out) {
+void spread(const QuadFrame& frame, const ShellResultants& n, const std::array<double, 5>& hourglass,
+            ShellForces& out) {
   const double area = frame.area;
   const auto global = [&](double x, double y, double z) { return Vector(x * frame.e1 + y * frame.e2 + z * frame.e3); };
   const auto force = [&](double bx, double by) {
@@ -158,8 +159,8 @@ void spread(const Frame& frame, const ShellResultants& n, const std::array<doubl
   out.moment[3] = -moment2 + shear + gamma[3] * mode_moment;
 }
 
-void set_steps(const ShellProperties& properties, const std::array<Vector, 4>& x, const Frame& frame, double thickness,
-               ShellForces& out) {
+void set_steps(const ShellProperties& properties, const std::array<Vector, 4>& x, const QuadFrame& frame,
+               double thickness, ShellForces& out) {
   const double squared_side = std::max(std::max((x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm()),
                                        std::max((x[3] - x[2]).squaredNorm(), (x[0] - x[3]).squaredNorm()));
   Gram gradient;

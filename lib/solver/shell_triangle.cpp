@@ -4,7 +4,7 @@ namespace gapcheck::solver {
 namespace {
 
 /// Axes, and the sides 1→2, 2→3, 3→1 in them.
-struct Frame {
+struct TriangleFrame {
   Vector e1, e2, e3;
   double area;
   std::array<double, 3> side_x, side_y;
@@ -12,8 +12,8 @@ struct Frame {
   std::array<double, 3> shear_x, shear_y;  ///< share of each side's shear (times its length) in the element's
 };
 
-Frame make_frame(const std::array<Vector, 4>& x) {
-  Frame frame;
+TriangleFrame make_frame(const std::array<Vector, 4>& x) {
+  TriangleFrame frame;
   const Vector normal = (x[1] - x[0]).cross(x[2] - x[0]);
   const double twice_area = normal.norm();
   frame.area = twice_area / 2;
@@ -37,13 +37,13 @@ Frame make_frame(const std::array<Vector, 4>& x) {
 }
 
 /// Vectors at the corners in the frame.
-std::array<Vector, 3> local(const Frame& frame, const std::array<Vector, 4>& v) {
+std::array<Vector, 3> local(const TriangleFrame& frame, const std::array<Vector, 4>& v) {
   std::array<Vector, 3> result;
   for (std::size_t i = 0; i < 3; ++i) result[i] = {v[i].dot(frame.e1), v[i].dot(frame.e2), v[i].dot(frame.e3)};
   return result;
 }
 
-ShellStrain strain_of(const Frame& frame, const ShellCorners& corners, double dt) {
+ShellStrain strain_of(const TriangleFrame& frame, const ShellCorners& corners, double dt) {
   const std::array<Vector, 3> v = local(frame, corners.v), w = local(frame, corners.w);
   ShellStrain strain;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,7 +64,7 @@ ShellStrain strain_of(const Frame& frame, const ShellCorners& corners, double dt
 }
 
 /// The transpose of the strain operators.
-void spread(const Frame& frame, const ShellResultants& n, ShellForces& out) {
+void spread(const TriangleFrame& frame, const ShellResultants& n, ShellForces& out) {
   std::array<Vector, 3> force, moment;
   for (std::size_t i = 0; i < 3; ++i) {
     const double bx = frame.area * frame.bx[i], by = frame.area * frame.by[i];
@@ -87,7 +87,7 @@ void spread(const Frame& frame, const ShellResultants& n, ShellForces& out) {
   out.force[3] = out.moment[3] = Vector::Zero();
 }
 
-void set_steps(const ShellProperties& properties, const Frame& frame, double thickness, ShellForces& out) {
+void set_steps(const ShellProperties& properties, const TriangleFrame& frame, double thickness, ShellForces& out) {
   Gram gradient, shear;
   const double inertia = rotational_inertia(frame.area, thickness);
   double squared_side = 0;
@@ -114,7 +114,7 @@ ShellForces triangle_forces(const ShellProperties& properties, const ShellCorner
   ShellForces out;
   std::array<Vector, 4> middle_x;
   for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
-  const Frame middle = make_frame(middle_x), end = make_frame(corners.x);
+  const TriangleFrame middle = make_frame(middle_x), end = make_frame(corners.x);
   const ShellStrain strain = strain_of(middle, corners, dt);
   spread(end, integrate_layers(properties, strain, dt, state.thickness, points), out);
   set_steps(properties, end, state.thickness, out);

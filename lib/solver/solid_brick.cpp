@@ -16,7 +16,7 @@ using Corners = std::array<Vector, 8>;
 
 /// ∂V/∂x of every corner, V being the volume between the bilinear faces; what Flanagan and Belytschko call B. It is
 /// ∫ N n dA over the three faces that meet in the corner.
-Corners volume_gradient(const Corners& x) {
+Corners brick_volume_gradient(const Corners& x) {
   // Corner a, its three neighbours along the edges, and the three corners across the faces, in turning order.
   constexpr std::size_t edges[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
                                        {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
@@ -92,14 +92,14 @@ double update_hourglass(const SolidProperties& properties, const std::array<Vect
 
 }  // namespace
 
-double brick_volume(const std::array<Vector, 8>& x) { return volume_of(x, volume_gradient(x)); }
+double brick_volume(const std::array<Vector, 8>& x) { return volume_of(x, brick_volume_gradient(x)); }
 
 SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& corners, double dt, SolidState& state,
                          PointState& point) {
   SolidForces out;
   Corners middle_x;
   for (std::size_t a = 0; a < 8; ++a) middle_x[a] = corners.x[a] - dt / 2 * corners.v[a];
-  const Corners middle = volume_gradient(middle_x), end = volume_gradient(corners.x);
+  const Corners middle = brick_volume_gradient(middle_x), end = brick_volume_gradient(corners.x);
   const double middle_volume = volume_of(middle_x, middle);
   out.volume = volume_of(corners.x, end);
   if (!(middle_volume > 0 && out.volume > 0)) {

@@ -9,7 +9,7 @@ namespace {
 using Corners = std::array<Vector, 8>;
 
 /// ∂V/∂x of the four corners: a third of the opposite face's area vector, inward.
-std::array<Vector, 4> volume_gradient(const Corners& x) {
+std::array<Vector, 4> tetrahedron_volume_gradient(const Corners& x) {
   const Vector a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
   std::array<Vector, 4> gradient{Vector::Zero(), b.cross(c) / 6, c.cross(a) / 6, a.cross(b) / 6};
   gradient[0] = -(gradient[1] + gradient[2] + gradient[3]);
@@ -31,7 +31,8 @@ SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCor
   const double middle_volume = tetrahedron_volume(middle_x);
   out.volume = tetrahedron_volume(corners.x);
   if (!(middle_volume > 0 && out.volume > 0)) return out;
-  const std::array<Vector, 4> middle = volume_gradient(middle_x), end = volume_gradient(corners.x);
+  const std::array<Vector, 4> middle = tetrahedron_volume_gradient(middle_x),
+                              end = tetrahedron_volume_gradient(corners.x);
   Matrix gradient = Matrix::Zero(), gram = Matrix::Zero();
   double squared_face = 0;
   for (std::size_t a = 0; a < 4; ++a) {

@@ -1,34 +1,13 @@
 #pragma once
-#include <map>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "solver/beam_elements.hpp"
-#include "solver/constraints.hpp"
 #include "solver/failure.hpp"
 #include "solver/force.hpp"
-#include "solver/rigid_bodies.hpp"
-#include "solver/shell_elements.hpp"
-#include "solver/solid_elements.hpp"
-#include "solver/state.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
-
-/// Elements, masses and constraints of a structure at rest or in motion at time 0.
-struct Structure {
-  State state;
-  ShellElements shells;
-  SolidElements solids;
-  BeamElements beams;
-  RigidBodies rigid;
-  Constraints constraints;                         ///< of nodes that are in no rigid body
-  std::map<std::int64_t, std::size_t> body_of_id;  ///< rigid bodies by the ids of their parts or nodal rigid bodies
-  double added_mass = 0;  ///< by mass scaling
-  // Ids as in the deck, for messages.
-  std::vector<std::int64_t> node_id, shell_id, solid_id, beam_id;
-};
 
 struct StepSettings {
   double time_step_factor = 0.9;  ///< TSSFAC, on the manual's element steps

@@ -9,7 +9,8 @@
 #include "contact/initial.hpp"
 #include "solver/contact_source.hpp"
 #include "solver/segment_axes.hpp"
-#include "solver/step.hpp"
+#include "solver/force.hpp"
+#include "solver/structure.hpp"
 
 namespace gapcheck::solver {
 

@@ -13,7 +13,7 @@ namespace gapcheck::solver {
 namespace {
 
 /// Turning the arms over the step converges by the angle per step; this many rounds are more than enough.
-constexpr int most_rounds = 8;
+constexpr int most_turning_rounds = 8;
 constexpr double settled = 1e-13;
 /// Rounding moves a node less than this share of its segment from its place.
 constexpr double largest_drift = 1e-6;
@@ -280,7 +280,7 @@ void TieConstraints::react(const State& state, double mean, double next, Forces&
   }
   for (const NodeIndex node : used_) v_[node.value] = state.v[node.value], w_[node.value] = state.w[node.value];
   Eigen::VectorXd wanted = targets(state, next);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_turning_rounds; ++round) {
     put(system_->solve(wanted - at_rest), mean);
     if (!varying_) break;
     Eigen::VectorXd better = targets(state, next);

@@ -3,7 +3,7 @@
 
 #include "apps/program.hpp"
 
-namespace gapcheck {
+namespace gapcheck::audit_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -215,4 +215,4 @@ TEST_F(AuditProgram, TheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::audit_test

@@ -5,7 +5,7 @@
 #include "program.hpp"
 #include "results/d3plot_sample.hpp"
 
-namespace gapcheck {
+namespace gapcheck::check_c_test {
 namespace {
 
 class CheckC : public Program {
@@ -219,4 +219,4 @@ TEST_F(CheckC, ARealRun) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::check_c_test

@@ -7,7 +7,7 @@
 #include "program.hpp"
 #include "results/write_messag.hpp"
 
-namespace gapcheck {
+namespace gapcheck::compare_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ TEST_F(Compare, ExitCodes) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::compare_test

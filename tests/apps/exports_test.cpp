@@ -6,7 +6,7 @@
 
 #include "program.hpp"
 
-namespace gapcheck {
+namespace gapcheck::exports_test {
 namespace {
 
 class Exports : public Program {
@@ -79,4 +79,4 @@ TEST_F(Exports, SetsByCardLayouts) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::exports_test

@@ -3,7 +3,7 @@
 
 #include "apps/program.hpp"
 
-namespace gapcheck {
+namespace gapcheck::fix_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ TEST_F(FixProgram, RefusesWhatItDoesNotUnderstand) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::fix_test

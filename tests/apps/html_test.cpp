@@ -7,7 +7,7 @@
 
 #include "program.hpp"
 
-namespace gapcheck {
+namespace gapcheck::html_test {
 namespace {
 
 class Html : public Program {
@@ -93,4 +93,4 @@ TEST_F(Html, AHostileDeckInChromium) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::html_test

@@ -5,7 +5,7 @@
 
 #include "program.hpp"
 
-namespace gapcheck {
+namespace gapcheck::ignores_test {
 namespace {
 
 class Ignores : public Program {
@@ -62,4 +62,4 @@ TEST_F(Ignores, TheSameForAnyNumberOfJobs) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::ignores_test

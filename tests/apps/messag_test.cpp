@@ -5,7 +5,7 @@
 
 #include "program.hpp"
 
-namespace gapcheck {
+namespace gapcheck::messag_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -166,4 +166,4 @@ TEST_F(Messag, BeamsOfAnAuditCanBeAuditedAgain) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::messag_test

@@ -5,7 +5,7 @@
 
 #include "apps/program.hpp"
 
-namespace gapcheck {
+namespace gapcheck::output_guard_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST_F(OutputGuard, StreamsTakeWhatComes) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::output_guard_test

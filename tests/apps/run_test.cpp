@@ -3,7 +3,7 @@
 #include "results/d3plot_states.hpp"
 #include "results/glstat.hpp"
 
-namespace gapcheck {
+namespace gapcheck::run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -69,4 +69,4 @@ TEST_F(RunCommand, WhatGoesWrongIsExitCode2) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::run_test

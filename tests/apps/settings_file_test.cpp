@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace gapcheck::app {
+namespace gapcheck::app::settings_file_test {
 namespace {
 
 struct Outcome {
@@ -337,4 +337,4 @@ TEST(SettingsFile, FoldersAreAllThatIsInThem) {
 }
 
 }  // namespace
-}  // namespace gapcheck::app
+}  // namespace gapcheck::app::settings_file_test

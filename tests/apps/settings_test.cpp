@@ -11,7 +11,7 @@
 #include "commands.hpp"
 #include "options.hpp"
 
-namespace gapcheck {
+namespace gapcheck::settings_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -408,4 +408,4 @@ TEST_F(SettingsProgram, TheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::settings_test

@@ -6,7 +6,7 @@
 
 #include "program.hpp"
 
-namespace gapcheck {
+namespace gapcheck::workshop_curves_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,4 +60,4 @@ TEST_F(WorkshopCurves, AChangedPenaltyIsFound) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::workshop_curves_test

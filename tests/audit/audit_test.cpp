@@ -11,7 +11,7 @@
 
 #include "audit/run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::audit_test {
 namespace {
 
 using audit::AuditOptions;
@@ -147,4 +147,4 @@ TEST(AuditReport, KnowsFileAndLineOfNodes) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::audit_test

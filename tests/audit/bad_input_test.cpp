@@ -10,7 +10,7 @@
 
 #include "audit/run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::bad_input_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -286,4 +286,4 @@ TEST(Contradiction, ThousandsOfThem) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::bad_input_test

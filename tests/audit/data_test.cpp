@@ -13,7 +13,7 @@
 #include "audit/run.hpp"
 #include "base/parallel.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::data_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -144,4 +144,4 @@ TEST(DataFolder, HasADeckForEveryExpectation) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::data_test

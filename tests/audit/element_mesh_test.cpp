@@ -11,7 +11,7 @@
 #include "keyword/deck.hpp"
 #include "run.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::element_mesh_test {
 namespace {
 
 constexpr const char* data = GAPCHECK_ROOT "/data/";
@@ -122,4 +122,4 @@ TEST(HighestSet, OfAllKinds) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::element_mesh_test

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::grouped_test {
 namespace {
 
 Finding words(const Found& found) {
@@ -86,4 +86,4 @@ TEST(Grouped, NothingGivesNothing) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::grouped_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::ignore_comment_test {
 namespace {
 
 std::string text_of(const std::vector<IdRange>& ids) {
@@ -96,4 +96,4 @@ TEST(IgnoreComment, LongOnesTakeNoTimeAndGiveShortMessages) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::ignore_comment_test

@@ -15,7 +15,7 @@
 #include "audit/run.hpp"
 #include "base/parallel.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::ignores_test {
 namespace {
 
 using audit::AuditOptions;
@@ -377,4 +377,4 @@ TEST(Ignores, TheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::ignores_test

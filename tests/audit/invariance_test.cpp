@@ -11,7 +11,7 @@
 #include "audit/random_scene.hpp"
 #include "audit/run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::invariance_test {
 namespace {
 
 constexpr std::uint64_t scenes = 60;
@@ -136,4 +136,4 @@ TEST(Invariance, OtherCornersFirst) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::invariance_test

@@ -4,7 +4,7 @@
 #include "audit/rules/judged_run.hpp"
 #include "audit/run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::judge_test {
 namespace {
 
 /// A run with something for most rules.
@@ -78,4 +78,4 @@ TEST(Judge, AnyNumbers) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::judge_test

@@ -13,7 +13,7 @@
 #include "keyword/deck.hpp"
 #include "run.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::members_test {
 namespace {
 
 constexpr const char* data = GAPCHECK_ROOT "/data/";
@@ -109,4 +109,4 @@ TEST(Members, ElementsThatFindingsName) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::members_test

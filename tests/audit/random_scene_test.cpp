@@ -12,7 +12,7 @@
 #include "model/model.hpp"
 #include "reference/penetration_reference.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::random_scene_test {
 namespace {
 
 constexpr std::uint64_t scenes = 200;
@@ -126,4 +126,4 @@ TEST(RandomScene, AgreesWithTheReference) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::random_scene_test

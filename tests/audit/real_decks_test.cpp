@@ -13,7 +13,7 @@
 #include "audit/run.hpp"
 #include "base/parallel.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::real_decks_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -230,4 +230,4 @@ TEST(AnyDeck, GivesAReportOrAReason) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::real_decks_test

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::registry_test {
 namespace {
 
 TEST(Registry, RulesAscendAndHaveTextAndPages) {
@@ -43,4 +43,4 @@ TEST(Registry, SelectsByIdNameAndPrefix) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::registry_test

@@ -11,7 +11,7 @@
 #include "model/model.hpp"
 #include "run.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::scene_mesh_test {
 namespace {
 
 constexpr const char* data = GAPCHECK_ROOT "/data/";
@@ -198,4 +198,4 @@ TEST(SceneMesh, StrayAndImpossibleNodesDoNotEmptyThePicture) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::scene_mesh_test

@@ -11,7 +11,7 @@
 #include "audit/run.hpp"
 #include "audit/scene.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::skipped_work_test {
 namespace {
 
 using audit::AuditOptions;
@@ -194,4 +194,4 @@ TEST(SkippedWork, UnknownKeywordsAreSkippedByTheByte) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::skipped_work_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::worst_by_key_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -47,4 +47,4 @@ TEST(WorstByKey, NothingThatWeighsNothing) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::worst_by_key_test

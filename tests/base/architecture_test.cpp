@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace gapcheck {
+namespace gapcheck::architecture_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -216,4 +216,4 @@ TEST(Architecture, TestsAreNamedAfterWhatTheyTest) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::architecture_test

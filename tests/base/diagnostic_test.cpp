@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace gapcheck {
+namespace gapcheck::diagnostic_test {
 namespace {
 
 TEST(Diagnostics, SortsErrorsFirstThenFileLineMessage) {
@@ -50,4 +50,4 @@ TEST(Diagnostics, AnyThreadMayAdd) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::diagnostic_test

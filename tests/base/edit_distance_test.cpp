@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace gapcheck {
+namespace gapcheck::edit_distance_test {
 namespace {
 
 double apart(std::string_view a, std::string_view b) {
@@ -26,4 +26,4 @@ TEST(EditDistance, CostOfReplacing) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::edit_distance_test

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <unordered_set>
 
-namespace gapcheck {
+namespace gapcheck::ids_test {
 namespace {
 
 template <class A, class B>
@@ -34,4 +34,4 @@ TEST(Ids, NoneIsNoOrdinaryIndex) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::ids_test

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace gapcheck {
+namespace gapcheck::mapped_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,4 +94,4 @@ TEST_F(MappedFileTest, NamesThatNoFileHas) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::mapped_file_test

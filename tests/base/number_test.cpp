@@ -10,7 +10,7 @@
 #include <regex>
 #include <string>
 
-namespace gapcheck {
+namespace gapcheck::number_test {
 namespace {
 
 /// The slow twin of parse_real: a grammar, and strtod for the value.
@@ -124,4 +124,4 @@ TEST(ParseInteger, AgreesWithStrtollOnRandomText) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::number_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace gapcheck {
+namespace gapcheck::parallel_test {
 namespace {
 
 TEST(ParallelFor, VisitsEveryEntryOnce) {
@@ -29,4 +29,4 @@ TEST(ParallelFor, SmallCountsAreOnePiece) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::parallel_test

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-namespace gapcheck {
+namespace gapcheck::path_pattern_test {
 namespace {
 
 TEST(PathPattern, NamesStandForThemselves) {
@@ -120,4 +120,4 @@ TEST(PathPattern, TakesNoExponentialTime) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::path_pattern_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace gapcheck {
+namespace gapcheck::radix_sort_test {
 namespace {
 
 struct Item {
@@ -31,4 +31,4 @@ TEST(RadixSort, IsAStableSortByTheBitsAskedFor) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::radix_sort_test

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace gapcheck {
+namespace gapcheck::result_test {
 namespace {
 
 TEST(Result, HoldsAValue) {
@@ -34,4 +34,4 @@ TEST(Result, MovesWhatCannotBeCopied) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::result_test

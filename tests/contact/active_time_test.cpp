@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::active_time_test {
 namespace {
 
 ActiveTime times(double birth, double death) {
@@ -26,4 +26,4 @@ TEST(ActiveTime, SignsOfBirthAndDeath) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::active_time_test

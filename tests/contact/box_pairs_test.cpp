@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::box_pairs_test {
 namespace {
 
 using Boxes = std::vector<Bounds>;
@@ -116,4 +116,4 @@ TEST(BoxPairs, StrayBoxesAndEqualBoxes) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::box_pairs_test

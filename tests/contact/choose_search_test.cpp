@@ -14,7 +14,7 @@
 #include "model/model.hpp"
 #include "scenes/scenes.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::choose_search_test {
 namespace {
 
 using bench::SceneFacts;
@@ -110,4 +110,4 @@ TEST(ChooseSearch, StrangeInputsAreChosenForToo) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::choose_search_test

@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::coincident_nodes_test {
 namespace {
 
 std::vector<NodeIndex> all(std::size_t count) {
@@ -79,4 +79,4 @@ TEST(CoincidentNodes, SameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::coincident_nodes_test

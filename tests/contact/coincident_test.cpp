@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::coincident_test {
 namespace {
 
 TEST(Coincident, AsAMapOfSetsSays) {
@@ -37,4 +37,4 @@ TEST(Coincident, NodesThatTheMeshDoesNotHaveMatchNothing) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::coincident_test

@@ -4,7 +4,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::contact_mesh_test {
 namespace {
 
 std::vector<std::uint32_t> all_contacts(const model::Model& model) {
@@ -61,4 +61,4 @@ TEST(ContactMesh, WithoutContactsThereIsNothing) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::contact_mesh_test

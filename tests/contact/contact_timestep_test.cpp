@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::contact_timestep_test {
 namespace {
 
 constexpr double rho = 2, bulk = 600;
@@ -212,4 +212,4 @@ TEST(ContactTimestep, StepOfTheRun) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::contact_timestep_test

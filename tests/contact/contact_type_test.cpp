@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::contact_type_test {
 namespace {
 
 model::Contact named(std::string keyword) {
@@ -146,4 +146,4 @@ TEST(ContactType, SquareEdges) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::contact_type_test

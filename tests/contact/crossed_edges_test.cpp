@@ -6,7 +6,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::crossed_edges_test {
 namespace {
 
 bool looks(const std::string& keyword, std::int64_t soft, std::int64_t depth) {
@@ -46,4 +46,4 @@ TEST(CrossedEdges, WithinTheToleranceOfADecimalDeck) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::crossed_edges_test

@@ -12,7 +12,7 @@
 #include "base/parallel.hpp"
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::crossings_test {
 namespace {
 
 std::vector<Crossing> crossings(const Scene& scene, const CrossingOptions& options = {}) {
@@ -159,4 +159,4 @@ TEST(Crossings, StrangeCoordinatesCrossNothing) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::crossings_test

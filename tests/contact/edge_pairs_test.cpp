@@ -11,7 +11,7 @@
 #include "base/parallel.hpp"
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::edge_pairs_test {
 namespace {
 
 const Vector ex = Vector::UnitX(), ey = Vector::UnitY();
@@ -176,4 +176,4 @@ TEST(EdgePairs, NumbersThatAreNoneAndBeamsWithoutLengthMeetNothing) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::edge_pairs_test

@@ -6,7 +6,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::element_timestep_test {
 namespace {
 
 constexpr double for_shells = 6.75, shell_nu = 0.5;                     // E / (1 - ν²) = 9: c = 3
@@ -83,4 +83,4 @@ TEST(ElementTimestep, NoneWithoutMaterial) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::element_timestep_test

@@ -6,7 +6,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::enclosed_bodies_test {
 namespace {
 
 std::vector<EnclosedBody> enclosed(const Scene& scene, const CrossingOptions& options = {}) {
@@ -81,4 +81,4 @@ TEST(EnclosedBodies, FluidsSurroundWhatTheyLike) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::enclosed_bodies_test

@@ -7,7 +7,7 @@
 
 #include "../model/read.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::erosion_test {
 namespace {
 
 /// Three bricks in a row along x, one plate of two shells in front of the first one at x = -1, an eroding contact.
@@ -135,4 +135,4 @@ TEST(Erosion, Everything) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::erosion_test

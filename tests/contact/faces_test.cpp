@@ -9,7 +9,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::faces_test {
 namespace {
 
 std::vector<std::uint32_t> all(std::size_t n) {
@@ -93,4 +93,4 @@ TEST(Faces, FreeFacesAreThoseCountedOnce) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::faces_test

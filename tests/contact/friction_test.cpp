@@ -6,7 +6,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::friction_test {
 namespace {
 
 model::Contact named(const std::string& keyword) {
@@ -98,4 +98,4 @@ TEST(Friction, OfTheTable) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::friction_test

@@ -4,7 +4,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::hidden_faces_test {
 namespace {
 
 /// A block from x = 0 to 10 and y = 0 to 10, flat at z = 10, whose underside rises from z = 0 to z = 8. Above its
@@ -83,4 +83,4 @@ TEST(HiddenFaces, OtherBodiesDoNotCount) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::hidden_faces_test

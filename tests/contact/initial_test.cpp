@@ -6,7 +6,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::initial_test {
 namespace {
 
 const Vector ex{1, 0, 0}, ey{0, 1, 0}, ez{0, 0, 1};
@@ -326,4 +326,4 @@ TEST(Initial, ReferenceSideWithoutSegmentsIsNotChecked) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::initial_test

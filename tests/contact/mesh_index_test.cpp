@@ -6,7 +6,7 @@
 #include "contact/surface.hpp"
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::mesh_index_test {
 namespace {
 
 std::vector<std::uint32_t> list(std::span<const std::uint32_t> entries) { return {entries.begin(), entries.end()}; }
@@ -60,4 +60,4 @@ TEST(MeshIndex, SmallSurfacesAreThoseOfTheWholeMesh) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::mesh_index_test

@@ -6,7 +6,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::neighbours_test {
 namespace {
 
 const ContactType single{.code = "13", .treatment = Treatment::single_surface, .family = Family::automatic, .not_checked = {}};
@@ -83,4 +83,4 @@ TEST(Neighbours, FreeEdges) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::neighbours_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::node_contact_test {
 namespace {
 
 using State = NodeContact::State;
@@ -81,4 +81,4 @@ TEST(NodeContact, NeverReleasedWithoutALimit) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::node_contact_test

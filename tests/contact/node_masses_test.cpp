@@ -5,7 +5,7 @@
 #include "base/parallel.hpp"
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::node_masses_test {
 namespace {
 
 std::vector<double> masses(const Scene& scene) { return node_masses(scene.model, element_sizes(scene.model)); }
@@ -93,4 +93,4 @@ TEST(NodeMasses, AnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::node_masses_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::node_slots_test {
 namespace {
 
 TEST(NodeSlots, OfAllNodesTheSlotIsThePosition) {
@@ -28,4 +28,4 @@ TEST(NodeSlots, FewIsASixteenthOfTheMesh) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::node_slots_test

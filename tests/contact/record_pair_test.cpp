@@ -4,7 +4,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::record_pair_test {
 namespace {
 
 /// Two plates, 0.5 apart, of thickness 1.
@@ -57,4 +57,4 @@ TEST(RecordPair, NothingForRecordsOfOtherSurfaces) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::record_pair_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::release_test {
 namespace {
 
 double depth(const std::string& keyword, const ReleasePair& pair, model::Contact c = {}, model::Controls controls = {}) {
@@ -53,4 +53,4 @@ TEST(Release, XpeneCountsTheSegmentsThickness) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::release_test

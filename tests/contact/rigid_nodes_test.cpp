@@ -4,7 +4,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::rigid_nodes_test {
 namespace {
 
 TEST(RigidNodes, PartsBeforeGroupsAndTheFirstOfSeveral) {
@@ -30,4 +30,4 @@ TEST(RigidNodes, PartsBeforeGroupsAndTheFirstOfSeveral) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::rigid_nodes_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::rigid_wall_test {
 namespace {
 
 using Shape = model::RigidWall::Shape;
@@ -72,4 +72,4 @@ TEST(RigidWall, Sphere) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::rigid_wall_test

@@ -4,7 +4,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::same_surface_test {
 namespace {
 
 /// Parts 1 and 2; part sets 1 = {1}, 2 = {2, 1}, 3 = {}; node sets 1 = {n0, n1}, 2 = {n1, n0}.
@@ -50,4 +50,4 @@ TEST(SameSurface, NothingIsNotTheSame) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::same_surface_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::search_test {
 namespace {
 
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
@@ -150,4 +150,4 @@ TEST(Search, DenseSpotsInAWideModel) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::search_test

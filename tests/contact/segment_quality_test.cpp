@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::segment_quality_test {
 namespace {
 
 SegmentQuality quality(const std::vector<Vector>& x, bool triangle = false) {
@@ -103,4 +103,4 @@ TEST(SolidQuality, CollapsedForms) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::segment_quality_test

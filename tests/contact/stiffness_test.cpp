@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::stiffness_test {
 namespace {
 
 TEST(Stiffness, ModulusIsBulkAndMembraneForFabric) {
@@ -68,4 +68,4 @@ TEST(Stiffness, SoftOneIsStableAtItsStep) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::stiffness_test

@@ -11,7 +11,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::stress_test {
 namespace {
 
 /// A model as lists that a test can shuffle before it is built.
@@ -245,4 +245,4 @@ TEST(StressInitial, OneBitDecides) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::stress_test

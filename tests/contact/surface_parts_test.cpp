@@ -4,7 +4,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::surface_parts_test {
 namespace {
 
 Segments segments_of(const model::Model& model) {
@@ -83,4 +83,4 @@ TEST(SurfaceParts, WholePartsHaveNoBox) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::surface_parts_test

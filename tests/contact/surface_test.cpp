@@ -6,7 +6,7 @@
 #include "contact/segment_elements.hpp"
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::surface_test {
 namespace {
 
 const ContactType single{.code = "13", .treatment = Treatment::single_surface, .family = Family::automatic, .not_checked = {}};
@@ -158,4 +158,4 @@ TEST(Surface, NodeSetsLookAtAllElements) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::surface_test

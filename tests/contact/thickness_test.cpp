@@ -4,7 +4,7 @@
 
 #include <tuple>
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::thickness_test {
 namespace {
 
 TEST(Thickness, PartContactThenCardThenGlobalThenElement) {
@@ -108,4 +108,4 @@ TEST(Thickness, ElementValueGoesBeforeSectionAndIsAveraged) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::thickness_test

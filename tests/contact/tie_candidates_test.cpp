@@ -9,7 +9,7 @@
 #include "reference/tie_reference.hpp"
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::tie_candidates_test {
 namespace {
 
 using Random = std::mt19937_64;
@@ -203,4 +203,4 @@ TEST(TieCandidates, EquallyNearSegmentsGiveTheFirst) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::tie_candidates_test

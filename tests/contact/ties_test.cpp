@@ -8,7 +8,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::ties_test {
 namespace {
 
 TEST(Ties, DistanceByTheFormulas) {
@@ -260,4 +260,4 @@ TEST(Ties, HostileNumbersHurtNobodyElse) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::ties_test

@@ -4,7 +4,7 @@
 
 #include "scene.hpp"
 
-namespace gapcheck::contact {
+namespace gapcheck::contact::transducers_test {
 namespace {
 
 /// A row of five shells; sides are runs of shells, or nodes.
@@ -59,4 +59,4 @@ TEST(Transducers, MoreThanAreCompared) {
 }
 
 }  // namespace
-}  // namespace gapcheck::contact
+}  // namespace gapcheck::contact::transducers_test

@@ -8,7 +8,7 @@
 #include "geometry/view.hpp"
 #include "reference.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::certificate_test {
 namespace {
 
 /// Every proof about every point of a facet must be true, also with a poor point and with corners that are off by what
@@ -94,4 +94,4 @@ TEST(Certificate, NearestMeansNearest) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::certificate_test

@@ -9,7 +9,7 @@
 #include "geometry/exact.hpp"
 #include "reference.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::closest_point_test {
 namespace {
 
 const Facet square{{Vector(-1, -1, 0), Vector(1, -1, 0), Vector(1, 1, 0), Vector(-1, 1, 0)}, false};
@@ -273,4 +273,4 @@ TEST(ClosestPointOnLine, ClosedForms) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::closest_point_test

@@ -11,7 +11,7 @@
 #include "geometry/exact.hpp"
 #include "reference.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::decide_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -271,4 +271,4 @@ TEST(SideOfPlane, SignOfTheDeterminant) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::decide_test

@@ -12,7 +12,7 @@
 #include "geometry/view.hpp"
 #include "reference.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::enclosure_test {
 namespace {
 
 class EnclosureFamilies : public testing::TestWithParam<Family> {};
@@ -95,4 +95,4 @@ TEST(Enclosure, NothingIsProvenOfWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::enclosure_test

@@ -8,7 +8,7 @@
 #include "families.hpp"
 #include "reference.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::exact_test {
 namespace {
 
 TEST(Exact, TrianglesAndSegmentsAgreeWithRationals) {
@@ -89,4 +89,4 @@ TEST(Exact, Orientation) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::exact_test

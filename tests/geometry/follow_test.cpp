@@ -10,7 +10,7 @@
 #include "families.hpp"
 #include "geometry/decide.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::follow_test {
 namespace {
 
 /// Pairs of one family with a start near their closest point.
@@ -121,4 +121,4 @@ TEST(Follow, NumbersThatAreNoneNeverSettle) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::follow_test

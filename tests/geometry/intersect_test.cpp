@@ -11,7 +11,7 @@
 
 #include "families.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::intersect_test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -343,4 +343,4 @@ TEST(Intersect, CountsEachAnswerOnce) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::intersect_test

@@ -11,7 +11,7 @@
 #include "families.hpp"
 #include "geometry/decide.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::pair_batch_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -188,4 +188,4 @@ TEST(PairBatch, AnEmptyBatchIsNothing) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::pair_batch_test

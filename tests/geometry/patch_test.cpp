@@ -7,7 +7,7 @@
 #include "families.hpp"
 #include "geometry/view.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::patch_test {
 namespace {
 
 TEST(Patch, BothFormsGiveTheSamePoints) {
@@ -61,4 +61,4 @@ TEST(Patch, TheQuickProjectionIsExactOnFlatQuads) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::patch_test

@@ -11,7 +11,7 @@
 #include "geometry/view.hpp"
 #include "reference.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::precise_test {
 namespace {
 
 mpq_class value_of(const DoubleDouble<double>& a) { return mpq_class(a.high) + mpq_class(a.low); }
@@ -83,4 +83,4 @@ TEST(Precise, NeverProvesWhatIsFalse) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::precise_test

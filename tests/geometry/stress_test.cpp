@@ -19,7 +19,7 @@
 #include "geometry/view.hpp"
 #include "whole_numbers.hpp"
 
-namespace gapcheck::geometry::test {
+namespace gapcheck::geometry::test::stress_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -268,4 +268,4 @@ TEST(WholeNumbers, DistancesByHand) {
 }
 
 }  // namespace
-}  // namespace gapcheck::geometry::test
+}  // namespace gapcheck::geometry::test::stress_test

@@ -4,7 +4,7 @@
 
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::card_test {
 namespace {
 
 TEST(Card, FixedColumns) {
@@ -266,4 +266,4 @@ TEST(Card, RandomCardsInEveryFormat) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::card_test

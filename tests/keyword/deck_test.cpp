@@ -4,7 +4,7 @@
 
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::deck_test {
 namespace {
 
 TEST(Deck, BlocksWithNamesLinesAndBodies) {
@@ -137,4 +137,4 @@ TEST(Deck, RandomTextNeverCrashes) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::deck_test

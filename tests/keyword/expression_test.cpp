@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::expression_test {
 namespace {
 
 Result<double> names(std::string_view name) {
@@ -131,4 +131,4 @@ TEST(Expression, RandomTextNeverHangsOrCrashes) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::expression_test

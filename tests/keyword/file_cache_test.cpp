@@ -2,7 +2,7 @@
 
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::file_cache_test {
 namespace {
 
 TEST(FileCache, DecksShareTheirIncludes) {
@@ -72,4 +72,4 @@ TEST(FileCache, WhatCannotBeOpenedIsTriedAgain) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::file_cache_test

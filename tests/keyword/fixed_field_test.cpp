@@ -11,7 +11,7 @@
 
 #include "base/number.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::fixed_field_test {
 namespace {
 
 /// A field between bytes that are no part of it.
@@ -213,4 +213,4 @@ TEST(FixedField, RandomRealsAreThoseOfStrtod) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::fixed_field_test

@@ -2,7 +2,7 @@
 
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::includes_test {
 namespace {
 
 class Includes : public testing::Test {
@@ -178,4 +178,4 @@ TEST_F(Includes, AutoOffset) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::includes_test

@@ -15,7 +15,7 @@ namespace gapcheck::embedded {
 extern const std::span<const Text> keyword_layouts;
 }
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::layout_test {
 namespace {
 
 const Field& field(std::string_view keyword, std::string_view card, std::string_view name) {
@@ -200,4 +200,4 @@ TEST(Layout, FirstUseFromManyThreads) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::layout_test

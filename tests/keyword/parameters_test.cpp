@@ -5,7 +5,7 @@
 
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::parameters_test {
 namespace {
 
 double number(const ParameterValue* value) {
@@ -128,4 +128,4 @@ TEST(Parameters, FaultsAreReportedWithTheirLine) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::parameters_test

@@ -5,7 +5,7 @@
 #include "keyword/rows.hpp"
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::real_decks_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST(RealDecks, NodesAndShellsReadWithoutReports) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::real_decks_test

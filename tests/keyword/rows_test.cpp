@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::rows_test {
 namespace {
 
 /// The slow twin: every row through Card.
@@ -252,4 +252,4 @@ TEST(Rows, IdsTakeTheOffsetsOfTheirInclude) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::rows_test

@@ -6,7 +6,7 @@
 #include "base/parallel.hpp"
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::scan_test {
 namespace {
 
 /// The slow twin: one line after the other.
@@ -69,4 +69,4 @@ TEST(Scan, TextOfADirective) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::scan_test

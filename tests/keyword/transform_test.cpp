@@ -6,7 +6,7 @@
 
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::transform_test {
 namespace {
 
 /// What the *DEFINE_TRANSFORMATION rows make of an included file.
@@ -124,4 +124,4 @@ TEST_F(Transforms, NestedOnesCompose) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::transform_test

@@ -5,7 +5,7 @@
 #include "base/number.hpp"
 #include "support.hpp"
 
-namespace gapcheck::keyword {
+namespace gapcheck::keyword::write_back_test {
 namespace {
 
 CardLayout node_layout() {
@@ -105,4 +105,4 @@ TEST(WithLines, ChangesNothingElse) {
 }
 
 }  // namespace
-}  // namespace gapcheck::keyword
+}  // namespace gapcheck::keyword::write_back_test

@@ -4,7 +4,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::boundary_test {
 namespace {
 
 TEST(Boundary, CodesOfFreedoms) {
@@ -121,4 +121,4 @@ TEST(Boundary, IncludesChangeUnitsAndIds) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::boundary_test

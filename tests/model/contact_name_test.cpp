@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gapcheck::model {
+namespace gapcheck::model::contact_name_test {
 namespace {
 
 TEST(ContactName, OptionsInAnyOrder) {
@@ -64,4 +64,4 @@ TEST(ContactName, CardsOfTheType) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::contact_name_test

@@ -5,7 +5,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::contact_test {
 namespace {
 
 const std::string cards_1_to_3 =
@@ -383,4 +383,4 @@ TEST(Controls, DefaultsAndValues) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::contact_test

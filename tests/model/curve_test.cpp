@@ -2,7 +2,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::curve_test {
 namespace {
 
 TEST(Curves, OffsetsAndScales) {
@@ -54,4 +54,4 @@ TEST(Tables, FaultsAreTold) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::curve_test

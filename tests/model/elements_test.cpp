@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::elements_test {
 namespace {
 
 std::string start(int nodes = 20) { return nodes_text(nodes) + part_text; }
@@ -280,4 +280,4 @@ TEST(Elements, FilesOfManyBlocksAreKept) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::elements_test

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-namespace gapcheck::model {
+namespace gapcheck::model::faces_test {
 namespace {
 
 std::array<NodeIndex, 8> nodes(std::array<std::uint32_t, 8> numbers) {
@@ -77,4 +77,4 @@ TEST(ExteriorFaces, AgreeWithCountingEveryFace) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::faces_test

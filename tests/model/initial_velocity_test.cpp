@@ -2,7 +2,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::initial_velocity_test {
 namespace {
 
 using Kind = InitialVelocity::Kind;
@@ -55,4 +55,4 @@ TEST(InitialVelocity, NodesBodiesAndGeneration) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::initial_velocity_test

@@ -4,7 +4,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::links_test {
 namespace {
 
 /// The links of a deck, and what was said while they were read.
@@ -99,4 +99,4 @@ TEST(Links, Keywords) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::links_test

@@ -4,7 +4,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::loads_test {
 namespace {
 
 TEST(Loads, ConcentratedLoads) {
@@ -112,4 +112,4 @@ TEST(Loads, HourglassAndSteps) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::loads_test

@@ -6,7 +6,7 @@
 #include "model/erase.hpp"
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::mesh_test {
 namespace {
 
 TEST(Origins, GivesTheFileOfEachRange) {
@@ -139,4 +139,4 @@ TEST(Nodes, BadIdsAreErrors) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::mesh_test

@@ -4,7 +4,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::model_test {
 namespace {
 
 TEST(Model, SkippedKeywordsAreCounted) {
@@ -169,4 +169,4 @@ TEST(Transform, MovesIdsLengthsAndPlaces) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::model_test

@@ -4,7 +4,7 @@
 
 #include "model/contact_name.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::nearest_contact_name_test {
 namespace {
 
 TEST(NearestContactName, LettersWordsAndOrder) {
@@ -38,4 +38,4 @@ TEST(NearestContactName, KnownNamesAreKnown) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::nearest_contact_name_test

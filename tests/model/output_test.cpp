@@ -2,7 +2,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::output_test {
 namespace {
 
 TEST(Output, IntervalsAndTitle) {
@@ -67,4 +67,4 @@ TEST(Output, IncludeTransforms) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::output_test

@@ -5,7 +5,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::part_test {
 namespace {
 
 const std::string shell_text = "*ELEMENT_SHELL\n1,1,1,2,3,4\n";
@@ -288,4 +288,4 @@ TEST(Materials, SpringsAndDampers) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::part_test

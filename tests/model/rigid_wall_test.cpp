@@ -3,7 +3,7 @@
 #include "model/node_references.hpp"
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::rigid_wall_test {
 namespace {
 
 using Shape = RigidWall::Shape;
@@ -117,4 +117,4 @@ TEST(NodeReferences, FieldsOfKnownKeywordsAndRowsOfConstraints) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::rigid_wall_test

@@ -5,7 +5,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::sets_test {
 namespace {
 
 using Ids = std::vector<std::int64_t>;
@@ -205,4 +205,4 @@ TEST(Boxes, GlobalAndLocal) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::sets_test

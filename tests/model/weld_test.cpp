@@ -2,7 +2,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::model {
+namespace gapcheck::model::weld_test {
 namespace {
 
 TEST(Welds, SpotWeld) {
@@ -53,4 +53,4 @@ TEST(Welds, WhatIsNotThereIsNamed) {
 }
 
 }  // namespace
-}  // namespace gapcheck::model
+}  // namespace gapcheck::model::weld_test

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace gapcheck {
+namespace gapcheck::penetration_test {
 namespace {
 
 template <class Enum>
@@ -37,4 +37,4 @@ TEST(Penetration, RemainingIsWhatIsLeftOfTheContactDistance) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::penetration_test

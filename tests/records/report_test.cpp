@@ -5,7 +5,7 @@
 #include <array>
 #include <type_traits>
 
-namespace gapcheck {
+namespace gapcheck::report_test {
 namespace {
 
 TEST(Report, AMillionRecordsStaySmall) {
@@ -43,4 +43,4 @@ TEST(Report, StartsEmpty) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::report_test

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace gapcheck {
+namespace gapcheck::thickness_source_test {
 namespace {
 
 TEST(ThicknessSource, EveryRuleHasItsOwnWords) {
@@ -16,4 +16,4 @@ TEST(ThicknessSource, EveryRuleHasItsOwnWords) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::thickness_source_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gapcheck::report {
+namespace gapcheck::report::base64_test {
 namespace {
 
 std::string encoded(std::string_view bytes) {
@@ -30,4 +30,4 @@ TEST(Base64, TakesEveryByteAndAppends) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::base64_test

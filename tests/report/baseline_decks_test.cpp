@@ -11,7 +11,7 @@
 #include "audit/run.hpp"
 #include "report/baseline.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::baseline_decks_test {
 namespace {
 
 using enum BaselineState;
@@ -115,4 +115,4 @@ TEST(BaselineOfDecks, APlateThatMovesDeeper) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::baseline_decks_test

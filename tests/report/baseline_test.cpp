@@ -11,7 +11,7 @@
 #include "report/writers.hpp"
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::baseline_test {
 namespace {
 
 using enum BaselineState;
@@ -375,4 +375,4 @@ TEST(Baseline, KnownFindingsPassInJunit) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::baseline_test

@@ -14,7 +14,7 @@
 #include "report/describe_tie.hpp"
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::check_c_test {
 namespace {
 
 TieFailure tie(std::uint32_t contact, std::int64_t node, TieReason reason, double distance = -1) {
@@ -273,4 +273,4 @@ TEST(ContactKeyword, CodesAndKeywords) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::check_c_test

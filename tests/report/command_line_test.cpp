@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-namespace gapcheck {
+namespace gapcheck::command_line_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -253,4 +253,4 @@ TEST_F(CommandLine, ABaselineThatCannotBeReadOrWrittenGivesTwo) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::command_line_test

@@ -9,7 +9,7 @@
 
 #include "report/compare.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::compare_curves_test {
 namespace {
 
 Curve curve(const std::string& name, std::vector<double> times, std::vector<double> values) {
@@ -147,4 +147,4 @@ the two differ, 0 nodes agree, 1 curve agrees
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::compare_curves_test

@@ -11,7 +11,7 @@
 
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::compare_test {
 namespace {
 
 Penetration record(std::uint32_t contact, std::int64_t node, double depth) {
@@ -210,4 +210,4 @@ TEST(Compare, Json) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::compare_test

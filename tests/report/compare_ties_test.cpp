@@ -5,7 +5,7 @@
 #include "report/compare.hpp"
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::compare_ties_test {
 namespace {
 
 TieFailure failure(std::int64_t node, TieReason reason) {
@@ -106,4 +106,4 @@ the two differ, 0 nodes agree
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::compare_ties_test

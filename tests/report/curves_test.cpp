@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gapcheck::report {
+namespace gapcheck::report::curves_test {
 namespace {
 
 const Curve* named(const std::vector<Curve>& list, const std::string& name) {
@@ -65,4 +65,4 @@ TEST(Curves, ValuesThatAreNoNumbersAreCounted) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::curves_test

@@ -6,7 +6,7 @@
 
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::describe_test {
 namespace {
 
 std::string message(const Penetration& record) {
@@ -66,4 +66,4 @@ TEST(Describe, MessagesNeedNoEscapes) {
 TEST(Describe, PrintableKeepsTextAndReplacesControls) { EXPECT_EQ(printable("Tür\tA\x1b[0m\x7f"), "Tür?A?[0m?"); }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::describe_test

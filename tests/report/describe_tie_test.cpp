@@ -4,7 +4,7 @@
 
 #include "report/writers.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::describe_tie_test {
 namespace {
 
 TieFailure far_node() {
@@ -56,4 +56,4 @@ TEST(DescribeTie, TheTieDistanceIsShownWhereItIsKnown) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::describe_tie_test

@@ -14,7 +14,7 @@
 #include "report/exports_groups.hpp"
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::exports_test {
 namespace {
 
 std::optional<Vector> nowhere(std::int64_t) { return std::nullopt; }
@@ -346,4 +346,4 @@ TEST(MedinaProtocol, NumbersNewNodes) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::exports_test

@@ -8,7 +8,7 @@
 
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::finding_grid_test {
 namespace {
 
 std::optional<Vector> nowhere(std::int64_t) { return std::nullopt; }
@@ -140,4 +140,4 @@ TEST(FindingGrid, ArraysAreAsLongAsTheGrid) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::finding_grid_test

@@ -8,7 +8,7 @@
 
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::fingerprint_test {
 namespace {
 
 Penetration at(double x, double y, double z) {
@@ -97,4 +97,4 @@ TEST(Fingerprint, PlacesOfOtherThingsAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::fingerprint_test

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace gapcheck::report {
+namespace gapcheck::report::fix_report_test {
 namespace {
 
 FixReport sample() {
@@ -91,4 +91,4 @@ TEST(FixReport, AnEmptyReportIsComplete) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::fix_report_test

@@ -12,7 +12,7 @@
 #include "report/writers.hpp"
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::formats_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -301,4 +301,4 @@ TEST(Items, GroupsHoldEveryFindingOnce) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::formats_test

@@ -13,7 +13,7 @@
 #include "report/html_data.hpp"
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::html_test {
 namespace {
 
 HtmlOptions options() {
@@ -260,4 +260,4 @@ TEST(Html, IsTheSameEachTime) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::html_test

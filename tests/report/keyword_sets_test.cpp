@@ -12,7 +12,7 @@
 #include "report/exports.hpp"
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::keyword_sets_test {
 namespace {
 
 using Segment = std::array<std::int64_t, 4>;
@@ -225,4 +225,4 @@ TEST(KeywordSets, EmptyReport) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::keyword_sets_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace gapcheck::report {
+namespace gapcheck::report::nearest_points_test {
 namespace {
 
 using Found = std::vector<std::pair<double, std::uint32_t>>;
@@ -44,4 +44,4 @@ TEST(NearestPoints, ManyInOnePlace) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::nearest_points_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <regex>
 
-namespace gapcheck::report {
+namespace gapcheck::report::plot_svg_test {
 namespace {
 
 /// Coordinates of the points of each line.
@@ -80,4 +80,4 @@ TEST(PlotSvg, AnyRange) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::plot_svg_test

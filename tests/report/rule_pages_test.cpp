@@ -9,7 +9,7 @@
 #include "audit/registry.hpp"
 #include "report/describe_tie.hpp"
 
-namespace gapcheck {
+namespace gapcheck::rule_pages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,4 +99,4 @@ TEST(Registry, AgreesWithTheWriters) {
 }
 
 }  // namespace
-}  // namespace gapcheck
+}  // namespace gapcheck::rule_pages_test

@@ -7,7 +7,7 @@
 
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::sums_test {
 namespace {
 
 /// The slow twin: every pair of parts asks all records.
@@ -73,4 +73,4 @@ TEST(Sums, RecordsOfAContactAreAllOfThem) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::sums_test

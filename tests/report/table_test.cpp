@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gapcheck::report {
+namespace gapcheck::report::table_test {
 namespace {
 
 constexpr std::array columns{Column{"id"}, Column{"name", Align::left}, Column{"x"}};
@@ -35,4 +35,4 @@ TEST(Table, NoRowsAndEmptyCells) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::table_test

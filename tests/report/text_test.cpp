@@ -8,7 +8,7 @@
 #include "report/writers.hpp"
 #include "sample.hpp"
 
-namespace gapcheck::report {
+namespace gapcheck::report::text_test {
 namespace {
 
 std::size_t lines_with(const std::string& text, const std::string& part) {
@@ -142,4 +142,4 @@ TEST(Totals, CountEveryRecordAndFinding) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::text_test

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-namespace gapcheck::report {
+namespace gapcheck::report::vtu_test {
 namespace {
 
 /// Decodes the data of one array; the length in front must be that of the rest.
@@ -121,4 +121,4 @@ TEST(Vtu, Collection) {
 }
 
 }  // namespace
-}  // namespace gapcheck::report
+}  // namespace gapcheck::report::vtu_test

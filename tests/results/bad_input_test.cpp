@@ -10,7 +10,7 @@
 #include "read.hpp"
 #include "results/write_messag.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::bad_input_test {
 namespace {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -182,4 +182,4 @@ TEST(BadInput, Mutations) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::bad_input_test

@@ -6,7 +6,7 @@
 #include "results/contact_forces.hpp"
 #include "said.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::contact_forces_read_test {
 namespace {
 
 const std::string old_rcforc =
@@ -175,4 +175,4 @@ TEST(ReadRcforc, RealRun) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::contact_forces_read_test

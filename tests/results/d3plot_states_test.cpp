@@ -13,7 +13,7 @@
 #include "d3plot_sample.hpp"
 #include "results/d3plot_write.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::d3plot_states_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -354,4 +354,4 @@ TEST(RealD3plot, StatesOfShells) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::d3plot_states_test

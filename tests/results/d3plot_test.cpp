@@ -15,7 +15,7 @@
 
 #include "d3plot_sample.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::d3plot_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -418,4 +418,4 @@ TEST(D3plot, TiedPlateIsItsDeck) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::d3plot_test

@@ -7,7 +7,7 @@
 #include "read.hpp"
 #include "said.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::glstat_test {
 namespace {
 
 std::string two_states() {
@@ -76,4 +76,4 @@ TEST(ReadGlstat, RealRun) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::glstat_test

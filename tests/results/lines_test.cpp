@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace gapcheck::results {
+namespace gapcheck::results::lines_test {
 namespace {
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -100,4 +100,4 @@ TEST(Lines, ManyCarriageReturnsAreLinear) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::lines_test

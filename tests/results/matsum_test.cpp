@@ -5,7 +5,7 @@
 #include "read.hpp"
 #include "said.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::matsum_test {
 namespace {
 
 std::string two_states() {
@@ -81,4 +81,4 @@ TEST(ReadMatsum, RealRun) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::matsum_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gapcheck::results {
+namespace gapcheck::results::message_block_test {
 namespace {
 
 MessageBlock block_of(const std::string& text, std::string* next = nullptr) {
@@ -134,4 +134,4 @@ TEST(MessageBlock, HashLooksAtTheWholeText) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::message_block_test

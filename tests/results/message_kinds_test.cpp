@@ -10,7 +10,7 @@ namespace gapcheck::embedded {
 extern const std::span<const Text> message_kinds;
 }
 
-namespace gapcheck::results {
+namespace gapcheck::results::message_kinds_test {
 namespace {
 
 /// Name of the kind of a block with this header rest and text; "" where there is none.
@@ -103,4 +103,4 @@ TEST(MessageKinds, LabelsOfAnEntryAndOfAll) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::message_kinds_test

@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-namespace gapcheck::results {
+namespace gapcheck::results::message_log_test {
 namespace {
 
 void add(MessageLog& log, std::int64_t code, std::uint64_t text, std::uint32_t file, std::uint32_t line = 1) {
@@ -64,4 +64,4 @@ TEST(MessageLog, BlocksOfAFile) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::message_log_test

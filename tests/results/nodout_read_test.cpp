@@ -5,7 +5,7 @@
 #include "results/nodout.hpp"
 #include "said.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::nodout_read_test {
 namespace {
 
 // Values that touch, three-digit exponents, i9 and i10 for the node.
@@ -105,4 +105,4 @@ TEST(ReadNodout, ALegendWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::nodout_read_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace gapcheck::results {
+namespace gapcheck::results::printed_number_test {
 namespace {
 
 std::vector<std::string> tokens(std::string_view text) {
@@ -59,4 +59,4 @@ TEST(PrintedNumber, FieldsOfAFormatThatTouch) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::printed_number_test

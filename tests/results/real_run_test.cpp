@@ -6,7 +6,7 @@
 
 #include "read.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::real_run_test {
 namespace {
 
 const std::string folder = std::string(GAPCHECK_ROOT) + "/../shared/decks/tied_plate_with_run/";
@@ -114,4 +114,4 @@ TEST_F(RealRun, EveryTruncationOfMessagIsSurvived) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::real_run_test

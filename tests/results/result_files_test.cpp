@@ -10,7 +10,7 @@
 #include "results/matsum.hpp"
 #include "results/nodout.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::result_files_test {
 namespace {
 
 const FileHeader header{"Bolted Connection Type b", "gapcheck 0.1.0"};
@@ -240,4 +240,4 @@ TEST(FileHeaders, TitlesCannotBreakLines) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::result_files_test

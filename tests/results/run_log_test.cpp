@@ -5,7 +5,7 @@
 #include "results/solver_log.hpp"
 #include "results/write_messag.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::run_log_test {
 namespace {
 
 const FileHeader header{"two plates", "gapcheck 0.1.0"};
@@ -121,4 +121,4 @@ TEST(RunLog, AnErrorIsReadBack) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::run_log_test

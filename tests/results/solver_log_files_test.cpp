@@ -11,7 +11,7 @@
 #include "read.hpp"
 #include "results/write_messag.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::solver_log_files_test {
 namespace {
 
 /// Records spread over ranks, with repeats, against a set.
@@ -141,4 +141,4 @@ TEST(SolverLogFiles, FilesThatCannotBeOpened) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::solver_log_files_test

@@ -9,7 +9,7 @@
 #include "fixtures.hpp"
 #include "read.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::solver_log_test {
 namespace {
 
 TEST(SolverLog, PenetrationRecordsOfSmp) {
@@ -380,4 +380,4 @@ TEST(SolverLog, MessagesOfAUser) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::solver_log_test

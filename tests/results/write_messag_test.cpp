@@ -9,7 +9,7 @@
 #include "fixtures.hpp"
 #include "read.hpp"
 
-namespace gapcheck::results {
+namespace gapcheck::results::write_messag_test {
 namespace {
 
 /// The value that five printed digits stand for.
@@ -130,4 +130,4 @@ TEST(WriteMessag, OtherKindsAreNotListed) {
 }
 
 }  // namespace
-}  // namespace gapcheck::results
+}  // namespace gapcheck::results::write_messag_test

@@ -6,7 +6,7 @@
 #include "base/parallel.hpp"
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::beam_test {
 namespace {
 
 constexpr double young = 1000, poisson = 0.25, shear = 400, density = 2;
@@ -340,4 +340,4 @@ TEST(BeamElements, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::beam_test

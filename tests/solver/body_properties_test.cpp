@@ -2,7 +2,7 @@
 
 #include "conditioned.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::body_properties_test {
 namespace {
 
 const std::string inertia_part =
@@ -94,4 +94,4 @@ TEST(BodyProperties, ContradictionsAreFailures) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::body_properties_test

@@ -2,7 +2,7 @@
 
 #include "conditioned.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::boundary_test {
 namespace {
 
 TEST(Boundary, HoldsFreedomsOfNodesAndSets) {
@@ -50,4 +50,4 @@ TEST(Boundary, WhatIsNotCalculatedIsAFailure) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::boundary_test

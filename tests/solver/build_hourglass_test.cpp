@@ -4,7 +4,7 @@
 
 #include "../model/read.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::build_hourglass_test {
 namespace {
 
 ElementControl control_of(const std::string& cards, std::size_t* warnings = nullptr) {
@@ -45,4 +45,4 @@ TEST(BuildHourglass, OtherTypesAreTheNearestWithAWarning) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::build_hourglass_test

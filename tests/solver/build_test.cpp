@@ -5,7 +5,7 @@
 #include "contact/element_timestep.hpp"
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::build_test {
 namespace {
 
 double total_mass(const Structure& structure) {
@@ -180,4 +180,4 @@ TEST(Build, OtherElementsAreNamed) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::build_test

@@ -5,7 +5,7 @@
 #include "base/parallel.hpp"
 #include "run_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::constraint_contact_test {
 namespace {
 
 constexpr double thickness = 0.1;
@@ -235,4 +235,4 @@ TEST(ConstraintContact, RigidBodiesAreRefused) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::constraint_contact_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::constraint_solve_test {
 namespace {
 
 struct Scene {
@@ -152,4 +152,4 @@ TEST(ConstraintSolve, HostileInput) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::constraint_solve_test

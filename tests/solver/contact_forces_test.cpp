@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "contact_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::contact_forces_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -448,4 +448,4 @@ TEST(ContactForces, PartsAtRestSleep) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::contact_forces_test

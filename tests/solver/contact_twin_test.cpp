@@ -8,7 +8,7 @@
 
 #include "contact_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::contact_twin_test {
 namespace {
 
 using Start = ContactTwin::Start;
@@ -210,4 +210,4 @@ INSTANTIATE_TEST_SUITE_P(All, Twin,
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::contact_twin_test

@@ -5,7 +5,7 @@
 
 #include "run_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::contact_types_test {
 namespace {
 
 enum class Way : std::uint8_t { one, two, single };
@@ -100,4 +100,4 @@ INSTANTIATE_TEST_SUITE_P(All, ContactTypes,
                          [](const auto& one) { return std::string(one.param.code); });
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::contact_types_test

@@ -20,7 +20,7 @@
 #include "solver/tie_constraints.hpp"
 #include "solver/tie_forces.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::cycle_zero_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -237,4 +237,4 @@ INSTANTIATE_TEST_SUITE_P(CycleZero, RealDeck,
                          test_name);
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::cycle_zero_test

@@ -12,7 +12,7 @@
 #include "contact_scene.hpp"
 #include "edge_twin.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::edge_pass_test {
 namespace {
 
 const std::string elastic = "*MAT_ELASTIC\n1,1.,1000.,0.25\n";
@@ -431,4 +431,4 @@ TEST(EdgePass, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::edge_pass_test

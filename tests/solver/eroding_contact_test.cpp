@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "run_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::eroding_contact_test {
 namespace {
 
 RunSettings until(double time, double step = 0) {
@@ -270,4 +270,4 @@ TEST(ErodingContact, BirdBall) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::eroding_contact_test

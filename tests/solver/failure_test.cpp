@@ -3,7 +3,7 @@
 #include "run_scene.hpp"
 #include "solver/run_states.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::failure_test {
 namespace {
 
 RunSettings cycles(std::uint64_t count) {
@@ -142,4 +142,4 @@ TEST(Failure, LastStepGoesOnWhenAllHaveFailed) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::failure_test

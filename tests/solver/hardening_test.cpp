@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::hardening_test {
 namespace {
 
 TEST(YieldCurve, InterpolatesAndGoesOn) {
@@ -56,4 +56,4 @@ TEST(RateScale, CowperSymonds) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::hardening_test

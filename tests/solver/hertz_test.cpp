@@ -6,7 +6,7 @@
 
 #include "run_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::hertz_test {
 namespace {
 
 constexpr double poisson = 0.3, reach = 0.06;  // E = ρ = R = 1; how far the ball is pressed
@@ -77,4 +77,4 @@ TEST(Hertz, BallOnARigidPlate) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::hertz_test

@@ -6,7 +6,7 @@
 
 #include "run_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::hostile_test {
 namespace {
 
 /// What a test changes of a deck that makes sense: two shells, one thrown at the other.
@@ -191,4 +191,4 @@ TEST(HostileContact, OneElementWithItself) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::hostile_test

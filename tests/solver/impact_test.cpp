@@ -7,7 +7,7 @@
 
 #include "run_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::impact_test {
 namespace {
 
 // Rods of length 4 and ν = 0: c = √(E/ρ) = 10.
@@ -227,4 +227,4 @@ INSTANTIATE_TEST_SUITE_P(All, LongImpacts,
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::impact_test

@@ -2,7 +2,7 @@
 
 #include "conditioned.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::initial_velocity_test {
 namespace {
 
 const std::string sheet = plate(2, 1, {1, 1, 0}) + elastic_deck(shell_section, 1000, 0.3, 7);
@@ -93,4 +93,4 @@ TEST(InitialVelocity, WhatIsMissingIsAFailure) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::initial_velocity_test

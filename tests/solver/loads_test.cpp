@@ -6,7 +6,7 @@
 
 #include "conditioned.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::loads_test {
 namespace {
 
 const std::string one = "*DEFINE_CURVE\n5\n0.,1.\n1.,1.\n";
@@ -164,4 +164,4 @@ TEST(Loads, WhatCannotBeIsAFailure) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::loads_test

@@ -4,7 +4,7 @@
 
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::mass_scaling_test {
 namespace {
 
 double total_mass(const Structure& structure) {
@@ -60,4 +60,4 @@ TEST(MassScaling, PositiveScalesAll) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::mass_scaling_test

@@ -4,7 +4,7 @@
 
 #include "solver/material.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::material_anisotropic_test {
 namespace {
 
 constexpr double young = 210000, poisson = 0.3, yield = 300, slope = 5000;
@@ -145,4 +145,4 @@ TEST(RateTable, ShearAtARate) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::material_anisotropic_test

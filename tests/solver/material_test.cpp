@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::material_test {
 namespace {
 
 constexpr double young = 210000, poisson = 0.3, yield = 300, tangent = 10000;
@@ -181,4 +181,4 @@ TEST(Tensor, SpinRotationIsARotation) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::material_test

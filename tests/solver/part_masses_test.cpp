@@ -5,7 +5,7 @@
 #include "solver/plot.hpp"
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::part_masses_test {
 namespace {
 
 // Two parts that share an edge; the sum over the parts is that of the nodes.
@@ -37,4 +37,4 @@ TEST(PartMasses, HostileElementsCountNothing) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::part_masses_test

@@ -8,7 +8,7 @@
 #include "contact/stiffness.hpp"
 #include "run_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::penalty_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -141,4 +141,4 @@ TEST(Penalty, CoatOfSolids) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::penalty_test

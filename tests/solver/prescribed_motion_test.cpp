@@ -4,7 +4,7 @@
 
 #include "conditioned.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::prescribed_motion_test {
 namespace {
 
 const std::string bent_curve = "*DEFINE_CURVE\n5,0,1.,1.,0.,0.\n0.,0.\n0.3,2.\n0.7,-1.\n1.,4.\n";
@@ -130,4 +130,4 @@ TEST(PrescribedMotion, ContradictionsAreFailures) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::prescribed_motion_test

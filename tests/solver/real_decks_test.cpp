@@ -7,7 +7,7 @@
 #include "conditioned.hpp"
 #include "solver/supported.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::real_decks_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ TEST_F(RealConditions, Car) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::real_decks_test

@@ -5,7 +5,7 @@
 #include "solver/mass_points.hpp"
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::rigid_bodies_test {
 namespace {
 
 const std::string rigid_material = "*MAT_RIGID\n1,3.,1000.,0.3\n";
@@ -101,4 +101,4 @@ TEST(RigidBodies, ShareNodesWithElements) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::rigid_bodies_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::rigid_body_test {
 namespace {
 
 /// Point masses with the principal inertias 1, 2 and 2.5 about x, y, z.
@@ -71,4 +71,4 @@ TEST(RigidBody, ForceTorqueAndHeldDirections) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::rigid_body_test

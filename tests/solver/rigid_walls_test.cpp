@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::rigid_walls_test {
 namespace {
 
 /// A stepper with the walls of a deck; the deck's masses fly with the given velocity.
@@ -266,4 +266,4 @@ TEST(RigidWalls, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::rigid_walls_test

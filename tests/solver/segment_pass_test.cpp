@@ -12,7 +12,7 @@
 #include "keyword/deck.hpp"
 #include "run_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::segment_pass_test {
 namespace {
 
 const std::string elastic = "*SECTION_SHELL\n1,2\n0.04\n*MAT_ELASTIC\n1,1.,1000.,0.3\n*SET_PART_LIST\n1\n1,2\n";
@@ -419,4 +419,4 @@ TEST(SegmentPass, NamesWhatIsNotCalculated) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::segment_pass_test

@@ -9,7 +9,7 @@
 
 #include "shell_stiffness.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::shell_test {
 namespace {
 
 constexpr double young = 1000, poisson = 0.3, thickness = 0.2;
@@ -361,4 +361,4 @@ TEST(Shell, BadShapesAreTold) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::shell_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::solid_test {
 namespace {
 
 using Kernel = SolidForces (*)(const SolidProperties&, const SolidCorners&, double, SolidState&, PointState&);
@@ -286,4 +286,4 @@ TEST(Solid, TurnedInsideOutIsTold) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::solid_test

@@ -6,7 +6,7 @@
 #include "solver/build_forces.hpp"
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::springs_test {
 namespace {
 
 /// A stepper with the springs of a deck.
@@ -201,4 +201,4 @@ TEST(Springs, WhatIsMissingOrNotCalculatedIsTold) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::springs_test

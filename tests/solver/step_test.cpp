@@ -9,7 +9,7 @@
 #include "base/parallel.hpp"
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::step_test {
 namespace {
 
 /// A force given by a function of the state.
@@ -260,4 +260,4 @@ TEST(Stepper, EmptyStructure) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::step_test

@@ -9,7 +9,7 @@
 
 #include "contact_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::stress_test {
 namespace {
 
 StepSettings steps(double greatest) {
@@ -220,4 +220,4 @@ TEST(Stress, HundredThousandNodesOnAPlate) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::stress_test

@@ -4,7 +4,7 @@
 
 #include "../model/read.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::supported_test {
 namespace {
 
 std::vector<Unsupported> unsupported_in(const std::string& text) {
@@ -76,4 +76,4 @@ TEST(Supported, ContactsWallsAndSettings) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::supported_test

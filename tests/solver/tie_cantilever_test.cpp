@@ -6,7 +6,7 @@
 
 #include "tie_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::tie_cantilever_test {
 namespace {
 
 using Grid = TieDeck::Grid;
@@ -245,4 +245,4 @@ INSTANTIATE_TEST_SUITE_P(Cantilever, LapJoint,
                          test_name);
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::tie_cantilever_test

@@ -10,7 +10,7 @@
 #include "solver/tie_constraints.hpp"
 #include "tie_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::tie_forces_test {
 namespace {
 
 using Grid = TieDeck::Grid;
@@ -427,4 +427,4 @@ INSTANTIATE_TEST_SUITE_P(Ties, DenseTwin,
                          test_name);
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::tie_forces_test

@@ -3,7 +3,7 @@
 
 #include "tie_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::tie_hostile_test {
 namespace {
 
 const std::vector<std::string> forms{"TIED_NODES_TO_SURFACE",
@@ -63,4 +63,4 @@ TEST(TieHostile, MassesAndSides) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::tie_hostile_test

@@ -4,7 +4,7 @@
 #include "base/parallel.hpp"
 #include "tie_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::tie_threads_test {
 namespace {
 
 TEST(TieThreads, SameBits) {
@@ -35,4 +35,4 @@ TEST(TieThreads, SameBits) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::tie_threads_test

@@ -12,7 +12,7 @@
 #include "run_scene.hpp"
 #include "solver/run_files.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::tiebreak_test {
 namespace {
 
 constexpr double half_thickness = 0.05;
@@ -230,4 +230,4 @@ TEST(Tiebreak, WhatIsNotCalculatedIsRefused) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::tiebreak_test

@@ -4,7 +4,7 @@
 
 #include "contact_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::transducers_test {
 namespace {
 
 /// Four shells side by side in z = 0 (part 1: x < 2, part 2: x > 2), and above them one shell of part 3 that overlaps
@@ -142,4 +142,4 @@ TEST(Transducers, ResultantsOfAPairAreItsForcesAndMoments) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::transducers_test

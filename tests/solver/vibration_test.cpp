@@ -10,7 +10,7 @@
 #include "solver/step.hpp"
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::vibration_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -248,4 +248,4 @@ INSTANTIATE_TEST_SUITE_P(All, TimeStep, testing::Bool(),
                          [](const auto& one) { return std::string(one.param ? "Bricks" : "Shells"); });
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::vibration_test

@@ -3,7 +3,7 @@
 #include "solver/build_welds.hpp"
 #include "structure.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::weld_test {
 namespace {
 
 /// Pulls node 0 with `force` and node 1 with its opposite, plus `both` on each.
@@ -29,7 +29,7 @@ Stepper stepper_of(const std::string& deck, double step) {
   return {structure_of(deck), settings};
 }
 
-void run(Stepper& stepper, int steps) {
+void run_cycles(Stepper& stepper, int steps) {
   for (int i = 0; i < steps; ++i) {
     const auto failure = stepper.step();
     ASSERT_FALSE(failure.has_value()) << failure->message;
@@ -41,7 +41,7 @@ TEST(Welds, MoveAsOne) {
   Stepper stepper = stepper_of(masses + "*CONSTRAINED_SPOTWELD\n1,2\n", 1e-2);
   ASSERT_EQ(stepper.structure().rigid.size(), 1u);
   stepper.add(std::make_unique<Pull>(Vector(-50, 0, 0), Vector(4, 0, 0), 0));
-  run(stepper, 100);
+  run_cycles(stepper, 100);
   const State& state = stepper.state();
   EXPECT_NEAR((state.x[1] - state.x[0] - Vector(1, 0, 0)).norm(), 0, 1e-13);
   EXPECT_NEAR(state.v[0].x(), 8.0 / 5 * (1 - 0.005), 1e-12);
@@ -55,7 +55,7 @@ TEST(Welds, Rotation) {
   StepSettings settings;
   settings.greatest_step = 1e-2;
   Stepper stepper(std::move(structure), settings);
-  run(stepper, 1000);
+  run_cycles(stepper, 1000);
   EXPECT_NEAR((stepper.state().x[1] - stepper.state().x[0]).norm(), 1, 1e-12);
   EXPECT_NEAR(stepper.energies().kinetic, 0.5 * 5 + 0.5 * (2.0 * 3 / 5) * 4, 1e-9);
   EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-11);
@@ -65,9 +65,9 @@ TEST(Welds, Rotation) {
 TEST(Welds, NormalFailure) {
   Stepper stepper = stepper_of(masses + "*CONSTRAINED_SPOTWELD\n1,2,10.,0.,2.,2.\n", 1e-3);
   stepper.add(std::make_unique<Pull>(Vector(-20, 0, 0), Vector(0, 0, 0), 1));
-  while (!stepper.structure().rigid.failed(0) && stepper.state().time < 2) run(stepper, 1);
+  while (!stepper.structure().rigid.failed(0) && stepper.state().time < 2) run_cycles(stepper, 1);
   EXPECT_NEAR(stepper.state().time, 0.5, 2e-3);
-  run(stepper, 100);
+  run_cycles(stepper, 100);
   EXPECT_GT(stepper.state().x[1].x() - stepper.state().x[0].x(), 1.01);
   EXPECT_NEAR(2 * stepper.state().v[0].x() + 3 * stepper.state().v[1].x(), 0, 1e-12);
   EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-10);
@@ -81,7 +81,7 @@ TEST(Welds, CompressionAndShear) {
                                      "*CONSTRAINED_SPOTWELD\n1,2," + strength + "\n",
                                  1e-3);
     stepper.add(std::make_unique<Pull>(force, Vector(0, 0, 0), 1));
-    while (!stepper.structure().rigid.failed(0) && stepper.state().time < 2) run(stepper, 1);
+    while (!stepper.structure().rigid.failed(0) && stepper.state().time < 2) run_cycles(stepper, 1);
     return stepper.state().time;
   };
   EXPECT_GE(failure_time("1.,0.,0.", "10.,0.,2.,2.", {20, 0, 0}), 2);
@@ -94,10 +94,10 @@ TEST(Welds, CompressionAndShear) {
 TEST(Welds, FailureTime) {
   Stepper stepper = stepper_of(masses + "*CONSTRAINED_SPOTWELD\n1,2,0.,0.,0.,0.,0.05\n", 1e-3);
   stepper.add(std::make_unique<Pull>(Vector(-20, 0, 0), Vector(0, 0, 0), 0));
-  run(stepper, 49);
+  run_cycles(stepper, 49);
   EXPECT_FALSE(stepper.structure().rigid.failed(0));
   EXPECT_NEAR(stepper.state().x[1].x() - stepper.state().x[0].x(), 1, 1e-13);
-  run(stepper, 3);
+  run_cycles(stepper, 3);
   EXPECT_TRUE(stepper.structure().rigid.failed(0));
   EXPECT_FALSE(stepper.structure().rigid.holds(0));
 }
@@ -120,4 +120,4 @@ TEST(Welds, SharedNodesAndWhatIsNotCalculatedAreNamed) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::weld_test

@@ -1,5 +1,5 @@
 // The statements of docs/workshop/, on the decks of data/workshop/. What is expected are closed forms of the contact
-// rules.
+// rules, sections 5 to 7.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "../model/read.hpp"
 #include "solver/run.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::workshop_test {
 namespace {
 
 // As in scripts/make_workshop.py: mm, ms, kg.
@@ -290,4 +290,4 @@ TEST(Workshop, ReleasedShellReturnsFromOutside) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::workshop_test

@@ -12,7 +12,7 @@
 #include "../model/read.hpp"
 #include "solver/run.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::workshop_ties_test {
 namespace {
 
 // As in scripts/make_workshop.py: mm, ms, kN; lateral contraction zero.
@@ -126,4 +126,4 @@ TEST(WorkshopTransducers, PartsAddUpToTheWhole) {
 }
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::workshop_ties_test

@@ -5,7 +5,7 @@
 
 #include "run_scene.hpp"
 
-namespace gapcheck::solver {
+namespace gapcheck::solver::yield_test {
 namespace {
 
 constexpr double young = 1000, poisson = 0.3;
@@ -82,4 +82,4 @@ INSTANTIATE_TEST_SUITE_P(All, PulledBar,
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
-}  // namespace gapcheck::solver
+}  // namespace gapcheck::solver::yield_test

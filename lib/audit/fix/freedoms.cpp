@@ -11,7 +11,7 @@ namespace gapcheck::audit {
 namespace {
 
 /// Weights outside this range, from elements without size or with coordinates that are no numbers, are not used.
-constexpr double smallest = 1e-200, largest = 1e200;
+constexpr double least_weight = 1e-200, greatest_weight = 1e200;
 
 class Weights {
  public:
@@ -44,7 +44,7 @@ class Weights {
  private:
   void add(std::span<const NodeIndex> nodes, PartIndex part, double share) {
     const double weight = share * (part == none<PartIndex> ? 1.0 : priority_[part.value]);
-    if (!(weight > smallest && weight < largest)) return;
+    if (!(weight > least_weight && weight < greatest_weight)) return;
     for (const NodeIndex n : nodes)
       if (n != none<NodeIndex>) weight_[n.value] += weight;
   }
@@ -116,7 +116,7 @@ class Holder {
       for (const NodeIndex n : freedoms_.joined.followers(leader)) {
         const Vector& mobility = freedoms_.mobility[n.value];
         free = (mobility.array() > 0).select(free, 0);
-        weight += mobility.cwiseMax(1 / largest).cwiseInverse();
+        weight += mobility.cwiseMax(1 / greatest_weight).cwiseInverse();
         any = any || freedoms_.reason[n.value] != HoldReason::none;
       }
       for (const NodeIndex n : freedoms_.joined.followers(leader)) {

@@ -8,7 +8,7 @@ namespace gapcheck::audit {
 namespace {
 
 /// Components of a move below this share of it come from rounding.
-constexpr double rounding = 1e-9;
+constexpr double component_rounding = 1e-9;
 /// Placements that flatten space cannot be undone.
 constexpr double flat = 1e-12;
 
@@ -28,7 +28,7 @@ bool invertible(const keyword::Transform& transform) {
 /// A move in the model as one in the coordinates of the file.
 Vector in_file(const keyword::Transform& transform, const Vector& move) {
   const Vector local = (transform.places ? Vector(transform.matrix.inverse() * move) : move) / transform.length_factor;
-  return (local.array().abs() < rounding * local.norm()).select(0, local);
+  return (local.array().abs() < component_rounding * local.norm()).select(0, local);
 }
 
 }  // namespace

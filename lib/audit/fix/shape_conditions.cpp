@@ -8,7 +8,7 @@ namespace gapcheck::audit {
 namespace {
 
 /// What the linear conditions leave of the limits, for what is not linear.
-constexpr double share = 0.8;
+constexpr double linear_share = 0.8;
 
 void add_warp(std::span<const NodeIndex> n, const std::vector<Vector>& x, double degrees, std::vector<ShapeCondition>& list) {
   const Vector a = x[n[2].value] - x[n[0].value], b = x[n[3].value] - x[n[1].value];
@@ -18,7 +18,7 @@ void add_warp(std::span<const NodeIndex> n, const std::vector<Vector>& x, double
   ShapeCondition c;
   c.direction = normal.normalized();
   // A corner this far above the plane of the others turns the two triangles at a diagonal by the angle.
-  const double reach = normal.norm() / 2 / longest * std::tan(share * degrees * std::numbers::pi / 180);
+  const double reach = normal.norm() / 2 / longest * std::tan(linear_share * degrees * std::numbers::pi / 180);
   const double now = c.direction.dot(x[n[0].value] - x[n[1].value] + x[n[2].value] - x[n[3].value]);
   const double most = std::max(reach, std::abs(now));
   for (std::size_t i = 0; i < 4; ++i) {
@@ -44,7 +44,7 @@ void add_edges(std::span<const NodeIndex> n, const std::vector<Vector>& x, doubl
     c.nodes = {b, a, a, a};
     c.coefficient = {1, -1, 0, 0};
     c.direction = along.normalized();
-    c.bound = -share * (1 - from) * along.norm();
+    c.bound = -linear_share * (1 - from) * along.norm();
     list.push_back(c);
   }
 }

@@ -17,7 +17,7 @@ bool between(const Penetration& p, std::int64_t a, std::int64_t b) {
 }
 
 /// A half from each side that is no solid.
-double share(const model::Model& model, const Penetration& p) {
+double halves_of_optt(const model::Model& model, const Penetration& p) {
   return (solid_part(model, p.part) ? 0 : 0.5) + (solid_part(model, p.element_part) ? 0 : 0.5);
 }
 
@@ -72,7 +72,7 @@ double ThicknessTrial::free_optt(std::uint32_t contact, std::int64_t a, std::int
   const auto part_a = model_.part_of_id.find(a), part_b = model_.part_of_id.find(b);
   if (part_a == model_.part_of_id.end() || part_b == model_.part_of_id.end()) return 0;
   const auto limit = [&](std::span<const Penetration> some) {
-    return free_thickness(some, [&](const Penetration& p) { return share(model_, p); });
+    return free_thickness(some, [&](const Penetration& p) { return halves_of_optt(model_, p); });
   };
   const auto others = [&](std::span<const Penetration> some) {
     return std::count_if(some.begin(), some.end(),

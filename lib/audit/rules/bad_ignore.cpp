@@ -1,6 +1,6 @@
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::bad_ignore {
 namespace {
 
 void review(const RuleInfo& rule, const Context& context, Report& report) {
@@ -10,8 +10,8 @@ void review(const RuleInfo& rule, const Context& context, Report& report) {
 
 }  // namespace
 
-const Rule bad_ignore{
+const Rule definition{
     .info = {"GC515", "bad-ignore", Severity::warning, "a comment to gapcheck is not understood, so it leaves out nothing"},
     .review = review};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::bad_ignore

@@ -8,7 +8,7 @@
 #include "audit/rules.hpp"
 #include "contact/coincident.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::coincident_surfaces {
 namespace {
 
 using contact::Coincidence;
@@ -88,7 +88,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule coincident_surfaces{
+const Rule definition{
     {"GC111", "coincident-surfaces", Severity::warning, "two shells or segments have the same nodes"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::coincident_surfaces

@@ -6,7 +6,7 @@
 #include "audit/rules.hpp"
 #include "audit/run_context.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::contact_step {
 namespace {
 
 /// What four printed digits take away.
@@ -54,9 +54,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule contact_step{
+const Rule definition{
     {"GC605", "contact-step", Severity::note, "the run's time step exceeds what the solver names for the contacts"},
     nullptr,
     judge};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::contact_step

@@ -4,7 +4,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::contact_timestep {
 namespace {
 
 /// "3.4E-07 (0.9 of shell 77)".
@@ -51,8 +51,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule contact_timestep{{"GC420", "contact-timestep", Severity::warning,
+const Rule definition{{"GC420", "contact-timestep", Severity::warning,
                              "contact springs are unstable at the time step that the elements allow"},
                             run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::contact_timestep

@@ -9,7 +9,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::crossed_edges {
 namespace {
 
 using contact::EdgeCrossing;
@@ -80,8 +80,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule crossed_edges{
+const Rule definition{
     {"GC104", "crossed-edges", Severity::warning, "two edges or beams cross each other in a contact that looks at edges"},
     run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::crossed_edges

@@ -6,7 +6,7 @@
 #include "audit/rules.hpp"
 #include "contact/crossings.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::crossed_elements {
 namespace {
 
 using contact::Crossing;
@@ -76,7 +76,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 // Severity error: nodes start on the wrong side, and the contact holds them there.
-const Rule crossed_elements{
+const Rule definition{
     {"GC103", "crossed-elements", Severity::error, "two elements of a contact pass through each other"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::crossed_elements

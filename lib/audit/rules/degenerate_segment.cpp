@@ -4,7 +4,7 @@
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::degenerate_segment {
 namespace {
 
 using contact::SegmentFault;
@@ -65,8 +65,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule degenerate_segment{
+const Rule definition{
     {"GC505", "degenerate-segment", Severity::error, "a segment in contact has no area, crosses itself or is folded"},
     run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::degenerate_segment

@@ -8,10 +8,10 @@
 #include "contact/exclusions.hpp"
 #include "contact/surface_parts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::dissimilar_stiffness {
 namespace {
 
-/// From this ratio of the bulk moduli on; the workshop's example has it exactly.
+/// From this ratio of the bulk moduli on; the workshop's example has it exactly (contact rules, section 11).
 constexpr double dissimilar = 100;
 constexpr double rounding = 1e-9;
 
@@ -91,8 +91,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule dissimilar_stiffness{{"GC410", "dissimilar-stiffness", Severity::warning,
+const Rule definition{{"GC410", "dissimilar-stiffness", Severity::warning,
                                  "a contact with SOFT = 0 joins parts of very different stiffness"},
                                 run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::dissimilar_stiffness

@@ -1,10 +1,10 @@
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::duplicate_id {
 
-const Rule duplicate_id{{"GC501", "duplicate-id", Severity::error, "an id is defined twice; the first definition is used"},
+const Rule definition{{"GC501", "duplicate-id", Severity::error, "an id is defined twice; the first definition is used"},
                         [](const RuleInfo& rule, Context& context, Report& report) {
                           add_faults(rule, context, report, model::Fault::Kind::duplicate_id);
                         }};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::duplicate_id

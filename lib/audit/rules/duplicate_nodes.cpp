@@ -9,7 +9,7 @@
 #include "contact/joined_nodes.hpp"
 #include "model/node_references.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::duplicate_nodes {
 namespace {
 
 /// Of the shortest edge at either node. Coordinates of a deck are rounded by far less, nodes of a mesh are apart by far
@@ -152,8 +152,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule duplicate_nodes{{"GC507", "duplicate-nodes", Severity::warning,
+const Rule definition{{"GC507", "duplicate-nodes", Severity::warning,
                             "two nodes of a contact's surface lie at one place and are not joined"},
                            run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::duplicate_nodes

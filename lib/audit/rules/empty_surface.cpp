@@ -2,7 +2,7 @@
 
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::empty_surface {
 namespace {
 
 void check_side(const RuleInfo& rule, Context& context, Report& report, const model::Contact& contact, char side,
@@ -25,7 +25,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule empty_surface{
+const Rule definition{
     {"GC503", "empty-surface", Severity::error, "a side of a contact names nothing that could be in contact"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::empty_surface

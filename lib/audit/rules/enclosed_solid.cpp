@@ -7,7 +7,7 @@
 #include "audit/rules.hpp"
 #include "contact/enclosed_bodies.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::enclosed_solid {
 namespace {
 
 using contact::EnclosedBody;
@@ -98,8 +98,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule enclosed_solid{
+const Rule definition{
     {"GC105", "enclosed-solid", Severity::warning, "a body of solids lies wholly inside another that it is in contact with"},
     run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::enclosed_solid

@@ -7,7 +7,7 @@
 #include "audit/rules.hpp"
 #include "audit/run_context.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::energy_ratio {
 namespace {
 
 using results::GlobalState;
@@ -47,9 +47,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule energy_ratio{
+const Rule definition{
     {"GC603", "energy-ratio", Severity::warning, "energy appears or disappears: the ratio is far from 1"},
     nullptr,
     judge};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::energy_ratio

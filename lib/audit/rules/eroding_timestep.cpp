@@ -3,7 +3,7 @@
 #include "audit/rules.hpp"
 #include "contact/erosion.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::eroding_timestep {
 namespace {
 
 /// The smallest step of the contact's sides; no_timestep_limit without any.
@@ -32,8 +32,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule eroding_timestep{{"GC419", "eroding-timestep", Severity::warning,
+const Rule definition{{"GC419", "eroding-timestep", Severity::warning,
                              "an eroding contact may set the time step of the run, because ECDT is not set"},
                             run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::eroding_timestep

@@ -2,7 +2,7 @@
 
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::expired_ignore {
 namespace {
 
 std::string words(const IgnoreOutcome::Place& place) {
@@ -23,7 +23,7 @@ void review(const RuleInfo& rule, const Context& context, Report& report) {
 
 }  // namespace
 
-const Rule expired_ignore{
+const Rule definition{
     .info = {"GC514", "expired-ignore", Severity::warning, "the last day of an ignore is over"}, .review = review};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::expired_ignore

@@ -3,7 +3,7 @@
 #include "audit/rules.hpp"
 #include "contact/surface_parts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::fine_reference {
 namespace {
 
 /// A reference side finer than this is a mistake rather than a matter of meshing.
@@ -35,8 +35,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule fine_reference{{"GC417", "fine-reference", Severity::warning,
+const Rule definition{{"GC417", "fine-reference", Severity::warning,
                            "the reference side of a one-way contact is finer than the tracked side"},
                           run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::fine_reference

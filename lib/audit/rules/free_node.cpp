@@ -8,7 +8,7 @@
 #include "contact/element_nodes.hpp"
 #include "model/node_references.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::free_node {
 namespace {
 
 /// Nodes that sides of contacts name one by one.
@@ -90,6 +90,6 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule free_node{{"GC508", "free-node", Severity::note, "a node belongs to no element"}, run};
+const Rule definition{{"GC508", "free-node", Severity::note, "a node belongs to no element"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::free_node

@@ -6,7 +6,7 @@
 #include "audit/rules.hpp"
 #include "contact/friction.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::friction_table {
 namespace {
 
 struct Problem {
@@ -53,7 +53,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule friction_table{
+const Rule definition{
     {"GC408", "friction-table", Severity::error, "a contact takes its friction from a table that is not there"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::friction_table

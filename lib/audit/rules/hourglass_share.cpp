@@ -8,7 +8,7 @@
 #include "audit/rules.hpp"
 #include "audit/sliding_energy.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::hourglass_share {
 namespace {
 
 constexpr double largest_share = 0.10;  ///< of the peak internal energy, of the model or of the part
@@ -80,9 +80,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule hourglass_share{
+const Rule definition{
     {"GC604", "hourglass-share", Severity::warning, "hourglass energy is large beside internal energy"},
     nullptr,
     judge};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::hourglass_share

@@ -3,7 +3,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::ignore_contradiction {
 namespace {
 
 /// Where IGNORE may stand, in the order in which the solver looks.
@@ -45,7 +45,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule ignore_contradiction{
+const Rule definition{
     {"GC409", "ignore-contradiction", Severity::warning, "IGNORE is given twice, with different values"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::ignore_contradiction

@@ -2,7 +2,7 @@
 
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::ignore_recommended {
 namespace {
 
 /// Mortar types read IGNORE too, but keep their penetrations with any value.
@@ -40,7 +40,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule ignore_recommended{
+const Rule definition{
     {"GC421", "ignore-recommended", Severity::note, "initial penetrations in contacts with IGNORE = 0"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::ignore_recommended

@@ -4,7 +4,7 @@
 #include "audit/rules.hpp"
 #include "contact/active_time.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::inactive_contact {
 namespace {
 
 /// A contact that ends within this part of the run is taken for a slip in the exponent (1e-20 for 1e20).
@@ -41,7 +41,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule inactive_contact{
+const Rule definition{
     {"GC414", "inactive-contact", Severity::warning, "birth and death time leave a contact no time to act"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::inactive_contact

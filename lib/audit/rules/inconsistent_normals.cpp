@@ -7,7 +7,7 @@
 #include "audit/rules.hpp"
 #include "contact/surface_parts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::inconsistent_normals {
 namespace {
 
 /// Types that look to one side of a segment: old and forming ones, and ties that break, whose orientation tells tension
@@ -69,8 +69,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule inconsistent_normals{{"GC416", "inconsistent-normals", Severity::warning,
+const Rule definition{{"GC416", "inconsistent-normals", Severity::warning,
                                  "neighbouring segments of an oriented contact face opposite ways"},
                                 run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::inconsistent_normals

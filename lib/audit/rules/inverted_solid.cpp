@@ -8,7 +8,7 @@
 #include "audit/rules.hpp"
 #include "model/faces.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::inverted_solid {
 namespace {
 
 using model::ElementKind;
@@ -99,8 +99,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule inverted_solid{{"GC510", "inverted-solid", Severity::error,
+const Rule definition{{"GC510", "inverted-solid", Severity::error,
                            "a solid with a face in contact is turned inside out, wholly or at a corner"},
                           run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::inverted_solid

@@ -3,7 +3,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::missing_card {
 namespace {
 
 void run(const RuleInfo& rule, Context& context, Report& report) {
@@ -29,7 +29,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule missing_card{{"GC401", "missing-card", Severity::error, "a contact lacks a card that its type must have"},
+const Rule definition{{"GC401", "missing-card", Severity::error, "a contact lacks a card that its type must have"},
                         run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::missing_card

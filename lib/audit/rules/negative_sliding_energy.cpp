@@ -6,7 +6,7 @@
 #include "audit/rules.hpp"
 #include "audit/sliding_energy.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::negative_sliding_energy {
 namespace {
 
 constexpr double warning_share = 0.01, error_share = 0.10;  ///< of the reference energy
@@ -45,9 +45,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule negative_sliding_energy{
+const Rule definition{
     {"GC601", "negative-sliding-energy", Severity::warning, "a contact gives the model energy that nobody put in"},
     nullptr,
     judge};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::negative_sliding_energy

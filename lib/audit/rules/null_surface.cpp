@@ -4,7 +4,7 @@
 
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::null_surface {
 namespace {
 
 /// Which parts give contact springs no stiffness. A solid's *MAT_NULL has that of its equation of state.
@@ -67,8 +67,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule null_surface{{"GC418", "null-surface", Severity::warning,
+const Rule definition{{"GC418", "null-surface", Severity::warning,
                          "a side of a contact consists of materials without stiffness: the contact gives no force"},
                         run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::null_surface

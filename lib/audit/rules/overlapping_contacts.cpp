@@ -12,7 +12,7 @@
 #include "contact/exclusions.hpp"
 #include "contact/surface_parts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::overlapping_contacts {
 namespace {
 
 using Parts = std::vector<PartIndex>;
@@ -184,8 +184,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule overlapping_contacts{{"GC422", "overlapping-contacts", Severity::warning,
+const Rule definition{{"GC422", "overlapping-contacts", Severity::warning,
                                  "two contacts hold the same pair of parts: the forces act twice"},
                                 run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::overlapping_contacts

@@ -4,7 +4,7 @@
 #include "audit/rules.hpp"
 #include "contact/friction.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::part_friction {
 namespace {
 
 bool gives_friction(const model::Part& part) {
@@ -55,7 +55,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule part_friction{
+const Rule definition{
     {"GC407", "part-friction", Severity::warning, "a contact takes its friction from parts that have none"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::part_friction

@@ -6,10 +6,11 @@
 #include "audit/free_thickness.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::penetration_free_at {
 namespace {
 
 /// The workshop's check: a deck should be free of penetrations at about this SST, in millimetres.
+/// Source: contact rules, section 11.
 constexpr double recommended_millimetres = 0.5;
 
 std::string segment_words(const Penetration& p) {
@@ -71,8 +72,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule penetration_free_at{
+const Rule definition{
     {"GC308", "penetration-free-at", Severity::note, "the largest SST with which a contact has no initial penetrations"},
     run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::penetration_free_at

@@ -5,7 +5,7 @@
 #include "audit/rules.hpp"
 #include "contact/rigid_wall.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::rigidwall_penetration {
 namespace {
 
 std::string wall_name(const model::RigidWall& wall) {
@@ -63,8 +63,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule rigidwall_penetration{
+const Rule definition{
     {"GC110", "rigidwall-penetration", Severity::warning, "a node lies behind or in a rigid wall that is to stop it"},
     run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::rigidwall_penetration

@@ -5,7 +5,7 @@
 #include "audit/rules.hpp"
 #include "audit/run_context.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::run_not_finished {
 namespace {
 
 /// The last step need not meet the end time.
@@ -46,7 +46,7 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule run_not_finished{
+const Rule definition{
     {"GC608", "run-not-finished", Severity::error, "the run did not reach its end"}, nullptr, judge};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::run_not_finished

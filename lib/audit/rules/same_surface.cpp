@@ -5,7 +5,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::same_surface {
 namespace {
 
 void run(const RuleInfo& rule, Context& context, Report& report) {
@@ -28,7 +28,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule same_surface{
+const Rule definition{
     {"GC405", "same-surface", Severity::warning, "both sides of a two-surface contact are the same"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::same_surface

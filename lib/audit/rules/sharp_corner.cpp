@@ -8,7 +8,7 @@
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::sharp_corner {
 namespace {
 
 /// Degrees that are left between two segments with a common edge: they are folded by 180 less this.
@@ -89,7 +89,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule sharp_corner{
+const Rule definition{
     {"GC512", "sharp-corner", Severity::note, "two segments in contact fold onto each other at an edge"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::sharp_corner

@@ -5,7 +5,7 @@
 #include "audit/rules.hpp"
 #include "audit/sliding_energy.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::sliding_energy_share {
 namespace {
 
 constexpr double note_share = 0.05, warning_share = 0.10;  ///< of the peak internal energy
@@ -33,9 +33,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule sliding_energy_share{
+const Rule definition{
     {"GC602", "sliding-energy-share", Severity::note, "the contact springs of a contact hold much energy"},
     nullptr,
     judge};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::sliding_energy_share

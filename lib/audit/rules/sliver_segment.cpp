@@ -4,7 +4,7 @@
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::sliver_segment {
 namespace {
 
 /// Altitude over longest edge, that is an aspect ratio of twenty.
@@ -45,7 +45,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule sliver_segment{
+const Rule definition{
     {"GC506", "sliver-segment", Severity::warning, "a segment in contact is much longer than it is wide"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::sliver_segment

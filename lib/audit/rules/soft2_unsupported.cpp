@@ -3,7 +3,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::soft2_unsupported {
 namespace {
 
 /// What is wrong with SOFT; empty: nothing.
@@ -41,7 +41,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule soft2_unsupported{
+const Rule definition{
     {"GC412", "soft2-unsupported", Severity::warning, "a contact asks for a SOFT that its type does not have"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::soft2_unsupported

@@ -2,10 +2,10 @@
 
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::soft_scale {
 namespace {
 
-/// SOFSCL: the default, and where the workshop goes for runs that are not stable.
+/// SOFSCL: the default, and the least that the workshop recommends for unstable runs (contact rules, section 11).
 constexpr double highest = 0.1, lowest = 0.04;
 constexpr double rounding = 1e-9;
 
@@ -25,7 +25,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule soft_scale{
+const Rule definition{
     {"GC411", "soft-scale", Severity::note, "SOFSCL of a contact with SOFT = 1 or 2 lies outside 0.04 to 0.1"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::soft_scale

@@ -9,7 +9,7 @@
 #include "contact/pair.hpp"
 #include "contact/release.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::solid_early_release {
 namespace {
 
 /// Solids are early that release at less than this share of what the thinnest shells of the contact hold to.
@@ -90,8 +90,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule solid_early_release{{"GC306", "solid-early-release", Severity::warning,
+const Rule definition{{"GC306", "solid-early-release", Severity::warning,
                                 "a single-surface contact gives up on nodes in thin solids before it does in shells"},
                                run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::solid_early_release

@@ -6,7 +6,7 @@
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::stray_segment {
 namespace {
 
 void run(const RuleInfo& rule, Context& context, Report& report) {
@@ -36,7 +36,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule stray_segment{
+const Rule definition{
     {"GC509", "stray-segment", Severity::warning, "a segment of a contact's segment set belongs to no element"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::stray_segment

@@ -6,7 +6,7 @@
 #include "audit/rules.hpp"
 #include "audit/run_context.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::sudden_energy {
 namespace {
 
 using results::GlobalState;
@@ -65,9 +65,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule sudden_energy{
+const Rule definition{
     {"GC606", "sudden-energy", Severity::warning, "energy jumps from one output to the next, and no work explains it"},
     nullptr,
     judge};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::sudden_energy

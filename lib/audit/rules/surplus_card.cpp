@@ -3,7 +3,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::surplus_card {
 namespace {
 
 void run(const RuleInfo& rule, Context& context, Report& report) {
@@ -24,7 +24,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule surplus_card{
+const Rule definition{
     {"GC402", "surplus-card", Severity::warning, "a contact has more lines than its type has cards"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::surplus_card

@@ -3,7 +3,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::surplus_surface {
 namespace {
 
 void run(const RuleInfo& rule, Context& context, Report& report) {
@@ -21,7 +21,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule surplus_surface{
+const Rule definition{
     {"GC404", "surplus-surface", Severity::warning, "a single-surface contact names a second surface"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::surplus_surface

@@ -9,7 +9,7 @@
 #include "audit/rules.hpp"
 #include "records/thickness_source.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::thickness_conflict {
 namespace {
 
 /// Thicknesses at one node that differ by more than this factor are reported.
@@ -134,8 +134,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule thickness_conflict{{"GC307", "thickness-conflict", Severity::note,
+const Rule definition{{"GC307", "thickness-conflict", Severity::note,
                                "elements that share nodes have very different thickness in one contact"},
                               run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::thickness_conflict

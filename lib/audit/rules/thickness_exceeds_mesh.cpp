@@ -4,7 +4,7 @@
 #include "audit/rules.hpp"
 #include "records/thickness_source.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::thickness_exceeds_mesh {
 namespace {
 
 /// Contact thickness in shortest edges above which neighbours meet themselves.
@@ -39,8 +39,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule thickness_exceeds_mesh{{"GC304", "thickness-exceeds-mesh", Severity::warning,
+const Rule definition{{"GC304", "thickness-exceeds-mesh", Severity::warning,
                                    "a single-surface contact is thicker than the elements are wide"},
                                   run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::thickness_exceeds_mesh

@@ -3,7 +3,7 @@
 #include "audit/contact_thickness.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::thickness_ignored {
 namespace {
 
 /// Thickness of a deformable shell; 0 for other segments.
@@ -55,7 +55,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule thickness_ignored{
+const Rule definition{
     {"GC305", "thickness-ignored", Severity::warning, "a contact of an old type ignores the thickness of its shells"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::thickness_ignored

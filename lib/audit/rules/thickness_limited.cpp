@@ -3,7 +3,7 @@
 #include "audit/contact_thickness.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::thickness_limited {
 namespace {
 
 /// The thickness that a shell segment would have without the limit.
@@ -51,8 +51,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule thickness_limited{
+const Rule definition{
     {"GC302", "thickness-limited", Severity::note, "a contact counts 0.4 of an element's edge instead of its thickness"},
     run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::thickness_limited

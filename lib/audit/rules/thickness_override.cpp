@@ -10,7 +10,7 @@
 #include "contact/pair.hpp"
 #include "contact/record_pair.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::thickness_override {
 namespace {
 
 /// An override is far from the elements' own thickness beyond this factor, either way.
@@ -237,8 +237,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) { Overrides(rul
 
 }  // namespace
 
-const Rule thickness_override{{"GC301", "thickness-override", Severity::warning,
+const Rule definition{{"GC301", "thickness-override", Severity::warning,
                                "SST, MST, TH or OPTT far from the real thickness makes penetrations or hides them"},
                               run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::thickness_override

@@ -4,10 +4,10 @@
 #include "audit/rules.hpp"
 #include "records/thickness_source.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::thickness_too_thin {
 namespace {
 
-/// Below this thickness, in millimetres, shells should be thickened for contact [workshop].
+/// Below this thickness, in millimetres, shells should be thickened for contact (contact rules, section 11).
 constexpr double least_millimetres = 0.5;
 /// Without units: share of the shortest edge. A time step is about edge / c, so a node at speed v moves v / c edges in it;
 /// 0.003 is 15 m/s in steel, a car that hits a wall.
@@ -58,7 +58,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule thickness_too_thin{
+const Rule definition{
     {"GC303", "thickness-too-thin", Severity::warning, "a contact thickness is so small that nodes may pass through"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::thickness_too_thin

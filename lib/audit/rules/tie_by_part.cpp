@@ -5,7 +5,7 @@
 #include "audit/rules.hpp"
 #include "audit/tied_contacts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::tie_by_part {
 namespace {
 
 using contact::JudgedNode;
@@ -48,8 +48,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tie_by_part{{"GC209", "tie-by-part", Severity::note,
+const Rule definition{{"GC209", "tie-by-part", Severity::note,
                         "a tie given by parts leaves nodes untied; a node set would say which are meant"},
                        run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::tie_by_part

@@ -6,7 +6,7 @@
 #include "audit/rules.hpp"
 #include "audit/tied_contacts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::tie_conflict {
 namespace {
 
 using contact::JudgedNode;
@@ -56,8 +56,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tie_conflict{{"GC203", "tie-conflict", Severity::warning,
+const Rule definition{{"GC203", "tie-conflict", Severity::warning,
                          "two definitions constrain the same nodes; the later one does not get them"},
                         run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::tie_conflict

@@ -9,7 +9,7 @@
 #include "audit/tied_contacts.hpp"
 #include "model/faces.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::tie_large_segment {
 namespace {
 
 using contact::JudgedNode;
@@ -104,8 +104,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tie_large_segment{{"GC207", "tie-large-segment", Severity::warning,
+const Rule definition{{"GC207", "tie-large-segment", Severity::warning,
                               "a node ties only because the segment is large beside the node's own elements"},
                              run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::tie_large_segment

@@ -6,7 +6,7 @@
 #include "audit/rules.hpp"
 #include "audit/tied_contacts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::tie_reach {
 namespace {
 
 using contact::JudgedNode;
@@ -48,7 +48,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tie_reach{
+const Rule definition{
     {"GC208", "tie-reach", Severity::note, "the negative SST that would tie the nodes that are too far"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::tie_reach

@@ -5,7 +5,7 @@
 #include "audit/rules.hpp"
 #include "audit/tied_contacts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::tie_rigid {
 namespace {
 
 using contact::JudgedNode;
@@ -67,7 +67,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tie_rigid{
+const Rule definition{
     {"GC206", "tie-rigid", Severity::error, "a constraint tie meets rigid bodies, which it cannot tie"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::tie_rigid

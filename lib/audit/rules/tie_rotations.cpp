@@ -3,7 +3,7 @@
 #include "audit/rules.hpp"
 #include "audit/tied_contacts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::tie_rotations {
 namespace {
 
 using contact::JudgedNode;
@@ -48,7 +48,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tie_rotations{
+const Rule definition{
     {"GC205", "tie-rotations", Severity::warning, "shells or beams are tied without their rotations"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::tie_rotations

@@ -3,7 +3,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::tied_friction {
 namespace {
 
 /// Ties without failure: what TIEBREAK types have on the card counts once the tie is broken, and FS and FD of
@@ -28,7 +28,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule tied_friction{
+const Rule definition{
     {"GC406", "tied-friction", Severity::warning, "a tied contact has friction values, which it ignores"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::tied_friction

@@ -6,7 +6,7 @@
 #include "audit/rules.hpp"
 #include "contact/transducers.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::transducer_ftall {
 namespace {
 
 /// Only automatic contacts say which of their forces act between two surfaces.
@@ -71,8 +71,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule transducer_ftall{
+const Rule definition{
     {"GC413", "transducer-ftall", Severity::warning, "a force transducer does not get all the forces that it should"},
     run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::transducer_ftall

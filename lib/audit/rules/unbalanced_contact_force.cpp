@@ -7,7 +7,7 @@
 #include "audit/rules.hpp"
 #include "audit/run_context.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::unbalanced_contact_force {
 namespace {
 
 constexpr double largest_share = 1e-3;  ///< of the contact's largest force; printing leaves 1e-5
@@ -58,9 +58,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule unbalanced_contact_force{{"GC607", "unbalanced-contact-force", Severity::warning,
+const Rule definition{{"GC607", "unbalanced-contact-force", Severity::warning,
                                      "the forces on the two sides of a contact are not opposite"},
                                     nullptr,
                                     judge};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::unbalanced_contact_force

@@ -7,7 +7,7 @@
 #include "audit/rules.hpp"
 #include "contact/surface_parts.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::uncontacted_part {
 namespace {
 
 /// Elements of the kinds that have a surface, by part.
@@ -122,7 +122,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule uncontacted_part{
+const Rule definition{
     {"GC415", "uncontacted-part", Severity::note, "a part with shells or solids is in no contact at all"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::uncontacted_part

@@ -7,7 +7,7 @@
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::uneven_mesh {
 namespace {
 
 /// Ratio of the sizes of two segments with a common edge.
@@ -79,7 +79,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule uneven_mesh{{"GC511", "uneven-mesh", Severity::note, "neighbouring segments in contact differ much in size"},
+const Rule definition{{"GC511", "uneven-mesh", Severity::note, "neighbouring segments in contact differ much in size"},
                        run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::uneven_mesh

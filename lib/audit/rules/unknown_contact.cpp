@@ -6,7 +6,7 @@
 #include "audit/rules.hpp"
 #include "model/nearest_contact_name.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::unknown_contact {
 namespace {
 
 /// Names in messages are cut off here.
@@ -38,7 +38,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule unknown_contact{{"GC403", "unknown-contact", Severity::error, "the solver knows no contact of this name"},
+const Rule definition{{"GC403", "unknown-contact", Severity::error, "the solver knows no contact of this name"},
                            run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::unknown_contact

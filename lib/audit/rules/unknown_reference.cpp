@@ -1,10 +1,10 @@
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::unknown_reference {
 
-const Rule unknown_reference{{"GC502", "unknown-reference", Severity::error, "something refers to an id that does not exist"},
+const Rule definition{{"GC502", "unknown-reference", Severity::error, "something refers to an id that does not exist"},
                              [](const RuleInfo& rule, Context& context, Report& report) {
                                add_faults(rule, context, report, model::Fault::Kind::unknown_reference);
                              }};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::unknown_reference

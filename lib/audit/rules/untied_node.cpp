@@ -1,8 +1,8 @@
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::untied_node {
 
-const Rule untied_node{{"GC201", "untied-node", Severity::warning, "a node of a tied contact stays untied"},
+const Rule definition{{"GC201", "untied-node", Severity::warning, "a node of a tied contact stays untied"},
                        [](const RuleInfo&, Context& context, Report&) {
                          for (const TieReason reason :
                               {TieReason::too_far, TieReason::too_short, TieReason::not_found, TieReason::rigslav,
@@ -10,4 +10,4 @@ const Rule untied_node{{"GC201", "untied-node", Severity::warning, "a node of a 
                            context.want(reason);
                        }};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::untied_node

@@ -2,7 +2,7 @@
 
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::unused_ignore {
 namespace {
 
 void review(const RuleInfo& rule, const Context& context, Report& report) {
@@ -14,7 +14,7 @@ void review(const RuleInfo& rule, const Context& context, Report& report) {
 
 }  // namespace
 
-const Rule unused_ignore{.info = {"GC513", "unused-ignore", Severity::warning, "an ignore matches no finding"},
+const Rule definition{.info = {"GC513", "unused-ignore", Severity::warning, "an ignore matches no finding"},
                          .review = review};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::unused_ignore

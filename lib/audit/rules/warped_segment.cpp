@@ -7,7 +7,7 @@
 #include "audit/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::rule::warped_segment {
 namespace {
 
 /// Degrees between the two triangles of a quad. Mesh checks of pre-processors warn between 5 and 20; contact bears more
@@ -46,7 +46,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule warped_segment{
+const Rule definition{
     {"GC504", "warped-segment", Severity::warning, "a quadrilateral segment in contact is far from flat"}, run};
 
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::rule::warped_segment

@@ -3,7 +3,7 @@
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::crossing_pairs_test {
 namespace {
 
 model::Model model_of(const std::string& text) {
@@ -34,4 +34,4 @@ TEST(CrossingPairs, ACorrectionNeverAddsAny) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::crossing_pairs_test

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::element_bounds_test {
 namespace {
 
 /// One shell in the plane z = 0, or one brick, with edges of 1.
@@ -81,4 +81,4 @@ TEST(ElementBounds, CountsWhatHasChanged) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::element_bounds_test

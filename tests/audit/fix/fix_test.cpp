@@ -13,7 +13,7 @@
 #include "base/parallel.hpp"
 #include "model/model.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::fix_test {
 namespace {
 
 constexpr double clear = 1.002;  ///< what is moved, in penetrations
@@ -246,4 +246,4 @@ TEST(Fix, MovesNoMoreThanTheOptimumOfParallelPlates) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::fix_test

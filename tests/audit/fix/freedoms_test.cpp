@@ -6,7 +6,7 @@
 #include "audit/fix/run_fix.hpp"
 #include "model/links.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::freedoms_test {
 namespace {
 
 model::Model read(const std::string& more) {
@@ -77,4 +77,4 @@ TEST(Freedoms, ALargeNodeSetIsHeldOnce) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::freedoms_test

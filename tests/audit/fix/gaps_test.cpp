@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::gaps_test {
 namespace {
 
 const std::vector<Vector> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.25, 0.5, 0.1}};
@@ -67,4 +67,4 @@ TEST(Gaps, FacetsWithoutAreaGiveNoDirectionThatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::gaps_test

@@ -3,7 +3,7 @@
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::held_ties_test {
 namespace {
 
 audit::HeldTie tie(std::uint32_t node, std::uint32_t corner) {
@@ -59,4 +59,4 @@ TEST(HeldTies, TiedNodesGoWithTheirSegments) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::held_ties_test

@@ -4,7 +4,7 @@
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::hostile_test {
 namespace {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -91,4 +91,4 @@ TEST(FixHostile, FreeFormatAndLongLines) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::hostile_test

@@ -3,7 +3,7 @@
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::joined_nodes_test {
 namespace {
 
 // Two plates of thickness 1 that are 0.7 apart; 1.2 apart at a free corner of the upper one.
@@ -182,4 +182,4 @@ TEST(JoinedNodes, ExtraNodesOfRigidBodiesAreHeld) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::joined_nodes_test

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::least_movement_test {
 namespace {
 
 MoveCondition between(std::uint32_t a, std::uint32_t b, double bound, bool equal = false) {
@@ -101,4 +101,4 @@ TEST(LeastMovement, IsOptimalOnRandomProblems) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::least_movement_test

@@ -4,7 +4,7 @@
 #include "audit/fix/run_fix.hpp"
 #include "contact/segment_quality.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::mover_test {
 namespace {
 
 TEST(Mover, ANodeBetweenTwoLockedPlatesIsReported) {
@@ -56,4 +56,4 @@ TEST(Mover, ShapeGoesBeforeFreedom) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::mover_test

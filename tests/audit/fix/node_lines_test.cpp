@@ -6,7 +6,7 @@
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::node_lines_test {
 namespace {
 
 struct Read {
@@ -89,4 +89,4 @@ TEST_F(NodeLinesInFiles, FilesReadTwiceStay) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::node_lines_test

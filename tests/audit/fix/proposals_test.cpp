@@ -4,7 +4,7 @@
 #include "audit/fix/run_fix.hpp"
 #include "audit/run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::proposals_test {
 namespace {
 
 TEST(Proposals, NamesThicknessExclusionAndIgnore) {
@@ -70,4 +70,4 @@ TEST(Proposals, NoThicknessHelpsNextToTheSurface) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::proposals_test

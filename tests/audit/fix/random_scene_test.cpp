@@ -9,7 +9,7 @@
 #include "audit/run.hpp"
 #include "contact/segment_quality.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::random_scene_test {
 namespace {
 
 constexpr std::uint64_t scenes = 100;
@@ -106,4 +106,4 @@ TEST(FixRandomScene, JoinedNodesMoveAlike) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::random_scene_test

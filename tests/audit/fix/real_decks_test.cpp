@@ -7,7 +7,7 @@
 #include "audit/fix/run_fix.hpp"
 #include "audit/run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::real_decks_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ TEST(FixRealDecks, ADeckWithoutPenetrationsStays) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::real_decks_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gapcheck::audit {
+namespace gapcheck::audit::shape_conditions_test {
 namespace {
 
 model::Mesh mesh_with(const model::SegmentNodes& nodes) {
@@ -60,4 +60,4 @@ TEST(ShapeConditions, TrianglesAndWrecksHaveNoWarp) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit
+}  // namespace gapcheck::audit::shape_conditions_test

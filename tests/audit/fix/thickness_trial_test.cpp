@@ -5,7 +5,7 @@
 #include "audit/fix/run_fix.hpp"
 #include "audit/run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::thickness_trial_test {
 namespace {
 
 model::Model read(const std::string& text) {
@@ -136,4 +136,4 @@ TEST(ThicknessTrial, SstIsThatOfTheRule) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::thickness_trial_test

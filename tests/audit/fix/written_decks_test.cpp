@@ -14,7 +14,7 @@
 #include "audit/random_scene.hpp"
 #include "audit/run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::written_decks_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -251,4 +251,4 @@ TEST(WrittenDecksFarAway, FewDecimalsAreEnough) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::written_decks_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::bad_ignore_test {
 namespace {
 
 Report with_comment(const std::string& comment) {
@@ -25,4 +25,4 @@ TEST(BadIgnore, OthersAreNone) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::bad_ignore_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::coincident_surfaces_test {
 namespace {
 
 /// Four shells of part 1 with nodes 1 to 9, and another shell on four nodes.
@@ -72,4 +72,4 @@ TEST(CoincidentSurfaces, SegmentSetsThatNameASegmentTwice) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::coincident_surfaces_test

@@ -1,6 +1,6 @@
 #include "audit/rules/judged_run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::contact_step_test {
 namespace {
 
 JudgedRun run_at(double step) {
@@ -52,4 +52,4 @@ TEST(ContactStep, LogsThatNameNoLimitOrNoSurface) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::contact_step_test

@@ -2,7 +2,7 @@
 
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::contact_timestep_test {
 namespace {
 
 constexpr double rho = 7.85e-9, young = 210000, bulk = 175000;
@@ -64,4 +64,4 @@ TEST(ContactTimestep, ErodingOnesWithEcdtOnly) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::contact_timestep_test

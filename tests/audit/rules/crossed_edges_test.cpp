@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::crossed_edges_test {
 namespace {
 
 /// Two beams at right angles, the second one at a height, its middle `along` the first.
@@ -63,4 +63,4 @@ TEST(CrossedEdges, SegmentBasedContactsByTheirDepth) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::crossed_edges_test

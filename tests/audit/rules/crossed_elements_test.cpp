@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::crossed_elements_test {
 namespace {
 
 const std::string single = "AUTOMATIC_SINGLE_SURFACE", everything = "0,0,5,0";
@@ -173,4 +173,4 @@ TEST(CrossedElements, ManyPairsOfTwoPartsAreCounted) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::crossed_elements_test

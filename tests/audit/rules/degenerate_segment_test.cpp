@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::degenerate_segment_test {
 namespace {
 
 /// One shell in contact with these nodes of a 10 x 10 square 1 2 3 4, its middle 5, and 6 in the middle of edge 1 2.
@@ -46,4 +46,4 @@ TEST(DegenerateSegment, FaultsOfOnePartDoNotHideEachOther) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::degenerate_segment_test

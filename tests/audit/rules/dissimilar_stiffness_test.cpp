@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::dissimilar_stiffness_test {
 namespace {
 
 /// Part 1 of steel, part 2 of a material with this modulus and the same ratio.
@@ -35,4 +35,4 @@ TEST(DissimilarStiffness, AcrossTheSidesWithSoft0Only) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::dissimilar_stiffness_test

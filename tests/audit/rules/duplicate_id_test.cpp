@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::duplicate_id_test {
 namespace {
 
 TEST(DuplicateId, TwoContactsWithOneId) {
@@ -12,4 +12,4 @@ TEST(DuplicateId, TwoContactsWithOneId) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::duplicate_id_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::duplicate_nodes_test {
 namespace {
 
 /// Two plates of 2 x 4 shells of 5 x 5 that meet at x = 10: nodes 3, 6, … 15 of part 1 and 101, 104, … 113 of the other
@@ -53,4 +53,4 @@ TEST(DuplicateNodes, BodiesOfSolidsMayTouch) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::duplicate_nodes_test

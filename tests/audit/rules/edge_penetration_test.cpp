@@ -1,7 +1,7 @@
 #include "audit/rules/rule_deck.hpp"
 #include "base/parallel.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::edge_penetration_test {
 namespace {
 
 const std::string everything = "0,0,5,0";
@@ -155,4 +155,4 @@ TEST(EdgePenetration, AnySearchAndAnyNumberOfThreadsGiveTheSame) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::edge_penetration_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::edge_zone_penetration_test {
 namespace {
 
 // A node beside the edge of a plate with elements of 1: the band ends half an element beyond, h = 2.
@@ -18,4 +18,4 @@ TEST(EdgeZonePenetration, BeyondTheBandOnly) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::edge_zone_penetration_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::empty_surface_test {
 namespace {
 
 TEST(EmptySurface, APartWithoutElements) {
@@ -45,4 +45,4 @@ TEST(EmptySurface, NodesAreNoReferenceSurface) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::empty_surface_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::enclosed_solid_test {
 namespace {
 
 const std::string single = "AUTOMATIC_SINGLE_SURFACE", everything = "0,0,5,0";
@@ -83,4 +83,4 @@ TEST(EnclosedSolid, EachBodyIsListedAndManyAreCounted) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::enclosed_solid_test

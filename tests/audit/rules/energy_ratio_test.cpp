@@ -1,6 +1,6 @@
 #include "audit/rules/judged_run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::energy_ratio_test {
 namespace {
 
 /// Total energy 100 all along.
@@ -42,4 +42,4 @@ TEST(EnergyRatio, EnergiesThatAreNoNumbers) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::energy_ratio_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::eroding_timestep_test {
 namespace {
 
 Report eroding(const std::string& keyword, int soft, const std::string& controls) {
@@ -26,4 +26,4 @@ TEST(ErodingTimestep, WithoutEcdtOnly) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::eroding_timestep_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::expired_ignore_test {
 namespace {
 
 Report on(const std::string& comment, std::chrono::sys_days day) {
@@ -41,4 +41,4 @@ TEST(ExpiredIgnore, SaysWhereItIsNoLongerNeeded) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::expired_ignore_test

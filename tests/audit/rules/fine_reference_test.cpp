@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::fine_reference_test {
 namespace {
 
 /// Part 1 with edges of 4 as side A, part 2 with edges of `size` as side B.
@@ -31,4 +31,4 @@ TEST(FineReference, OneWayPenaltyTypesOnly) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::fine_reference_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::free_node_test {
 namespace {
 
 RuleDeck plate_and(const std::string& set) {
@@ -46,4 +46,4 @@ TEST(FreeNode, NeedsAContact) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::free_node_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::friction_table_test {
 namespace {
 
 Report with_tables(const std::string& card2, const std::vector<int>& tables,
@@ -36,4 +36,4 @@ TEST(FrictionTable, OnlySomeTypesTakeIt) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::friction_table_test

@@ -1,6 +1,6 @@
 #include "audit/rules/judged_run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::hourglass_share_test {
 namespace {
 
 TEST(HourglassShare, OfTheModel) {
@@ -46,4 +46,4 @@ TEST(HourglassShare, WithoutGlstat) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::hourglass_share_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::ignore_contradiction_test {
 namespace {
 
 /// IGNORE on the MPP card, card C and *CONTROL_CONTACT.
@@ -40,4 +40,4 @@ TEST(IgnoreContradiction, OnlyTypesThatReadIt) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::ignore_contradiction_test

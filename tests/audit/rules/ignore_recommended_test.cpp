@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::ignore_recommended_test {
 namespace {
 
 /// Two plates of thickness 1 at a distance: 18 penetrating nodes where it is below 1.
@@ -36,4 +36,4 @@ TEST(IgnoreRecommended, OneNoteForAllContacts) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::ignore_recommended_test

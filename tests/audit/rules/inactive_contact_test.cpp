@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::inactive_contact_test {
 namespace {
 
 std::size_t found(const std::string& birth_and_death, const std::string& end = "0.1",
@@ -37,4 +37,4 @@ TEST(InactiveContact, SignsHaveAMeaning) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::inactive_contact_test

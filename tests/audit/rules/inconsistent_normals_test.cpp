@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::inconsistent_normals_test {
 namespace {
 
 /// Part 2 is a plate of 3 x 3 shells above part 1; `turned` ones run the other way round.
@@ -44,4 +44,4 @@ TEST(InconsistentNormals, OrientedTypesAndReferenceSidesOnly) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::inconsistent_normals_test

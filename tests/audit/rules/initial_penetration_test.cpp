@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::initial_penetration_test {
 namespace {
 
 TEST(InitialPenetration, EveryNodeOverTheOtherPlateAndNoneWhenApart) {
@@ -19,4 +19,4 @@ TEST(InitialPenetration, EveryNodeOverTheOtherPlateAndNoneWhenApart) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::initial_penetration_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::inverted_solid_test {
 namespace {
 
 /// A brick 1 … 8 of edge 1 with node 7 at a point on its diagonal, its nodes in this order.
@@ -47,4 +47,4 @@ TEST(InvertedSolid, CohesiveElementsHaveNoVolume) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::inverted_solid_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::missing_card_test {
 namespace {
 
 RuleDeck plate() {
@@ -76,4 +76,4 @@ TEST(MissingCard, ALineThatCannotBeCard4) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::missing_card_test

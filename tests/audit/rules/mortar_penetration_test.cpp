@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::mortar_penetration_test {
 namespace {
 
 const std::string part_1_on_2 = "1,2,3,3", everything = "0,0,5,0";
@@ -94,4 +94,4 @@ TEST(MortarPenetration, TiesAreNone) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::mortar_penetration_test

@@ -1,6 +1,6 @@
 #include "audit/rules/judged_run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::negative_sliding_energy_test {
 namespace {
 
 TEST(NegativeSlidingEnergy, WithoutTheFrictionThatBothSidesContain) {
@@ -78,4 +78,4 @@ TEST(NegativeSlidingEnergy, ContactsThatAreNotChosenNumbersThatAreNoneFilesThatA
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::negative_sliding_energy_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::null_surface_test {
 namespace {
 
 /// Part 1 of steel, part 2 of shells with *MAT_NULL, its E given.
@@ -33,4 +33,4 @@ TEST(NullSurface, SolidsHaveAnEquationOfState) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::null_surface_test

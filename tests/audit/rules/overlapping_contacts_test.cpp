@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::overlapping_contacts_test {
 namespace {
 
 /// Three plates one above the other, part sets 12 = {1, 2}, 23 = {2, 3}, 30 = {3}.
@@ -65,4 +65,4 @@ TEST(OverlappingContacts, PiecesOfParts) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::overlapping_contacts_test

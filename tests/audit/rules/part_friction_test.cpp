@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::part_friction_test {
 namespace {
 
 /// Parts 1 and 2, the second with *PART_CONTACT; a contact of part 1 or of both with FS = -1.
@@ -37,4 +37,4 @@ TEST(PartFriction, OnlySomeTypesTakeIt) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::part_friction_test

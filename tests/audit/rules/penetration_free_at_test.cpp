@@ -3,7 +3,7 @@
 
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::penetration_free_at_test {
 namespace {
 
 using Make = std::function<RuleDeck(double sst)>;  // 0: none
@@ -120,4 +120,4 @@ TEST(PenetrationFreeAt, PartsWithOpttAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::penetration_free_at_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::released_node_test {
 namespace {
 
 // Released beyond 0.4 (1 + 1) of 1: what is left of the distance is below 0.2.
@@ -17,4 +17,4 @@ TEST(ReleasedNode, BelowAFifthOfTheDistanceOnly) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::released_node_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::rigidwall_penetration_test {
 namespace {
 
 /// A plate 0 to 10 in x and y at z = 2 (nodes 1 to 9, 5 apart), and a node without element.
@@ -91,4 +91,4 @@ TEST(RigidwallPenetration, CylinderAndSphere) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::rigidwall_penetration_test

@@ -1,6 +1,6 @@
 #include "audit/rules/judged_run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::run_not_finished_test {
 namespace {
 
 using enum SolverRun::Termination;
@@ -42,4 +42,4 @@ TEST(RunNotFinished, LogsWithoutAnEnd) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::run_not_finished_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::same_surface_test {
 namespace {
 
 Report with_sides(const std::string& keyword, const std::string& card1) {
@@ -31,4 +31,4 @@ TEST(SameSurface, TiesToo) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::same_surface_test

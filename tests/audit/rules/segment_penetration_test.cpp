@@ -1,7 +1,7 @@
 #include "audit/rules/rule_deck.hpp"
 #include "base/parallel.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::segment_penetration_test {
 namespace {
 
 /// Cards 2 and 3 empty, SOFT = 2 on card A.
@@ -151,4 +151,4 @@ TEST(SegmentPenetration, AnySearchAndAnyNumberOfThreadsGiveTheSame) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::segment_penetration_test

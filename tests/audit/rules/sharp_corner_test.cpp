@@ -2,7 +2,7 @@
 
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::sharp_corner_test {
 namespace {
 
 constexpr double per_degree = 3.14159265358979323846 / 180;
@@ -47,4 +47,4 @@ TEST(SharpCorner, NotAShellOnASolid) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::sharp_corner_test

@@ -1,6 +1,6 @@
 #include "audit/rules/judged_run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::sliding_energy_share_test {
 namespace {
 
 TEST(SlidingEnergyShare, NoteAndWarning) {
@@ -32,4 +32,4 @@ TEST(SlidingEnergyShare, NotWithoutSleoutAndNotOfRigidBodies) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::sliding_energy_share_test

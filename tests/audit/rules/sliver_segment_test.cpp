@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::sliver_segment_test {
 namespace {
 
 Report plate_of(double dx, double dy) {
@@ -30,4 +30,4 @@ TEST(SliverSegment, TrianglesByTheirAltitude) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::sliver_segment_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::soft2_unsupported_test {
 namespace {
 
 std::size_t found(const std::string& keyword, int soft) {
@@ -31,4 +31,4 @@ TEST(Soft2Unsupported, ValuesThatDoNotExist) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::soft2_unsupported_test

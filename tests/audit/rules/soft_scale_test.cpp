@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::soft_scale_test {
 namespace {
 
 Report with_card_a(const std::string& card_a) {
@@ -24,4 +24,4 @@ TEST(SoftScale, OutsideTheRecommendedRangeOnly) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::soft_scale_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::solid_early_release_test {
 namespace {
 
 // Bricks of 2 x 2 x height, and shells far away. Solids release at 0.5 x 0.4 V / A, shells at 0.4 (t + t).
@@ -47,4 +47,4 @@ TEST(SolidEarlyRelease, NotSegmentBasedAndNotBetweenTwoSurfaces) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::solid_early_release_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::stray_segment_test {
 namespace {
 
 Report segment(const std::string& nodes) {
@@ -28,4 +28,4 @@ TEST(StraySegment, NotFacesOfShellsAndSolids) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::stray_segment_test

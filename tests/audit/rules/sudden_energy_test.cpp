@@ -1,6 +1,6 @@
 #include "audit/rules/judged_run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::sudden_energy_test {
 namespace {
 
 struct Energies {
@@ -51,4 +51,4 @@ TEST(SuddenEnergy, WhatCannotBeJudged) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::sudden_energy_test

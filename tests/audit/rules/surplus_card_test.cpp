@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::surplus_card_test {
 namespace {
 
 Report contact_with(int lines_behind_card_3, const std::string& last) {
@@ -28,4 +28,4 @@ TEST(SurplusCard, TheTypesOwnCardIsNone) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::surplus_card_test

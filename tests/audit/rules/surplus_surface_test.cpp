@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::surplus_surface_test {
 namespace {
 
 Report single_surface(const std::string& keyword, const std::string& card1) {
@@ -17,4 +17,4 @@ TEST(SurplusSurface, OnlyWhereThereIsOneSurface) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::surplus_surface_test

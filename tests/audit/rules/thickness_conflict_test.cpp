@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::thickness_conflict_test {
 namespace {
 
 // Two rows of elements of 10 x 10: part 1 below, part 2 above, with the nodes 4 to 6 in common.
@@ -52,4 +52,4 @@ TEST(ThicknessConflict, SstAndMstOfOnePartOnBothSides) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::thickness_conflict_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::thickness_exceeds_mesh_test {
 namespace {
 
 // Elements of 5 x 2 in one contact with SSTHK = 1.
@@ -31,4 +31,4 @@ TEST(ThicknessExceedsMesh, OnlyWhereASurfaceMeetsItselfAndIsNotLimited) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::thickness_exceeds_mesh_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::thickness_ignored_test {
 namespace {
 
 RuleDeck plates(const std::string& type, int material = 1, const std::string& cards = "0.\n1.,1.\n") {
@@ -61,4 +61,4 @@ TEST(ThicknessIgnored, RigidToolsAndSolidsHaveNoneToIgnore) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::thickness_ignored_test

@@ -2,7 +2,7 @@
 
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::thickness_limited_test {
 namespace {
 
 // Elements of 5 x 2: the contact takes at most 0.8.
@@ -57,4 +57,4 @@ TEST(ThicknessLimited, TenPartsInFullAndOneLineForTheRest) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::thickness_limited_test

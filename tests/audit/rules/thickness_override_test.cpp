@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::thickness_override_test {
 namespace {
 
 // Two plates of nine nodes each with this thickness and gap; card 3 of the contact from SST on.
@@ -82,4 +82,4 @@ TEST(ThicknessOverride, GlobalThickness) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::thickness_override_test

@@ -2,7 +2,7 @@
 
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::thickness_too_thin_test {
 namespace {
 
 // Six elements of 5 x 6.
@@ -60,4 +60,4 @@ TEST(ThicknessTooThin, NotInTiesAndNotWhereThicknessIsIgnored) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::thickness_too_thin_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::tie_by_part_test {
 namespace {
 
 /// A plate (part 1) and one that stands on it (part 2) with rows of three nodes at z = 0, `second` and 30. Ties up to
@@ -34,4 +34,4 @@ TEST(TieByPart, NodesNearByStayUntied) {
 TEST(TieByPart, NotForNodeSets) { EXPECT_EQ(listed(run_rule("GC209", standing_plate(2, "7,1,4,3"))), 0U); }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::tie_by_part_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::tie_conflict_test {
 namespace {
 
 constexpr const char* cards = "0.\n1.,1.\n";
@@ -60,4 +60,4 @@ TEST(TieConflict, NodalRigidBodiesAndExtraNodes) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::tie_conflict_test

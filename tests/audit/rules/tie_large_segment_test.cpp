@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::tie_large_segment_test {
 namespace {
 
 /// n x n bricks of edge `edge`, `gap` above a brick of 20, whose upper face has D = 28.28 and ties up to 1.414.
@@ -42,4 +42,4 @@ TEST(TieLargeSegment, ManyAreCounted) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::tie_large_segment_test

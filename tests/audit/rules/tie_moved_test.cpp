@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::tie_moved_test {
 namespace {
 
 // Shells of 10 x 10: visible from 0.01 * 14.142 = 0.1414.
@@ -30,4 +30,4 @@ TEST(TieMoved, OffsetFormsMoveNothing) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::tie_moved_test

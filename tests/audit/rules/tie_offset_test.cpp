@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::tie_offset_test {
 namespace {
 
 // Shells of 10 x 10, thickness 1: tie distance max(0.6, 0.05 * 14.142) = 0.7071, visible from 0.01 * 14.142 = 0.1414.
@@ -37,4 +37,4 @@ TEST(TieOffset, NotWhereMomentsAreCarriedOrNodesAreMoved) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::tie_offset_test

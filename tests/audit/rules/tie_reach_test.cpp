@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::tie_reach_test {
 namespace {
 
 /// Nodes 3, 2 and 0.65 above shells of 10 x 10 and thickness 1; the last one ties by 0.05 * 14.142.
@@ -42,4 +42,4 @@ TEST(TieReach, KeepsWhatTiesByTheDiagonal) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::tie_reach_test

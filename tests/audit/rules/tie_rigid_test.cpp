@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::tie_rigid_test {
 namespace {
 
 /// Plates 1 and 2 (z = 0 and 0.5), of steel or rigid; the nodes 11 to 14 of plate 2 are tied to plate 1.
@@ -39,4 +39,4 @@ TEST(TieRigid, OnlyNodesThatWouldTie) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::tie_rigid_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::tie_rotations_test {
 namespace {
 
 /// A plate (part 1) and one that stands on it (part 2, two shells) with nodes 51, 52, 53, tied by them.
@@ -44,4 +44,4 @@ TEST(TieRotations, SolidsHaveNoneAndBeamsDo) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::tie_rotations_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::tied_friction_test {
 namespace {
 
 Report with_friction(const std::string& keyword, const std::string& card2) {
@@ -23,4 +23,4 @@ TEST(TiedFriction, OnlyInTiesThatNeverSlide) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::tied_friction_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::transducer_ftall_test {
 namespace {
 
 /// Four plates (parts 1 to 4), an automatic contact and two transducers; sets: 11 = {1, 2}, 12 = {1}; node sets 21 of
@@ -62,4 +62,4 @@ TEST(TransducerFtall, ASecondSurfaceNeedsPenaltyAndAnAutomaticContact) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::transducer_ftall_test

@@ -1,6 +1,6 @@
 #include "audit/rules/judged_run.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::unbalanced_contact_force_test {
 namespace {
 
 TEST(UnbalancedContactForce, NamesTheWorstTime) {
@@ -37,4 +37,4 @@ TEST(UnbalancedContactForce, WithoutForces) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::unbalanced_contact_force_test

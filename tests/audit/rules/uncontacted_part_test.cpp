@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::uncontacted_part_test {
 namespace {
 
 RuleDeck three_parts() {
@@ -57,4 +57,4 @@ TEST(UncontactedPart, ManyAreCounted) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::uncontacted_part_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::uneven_mesh_test {
 namespace {
 
 /// Two shells of 10 x 10 (1, 2) and behind each one of 10 x `width` (3, 4).
@@ -32,4 +32,4 @@ TEST(UnevenMesh, OnlyWithACommonEdge) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::uneven_mesh_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::unknown_contact_test {
 namespace {
 
 std::string message(const std::string& keyword) {
@@ -35,4 +35,4 @@ TEST(UnknownContact, EndlessNamesAndManyContacts) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::unknown_contact_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::unknown_reference_test {
 namespace {
 
 TEST(UnknownReference, APartThatIsNotThere) {
@@ -28,4 +28,4 @@ TEST(UnknownReference, BothSidesOfAllKindsOfContactAndTheirBoxes) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::unknown_reference_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::untied_node_test {
 namespace {
 
 // d2 = 0.05 * 7.07 = 0.35, d1 = 0.6 (0 + 1).
@@ -19,4 +19,4 @@ TEST(UntiedNode, BeyondTheTieDistanceOnly) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::untied_node_test

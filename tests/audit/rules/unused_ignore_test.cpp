@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::unused_ignore_test {
 namespace {
 
 /// Two plates that touch in one contact; nothing penetrates.
@@ -65,4 +65,4 @@ TEST(UnusedIgnore, ItsFindingsAreNotIgnored) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::unused_ignore_test

@@ -1,6 +1,6 @@
 #include "audit/rules/rule_deck.hpp"
 
-namespace gapcheck::audit_test {
+namespace gapcheck::audit_test::warped_segment_test {
 namespace {
 
 /// A square of 10 with its third corner raised, in contacts 1 and 2.
@@ -69,4 +69,4 @@ TEST(WarpedSegment, NeedsAContact) {
 }
 
 }  // namespace
-}  // namespace gapcheck::audit_test
+}  // namespace gapcheck::audit_test::warped_segment_test

@@ -8,7 +8,7 @@
 #include "accuracy.hpp"
 #include "geometry/decide.hpp"
 
-namespace gapcheck::bench {
+namespace gapcheck::bench::work_precision_test {
 namespace {
 
 const Method& method(const std::string& name, const std::string& precision = "double") {
@@ -121,4 +121,4 @@ TEST(WorkPrecision, DurationsAreMeasuredForAllMethods) {
 }
 
 }  // namespace
-}  // namespace gapcheck::bench
+}  // namespace gapcheck::bench::work_precision_test
