@@ -23,15 +23,16 @@ versions = re.compile(r'gapcheck [0-9][^\n"]*')
 dates = re.compile(rb'Date: \d\d/\d\d/\d{4} +Time: \d\d:\d\d:\d\d')
 
 
-def normal(text):
-    return versions.sub('gapcheck VERSION', times.sub(r'\1\2T', text))
+def normal(text, out):
+    return versions.sub('gapcheck VERSION', times.sub(r'\1\2T', text.replace(str(out), 'FOLDER')))
 
 
-def call(program, arguments, target, folder):
+def call(program, arguments, target, folder, out):
     result = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, errors='replace', cwd=folder,
                             timeout=900)
     target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text(f'exit {result.returncode}\n--- stdout\n{normal(result.stdout)}--- stderr\n{normal(result.stderr)}')
+    target.write_text(f'exit {result.returncode}\n--- stdout\n{normal(result.stdout, out)}--- stderr\n'
+                      f'{normal(result.stderr, out)}')
 
 
 def record_tree(tree, target):
@@ -49,27 +50,27 @@ def deck(build, path, name, out):
     gapcheck = build / 'apps/gapcheck/gapcheck'
     folder, file = path.parent, path.name
     audit = [gapcheck, 'audit', file, '--no-config']
-    call(audit[0], audit[1:] + ['--fail-on', 'note', '--stats'], out / name / 'audit.txt', folder)
-    call(audit[0], audit[1:] + ['--format', 'json', '--list'], out / name / 'audit.json', folder)
+    call(audit[0], audit[1:] + ['--fail-on', 'note', '--stats'], out / name / 'audit.txt', folder, out)
+    call(audit[0], audit[1:] + ['--format', 'json', '--list'], out / name / 'audit.json', folder, out)
     if path.stat().st_size < 1_000_000:
         fixed = out / name / 'fixed'
-        call(gapcheck, ['fix', file, '-o', fixed], out / name / 'fix.txt', folder)
+        call(gapcheck, ['fix', file, '-o', fixed], out / name / 'fix.txt', folder, out)
         record_tree(fixed, out / name / 'fixed.sha')
     if 'workshop' in path.parts or (root / 'data') in path.parents:
         run = out / name / 'run'
-        call(gapcheck, ['run', file, '-o', run, '--cycles', '200', '--ignore-unsupported'], out / name / 'run.txt', folder)
+        call(gapcheck, ['run', file, '-o', run, '--cycles', '200', '--ignore-unsupported'], out / name / 'run.txt', folder, out)
         if (run / 'messag').exists():
             log(build, run / 'messag', name + '/of_run', out)
-            call(gapcheck, ['compare', path, run / 'messag'], out / name / 'compare.txt', run)
+            call(gapcheck, ['compare', path, run / 'messag'], out / name / 'compare.txt', run, out)
         record_tree(run, out / name / 'run.sha')
 
 
 def log(build, path, name, out):
     gapcheck, check_c = build / 'apps/gapcheck/gapcheck', build / 'apps/check-c/check-c'
-    call(gapcheck, ['messag', path.name], out / name / 'messag.txt', path.parent)
-    call(gapcheck, ['messag', path.name, '--format', 'json'], out / name / 'messag.json', path.parent)
+    call(gapcheck, ['messag', path.name], out / name / 'messag.txt', path.parent, out)
+    call(gapcheck, ['messag', path.name, '--format', 'json'], out / name / 'messag.json', path.parent, out)
     call(check_c, ['-all', '-list', '-title', '-typ', '-typkey', '-timestep', '-psum', path.name], out / name / 'check_c.txt',
-         path.parent)
+         path.parent, out)
 
 
 def main():

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/check_c_view.hpp"
+#include "report/text/check_c_view.hpp"
 
 namespace gapcheck::check_c {
 

@@ -15,10 +15,10 @@
 #include "common/files.hpp"
 #include "common/mesh.hpp"
 #include "common/version.hpp"
-#include "report/check_c_view.hpp"
-#include "report/exports.hpp"
-#include "report/writers.hpp"
-#include "results/solver_log.hpp"
+#include "report/text/check_c_view.hpp"
+#include "report/export/exports.hpp"
+#include "report/write/writers.hpp"
+#include "results/log/solver_log.hpp"
 
 namespace gapcheck::check_c {
 namespace {

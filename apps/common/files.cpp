@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "report/describe.hpp"
+#include "report/item/describe.hpp"
 
 namespace gapcheck::app {
 

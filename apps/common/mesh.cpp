@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "keyword/deck.hpp"
-#include "results/d3plot.hpp"
+#include "results/d3plot/d3plot.hpp"
 
 namespace gapcheck::app {
 namespace {

@@ -6,8 +6,8 @@
 #include "base/result.hpp"
 #include "model/model.hpp"
 #include "records/report.hpp"
-#include "report/exports.hpp"
-#include "results/mesh_source.hpp"
+#include "report/export/exports.hpp"
+#include "results/d3plot/mesh_source.hpp"
 
 namespace gapcheck::app {
 

@@ -16,7 +16,7 @@
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
-#include "report/describe.hpp"
+#include "report/item/describe.hpp"
 
 namespace gapcheck::app {
 namespace {

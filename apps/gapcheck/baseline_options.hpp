@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "report/baseline.hpp"
+#include "report/baseline/baseline.hpp"
 
 namespace gapcheck::app {
 

@@ -1,4 +1,4 @@
-#include "report/compare.hpp"
+#include "report/compare/compare.hpp"
 
 #include <fmt/format.h>
 
@@ -23,9 +23,9 @@
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
-#include "report/check_c_view.hpp"
-#include "report/describe.hpp"
-#include "results/solver_log.hpp"
+#include "report/text/check_c_view.hpp"
+#include "report/item/describe.hpp"
+#include "results/log/solver_log.hpp"
 
 namespace gapcheck::app {
 namespace {

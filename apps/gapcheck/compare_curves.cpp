@@ -13,8 +13,8 @@
 #include "common/files.hpp"
 #include "options.hpp"
 #include "output.hpp"
-#include "report/plot_svg.hpp"
-#include "results/run_results.hpp"
+#include "report/compare/plot_svg.hpp"
+#include "results/curves/run_results.hpp"
 
 namespace gapcheck::app {
 namespace {

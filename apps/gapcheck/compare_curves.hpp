@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "report/compare_curves.hpp"
+#include "report/compare/compare_curves.hpp"
 
 namespace gapcheck::app {
 

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "base/path_pattern.hpp"
-#include "report/describe.hpp"
+#include "report/item/describe.hpp"
 
 namespace gapcheck::app {
 namespace {

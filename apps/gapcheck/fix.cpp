@@ -24,8 +24,8 @@
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
-#include "report/describe.hpp"
-#include "report/fix_report.hpp"
+#include "report/item/describe.hpp"
+#include "report/format/fix_report.hpp"
 #include "settings.hpp"
 
 namespace gapcheck::app {

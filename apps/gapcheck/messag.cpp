@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "audit/element_mesh.hpp"
+#include "audit/mesh/element_mesh.hpp"
 #include "audit/judge.hpp"
-#include "audit/scene_mesh.hpp"
+#include "audit/mesh/scene_mesh.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
 #include "common/input_kind.hpp"
@@ -23,10 +23,10 @@
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
-#include "report/check_c_view.hpp"
-#include "report/describe.hpp"
-#include "results/run_results.hpp"
-#include "results/solver_log.hpp"
+#include "report/text/check_c_view.hpp"
+#include "report/item/describe.hpp"
+#include "results/curves/run_results.hpp"
+#include "results/log/solver_log.hpp"
 
 namespace gapcheck::app {
 namespace {

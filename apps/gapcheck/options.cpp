@@ -15,10 +15,10 @@
 #include "common/files.hpp"
 #include "common/version.hpp"
 #include "output.hpp"
-#include "report/describe.hpp"
-#include "report/finding_grid.hpp"
-#include "report/formats.hpp"
-#include "report/html.hpp"
+#include "report/item/describe.hpp"
+#include "report/export/finding_grid.hpp"
+#include "report/format/formats.hpp"
+#include "report/html/html.hpp"
 
 namespace gapcheck::app {
 namespace {

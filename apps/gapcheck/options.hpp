@@ -8,8 +8,8 @@
 
 #include "keyword/deck.hpp"
 #include "records/report.hpp"
-#include "report/exports.hpp"
-#include "report/writers.hpp"
+#include "report/export/exports.hpp"
+#include "report/write/writers.hpp"
 
 namespace gapcheck::app {
 

@@ -7,7 +7,7 @@
 #include "commands.hpp"
 #include "options.hpp"
 #include "output.hpp"
-#include "report/describe.hpp"
+#include "report/item/describe.hpp"
 
 namespace gapcheck::app {
 namespace {

@@ -18,12 +18,12 @@
 #include "options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "report/describe.hpp"
+#include "report/item/describe.hpp"
 #include "run_progress.hpp"
 #include "run_summary.hpp"
 #include "run_vtu.hpp"
 #include "settings.hpp"
-#include "solver/run_files.hpp"
+#include "solver/output/run_files.hpp"
 #include "solver/supported.hpp"
 
 namespace gapcheck::app {

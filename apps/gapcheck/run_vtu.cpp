@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "common/files.hpp"
-#include "solver/plot.hpp"
+#include "solver/output/plot.hpp"
 
 namespace gapcheck::app {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "report/vtu.hpp"
-#include "results/d3plot.hpp"
-#include "results/d3plot_state.hpp"
+#include "report/export/vtu.hpp"
+#include "results/d3plot/d3plot.hpp"
+#include "results/d3plot/d3plot_state.hpp"
 #include "solver/run.hpp"
 
 namespace gapcheck::app {

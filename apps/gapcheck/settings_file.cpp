@@ -11,7 +11,7 @@
 
 #include "audit/registry.hpp"
 #include "base/number.hpp"
-#include "report/describe.hpp"
+#include "report/item/describe.hpp"
 
 // The library compiled into this file alone, with errors as values.
 #define TOML_EXCEPTIONS 0

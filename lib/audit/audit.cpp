@@ -6,12 +6,12 @@
 #include <chrono>
 #include <numeric>
 
-#include "audit/element_mesh.hpp"
+#include "audit/mesh/element_mesh.hpp"
 #include "audit/ignore_reviews.hpp"
 #include "audit/members.hpp"
 #include "audit/run_rules.hpp"
-#include "audit/scene_mesh.hpp"
-#include "contact/record_tie.hpp"
+#include "audit/mesh/scene_mesh.hpp"
+#include "contact/tie/record_tie.hpp"
 
 namespace gapcheck::audit {
 namespace {

@@ -18,7 +18,7 @@ struct AuditOptions {
   std::vector<std::int64_t> parts;          ///< --part: only nodes or segments of these parts; empty = all
   std::vector<IgnoreEntry> ignores;         ///< of a settings file; those of the deck's comments come first
   Severities severities;                    ///< instead of those of the rules
-  std::chrono::sys_days today{};            ///< what ignores with a last day are held against; 1970-01-01: they hold
+  std::chrono::sys_days today{};            ///< date for ignores with a last day; 1970-01-01: none has expired
   double ptol = -1;     ///< --ptol: replaces the default tolerance; negative = not given
   double rtol = -1;     ///< --rtol: only findings with a remaining distance below it; negative = not given
   double ratio = -1;    ///< --ratio: only findings with depth / contact distance above it; negative = not given
@@ -31,7 +31,7 @@ struct AuditOptions {
 };
 
 /// Reads a deck and reports everything that the selected rules find. Errors: the deck cannot be read at all; other
-/// input errors are in `diagnostics` (then exit code 2, though what could be audited is in the report).
+/// input errors are in `diagnostics` (then exit code 2, but the report has what could be audited).
 Result<Report> audit_deck(const std::string& path, const AuditOptions& options, Diagnostics& diagnostics);
 
 /// The same for a deck in memory.

@@ -9,8 +9,8 @@
 
 namespace gapcheck::audit {
 
-/// The contacts (positions, chosen by --contact) whose thickness keeps surfaces apart. Ties are left out, with a word for
-/// --stats: their thickness decides only what ties.
+/// The contacts (positions, chosen by --contact) whose thickness keeps surfaces apart. Ties are left out and counted
+/// for --stats: their thickness decides only what ties.
 [[nodiscard]] std::vector<std::uint32_t> contacts_with_thickness(const RuleInfo& rule, Context& context);
 
 /// The segments of one part in one contact that a rule objects to. `worst.key` is the part.
@@ -21,13 +21,13 @@ struct PartSegments {
   [[nodiscard]] PartIndex part() const { return PartIndex{static_cast<std::uint32_t>(worst.key)}; }
 };
 
-/// Weighs the segments of one side by part and puts the parts behind `list`; parts that --part does not name and segments
-/// without a known part do not count. `weigh(segment)`: not above 0 for segments that are in order.
+/// Weighs the segments of one side by part and appends the parts to `list`; parts that --part does not name and
+/// segments without a known part do not count. `weigh(segment)`: not above 0 for sound segments.
 void weigh_by_part(std::vector<PartSegments>& list, const Context& context, std::uint32_t contact,
                    const contact::Segments& segments, const std::function<double(std::size_t)>& weigh);
 
-/// One finding per part, the worst parts of each contact in full. `words(part)` is the message of one part, `others` what
-/// the rest is said to be: "parts whose …".
+/// One finding per part, the worst parts of each contact in full. `words(part)` is the message of one part, `others`
+/// describes the rest: "parts whose …".
 void add_by_part(const RuleInfo& rule, const Context& context, Report& report, const std::vector<PartSegments>& list,
                  const std::function<std::string(const PartSegments&)>& words, const std::string& others);
 

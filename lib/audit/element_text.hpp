@@ -6,7 +6,7 @@
 
 namespace gapcheck::audit {
 
-/// An element of the mesh; `index` is its position in the array of its kind, max where it is not known.
+/// An element of the mesh; `index` is its position in the array of its kind, max if unknown.
 struct ElementRef {
   model::ElementKind kind = model::ElementKind::shell;
   std::uint32_t index = static_cast<std::uint32_t>(-1);

@@ -6,9 +6,9 @@
 
 #include "audit/records_of.hpp"
 #include "audit/worst_by_key.hpp"
-#include "contact/outcome.hpp"
-#include "contact/pair.hpp"
-#include "contact/record_pair.hpp"
+#include "contact/definition/outcome.hpp"
+#include "contact/pair/pair.hpp"
+#include "contact/pair/record_pair.hpp"
 
 namespace gapcheck::audit {
 namespace {

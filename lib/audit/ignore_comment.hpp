@@ -7,13 +7,13 @@
 
 namespace gapcheck::audit {
 
-/// A comment as it was understood, or why it was not.
+/// A parsed comment, or why it could not be parsed.
 struct IgnoreComment {
   std::optional<IgnoreEntry> entry;  ///< without file and line; ids as they are written
   std::string wrong;                 ///< what is wrong and what to write
 };
 
-/// Reads what stands behind `$ gapcheck:`
+/// Reads what follows `$ gapcheck:`
 ///     ignore RULES [contact=IDS] [node=IDS] [part=IDS] [element=IDS] [until=YYYY-MM-DD] [because TEXT]
 /// RULES: ids, names or beginnings of them; IDS: ids and ranges FIRST-LAST; both with commas. Case and blanks around
 /// commas and equals signs do not matter.

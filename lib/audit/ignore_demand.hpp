@@ -16,13 +16,13 @@
 
 namespace gapcheck::audit {
 
-/// True if the last day of the entry is over.
+/// True if the last day of the entry has passed.
 inline bool expired(const IgnoreEntry& entry, const AuditOptions& options) {
   return entry.until && options.today != std::chrono::sys_days{} &&
          std::chrono::sys_days(*entry.until) < options.today;
 }
 
-/// The rules that lists of ids, names and beginnings pick; a deck may have the same list in every comment.
+/// The rules picked by lists of ids, names and prefixes; a deck may repeat the same list in every comment.
 class RuleLists {
  public:
   /// By position in rules(). Lives as long as the lists.
@@ -37,7 +37,7 @@ class RuleLists {
   std::map<std::vector<std::string>, std::vector<bool>> known_;
 };
 
-/// True if the pattern, as seen from the folder `base`, means the file: by the names given, or by those behind links.
+/// True if the pattern, relative to the folder `base`, matches the file: by the names given, or by those behind links.
 inline bool in_folder(const std::string& pattern, const std::filesystem::path& base,
                       const std::filesystem::path& file) {
   namespace fs = std::filesystem;
@@ -56,7 +56,7 @@ inline bool in_folder(const std::string& pattern, const std::filesystem::path& b
   return !failed[0] && !failed[1] && meant(from, to);
 }
 
-/// One demand with everything looked up that can be looked up once.
+/// One demand with everything resolved that needs resolving only once.
 class Demand {
  public:
   Demand(IgnoreEntry entry, RuleLists& lists) : entry_(std::move(entry)), of_rule_(&lists.of(entry_.rules)) {
@@ -90,7 +90,7 @@ class Demand {
   }
 
  private:
-  /// Decides on the distance that is left, as --ptol does: a depth is the difference of two lengths.
+  /// Decides on the remaining distance, as --ptol does: a depth is the difference of two lengths.
   static bool within(const Fact& fact, double limit) {
     const double h = fact.contact_distance;
     return fact.penetration >= 0 && (fact.penetration <= limit || (h > 0 && h - fact.penetration >= h - limit));

@@ -10,7 +10,7 @@ namespace gapcheck::audit {
 
 inline constexpr std::uint32_t none_of_them = 0xffffffffU;
 
-/// What ignores look at, of every finding alike.
+/// What ignores check, the same for every finding.
 struct Fact {
   std::uint32_t rule = none_of_them;  ///< position in rules(); none of those on ignores
   std::uint32_t source = none_of_them;
@@ -28,8 +28,8 @@ void join(std::vector<IdRange>& ranges);
 /// True if one of the joined ranges has the id. Ids of 0 are none, and in no range.
 [[nodiscard]] bool holds(const std::vector<IdRange>& ranges, std::int64_t id);
 
-/// Findings by rule and one kind of id, so that an ignore does not look at all of them. Those that have their source
-/// are jumped over, so that many ignores of the same findings look at each only once.
+/// Findings by rule and one kind of id, so that an ignore does not check all of them. Those that already have a source
+/// are skipped, so many ignores of the same findings check each only once.
 class FactIndex {
  public:
   explicit FactIndex(const std::vector<Fact>& facts) : facts_(facts) {}
@@ -43,7 +43,7 @@ class FactIndex {
   /// How many entries have an id of the ranges and a rule that is set in `rules`.
   [[nodiscard]] std::size_t count(const std::vector<bool>& rules, const std::vector<IdRange>& ranges) const;
 
-  /// Calls visit(fact) for these, until it returns false; what has two such ids may come twice.
+  /// Calls visit(fact) for these until it returns false; a fact with two such ids may come twice.
   template <class Visit>
   void each(const std::vector<bool>& rules, const std::vector<IdRange>& ranges, const Visit& visit) const {
     for_each_run(rules, ranges, [&](std::size_t first, std::size_t end) {

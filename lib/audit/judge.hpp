@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "records/report.hpp"
-#include "results/run_results.hpp"
+#include "results/curves/run_results.hpp"
 
 namespace gapcheck::audit {
 
@@ -12,8 +12,8 @@ struct JudgeOptions {
   std::vector<std::int64_t> contacts;       ///< --contact; empty = all
 };
 
-/// Adds to the report of a run's log what the selected rules on runs find in the run's result files. Only what is there
-/// is judged; returns what could not be, and why: "GC604 hourglass-share: there is no glstat".
+/// Adds to the report of a run's log what the selected rules on runs find in the run's result files. Only existing
+/// files are judged; returns what could not be judged, and why: "GC604 hourglass-share: there is no glstat".
 std::vector<std::string> judge_run(const results::RunResults& files, const JudgeOptions& options, Report& report);
 
 }  // namespace gapcheck::audit

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "model/faces.hpp"
+#include "model/entity/faces.hpp"
 
 namespace gapcheck::audit {
 namespace {

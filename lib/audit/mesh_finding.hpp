@@ -35,7 +35,7 @@ namespace gapcheck::audit {
   return part == none<PartIndex> ? -1 : static_cast<std::int64_t>(part.value);
 }
 
-/// Calls judge(i, found) for i in [0, count) on many threads; returns all that was put into `found`, in no order.
+/// Calls judge(i, found) for i in [0, count) on many threads; returns everything put into `found`, in no order.
 template <class Judge>
 std::vector<Found> find_all(std::size_t count, const Judge& judge) {
   std::vector<Found> all;

@@ -8,13 +8,13 @@
 
 namespace gapcheck::audit {
 
-/// What everybody may know of a rule. Its page is docs/rules/<name>.md.
+/// Public facts about a rule. Its page is docs/rules/<name>.md.
 struct RuleInfo {
   std::string_view id;       ///< "GC101"
   std::string_view name;     ///< "initial-penetration"
   Severity severity;
   std::string_view summary;  ///< one line
-  bool of_runs = false;      ///< judges what a run has written, not a deck
+  bool of_runs = false;      ///< judges the output of a run, not a deck
   bool of_ignores = false;   ///< judges the demands to leave findings out
 };
 

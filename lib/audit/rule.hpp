@@ -6,15 +6,15 @@
 
 #include "audit/audit.hpp"
 #include "audit/registry.hpp"
-#include "contact/contact_mesh.hpp"
-#include "contact/contact_timestep.hpp"
-#include "contact/crossings.hpp"
+#include "contact/surface/contact_mesh.hpp"
+#include "contact/stiffness/contact_timestep.hpp"
+#include "contact/crossing/crossings.hpp"
 #include "contact/initial.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::audit {
 
-/// What the rules of one audit share. What several rules need is computed when the first of them asks.
+/// What the rules of one audit share. Shared data is computed when the first rule asks for it.
 class Context {
  public:
   Context(const keyword::Deck& deck, const model::Model& model, const AuditOptions& options)
@@ -35,16 +35,16 @@ class Context {
   [[nodiscard]] contact::SurfaceStore& surface_store() { return surfaces_; }
   /// The segments of the chosen contacts, each once; made when first asked for.
   [[nodiscard]] contact::ContactMesh& contact_mesh();
-  /// How often rules asked for something that is not in the model: surfaces, searches, time steps.
+  /// How often rules asked for derived data: surfaces, searches, time steps.
   [[nodiscard]] std::uint64_t requests() const { return requests_ + surfaces_.asked(); }
   [[nodiscard]] const keyword::Deck& deck() const { return deck_; }
-  /// Says for --stats what a rule left out and why: "GC103: 3 contacts have no surfaces to compare".
+  /// Records for --stats what a rule left out and why: "GC103: 3 contacts have no surfaces to compare".
   void skipped(const RuleInfo& rule, std::string what);
   [[nodiscard]] const std::vector<std::string>& skips() const { return skips_; }
   /// The initialisation of all contacts.
   [[nodiscard]] contact::InitialState& initial();
-  /// What the initialisation of some of the contacts (positions) and of all ties would be on other surfaces; no
-  /// penetrating node is moved. Costs as much as the contacts' share of initial().
+  /// The initialisation of some of the contacts (positions) and of all ties on other surfaces; penetrating nodes are
+  /// not moved. Costs as much as the contacts' share of initial().
   [[nodiscard]] contact::InitialState initial_if(contact::SurfaceStore& surfaces,
                                                  const std::vector<std::uint32_t>& contacts);
   /// Time steps of the contacts that --contact lets through, and of the elements.
@@ -65,7 +65,7 @@ class Context {
   /// How the rules about crossing elements decided; printed by --stats.
   [[nodiscard]] contact::CrossingCounters& crossing_counters() { return crossing_counters_; }
   [[nodiscard]] bool initialised() const { return initial_.has_value(); }
-  /// What became of the ignores; for Rule::review.
+  /// The result of the ignores; for Rule::review.
   [[nodiscard]] const IgnoreOutcome& ignores() const { return ignores_; }
   void set_ignores(IgnoreOutcome outcome) { ignores_ = std::move(outcome); }
   /// Asks for the records of one kind in the report.
@@ -109,7 +109,7 @@ struct Rule {
   RuleInfo info;
   void (*run)(const RuleInfo& info, Context& context, Report& report) = nullptr;
   void (*judge)(const RuleInfo& info, RunContext& context, Report& report) = nullptr;
-  /// In place of `run`: looks at what has become of the findings of all the others.
+  /// Instead of `run`: judges what happened to the findings of all other rules.
   void (*review)(const RuleInfo& info, const Context& context, Report& report) = nullptr;
 };
 

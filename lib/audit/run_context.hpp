@@ -9,7 +9,7 @@
 
 namespace gapcheck::audit {
 
-/// What an energy is held against.
+/// The reference for an energy.
 struct ReferenceEnergy {
   double value = 0;         ///< 0: there is none
   bool of_elements = true;  ///< the internal energy; false: the total one, since the elements hardly deform
@@ -28,7 +28,7 @@ class RunContext {
   [[nodiscard]] const results::RunResults& files() const { return files_; }
   [[nodiscard]] const SolverRun& log() const { return log_; }
   [[nodiscard]] const JudgeOptions& options() const { return options_; }
-  /// What the log says of a contact; nullptr: nothing.
+  /// What the log says about a contact; nullptr: nothing.
   [[nodiscard]] const ContactSummary* contact(std::int64_t id) const;
   /// The contacts of the log; SurfaceTimestep::contact is a position among them.
   [[nodiscard]] const std::vector<ContactSummary>& contacts() const { return contacts_; }

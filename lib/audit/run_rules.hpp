@@ -11,7 +11,7 @@ namespace gapcheck::audit {
 /// Runs the selected rules on decks, or on runs, in order of their ids.
 void run_rules(Context& context, Report& report);
 void run_rules(RunContext& context, Report& report);
-/// Runs the selected rules on ignores: last, when the findings of all the others are known.
+/// Runs the selected rules on ignores: last, when all other findings are known.
 void review_ignores(const Context& context, Report& report);
 
 }  // namespace gapcheck::audit

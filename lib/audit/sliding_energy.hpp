@@ -10,7 +10,7 @@ namespace gapcheck::audit {
 /// Sliding energy at one time.
 struct SlidingState {
   double time = 0, energy = 0;
-  double print_error = 0;  ///< that the file's digits leave in it
+  double print_error = 0;  ///< rounding of the file's digits
 };
 
 /// Sliding energy of one contact, or of all together.

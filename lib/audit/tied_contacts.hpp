@@ -10,8 +10,8 @@
 namespace gapcheck::audit {
 
 /// Calls visit(contact, nodes) for every tied contact (position in Model::contacts) that --contact lets through and
-/// judged any nodes, in deck order. Nodes of parts that --part leaves out are not in the span, which dies with the call.
-/// Decks without tied contacts cost nothing; otherwise the contacts are initialised.
+/// judged any nodes, in deck order. Nodes of parts that --part leaves out are not in the span, which is valid only
+/// during the call. Decks without tied contacts cost nothing; otherwise the contacts are initialised.
 void for_each_tied_contact(Context& context,
                            const std::function<void(std::uint32_t, std::span<const contact::JudgedNode>)>& visit);
 

@@ -9,7 +9,7 @@
 
 namespace gapcheck::audit {
 
-/// What one thing weighs, and with which others it is counted.
+/// The weight of one thing, and the key with which it is counted.
 struct Weighed {
   std::uint64_t key = 0;
   double weight = 0;  ///< not above 0: it does not count

@@ -9,8 +9,8 @@ namespace gapcheck {
 
 enum class Severity : std::uint8_t { note, warning, error };
 
-/// What could not be read or was passed over: which file and line (1-based; 0 = the file as a whole), what is wrong,
-/// what to do. An error means that the tool could not do its job (exit code 2).
+/// What could not be read or was skipped: which file and line (1-based; 0 = the whole file), what is wrong, what to do.
+/// An error means that the tool could not do its job (exit code 2).
 struct Diagnostic {
   Severity severity = Severity::error;
   std::string file;
@@ -18,8 +18,8 @@ struct Diagnostic {
   std::string message;
 };
 
-/// Collects diagnostics from any thread. Keeps the first `limit` of them and counts the rest, so that a hostile file
-/// cannot fill the memory.
+/// Collects diagnostics from any thread. Keeps the first `limit` of them and counts the rest, so a hostile file cannot
+/// fill the memory.
 class Diagnostics {
  public:
   void add(Diagnostic diagnostic);
@@ -27,7 +27,7 @@ class Diagnostics {
   void warning(std::string file, std::uint32_t line, std::string message);
   [[nodiscard]] bool has_errors() const;
   [[nodiscard]] std::size_t dropped() const;
-  /// Sorted by file and line, so that the order does not depend on threads. Errors first.
+  /// Sorted by file and line, so the order does not depend on threads. Errors first.
   [[nodiscard]] std::vector<Diagnostic> sorted() const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace gapcheck {
 
-/// A number that names one kind of thing only: comparing or mixing two kinds does not compile.
+/// A number that identifies one kind of thing only: comparing or mixing two kinds does not compile.
 template <class Tag, class Rep>
 struct Typed {
   Rep value{};

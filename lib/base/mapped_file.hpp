@@ -8,8 +8,8 @@
 namespace gapcheck {
 
 /// A whole file mapped read-only into memory. `bytes()` stays valid, at the same address, as long as the object lives,
-/// also when it is moved. Limits: a file that another program shortens while it is mapped ends the process (SIGBUS),
-/// as with every mapping.
+/// even if it is moved. Limits: a file that another program shortens while it is mapped ends the process (SIGBUS), as
+/// with every mapping.
 class MappedFile {
  public:
   /// Errors: missing, directory, no permission, not a regular file. An empty file is fine and has no bytes.
@@ -21,7 +21,7 @@ class MappedFile {
   MappedFile& operator=(const MappedFile&) = delete;
   ~MappedFile();
   [[nodiscard]] std::string_view bytes() const { return {data_, size_}; }
-  /// Gives back the memory that the bytes read so far take; they can be read again, and then take it again.
+  /// Releases the memory of the bytes read so far; reading them again takes it again.
   void release() const;
 
  private:

@@ -5,7 +5,7 @@
 
 namespace gapcheck {
 
-/// The text without blanks and tabs at either end.
+/// The text without leading and trailing blanks and tabs.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 /// A whole number as decks write it: sign, digits; `12.0` and `1.2E1` count as 12 (pre-processors write them).

@@ -21,7 +21,7 @@ class JobLimit {
 };
 
 /// Calls body(begin, end) on disjoint pieces of [0, count), in any order and on any thread. The pieces are at least
-/// `grain` long where that is possible. The body must not depend on how the range is cut.
+/// `grain` long if possible. The body must not depend on how the range is split.
 template <class Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
   if (count == 0) return;

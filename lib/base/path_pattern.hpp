@@ -3,10 +3,10 @@
 
 namespace gapcheck {
 
-/// True if the whole path is what the pattern describes. Both are folders and a name with `/` between them; nothing is
-/// looked up and nothing is made normal. In the pattern `?` is one character and `*` any number of them, but never a
-/// `/`; a folder `**` is any number of folders, also none; `**` at the end is all that lies below. All other characters
-/// stand for themselves, case counts. Time is at most the product of both lengths, squared where there is a `**`.
+/// True if the pattern matches the whole path. Both are folders and a name separated by `/`; nothing is looked up or
+/// normalised. In the pattern `?` is one character and `*` any number of them, but never a `/`; a folder `**` is any
+/// number of folders, or none; `**` at the end is everything below. All other characters match themselves,
+/// case-sensitively. Time is at most the product of both lengths, squared where there is a `**`.
 [[nodiscard]] bool matches(std::string_view pattern, std::string_view path);
 
 }  // namespace gapcheck

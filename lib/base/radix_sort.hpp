@@ -11,8 +11,8 @@
 namespace gapcheck {
 
 /// Sorts by the lowest `bits` bits of key(item), an unsigned number; items with equal keys keep their order, so the
-/// result is the same for any number of threads. `spare`: as long as `items`, holds nothing of use afterwards. At most
-/// 2³² - 1 items. Time is linear; digits that all items share cost one look.
+/// result is the same for any number of threads. `spare`: as long as `items`, its contents are undefined afterwards. At
+/// most 2³² - 1 items. Time is linear; digits that all items share cost one pass.
 template <class Item, class Key>
 void radix_sort(std::span<Item> items, std::span<Item> spare, int bits, const Key& key) {
   constexpr int digit = 11;
@@ -31,7 +31,7 @@ void radix_sort(std::span<Item> items, std::span<Item> spare, int bits, const Ke
           ++counts[b][digit_of(item)];
       }
     });
-    // From counts to the places where each block puts its items of each digit.
+    // Turns counts into the positions where each block puts its items of each digit.
     std::uint32_t place = 0;
     bool all_equal = false;
     for (std::size_t d = 0; d <= mask; ++d) {

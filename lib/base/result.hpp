@@ -6,7 +6,7 @@
 
 namespace gapcheck {
 
-/// A value, or the diagnostic that says why there is none. Nothing in the library throws for bad input.
+/// A value, or the diagnostic that says why there is none. The library never throws for bad input.
 template <class T>
 class [[nodiscard]] Result {
  public:

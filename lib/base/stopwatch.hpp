@@ -3,7 +3,7 @@
 
 namespace gapcheck {
 
-/// Adds the seconds of its life to a total.
+/// Adds its lifetime in seconds to a total.
 class Stopwatch {
  public:
   explicit Stopwatch(double& total) : total_(total) {}

@@ -12,14 +12,14 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
-#include "contact/edge_pairs.hpp"
-#include "contact/exclusions.hpp"
-#include "contact/faces.hpp"
-#include "contact/orientation.hpp"
-#include "contact/outcome.hpp"
-#include "contact/pair_rules.hpp"
-#include "contact/release.hpp"
-#include "contact/side_scene.hpp"
+#include "contact/edge/edge_pairs.hpp"
+#include "contact/definition/exclusions.hpp"
+#include "contact/mesh/faces.hpp"
+#include "contact/pair/orientation.hpp"
+#include "contact/definition/outcome.hpp"
+#include "contact/pair/pair_rules.hpp"
+#include "contact/pair/release.hpp"
+#include "contact/pair/side_scene.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -318,7 +318,7 @@ class Initialiser {
   InitialCounters& counters_;
   InitialState& state_;
   std::unique_ptr<CandidateSearch> search_;
-  Ties ties_;
+  TiedPairs ties_;
   bool moved_ = false;  ///< some node is no longer where the deck has it
   std::optional<ContactSurfaces> own_;
 };

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "contact/choose_search.hpp"
-#include "contact/closest_segment.hpp"
-#include "contact/contact_surfaces.hpp"
-#include "contact/contact_type.hpp"
-#include "contact/ties.hpp"
+#include "contact/search/choose_search.hpp"
+#include "contact/pair/closest_segment.hpp"
+#include "contact/surface/contact_surfaces.hpp"
+#include "contact/definition/contact_type.hpp"
+#include "contact/tie/ties.hpp"
 #include "geometry/decide.hpp"
 #include "model/model.hpp"
 #include "records/report.hpp"

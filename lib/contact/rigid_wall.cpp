@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/element_nodes.hpp"
-#include "contact/rigid_nodes.hpp"
+#include "contact/mesh/element_nodes.hpp"
+#include "contact/mesh/rigid_nodes.hpp"
 
 namespace gapcheck::contact {
 namespace {

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "contact/rigid_nodes.hpp"
+#include "contact/mesh/rigid_nodes.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::contact {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "model/faces.hpp"
+#include "model/entity/faces.hpp"
 
 namespace gapcheck::model {
 namespace {

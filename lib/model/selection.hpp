@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "model/raw_sets.hpp"
-#include "model/set_members.hpp"
+#include "model/entity/raw_sets.hpp"
+#include "model/entity/set_members.hpp"
 
 namespace gapcheck::model {
 

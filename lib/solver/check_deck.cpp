@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "contact/rigid_nodes.hpp"
-#include "solver/contact_method.hpp"
+#include "contact/mesh/rigid_nodes.hpp"
+#include "solver/contact/contact_method.hpp"
 
 namespace gapcheck::solver {
 namespace {

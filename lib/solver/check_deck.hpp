@@ -2,9 +2,9 @@
 #include <optional>
 
 #include "base/diagnostic.hpp"
-#include "contact/contact_surfaces.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "model/model.hpp"
-#include "solver/failure.hpp"
+#include "solver/state/failure.hpp"
 
 namespace gapcheck::solver {
 

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/erosion.hpp"
-#include "contact/ties.hpp"
-#include "solver/build_forces.hpp"
+#include "contact/surface/erosion.hpp"
+#include "contact/tie/ties.hpp"
+#include "solver/build/build_forces.hpp"
 #include "solver/check_deck.hpp"
-#include "solver/conditions.hpp"
-#include "solver/constraint_contact.hpp"
-#include "solver/tie_constraints.hpp"
-#include "solver/tie_forces.hpp"
+#include "solver/condition/conditions.hpp"
+#include "solver/constraint/constraint_contact.hpp"
+#include "solver/tie/tie_constraints.hpp"
+#include "solver/tie/tie_forces.hpp"
 
 namespace gapcheck::solver {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "contact/initial.hpp"
 #include "model/model.hpp"
-#include "solver/build.hpp"
-#include "solver/contact_forces.hpp"
+#include "solver/build/build.hpp"
+#include "solver/contact/contact_forces.hpp"
 #include "solver/step.hpp"
-#include "solver/transducers.hpp"
+#include "solver/contact/transducers.hpp"
 
 namespace gapcheck::solver {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "solver/failure.hpp"
-#include "solver/force.hpp"
-#include "solver/structure.hpp"
+#include "solver/state/failure.hpp"
+#include "solver/state/force.hpp"
+#include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver {
 

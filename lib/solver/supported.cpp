@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "base/embedded.hpp"
-#include "contact/contact_type.hpp"
-#include "solver/contact_method.hpp"
-#include "solver/rigid_walls.hpp"
+#include "contact/definition/contact_type.hpp"
+#include "solver/contact/contact_method.hpp"
+#include "solver/condition/rigid_walls.hpp"
 
 namespace gapcheck::embedded {
 extern const std::span<const Text> supported_keywords;

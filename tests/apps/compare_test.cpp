@@ -5,7 +5,7 @@
 
 #include "audit/audit.hpp"
 #include "program.hpp"
-#include "results/write_messag.hpp"
+#include "results/log/write_messag.hpp"
 
 namespace gapcheck::compare_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "audit/audit.hpp"
-#include "contact/surface.hpp"
+#include "contact/surface/surface.hpp"
 #include "geometry/closest_point.hpp"
 #include "geometry/decide.hpp"
 #include "keyword/deck.hpp"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "contact/closest_segment.hpp"
-#include "contact/side_scene.hpp"
+#include "contact/pair/closest_segment.hpp"
+#include "contact/pair/side_scene.hpp"
 #include "families.hpp"
 #include "keyword/deck.hpp"
 #include "model/model.hpp"

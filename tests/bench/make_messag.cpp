@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "results/write_messag.hpp"
+#include "results/log/write_messag.hpp"
 
 namespace {
 

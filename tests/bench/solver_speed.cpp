@@ -9,8 +9,8 @@
 
 #include "base/parallel.hpp"
 #include "keyword/deck.hpp"
-#include "solver/build.hpp"
-#include "solver/contact_forces.hpp"
+#include "solver/build/build.hpp"
+#include "solver/contact/contact_forces.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scene.hpp"
+#include "contact/scene.hpp"
 
 namespace gapcheck::contact::initial_test {
 namespace {

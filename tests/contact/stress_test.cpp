@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "scene.hpp"
+#include "contact/scene.hpp"
 
 namespace gapcheck::contact::stress_test {
 namespace {

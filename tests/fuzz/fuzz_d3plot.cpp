@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "results/d3plot.hpp"
+#include "results/d3plot/d3plot.hpp"
 
 namespace {
 

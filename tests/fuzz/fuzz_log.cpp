@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "results/solver_log.hpp"
-#include "results/write_messag.hpp"
+#include "results/log/solver_log.hpp"
+#include "results/log/write_messag.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   gapcheck::Diagnostics diagnostics;

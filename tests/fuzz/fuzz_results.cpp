@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "results/contact_forces.hpp"
-#include "results/glstat.hpp"
-#include "results/matsum.hpp"
-#include "results/nodout.hpp"
+#include "results/curves/contact_forces.hpp"
+#include "results/curves/glstat.hpp"
+#include "results/curves/matsum.hpp"
+#include "results/curves/nodout.hpp"
 
 namespace {
 

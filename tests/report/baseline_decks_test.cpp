@@ -9,7 +9,7 @@
 
 #include "audit/random_scene.hpp"
 #include "audit/run.hpp"
-#include "report/baseline.hpp"
+#include "report/baseline/baseline.hpp"
 
 namespace gapcheck::report::baseline_decks_test {
 namespace {

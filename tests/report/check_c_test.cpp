@@ -8,10 +8,10 @@
 #include <random>
 #include <set>
 
-#include "report/check_c_tables.hpp"
-#include "report/check_c_view.hpp"
-#include "report/contact_keyword.hpp"
-#include "report/describe_tie.hpp"
+#include "report/text/check_c_tables.hpp"
+#include "report/text/check_c_view.hpp"
+#include "report/item/contact_keyword.hpp"
+#include "report/item/describe_tie.hpp"
 #include "sample.hpp"
 
 namespace gapcheck::report::check_c_test {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "audit/registry.hpp"
-#include "report/describe_tie.hpp"
+#include "report/item/describe_tie.hpp"
 
 namespace gapcheck::rule_pages_test {
 namespace {

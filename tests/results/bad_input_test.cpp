@@ -8,7 +8,7 @@
 
 #include "fixtures.hpp"
 #include "read.hpp"
-#include "results/write_messag.hpp"
+#include "results/log/write_messag.hpp"
 
 namespace gapcheck::results::bad_input_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "results/solver_log.hpp"
+#include "results/log/solver_log.hpp"
 
 namespace gapcheck::results {
 

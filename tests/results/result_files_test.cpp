@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "results/contact_forces.hpp"
-#include "results/fortran_number.hpp"
-#include "results/glstat.hpp"
-#include "results/matsum.hpp"
-#include "results/nodout.hpp"
+#include "results/curves/contact_forces.hpp"
+#include "results/text/fortran_number.hpp"
+#include "results/curves/glstat.hpp"
+#include "results/curves/matsum.hpp"
+#include "results/curves/nodout.hpp"
 
 namespace gapcheck::results::result_files_test {
 namespace {

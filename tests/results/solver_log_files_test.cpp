@@ -9,7 +9,7 @@
 
 #include "fixtures.hpp"
 #include "read.hpp"
-#include "results/write_messag.hpp"
+#include "results/log/write_messag.hpp"
 
 namespace gapcheck::results::solver_log_files_test {
 namespace {

@@ -2,8 +2,8 @@
 #include <memory>
 #include <vector>
 
-#include "solver/conditions.hpp"
-#include "structure.hpp"
+#include "solver/condition/conditions.hpp"
+#include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver {
 

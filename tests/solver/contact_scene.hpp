@@ -4,8 +4,8 @@
 #include <string>
 
 #include "../model/read.hpp"
-#include "solver/contact_forces.hpp"
-#include "structure.hpp"
+#include "solver/contact/contact_forces.hpp"
+#include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver {
 

@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "keyword/deck.hpp"
-#include "contact/record_tie.hpp"
-#include "results/solver_log.hpp"
-#include "results/write_messag.hpp"
-#include "solver/contact_forces.hpp"
-#include "solver/tie_constraints.hpp"
-#include "solver/tie_forces.hpp"
+#include "contact/tie/record_tie.hpp"
+#include "results/log/solver_log.hpp"
+#include "results/log/write_messag.hpp"
+#include "solver/contact/contact_forces.hpp"
+#include "solver/tie/tie_constraints.hpp"
+#include "solver/tie/tie_forces.hpp"
 
 namespace gapcheck::solver::cycle_zero_test {
 namespace {

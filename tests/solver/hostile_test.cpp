@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "run_scene.hpp"
+#include "solver/run_scene.hpp"
 
 namespace gapcheck::solver::hostile_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "run_scene.hpp"
+#include "solver/run_scene.hpp"
 
 namespace gapcheck::solver::impact_test {
 namespace {

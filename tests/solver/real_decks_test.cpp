@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "conditioned.hpp"
+#include "solver/conditioned.hpp"
 #include "solver/supported.hpp"
 
 namespace gapcheck::solver::real_decks_test {

@@ -5,7 +5,7 @@
 
 #include "../model/read.hpp"
 #include "solver/run.hpp"
-#include "structure.hpp"
+#include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver {
 

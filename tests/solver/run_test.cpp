@@ -14,12 +14,12 @@
 #include <string>
 
 #include "base/parallel.hpp"
-#include "results/d3plot_states.hpp"
-#include "results/glstat.hpp"
-#include "results/solver_log.hpp"
-#include "solver/plot.hpp"
-#include "solver/run_files.hpp"
-#include "structure.hpp"
+#include "results/d3plot/d3plot_states.hpp"
+#include "results/curves/glstat.hpp"
+#include "results/log/solver_log.hpp"
+#include "solver/output/plot.hpp"
+#include "solver/output/run_files.hpp"
+#include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver::run_test {
 namespace {

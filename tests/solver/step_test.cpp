@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
-#include "structure.hpp"
+#include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver::step_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "contact_scene.hpp"
+#include "solver/contact_scene.hpp"
 
 namespace gapcheck::solver::stress_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "contact/crossings.hpp"
+#include "contact/crossing/crossings.hpp"
 
 namespace gapcheck::audit {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "contact/segment_quality.hpp"
+#include "contact/surface/segment_quality.hpp"
 
 namespace gapcheck::audit {
 namespace {

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "audit/fix/crossing_pairs.hpp"
-#include "contact/mesh_index.hpp"
+#include "contact/mesh/mesh_index.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::audit {
 
-/// How much a correction may change an element. Elements that are worse in the deck may stay as they are.
+/// How much a correction may change an element. Elements that are already worse in the deck may stay so.
 struct ShapeLimits {
   double warp = 15;             ///< of shells, degrees
   double slenderness = 0.1;     ///< of shells: altitude over longest edge
@@ -26,8 +26,8 @@ class ElementBounds {
 
   /// Elements at moved nodes that are turned inside out, warped or stretched beyond the limits.
   [[nodiscard]] std::vector<ElementOfKind> broken(const std::vector<Vector>& x, std::span<const NodeIndex> moved);
-  /// Nodes that must be held where they were so that these elements keep their shape: of each the nodes that moved by at
-  /// least half of what the one that moved most did. Ascending, each once.
+  /// Nodes that must be held at their place so that these elements keep their shape: of each element, those that moved
+  /// at least half as far as its farthest one. Ascending, each once.
   [[nodiscard]] std::vector<NodeIndex> offenders(const std::vector<Vector>& x,
                                                  std::span<const ElementOfKind> elements) const;
   [[nodiscard]] std::vector<NodeIndex> offenders(const std::vector<Vector>& x, std::span<const NodeIndex> moved) {

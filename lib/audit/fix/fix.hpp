@@ -20,8 +20,8 @@ struct FixOptions {
   bool free_welds = false;  ///< --free-welds: nodes of spot welds, rivets and weld elements may move against each other
   ShapeLimits limits;
   std::uint32_t rounds = 40;                               ///< searches of the contacts at most
-  /// Pairs decided and conditions solved at most, some minutes: a search that has cost so much ends with what it has.
-  /// Corrections of what would cross may take as much again.
+  /// Most pairs to decide and conditions to solve, a few minutes: a search that reaches it ends with its result so far.
+  /// Corrections of crossings may take as much again.
   std::uint64_t work = 10'000'000'000;
 };
 
@@ -37,11 +37,11 @@ struct Fix {
 
 /// Moves nodes so that nothing penetrates initially any more (GC101, GC102) and tied nodes that the solver would move
 /// lie on their segments (GC204), with the least movement: Σ wᵢ |uᵢ|², weights of find_freedoms(). Each node keeps to the
-/// side of the segment on which the deck has it, and is cleared by 1.002 times its penetration, as the solver does. Ties
-/// stay together; nodes that may not move stay; elements keep their shape (ShapeLimits). What the lines of the deck can
-/// tell of the coordinates is what is judged. Never more nodes penetrate afterwards than before. Contacts that judge
-/// segments (SOFT = 2, mortar) are left alone. Errors: the deck cannot be read as a model,
-/// has keywords that move or make nodes and are not read, or lacks what the options name.
+/// side of the segment on which the deck has it, and is cleared by 1.002 times its penetration, as the solver does.
+/// Ties stay together; nodes that must not move stay; elements keep their shape (ShapeLimits). The coordinates are
+/// judged as rounded in the deck's lines. Never more nodes penetrate afterwards than before. Contacts that judge
+/// segments (SOFT = 2, mortar) are left alone. Errors: the deck cannot be read as a model, has unread keywords that
+/// move or create nodes, or lacks something that the options name.
 [[nodiscard]] Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& options,
                                            Diagnostics& diagnostics);
 

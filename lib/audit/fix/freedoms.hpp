@@ -16,13 +16,13 @@ struct Lock {
   std::int64_t first = 0, last = 0;
 };
 
-/// How freely nodes may move: by node and axis the inverse of its weight. Nodes that are joined have one weight in
-/// common, and are held together.
+/// How freely nodes may move: by node and axis the inverse of its weight. Joined nodes share one weight and are held
+/// together.
 struct Freedoms {
   std::vector<Vector> mobility;    ///< 0: held in this direction
   std::vector<HoldReason> reason;  ///< why it is held, wholly or in some direction
   JoinedNodes joined;
-  /// Holds a node, and with it those that are joined to it (as `constrained`).
+  /// Holds a node and those joined to it (as `constrained`).
   void hold(NodeIndex node, HoldReason why);
   [[nodiscard]] bool held(NodeIndex node) const { return mobility[node.value].isZero(); }
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/outcome.hpp"
+#include "contact/definition/outcome.hpp"
 #include "geometry/closest_point.hpp"
 
 namespace gapcheck::audit {

@@ -7,16 +7,16 @@
 
 #include "audit/fix/joined_nodes.hpp"
 #include "audit/fix/least_movement.hpp"
-#include "contact/contact_surfaces.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "contact/initial.hpp"
-#include "contact/mesh_index.hpp"
-#include "contact/record_pair.hpp"
+#include "contact/mesh/mesh_index.hpp"
+#include "contact/pair/record_pair.hpp"
 #include "records/fix.hpp"
 
 namespace gapcheck::audit {
 
-/// A tracked node that is to keep its contact distance from a segment, on the side on which it was found. A node that is
-/// next to the segment of a two-sided surface is on the side on which the nodes of its elements are.
+/// A tracked node that must keep its contact distance from a segment, on the side on which it was found. A node next to
+/// the segment of a two-sided surface is on the side of the nodes of its elements.
 struct Gap {
   std::uint32_t contact = 0;  ///< position in Model::contacts
   NodeIndex node;
@@ -33,7 +33,7 @@ struct Gap {
   HoldReason given_up = HoldReason::none;  ///< why no movement opens it
 };
 
-/// How a gap stands at some coordinates.
+/// State of a gap at some coordinates.
 struct GapState {
   bool counts = true;   ///< the node's projection is in the segment's band
   double gap = 0;       ///< distance from the segment, negative on the other side
@@ -42,17 +42,16 @@ struct GapState {
 };
 [[nodiscard]] GapState measure_gap(const Gap& gap, const std::vector<Vector>& x);
 
-/// All gaps that were found too small so far. Grows only.
+/// All gaps found too small so far. Only grows.
 class Gaps {
  public:
   /// `index`: of the model whose records it will take; must outlive it.
   explicit Gaps(contact::MeshIndex& index) : index_(index) {}
-  /// Takes the nodes that penetrate (also those that are too deep) in a state of the contacts. `surfaces`: of the same
-  /// model on the same coordinates `x`. Gaps that are found too small again and again get more clearance: that
-  /// is rounding.
+  /// Adds the nodes that penetrate (even too deep ones) in a state of the contacts. `surfaces`: of the same model on
+  /// the same coordinates `x`. Gaps found too small repeatedly get more clearance, because of rounding.
   void add(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& state,
            const std::vector<Vector>& x);
-  /// Gives up gaps to segments that the node is joined to: around a weld the sheets cannot part.
+  /// Drops gaps to segments that the node is joined to: around a weld the sheets cannot separate.
   void give_up(const JoinedNodes& joined);
   [[nodiscard]] std::vector<Gap>& list() { return gaps_; }
   [[nodiscard]] const std::vector<Gap>& list() const { return gaps_; }

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "audit/fix/least_movement.hpp"
-#include "contact/contact_surfaces.hpp"
-#include "contact/ties.hpp"
-#include "model/links.hpp"
+#include "contact/surface/contact_surfaces.hpp"
+#include "contact/tie/ties.hpp"
+#include "model/read/links.hpp"
 
 namespace gapcheck::audit {
 
@@ -22,11 +22,11 @@ struct HeldTie {
 [[nodiscard]] std::vector<HeldTie> held_ties(std::span<const contact::JudgedNode> judged,
                                              contact::SurfaceStore& surfaces, const std::vector<Vector>& x);
 
-/// The same for a node that hangs on an edge: in its middle.
+/// The same for a node at the middle of an edge.
 [[nodiscard]] HeldTie held_tie(const model::HangingNode& hanging);
 
 /// Ties that have one of the nodes, or a node of such a tie, and so on. `moving`: by node, 1 for the nodes that may
-/// move; those of the ties are added.
+/// move; the nodes of the ties are added.
 [[nodiscard]] std::vector<HeldTie> ties_of(std::vector<HeldTie> ties, std::vector<std::uint8_t>& moving);
 
 }  // namespace gapcheck::audit

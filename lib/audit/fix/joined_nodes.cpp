@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "model/node_references.hpp"
+#include "model/read/node_references.hpp"
 
 namespace gapcheck::audit {
 namespace {

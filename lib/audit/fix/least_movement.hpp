@@ -25,21 +25,21 @@ struct MoveCondition {
   void add(std::uint32_t node, double coefficient);
 };
 
-/// What the conditions leave open.
+/// How well the conditions are met.
 struct MovementResult {
   std::size_t sweeps = 0;
-  double worst = 0;  ///< largest violation of any condition that some node could move for
+  double worst = 0;  ///< largest violation of any condition that has a movable node
 };
 
 /// The moves with the least Σ |uᵢ|² / mobilityᵢ (by axis) that satisfy all conditions: Gauss-Seidel with a projection
 /// on the dual problem (Hildreth 1957), one multiplier per condition, until no condition is violated by more than
 /// `tolerance`, or after `sweeps`. `mobility`: by node and axis the inverse of the weight; 0: held. `moves`: beside it,
-/// overwritten. Conditions whose nodes are all held are passed over. Conditions that contradict one another stay
-/// violated, with multipliers that grow. Source: C. Hildreth, A quadratic programming procedure, 1957.
+/// overwritten. Conditions whose nodes are all held are skipped. Contradicting conditions stay violated, with growing
+/// multipliers. Source: C. Hildreth, A quadratic programming procedure, 1957.
 MovementResult least_movement(std::span<MoveCondition> conditions, std::span<const Vector> mobility,
                               std::span<Vector> moves, double tolerance, std::size_t sweeps);
 
-/// How far the condition is from being satisfied; negative: satisfied with room to spare (0 for equations).
+/// How far the condition is from being satisfied; negative: satisfied with a margin (0 for equations).
 [[nodiscard]] double violation(const MoveCondition& condition, std::span<const Vector> moves);
 
 /// How much the left side changes with the multiplier; 0: no node can move for it.

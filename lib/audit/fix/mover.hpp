@@ -25,8 +25,8 @@ struct Judgement {
 };
 
 /// Finds where the nodes go: searches the contacts, solves for the least movement that opens all gaps found so far, and
-/// again, until nothing penetrates or nothing gets better. Changes the model's coordinates as it goes. All references
-/// must outlive it.
+/// repeats until nothing penetrates or improves. Changes the model's coordinates on the way. All references must
+/// outlive it.
 class Mover {
  public:
   /// `lines`: of the deck that the model was read from.
@@ -35,23 +35,23 @@ class Mover {
   void run();
 
   [[nodiscard]] const Judgement& before() const { return before_; }
-  /// At the best coordinates found, which are those of the model now.
+  /// At the best coordinates found, which the model now has.
   [[nodiscard]] const Judgement& after() const { return after_; }
-  /// Nodes that lie elsewhere than in the deck, ascending.
+  /// Nodes that have moved from their place in the deck, ascending.
   [[nodiscard]] std::vector<NodeIndex> moved() const;
-  /// Where a moved node was to go; the model has the nearest place that its line can tell.
+  /// The target of a moved node; the model has the nearest position that its line can express.
   [[nodiscard]] const Vector& target(NodeIndex node) const { return target_[node.value]; }
   [[nodiscard]] bool onto_tie(NodeIndex node) const { return base_[node.value] != deck_[node.value]; }
   /// Why a record of after() is still there.
   [[nodiscard]] HoldReason reason(const Penetration& record);
   [[nodiscard]] std::uint32_t rounds() const { return rounds_; }
-  /// True if the search has ended because it took too much work, and not because nothing was left to gain.
+  /// True if the search ended because it took too much work, not because nothing was left to gain.
   [[nodiscard]] bool cut_short() const { return cut_short_; }
   /// Pairs of elements that cross.
   [[nodiscard]] std::uint64_t crossings_before() const { return crossings_before_.size(); }
   [[nodiscard]] std::uint64_t crossings_after() const { return crossings_after_; }
 
-  /// The first of the nodes whose lines cannot be rewritten, for one reason, and how many there are.
+  /// The first node whose line cannot be rewritten, for one reason, and the number of such nodes.
   struct Unwritable {
     NodeIndex first;
     std::uint64_t count = 0;
@@ -86,7 +86,7 @@ class Mover {
   const FixOptions& options_;
   std::optional<contact::SurfaceStore> surfaces_;  ///< on the coordinates judged last
   std::vector<Vector> base_;   ///< the deck's coordinates with tied nodes on their segments
-  std::vector<Vector> target_, best_;  ///< the best so far: as it was found, and as the lines of the deck can tell it
+  std::vector<Vector> target_, best_;  ///< the best so far: as found, and as the deck's lines can express it
   Judgement before_, after_;
   std::set<ElementPair> crossings_before_;
   std::uint64_t crossings_after_ = 0;

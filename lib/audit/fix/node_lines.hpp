@@ -10,17 +10,17 @@
 
 namespace gapcheck::audit {
 
-/// The lines of *NODE that hold a model's coordinates: what would stand there for other coordinates, and where the node
-/// lies when that is read back. Deck, model and coordinates must outlive it. Not for use from several threads.
+/// The lines of *NODE that hold a model's coordinates: their text for other coordinates, and the node's position when
+/// that is read back. Deck, model and coordinates must outlive it. Not for use from several threads.
 class NodeLines {
  public:
   /// `x`: the deck's coordinates by node, whatever the model holds by now.
   NodeLines(const keyword::Deck& deck, const model::Model& model, const std::vector<Vector>& x);
   /// Why a node's coordinates cannot be rewritten; empty: they can.
   [[nodiscard]] std::string why_fixed(NodeIndex node);
-  /// Where the node lies when `to` (in the model's system) has been written into its line: the nearest place that the
-  /// line's format can tell, seen through the placement of its include. Directions in which it does not move, but for
-  /// rounding, keep their digits. As in the deck where the line cannot be rewritten.
+  /// Where the node lies when `to` (in the model's system) is written into its line: the nearest position that the
+  /// line's format can express, through the placement of its include. Directions in which it does not move, except for
+  /// rounding, keep their digits. As in the deck if the line cannot be rewritten.
   [[nodiscard]] Vector written(NodeIndex node, const Vector& to);
   /// Its line with those coordinates.
   [[nodiscard]] keyword::LineEdit edit(NodeIndex node, const Vector& to);
@@ -42,9 +42,9 @@ class NodeLines {
   const model::Model& model_;
   const std::vector<Vector>& x_;
   const keyword::CardLayout layout_;
-  Diagnostics ignored_;  ///< reading the deck has said it already
+  Diagnostics ignored_;  ///< already reported when the deck was read
   std::vector<std::vector<const keyword::Block*>> blocks_;  ///< by file, ascending by line
-  std::vector<bool> read_twice_;                            ///< by file: its lines stand for several nodes each
+  std::vector<bool> read_twice_;                            ///< by file: each line represents several nodes
   std::map<std::uint32_t, keyword::LineIndex> lines_;       ///< by file
   std::unordered_map<std::int64_t, bool> again_;            ///< ids that are defined more than once
 };

@@ -11,7 +11,7 @@
 #include "audit/fix/thickness_trial.hpp"
 #include "audit/free_thickness.hpp"
 #include "audit/records_of.hpp"
-#include "contact/contact_type.hpp"
+#include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "audit/free_thickness.hpp"
-#include "contact/contact_surfaces.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "contact/initial.hpp"
 #include "model/model.hpp"
 
@@ -18,8 +18,7 @@ struct ThinnerSections {
   std::size_t other_parts = 0;               ///< that have one of these sections, too
 };
 
-/// Tries other thicknesses on a model and puts them back: what a contact finds with them is searched. The model must
-/// outlive it.
+/// Tries other thicknesses on a model, searches the contact with them, and restores them. The model must outlive it.
 class ThicknessTrial {
  public:
   explicit ThicknessTrial(model::Model& model) : model_(model), present_(model) {}
@@ -28,13 +27,13 @@ class ThicknessTrial {
   [[nodiscard]] std::vector<FreeCard> cards(std::span<const std::uint32_t> contacts, const contact::InitialState& state);
 
   /// The largest OPTT, four digits, with which nothing penetrates between two parts (ids) in a contact (position), and
-  /// no more nodes than now elsewhere in it; 0: there is none, or it was not found in two searches. `records`: of the
-  /// pair, `all`: of the contact.
+  /// no more nodes than now elsewhere in it; 0: none, or not found in two searches. `records`: of the pair, `all`: of
+  /// the contact.
   [[nodiscard]] double free_optt(std::uint32_t contact, std::int64_t a, std::int64_t b,
                                  std::span<const Penetration> records, std::span<const Penetration> all);
 
-  /// The thickness of the parts' sections that gives them a contact thickness; nothing where something else than one
-  /// uniform thickness for each part's shells decides, or a section would become thicker.
+  /// The thickness of the parts' sections that gives them a contact thickness; nothing if anything other than one
+  /// uniform thickness for each part's shells decides, or if a section would become thicker.
   [[nodiscard]] std::optional<ThinnerSections> sections(std::uint32_t contact, std::int64_t a, std::int64_t b,
                                                         std::span<const Penetration> records, double thickness) const;
 

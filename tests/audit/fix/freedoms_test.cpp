@@ -4,7 +4,7 @@
 
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
-#include "model/links.hpp"
+#include "model/read/links.hpp"
 
 namespace gapcheck::audit_test::freedoms_test {
 namespace {

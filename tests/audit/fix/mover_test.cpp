@@ -2,7 +2,7 @@
 
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
-#include "contact/segment_quality.hpp"
+#include "contact/surface/segment_quality.hpp"
 
 namespace gapcheck::audit_test::mover_test {
 namespace {

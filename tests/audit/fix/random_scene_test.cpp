@@ -7,7 +7,7 @@
 
 #include "audit/fix/run_fix.hpp"
 #include "audit/run.hpp"
-#include "contact/segment_quality.hpp"
+#include "contact/surface/segment_quality.hpp"
 
 namespace gapcheck::audit_test::random_scene_test {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "../stopwatch.hpp"
-#include "contact/box_pairs.hpp"
-#include "contact/search.hpp"
+#include "contact/search/box_pairs.hpp"
+#include "contact/search/search.hpp"
 #include "geometry/decide.hpp"
 #include "scene.hpp"
 

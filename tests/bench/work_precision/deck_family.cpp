@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "contact/surface.hpp"
+#include "contact/surface/surface.hpp"
 #include "family.hpp"
 #include "keyword/deck.hpp"
 #include "model/model.hpp"

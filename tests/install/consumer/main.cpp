@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "audit/audit.hpp"
-#include "report/writers.hpp"
+#include "report/write/writers.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;

@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "audit/grouped.hpp"
+#include "audit/rules.hpp"
+#include "contact/tie/transducers.hpp"
+
+namespace gapcheck::audit::rule::transducer_ftall {
+namespace {
+
+/// Only automatic contacts say which of their forces act between two surfaces.
+bool has_automatic_contact(const model::Model& model) {
+  return std::any_of(model.contacts.begin(), model.contacts.end(), contact::tells_surfaces);
+}
+
+/// Transducers whose second surface does not do what it seems to; keeps the others of `transducers`.
+void check_second_surfaces(const RuleInfo& rule, Context& context, std::vector<std::uint32_t>& transducers,
+                           std::vector<Finding>& found) {
+  const bool automatic = has_automatic_contact(context.model());
+  std::erase_if(transducers, [&](std::uint32_t i) {
+    const model::Contact& contact = context.model().contacts[i];
+    const bool constraint = !contact::measures_between(contact);
+    if (automatic && !constraint) return false;
+    found.push_back(finding_at(
+        rule, context, contact,
+        fmt::format(
+            "SURFB of *{} is ignored: a second surface needs {}; remove SURFB, or measure with _PENALTY between "
+            "surfaces of an AUTOMATIC contact",
+            contact.written, constraint ? "FORCE_TRANSDUCER_PENALTY" : "an AUTOMATIC contact, and the deck has none")));
+    return true;
+  });
+}
+
+void check_overlaps(const RuleInfo& rule, Context& context, const std::vector<std::uint32_t>& transducers,
+                    std::vector<Finding>& found) {
+  if (transducers.size() < 2 || context.model().controls.ftall == 1) return;
+  std::vector<contact::Transducer> sides;
+  for (std::size_t i = 0; i < std::min(transducers.size(), contact::max_transducers); ++i) {
+    const contact::ContactSurfaces& surfaces = context.surfaces(transducers[i]);
+    sides.push_back({&surfaces.a.selection, &surfaces.b.selection});
+  }
+  if (sides.size() < transducers.size())
+    context.skipped(rule,
+                    fmt::format("{} of {} force transducers", transducers.size() - sides.size(), transducers.size()));
+  const auto earlier = contact::overlapping_transducers(context.model().mesh, sides);
+  for (std::size_t i = 0; i < earlier.size(); ++i) {
+    if (!earlier[i]) continue;
+    const model::Contact& contact = context.model().contacts[transducers[i]];
+    const model::Contact& first = context.model().contacts[transducers[*earlier[i]]];
+    found.push_back(finding_at(
+        rule, context, contact,
+        fmt::format(
+            "transducer {} measures forces that transducer {} measures too, and each goes to the first one only; "
+            "set FTALL = 1 on card 6 of *CONTROL_CONTACT",
+            contact.id.value, first.id.value)));
+  }
+}
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  std::vector<std::uint32_t> transducers = context.read_contacts();
+  std::erase_if(transducers, [&](std::uint32_t i) {
+    const model::Contact& contact = context.model().contacts[i];
+    return contact::classify(contact).code != "25" || !contact::has_second_surface(contact);
+  });
+  std::vector<Finding> found;
+  check_second_surfaces(rule, context, transducers, found);
+  check_overlaps(rule, context, transducers, found);
+  add_first(report, std::move(found), "more force transducers do not measure what they seem to");
+}
+
+}  // namespace
+
+const Rule definition{
+    {"GC413", "transducer-ftall", Severity::warning, "a force transducer does not get all the forces that it should"},
+    run};
+
+}  // namespace gapcheck::audit::rule::transducer_ftall

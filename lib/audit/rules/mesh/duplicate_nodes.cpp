@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "audit/mesh_finding.hpp"
+#include "audit/rules.hpp"
+#include "contact/surface/joined_nodes.hpp"
+#include "model/read/node_references.hpp"
+
+namespace gapcheck::audit::rule::duplicate_nodes {
+namespace {
+
+/// Of the shortest edge at either node. Coordinates of a deck are rounded by far less, nodes of a mesh are apart by far
+/// more.
+constexpr double same_place = 1e-3;
+
+/// What the segments at a node say of it.
+struct Corner {
+  double shortest_edge = INFINITY;
+  PartIndex part = none<PartIndex>;  ///< of the first segment
+  bool shell = false;                ///< some segment is a shell
+};
+using Corners = std::unordered_map<std::uint32_t, Corner>;
+
+/// The middle one of a sample of the segments' shortest edges.
+double usual_edge(const contact::ContactMesh& mesh) {
+  constexpr std::size_t sample = 1001;
+  std::vector<double> edges;
+  const std::size_t step = std::max<std::size_t>(1, mesh.size() / sample);
+  for (std::size_t i = 0; i < mesh.size(); i += step)
+    edges.push_back(contact::edge_range(mesh.nodes(i), mesh.model().mesh.nodes.x).shortest);
+  std::erase_if(edges, [](double e) { return !std::isfinite(e); });
+  if (edges.empty()) return 0;
+  const auto half = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+  std::nth_element(edges.begin(), half, edges.end());
+  return *half;
+}
+
+Corners corners_of(const contact::ContactMesh& mesh, const std::vector<contact::CoincidentNodes>& pairs) {
+  std::vector<std::uint8_t> wanted(mesh.model().mesh.nodes.size());
+  for (const auto& pair : pairs) wanted[pair.first.value] = wanted[pair.second.value] = 1;
+  Corners corners;
+  for (std::size_t i = 0; i < mesh.size(); ++i) {
+    const model::SegmentNodes& nodes = mesh.nodes(i);
+    if (std::none_of(nodes.begin(), nodes.end(), [&](NodeIndex n) { return wanted[n.value] != 0; })) continue;
+    const double shortest = contact::edge_range(nodes, mesh.model().mesh.nodes.x).shortest;
+    for (const NodeIndex n : nodes) {
+      if (wanted[n.value] == 0) continue;
+      Corner& corner = corners[n.value];
+      corner.shortest_edge = std::min(corner.shortest_edge, shortest);
+      if (corner.part == none<PartIndex>) corner.part = mesh.part(i);
+      corner.shell = corner.shell || mesh.kind(i) == model::ElementKind::shell;
+    }
+  }
+  return corners;
+}
+
+class Search {
+ public:
+  Search(const RuleInfo& rule, Context& context, contact::ContactMesh& mesh)
+      : rule_(rule), context_(context), mesh_(mesh) {}
+
+  void run(Report& report) {
+    pairs_ = contact::coincident_nodes(mesh_.corners(), x(), same_place * usual_edge(mesh_));
+    if (pairs_.empty()) return;
+    corners_ = corners_of(mesh_, pairs_);
+    std::erase_if(pairs_, [&](const contact::CoincidentNodes& pair) { return !suspicious(pair); });
+    if (pairs_.empty()) return;
+    const auto joined = contact::joined(context_.model(), context_.surface_store(), context_.contacts(), pairs_);
+    const auto constrained = model::referenced_nodes(context_.deck(), context_.model(), "CONSTRAINED_");
+    std::vector<Found> found;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const auto [a, b] = pairs_[i];
+      if (joined[i] != 0 || (constrained[a.value] != 0 && constrained[b.value] != 0)) continue;
+      found.push_back({part_pair(part(a), part(b)), 0, i});
+    }
+    add_grouped(
+        report, std::move(found), [&](const Found& f) { return one(pairs_[f.item]); },
+        [&](const Found& f, std::uint64_t count) { return rest(pairs_[f.item], count); }, collect());
+  }
+
+ private:
+  [[nodiscard]] const std::vector<Vector>& x() const { return context_.model().mesh.nodes.x; }
+  [[nodiscard]] PartIndex part(NodeIndex n) const { return corners_.at(n.value).part; }
+  [[nodiscard]] std::int64_t id(NodeIndex n) const { return context_.model().mesh.nodes.id[n.value]; }
+  [[nodiscard]] std::int64_t part_id(NodeIndex n) const {
+    return part(n) == none<PartIndex> ? 0 : context_.model().part(part(n)).id.value;
+  }
+  [[nodiscard]] double distance(const contact::CoincidentNodes& pair) const {
+    return (x()[pair.second.value] - x()[pair.first.value]).norm();
+  }
+
+  /// Bodies of solids that touch often have matching meshes: that is what contact is for. Within a part, or where a
+  /// shell is involved, nodes at one place are a crack.
+  [[nodiscard]] bool suspicious(const contact::CoincidentNodes& pair) const {
+    const Corner &a = corners_.at(pair.first.value), &b = corners_.at(pair.second.value);
+    if (a.part != b.part && !a.shell && !b.shell) return false;
+    if (!context_.part_chosen(a.part) && !context_.part_chosen(b.part)) return false;
+    const double apart = distance(pair);
+    return apart == 0 || apart <= same_place * std::min(a.shortest_edge, b.shortest_edge);
+  }
+
+  [[nodiscard]] std::string where(const contact::CoincidentNodes& pair) const {
+    const std::int64_t a = part_id(pair.first), b = part_id(pair.second);
+    return a == b ? fmt::format("part {}", a) : fmt::format("parts {} and {}", std::min(a, b), std::max(a, b));
+  }
+
+  [[nodiscard]] Finding one(const contact::CoincidentNodes& pair) const {
+    const double apart = distance(pair);
+    Finding f =
+        node_finding(rule_, context_, pair.second,
+                     fmt::format("nodes {} and {} of {} are {}, and nothing joins them: a crack in the mesh; merge "
+                                 "them or tie the parts",
+                                 id(pair.first), id(pair.second), where(pair),
+                                 apart == 0 ? "at the same place" : fmt::format("{:.3g} apart", apart)));
+    f.part = part_id(pair.second);
+    f.element_part = part_id(pair.first);
+    return f;
+  }
+
+  [[nodiscard]] Finding rest(const contact::CoincidentNodes& pair, std::uint64_t count) const {
+    Finding f = one(pair);
+    f.message =
+        fmt::format("{} more pairs of nodes of {} are at the same place, and nothing joins them", count, where(pair));
+    f.node = 0;
+    f.point.reset();
+    return f;
+  }
+
+  /// Both nodes of each pair.
+  [[nodiscard]] Collect collect() const {
+    if (!context_.options().members) return {};
+    return [this](const Found& f, FindingMembers& members) {
+      const contact::CoincidentNodes& pair = pairs_[f.item];
+      members.nodes.insert(members.nodes.end(), {id(pair.first), id(pair.second)});
+    };
+  }
+
+  const RuleInfo& rule_;
+  Context& context_;
+  contact::ContactMesh& mesh_;
+  std::vector<contact::CoincidentNodes> pairs_;
+  Corners corners_;
+};
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  contact::ContactMesh* mesh = mesh_in_contact(rule, context);
+  if (mesh != nullptr) Search(rule, context, *mesh).run(report);
+}
+
+}  // namespace
+
+const Rule definition{{"GC507", "duplicate-nodes", Severity::warning,
+                            "two nodes of a contact's surface lie at one place and are not joined"},
+                           run};
+
+}  // namespace gapcheck::audit::rule::duplicate_nodes

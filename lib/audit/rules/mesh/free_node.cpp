@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "audit/members.hpp"
+#include "audit/mesh_finding.hpp"
+#include "audit/rules.hpp"
+#include "contact/mesh/element_nodes.hpp"
+#include "model/read/node_references.hpp"
+
+namespace gapcheck::audit::rule::free_node {
+namespace {
+
+/// Nodes that sides of contacts name one by one.
+void report_tracked(const RuleInfo& rule, Context& context, Report& report, const std::vector<std::uint8_t>& used) {
+  const model::Model& model = context.model();
+  std::vector<Found> found;
+  for (const std::uint32_t c : context.contacts()) {
+    const model::Contact& contact = model.contacts[c];
+    if (!contact.known || contact.own_layout || contact::classify(contact).treatment == contact::Treatment::none)
+      continue;
+    const contact::ContactSurfaces& surfaces = context.surfaces(c);
+    for (const NodeIndex n : surfaces.a.selection.nodes)
+      if (used[n.value] == 0) found.push_back({c, 0, n.value});
+    if (!surfaces.two_sided()) continue;
+    for (const NodeIndex n : surfaces.b.selection.nodes)
+      if (used[n.value] == 0) found.push_back({c, 0, n.value});
+  }
+  add_grouped(
+      report, std::move(found),
+      [&](const Found& f) {
+        const NodeIndex node{static_cast<std::uint32_t>(f.item)};
+        const std::int64_t contact = model.contacts[static_cast<std::size_t>(f.group)].id.value;
+        Finding at =
+            node_finding(rule, context, node,
+                         fmt::format("node {} is tracked by contact {} but belongs to no element: it has no mass, and "
+                                     "contact cannot act on it; take it out of the node set",
+                                     model.mesh.nodes.id[node.value], contact));
+        at.contact = contact;
+        at.severity = Severity::warning;
+        return at;
+      },
+      [&](const Found& f, std::uint64_t count) {
+        const model::Contact& contact = model.contacts[static_cast<std::size_t>(f.group)];
+        Finding at = finding_at(
+            rule, context, contact,
+            fmt::format("{} more tracked nodes of contact {} belong to no element", count, contact.id.value));
+        at.severity = Severity::warning;
+        return at;
+      },
+      collect_nodes(context, [](const Found& f) { return NodeIndex{static_cast<std::uint32_t>(f.item)}; }));
+}
+
+/// One line for all nodes that nothing uses.
+void report_unused(const RuleInfo& rule, Context& context, Report& report, std::vector<std::uint8_t> used) {
+  const model::Model& model = context.model();
+  const auto mark = [&](NodeIndex n) { used[n.value] = 1; };
+  for (const auto& [id, set] : model.sets.nodes) std::for_each(set.members.begin(), set.members.end(), mark);
+  for (const auto& [id, set] : model.sets.segments)
+    for (const model::SegmentNodes& nodes : set.members) std::for_each(nodes.begin(), nodes.end(), mark);
+  for (const model::RigidGroup& group : model.rigid_groups) std::for_each(group.nodes.begin(), group.nodes.end(), mark);
+  if (std::find(used.begin(), used.end(), 0) == used.end()) return;
+  const std::vector<std::uint8_t> referenced = model::referenced_nodes(context.deck(), model, "");
+  std::uint64_t count = 0;
+  std::uint32_t first = 0;
+  for (std::uint32_t n = 0; n < used.size(); ++n)
+    if (used[n] == 0 && referenced[n] == 0 && count++ == 0) first = n;
+  if (count == 0) return;
+  const std::int64_t id = model.mesh.nodes.id[first];
+  Finding at = node_finding(
+      rule, context, NodeIndex{first},
+      count == 1 ? fmt::format("node {} belongs to no element and no set; delete it", id)
+                 : fmt::format("{} nodes belong to no element and no set, the first is {}; delete them", count, id));
+  at.count = count;
+  if (context.options().members)
+    for (std::uint32_t n = first; n < used.size(); ++n)
+      if (used[n] == 0 && referenced[n] == 0) at.members.nodes.push_back(model.mesh.nodes.id[n]);
+  report.findings.push_back(std::move(at));
+}
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  if (context.contacts().empty()) return context.skipped(rule, "there is no contact");
+  const keyword::DeckCounters& read = context.deck().counters();
+  if (read.missing_includes > 0 || read.encrypted_blocks > 0)
+    return context.skipped(rule, "the deck is not complete, so elements may be missing");
+  const std::vector<std::uint8_t> used = contact::element_nodes(context.model().mesh);
+  report_tracked(rule, context, report, used);
+  if (context.options().parts.empty()) report_unused(rule, context, report, used);
+}
+
+}  // namespace
+
+const Rule definition{{"GC508", "free-node", Severity::note, "a node belongs to no element"}, run};
+
+}  // namespace gapcheck::audit::rule::free_node

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "audit/grouped.hpp"
+#include "audit/rules.hpp"
+#include "contact/surface/surface_parts.hpp"
+
+namespace gapcheck::audit::rule::uncontacted_part {
+namespace {
+
+/// Elements of the kinds that have a surface, by part.
+struct Census {
+  std::vector<std::uint32_t> shells, solids, thick_shells;
+  explicit Census(const model::Model& model) {
+    const auto count = [&](const std::vector<PartIndex>& of, std::vector<std::uint32_t>& number) {
+      number.assign(model.parts.size(), 0);
+      for (const PartIndex part : of)
+        if (part != none<PartIndex>) ++number[part.value];
+    };
+    count(model.mesh.shells.part, shells);
+    count(model.mesh.solids.part, solids);
+    count(model.mesh.thick_shells.part, thick_shells);
+  }
+  [[nodiscard]] std::uint64_t at(std::size_t part) const {
+    return std::uint64_t{shells[part]} + solids[part] + thick_shells[part];
+  }
+};
+
+/// Marks the parts that have one of the nodes.
+void mark_parts_at(const model::Mesh& mesh, const std::vector<bool>& nodes, std::vector<bool>& parts) {
+  const auto visit = [&](const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      const PartIndex part = elements.part[e];
+      if (part == none<PartIndex> || parts[part.value]) continue;
+      const auto& n = elements.nodes[e];
+      if (std::any_of(n.begin(), n.end(), [&](NodeIndex i) { return nodes[i.value]; })) parts[part.value] = true;
+    }
+  };
+  visit(mesh.shells);
+  visit(mesh.solids);
+  visit(mesh.thick_shells);
+}
+
+/// Parts of all sides of all contacts, --contact or not: a part is forgotten only if none has it. False in `known` where
+/// a contact may hold parts that nobody can tell.
+std::vector<bool> parts_in_contact(Context& context, bool& known) {
+  const model::Model& model = context.model();
+  std::vector<bool> parts(model.parts.size(), false), nodes;
+  const auto take = [&](const contact::ContactSide& side) {
+    known = known && !side.selection.unsupported;
+    for (const PartIndex part : contact::parts_of(model, side)) parts[part.value] = true;
+    if (side.nodes_only) nodes.resize(model.mesh.nodes.size(), false);
+    if (side.nodes_only)
+      for (const NodeIndex n : side.selection.nodes) nodes[n.value] = true;
+  };
+  for (std::uint32_t i = 0; i < model.contacts.size(); ++i) {
+    const model::Contact& contact = model.contacts[i];
+    const contact::ContactType type = contact::classify(contact);
+    if (type.code == "25" || contact.order == 0) continue;
+    if (!contact.known || contact.own_layout || type.code == "?") {
+      known = false;
+      continue;
+    }
+    const contact::ContactSurfaces& surfaces = context.surfaces(i);
+    take(surfaces.a);
+    if (surfaces.two_sided()) take(surfaces.b);
+  }
+  if (!nodes.empty()) mark_parts_at(model.mesh, nodes, parts);
+  return parts;
+}
+
+/// Null and spotweld materials are there for other purposes, and parts without material are found elsewhere.
+bool meant_for_contact(const model::Model& model, const model::Part& part) {
+  if (!part.material) return false;
+  const model::Material& material = model.materials[*part.material];
+  return !material.null_material && !material.spotweld;
+}
+
+std::string what(const Census& census, std::size_t part) {
+  std::string text;
+  const auto add = [&](std::uint32_t number, std::string_view noun) {
+    if (number > 0) text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", number, noun, number == 1 ? "" : "s");
+  };
+  add(census.shells[part], "shell");
+  add(census.solids[part], "solid");
+  add(census.thick_shells[part], "thick shell");
+  return text;
+}
+
+void run(const RuleInfo& rule, Context& context, Report& report) {
+  const model::Model& model = context.model();
+  if (model.contacts.empty()) return context.skipped(rule, "the deck has no contacts");
+  if (context.contacts().size() < model.contacts.size())
+    return context.skipped(rule, "it would take the surfaces of contacts that were not selected");
+  bool known = true;
+  const std::vector<bool> in_contact = parts_in_contact(context, known);
+  if (!known) return context.skipped(rule, "some contacts do not tell which parts they hold");
+  const Census census(model);
+  std::vector<Found> found;
+  for (std::uint32_t p = 0; p < model.parts.size(); ++p)
+    if (!in_contact[p] && census.at(p) > 0 && meant_for_contact(model, model.parts[p]) &&
+        context.part_chosen(PartIndex{p}))
+      found.push_back({0, static_cast<double>(census.at(p)), p});
+  const auto words = [&](const Found& f) {
+    const model::Part& part = model.parts[f.item];
+    Finding finding = audit::finding(
+        rule,
+        fmt::format("part {}{}{}{} ({}) is in no contact: whatever meets it passes through; put it into one", part.id.value,
+                    part.title.empty() ? "" : " \"", part.title, part.title.empty() ? "" : "\"", what(census, f.item)),
+        context.path(part.place.file), part.place.line);
+    finding.part = part.id.value;
+    return finding;
+  };
+  const auto rest = [&](const Found& f, std::uint64_t count) {
+    const model::Part& part = model.parts[f.item];
+    return finding(rule, fmt::format("{} more parts are in no contact", count), context.path(part.place.file), 0);
+  };
+  add_grouped(report, std::move(found), words, rest);
+}
+
+}  // namespace
+
+const Rule definition{
+    {"GC415", "uncontacted-part", Severity::note, "a part with shells or solids is in no contact at all"}, run};
+
+}  // namespace gapcheck::audit::rule::uncontacted_part

@@ -1,0 +1,349 @@
+#include "contact/crossing/crossings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "contact/surface/neighbours.hpp"
+#include "contact/surface/segment_elements.hpp"
+#include "geometry/intersect.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+using geometry::Triangle;
+constexpr std::uint32_t no_rigid_body = static_cast<std::uint32_t>(-1);
+
+bool share_a_node(const model::SegmentNodes& a, const model::SegmentNodes& b) {
+  bool shared = false;
+  for (const NodeIndex n : a) shared |= (n == b[0]) | (n == b[1]) | (n == b[2]) | (n == b[3]);
+  return shared;
+}
+
+/// One side with a box around each segment that takes part.
+struct Side {
+  const Segments& segments;
+  const std::vector<Vector>& x;
+  const model::Mesh& mesh;
+  double fraction;  ///< of a segment's size: the tolerance
+  std::vector<Bounds> boxes;
+
+  Side(const Segments& s, const model::Model& model, const CrossingPairs& pairs, bool lines,
+       const CrossingOptions& options)
+      : segments(s),
+        x(options.x != nullptr ? *options.x : model.mesh.nodes.x),
+        mesh(model.mesh),
+        fraction(options.tolerance),
+        boxes(s.size()) {
+    parallel_for(s.size(), 8192, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        if ((s.kind[i] == SegmentKind::line && !lines) || !pairs.takes_part(part_of(mesh, s, i))) continue;
+        for (const NodeIndex n : s.nodes[i]) boxes[i].add(x[n.value]);
+        const Vector room = Vector::Constant(2 * tolerance(i));
+        boxes[i].low -= room;
+        boxes[i].high += room;
+      }
+    });
+  }
+  [[nodiscard]] double tolerance(std::size_t i) const {
+    const auto& n = segments.nodes[i];
+    const Vector size = (x[n[2].value] - x[n[0].value]).cwiseAbs().cwiseMax((x[n[3].value] - x[n[1].value]).cwiseAbs());
+    return fraction * size.maxCoeff();
+  }
+  /// Leaves only the boxes that meet `other`.
+  void keep(const Bounds& other) {
+    for (Bounds& box : boxes)
+      if (!box.meets(other)) box = {};
+  }
+  [[nodiscard]] Bounds bounds() const {
+    Bounds all;
+    for (const Bounds& box : boxes)
+      if (!box.empty()) all.add(box.low), all.add(box.high);
+    return all;
+  }
+  [[nodiscard]] CrossingSegment segment(std::uint32_t i) const {
+    return {segments.nodes[i], segments.element_kind[i], segments.element[i], part_of(mesh, segments, i)};
+  }
+  /// Segments at each node; built when first asked for, by whichever thread.
+  [[nodiscard]] const Neighbours& neighbours() const {
+    std::call_once(once_, [&] { neighbours_ = std::make_unique<const Neighbours>(segments, mesh); });
+    return *neighbours_;
+  }
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::unique_ptr<const Neighbours> neighbours_;
+};
+
+/// One of the triangles of a segment: its corners, and which corners of the segment they are.
+struct Piece {
+  Triangle x;
+  std::array<std::size_t, 3> corner;
+};
+
+struct Pieces {
+  std::array<Piece, 2> list;
+  std::size_t count = 1;
+  Pieces(const model::SegmentNodes& n, const std::vector<Vector>& x) {
+    const auto piece = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return Piece{{x[n[i].value], x[n[j].value], x[n[k].value]}, {i, j, k}};
+    };
+    list[0] = piece(0, 1, 2);
+    list[1] = piece(0, 2, 3);
+    if (n[2] != n[3]) count = 2;
+  }
+  [[nodiscard]] std::span<const Piece> all() const { return {list.data(), count}; }
+};
+
+/// Heights over the plane of a triangle.
+class Plane {
+ public:
+  explicit Plane(const Triangle& t) : origin_(t[0]), normal_((t[1] - t[0]).cross(t[2] - t[0]).stableNormalized()) {}
+  [[nodiscard]] double height(const Vector& x) const { return normal_.dot(x - origin_); }
+  /// How far the points stick out on the side where they do less.
+  [[nodiscard]] double depth(const model::SegmentNodes& nodes, const std::vector<Vector>& x) const {
+    double low = 0, high = 0;
+    for (const NodeIndex n : nodes) {
+      low = std::min(low, height(x[n.value]));
+      high = std::max(high, height(x[n.value]));
+    }
+    return std::min(-low, high);
+  }
+
+ private:
+  Vector origin_, normal_;
+};
+
+/// How a triangle lies to a plane, within a tolerance.
+struct Reach {
+  enum class Kind : std::uint8_t {
+    none,     ///< at most a corner on it
+    through,  ///< on both sides
+    edge,     ///< two corners on it, the third on one side
+  } kind = Kind::none;
+  std::size_t third = 0;  ///< edge: the corner that is not on the plane (of the triangle)
+  int side = 0;           ///< edge: where that is
+
+  Reach(const Triangle& t, const Plane& plane, double tolerance) {
+    std::array<int, 3> sign{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double h = plane.height(t[i]);
+      sign[i] = h > tolerance ? 1 : h < -tolerance ? -1 : 0;
+    }
+    const auto [low, high] = std::minmax_element(sign.begin(), sign.end());
+    if (*low < 0 && *high > 0) kind = Kind::through;
+    if (std::count(sign.begin(), sign.end(), 0) != 2) return;
+    kind = Kind::edge;
+    third = static_cast<std::size_t>(std::find_if(sign.begin(), sign.end(), [](int v) { return v != 0; }) - sign.begin());
+    side = sign[third];
+  }
+};
+
+/// Decides pairs of segments; for use from several threads.
+class Decider {
+ public:
+  Decider(const Side& a, const Side& b, const CrossingOptions& options, CrossingCounters& counters)
+      : a_(a), b_(b), options_(options), counters_(counters) {}
+
+  /// Fills ends and depth; false if they do not cross.
+  bool cross(std::uint32_t i, std::uint32_t j, Crossing& out) const {
+    const double tolerance = std::max(a_.tolerance(i), b_.tolerance(j));
+    const bool line_a = a_.segments.kind[i] == SegmentKind::line, line_b = b_.segments.kind[j] == SegmentKind::line;
+    if (line_a && line_b) return false;
+    if (line_a) return pierce(a_, i, b_, j, tolerance, out);
+    if (line_b) return pierce(b_, j, a_, i, tolerance, out);
+    const Pieces of_a(a_.segments.nodes[i], a_.x), of_b(b_.segments.nodes[j], b_.x);
+    bool any = false;
+    for (const Piece& p : of_a.all())
+      for (const Piece& q : of_b.all()) {
+        const Plane of_p(p.x), of_q(q.x);
+        const double depth = std::min(of_q.depth(a_.segments.nodes[i], a_.x), of_p.depth(b_.segments.nodes[j], b_.x));
+        geometry::Line line;
+        double least = 0;
+        if (depth > tolerance && geometry::triangles_cross(p.x, q.x, options_.mode, counters_.decisions))
+          line = geometry::common_line(p.x, q.x);
+        else if (goes_on(a_, i, p, of_q, tolerance) && goes_on(b_, j, q, of_p, tolerance)) {
+          line = geometry::common_line(p.x, q.x, tolerance);
+          least = 2 * tolerance;
+        }
+        if (!(line.length() > least)) continue;
+        add(out, line, any);
+        out.depth = std::max(out.depth, depth);
+        any = true;
+      }
+    return any;
+  }
+
+ private:
+  /// A beam's axis against a segment.
+  bool pierce(const Side& lines, std::uint32_t line, const Side& faces, std::uint32_t face, double tolerance,
+              Crossing& out) const {
+    const Vector &p = lines.x[lines.segments.nodes[line][0].value], &q = lines.x[lines.segments.nodes[line][1].value];
+    const Pieces pieces(faces.segments.nodes[face], faces.x);
+    for (const Piece& piece : pieces.all()) {
+      if (!geometry::segment_crosses(p, q, piece.x, options_.mode, counters_.decisions)) continue;
+      const Plane plane(piece.x);
+      const double of_p = plane.height(p), of_q = plane.height(q);
+      out.depth = std::min(std::abs(of_p), std::abs(of_q));
+      if (!(out.depth > tolerance)) continue;
+      out.from = out.to = p + of_p / (of_p - of_q) * (q - p);
+      return true;
+    }
+    return false;
+  }
+
+  /// True if the surface at this triangle is on both sides of the plane: the triangle itself, or where an edge of it lies
+  /// in the plane, the triangle and its neighbour beyond that edge. Meshes that cross along their mesh lines do so.
+  static bool goes_on(const Side& side, std::uint32_t segment, const Piece& piece, const Plane& plane, double tolerance) {
+    const Reach reach(piece.x, plane, tolerance);
+    if (reach.kind != Reach::Kind::edge) return reach.kind == Reach::Kind::through;
+    const auto beyond = [&](NodeIndex n) { return reach.side * plane.height(side.x[n.value]) < -tolerance; };
+    const auto& nodes = side.segments.nodes[segment];
+    const std::size_t third = piece.corner[reach.third];
+    if (nodes[2] != nodes[3] && third % 2 == 1) return beyond(nodes[4 - third]);  // the edge is the quad's diagonal
+    const NodeIndex u = nodes[piece.corner[(reach.third + 1) % 3]], v = nodes[piece.corner[(reach.third + 2) % 3]];
+    const auto around = side.neighbours().at(u);
+    return std::any_of(around.begin(), around.end(), [&](std::uint32_t other) {
+      const auto& n = side.segments.nodes[other];
+      return other != segment && std::find(n.begin(), n.end(), v) != n.end() && std::any_of(n.begin(), n.end(), beyond);
+    });
+  }
+
+  /// The ends of several pieces of a line: those farthest apart.
+  static void add(Crossing& out, const geometry::Line& line, bool any) {
+    if (!any) {
+      out.from = line.from;
+      out.to = line.to;
+      return;
+    }
+    for (const Vector& end : {line.from, line.to}) {
+      const double to_from = (end - out.from).norm(), to_to = (end - out.to).norm();
+      if (to_from > out.length() && to_from >= to_to)
+        out.to = end;
+      else if (to_to > out.length())
+        out.from = end;
+    }
+  }
+
+  const Side& a_;
+  const Side& b_;
+  const CrossingOptions& options_;
+  CrossingCounters& counters_;
+};
+
+/// What names an element: segments without one are named by their nodes.
+using ElementKey = std::tuple<model::ElementKind, std::uint32_t, model::SegmentNodes>;
+ElementKey key(const CrossingSegment& s) {
+  return {s.kind, s.element, s.element == unknown_element ? segment_key(s.nodes) : model::SegmentNodes{}};
+}
+
+/// Seven digits: what adding in another order changes does not count.
+float rough(double value) { return static_cast<float>(std::clamp(value, -1e38, 1e38)); }
+
+/// Puts the two sides of each crossing in order, sorts by them, and leaves the longest of each pair of elements; of
+/// equally long ones the first by its place, whatever the order of the nodes.
+void tidy(std::vector<Crossing>& crossings) {
+  for (Crossing& c : crossings)
+    if (key(c.b) < key(c.a)) std::swap(c.a, c.b);
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& l, const Crossing& r) {
+    const auto order = [](const Crossing& c) {
+      const Vector middle = 0.5 * (c.from + c.to);
+      return std::tuple(key(c.a), key(c.b), -rough(c.length()), rough(middle.x()), rough(middle.y()), rough(middle.z()),
+                        segment_key(c.a.nodes), segment_key(c.b.nodes));
+    };
+    return order(l) < order(r);
+  });
+  const auto same = [](const Crossing& l, const Crossing& r) { return key(l.a) == key(r.a) && key(l.b) == key(r.b); };
+  crossings.erase(std::unique(crossings.begin(), crossings.end(), same), crossings.end());
+}
+
+/// Rigid parts that are one body: *CONSTRAINED_RIGID_BODIES merges them.
+std::vector<std::uint32_t> rigid_bodies(const model::Model& model) {
+  std::vector<std::uint32_t> body(model.parts.size());
+  std::iota(body.begin(), body.end(), 0U);
+  const auto root = [&](std::uint32_t p) {
+    while (body[p] != p) p = body[p] = body[body[p]];
+    return p;
+  };
+  for (const model::RigidGroup& group : model.rigid_groups)
+    if (group.kind == model::RigidGroup::Kind::merged_parts)
+      for (const PartIndex p : group.parts) body[root(p.value)] = root(group.parts[0].value);
+  std::vector<std::uint32_t> out(model.parts.size(), no_rigid_body);
+  for (std::uint32_t p = 0; p < out.size(); ++p)
+    if (model.rigid(PartIndex{p})) out[p] = root(p);
+  return out;
+}
+
+}  // namespace
+
+CrossingPairs::CrossingPairs(const model::Model& model, ContactId contact)
+    : exclusions_(model, contact), spotweld_(model.parts.size()), rigid_body_(rigid_bodies(model)) {
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    const auto& material = model.parts[p].material;
+    spotweld_[p] = material && model.materials[*material].spotweld;
+  }
+}
+
+bool CrossingPairs::counts(PartIndex a, PartIndex b) const {
+  if (a == none<PartIndex> || b == none<PartIndex>) return true;
+  if (rigid_body_[a.value] != no_rigid_body && rigid_body_[a.value] == rigid_body_[b.value]) return false;
+  return !exclusions_.excluded(a, b);
+}
+
+std::vector<Crossing> find_crossings(const model::Model& model, std::uint32_t contact, const ContactSurfaces& surfaces,
+                                     const CrossingOptions& options, CrossingCounters& counters) {
+  std::vector<Crossing> found;
+  const Segments& segments_a = surfaces.a.selection.segments;
+  const Segments& segments_b = surfaces.two_sided() ? surfaces.b.selection.segments : segments_a;
+  if (segments_a.size() == 0 || segments_b.size() == 0) return found;
+  const CrossingPairs pairs(model, model.contacts[contact].id);
+  Side a(segments_a, model, pairs, surfaces.type.edges, options);
+  std::optional<Side> other;
+  if (surfaces.two_sided()) {
+    other.emplace(segments_b, model, pairs, surfaces.type.edges, options);
+    a.keep(other->bounds());
+    other->keep(a.bounds());
+  }
+  const Side& b = other ? *other : a;
+  const Decider decider(a, b, options, counters);
+  std::mutex mutex;
+  const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+    if (share_a_node(segments_a.nodes[i], segments_b.nodes[j])) return;
+    counters.box_pairs.fetch_add(1, std::memory_order_relaxed);
+    Crossing crossing{contact, a.segment(i), b.segment(j)};
+    const bool one_element = crossing.a.kind == crossing.b.kind && crossing.a.element == crossing.b.element;
+    if ((one_element && crossing.a.element != unknown_element) || !pairs.counts(crossing.a.part, crossing.b.part))
+      return;
+    if (!decider.cross(i, j, crossing)) return;
+    const std::lock_guard lock(mutex);
+    found.push_back(crossing);
+  };
+  if (other)
+    for_each_box_pair(a.boxes, b.boxes, visit, options.search);
+  else
+    for_each_box_pair(a.boxes, visit, options.search);
+  tidy(found);
+  return found;
+}
+
+std::vector<Crossing> find_crossings(const model::Model& model, std::span<const std::uint32_t> contacts,
+                                     SurfaceStore& surfaces, const CrossingOptions& options,
+                                     CrossingCounters& counters) {
+  std::vector<Crossing> all;
+  std::set<std::pair<ElementKey, ElementKey>> seen;
+  for (const std::uint32_t i : contacts) {
+    if (classify(model.contacts[i]).pairing == Pairing::none) continue;
+    for (const Crossing& crossing : find_crossings(model, i, surfaces.at(i), options, counters))
+      if (seen.emplace(key(crossing.a), key(crossing.b)).second) all.push_back(crossing);
+  }
+  return all;
+}
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,107 @@
+#include "contact/definition/friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "contact/definition/contact_type.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+/// a5, a10, a3, 13, 26 with its interior form, 4, 15.
+constexpr std::string_view with_table[] = {"a5", "a10", "a3", "13", "26", "i26", "4", "15"};
+
+/// A row of sets of thousands of parts would be millions of pairs.
+constexpr std::size_t most_pairs = 1'000'000;
+
+std::vector<PartIndex> parts_named(const model::Model& model, std::int64_t id, bool set) {
+  if (set) {
+    const auto found = model.sets.parts.find(id);
+    return found == model.sets.parts.end() ? std::vector<PartIndex>{} : found->second.members;
+  }
+  const auto found = model.part_of_id.find(id);
+  return found == model.part_of_id.end() ? std::vector<PartIndex>{} : std::vector<PartIndex>{found->second};
+}
+
+bool acts(const model::FrictionLaw& law) { return law.fs > 0 || law.fd > 0; }
+
+/// The table that FD names, or the only one there is.
+const model::FrictionTable* table_of(const model::Model& model, const model::Contact& contact) {
+  const auto found = model.friction_tables.find(static_cast<std::int64_t>(contact.fd));
+  if (found != model.friction_tables.end()) return &found->second;
+  return model.friction_tables.size() == 1 ? &model.friction_tables.begin()->second : nullptr;
+}
+
+}  // namespace
+
+bool has_friction(const model::Contact& contact) {
+  const ContactType type = classify(contact);
+  return type.family != Family::tied && type.treatment != Treatment::none;
+}
+
+bool takes_friction_table(const model::Contact& contact) {
+  const std::string code = classify(contact).code;
+  return std::find(std::begin(with_table), std::end(with_table), code) != std::end(with_table);
+}
+
+bool takes_part_friction(const model::Contact& contact) {
+  return takes_friction_table(contact) || classify(contact).code == "a13";
+}
+
+Friction::Friction(const model::Model& model, const model::Contact& contact) : model_(model), contact_(contact) {
+  if (contact.fs == friction_of_parts) {
+    any_ = model.controls.sfric > 0 || model.controls.dfric > 0;
+    for (const model::Part& part : model.parts)
+      any_ = any_ || (part.contact && (part.contact->fs > 0 || part.contact->fd > 0));
+    return;
+  }
+  if (contact.fs != friction_by_table) {
+    any_ = contact.fs > 0 || contact.fd > 0;
+    return;
+  }
+  table_ = table_of(model, contact);
+  if (table_ == nullptr) return;
+  any_ = acts(table_->others);
+  for (const auto& row : table_->rows) {
+    const auto i = parts_named(model, row.i, row.i_is_set), j = parts_named(model, row.j, row.j_is_set);
+    if (i.size() * j.size() > most_pairs) continue;
+    any_ = any_ || acts(row.law);
+    for (const PartIndex a : i)
+      for (const PartIndex b : j) rows_[{std::min(a, b).value, std::max(a, b).value}] = row.law;
+  }
+}
+
+model::FrictionLaw Friction::of_parts(PartIndex node_part, PartIndex segment_part) const {
+  for (const PartIndex part : {segment_part, node_part}) {
+    if (part == none<PartIndex>) continue;
+    if (const auto& own = model_.part(part).contact; own && (own->fs > 0 || own->fd > 0))
+      return {own->fs, own->fd, own->dc, own->vc};
+  }
+  return {model_.controls.sfric, model_.controls.dfric, 0, model_.controls.vfc};
+}
+
+model::FrictionLaw Friction::between(PartIndex node_part, PartIndex segment_part) const {
+  model::FrictionLaw law{contact_.fs, contact_.fd, contact_.dc, contact_.vc};
+  if (contact_.fs == friction_of_parts) law = of_parts(node_part, segment_part);
+  if (contact_.fs == friction_by_table) {
+    law = table_ == nullptr ? model::FrictionLaw{} : table_->others;
+    const auto row = rows_.find({std::min(node_part, segment_part).value, std::max(node_part, segment_part).value});
+    if (row != rows_.end()) law = row->second;
+  }
+  law.fs *= contact_.fsf;
+  law.fd *= contact_.fsf;
+  law.vc *= contact_.vsf;
+  return law;
+}
+
+double friction_coefficient(const model::FrictionLaw& law, double velocity) {
+  return law.fd + (law.fs - law.fd) * std::exp(-law.dc * velocity);
+}
+
+double friction_limit(const model::FrictionLaw& law, double velocity, double normal_force, double area) {
+  const double coulomb = friction_coefficient(law, velocity) * normal_force;
+  return law.vc > 0 ? std::min(coulomb, law.vc * area) : coulomb;
+}
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,213 @@
+#include "contact/pair/closest_segment.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "contact/pair/hidden_faces.hpp"
+#include "geometry/pair_batch.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+/// Hits by slot: those of slot i stand in [start[i], start[i + 1]).
+struct BySlot {
+  std::vector<std::uint32_t> start;
+  std::vector<Hit> hits;
+  BySlot(const std::vector<Hit>& all, std::size_t slots) : start(slots + 1, 0), hits(all.size()) {
+    for (const Hit& hit : all) ++start[hit.slot + 1];
+    for (std::size_t i = 0; i < slots; ++i) start[i + 1] += start[i];
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    for (const Hit& hit : all) hits[next[hit.slot]++] = hit;
+  }
+  [[nodiscard]] std::span<const Hit> of(std::size_t slot) const {
+    return {hits.data() + start[slot], hits.data() + start[slot + 1]};
+  }
+};
+
+/// Decides pairs and keeps those that count; one for each thread. Segments that see both sides go through batches: all
+/// they want to know of a pair that is apart is just that.
+class PairSweep {
+ public:
+  PairSweep(const PairScene& scene, const PairFilter& pair_allowed) : scene_(scene), allowed_(pair_allowed) {}
+
+  void visit(std::uint32_t segment, std::span<const std::uint32_t> slots) {
+    if (scene_.mode == geometry::Mode::exact || scene_.line(segment) || scene_.oriented(segment)) {
+      for (const std::uint32_t slot : slots) decide_alone(slot, segment);
+      return;
+    }
+    const geometry::Facet facet = scene_.facet(segment);
+    for (const std::uint32_t slot : slots) add(slot, segment, facet);
+  }
+  /// What still waits in the batches.
+  void finish() {
+    for (Waiting& waiting : waiting_) flush(waiting);
+  }
+  [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
+  /// Pairs with oriented segments that are no hits.
+  [[nodiscard]] const std::vector<Hit>& measured() const { return measured_; }
+  [[nodiscard]] std::uint64_t decided_by(geometry::Stage stage) const {
+    return stages_[static_cast<std::size_t>(stage)];
+  }
+
+ private:
+  struct Pair {
+    std::uint32_t slot = 0, segment = 0;
+  };
+  struct Waiting {
+    geometry::PairBatch batch;
+    std::array<Pair, geometry::PairBatch::capacity> pairs{};
+  };
+
+  void count(geometry::Stage stage, std::size_t times) { stages_[static_cast<std::size_t>(stage)] += times; }
+
+  void add(std::uint32_t slot, std::uint32_t segment, const geometry::Facet& facet) {
+    const Vector query = scene_.position(slot);
+    const geometry::Corners corners = geometry::seen_from(facet, query);
+    const double bound = penetration_bound(scene_, slot, segment, facet, query);
+    if (geometry::separated_by_axis(corners, bound)) return count(geometry::Stage::filter, 1);
+    Waiting& waiting = waiting_[facet.triangle ? 1 : 0];
+    waiting.pairs[waiting.batch.size()] = {slot, segment};
+    waiting.batch.add(corners, bound);
+    if (waiting.batch.full()) flush(waiting);
+  }
+
+  void flush(Waiting& waiting) {
+    const geometry::PairBatch& batch = waiting.batch;
+    waiting.batch.decide();
+    count(geometry::Stage::filter, static_cast<std::size_t>(std::popcount(batch.apart())));
+    for (std::uint64_t rest = batch.closer() | batch.open(); rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+      const auto [slot, segment] = waiting.pairs[i];
+      if (batch.located(i)) {
+        count(geometry::Stage::filter, 1);
+        keep({slot, segment, std::sqrt(batch.squared_distance(i)), true}, true);
+      } else {
+        decide_alone(slot, segment);
+      }
+    }
+    waiting.batch.clear();
+  }
+
+  void decide_alone(std::uint32_t slot, std::uint32_t segment) {
+    const PairResult pair = decide_pair(scene_, slot, segment);
+    count(pair.stage, 1);
+    if (pair.penetrates || scene_.oriented(segment))
+      keep({slot, segment, pair.distance, pair.in_band}, pair.penetrates);
+  }
+
+  void keep(const Hit& hit, bool penetrates) {
+    if (allowed_(hit.slot, hit.segment, penetrates)) (penetrates ? hits_ : measured_).push_back(hit);
+  }
+
+  const PairScene& scene_;
+  const PairFilter& allowed_;
+  std::array<Waiting, 2> waiting_{Waiting{geometry::PairBatch(false)}, Waiting{geometry::PairBatch(true)}};
+  std::vector<Hit> hits_, measured_;
+  std::array<std::uint64_t, 4> stages_{};
+};
+
+/// The hit of every tracked node that counts.
+std::vector<Hit> chosen_hits(const PairScene& scene, const std::vector<Hit>& all, std::vector<Hit> measured) {
+  // What is in front of every facet needs no comparison with others.
+  if (std::none_of(all.begin(), all.end(), [](const Hit& hit) { return std::signbit(hit.distance); })) measured.clear();
+  const std::size_t slots = scene.nodes.size();
+  const BySlot hits(all, slots), others(measured, slots);
+  std::vector<Hit> chosen;
+  for (std::size_t slot = 0; slot < slots; ++slot)
+    if (!hits.of(slot).empty())
+      if (const auto hit = choose_hit(scene, hits.of(slot), others.of(slot))) chosen.push_back(*hit);
+  return chosen;
+}
+
+}  // namespace
+
+void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
+                        const std::function<double(std::uint32_t)>& reach, SweepCounters& counters,
+                        const std::function<void(std::uint32_t, std::span<const std::uint32_t>)>& visit) {
+  const Segments& s = scene.segments;
+  ++counters.searches;
+  std::vector<Bounds> boxes(s.size());
+  constexpr std::size_t grain = 4096;
+  parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto segment = static_cast<std::uint32_t>(i);
+      Bounds box;
+      for (const NodeIndex n : s.nodes[i]) box.add(scene.x[n.value]);
+      if (scene.passive(segment)) continue;
+      boxes[i] = grown(box, reach(segment) + (s.offset.empty() ? 0 : std::abs(s.offset[i])));
+    }
+  });
+  // Cull by the boxes of the two sides before anything is sorted.
+  Bounds all_boxes, all_points;
+  for (const Bounds& b : boxes) {
+    all_boxes.low = all_boxes.low.cwiseMin(b.low);
+    all_boxes.high = all_boxes.high.cwiseMax(b.high);
+  }
+  std::vector<Vector> points;
+  std::vector<std::uint32_t> slots;
+  points.reserve(scene.nodes.size());
+  slots.reserve(scene.nodes.size());
+  for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+    const Vector p = scene.position(i);
+    if (!(p.array() >= all_boxes.low.array()).all() || !(p.array() <= all_boxes.high.array()).all()) continue;
+    points.push_back(p);
+    slots.push_back(i);
+    all_points.add(p);
+  }
+  counters.points_culled += scene.nodes.size() - points.size();
+  std::uint64_t culled = 0;
+  for (Bounds& b : boxes) {
+    if (points.empty() || !b.meets(all_points)) {
+      b = Bounds{};
+      ++culled;
+    }
+  }
+  counters.segments_culled += culled;
+  if (points.empty()) {
+    ++counters.searches_culled;
+    return;
+  }
+  std::atomic<std::uint64_t> pairs{0};
+  search.run(points, boxes, [&](std::uint32_t segment, std::span<const std::uint32_t> inside) {
+    static thread_local std::vector<std::uint32_t> local;
+    local.clear();
+    const auto& corners = s.nodes[segment];
+    for (const std::uint32_t p : inside)
+      if (!is_corner(corners, scene.nodes.node[slots[p]])) local.push_back(slots[p]);
+    pairs.fetch_add(local.size(), std::memory_order_relaxed);
+    if (!local.empty()) visit(segment, local);
+  });
+  counters.candidate_pairs += pairs;
+}
+
+std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search, const PairFilter& pair_allowed,
+                                  SweepCounters& counters, geometry::DecisionCounters& decisions) {
+  double largest_half = 0;
+  for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);
+  // Each thread has a tally of its own: shared counters would cost more than the decisions.
+  tbb::enumerable_thread_specific<PairSweep> sweeps([&] { return PairSweep(scene, pair_allowed); });
+  for_each_candidate(
+      scene, search, [&](std::uint32_t s) { return scene.reach(s, largest_half); }, counters,
+      [&](std::uint32_t segment, std::span<const std::uint32_t> slots) { sweeps.local().visit(segment, slots); });
+  std::vector<Hit> all, measured;
+  for (PairSweep& sweep : sweeps) {
+    sweep.finish();
+    all.insert(all.end(), sweep.hits().begin(), sweep.hits().end());
+    measured.insert(measured.end(), sweep.measured().begin(), sweep.measured().end());
+    using geometry::Stage;
+    for (const Stage stage : {Stage::filter, Stage::interval, Stage::exact, Stage::triangulated})
+      geometry::count(decisions, stage, sweep.decided_by(stage));
+  }
+  drop_outside(scene, search, all);
+  return chosen_hits(scene, all, std::move(measured));
+}
+
+}  // namespace gapcheck::contact

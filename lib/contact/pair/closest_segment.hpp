@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "contact/pair/hit.hpp"
+#include "contact/search/search.hpp"
+
+namespace gapcheck::contact {
+
+/// What a sweep left out and how much it looked at.
+struct SweepCounters {
+  std::uint64_t candidate_pairs = 0, points_culled = 0, segments_culled = 0;
+  std::uint64_t searches = 0, searches_culled = 0;  ///< culled: ended by the boxes of the two sides
+};
+
+/// Whether a pair counts: slot, segment, whether it penetrates. Called from any thread.
+using PairFilter = std::function<bool(std::uint32_t, std::uint32_t, bool)>;
+
+/// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node (choose_hit),
+/// ascending by slot. `pair_allowed` is asked only for pairs that penetrate or have an oriented segment.
+[[nodiscard]] std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
+                                                const PairFilter& pair_allowed,
+                                                SweepCounters& counters, geometry::DecisionCounters& decisions);
+
+/// Calls visit(slot, segment) for all pairs whose node lies within `reach(segment)` of the segment's box; concurrently.
+void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
+                        const std::function<double(std::uint32_t)>& reach, SweepCounters& counters,
+                        const std::function<void(std::uint32_t, std::span<const std::uint32_t>)>& visit);
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "contact/pair/hit.hpp"
+#include "contact/search/search.hpp"
+
+namespace gapcheck::contact {
+
+/// Drops hits behind solid facets whose node lies outside the body: in front of a nearer outer face that has no segment
+/// of its own, because shells stand in its place or the contact does not name it. `search`: finds the faces near the
+/// nodes. Nothing is done, and costs nothing, where no hit lies behind a solid facet.
+void drop_outside(const PairScene& scene, const CandidateSearch& search, std::vector<Hit>& hits);
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,54 @@
+#include "contact/pair/orientation.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "contact/pair/closest_segment.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+bool may_turn(const PairScene& scene) {
+  const auto orien = scene.model.controls.orien;
+  if (orien == 0) return false;
+  return orien >= 2 || scene.surface_type >= 2;
+}
+
+}  // namespace
+
+std::vector<bool> flipped_segments(const PairScene& scene, const CandidateSearch& search) {
+  const Segments& s = scene.segments;
+  const auto turns = [&](std::uint32_t i) { return s.element_kind[i] == model::ElementKind::shell && scene.oriented(i); };
+  bool any = false;
+  for (std::uint32_t i = 0; i < s.size() && !any; ++i) any = turns(i);
+  if (!any || !may_turn(scene)) return {};
+  // One ballot per part; the last one is for segments of no known part.
+  std::vector<std::atomic<std::int64_t>> votes(scene.model.parts.size() + 1);
+  const auto ballot = [&](std::uint32_t i) -> std::atomic<std::int64_t>& {
+    const PartIndex part = part_of(scene.model.mesh, s, i);
+    return votes[part == none<PartIndex> ? votes.size() - 1 : part.value];
+  };
+  SweepCounters unused;
+  for_each_candidate(
+      scene, search,
+      [&](std::uint32_t i) {
+        if (!turns(i)) return 0.0;
+        const geometry::Facet f = scene.facet(i);
+        return std::sqrt(std::max((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
+      },
+      unused,
+      [&](std::uint32_t segment, std::span<const std::uint32_t> slots) {
+        if (!turns(segment)) return;
+        const geometry::Facet facet = scene.facet(segment);
+        for (const std::uint32_t slot : slots) {
+          const auto closest = geometry::closest_point(facet, scene.position(slot));
+          if (closest.feature == Feature::face && closest.gap != 0) ballot(segment) += closest.gap > 0 ? 1 : -1;
+        }
+      });
+  std::vector<bool> flipped(s.size(), false);
+  for (std::uint32_t i = 0; i < s.size(); ++i) flipped[i] = turns(i) && ballot(i) < 0;
+  return flipped;
+}
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,164 @@
+#include "contact/pair/pair.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace gapcheck::contact {
+namespace {
+
+constexpr double relative_tolerance = 1e-9;
+constexpr double tolerance_in_ulps = 4;
+/// Parametric band of a beam axis, as of a segment.
+constexpr double band_end = 1.5 * (1 + relative_tolerance);
+/// Share of the shorter diagonal that an oriented shell segment looks behind itself.
+constexpr double shell_behind = 0.5;
+
+Vector facet_normal(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]); }
+
+PairResult measure_line(const geometry::Facet& f, const Vector& q) {
+  PairResult result;
+  const auto c = geometry::closest_point_on_line(f.x[0], f.x[1], q);
+  result.in_band = std::abs(c.free_s) <= band_end;
+  result.distance = std::sqrt(c.squared_distance);
+  result.closest.point = c.point;
+  result.closest.squared_distance = c.squared_distance;
+  result.closest.s = c.s;
+  result.closest.free_s = c.free_s;
+  result.closest.feature = std::abs(c.s) < 1 ? Feature::edge : Feature::corner;
+  // A beam has no side; a node on its axis is moved across it.
+  const Vector axis = f.x[1] - f.x[0];
+  result.closest.normal = axis.squaredNorm() > 0 ? Vector(axis.unitOrthogonal()) : Vector(Vector::UnitZ());
+  return result;
+}
+
+PairResult measure(const PairScene& scene, std::uint32_t s, const geometry::Facet& facet, const Vector& q) {
+  if (scene.line(s)) return measure_line(facet, q);
+  PairResult result;
+  result.closest = geometry::closest_point(facet, q);
+  result.in_band = result.closest.in_band;
+  result.distance = std::sqrt(result.closest.squared_distance);
+  if (scene.oriented(s) && !scene.in_front(s, result.closest, q)) result.distance = -result.distance;
+  return result;
+}
+
+}  // namespace
+
+double min_diagonal(const geometry::Facet& f) {
+  return std::sqrt(std::min((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
+}
+
+double largest_coordinate(const geometry::Facet& facet, const Vector& query) {
+  double largest = query.cwiseAbs().maxCoeff();
+  for (const Vector& x : facet.x) largest = std::max(largest, x.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+double default_tolerance(double contact_distance, double largest) {
+  // std::nextafter() upwards: the bits of numbers that are not negative rise with them.
+  const double ulp = std::bit_cast<double>(std::bit_cast<std::uint64_t>(largest) + 1) - largest;
+  return relative_tolerance * contact_distance + tolerance_in_ulps * ulp;
+}
+
+geometry::Facet PairScene::facet(std::uint32_t s) const {
+  const auto& n = segments.nodes[s];
+  geometry::Facet f{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
+  if (segments.offset.empty() || segments.offset[s] == 0) return f;
+  const Vector shift = segments.offset[s] * facet_normal(f).stableNormalized();
+  for (Vector& corner : f.x) corner += shift;
+  return f;
+}
+
+double PairScene::behind(std::uint32_t s) const {
+  if (!oriented(s)) return 0;
+  if (segments.kind[s] == SegmentKind::solid) return solids.empty() ? 0 : solids.extent[s];
+  return shell_behind * min_diagonal(facet(s));
+}
+
+double PairScene::reach(std::uint32_t s, double largest_node_half) const {
+  return std::max(largest_node_half + segments.half[s], behind(s));
+}
+
+bool PairScene::beyond_square_edge(std::uint32_t s, const geometry::ClosestPoint& closest) const {
+  if (!settings.square_edges || segments.kind[s] != SegmentKind::shell || closest.feature == Feature::face) return false;
+  const auto& n = segments.nodes[s];
+  // Exactly on the edge is still on the surface.
+  if (closest.free_s == closest.s && closest.free_t == closest.t) return false;
+  const std::size_t i = closest.feature_index;
+  const auto free = [&](std::size_t a, std::size_t b) { return n[a] != n[b] && neighbours.free_edge(s, n[a], n[b]); };
+  if (closest.feature == Feature::edge) return free(i, (i + 1) % 4);
+  // The last edge of a triangle joins its third corner with the first.
+  const std::size_t next = i == 2 && n[2] == n[3] ? 0 : (i + 1) % 4;
+  return free(i, next) || free((i + 3) % 4, i);
+}
+
+bool PairScene::in_front(std::uint32_t s, const geometry::ClosestPoint& closest, const Vector& query) const {
+  const auto sign = [&](std::uint32_t i) { return !flipped.empty() && flipped[i] ? -1.0 : 1.0; };
+  if (closest.feature == Feature::face) return sign(s) * closest.gap >= 0;
+  // On an edge or corner one facet's normal misleads: beside a convex edge a node is behind one facet and in front of the
+  // other. It is inside only where it is behind all that meet there (a concave edge).
+  const auto& corners = segments.nodes[s];
+  const std::size_t i = closest.feature_index;
+  const NodeIndex a = corners[i], b = corners[(i + 1) % 4];
+  for (const std::uint32_t other : neighbours.at(a)) {
+    const auto& n = segments.nodes[other];
+    if (!oriented(other)) continue;
+    if (closest.feature == Feature::edge && std::find(n.begin(), n.end(), b) == n.end()) continue;
+    if (sign(other) * facet_normal(facet(other)).dot(query - closest.point) >= 0) return true;
+  }
+  return false;
+}
+
+namespace {
+
+double tolerance_of(const PairScene& scene, double contact_distance, const geometry::Facet& facet, const Vector& query) {
+  if (scene.tolerance >= 0) return scene.tolerance;
+  return default_tolerance(contact_distance, largest_coordinate(facet, query));
+}
+
+}  // namespace
+
+double penetration_bound(const PairScene& scene, std::uint32_t slot, std::uint32_t s, const geometry::Facet& facet,
+                         const Vector& query) {
+  const double h = scene.nodes.half[slot] + scene.segments.half[s];
+  return h - tolerance_of(scene, h, facet, query);
+}
+
+PairResult measure_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
+  return measure(scene, s, scene.facet(s), scene.position(slot));
+}
+
+Vector free_direction(const PairScene& scene, std::uint32_t slot, std::uint32_t segment, const PairResult& pair) {
+  // The distance is negative behind the segment.
+  if (pair.distance != 0) return (scene.position(slot) - pair.closest.point) / pair.distance;
+  const bool flipped = !scene.flipped.empty() && scene.flipped[segment];
+  return flipped ? Vector(-pair.closest.normal) : pair.closest.normal;
+}
+
+PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
+  const geometry::Facet facet = scene.facet(s);
+  const Vector q = scene.position(slot);
+  const double h = scene.nodes.half[slot] + scene.segments.half[s];
+  const double tolerance = tolerance_of(scene, h, facet, q);
+  PairResult result = measure(scene, s, facet, q);
+  if (scene.line(s)) {
+    geometry::DecisionCounters once;
+    result.penetrates = geometry::closer_than(facet.x[0], facet.x[1], q, h - tolerance, scene.mode, once);
+    if (once.exact > 0) result.stage = geometry::Stage::exact;
+    return result;
+  }
+  if (scene.beyond_square_edge(s, result.closest)) return result;
+  const auto closer = [&](double bound) {
+    const geometry::Decision decision = geometry::decide(facet, q, bound, scene.mode, &result.closest);
+    result.stage = decision.stage;
+    return decision.closer;
+  };
+  const bool behind = std::signbit(result.distance);
+  if (!behind)
+    result.penetrates = closer(h - tolerance);
+  else if (result.in_band && -result.distance <= scene.behind(s))  // p = h + distance, as deep as the material goes
+    result.penetrates = h > tolerance || !closer(tolerance - h);
+  return result;
+}
+
+}  // namespace gapcheck::contact

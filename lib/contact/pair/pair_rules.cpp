@@ -1,0 +1,38 @@
+#include "contact/pair/pair_rules.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+/// Nodes that are a corner of a shell or solid facet: segment-based contact looks at no others, if it has such.
+std::vector<bool> corners_of(const Segments& segments, std::size_t nodes) {
+  std::vector<bool> corner(nodes, false);
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    if (segments.kind[s] != SegmentKind::line)
+      for (const NodeIndex n : segments.nodes[s]) corner[n.value] = true;
+  return corner;
+}
+
+}  // namespace
+
+PairRules::PairRules(const PairScene& scene, const ContactSide& tracked, const Exclusions& exclusions, const TiedPairs& ties)
+    : scene_(scene),
+      exclusions_(exclusions),
+      ties_(ties),
+      single_(scene.type.treatment == Treatment::single_surface),
+      own_part_(scene.type.pairing != Pairing::mortar || scene.settings.ignore >= 0) {
+  if (scene.type.by_segments() && !tracked.nodes_only)
+    corners_ = corners_of(tracked.selection.segments, scene.model.mesh.nodes.size());
+}
+
+PairRule PairRules::operator()(std::uint32_t slot, std::uint32_t segment) const {
+  const NodeIndex node = scene_.nodes.node[slot];
+  if (single_ && scene_.neighbours.in_ring(node, segment)) return PairRule::neighbour;
+  if (!corners_.empty() && !corners_[node.value]) return PairRule::no_corner;
+  const PartIndex part = part_of(scene_.model.mesh, scene_.segments, segment);
+  if (!own_part_ && part == scene_.nodes.part[slot]) return PairRule::own_part;
+  if (!exclusions_.empty() && exclusions_.excluded(scene_.nodes.part[slot], part)) return PairRule::excluded;
+  if (ties_.size() > 0 && ties_.tied(node, part)) return PairRule::tied;
+  return PairRule::counts;
+}
+
+}  // namespace gapcheck::contact

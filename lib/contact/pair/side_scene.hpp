@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "contact/surface/contact_surfaces.hpp"
+#include "contact/surface/neighbours.hpp"
+#include "contact/pair/pair.hpp"
+
+namespace gapcheck::contact {
+
+/// One side's nodes against the other side's segments, with what the scene of their pairs refers to. Which oriented
+/// shells face the wrong way is left open (PairScene::flipped). All references must outlive it.
+class SideScene {
+ public:
+  /// `contact`: position in Model::contacts. `exchanged`: side B's nodes against side A's segments; single-surface
+  /// contacts have side A alone. `x`: coordinates by node, read whenever a pair is decided.
+  SideScene(const model::Model& model, std::uint32_t contact, const ContactSurfaces& surfaces, bool exchanged,
+            const std::vector<Vector>& x);
+  SideScene(const SideScene&) = delete;
+  SideScene& operator=(const SideScene&) = delete;
+
+  [[nodiscard]] const ContactSide& tracked() const { return tracked_; }
+  [[nodiscard]] const ContactSide& reference() const { return reference_; }
+  [[nodiscard]] const Neighbours& neighbours() const { return neighbours_; }
+  [[nodiscard]] const PairScene& scene() const { return scene_; }
+  [[nodiscard]] PairScene& scene() { return scene_; }
+
+ private:
+  const ContactSide &tracked_, &reference_;
+  Neighbours neighbours_;
+  PairScene scene_;
+};
+
+}  // namespace gapcheck::contact

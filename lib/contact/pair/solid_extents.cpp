@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <numeric>
+
+#include "contact/mesh/faces.hpp"
+#include "contact/pair/pair.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+const std::array<NodeIndex, 8>& nodes_of_solid(const Segments& s, const model::Mesh& mesh, std::size_t i) {
+  const auto& elements = s.element_kind[i] == model::ElementKind::solid ? mesh.solids : mesh.thick_shells;
+  return elements.nodes[s.element[i]];
+}
+
+/// Largest distance of the element's nodes behind the facet's plane.
+double reach_behind(const model::SegmentNodes& n, const std::array<NodeIndex, 8>& element, const std::vector<Vector>& x) {
+  const Vector normal = (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]).stableNormalized();
+  const Vector centre = (x[n[0].value] + x[n[1].value] + x[n[2].value] + x[n[3].value]) / 4;
+  double reach = 0;
+  for (const NodeIndex node : element) reach = std::max(reach, normal.dot(centre - x[node.value]));
+  return reach;
+}
+
+/// Numbers the connected bodies of the solid facets: facets that share a node belong together.
+std::vector<std::uint32_t> bodies(const Segments& s, std::size_t nodes) {
+  std::vector<std::uint32_t> parent(nodes);
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t n) {
+    while (parent[n] != n) n = parent[n] = parent[parent[n]];
+    return n;
+  };
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (s.kind[i] == SegmentKind::solid)
+      for (const NodeIndex n : s.nodes[i]) parent[root(n.value)] = root(s.nodes[i][0].value);
+  std::vector<std::uint32_t> body(s.size());
+  for (std::size_t i = 0; i < s.size(); ++i) body[i] = root(s.nodes[i][0].value);
+  return body;
+}
+
+}  // namespace
+
+double solid_depth(const Segments& s, const model::Mesh& mesh, std::size_t i, const std::vector<Vector>& x) {
+  const double a = area(s.nodes[i], x);
+  return a > 0 ? volume(nodes_of_solid(s, mesh, i), x) / a : 0;
+}
+
+SolidExtents solid_extents(const Segments& s, const model::Mesh& mesh, const std::vector<Vector>& x) {
+  SolidExtents solids;
+  if (std::find(s.kind.begin(), s.kind.end(), SegmentKind::solid) == s.kind.end()) return solids;
+  solids.depth.resize(s.size());
+  solids.extent.resize(s.size());
+  solids.body = bodies(s, x.size());
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (s.kind[i] != SegmentKind::solid) continue;
+    solids.depth[i] = solid_depth(s, mesh, i, x);
+    solids.extent[i] = reach_behind(s.nodes[i], nodes_of_solid(s, mesh, i), x);
+  }
+  return solids;
+}
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,145 @@
+#include "contact/stiffness/contact_timestep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "base/parallel.hpp"
+#include "contact/stiffness/node_masses.hpp"
+#include "contact/mesh/node_sums.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+constexpr std::size_t springs_per_task = 16384;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+/// Rounding in sums of equal terms must not decide which of several equal nodes controls.
+constexpr double equal_squared_steps = 1e-12;
+
+/// The lowest node of a side; none where it has none.
+NodeIndex lowest_node(const ContactSide& side) {
+  NodeIndex lowest = none<NodeIndex>;
+  for (const auto& nodes : side.selection.segments.nodes) lowest = std::min({lowest, nodes[0], nodes[1], nodes[2], nodes[3]});
+  for (const NodeIndex node : side.selection.nodes) lowest = std::min(lowest, node);
+  return lowest;
+}
+
+}  // namespace
+
+TimestepEstimate::TimestepEstimate(const model::Model& model, const ElementSizes& sizes)
+    : model_(model), springs_(model, sizes), masses_(node_masses(model, sizes)), sums_(model.mesh.nodes.size()) {}
+
+NodeIndex TimestepEstimate::smallest(const Segments& s) {
+  // From here on `weighted` holds the squared step of a node that has springs, and infinity for all others.
+  const auto squared_step = [&](std::uint32_t n) {
+    const double k = sums_[n].value(), m = masses_[n];
+    const double squared = m > 0 && k > 0 ? m / (2 * k) : infinite;
+    return squared > 0 ? squared : infinite;
+  };
+  double least = infinite;
+  NodeIndex node = none<NodeIndex>;
+  if (most_of_the_mesh(s)) {
+    parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) sums_[n].weighted = squared_step(static_cast<std::uint32_t>(n));
+    });
+    for (const NodeStiffness& sum : sums_) least = std::min(least, sum.weighted);
+    if (least == infinite) return node;
+    for (std::uint32_t n = 0; n < sums_.size() && node == none<NodeIndex>; ++n)
+      if (sums_[n].weighted <= least * (1 + equal_squared_steps)) node = NodeIndex{n};
+    return node;
+  }
+  for (const auto& nodes : s.nodes)
+    for (const NodeIndex n : nodes) least = std::min(least, squared_step(n.value));
+  if (least == infinite) return node;
+  for (const auto& nodes : s.nodes)
+    for (const NodeIndex n : nodes)
+      if (n < node && squared_step(n.value) <= least * (1 + equal_squared_steps)) node = n;
+  return node;
+}
+
+SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLimit limit) {
+  corners_.resize(s.size());
+  parallel_for(s.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      // Beams have springs of their own in types 26 alone, of which no estimate is known.
+      const SegmentSpring spring = s.element_kind[i] == model::ElementKind::beam
+                                       ? SegmentSpring{}
+                                       : springs_(s, i, scale, limit == TimestepLimit::printed);
+      corners_[i] = {spring.weight, spring.weight * spring.stiffness};
+    }
+  });
+  sum_at_nodes(sums_, s.size(), [&](std::size_t i, const auto& add) {
+    if (corners_[i].weight > 0)
+      for (std::size_t c = 0; c < corner_count(s.nodes[i]); ++c) add(s.nodes[i][c], corners_[i]);
+  });
+  SideTimestep result;
+  result.node = smallest(s);
+  if (result.node != none<NodeIndex>) {
+    NodeStiffness own;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (!is_corner(s.nodes[i], result.node) || !(corners_[i].weight > 0)) continue;
+      if (result.part == none<PartIndex>) result.part = part_of(model_.mesh, s, i);
+      result.triangles = result.triangles || corner_count(s.nodes[i]) == 3;
+      own += corners_[i];
+    }
+    const double squared_period = masses_[result.node.value] / own.value();
+    result.timestep = limit == TimestepLimit::printed ? std::sqrt(squared_period / 2) : 2 * std::sqrt(squared_period);
+  }
+  if (most_of_the_mesh(s)) {
+    parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) sums_[n] = {};
+    });
+    return result;
+  }
+  for (const auto& nodes : s.nodes)
+    for (const NodeIndex n : nodes) sums_[n.value] = {};
+  return result;
+}
+
+bool has_timestep(const ContactType& type) {
+  if (type.code == "?" || type.family == Family::mortar || type.family == Family::constraint) return false;
+  constexpr std::array<std::string_view, 11> without{"2", "6", "7", "c2", "c6", "c7", "20", "21", "22", "23", "?"};
+  return std::find(without.begin(), without.end(), type.code) == without.end();
+}
+
+PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& surfaces,
+                                     std::span<const std::uint32_t> contacts) {
+  PredictedTimesteps all;
+  const ElementSizes sizes = element_sizes(model);
+  all.element = smallest_element_timestep(model, sizes);
+  all.timesteps.element_timestep = all.element.timestep;
+  all.run = run_timestep(model.controls, all.element.timestep);
+  TimestepEstimate estimate(model, sizes);
+  auto& list = all.timesteps.surface_timesteps;
+  double& least = all.timesteps.contact_timestep;
+  for (const std::uint32_t c : contacts) {
+    const model::Contact& contact = model.contacts[c];
+    if (!contact.known || contact.own_layout || !has_timestep(classify(contact))) continue;
+    const ContactSurfaces& s = surfaces.at(c);
+    const bool springs = s.type.code != "25" && contact.soft != 2;
+    const auto add = [&](char letter, const ContactSide& side, double factor) {
+      const double scale = model.controls.slsfac * factor;
+      SideTimestep found = estimate.side(side.selection.segments, scale);
+      if (found.node == none<NodeIndex>) found.node = lowest_node(side);
+      if (found.node == none<NodeIndex>) return;
+      list.push_back({c, letter, s.type.code, found.timestep, model.mesh.nodes.id[found.node.value],
+                      found.part == none<PartIndex> ? 0 : model.part(found.part).id.value, found.triangles});
+      if (found.timestep >= no_timestep_limit) return;
+      if (least == 0 || found.timestep < least) least = found.timestep;
+      if (!springs || !(found.timestep < all.run)) return;
+      const SideTimestep limit = estimate.side(side.selection.segments, scale, TimestepLimit::spring);
+      if (limit.timestep < all.run) all.unstable.push_back({static_cast<std::uint32_t>(list.size() - 1), limit});
+    };
+    add('A', s.a, contact.sfs);
+    if (s.two_sided()) add('B', s.b, contact.sfm);
+  }
+  return all;
+}
+
+double run_timestep(const model::Controls& controls, double element_timestep) {
+  return controls.tssfac * std::max(element_timestep, std::abs(controls.dt2ms));
+}
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,76 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/surface/contact_surfaces.hpp"
+#include "contact/stiffness/element_sizes.hpp"
+#include "contact/stiffness/element_timestep.hpp"
+#include "contact/stiffness/segment_spring.hpp"
+#include "contact/stiffness/stiffness.hpp"
+#include "records/timesteps.hpp"
+
+namespace gapcheck::contact {
+
+/// What limits the time step on one side of a contact.
+struct SideTimestep {
+  double timestep = no_timestep_limit;
+  NodeIndex node = none<NodeIndex>;  ///< controlling; without a limit the lowest node of the surface
+  PartIndex part = none<PartIndex>;  ///< of a segment at that node
+  bool triangles = false;            ///< a triangle is at that node: the solver's value differs somewhat
+};
+
+/// Which limit is meant. `printed`: the one that the solver prints when it initialises, √(m / (2 k)) with K A / t for
+/// shells (contact rules, section 12.3). `spring`: 2 √(m / k) with the stiffness of the springs themselves (contact
+/// rules, section 6.1), the step at which a node oscillates without bound against a surface that does not give way.
+enum class TimestepLimit : std::uint8_t { printed, spring };
+
+/// Estimates the stable time step of contact springs: for each side the smallest limit of its nodes, with m the node's
+/// mass and k the weighted stiffness of the segments at the node.
+/// Steps that differ by less than 1e-12 are equal; the lowest node controls. Source: contact rules, section 12.3.
+/// Not for use from several threads. Model and sizes must outlive it.
+class TimestepEstimate {
+ public:
+  TimestepEstimate(const model::Model& model, const ElementSizes& sizes);
+  /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top.
+  [[nodiscard]] SideTimestep side(const Segments& segments, double scale,
+                                  TimestepLimit limit = TimestepLimit::printed);
+
+ private:
+  [[nodiscard]] NodeIndex smallest(const Segments& segments);
+  /// Then all nodes are visited rather than the corners of the segments.
+  [[nodiscard]] bool most_of_the_mesh(const Segments& segments) const { return segments.size() > sums_.size() / 8; }
+
+  const model::Model& model_;
+  SegmentSprings springs_;
+  std::vector<double> masses_;         // by node
+  std::vector<NodeStiffness> sums_;    // by node; zero between calls
+  std::vector<NodeStiffness> corners_; // by segment: what it adds at each corner
+};
+
+/// True for contacts of which the solver prints a time step: those with penalty springs and force transducers. Ties by
+/// constraint, constraint types, rigid-body force curves, beads, edges and mortar have none.
+[[nodiscard]] bool has_timestep(const ContactType& type);
+
+/// A side of a contact whose springs are unstable at the step of the run.
+struct UnstableSide {
+  std::uint32_t surface = 0;  ///< position in Timesteps::surface_timesteps
+  SideTimestep limit;         ///< of the springs
+};
+
+/// Time steps of contacts and of the elements.
+struct PredictedTimesteps {
+  Timesteps timesteps;
+  ElementTimestep element;
+  double run = 0;                      ///< run_timestep
+  std::vector<UnstableSide> unstable;  ///< ascending; transducers have no springs, those of SOFT = 2 follow the step
+};
+/// `contacts`: positions in Model::contacts.
+[[nodiscard]] PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& surfaces,
+                                                   std::span<const std::uint32_t> contacts);
+
+/// The step that the elements and *CONTROL_TIMESTEP set: TSSFAC times the elements' step, or |DT2MS| where mass scaling
+/// raises it. 0: not known.
+[[nodiscard]] double run_timestep(const model::Controls& controls, double element_timestep);
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,90 @@
+#include "contact/stiffness/node_masses.hpp"
+
+#include <cmath>
+
+#include "contact/mesh/node_sums.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+/// Densities by part; elements without a part get none.
+class Densities {
+ public:
+  explicit Densities(const model::Model& model) {
+    for (std::uint32_t p = 0; p < model.parts.size(); ++p) of_part_.push_back(density(model, PartIndex{p}));
+  }
+  [[nodiscard]] double at(PartIndex part) const { return part == none<PartIndex> ? 0 : of_part_[part.value]; }
+
+ private:
+  std::vector<double> of_part_;
+};
+
+bool counts(double mass) { return mass > 0 && std::isfinite(mass); }
+
+void add_shells(const model::Mesh& mesh, const ElementSizes& sizes, const Densities& densities,
+                std::vector<double>& masses) {
+  sum_at_nodes(masses, mesh.shells.size(), [&](std::size_t i, const auto& add) {
+    const double mass = densities.at(mesh.shells.part[i]) * sizes.shell_area[i] * sizes.shell_thickness[i];
+    if (!counts(mass)) return;
+    const auto& n = mesh.shells.nodes[i];
+    const std::size_t corners = n[2] == n[3] ? 3 : 4;
+    for (std::size_t c = 0; c < corners; ++c) add(n[c], mass / static_cast<double>(corners));
+  });
+}
+
+void add_solids(const model::Elements<8>& elements, const std::vector<double>& volumes, const Densities& densities,
+                std::vector<double>& masses) {
+  sum_at_nodes(masses, elements.size(), [&](std::size_t i, const auto& add) {
+    const double mass = densities.at(elements.part[i]) * volumes[i];
+    if (!counts(mass)) return;
+    std::array<NodeIndex, 8> distinct{};
+    std::size_t count = 0;
+    for (const NodeIndex n : elements.nodes[i])
+      if (std::find(distinct.begin(), distinct.begin() + count, n) == distinct.begin() + count) distinct[count++] = n;
+    for (std::size_t c = 0; c < count; ++c) add(distinct[c], mass / static_cast<double>(count));
+  });
+}
+
+double beam_mass(const model::Model& model, std::size_t beam, double density) {
+  const auto& beams = model.mesh.beams;
+  const PartIndex part = beams.part[beam];
+  const auto& [a, b] = beams.nodes[beam];
+  if (part == none<PartIndex> || b == none<NodeIndex> || !model.part(part).section) return 0;
+  const model::Section& section = model.sections[*model.part(part).section];
+  if (section.elform == model::discrete_beam) return 0;  // its mass is not that of a bar
+  return density * section.beam_area * (model.mesh.nodes.x[a.value] - model.mesh.nodes.x[b.value]).norm();
+}
+
+}  // namespace
+
+double density(const model::Model& model, PartIndex part) {
+  if (part == none<PartIndex>) return 0;
+  const model::Part& p = model.part(part);
+  const auto of = [&](const std::optional<std::uint32_t>& material) {
+    return material ? model.materials[*material].density : 0;
+  };
+  if (p.plies.empty() || !(p.composite_thickness > 0)) return of(p.material);
+  double sum = 0;
+  for (const model::Ply& ply : p.plies) sum += of(ply.material) * ply.thickness;
+  return sum / p.composite_thickness;
+}
+
+std::vector<double> node_masses(const model::Model& model, const ElementSizes& sizes) {
+  const model::Mesh& mesh = model.mesh;
+  std::vector<double> masses(mesh.nodes.size(), 0.0);
+  const Densities densities(model);
+  add_shells(mesh, sizes, densities, masses);
+  add_solids(mesh.solids, sizes.solid_volume, densities, masses);
+  add_solids(mesh.thick_shells, sizes.thick_shell_volume, densities, masses);
+  sum_at_nodes(masses, mesh.beams.size(), [&](std::size_t i, const auto& add) {
+    const double mass = beam_mass(model, i, densities.at(mesh.beams.part[i]));
+    if (!counts(mass)) return;
+    for (const NodeIndex n : mesh.beams.nodes[i]) add(n, mass / 2);
+  });
+  sum_at_nodes(masses, mesh.masses.size(), [&](std::size_t i, const auto& add) {
+    if (counts(mesh.mass_values[i])) add(mesh.masses.nodes[i][0], mesh.mass_values[i]);
+  });
+  return masses;
+}
+
+}  // namespace gapcheck::contact

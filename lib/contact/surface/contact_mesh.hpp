@@ -1,0 +1,69 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/surface/contact_surfaces.hpp"
+#include "contact/surface/segment_quality.hpp"
+
+namespace gapcheck::contact {
+
+/// A use of an edge by a segment; kept at the edge's lower node.
+struct EdgeUse {
+  NodeIndex other;            ///< the edge's higher node
+  std::uint32_t segment = 0;  ///< position in the ContactMesh
+};
+
+/// Uses of edges at one node that are compared with one another; a sound mesh has a tenth of it.
+inline constexpr std::size_t most_uses = 64;
+
+/// The mesh as contact sees it: the segments of all contacts, tied ones included, each once however many contacts have
+/// it. In the order of the contacts, their sides and segments. Beam axes are left out. What is costly is computed when
+/// it is first asked for; not for use from several threads while that may happen.
+class ContactMesh {
+ public:
+  /// `contacts`: positions in Model::contacts. Model and surfaces must outlive it.
+  ContactMesh(const model::Model& model, SurfaceStore& surfaces, std::span<const std::uint32_t> contacts);
+
+  [[nodiscard]] std::size_t size() const { return segments_.size(); }
+  [[nodiscard]] const model::SegmentNodes& nodes(std::size_t i) const {
+    return surface(i).nodes[segments_[i].position];
+  }
+  /// Position in the array of its kind; max = unknown.
+  [[nodiscard]] std::uint32_t element(std::size_t i) const { return surface(i).element[segments_[i].position]; }
+  [[nodiscard]] model::ElementKind kind(std::size_t i) const { return surface(i).element_kind[segments_[i].position]; }
+  [[nodiscard]] PartIndex part(std::size_t i) const { return part_of(model_.mesh, surface(i), segments_[i].position); }
+  /// The first contact that has the segment: position in Model::contacts.
+  [[nodiscard]] std::uint32_t contact(std::size_t i) const { return sources_[segments_[i].source].contact; }
+
+  /// Shapes of the segments, beside them.
+  [[nodiscard]] const std::vector<SegmentQuality>& quality();
+  /// Nodes that some segment has, ascending.
+  [[nodiscard]] const std::vector<NodeIndex>& corners();
+  /// All uses of edges whose lower node is the given one. Needs build_edges().
+  [[nodiscard]] std::span<const EdgeUse> edges_at(std::size_t node) const {
+    return {edges_.data() + edge_start_[node], edges_.data() + edge_start_[node + 1]};
+  }
+  void build_edges();
+  [[nodiscard]] const model::Model& model() const { return model_; }
+
+ private:
+  struct Source {
+    const Segments* segments;
+    std::uint32_t contact;
+  };
+  struct Segment {
+    std::uint32_t source, position;
+  };
+  [[nodiscard]] const Segments& surface(std::size_t i) const { return *sources_[segments_[i].source].segments; }
+
+  const model::Model& model_;
+  std::vector<Source> sources_;
+  std::vector<Segment> segments_;
+  std::vector<SegmentQuality> quality_;
+  std::vector<NodeIndex> corners_;
+  std::vector<std::uint32_t> edge_start_;
+  std::vector<EdgeUse> edges_;
+};
+
+}  // namespace gapcheck::contact

@@ -1,0 +1,152 @@
+#include "contact/surface/surface_parts.hpp"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "model/entity/faces.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+void sort_unique(std::vector<PartIndex>& parts) {
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  if (!parts.empty() && parts.back() == none<PartIndex>) parts.pop_back();
+}
+
+/// Sum and number of edge lengths.
+struct Edges {
+  double sum = 0;
+  std::uint64_t count = 0;
+  void add(const model::SegmentNodes& n, const std::vector<Vector>& x) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const NodeIndex a = n[i], b = n[(i + 1) % 4];
+      if (a == b) continue;
+      sum += (x[a.value] - x[b.value]).norm();
+      ++count;
+    }
+  }
+  [[nodiscard]] double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
+};
+
+/// An edge with its nodes in ascending order, and the direction in which the segment runs along it.
+struct HalfEdge {
+  NodeIndex low, high;
+  std::uint32_t segment = 0;
+  bool forward = true;
+};
+
+std::vector<HalfEdge> half_edges(const Segments& s) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(4 * s.size());
+  for (std::uint32_t i = 0; i < s.size(); ++i) {
+    if (s.kind[i] == SegmentKind::line) continue;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const NodeIndex a = s.nodes[i][c], b = s.nodes[i][(c + 1) % 4];
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), i, a < b});
+    }
+  }
+  tbb::parallel_sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    return std::tie(a.low, a.high, a.segment) < std::tie(b.low, b.high, b.segment);
+  });
+  return edges;
+}
+
+/// Two segments with an edge in common.
+struct Link {
+  std::uint32_t other = 0;
+  bool turned = false;
+};
+
+std::vector<std::vector<Link>> links_between(const Segments& s) {
+  std::vector<std::vector<Link>> links(s.size());
+  const std::vector<HalfEdge> edges = half_edges(s);
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i;
+    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+    if (end == i + 2) {
+      const bool turned = edges[i].forward == edges[i + 1].forward;
+      links[edges[i].segment].push_back({edges[i + 1].segment, turned});
+      links[edges[i + 1].segment].push_back({edges[i].segment, turned});
+    }
+    i = end;
+  }
+  return links;
+}
+
+}  // namespace
+
+std::vector<PartIndex> parts_of(const model::Model& model, const ContactSide& side) {
+  std::vector<PartIndex> parts;
+  const auto add = [&](PartIndex part) {
+    if (parts.empty() || parts.back() != part) parts.push_back(part);
+  };
+  const Segments& s = side.selection.segments;
+  for (std::size_t i = 0; i < s.size(); ++i) add(part_of(model.mesh, s, i));
+  if (side.nodes_only)
+    for (const PartIndex part : side.nodes.part) add(part);
+  sort_unique(parts);
+  return parts;
+}
+
+bool whole_parts(const model::SurfaceInput& input) {
+  using enum model::SurfaceType;
+  const auto type = static_cast<model::SurfaceType>(input.type);
+  return input.box == 0 && (type == part_set || type == part || type == all || type == exempted_part_set);
+}
+
+double mean_edge(const model::Model& model, const ContactSide& side) {
+  const std::vector<Vector>& x = model.mesh.nodes.x;
+  Edges edges;
+  const Segments& s = side.selection.segments;
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (s.kind[i] != SegmentKind::line) edges.add(s.nodes[i], x);
+  if (!side.nodes_only) return edges.mean();
+  std::vector<bool> tracked(x.size(), false);
+  for (const NodeIndex n : side.selection.nodes) tracked[n.value] = true;
+  const auto between = [&](const model::SegmentNodes& nodes) {
+    return std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex n) { return tracked[n.value]; });
+  };
+  for (const auto& nodes : model.mesh.shells.nodes)
+    if (between(nodes)) edges.add(nodes, x);
+  for (const auto& nodes : model.mesh.solids.nodes) {
+    if (std::none_of(nodes.begin(), nodes.end(), [&](NodeIndex n) { return tracked[n.value]; })) continue;
+    for (const model::SegmentNodes& face : model::SolidFaces(nodes))
+      if (between(face)) edges.add(face, x);
+  }
+  return edges.mean();
+}
+
+std::vector<Misoriented> misoriented_segments(const model::Mesh& mesh, const Segments& s) {
+  const auto links = links_between(s);
+  enum class Sense : std::uint8_t { unseen, same, turned };
+  std::vector<Sense> sense(s.size(), Sense::unseen);
+  std::vector<Misoriented> found;
+  std::vector<std::uint32_t> surface;
+  for (std::uint32_t first = 0; first < s.size(); ++first) {
+    if (sense[first] != Sense::unseen) continue;
+    sense[first] = Sense::same;
+    surface.assign(1, first);
+    std::size_t turned = 0;
+    for (std::size_t next = 0; next < surface.size(); ++next) {
+      const bool own = sense[surface[next]] == Sense::turned;
+      for (const Link& link : links[surface[next]]) {
+        if (sense[link.other] != Sense::unseen) continue;
+        const bool other = own != link.turned;
+        sense[link.other] = other ? Sense::turned : Sense::same;
+        turned += other ? 1 : 0;
+        surface.push_back(link.other);
+      }
+    }
+    const Sense fewer = 2 * turned <= surface.size() ? Sense::turned : Sense::same;
+    for (const std::uint32_t i : surface)
+      if (sense[i] == fewer) found.push_back({i, part_of(mesh, s, i)});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Misoriented& a, const Misoriented& b) { return a.segment < b.segment; });
+  return found;
+}
+
+}  // namespace gapcheck::contact

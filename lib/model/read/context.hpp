@@ -1,0 +1,138 @@
+#pragma once
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "keyword/card.hpp"
+#include "model/model.hpp"
+#include "model/entity/raw_sets.hpp"
+
+namespace gapcheck::model {
+
+/// The words of a keyword's name behind the family: "THICKNESS", "OFFSET" of *ELEMENT_SHELL_THICKNESS_OFFSET.
+struct Options {
+  std::vector<std::string_view> words;
+  [[nodiscard]] bool has(std::string_view word) const;
+  [[nodiscard]] bool any(std::initializer_list<std::string_view> some) const;
+  /// How many of them the name has.
+  [[nodiscard]] std::size_t count(std::initializer_list<std::string_view> some) const;
+};
+
+/// What all readers of one deck share while the model grows. Lives as long as read_model().
+struct Context {
+  const keyword::Deck& deck;
+  Diagnostics& diagnostics;
+  Model& model;
+  RawSets sets;
+  std::map<std::int64_t, std::uint32_t> section_of_id, material_of_id;
+  std::uint32_t interfaces = 0;  ///< contacts so far that count
+  /// Rows of a *DEFINE_TABLE that wait for their curves, which follow it; last first.
+  std::vector<std::pair<std::int64_t, std::size_t>> waiting_rows = {};
+
+  [[nodiscard]] static Place place(const keyword::Block& block, std::uint32_t line) { return {block.file, line}; }
+  /// "line 40 of a.k"
+  [[nodiscard]] std::string where(Place place) const;
+  void warning(Place place, std::string message);
+  void error(Place place, std::string message);
+  void duplicate(std::string_view what, std::int64_t id, Place first, Place again);
+  void unknown(std::string message, Place place);
+
+  [[nodiscard]] const keyword::Transform& transform(const keyword::Block& block) const {
+    return deck.transform(block.transform);
+  }
+  /// The id with the offset of the block's include; zero stays zero.
+  [[nodiscard]] std::int64_t with_offset(const keyword::Block& block, keyword::IdKind kind, std::int64_t id) const;
+  /// A length of the block in the model's unit.
+  [[nodiscard]] double length(const keyword::Block& block, double value) const {
+    return value * transform(block).length_factor;
+  }
+  /// The part's position, or none.
+  [[nodiscard]] PartIndex part(std::int64_t id) const;
+};
+
+/// True (and the line is passed over) where the next line is blank; for keywords whose rows may not be.
+[[nodiscard]] bool skip_blank(keyword::CardReader& reader);
+/// Passes over at most `count` lines; a hostile count costs no more than the lines that are there.
+void skip_lines(keyword::CardReader& reader, std::int64_t count);
+
+using keyword::Block;
+using keyword::Card;
+using keyword::CardReader;
+
+// One reader per family of keywords; each reads one block.
+void read_nodes(Context& context, const Block& block, const Options& options);
+void read_shells(Context& context, const Block& block, const Options& options);
+void read_solids(Context& context, const Block& block, const Options& options);
+void read_thick_shells(Context& context, const Block& block, const Options& options);
+void read_beams(Context& context, const Block& block, const Options& options);
+void read_discrete(Context& context, const Block& block, const Options& options);
+void read_masses(Context& context, const Block& block, const Options& options);
+void read_inertias(Context& context, const Block& block, const Options& options);
+void read_particles(Context& context, const Block& block, const Options& options);
+void read_parts(Context& context, const Block& block, const Options& options);
+void read_section_shell(Context& context, const Block& block, const Options& options);
+void read_section_solid(Context& context, const Block& block, const Options& options);
+void read_section_thick_shell(Context& context, const Block& block, const Options& options);
+void read_section_beam(Context& context, const Block& block, const Options& options);
+void read_section_discrete(Context& context, const Block& block, const Options& options);
+void read_section_particle(Context& context, const Block& block, const Options& options);
+void read_section_other(Context& context, const Block& block, const Options& options);
+void read_material(Context& context, const Block& block, const Options& options);
+void read_curve(Context& context, const Block& block, const Options& options);
+void read_table(Context& context, const Block& block, const Options& options);
+void read_set(Context& context, const Block& block, const Options& options);
+void read_box(Context& context, const Block& block, const Options& options);
+void read_nodal_rigid_body(Context& context, const Block& block, const Options& options);
+void read_extra_nodes(Context& context, const Block& block, const Options& options);
+void read_rigid_bodies(Context& context, const Block& block, const Options& options);
+void read_spc(Context& context, const Block& block, const Options& options);
+void read_prescribed_motion(Context& context, const Block& block, const Options& options);
+void read_vector(Context& context, const Block& block, const Options& options);
+void read_initial_velocity(Context& context, const Block& block, const Options& options);
+void read_initial_velocity_node(Context& context, const Block& block, const Options& options);
+void read_initial_velocity_generation(Context& context, const Block& block, const Options& options);
+void read_initial_velocity_rigid_body(Context& context, const Block& block, const Options& options);
+void read_spot_weld(Context& context, const Block& block, const Options& options);
+void read_generalized_weld(Context& context, const Block& block, const Options& options);
+void read_concentrated_load(Context& context, const Block& block, const Options& options);
+void read_segment_load(Context& context, const Block& block, const Options& options);
+void read_shell_load(Context& context, const Block& block, const Options& options);
+void read_body_load(Context& context, const Block& block, const Options& options);
+void read_body_load_parts(Context& context, const Block& block, const Options& options);
+void read_global_damping(Context& context, const Block& block, const Options& options);
+void read_hourglass(Context& context, const Block& block, const Options& options);
+void read_control_hourglass(Context& context, const Block& block, const Options& options);
+void read_control_bulk_viscosity(Context& context, const Block& block, const Options& options);
+void read_rigid_wall(Context& context, const Block& block, const Options& options);
+void read_contact(Context& context, const Block& block, const Options& options);
+void read_control_contact(Context& context, const Block& block, const Options& options);
+void read_control_shell(Context& context, const Block& block, const Options& options);
+void read_control_timestep(Context& context, const Block& block, const Options& options);
+void read_control_termination(Context& context, const Block& block, const Options& options);
+void read_title(Context& context, const Block& block, const Options& options);
+void read_database(Context& context, const Block& block, const Options& options);
+void read_history_nodes(Context& context, const Block& block, const Options& options);
+void read_friction_table(Context& context, const Block& block, const Options& options);
+
+/// The three or four cards of mass, centre, inertia and initial velocity of a rigid body.
+[[nodiscard]] BodyInertia read_body_inertia(Context& context, CardReader& reader);
+
+/// Yield data of one material behind its first card (`card`, fields of ten columns by position); nothing where the
+/// material has none that is read. `name`: "PLASTIC_KINEMATIC".
+[[nodiscard]] std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
+                                                        std::string_view name);
+
+/// The constraint codes of a block of nodes, once the nodes can be found by their ids.
+void read_node_constraints(Context& context, const Block& block);
+
+// What is left to do when all blocks of a kind are read.
+void finish_nodes(Context& context);
+void finish_parts(Context& context);
+void finish_elements(Context& context);
+void resolve_sets(Context& context);
+void finish_contacts(Context& context);
+
+}  // namespace gapcheck::model

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include "model/read/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+/// The nodes of a set; an unknown set is reported.
+std::vector<NodeIndex> nodes_of_set(Context& context, std::int64_t set, const std::string& user, Place place) {
+  const auto found = context.model.sets.nodes.find(set);
+  if (found != context.model.sets.nodes.end()) return found->second.members;
+  context.unknown(fmt::format("{} names node set {}, which is not defined", user, set), place);
+  return {};
+}
+
+/// A part that must be there.
+bool find_part(Context& context, std::int64_t id, std::string_view user, Place place, std::vector<PartIndex>& parts) {
+  const PartIndex part = context.part(id);
+  if (part == none<PartIndex>) {
+    context.unknown(fmt::format("*{} names part {}, which is not defined", user, id), place);
+    return false;
+  }
+  parts.push_back(part);
+  return true;
+}
+
+/// Cards behind the first one of a nodal rigid body.
+void read_body_options(Context& context, CardReader& reader, const Options& options, RigidGroup& group) {
+  if (options.has("SPC")) {
+    const Card card = reader.next(keyword::card_layout("CONSTRAINED_NODAL_RIGID_BODY_SPC", "card2"));
+    group.constraint = {card.real("cmo"), card.integer("con1"), card.integer("con2")};
+  }
+  if (options.has("INERTIA")) group.inertia = read_body_inertia(context, reader);
+  skip_lines(reader, static_cast<std::int64_t>(options.count({"OVERRIDE", "THERMAL"})));
+}
+
+}  // namespace
+
+void read_nodal_rigid_body(Context& context, const Block& block, const Options& options) {
+  const auto& layout = keyword::card_layout("CONSTRAINED_NODAL_RIGID_BODY", "card1");
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (options.has("TITLE")) reader.skip();
+    if (reader.at_end()) break;
+    if (skip_blank(reader)) continue;
+    const Card card = reader.next(layout);
+    RigidGroup group{RigidGroup::Kind::nodal_rigid_body, card.integer("pid"), {}, {}, {}, {}, {}};
+    group.place = Context::place(block, card.line());
+    // Without a set of its own the body takes the node set of its number.
+    const std::int64_t set = card.integer("nsid") != 0 ? card.integer("nsid") : group.id;
+    group.nodes = nodes_of_set(context, set, fmt::format("nodal rigid body {}", group.id), group.place);
+    read_body_options(context, reader, options, group);
+    context.model.rigid_groups.push_back(std::move(group));
+  }
+}
+
+void read_extra_nodes(Context& context, const Block& block, const Options& options) {
+  const bool sets = options.has("SET");
+  const auto& layout =
+      keyword::card_layout(sets ? "CONSTRAINED_EXTRA_NODES_SET" : "CONSTRAINED_EXTRA_NODES_NODE", "card1");
+  const Nodes& nodes = context.model.mesh.nodes;
+  CardReader reader(context.deck, block, context.diagnostics);
+  bool group_open = false;
+  std::int64_t last_part = 0;
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card card = reader.next(layout);
+    const std::int64_t part = card.integer("pid");
+    const Place place = Context::place(block, card.line());
+    if (sets || !group_open || part != last_part) {
+      RigidGroup group{RigidGroup::Kind::extra_nodes, part, {}, {}, {}, {}, place};
+      group_open = find_part(context, part, block.name, place, group.parts);
+      last_part = part;
+      if (group_open) context.model.rigid_groups.push_back(std::move(group));
+    }
+    if (!group_open) continue;
+    RigidGroup& group = context.model.rigid_groups.back();
+    if (sets) {
+      group.nodes = nodes_of_set(context, card.integer("nsid"), fmt::format("*{} of part {}", block.name, part), place);
+    } else if (const auto node = nodes.lookup.find(card.integer("nid"))) {
+      group.nodes.emplace_back(*node);
+    } else {
+      context.unknown(
+          fmt::format("*{} of part {} names node {}, which is not defined", block.name, part, card.integer("nid")),
+          place);
+    }
+  }
+}
+
+void read_rigid_bodies(Context& context, const Block& block, const Options& options) {
+  const bool sets = options.has("SET");
+  const auto& layout =
+      keyword::card_layout(sets ? "CONSTRAINED_RIGID_BODIES_SET" : "CONSTRAINED_RIGID_BODIES", "card1");
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card card = reader.next(layout);
+    const Place place = Context::place(block, card.line());
+    const std::int64_t lead = card.integer("pidl"), other = card.integer("pidc");
+    RigidGroup group{RigidGroup::Kind::merged_parts, lead, {}, {}, {}, {}, place};
+    if (!find_part(context, lead, block.name, place, group.parts)) continue;
+    if (!sets) {
+      if (!find_part(context, other, block.name, place, group.parts)) continue;
+    } else if (const auto set = context.model.sets.parts.find(other); set != context.model.sets.parts.end()) {
+      group.parts.insert(group.parts.end(), set->second.members.begin(), set->second.members.end());
+    } else {
+      context.unknown(fmt::format("*{} names part set {}, which is not defined", block.name, other), place);
+      continue;
+    }
+    context.model.rigid_groups.push_back(std::move(group));
+  }
+}
+
+}  // namespace gapcheck::model

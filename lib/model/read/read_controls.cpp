@@ -1,0 +1,107 @@
+#include "model/read/context.hpp"
+#include "model/read/field_values.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+/// The next card, or one of blanks where the block has ended.
+Card next_card(CardReader& reader, std::string_view keyword, std::string_view card) {
+  return reader.next(keyword::card_layout(keyword, card));
+}
+
+}  // namespace
+
+void read_control_contact(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  Controls& controls = context.model.controls;
+  controls.contact_given = true;
+  controls.contact_place = Context::place(block, block.line);
+  const Card card1 = next_card(reader, "CONTROL_CONTACT", "card1");
+  controls.slsfac = or_default(card1.real("slsfac"), 0.1);
+  controls.rwpnal = card1.real("rwpnal");
+  controls.shlthk = card1.integer("shlthk");
+  controls.penopt = or_default(card1.integer("penopt"), 1);
+  controls.enmass = card1.integer("enmass");
+  controls.orien = or_default(card1.integer("orien"), 1);
+  const Card card2 = next_card(reader, "CONTROL_CONTACT", "card2");
+  controls.xpene = or_default(card2.real("xpene"), 4);
+  controls.ssthk = card2.integer("ssthk");
+  controls.ecdt = card2.integer("ecdt");
+  controls.tiedprj = card2.integer("tiedprj");
+  const Card card3 = next_card(reader, "CONTROL_CONTACT", "card3");
+  controls.sfric = card3.real("sfric");
+  controls.dfric = card3.real("dfric");
+  controls.vfc = card3.real("vfc");
+  controls.th = context.length(block, card3.real("th"));
+  controls.th_sf = card3.real("th_sf");
+  const Card card4 = next_card(reader, "CONTROL_CONTACT", "card4");
+  controls.ignore = card4.integer("ignore");
+  reader.skip();
+  const Card card6 = next_card(reader, "CONTROL_CONTACT", "card6");
+  controls.shledg = card6.integer("shledg");
+  controls.ftall = card6.integer("ftall");
+}
+
+void read_control_shell(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  Controls& controls = context.model.controls;
+  controls.shell_given = true;
+  controls.shell_place = Context::place(block, block.line);
+  controls.istupd = next_card(reader, "CONTROL_SHELL", "card1").integer("istupd");
+  reader.skip();
+  controls.cntco = next_card(reader, "CONTROL_SHELL", "card3").integer("cntco");
+}
+
+void read_control_timestep(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_TIMESTEP", "card1");
+  Controls& controls = context.model.controls;
+  controls.tssfac = or_default(card.real("tssfac"), 0.9);
+  controls.isdo = card.integer("isdo");
+  controls.dt2ms = card.real("dt2ms") * context.transform(block).time_factor;
+  controls.dtinit = card.real("dtinit") * context.transform(block).time_factor;
+  controls.lctm = card.integer("lctm");
+  controls.timestep_place = Context::place(block, block.line);
+}
+
+void read_control_termination(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_TERMINATION", "card1");
+  Controls& controls = context.model.controls;
+  controls.endtim = card.real("endtim") * context.transform(block).time_factor;
+  controls.endcyc = card.integer("endcyc");
+  controls.dtmin = card.real("dtmin");
+  controls.endeng = card.real("endeng");
+}
+
+void read_hourglass(Context& context, const Block& block, const Options& options) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (options.has("TITLE")) reader.skip();
+    if (reader.at_end()) break;
+    if (skip_blank(reader)) continue;
+    const Card card = next_card(reader, "HOURGLASS", "card1");
+    const HourglassControl control{card.integer("ihq"), card.real("qm"), card.real("q1"), card.real("q2"),
+                                   Context::place(block, card.line())};
+    const auto [entry, is_new] = context.model.hourglass.try_emplace(card.integer("hgid"), control);
+    if (!is_new) context.duplicate("hourglass control", entry->first, entry->second.place, control.place);
+  }
+}
+
+void read_control_hourglass(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_HOURGLASS", "card1");
+  Controls& controls = context.model.controls;
+  controls.ihq = card.integer("ihq");
+  controls.qh = card.real("qh");
+  controls.hourglass_place = Context::place(block, block.line);
+}
+
+void read_control_bulk_viscosity(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_BULK_VISCOSITY", "card1");
+  context.model.controls.bulk_q1 = or_default(card.real("q1"), 1.5);
+  context.model.controls.bulk_q2 = or_default(card.real("q2"), 0.06);
+}
+
+}  // namespace gapcheck::model

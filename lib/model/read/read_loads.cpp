@@ -1,0 +1,133 @@
+#include <algorithm>
+
+#include "model/read/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+using keyword::card_layout;
+
+double scale_of(const Card& card) { return card.real("sf") == 0 ? 1 : card.real("sf"); }
+
+/// Visits each card of a block's only layout; blank lines between them are passed over.
+template <class Visit>
+void for_each_card(Context& context, const Block& block, const keyword::CardLayout& layout, bool with_id,
+                   const Visit& visit) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    if (with_id) reader.skip();
+    if (reader.at_end()) break;
+    visit(reader, reader.next(layout));
+  }
+}
+
+/// Force per unit of the block's file.
+double force_unit(const keyword::Transform& units) {
+  return units.mass_factor * units.length_factor / (units.time_factor * units.time_factor);
+}
+
+double pressure_unit(const keyword::Transform& units) {
+  return force_unit(units) / (units.length_factor * units.length_factor);
+}
+
+}  // namespace
+
+void read_concentrated_load(Context& context, const Block& block, const Options&) {
+  const bool rigid = block.name == "LOAD_RIGID_BODY", set = block.name == "LOAD_NODE_SET";
+  const auto& layout = rigid ? card_layout("LOAD_RIGID_BODY", "card1")
+                       : set ? card_layout("LOAD_NODE_SET", "card1")
+                             : card_layout("LOAD_NODE_POINT", "card1");
+  const keyword::Transform& units = context.transform(block);
+  for_each_card(context, block, layout, false, [&](CardReader&, const Card& card) {
+    ConcentratedLoad load;
+    load.keyword = block.name;
+    load.rigid = rigid;
+    if (rigid)
+      load.part = card.integer("pid");
+    else
+      load.nodes = {card.integer(set ? "nsid" : "nid"), set};
+    load.freedom = card.integer("dof");
+    load.curve = card.integer("lcid");
+    load.scale = scale_of(card) * force_unit(units) * (load.freedom > 4 ? units.length_factor : 1);
+    load.system = card.integer("cid");
+    load.place = Context::place(block, card.line());
+    context.model.loads.concentrated.push_back(std::move(load));
+  });
+}
+
+void read_segment_load(Context& context, const Block& block, const Options& options) {
+  const bool set = block.name.starts_with("LOAD_SEGMENT_SET");
+  const auto& layout = set ? card_layout("LOAD_SEGMENT_SET", "card1") : card_layout("LOAD_SEGMENT", "card1");
+  const keyword::Transform& units = context.transform(block);
+  for_each_card(context, block, layout, options.has("ID"), [&](CardReader& reader, const Card& card) {
+    PressureLoad load;
+    load.kind = set ? PressureLoad::Kind::segment_set : PressureLoad::Kind::segment;
+    load.keyword = block.name;
+    if (set)
+      load.id = card.integer("ssid");
+    else
+      load.nodes = {card.integer("n1"), card.integer("n2"), card.integer("n3"), card.integer("n4")};
+    load.curve = card.integer("lcid");
+    load.scale = scale_of(card) * pressure_unit(units);
+    load.arrival = card.real("at") * units.time_factor;
+    load.place = Context::place(block, card.line());
+    // Further nodes of segments of higher order stand on a line of their own.
+    if (!set && card.integer("n5") != 0) reader.skip();
+    context.model.loads.pressures.push_back(std::move(load));
+  });
+}
+
+void read_shell_load(Context& context, const Block& block, const Options& options) {
+  const bool set = block.name.starts_with("LOAD_SHELL_SET");
+  const auto& layout = set ? card_layout("LOAD_SHELL_SET", "card1") : card_layout("LOAD_SHELL_ELEMENT", "card1");
+  const keyword::Transform& units = context.transform(block);
+  for_each_card(context, block, layout, options.has("ID"), [&](CardReader&, const Card& card) {
+    PressureLoad load;
+    load.kind = set ? PressureLoad::Kind::shell_set : PressureLoad::Kind::shell;
+    load.keyword = block.name;
+    load.id = card.integer(set ? "esid" : "eid");
+    load.curve = card.integer("lcid");
+    load.scale = scale_of(card) * pressure_unit(units);
+    load.arrival = card.real("at") * units.time_factor;
+    load.place = Context::place(block, card.line());
+    context.model.loads.pressures.push_back(std::move(load));
+  });
+}
+
+void read_body_load(Context& context, const Block& block, const Options&) {
+  const keyword::Transform& units = context.transform(block);
+  for_each_card(context, block, card_layout("LOAD_BODY_X", "card1"), false, [&](CardReader&, const Card& card) {
+    BodyLoad load;
+    load.keyword = block.name;
+    load.axis = block.name.back() - 'X';
+    load.curve = card.integer("lcid");
+    load.scale = scale_of(card) * units.length_factor / (units.time_factor * units.time_factor);
+    load.system = card.integer("cid");
+    load.place = Context::place(block, card.line());
+    context.model.loads.bodies.push_back(std::move(load));
+  });
+}
+
+void read_body_load_parts(Context& context, const Block& block, const Options&) {
+  for_each_card(context, block, card_layout("LOAD_BODY_PARTS", "card1"), false, [&](CardReader&, const Card& card) {
+    context.model.loads.body_parts.push_back({card.integer("psid"), Context::place(block, card.line())});
+  });
+}
+
+void read_global_damping(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = reader.next(card_layout("DAMPING_GLOBAL", "card1"));
+  if (!card.present()) return;
+  GlobalDamping damping;
+  damping.curve = card.integer("lcid");
+  damping.scale = 1 / context.transform(block).time_factor;
+  damping.value = card.real("valdmp") * damping.scale;
+  for (std::size_t i = 0; i < 6; ++i) damping.factors[i] = card.real(2 + i);
+  if (std::all_of(damping.factors.begin(), damping.factors.end(), [](double factor) { return factor == 0; }))
+    damping.factors.fill(1);
+  damping.place = Context::place(block, card.line());
+  context.model.loads.damping = damping;
+}
+
+}  // namespace gapcheck::model

@@ -1,0 +1,229 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
+#include "model/read/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+using Read = void (*)(Context&, const Block&, const Options&);
+
+/// Things that refer to others are read after them, wherever they stand in the deck.
+enum class Phase : std::uint8_t { nodes, properties, parts, elements, boxes, sets, rest };
+constexpr std::size_t phases = 7;
+
+/// Keywords that change the geometry or the sets, but that nobody reads yet: to pass over them in silence would give
+/// wrong answers.
+void warn_unread(Context& context, const Block& block, const Options&) {
+  context.warning(Context::place(block, block.line),
+                  fmt::format("*{} is not read; what it defines or changes takes no part in the checks", block.name));
+}
+
+struct Family {
+  std::string_view name;
+  Phase phase;
+  Read read;
+  std::string_view options = "";   ///< words that may follow the name; "*": any
+  bool warn_about_others = false;  ///< whether the name with any other word is worth a warning
+};
+
+constexpr std::string_view set_options =
+    "TITLE LIST GENERATE INCREMENT GENERAL COLUMN ADD ADVANCED INTERSECT COLLECT SMOOTH";
+
+constexpr Family keyword_families[] = {
+    {"NODE", Phase::nodes, read_nodes},
+    {"NODE_MERGE", Phase::rest, warn_unread, "*"},
+    {"NODE_THICKNESS", Phase::rest, warn_unread, "*"},
+    {"NODE_TRANSFORM", Phase::rest, warn_unread, "*"},
+    {"ELEMENT_SHELL", Phase::elements, read_shells, "THICKNESS BETA MCID OFFSET DOF COMPOSITE LONG SHL4 TO SHL8", true},
+    {"ELEMENT_SHELL_SOURCE_SINK", Phase::rest, nullptr},
+    {"ELEMENT_SOLID", Phase::elements, read_solids,
+     "ORTHO DOF FORMAT2 H20 H27 H64 T15 T20 H8TOH20 H8TOH27 H8TOH64 T4TOT10 T4TOT15 TET4TOTET10", true},
+    {"ELEMENT_TSHELL", Phase::elements, read_thick_shells, "BETA COMPOSITE", true},
+    {"ELEMENT_BEAM", Phase::elements, read_beams, "THICKNESS SECTION PID OFFSET ORIENTATION SCALAR SCALR WARPAGE ELBOW",
+     true},
+    {"ELEMENT_BEAM_PULLEY", Phase::rest, nullptr},
+    {"ELEMENT_BEAM_SOURCE", Phase::rest, nullptr},
+    {"ELEMENT_DISCRETE", Phase::elements, read_discrete, "LCO"},
+    {"ELEMENT_DISCRETE_SPHERE", Phase::rest, warn_unread, "*"},
+    {"ELEMENT_GENERATE", Phase::rest, warn_unread, "*"},
+    {"ELEMENT_MASS", Phase::elements, read_masses},
+    {"ELEMENT_INERTIA", Phase::elements, read_inertias, "OFFSET"},
+    {"ELEMENT_SPH", Phase::elements, read_particles, "VOLUME"},
+    {"PART", Phase::parts, read_parts,
+     "INERTIA REPOSITION CONTACT PRINT AVERAGED ATTACHMENT NODES FIELD COMPOSITE TSHELL LONG"},
+    {"PART_COMPOSITE_IGA_SHELL", Phase::rest, warn_unread, "*"},
+    {"PART_DUPLICATE", Phase::rest, warn_unread, "*"},
+    {"PART_MOVE", Phase::rest, warn_unread, "*"},
+    {"PART_STACKED_ELEMENTS", Phase::rest, warn_unread, "*"},
+    {"SECTION", Phase::properties, read_section_other, "*"},
+    {"SECTION_SHELL", Phase::properties, read_section_shell, "TITLE MISC EFG THERMAL XFEM", true},
+    {"SECTION_SOLID", Phase::properties, read_section_solid, "TITLE EFG MISC PERI SPG", true},
+    {"SECTION_TSHELL", Phase::properties, read_section_thick_shell, "TITLE"},
+    {"SECTION_BEAM", Phase::properties, read_section_beam, "TITLE"},
+    {"SECTION_BEAM_AISC", Phase::properties, read_section_other, "*"},
+    {"SECTION_DISCRETE", Phase::properties, read_section_discrete, "TITLE"},
+    {"SECTION_SPH", Phase::properties, read_section_particle, "TITLE ELLIPSE USER INTERACTION"},
+    {"MAT", Phase::properties, read_material, "*"},
+    {"MAT_ADD", Phase::properties, nullptr, "*"},
+    {"MAT_THERMAL", Phase::properties, nullptr, "*"},
+    {"DEFINE_CURVE", Phase::properties, read_curve, "TITLE"},
+    {"DEFINE_TABLE", Phase::properties, read_table, "TITLE 2D"},
+    {"SET_NODE", Phase::sets, read_set, set_options, true},
+    {"SET_PART", Phase::sets, read_set, set_options, true},
+    {"SET_SEGMENT", Phase::sets, read_set, set_options, true},
+    {"SET_SHELL", Phase::sets, read_set, set_options, true},
+    {"SET_SOLID", Phase::sets, read_set, set_options, true},
+    {"SET_TSHELL", Phase::sets, read_set, set_options, true},
+    {"SET_BEAM", Phase::sets, read_set, set_options, true},
+    {"SET_DISCRETE", Phase::sets, read_set, set_options, true},
+    {"DEFINE_BOX", Phase::boxes, read_box, "TITLE LOCAL"},
+    {"CONSTRAINED_NODAL_RIGID_BODY", Phase::rest, read_nodal_rigid_body, "TITLE SPC INERTIA OVERRIDE THERMAL"},
+    {"CONSTRAINED_EXTRA_NODES", Phase::rest, read_extra_nodes, "NODE SET"},
+    {"CONSTRAINED_RIGID_BODIES", Phase::rest, read_rigid_bodies, "SET"},
+    {"BOUNDARY_SPC_NODE", Phase::rest, read_spc, "ID BIRTH DEATH"},
+    {"BOUNDARY_SPC_SET", Phase::rest, read_spc, "ID BIRTH DEATH"},
+    {"BOUNDARY_PRESCRIBED_MOTION_NODE", Phase::rest, read_prescribed_motion, "ID"},
+    {"BOUNDARY_PRESCRIBED_MOTION_SET", Phase::rest, read_prescribed_motion, "ID"},
+    {"BOUNDARY_PRESCRIBED_MOTION_RIGID", Phase::rest, read_prescribed_motion, "ID"},
+    {"DEFINE_VECTOR", Phase::rest, read_vector, "TITLE"},
+    {"INITIAL_VELOCITY", Phase::rest, read_initial_velocity},
+    {"INITIAL_VELOCITY_NODE", Phase::rest, read_initial_velocity_node},
+    {"INITIAL_VELOCITY_GENERATION", Phase::rest, read_initial_velocity_generation},
+    {"INITIAL_VELOCITY_RIGID_BODY", Phase::rest, read_initial_velocity_rigid_body},
+    {"CONSTRAINED_SPOTWELD", Phase::rest, read_spot_weld, "ID FILTERED FORCE"},
+    {"CONSTRAINED_GENERALIZED_WELD_SPOT", Phase::rest, read_generalized_weld, "ID"},
+    {"LOAD_NODE_POINT", Phase::rest, read_concentrated_load},
+    {"LOAD_NODE_SET", Phase::rest, read_concentrated_load},
+    {"LOAD_RIGID_BODY", Phase::rest, read_concentrated_load},
+    {"LOAD_SEGMENT", Phase::rest, read_segment_load, "ID"},
+    {"LOAD_SEGMENT_SET", Phase::rest, read_segment_load, "ID"},
+    {"LOAD_SHELL_ELEMENT", Phase::rest, read_shell_load, "ID"},
+    {"LOAD_SHELL_SET", Phase::rest, read_shell_load, "ID"},
+    {"LOAD_BODY_X", Phase::rest, read_body_load},
+    {"LOAD_BODY_Y", Phase::rest, read_body_load},
+    {"LOAD_BODY_Z", Phase::rest, read_body_load},
+    {"LOAD_BODY_PARTS", Phase::rest, read_body_load_parts},
+    {"DAMPING_GLOBAL", Phase::rest, read_global_damping},
+    {"HOURGLASS", Phase::properties, read_hourglass, "TITLE"},
+    {"CONTROL_HOURGLASS", Phase::rest, read_control_hourglass},
+    {"CONTROL_BULK_VISCOSITY", Phase::rest, read_control_bulk_viscosity},
+    {"RIGIDWALL_PLANAR", Phase::rest, read_rigid_wall, "ID ORTHO FINITE MOVING FORCES DISPLAY", true},
+    {"RIGIDWALL_GEOMETRIC", Phase::rest, read_rigid_wall, "FLAT PRISM CYLINDER SPHERE INTERIOR MOTION DISPLAY ID",
+     true},
+    {"CONTROL_CONTACT", Phase::rest, read_control_contact},
+    {"CONTROL_SHELL", Phase::rest, read_control_shell},
+    {"CONTROL_TIMESTEP", Phase::rest, read_control_timestep},
+    {"CONTROL_TERMINATION", Phase::rest, read_control_termination},
+    {"TITLE", Phase::rest, read_title},
+    {"DATABASE_BINARY_D3PLOT", Phase::rest, read_database},
+    {"DATABASE_GLSTAT", Phase::rest, read_database},
+    {"DATABASE_MATSUM", Phase::rest, read_database},
+    {"DATABASE_NODOUT", Phase::rest, read_database},
+    {"DATABASE_RCFORC", Phase::rest, read_database},
+    {"DATABASE_SLEOUT", Phase::rest, read_database},
+    {"DATABASE_NCFORC", Phase::rest, read_database},
+    {"DATABASE_HISTORY_NODE", Phase::rest, read_history_nodes, "ID SET"},
+    {"DEFINE_FRICTION", Phase::rest, read_friction_table, "TITLE"},
+    {"CONTACT", Phase::rest, read_contact, "*"},
+};
+
+/// What is done with one keyword's name.
+struct Plan {
+  Read read = nullptr;  ///< nullptr: skipped
+  Phase phase = Phase::rest;
+  Options options;
+};
+
+bool contains_word(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const std::size_t cut = std::min(words.find(' '), words.size());
+    if (words.substr(0, cut) == word) return true;
+    words.remove_prefix(std::min(cut + 1, words.size()));
+  }
+  return false;
+}
+
+/// The family with the longest name that the keyword begins with, and the words behind it.
+Plan plan_for(std::string_view name) {
+  const Family* family = nullptr;
+  for (const Family& candidate : keyword_families) {
+    const bool matches = name.starts_with(candidate.name) &&
+                         (name.size() == candidate.name.size() || name[candidate.name.size()] == '_');
+    if (matches && (family == nullptr || candidate.name.size() > family->name.size())) family = &candidate;
+  }
+  if (family == nullptr || family->read == nullptr) return {};
+  Plan plan{family->read, family->phase, {}};
+  std::string_view rest = name.substr(family->name.size());
+  while (!rest.empty()) {
+    rest.remove_prefix(1);
+    const std::size_t cut = std::min(rest.find('_'), rest.size());
+    const std::string_view word = rest.substr(0, cut);
+    if (family->options != "*" && !contains_word(family->options, word))
+      return family->warn_about_others ? Plan{warn_unread, Phase::rest, {}} : Plan{};
+    plan.options.words.push_back(word);
+    rest.remove_prefix(cut);
+  }
+  return plan;
+}
+
+void skip_block(const Block& block, Model& model) {
+  ++model.skipped_keywords[block.name];
+  model.skipped_bytes += block.body.size();
+}
+
+void read_blocks(Context& context) {
+  std::unordered_map<std::string_view, Plan> plans;
+  struct PlannedBlock {
+    const Block* block;
+    const Plan* plan;
+  };
+  std::array<std::vector<PlannedBlock>, phases> planned;
+  for (const Block& block : context.deck.blocks()) {
+    const auto [entry, is_new] = plans.try_emplace(block.name);
+    if (is_new) entry->second = plan_for(block.name);
+    const Plan& plan = entry->second;
+    if (plan.read == nullptr || plan.read == warn_unread) skip_block(block, context.model);
+    if (plan.read != nullptr) planned[static_cast<std::size_t>(plan.phase)].push_back({&block, &plan});
+  }
+  const auto run = [&](Phase phase) {
+    for (const PlannedBlock& next : planned[static_cast<std::size_t>(phase)])
+      next.plan->read(context, *next.block, next.plan->options);
+  };
+  run(Phase::nodes);
+  finish_nodes(context);
+  run(Phase::properties);
+  run(Phase::parts);
+  finish_parts(context);
+  run(Phase::elements);
+  finish_elements(context);
+  run(Phase::boxes);
+  run(Phase::sets);
+  resolve_sets(context);
+  run(Phase::rest);
+  for (const PlannedBlock& next : planned[static_cast<std::size_t>(Phase::nodes)])
+    read_node_constraints(context, *next.block);
+  finish_contacts(context);
+}
+
+void sort_faults(std::vector<Fault>& faults) {
+  const auto key = [](const Fault& fault) { return std::tuple(fault.kind, fault.place.file, fault.place.line); };
+  std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) { return key(a) < key(b); });
+}
+
+}  // namespace
+
+Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics) {
+  Model model;
+  for (const keyword::SourceFile& file : deck.files()) model.files.push_back(file.path);
+  Context context{deck, diagnostics, model, {}, {}, {}, 0};
+  read_blocks(context);
+  deck.release_pages();
+  sort_faults(model.faults);
+  return Result<Model>(std::move(model));
+}
+
+}  // namespace gapcheck::model

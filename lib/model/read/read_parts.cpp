@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include "base/number.hpp"
+#include "model/read/cards.hpp"
+#include "model/read/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+PartContact read_part_contact(Context& context, CardReader& reader) {
+  const Card card = reader.next(keyword::card_layout("PART_CONTACT", "card3"));
+  PartContact contact;
+  contact.fs = card.real("fs");
+  contact.fd = card.real("fd");
+  contact.dc = card.real("dc");
+  contact.vc = card.real("vc");
+  contact.optt = context.length(reader.block(), card.real("optt"));
+  contact.sft = card.real("sft");
+  contact.ssf = card.real("ssf");
+  return contact;
+}
+
+/// The plies of *PART_COMPOSITE, up to the end of the block: the sum of their thicknesses, and the first material.
+void read_part_plies(Context& context, CardReader& reader, bool one_per_line, Part& part) {
+  static const CardLayout plies = [] {
+    CardLayout layout = id_and_reals(IdKind::material, 7);
+    layout.fields[3].type = layout.fields[4].type = layout.fields[7].type = FieldType::integer;
+    layout.fields[4].id = IdKind::material;
+    return layout;
+  }();
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card card = reader.next(plies);
+    if (part.material_id == 0) part.material_id = card.integer(0);
+    for (const std::size_t first : {std::size_t{0}, std::size_t{4}}) {
+      const double thickness = context.length(reader.block(), card.real(first + 1));
+      if (first > 0 && (one_per_line || thickness == 0)) break;
+      part.plies.push_back({card.integer(first), thickness, std::nullopt});
+      part.composite_thickness += thickness;
+    }
+  }
+}
+
+/// A composite part is its own section.
+Section composite_section(const Part& part, const Card& card, bool thick_shell) {
+  Section section;
+  section.kind = thick_shell ? SectionKind::thick_shell : SectionKind::shell;
+  section.elform = card.integer("elform");
+  section.nloc = thick_shell ? 0 : card.real("nloc");
+  section.thickness.fill(part.composite_thickness);
+  section.place = part.place;
+  return section;
+}
+
+void read_composite(Context& context, CardReader& reader, const Options& options, Part& part) {
+  const bool thick_shell = options.has("TSHELL");
+  const Card card =
+      reader.next(keyword::card_layout(thick_shell ? "PART_COMPOSITE_TSHELL" : "PART_COMPOSITE", "card2"));
+  part.id = PartId(card.integer("pid"));
+  part.place.line = card.line();
+  if (options.has("CONTACT")) part.contact = read_part_contact(context, reader);
+  read_part_plies(context, reader, options.has("LONG"), part);
+  part.section = static_cast<std::uint32_t>(context.model.sections.size());
+  context.model.sections.push_back(composite_section(part, card, thick_shell));
+}
+
+void read_plain(Context& context, CardReader& reader, const Options& options, Part& part) {
+  const Card card = reader.next(keyword::card_layout("PART", "card1.2"));
+  part.id = PartId(card.integer("pid"));
+  part.section_id = card.integer("secid");
+  part.material_id = card.integer("mid");
+  part.place.line = card.line();
+  part.hourglass_id = card.integer("hgid");
+  if (options.has("INERTIA")) part.inertia = read_body_inertia(context, reader);
+  if (options.has("REPOSITION")) reader.skip();
+  if (options.has("CONTACT")) part.contact = read_part_contact(context, reader);
+  skip_lines(reader, static_cast<std::int64_t>(options.count({"PRINT", "ATTACHMENT", "FIELD"})));
+}
+
+void add_part(Context& context, Part part) {
+  Model& model = context.model;
+  if (part.id.value <= 0) {
+    context.error(part.place, fmt::format("part id {} is not positive; the part is left out", part.id.value));
+    return;
+  }
+  const auto [entry, is_new] =
+      model.part_of_id.try_emplace(part.id.value, static_cast<std::uint32_t>(model.parts.size()));
+  if (is_new)
+    model.parts.push_back(std::move(part));
+  else
+    context.duplicate("part", part.id.value, model.part(entry->second).place, part.place);
+}
+
+}  // namespace
+
+void read_parts(Context& context, const Block& block, const Options& options) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    const Card heading = reader.next(text_line());
+    Part part;
+    part.title = heading.text(std::size_t{0});
+    part.place = Context::place(block, heading.line());
+    if (trimmed(reader.peek()).empty() && part.title.empty()) continue;
+    if (reader.at_end()) {
+      context.error(part.place, fmt::format("*{} ends after the heading \"{}\"; the part's card is missing", block.name,
+                                            part.title));
+      return;
+    }
+    if (options.has("COMPOSITE"))
+      read_composite(context, reader, options, part);
+    else
+      read_plain(context, reader, options, part);
+    add_part(context, std::move(part));
+  }
+}
+
+void finish_parts(Context& context) {
+  const auto find = [](const auto& table, std::int64_t id) -> std::optional<std::uint32_t> {
+    const auto found = table.find(id);
+    return found == table.end() ? std::nullopt : std::optional(found->second);
+  };
+  for (Part& part : context.model.parts) {
+    if (!part.section) part.section = find(context.section_of_id, part.section_id);
+    part.material = find(context.material_of_id, part.material_id);
+    for (Ply& ply : part.plies) ply.material = find(context.material_of_id, ply.material_id);
+  }
+}
+
+}  // namespace gapcheck::model

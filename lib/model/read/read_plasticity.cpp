@@ -1,0 +1,62 @@
+#include "model/read/cards.hpp"
+#include "model/read/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+/// Points are used up to the last one with a yield stress.
+std::vector<std::array<double, 2>> read_points(CardReader& reader, double stress) {
+  static const CardLayout eight = real_line(8, 10);
+  const Card strains = reader.next(eight), stresses = reader.next(eight);
+  std::vector<std::array<double, 2>> points;
+  for (std::size_t i = 0; i < 8 && strains.present() && stresses.present(); ++i)
+    if (stresses.real(i) != 0) points.push_back({strains.real(i), stresses.real(i) * stress});
+  return points;
+}
+
+/// HLCID, the last field of the first card of material 037. The card was cut into real numbers, which know no offsets.
+std::int64_t curve_at(const Context& context, const Block& block, const Card& card) {
+  const double id = card.real(7);
+  if (!(id >= 1 && id < 1e9)) return 0;
+  return context.with_offset(block, keyword::IdKind::function, static_cast<std::int64_t>(id));
+}
+
+}  // namespace
+
+std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
+                                          std::string_view name) {
+  static const CardLayout eight = real_line(8, 10);
+  const bool kinematic = name == "PLASTIC_KINEMATIC", piecewise = name == "PIECEWISE_LINEAR_PLASTICITY";
+  const bool anisotropic = name == "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC";
+  if (!kinematic && !piecewise && !anisotropic) return std::nullopt;
+  const keyword::Transform& units = context.transform(reader.block());
+  const double stress = units.mass_factor / (units.length_factor * units.time_factor * units.time_factor);
+  Plasticity plasticity;
+  plasticity.sigy = card.real(4) * stress;
+  plasticity.etan = card.real(5) * stress;
+  if (kinematic) plasticity.beta = card.real(6);
+  if (kinematic) {
+    const Card rate = reader.next(eight);
+    plasticity.rate_c = rate.real(std::size_t{0}) / units.time_factor;
+    plasticity.rate_p = rate.real(1);
+    plasticity.failure_strain = rate.real(2);
+    plasticity.viscoplastic = rate.real(3) != 0;
+    return plasticity;
+  }
+  if (anisotropic) {
+    plasticity.anisotropy = card.real(6, 1);
+    plasticity.lcss = curve_at(context, reader.block(), card);
+    return plasticity;
+  }
+  plasticity.failure_strain = card.real(6);
+  const Card rate = reader.next(keyword::card_layout("MAT_PIECEWISE_LINEAR_PLASTICITY", "card2"));
+  plasticity.rate_c = rate.real("c") / units.time_factor;
+  plasticity.rate_p = rate.real("p");
+  plasticity.lcss = rate.integer("lcss");
+  plasticity.lcsr = rate.integer("lcsr");
+  plasticity.viscoplastic = rate.real("vp") != 0;
+  plasticity.points = read_points(reader, stress);
+  return plasticity;
+}
+
+}  // namespace gapcheck::model

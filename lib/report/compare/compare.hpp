@@ -1,0 +1,70 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "records/report.hpp"
+#include "report/compare/compare_curves.hpp"
+
+namespace gapcheck::report {
+
+/// How the records of one contact agree between two sources.
+struct ContactComparison {
+  std::int64_t id = 0;
+  std::string title, type;
+  std::uint64_t agree = 0, depth_differs = 0, only_first = 0, only_second = 0;
+  double largest_difference = 0;                             ///< of depth
+  bool missing_in_first = false, missing_in_second = false;  ///< the whole contact
+  bool not_checked = false;  ///< one source did not decide it: its records are not held against the other's
+  bool counts_only = false;  ///< one source gives the number of nodes without listing them: numbers are compared
+  bool ties_compared = false;  ///< both sources say which nodes stay untied, and there are ties or such nodes
+  std::uint64_t ties_agree = 0, ties_other_reason = 0, ties_only_first = 0, ties_only_second = 0;  ///< untied nodes
+  std::uint64_t ties_out_of_reach = 0;  ///< untied nodes that one source lists and the other only counts
+  [[nodiscard]] bool ties_equal() const { return ties_other_reason + ties_only_first + ties_only_second == 0; }
+};
+
+struct Difference {
+  std::int64_t contact = 0, node = 0;
+  double first = -1, second = -1;  ///< depth; negative: not in that source
+};
+
+/// A node that is untied in one source only, or for another reason.
+struct TieDifference {
+  std::int64_t contact = 0, node = 0;
+  std::optional<TieReason> first, second;  ///< nothing: not untied in that source
+};
+
+struct Comparison {
+  std::vector<ContactComparison> contacts;  ///< as in the first report, then what only the second has
+  std::vector<Difference> differences;      ///< by contact, then largest first
+  std::vector<TieDifference> tie_differences;  ///< by contact, then node
+  [[nodiscard]] bool equal() const;
+};
+
+/// Holds the initial-penetration records of two reports against each other, contact by contact (by id), node by node;
+/// depths agree within `tolerance` (absolute; on top of it half a unit in the fifth digit, which is what messag
+/// prints). A node that one source calls released agrees with a record of the other, and is no difference where there
+/// is none: whether the solver lists such a node is not settled. Nodes of the edge zone are left out: the solver never
+/// lists them. A contact that only one source has is a difference only if it has records. Untied nodes are compared as
+/// compare_ties() does.
+[[nodiscard]] Comparison compare(const Report& first, const Report& second, double tolerance);
+
+/// Holds the untied nodes of one contact against each other, by node and reason; positions in Report::contacts, nothing:
+/// the report has no such contact. Of several records of a node the first counts. A deck whose contact was not judged
+/// says nothing. Nodes that are too far or on no segment are no difference where the other side counts nodes out of reach,
+/// which it does not list.
+void compare_ties(const Report& first, std::optional<std::uint32_t> in_first, const Report& second,
+                  std::optional<std::uint32_t> in_second, ContactComparison& sum,
+                  std::vector<TieDifference>& differences);
+
+/// Two depths are the same: `tolerance` apart, plus half a unit in the fifth digit of the larger one.
+[[nodiscard]] bool same_depth(double first, double second, double tolerance);
+
+/// `curves`: nullptr where none were compared. `top`: largest differences to show, of each contact and of the curves.
+[[nodiscard]] std::string comparison_text(const Comparison& comparison, const Report& first, const Report& second,
+                                          std::size_t top, const CurveComparison* curves = nullptr);
+[[nodiscard]] std::string comparison_json(const Comparison& comparison, const Report& first, const Report& second,
+                                          const CurveComparison* curves = nullptr);
+
+}  // namespace gapcheck::report

@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "report/compare/compare.hpp"
+#include "report/item/describe.hpp"
+#include "report/write/table.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+std::string note(const ContactComparison& contact) {
+  if (contact.not_checked) return contact.ties_compared ? "tied" : "not checked in one of them";
+  std::string text = contact.counts_only ? "only numbers of nodes are known" : "";
+  const auto add = [&](std::string_view part) { text += (text.empty() ? "" : ", ") + std::string(part); };
+  if (contact.missing_in_first) add("not in A");
+  if (contact.missing_in_second) add("not in B");
+  return text;
+}
+
+std::string depth(double value) {
+  if (value < 0) return "-";
+  return value > 0 ? fmt::format("{:.6g}", value) : "?";
+}
+
+void append_contacts(const Comparison& comparison, std::string& out) {
+  constexpr std::array columns{Column{"contact"}, Column{"type"},   Column{"agree"},      Column{"depth differs"},
+                               Column{"only A"},  Column{"only B"}, Column{"by at most"}, Column{"", Align::left}};
+  append_table(
+      columns, comparison.contacts.size(),
+      [&](std::size_t i, auto& row) {
+        const ContactComparison& c = comparison.contacts[i];
+        row = {fmt::format("{}", c.id),
+               c.type.empty() ? "-" : printable(c.type),
+               fmt::format("{}", c.agree),
+               fmt::format("{}", c.depth_differs),
+               fmt::format("{}", c.only_first),
+               fmt::format("{}", c.only_second),
+               fmt::format("{:.3g}", c.largest_difference),
+               note(c)};
+      },
+      "  ", out);
+}
+
+/// The largest differences of one contact, which stand together.
+void append_differences(std::span<const Difference> differences, std::size_t top, std::string& out) {
+  constexpr std::array columns{Column{"node"}, Column{"A"}, Column{"B"}};
+  const std::size_t rows = std::min(top, differences.size());
+  out += fmt::format("\ncontact {}: {} node{} differ{}", differences.front().contact, differences.size(),
+                     differences.size() == 1 ? "" : "s", differences.size() == 1 ? "s" : "");
+  out += rows < differences.size() ? fmt::format(", largest {}\n", rows) : "\n";
+  if (rows == 0) return;
+  append_table(
+      columns, rows,
+      [&](std::size_t i, auto& row) {
+        row = {fmt::format("{}", differences[i].node), depth(differences[i].first), depth(differences[i].second)};
+      },
+      "  ", out);
+}
+
+void append_tie_counts(const Comparison& comparison, std::string& out) {
+  std::vector<const ContactComparison*> tied;
+  for (const ContactComparison& contact : comparison.contacts)
+    if (contact.ties_compared) tied.push_back(&contact);
+  if (tied.empty()) return;
+  constexpr std::array columns{Column{"untied nodes of contact"},
+                               Column{"agree"},
+                               Column{"other reason"},
+                               Column{"only A"},
+                               Column{"only B"},
+                               Column{"", Align::left}};
+  out += '\n';
+  append_table(
+      columns, tied.size(),
+      [&](std::size_t i, auto& row) {
+        const ContactComparison& c = *tied[i];
+        row = {fmt::format("{}", c.id),
+               fmt::format("{}", c.ties_agree),
+               fmt::format("{}", c.ties_other_reason),
+               fmt::format("{}", c.ties_only_first),
+               fmt::format("{}", c.ties_only_second),
+               c.ties_out_of_reach > 0 ? fmt::format("{} out of reach", c.ties_out_of_reach) : ""};
+      },
+      "  ", out);
+}
+
+void append_tie_differences(std::span<const TieDifference> differences, std::size_t top, std::string& out) {
+  constexpr std::array columns{Column{"node"}, Column{"A", Align::left}, Column{"B", Align::left}};
+  const std::size_t rows = std::min(top, differences.size());
+  out += fmt::format("\ncontact {}: {} untied node{} differ{}", differences.front().contact, differences.size(),
+                     differences.size() == 1 ? "" : "s", differences.size() == 1 ? "s" : "");
+  out += rows < differences.size() ? fmt::format(", first {}\n", rows) : "\n";
+  if (rows == 0) return;
+  const auto reason = [](const std::optional<TieReason>& r) { return r ? std::string(name(*r)) : std::string("-"); };
+  append_table(
+      columns, rows,
+      [&](std::size_t i, auto& row) {
+        row = {fmt::format("{}", differences[i].node), reason(differences[i].first), reason(differences[i].second)};
+      },
+      "  ", out);
+}
+
+/// Calls `append` with what stands together of one contact.
+template <class Difference, class Append>
+void by_contact(std::span<const Difference> rest, const Append& append) {
+  while (!rest.empty()) {
+    const auto end =
+        std::find_if(rest.begin(), rest.end(), [&](const Difference& d) { return d.contact != rest.front().contact; });
+    const auto length = static_cast<std::size_t>(end - rest.begin());
+    append(rest.first(length));
+    rest = rest.subspan(length);
+  }
+}
+
+void append_only(std::string_view side, const std::vector<std::string>& names, std::size_t top, std::string& out) {
+  if (names.empty()) return;
+  const std::size_t shown = std::min(top, names.size());
+  out += fmt::format("  only in {}: ", side);
+  for (std::size_t i = 0; i < shown; ++i) out += (i > 0 ? ", " : "") + printable(names[i]);
+  out += shown < names.size() ? fmt::format("{}{} more\n", shown > 0 ? " and " : "", names.size() - shown) : "\n";
+}
+
+void append_curve_pairs(const CurveComparison& curves, std::size_t rows, std::string& out) {
+  constexpr std::array columns{Column{"curve", Align::left}, Column{"relative"},     Column{"L2"},
+                               Column{"by at most"},         Column{"at time"},      Column{"largest A"},
+                               Column{"largest B"},          Column{"", Align::left}};
+  append_table(
+      columns, rows,
+      [&](std::size_t i, auto& row) {
+        const CurvePair& p = curves.pairs[i];
+        row = {printable(p.name),
+               fmt::format("{:.2e}", p.relative_difference),
+               fmt::format("{:.2e}", p.l2_difference),
+               fmt::format("{:.5g}", p.largest_difference),
+               fmt::format("{:.6g}", p.time),
+               fmt::format("{:.5g}", p.largest_first),
+               fmt::format("{:.5g}", p.largest_second),
+               p.not_numbers ? "NaN in one of them" : ""};
+      },
+      "  ", out);
+}
+
+void append_curves(const CurveComparison& curves, std::size_t top, std::string& out) {
+  out += fmt::format("\ncurves: {} compared, {} differ{} by more than {:g} of the larger one\n",
+                     curves.agree + curves.differ, curves.differ, curves.differ == 1 ? "s" : "", curves.tolerance);
+  if (const std::size_t rows = std::min(top, curves.differ); rows > 0) {
+    append_curve_pairs(curves, rows, out);
+    if (rows < curves.differ) out += fmt::format("  … and {} more\n", curves.differ - rows);
+  }
+  if (curves.end_first != curves.end_second)
+    out += fmt::format("  A ends at time {:g}, B at {:g}\n", curves.end_first, curves.end_second);
+  if (curves.without_common_times > 0) out += fmt::format("  without common times: {}\n", curves.without_common_times);
+  append_only("A", curves.only_first, top, out);
+  append_only("B", curves.only_second, top, out);
+}
+
+}  // namespace
+
+std::string comparison_text(const Comparison& comparison, const Report& first, const Report& second, std::size_t top,
+                            const CurveComparison* curves) {
+  std::string out = fmt::format("A: {}\nB: {}\n\n", printable(first.input), printable(second.input));
+  append_contacts(comparison, out);
+  append_tie_counts(comparison, out);
+  by_contact(std::span(comparison.differences), [&](auto part) { append_differences(part, top, out); });
+  by_contact(std::span(comparison.tie_differences), [&](auto part) { append_tie_differences(part, top, out); });
+  if (curves != nullptr) append_curves(*curves, top, out);
+  const auto open = std::count_if(comparison.contacts.begin(), comparison.contacts.end(),
+                                  [](const ContactComparison& c) { return c.not_checked && !c.ties_compared; });
+  std::uint64_t agree = 0;
+  for (const ContactComparison& contact : comparison.contacts) agree += contact.agree + contact.ties_agree;
+  const bool equal = comparison.equal() && (curves == nullptr || curves->differ == 0);
+  out += equal ? "\nno differences" : "\nthe two differ";
+  out += fmt::format(", {} node{} agree{}", agree, agree == 1 ? "" : "s", agree == 1 ? "s" : "");
+  if (curves != nullptr)
+    out += fmt::format(", {} curve{} agree{}", curves->agree, curves->agree == 1 ? "" : "s",
+                       curves->agree == 1 ? "s" : "");
+  if (open > 0) out += fmt::format(", {} contact{} not compared", open, open == 1 ? "" : "s");
+  return out + '\n';
+}
+
+}  // namespace gapcheck::report

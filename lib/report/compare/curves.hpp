@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "results/curves/run_results.hpp"
+
+namespace gapcheck::report {
+
+/// One quantity of a run over time, as a result file prints it. Units of the model.
+struct Curve {
+  std::string file;      ///< "glstat"
+  std::string quantity;  ///< "energy"; curves of one file and quantity can be held against each other in size
+  std::string name;      ///< "rcforc contact 3 side A x-force"; no other curve of the run has it
+  int digits = 6;        ///< that the file prints of a number
+  std::vector<double> times, values;  ///< ascending times, finite values
+  std::uint64_t not_numbers = 0;      ///< values that the run calls no number, left out
+  std::int64_t contact = 0;           ///< whose curve it is; 0: no contact's
+
+  /// A state; one that is not later than those before it takes their place: a restarted run repeats some.
+  void add(double time, double value);
+};
+
+/// glstat: kinetic, internal, hourglass, sliding, total energy, external work, energy ratio. rcforc, per contact and
+/// side: force components and resultant. sleout, per contact: energy of both sides, friction. nodout, per node:
+/// displacement and velocity. In order of the files; contacts and nodes as they first appear.
+[[nodiscard]] std::vector<Curve> curves(const results::RunResults& run);
+
+}  // namespace gapcheck::report

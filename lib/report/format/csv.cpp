@@ -1,0 +1,109 @@
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "report/item/describe.hpp"
+#include "report/format/formats.hpp"
+#include "report/item/item.hpp"
+#include "report/write/stream.hpp"
+#include "report/write/xml_text.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+/// Fields of one line, with commas between them.
+class Line {
+ public:
+  explicit Line(Buffer& out) : out_(out) {}
+  void text(std::string_view bytes) {
+    comma();
+    const std::string text = plain_text(bytes);
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return out_.append(std::string_view(text));
+    out_.push_back('"');
+    for (const char c : text) {
+      if (c == '"') out_.push_back('"');
+      out_.push_back(c);
+    }
+    out_.push_back('"');
+  }
+  /// Empty for 0: not known.
+  void id(std::int64_t value) {
+    comma();
+    if (value != 0) fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
+  }
+  /// Empty unless `known` and finite.
+  void number(double value, bool known) {
+    comma();
+    if (known && std::isfinite(value)) fmt::format_to(fmt::appender(out_), FMT_COMPILE("{}"), value);
+  }
+  void end() { out_.append(std::string_view("\r\n")); }
+
+ private:
+  void comma() {
+    if (!first_) out_.push_back(',');
+    first_ = false;
+  }
+  Buffer& out_;
+  bool first_ = true;
+};
+
+}  // namespace
+
+namespace {
+
+/// The columns that only some tables have.
+struct Columns {
+  bool baseline = false, deck = false;
+};
+
+void append_names(const Columns& columns, Stream& stream) {
+  stream.text("id,rule,severity,contact,node,part,element,element_part,penetration,remaining,contact_distance,"
+              "x,y,z,outcome,count,file,line,fingerprint,message");
+  if (columns.baseline) stream.text(",baseline");
+  if (columns.deck) stream.text(",deck");
+  stream.text("\r\n");
+}
+
+void append_lines(const Report& report, const Columns& columns, Stream& stream) {
+  for_each_item(report, [&](const Item& item) {
+    Line line(stream.buffer);
+    line.text(item.id);
+    line.text(item.rule);
+    line.text(name(item.severity));
+    for (const std::int64_t id : {item.contact, item.node, item.part, item.element, item.element_part}) line.id(id);
+    const bool depth = item.penetration >= 0, distance = item.contact_distance >= 0;
+    line.number(item.penetration, depth);
+    line.number(item.contact_distance - item.penetration, depth && distance);
+    line.number(item.contact_distance, distance);
+    for (int axis = 0; axis < 3; ++axis)
+      line.number(item.position ? (*item.position)[axis] : 0, item.position.has_value());
+    line.text(item.outcome);
+    line.id(static_cast<std::int64_t>(item.count));
+    line.text(item.file);
+    line.id(item.line);
+    line.text(fmt::format(FMT_COMPILE("{:016x}"), item.fingerprint));
+    line.text(item.message);
+    if (columns.baseline) line.text(item.state ? name(*item.state) : "");
+    if (columns.deck) line.text(report.input);
+    line.end();
+    stream.pause();
+    return stream.open();
+  });
+}
+
+}  // namespace
+
+void csv(const Reports& reports, const Sink& sink) {
+  const bool baseline = std::any_of(reports.all.begin(), reports.all.end(),
+                                    [](const Report& report) { return report.baseline.has_value(); });
+  const Columns columns{baseline, reports.several()};
+  Stream stream(sink);
+  append_names(columns, stream);
+  for (const Report& report : reports.all) append_lines(report, columns, stream);
+  stream.flush();
+}
+
+}  // namespace gapcheck::report

@@ -1,0 +1,224 @@
+#include "report/format/fix_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "report/item/describe.hpp"
+#include "report/write/table.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(double value) { return fmt::format("{:.6g}", value); }
+
+std::string plural(std::uint64_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+std::string file_and_line(const FixReport& report, std::uint32_t file, std::uint32_t line) {
+  return file < report.files.size() ? fmt::format("{}:{}", printable(report.files[file]), line) : "";
+}
+
+void contacts(const FixReport& report, std::string& out) {
+  constexpr std::array<Column, 7> columns{{{"contact"}, {"nodes before"}, {"too deep"}, {"deepest"}, {"nodes after"},
+                                           {"too deep"}, {"deepest"}}};
+  append_table(columns, report.contacts.size(), [&](std::size_t i, Row<7>& row) {
+    const FixContact& c = report.contacts[i];
+    row = {std::to_string(c.id), std::to_string(c.before.penetrations), std::to_string(c.before.released),
+           number(c.before.deepest), std::to_string(c.after.penetrations), std::to_string(c.after.released),
+           number(c.after.deepest)};
+  }, "  ", out);
+  for (const FixContact& c : report.contacts)
+    if (!c.not_checked.empty()) out += fmt::format("  contact {}: {}\n", c.id, printable(c.not_checked));
+}
+
+void moves(const FixReport& report, std::size_t top, std::string& out) {
+  if (report.moved.empty()) return;
+  out += fmt::format("\n{} moved: at most {:.6g}, on average {:.6g}, together {:.6g}\n", plural(report.moved.size(), "node"),
+                     report.largest_move, report.mean_move(), report.total_move);
+  out += fmt::format("{} touched, {} with a worse shape\n", plural(report.elements_touched, "element"),
+                     report.elements_worsened);
+  std::vector<const MovedNode*> list;
+  for (const MovedNode& node : report.moved) list.push_back(&node);
+  std::stable_sort(list.begin(), list.end(),
+                   [](const MovedNode* a, const MovedNode* b) { return a->distance() > b->distance(); });
+  list.resize(std::min(top, list.size()));
+  if (list.empty()) return;
+  constexpr std::array<Column, 6> columns{{{"node"}, {"move"}, {"dx"}, {"dy"}, {"dz"}, {"line", Align::left}}};
+  append_table(columns, list.size(), [&](std::size_t i, Row<6>& row) {
+    const MovedNode& node = *list[i];
+    const Vector d = node.to - node.from;
+    row = {std::to_string(node.node),
+           number(node.distance()),
+           number(d.x()),
+           number(d.y()),
+           number(d.z()),
+           file_and_line(report, node.file, node.line) + (node.onto_tie ? "  (tied)" : "")};
+  }, "  ", out);
+  if (report.moved.size() > list.size()) out += fmt::format("  {} more\n", report.moved.size() - list.size());
+}
+
+void remaining(const FixReport& report, std::size_t top, std::string& out) {
+  if (report.separated_ties_before > 0)
+    out += fmt::format("\ntied nodes off their segments: {} before, {} after\n", report.separated_ties_before,
+                       report.separated_ties_after);
+  if (report.unfixed.empty()) return;
+  out += fmt::format("\n{} not freed by any movement\n", plural(report.unfixed.size(), "node"));
+  const std::size_t count = std::min(top, report.unfixed.size());
+  if (count == 0) return;
+  constexpr std::array<Column, 6> columns{
+      {{"contact"}, {"node"}, {"element"}, {"penetration"}, {"why", Align::left}, {"line", Align::left}}};
+  append_table(columns, count, [&](std::size_t i, Row<6>& row) {
+    const UnfixedNode& node = report.unfixed[i];
+    row = {std::to_string(report.contacts[node.contact].id),
+           std::to_string(node.node),
+           std::to_string(node.element),
+           number(node.depth),
+           std::string(words(node.reason)),
+           file_and_line(report, node.file, node.line)};
+  }, "  ", out);
+  if (report.unfixed.size() > count) out += fmt::format("  {} more\n", report.unfixed.size() - count);
+}
+
+std::string part_name(std::int64_t part) { return part == 0 ? "nodes without part" : fmt::format("part {}", part); }
+
+void proposals(const FixReport& report, std::size_t top, std::string& out) {
+  if (report.proposals.empty()) return;
+  out += "\nInstead of moving nodes\n";
+  const std::size_t count = std::min(top, report.proposals.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const FixProposal& p = report.proposals[i];
+    out += fmt::format("  contact {}, {} and {}: {}, at most {:.6g} deep\n", p.contact, part_name(p.part),
+                       part_name(p.other_part), plural(p.penetrations, "penetration"), p.deepest);
+    if (p.not_searched)
+      out += "    a thickness was searched for the first pairs only\n";
+    else if (p.thickness == 0) out += "    no thickness was found that helps\n";
+    for (const FixAlternative& a : p.alternatives) {
+      out += "    " + a.text + "\n";
+      for (std::size_t at = 0; at < a.card.size();) {
+        const std::size_t end = a.card.find('\n', at);
+        out += "      " + a.card.substr(at, end - at) + "\n";
+        at = end == std::string::npos ? a.card.size() : end + 1;
+      }
+    }
+  }
+  if (report.proposals.size() > count) out += fmt::format("  {} more pairs of parts\n", report.proposals.size() - count);
+}
+
+std::string last_line(const FixReport& report) {
+  std::uint64_t before = 0, after = report.unfixed.size();
+  for (const FixContact& c : report.contacts) before += c.before.penetrations + c.before.released;
+  return fmt::format("{} penetrating before, {} after; {} moved in {}{}\n", plural(before, "node"), after,
+                     plural(report.moved.size(), "node"), plural(report.changed.size(), "file"),
+                     report.dry_run ? "; nothing was written" : "");
+}
+
+Json vector_json(const Vector& x) { return Json::array({x.x(), x.y(), x.z()}); }
+
+Json state_json(const FixContact::State& state) {
+  return {{"penetrations", state.penetrations}, {"released", state.released}, {"max_penetration", state.deepest}};
+}
+
+void place_json(const FixReport& report, std::uint32_t file, std::uint32_t line, Json& json) {
+  if (file >= report.files.size()) return;
+  json["file"] = report.files[file];
+  json["line"] = line;
+}
+
+Json fix_contact_json(const FixContact& c) {
+  Json json{{"id", c.id}, {"keyword", c.keyword}};
+  if (!c.title.empty()) json["title"] = c.title;
+  if (!c.not_checked.empty()) json["not_checked"] = c.not_checked;
+  json["before"] = state_json(c.before);
+  json["after"] = state_json(c.after);
+  return json;
+}
+
+Json moved_json(const FixReport& report, const MovedNode& node) {
+  Json json{{"node", node.node}, {"from", vector_json(node.from)}, {"to", vector_json(node.to)}, {"move", node.distance()}};
+  if (node.onto_tie) json["onto_tie"] = true;
+  place_json(report, node.file, node.line, json);
+  return json;
+}
+
+Json unfixed_json(const FixReport& report, const UnfixedNode& node) {
+  Json json{{"contact", report.contacts[node.contact].id}, {"node", node.node}};
+  if (node.part != 0) json["part"] = node.part;
+  if (node.element != 0) json["element"] = node.element;
+  if (node.element_part != 0) json["element_part"] = node.element_part;
+  json["penetration"] = node.depth;
+  json["contact_distance"] = node.contact_distance;
+  if (node.released) json["released"] = true;
+  json["reason"] = name(node.reason);
+  place_json(report, node.file, node.line, json);
+  return json;
+}
+
+Json proposal_json(const FixProposal& p) {
+  Json json{{"contact", p.contact}, {"part", p.part}, {"other_part", p.other_part}, {"penetrations", p.penetrations},
+            {"max_penetration", p.deepest}};
+  if (p.thickness > 0) json["thickness"] = p.thickness;
+  if (p.not_searched) json["not_searched"] = true;
+  json["alternatives"] = Json::array();
+  for (const FixAlternative& a : p.alternatives) json["alternatives"].push_back({{"text", a.text}, {"card", a.card}});
+  return json;
+}
+
+}  // namespace
+
+std::string fix_text(const FixReport& report, const FixTextOptions& options) {
+  std::string out;
+  if (!options.quiet) {
+    out = fmt::format("{}\n\n", printable(report.input));
+    contacts(report, out);
+    moves(report, options.top, out);
+    remaining(report, options.top, out);
+    if (report.crossings_before > 0 || report.crossings_after > 0)
+      out += fmt::format("\npairs of elements that cross: {} before, {} after\n", report.crossings_before,
+                         report.crossings_after);
+    proposals(report, options.top, out);
+    if (!report.notes.empty()) out += "\n";
+    for (const std::string& note : report.notes) out += "note: " + printable(note) + "\n";
+    if (!report.changed.empty()) out += "\n";
+    for (const FixedFile& file : report.changed)
+      out += fmt::format("{}: {} changed{}\n", printable(file.path), plural(file.lines, "line"),
+                         file.written.empty() ? "" : ", written to " + printable(file.written));
+    out += "\n";
+  }
+  return out + last_line(report);
+}
+
+std::string fix_json(const FixReport& report) {
+  Json json{{"schema", "gapcheck-fix/1"}, {"input", report.input}, {"dry_run", report.dry_run}};
+  for (const char* list : {"contacts", "moved", "unfixed", "proposals", "files", "notes"}) json[list] = Json::array();
+  for (const FixContact& c : report.contacts) json["contacts"].push_back(fix_contact_json(c));
+  for (const MovedNode& node : report.moved) json["moved"].push_back(moved_json(report, node));
+  for (const UnfixedNode& node : report.unfixed) json["unfixed"].push_back(unfixed_json(report, node));
+  for (const FixProposal& p : report.proposals) json["proposals"].push_back(proposal_json(p));
+  for (const FixedFile& file : report.changed) {
+    json["files"].push_back({{"path", file.path}, {"lines", file.lines}});
+    if (!file.written.empty()) json["files"].back()["written"] = file.written;
+  }
+  for (const std::string& note : report.notes) json["notes"].push_back(note);
+  json["summary"] = {{"complete", complete(report)},
+                     {"largest_move", report.largest_move},
+                     {"mean_move", report.mean_move()},
+                     {"total_move", report.total_move},
+                     {"elements_touched", report.elements_touched},
+                     {"elements_worsened", report.elements_worsened},
+                     {"crossings_before", report.crossings_before},
+                     {"crossings_after", report.crossings_after},
+                     {"separated_ties_before", report.separated_ties_before},
+                     {"separated_ties_after", report.separated_ties_after},
+                     {"rounds", report.rounds},
+                     {"cut_short", report.cut_short}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gapcheck::report

@@ -1,0 +1,44 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "records/report.hpp"
+#include "report/write/writers.hpp"
+
+namespace gapcheck::report {
+
+// Formats that other programs read; the contents are those of json(). All of them are deterministic but for times, end
+// early when the sink gives false, and need memory for one finding at a time unless they say otherwise. Several decks
+// come one after the other; those that were not audited are no findings, and only json() and junit() name them.
+
+/// What a format may say of a rule.
+struct RuleText {
+  std::string_view id, name;
+  Severity severity = Severity::warning;
+  std::string_view summary;  ///< one line
+  std::string_view page;     ///< markdown
+};
+
+/// SARIF 2.1.0 (OASIS, sections 3.13 to 3.49): one run per deck, rules with their help, one result per finding with file and
+/// line, the node as a logical location, `partialFingerprints`. `version` is the program's.
+void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink);
+
+/// JUnit: one suite per contact and one for the rest, a case per rule that found something there. A case fails if one of
+/// its findings is at least as severe as `limit`; without a limit none fails. A suite without findings has one case
+/// that passes. Each case shows the first `top` findings and counts the others. Of several decks the suites' names begin
+/// with the deck; one that was not audited is a suite with an error that says why.
+void junit(const Reports& reports, const Severity* limit, std::size_t top, const Sink& sink);
+
+/// Annotations as GitHub's runners read them from standard output. At most `top` per rule and contact, then one that
+/// counts the rest: a run shows only the first few. Errors come first.
+void github(const Reports& reports, std::size_t top, const Sink& sink);
+
+/// GitLab's code quality report. Fingerprints that would occur twice get a number behind them, since GitLab shows each
+/// only once. Keeps the fingerprints in memory.
+void gitlab(const Reports& reports, const Sink& sink);
+
+/// A table (RFC 4180) with one line per finding under a line of names; of several decks with a last column `deck`.
+void csv(const Reports& reports, const Sink& sink);
+
+}  // namespace gapcheck::report

@@ -1,0 +1,189 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <unordered_map>
+#include <utility>
+
+#include "report/baseline/baseline.hpp"
+#include "report/item/describe.hpp"
+#include "report/item/fingerprint.hpp"
+#include "report/format/formats.hpp"
+#include "report/item/item.hpp"
+#include "report/write/json_members.hpp"
+#include "report/write/normal_path.hpp"
+#include "report/write/stream.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+/// A path as the reference of a URI: separators stay, everything that is not plain is escaped; absolute ones get a scheme.
+std::string uri(std::string_view name) {
+  const std::string path = normal_path(name);
+  std::string out = path.starts_with('/') ? "file://" : "";
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '/' ||
+                       c == '-' || c == '_' || c == '.' || c == '~';
+    if (plain)
+      out += c;
+    else
+      out += fmt::format("%{:02X}", byte);
+  }
+  return out;
+}
+
+void append_text(std::string_view key, std::string_view text, Members& object) {
+  object.raw(key, fmt::format("{{\"text\":{}}}", json_string(text)));
+}
+
+void append_rule(const RuleText& rule, Buffer& out) {
+  Members object(out);
+  object.string("id", rule.id);
+  object.string("name", rule.name);
+  append_text("shortDescription", rule.summary, object);
+  if (!rule.page.empty())
+    object.raw("help", fmt::format("{{\"text\":{0},\"markdown\":{0}}}", json_string(rule.page)));
+  object.raw("defaultConfiguration", fmt::format("{{\"level\":\"{}\"}}", name(rule.severity)));
+  object.close();
+}
+
+/// The deck's entities that the finding speaks of, as logical locations.
+void append_entities(const Item& item, Members& location, Buffer& out) {
+  const std::pair<std::string_view, std::int64_t> entities[] = {
+      {"contact", item.contact}, {"node", item.node}, {"element", item.element}};
+  bool first = true;
+  for (const auto& [kind, id] : entities) {
+    if (id == 0) continue;
+    if (std::exchange(first, false)) {
+      location.key("logicalLocations");
+      out.push_back('[');
+    } else {
+      out.push_back(',');
+    }
+    fmt::format_to(fmt::appender(out), "{{\"name\":\"{0} {1}\",\"kind\":\"{0}\"}}", kind, id);
+  }
+  if (!first) out.push_back(']');
+}
+
+void append_properties(const Item& item, Members& result, Buffer& out) {
+  result.key("properties");
+  Members properties(out);
+  if (item.part != 0) properties.integer("part", item.part);
+  if (item.element_part != 0) properties.integer("elementPart", item.element_part);
+  if (item.penetration >= 0) properties.number("penetration", item.penetration);
+  if (item.contact_distance >= 0) properties.number("contactDistance", item.contact_distance);
+  if (item.position) properties.array("position", std::array{item.position->x(), item.position->y(), item.position->z()});
+  if (!item.outcome.empty()) properties.plain("outcome", item.outcome);
+  properties.close();
+}
+
+/// In the words of SARIF.
+std::string_view baseline_state(BaselineState state) {
+  return state == BaselineState::worse ? "updated" : name(state);
+}
+
+/// Says why the finding does not count, and where that stands.
+void append_suppression(const IgnoreSource& source, Members& result, Buffer& out) {
+  result.key("suppressions");
+  out.push_back('[');
+  Members suppression(out);
+  suppression.plain("kind", source.in_deck ? "inSource" : "external");
+  if (!source.reason.empty()) suppression.string("justification", source.reason);
+  const std::string region = source.line == 0 ? "" : fmt::format(",\"region\":{{\"startLine\":{}}}", source.line);
+  suppression.raw("location", fmt::format("{{\"physicalLocation\":{{\"artifactLocation\":{{\"uri\":{}}}{}}}}}",
+                                          json_string(uri(source.file)), region));
+  suppression.close();
+  out.push_back(']');
+}
+
+void append_result(const Item& item, std::size_t rule, std::string_view input, Buffer& out) {
+  Members result(out);
+  result.string("ruleId", item.id);
+  if (rule != std::string_view::npos) result.integer("ruleIndex", rule);
+  result.plain("level", name(item.severity));
+  append_text("message", item.message, result);
+  result.key("locations");
+  out.push_back('[');
+  Members location(out);
+  location.key("physicalLocation");
+  {
+    Members physical(out);
+    const std::string_view file = item.file.empty() ? input : item.file;
+    physical.raw("artifactLocation", fmt::format("{{\"uri\":{}}}", json_string(uri(file))));
+    if (item.line != 0) physical.raw("region", fmt::format("{{\"startLine\":{}}}", item.line));
+    physical.close();
+  }
+  append_entities(item, location, out);
+  location.close();
+  out.push_back(']');
+  if (item.count > 1) result.integer("occurrenceCount", item.count);
+  result.raw("partialFingerprints", fmt::format("{{\"gapcheck/v1\":\"{:016x}\"}}", item.fingerprint));
+  if (item.state) result.plain("baselineState", baseline_state(*item.state));
+  if (item.ignored != nullptr) append_suppression(*item.ignored, result, out);
+  append_properties(item, result, out);
+  result.close();
+}
+
+/// A finding of the baseline that is not there any more; nothing says where it was in the files.
+void append_absent(const KnownFinding& finding, std::string_view input, Buffer& out) {
+  Members result(out);
+  result.string("ruleId", finding.id);
+  result.plain("level", name(finding.severity));
+  append_text("message", describe(finding), result);
+  result.raw("locations", fmt::format("[{{\"physicalLocation\":{{\"artifactLocation\":{{\"uri\":{}}}}}}}]",
+                                      json_string(uri(input))));
+  result.raw("partialFingerprints", fmt::format("{{\"gapcheck/v1\":\"{:016x}\"}}", fingerprint(finding)));
+  result.plain("baselineState", "absent");
+  result.close();
+}
+
+}  // namespace
+
+namespace {
+
+void append_sarif_run(const Report& report, std::string_view version, std::span<const RuleText> rules, Stream& stream) {
+  stream.text("{\"tool\":{\"driver\":{\"name\":\"gapcheck\",\"version\":");
+  stream.text(json_string(version));
+  stream.text(",\"rules\":[");
+  std::unordered_map<std::string_view, std::size_t> index;
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    index.emplace(rules[i].id, i);
+    stream.separator(i == 0);
+    append_rule(rules[i], stream.buffer);
+  }
+  // One category per deck: code scanning refuses several runs of one.
+  stream.text("]}},\"columnKind\":\"utf16CodeUnits\",\"automationDetails\":{\"id\":");
+  stream.text(json_string(fmt::format("gapcheck/{}/", report.input)));
+  stream.text("},\n\"results\":[");
+  bool first = true;
+  const auto append = [&](const Item& item) {
+    stream.separator(std::exchange(first, false));
+    const auto rule = index.find(item.id);
+    append_result(item, rule == index.end() ? std::string_view::npos : rule->second, report.input, stream.buffer);
+    return stream.open();
+  };
+  for_each_item(report, append);
+  for_each_ignored(report, append);
+  if (report.baseline) {
+    for (const KnownFinding& finding : report.baseline->gone) {
+      stream.separator(std::exchange(first, false));
+      append_absent(finding, report.input, stream.buffer);
+    }
+  }
+  stream.text("]}");
+}
+
+}  // namespace
+
+void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink) {
+  Stream stream(sink);
+  stream.text("{\"$schema\":\"https://json.schemastore.org/sarif-2.1.0.json\",\"version\":\"2.1.0\",\"runs\":[");
+  for (std::size_t i = 0; i < reports.all.size() && stream.open(); ++i) {
+    if (i > 0) stream.separator(false);
+    append_sarif_run(reports.all[i], version, rules, stream);
+  }
+  stream.text("]}\n");
+  stream.flush();
+}
+
+}  // namespace gapcheck::report

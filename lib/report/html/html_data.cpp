@@ -1,0 +1,303 @@
+#include "report/html/html_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <span>
+
+#include "report/write/base64.hpp"
+#include "report/baseline/baseline.hpp"
+#include "report/item/describe.hpp"
+#include "report/write/json_members.hpp"
+#include "report/item/sums.hpp"
+#include "report/write/writers.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+constexpr std::size_t most_pairs = 500, depth_bins = 24, ratio_bins = 20;
+
+/// Numbers beyond 2^53 become texts: a browser would round them.
+std::string id_text(std::int64_t id) {
+  constexpr std::int64_t largest = std::int64_t{1} << 53;
+  return id > largest || id < -largest ? fmt::format("\"{}\"", id) : fmt::format("{}", id);
+}
+
+/// Texts that occur more than once, by their positions.
+class Texts {
+ public:
+  std::size_t position(std::string_view text) {
+    const auto [entry, is_new] = positions_.try_emplace(std::string(text), positions_.size());
+    if (is_new) list_.push_back(entry->first);
+    return entry->second;
+  }
+  [[nodiscard]] std::string json() const {
+    std::string out = "[";
+    for (const std::string& text : list_) out += (out.size() > 1 ? "," : "") + json_string(text);
+    return out + "]";
+  }
+
+ private:
+  std::map<std::string, std::size_t> positions_;
+  std::vector<std::string> list_;
+};
+
+/// An array with what `text` makes of each element.
+template <class Range, class Text>
+std::string json_array(const Range& range, const Text& text) {
+  std::string out = "[";
+  for (const auto& element : range) {
+    if (out.size() > 1) out += ',';
+    out += text(element);
+  }
+  return out + "]";
+}
+
+/// Numbers of four bytes.
+template <class Number>
+std::string binary(std::span<const Number> values) {
+  static_assert(sizeof(Number) == 4 && std::endian::native == std::endian::little);
+  std::string out = "\"";
+  append_base64({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number)}, out);
+  return out + '"';
+}
+
+template <class Number, std::size_t N>
+std::string binary(const std::vector<std::array<Number, N>>& rows) {
+  return binary(std::span<const Number>(rows.empty() ? nullptr : rows.front().data(), rows.size() * N));
+}
+
+void add_head(const Report& report, const HtmlOptions& options, std::size_t shown, Members& data) {
+  const Totals total = totals(report);
+  data.string("version", options.version);
+  data.string("source", report.source);
+  data.string("input", report.input);
+  data.raw("totals",
+           fmt::format("{{\"errors\":{},\"warnings\":{},\"notes\":{}}}", total.errors, total.warnings, total.notes));
+  data.integer("shown", shown);
+  data.integer("found", report.penetrations.size() + report.tie_failures.size() + report.findings.size() +
+                            report.ignored.size());
+  data.integer("ignored", report.ignored.size());
+  data.string("baseline", report.baseline ? summary(*report.baseline) : "");
+  const ModelCounts& m = report.model;
+  data.raw("model",
+           fmt::format("{{\"nodes\":{},\"shells\":{},\"solids\":{},\"thick shells\":{},\"beams\":{},"
+                       "\"discrete elements\":{},\"mass elements\":{},\"particles\":{},\"parts\":{},\"contacts\":{}}}",
+                       m.nodes, m.shells, m.solids, m.thick_shells, m.beams, m.discrete, m.masses, m.particles, m.parts,
+                       m.contacts));
+  if (report.run) {
+    using enum SolverRun::Termination;
+    data.string("solver", report.run->version);
+    data.string("run title", report.run->title);
+    data.string("termination", report.run->termination == normal  ? "normal termination"
+                               : report.run->termination == error ? "error termination"
+                                                                  : "");
+  }
+}
+
+std::string contact_summary_json(const ContactSummary& contact) {
+  Buffer out;
+  Members object(out);
+  object.raw("id", id_text(contact.id));
+  object.integer("order", contact.order);
+  object.string("title", contact.title);
+  object.string("keyword", contact.keyword);
+  object.string("type", contact.type);
+  object.integer("tracked_nodes", contact.tracked_nodes);
+  object.integer("segments", contact.segments);
+  object.integer("penetrations", contact.penetrations + contact.segment_penetrations + contact.mortar_penetrations +
+                                     contact.edge_penetrations);
+  object.integer("released", contact.released);
+  object.integer("edge_zone", contact.edge_zone);
+  object.number("max_penetration", contact.max_penetration);
+  object.integer("ties", contact.ties);
+  object.integer("untied", contact.untied);
+  object.string("not_checked", contact.not_checked);
+  object.string("file", contact.file);
+  object.integer("line", contact.line);
+  object.close();
+  return fmt::to_string(out);
+}
+
+/// Findings column by column.
+std::string findings_json(const std::vector<HtmlFinding>& findings, Texts& texts) {
+  Buffer out;
+  Members object(out);
+  const auto text = [&](std::string_view name, auto of) {
+    object.raw(name, json_array(findings,
+                                [&](const HtmlFinding& f) { return fmt::format("{}", texts.position(of(f.item))); }));
+  };
+  const auto id = [&](std::string_view name, std::int64_t Item::*member) {
+    object.raw(name, json_array(findings, [&](const HtmlFinding& f) { return id_text(f.item.*member); }));
+  };
+  const auto number = [&](std::string_view name, double Item::*member) {
+    object.raw(name, json_array(findings, [&](const HtmlFinding& f) {
+                 const double value = f.item.*member;
+                 return value >= 0 && std::isfinite(value) ? fmt::format("{}", value) : std::string("null");
+               }));
+  };
+  text("id", [](const Item& item) { return item.id; });
+  text("rule", [](const Item& item) { return item.rule; });
+  object.raw("severity", json_array(findings, [](const HtmlFinding& f) {
+               return fmt::format("{}", static_cast<int>(f.item.severity));
+             }));
+  id("contact", &Item::contact);
+  id("node", &Item::node);
+  id("part", &Item::part);
+  id("element", &Item::element);
+  id("element_part", &Item::element_part);
+  number("penetration", &Item::penetration);
+  number("contact_distance", &Item::contact_distance);
+  text("outcome", [](const Item& item) { return item.outcome; });
+  text("file", [](const Item& item) { return item.file; });
+  object.raw("line", json_array(findings, [](const HtmlFinding& f) { return fmt::format("{}", f.item.line); }));
+  object.raw("count", json_array(findings, [](const HtmlFinding& f) { return fmt::format("{}", f.item.count); }));
+  text("state", [](const Item& item) {
+    return item.ignored != nullptr ? std::string_view("ignored") : item.state ? name(*item.state) : std::string_view();
+  });
+  object.raw("ignored_by", json_array(findings, [&](const HtmlFinding& f) {
+               return fmt::format("{}", texts.position(f.item.ignored != nullptr ? describe(*f.item.ignored) : ""));
+             }));
+  text("message", [](const Item& item) { return std::string_view(item.message); });
+  object.raw("segment", json_array(findings, [](const HtmlFinding& f) { return json_array(f.segment, id_text); }));
+  object.close();
+  return fmt::to_string(out);
+}
+
+std::string pairs_json(const Report& report) {
+  const Sums all = sums(report.penetrations);
+  std::vector<PartPair> pairs = all.pairs;
+  pairs.insert(pairs.end(), all.edge_pairs.begin(), all.edge_pairs.end());
+  const std::size_t count = std::min(pairs.size(), most_pairs);
+  std::partial_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count), pairs.end(),
+                    [](const PartPair& a, const PartPair& b) { return a.deepest->depth > b.deepest->depth; });
+  const std::size_t more = pairs.size() - count;
+  pairs.resize(count);
+  return fmt::format("{{\"more\":{},\"list\":{}}}", more, json_array(pairs, [](const PartPair& pair) {
+                       const double depth = pair.deepest->depth;
+                       return fmt::format("[{},{},{},{}]", id_text(pair.part), id_text(pair.element_part), pair.nodes,
+                                          std::isfinite(depth) ? depth : 0);
+                     }));
+}
+
+/// How many records there are by depth, and by depth over contact distance; nodes of the edge zone do not count.
+std::string depths_json(const Report& report) {
+  double deepest = 0;
+  std::vector<std::uint64_t> depths(depth_bins), ratios(ratio_bins + 1);
+  const auto counts = [](const Penetration& record) {
+    return record.kind != PenetrationKind::edge_zone && record.depth > 0 && std::isfinite(record.depth);
+  };
+  for (const Penetration& record : report.penetrations)
+    if (counts(record)) deepest = std::max(deepest, record.depth);
+  for (const Penetration& record : report.penetrations) {
+    if (!counts(record)) continue;
+    ++depths[std::min(static_cast<std::size_t>(record.depth / deepest * depth_bins), depth_bins - 1)];
+    const double ratio = record.depth / record.contact_distance;
+    if (record.contact_distance > 0)
+      ++ratios[ratio > 1 ? ratio_bins : std::min(static_cast<std::size_t>(ratio * ratio_bins), ratio_bins - 1)];
+  }
+  const auto number = [](std::uint64_t value) { return fmt::format("{}", value); };
+  return fmt::format("{{\"deepest\":{},\"depths\":{},\"ratios\":{}}}", deepest, json_array(depths, number),
+                     json_array(ratios, number));
+}
+
+/// A point in single precision; NaN where there is none, or none that could be drawn.
+std::array<float, 3> local(const std::optional<Vector>& point, const Vector& origin) {
+  constexpr double farthest = 1e18;
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  if (!point) return {nan, nan, nan};
+  const Vector x = *point - origin;
+  if (!(x.array().abs() <= farthest).all()) return {nan, nan, nan};
+  return {static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])};
+}
+
+std::string part_json(const SceneMesh::Part& part) {
+  return fmt::format("{{\"id\":{},\"title\":{},\"first\":{},\"faces\":{}}}", id_text(part.id), json_string(part.title),
+                     part.first_face, part.faces);
+}
+
+std::string picture_json(const Report& report, const std::vector<HtmlFinding>& findings) {
+  Vector origin = Vector::Zero();
+  const auto placed = std::find_if(findings.begin(), findings.end(), [](const HtmlFinding& finding) {
+    return finding.position && finding.position->allFinite();
+  });
+  if (report.scene)
+    origin = report.scene->origin;
+  else if (placed != findings.end())
+    origin = *placed->position;
+  std::vector<std::array<float, 3>> positions, vectors;
+  for (const HtmlFinding& finding : findings) {
+    positions.push_back(local(finding.position, origin));
+    vectors.push_back(local(finding.vector, Vector::Zero()));
+  }
+  Buffer out;
+  Members object(out);
+  object.array("origin", std::array{origin[0], origin[1], origin[2]});
+  object.raw("positions", binary(positions));
+  object.raw("vectors", binary(vectors));
+  if (const auto& scene = report.scene) {
+    object.raw("parts", json_array(scene->parts, part_json));
+    object.raw("points", binary(scene->points));
+    object.raw("faces", binary(scene->faces));
+    object.raw("outline_points", binary(scene->outline_points));
+    object.raw("outline", binary(scene->outline));
+    object.integer("model_faces", scene->model_faces);
+    object.integer("outline_left_out", scene->outline_left_out);
+    object.raw("faces_cut", scene->faces_cut ? "true" : "false");
+  }
+  object.close();
+  return fmt::to_string(out);
+}
+
+/// Positions of nodes as the caller knows them, else as the scene does.
+NodePosition with_scene(const Report& report, const NodePosition& position) {
+  return [&report, &position](std::int64_t node) -> std::optional<Vector> {
+    if (position)
+      if (const auto known = position(node)) return known;
+    if (!report.scene) return std::nullopt;
+    const auto& nodes = report.scene->nodes;
+    const auto found = std::lower_bound(nodes.begin(), nodes.end(), node,
+                                        [](const auto& entry, std::int64_t id) { return entry.first < id; });
+    return found != nodes.end() && found->first == node ? std::optional(found->second) : std::nullopt;
+  };
+}
+
+/// '<' begins nothing in JSON outside of texts.
+std::string without_less_than(std::string_view json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json)
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  return out;
+}
+
+}  // namespace
+
+std::string html_data(const Report& report, const NodePosition& position, const HtmlOptions& options) {
+  const std::vector<HtmlFinding> findings = html_findings(report, with_scene(report, position), options);
+  const std::span contacts(report.contacts.data(), std::min(report.contacts.size(), options.contacts));
+  Texts texts;
+  Buffer out;
+  Members data(out);
+  add_head(report, options, findings.size(), data);
+  data.raw("contacts", json_array(contacts, contact_summary_json));
+  data.integer("contacts_in_all", report.contacts.size());
+  data.raw("findings", findings_json(findings, texts));
+  data.raw("texts", texts.json());
+  data.raw("pairs", pairs_json(report));
+  data.raw("histogram", depths_json(report));
+  data.raw("picture", picture_json(report, findings));
+  data.close();
+  return without_less_than({out.data(), out.size()});
+}
+
+}  // namespace gapcheck::report

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "report/html/html.hpp"
+#include "report/item/item.hpp"
+
+namespace gapcheck::report {
+
+/// What the page of html() shows, as JSON without any '<', so that it may stand in a script element. Arrays of numbers
+/// for the picture are little-endian and in base64.
+[[nodiscard]] std::string html_data(const Report& report, const NodePosition& position, const HtmlOptions& options);
+
+// Parts of the above, for tests.
+
+/// A finding with what the picture needs.
+struct HtmlFinding {
+  Item item;
+  std::vector<std::int64_t> segment;  ///< node ids; empty: none
+  std::optional<Vector> position;     ///< where it is drawn
+  std::optional<Vector> vector;       ///< from there to the contact surface
+};
+
+/// The first `options.group` findings of each rule in each contact, then the gravest and deepest, at most
+/// `options.findings`; in the report's order, those that are left out on purpose last.
+[[nodiscard]] std::vector<HtmlFinding> html_findings(const Report& report, const NodePosition& position,
+                                                     const HtmlOptions& options);
+
+}  // namespace gapcheck::report

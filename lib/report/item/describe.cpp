@@ -1,0 +1,124 @@
+#include "report/item/describe.hpp"
+
+#include <fmt/compile.h>
+
+#include "records/thickness_source.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+using Out = fmt::memory_buffer;
+
+void append(std::string_view text, Out& out) { out.append(text); }
+
+/// "element 500 (part 2)", or the nodes of the segment where the element is not known.
+void append_segment(const Penetration& record, Out& out) {
+  auto end = fmt::appender(out);
+  if (record.element != 0)
+    fmt::format_to(end, FMT_COMPILE("element {}"), record.element);
+  else
+    fmt::format_to(end, FMT_COMPILE("segment {}-{}-{}-{}"), record.segment[0], record.segment[1], record.segment[2],
+                   record.segment[3]);
+  if (record.element_part != 0) fmt::format_to(end, FMT_COMPILE(" (part {})"), record.element_part);
+}
+
+}  // namespace
+
+RecordRule rule_of(PenetrationKind kind) {
+  switch (kind) {
+    case PenetrationKind::initial:
+      return {"GC101", "initial-penetration", Severity::warning};
+    case PenetrationKind::released:
+      return {"GC102", "released-node", Severity::error};
+    case PenetrationKind::edge_zone:
+      return {"GC106", "edge-zone-penetration", Severity::note};
+    case PenetrationKind::segment:
+      return {"GC107", "segment-penetration", Severity::warning};
+    case PenetrationKind::mortar:
+      return {"GC108", "mortar-penetration", Severity::warning};
+    case PenetrationKind::edge:
+      return {"GC109", "edge-penetration", Severity::warning};
+  }
+  return {"GC101", "initial-penetration", Severity::warning};
+}
+
+RecordRule with_severity(const Report& report, RecordRule rule) {
+  if (const auto changed = report.severities.find(rule.id); changed != report.severities.end())
+    rule.severity = changed->second;
+  return rule;
+}
+
+RecordRule rule_of(const Report& report, PenetrationKind kind) { return with_severity(report, rule_of(kind)); }
+
+std::string_view name(Severity severity) {
+  switch (severity) {
+    case Severity::note:
+      return "note";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      return "error";
+  }
+  return "error";
+}
+
+void append_cause(const Penetration& record, Out& out) {
+  const ThicknessRule node = record.node_rule, segment = record.segment_rule;
+  if (node == ThicknessRule::none && segment == ThicknessRule::none) return;
+  if (node == segment) return append(thickness_source(node), out);
+  append("node: ", out);
+  append(thickness_source(node), out);
+  append(", segment: ", out);
+  append(thickness_source(segment), out);
+}
+
+void append_message(const Penetration& record, Out& out) {
+  auto end = fmt::appender(out);
+  if (record.kind == PenetrationKind::edge) append("the edge at ", out);
+  fmt::format_to(end, FMT_COMPILE("node {}"), record.node);
+  if (record.part != 0) fmt::format_to(end, FMT_COMPILE(" (part {})"), record.part);
+  if (record.element == 0 && record.segment[0] == 0) {  // a log that names little more than the node
+    append(" penetrates", out);
+    if (record.depth > 0) fmt::format_to(end, FMT_COMPILE(" by {:.6g}"), record.depth);
+    return;
+  }
+  if (record.depth == 0 && record.contact_distance == 0) {  // a log in which neither could be read
+    append(" penetrates ", out);
+    append_segment(record, out);
+    return;
+  }
+  fmt::format_to(end, FMT_COMPILE(" is {:.6g} inside the contact distance {:.6g} of "), record.depth,
+                 record.contact_distance);
+  if (record.kind == PenetrationKind::edge_zone)
+    append(record.feature == Feature::corner ? "a corner of " : "an edge of ", out);
+  if (record.kind == PenetrationKind::edge) append("an edge of ", out);
+  append_segment(record, out);
+  if (record.kind == PenetrationKind::released) append(", too deep: the contact lets go of it", out);
+  if (record.kind == PenetrationKind::edge_zone) append(", but beside every segment's search band", out);
+  if (record.kind == PenetrationKind::mortar && record.contact_distance > 0)
+    fmt::format_to(end, FMT_COMPILE(", {:.3g} % of it"), 100 * record.depth / record.contact_distance);
+  if (record.node_rule == ThicknessRule::none && record.segment_rule == ThicknessRule::none) return;
+  const bool bare = record.kind != PenetrationKind::released && record.kind != PenetrationKind::edge_zone;
+  append(bare ? ": thickness from " : "; thickness from ", out);
+  append_cause(record, out);
+}
+
+std::string_view beginning(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  while (longest > 0 && (static_cast<unsigned char>(text[longest]) & 0xC0) == 0x80) --longest;
+  return text.substr(0, longest);
+}
+
+std::string shortened(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return std::string(text);
+  return std::string(beginning(text, longest)) + "…";
+}
+
+std::string printable(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return result;
+}
+
+}  // namespace gapcheck::report

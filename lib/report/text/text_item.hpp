@@ -1,0 +1,12 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "report/item/item.hpp"
+
+namespace gapcheck::report {
+
+/// A finding in one line that says everything, for lists that mix rules and contacts.
+[[nodiscard]] std::string line_of(const Item& item, std::size_t indent);
+
+}  // namespace gapcheck::report

@@ -1,0 +1,62 @@
+#include "results/curves/contact_forces.hpp"
+
+#include <fmt/format.h>
+
+#include "results/text/fortran_number.hpp"
+
+namespace gapcheck::results {
+
+std::string contact_header(const FileHeader& header, std::vector<LegendEntry> contacts) {
+  return header_text(header) + legend_text(std::move(contacts), 69) + "\n";
+}
+
+std::string rcforc_text(double time, std::span<const InterfaceState> contacts) {
+  std::string text;
+  for (const InterfaceState& contact : contacts)
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (contact.single_surface) {
+        text += fmt::format(" interface number,{:10},is single surface-resultants are undefined\n", contact.contact);
+        continue;
+      }
+      const Vector &f = contact.force[side], &m = contact.moment[side];
+      const auto e = [](double value) { return scientific(value, 12, 5); };
+      text +=
+          fmt::format("  SURF{}{:12} time{}  x {}  y {}  z {} mass {}  mx {}  my {}  mz {}\n", side == 0 ? 'A' : 'B',
+                      contact.contact, e(time), e(f.x()), e(f.y()), e(f.z()), e(0), e(m.x()), e(m.y()), e(m.z()));
+    }
+  return text;
+}
+
+std::string sleout_text(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts) {
+  std::string text = fmt::format("\n\n\n contact interface energy file, time={}\n", normalised(time, 14, 7));
+  text += fmt::format("    #             surfa       surfb        cycle={:14}    frictional\n\n", cycle);
+  std::array<double, 2> sides{};
+  double friction = 0;
+  for (const InterfaceState& contact : contacts) {
+    for (std::size_t side = 0; side < 2; ++side) sides[side] += contact.energy[side];
+    friction += contact.friction;
+    text += fmt::format("{:10}{}{}{:28}{}\n", contact.contact, normalised(contact.energy[0], 13, 4),
+                        normalised(contact.energy[1], 13, 4), "", normalised(contact.friction, 13, 4));
+  }
+  const auto sum = [](double value) { return normalised(value, 14, 7); };
+  return text + fmt::format(
+                    "\n summary   total surfa side={}\n           total surfb side={}\n           total energy    ={}\n"
+                    "           friction energy ={}\n\n\n\n",
+                    sum(sides[0]), sum(sides[1]), sum(sides[0] + sides[1]), sum(friction));
+}
+
+std::string ncforc_text(double time, std::int64_t contact, std::span<const NodeForce> nodes) {
+  std::string text =
+      fmt::format("\n forces of contact{:10} on nodes, time={}\n", contact, scientific(time, 13, 5));
+  text += "      node      x-force      y-force      z-force     pressure       x-coor       y-coor       z-coor\n";
+  for (const NodeForce& node : nodes) {
+    text += fmt::format("{:10}", node.node);
+    for (const double value : {node.force.x(), node.force.y(), node.force.z(), node.pressure, node.position.x(),
+                               node.position.y(), node.position.z()})
+      text += scientific(value, 13, 5);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace gapcheck::results

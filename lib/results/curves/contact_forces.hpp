@@ -1,0 +1,65 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/vector.hpp"
+#include "results/text/file_header.hpp"
+
+namespace gapcheck::results {
+
+// Three files of one kind: rcforc (forces on the sides of contacts), sleout (their energies), ncforc (forces on their
+// nodes). Side A: surfa, formerly slave; side B: surfb, formerly master.
+
+/// One contact at one time.
+struct InterfaceState {
+  std::int64_t contact = 0;
+  bool single_surface = false;  ///< its resultants are undefined
+  std::array<Vector, 2> force{Vector::Zero(), Vector::Zero()};
+  std::array<Vector, 2> moment{Vector::Zero(), Vector::Zero()};
+  std::array<double, 2> energy{};
+  double friction = 0;  ///< of the energies: dissipated by friction
+};
+
+/// All contacts at one time.
+struct InterfaceStates {
+  double time = 0;
+  std::uint64_t cycle = 0;  ///< from 1; 0: the file does not say
+  std::vector<InterfaceState> contacts;
+};
+
+/// What a file says over the whole run.
+struct InterfaceHistory {
+  std::vector<LegendEntry> titles;
+  std::vector<std::int64_t> single_surface;  ///< contacts without resultants, ascending
+  std::vector<InterfaceStates> states;       ///< in order of the file
+};
+
+/// Force of a contact on one node.
+struct NodeForce {
+  std::int64_t node = 0;
+  Vector force = Vector::Zero(), position = Vector::Zero();
+  double pressure = 0;
+};
+
+/// Titles of contacts in the legend of all three.
+[[nodiscard]] std::string contact_header(const FileHeader& header, std::vector<LegendEntry> contacts);
+
+[[nodiscard]] std::string rcforc_text(double time, std::span<const InterfaceState> contacts);
+[[nodiscard]] std::string sleout_text(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts);
+
+/// The states of rcforc (forces, moments) and sleout (energies, friction) files, old and new words. A state is all that
+/// has one time and names no side twice. Rows that cannot be read, and a last state with fewer rows than the one before
+/// it, are left out; `diagnostics` say so. A number that the run calls none is NaN.
+[[nodiscard]] InterfaceHistory read_rcforc(std::string_view text, const std::string& name, Diagnostics& diagnostics);
+[[nodiscard]] InterfaceHistory read_sleout(std::string_view text, const std::string& name, Diagnostics& diagnostics);
+
+/// Nodes of one contact. No file of the solver with such data is public; this layout is our own: a heading
+/// with contact and time, then per node id, force, pressure and position, (i10, 7e13.5).
+[[nodiscard]] std::string ncforc_text(double time, std::int64_t contact, std::span<const NodeForce> nodes);
+
+}  // namespace gapcheck::results

@@ -1,0 +1,41 @@
+#include "results/curves/run_results.hpp"
+
+#include <filesystem>
+
+#include "base/mapped_file.hpp"
+
+namespace gapcheck::results {
+
+std::string RunResults::path(std::string_view name) const { return (std::filesystem::path(directory) / name).string(); }
+
+RunResults read_run_results(const std::string& directory, bool nodes, Diagnostics& diagnostics) {
+  RunResults run;
+  run.directory = directory;
+  const auto read = [&](const char* name, const auto& take) {
+    const std::string path = run.path(name);
+    std::error_code failed;
+    if (!std::filesystem::exists(path, failed)) {
+      run.missing.emplace_back(name);
+      return;
+    }
+    const auto file = MappedFile::open(path);
+    if (file)
+      take(file.value().bytes(), path);
+    else
+      diagnostics.add(file.error());
+  };
+  const auto into = [&](auto& target, auto reader) {
+    return [&target, reader, &diagnostics](std::string_view text, const std::string& path) {
+      target = reader(text, path, diagnostics);
+    };
+  };
+  using GlstatReader = std::vector<GlobalState> (*)(std::string_view, const std::string&, Diagnostics&);
+  read("glstat", into(run.glstat, static_cast<GlstatReader>(read_glstat)));
+  read("sleout", into(run.sleout, read_sleout));
+  read("rcforc", into(run.rcforc, read_rcforc));
+  read("matsum", into(run.matsum, read_matsum));
+  if (nodes) read("nodout", into(run.nodout, read_nodout));
+  return run;
+}
+
+}  // namespace gapcheck::results

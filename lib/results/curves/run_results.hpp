@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "results/curves/contact_forces.hpp"
+#include "results/curves/glstat.hpp"
+#include "results/curves/matsum.hpp"
+#include "results/curves/nodout.hpp"
+
+namespace gapcheck::results {
+
+/// The text files in the directory of a run; empty: not there, or without a state.
+struct RunResults {
+  std::string directory;
+  std::vector<GlobalState> glstat;
+  InterfaceHistory rcforc, sleout;
+  PartHistory matsum;
+  NodeHistory nodout;
+  std::vector<std::string> missing;  ///< names of files that are not there
+
+  /// Path of one of them.
+  [[nodiscard]] std::string path(std::string_view name) const;
+};
+
+/// Reads what is there. `nodes`: nodout as well. An empty directory name is the current one.
+[[nodiscard]] RunResults read_run_results(const std::string& directory, bool nodes, Diagnostics& diagnostics);
+
+}  // namespace gapcheck::results

@@ -1,0 +1,52 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "results/text/lines.hpp"
+
+namespace gapcheck::results {
+
+/// One `*** Warning` or `*** Error` block. Views into the text that the lines walk over.
+struct MessageBlock {
+  Severity severity = Severity::warning;
+  std::int64_t code = 0;                ///< 0: the header has none
+  std::string_view group;               ///< "SOL" of (SOL+565)
+  std::vector<std::string_view> lines;  ///< text, blanks at the ends out; what the header says beyond the number first
+  std::size_t left_out = 0;             ///< lines beyond those kept
+  std::uint32_t line = 0;               ///< of the header
+  bool header_text = false;             ///< lines[0] is of the header's line
+  bool ends_file = false;               ///< nothing comes after it
+  bool open = false;                    ///< ends_file, and its last line has no line end
+  /// Line number of lines[i].
+  [[nodiscard]] std::uint32_t line_of(std::size_t i) const;
+};
+
+/// "label = value" of a text line, blanks at the ends out.
+struct Field {
+  std::string_view label, value;
+};
+
+[[nodiscard]] bool is_message_header(std::string_view line);
+
+/// Reads the block whose header is the current line; leaves the lines at the first one behind it. The block's memory
+/// is used again.
+void read_message_block(Lines& lines, MessageBlock& block);
+
+/// Nothing for a line without `=`.
+[[nodiscard]] std::optional<Field> field(std::string_view line);
+
+/// The fields of a line, of which joined texts have several: "tied interface # = 92 tracked node # = 1". Whatever stands
+/// between a field's numbers and the next `=` is the next label.
+[[nodiscard]] std::vector<Field> fields(std::string_view line);
+
+/// The block's lines with one blank between words; cut after `limit` bytes, saying so.
+[[nodiscard]] std::string joined_text(const MessageBlock& block, std::size_t limit);
+
+/// Equal texts have equal values, however blanks and line breaks are placed around the lines.
+[[nodiscard]] std::uint64_t text_hash(const MessageBlock& block);
+
+}  // namespace gapcheck::results

@@ -1,0 +1,52 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "records/tie_failure.hpp"
+#include "results/log/message_block.hpp"
+
+namespace gapcheck::results {
+
+/// What a block is turned into.
+enum class BlockRecord : std::uint8_t { none, penetration, released, tie, rigidwall, cut };
+
+/// One entry of the table of message kinds (message_kinds.txt, where the syntax stands).
+struct MessageKind {
+  enum Label : std::uint8_t { contact, node, segment, distance, remaining, label_count };
+  std::string name;
+  std::vector<std::int64_t> codes;
+  std::vector<std::vector<std::string>> words;  ///< one of these, all of its phrases; lower case, single blanks
+  BlockRecord record = BlockRecord::none;
+  TieReason reason = TieReason::not_found;
+  std::array<std::vector<std::string>, label_count> labels;
+  /// What the field with this label holds. Where no label fits to the letter, one fits whatever its case and blanks, and
+  /// one that ends in "#" also behind other words, as they come before it in joined texts.
+  [[nodiscard]] std::optional<Label> label_of(std::string_view label) const;
+};
+
+/// The table: entries of a user before the built-in ones, each in the order of its file.
+class MessageKinds {
+ public:
+  /// The built-in table.
+  MessageKinds();
+  MessageKinds(const MessageKinds&) = delete;
+  MessageKinds& operator=(const MessageKinds&) = delete;
+  /// Puts the entries of a text before those already there. What cannot be read is said (error) and passed over.
+  void add(std::string_view text, const std::string& file, Diagnostics& diagnostics);
+  /// The entry of a block; nullptr: not understood. The pointer is valid until the next add().
+  [[nodiscard]] const MessageKind* find(const MessageBlock& block) const;
+
+ private:
+  const std::vector<const MessageKind*>& candidates(std::int64_t code) const;
+
+  std::vector<MessageKind> kinds_;
+  mutable std::unordered_map<std::int64_t, std::vector<const MessageKind*>> by_code_;
+};
+
+}  // namespace gapcheck::results

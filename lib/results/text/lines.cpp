@@ -1,0 +1,67 @@
+#include "results/text/lines.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace gapcheck::results {
+namespace {
+
+constexpr std::size_t rare_step = std::size_t{1} << 18;
+
+}  // namespace
+
+std::size_t Lines::Ahead::find(std::size_t begin, std::size_t end) {
+  if (known_ && found_ >= begin) return std::min(found_, end);
+  known_ = false;
+  searched_ = std::max(searched_, begin);
+  while (searched_ < end) {
+    const std::size_t until = text_.size() - searched_ > step_ ? searched_ + step_ : text_.size();
+    const void* hit = std::memchr(text_.data() + searched_, wanted_, until - searched_);
+    if (hit == nullptr) {
+      searched_ = until;
+      continue;
+    }
+    found_ = static_cast<std::size_t>(static_cast<const char*>(hit) - text_.data());
+    searched_ = found_ + 1;
+    known_ = true;
+    return std::min(found_, end);
+  }
+  return end;
+}
+
+Lines::Lines(std::string_view text)
+    : text_(text), feeds_(text, '\n', text.size()), returns_(text, '\r', rare_step), nuls_(text, '\0', rare_step) {
+  advance();
+}
+
+void Lines::advance() {
+  if (next_ >= text_.size()) {
+    done_ = true;
+    line_ = {};
+    return;
+  }
+  if (number_ < std::numeric_limits<std::uint32_t>::max()) ++number_;
+  const std::size_t begin = next_, feed = feeds_.find(begin, text_.size()), end = returns_.find(begin, feed);
+  open_ = end == text_.size();
+  next_ = open_ ? end : end + 1;
+  if (end < feed && feed < text_.size()) {
+    if (next_ + 1 == feed && text_[next_] == '\r') ++next_;
+    if (next_ == feed) ++next_;
+  }
+  line_ = text_.substr(begin, end - begin);
+  check_line(begin, end);
+}
+
+void Lines::check_line(std::size_t begin, std::size_t end) {
+  if (line_.size() > longest) {
+    line_ = line_.substr(0, longest);
+    if (cut_lines_++ == 0) first_cut_ = number_;
+  }
+  if (nuls_.find(begin, end) == end) return;
+  if (first_nul_ == 0) first_nul_ = number_;
+  while (!line_.empty() && line_.front() == '\0') line_.remove_prefix(1);
+  while (!line_.empty() && line_.back() == '\0') line_.remove_suffix(1);
+}
+
+}  // namespace gapcheck::results

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <set>
+#include <variant>
+
+#include "base/diagnostic.hpp"
+#include "model/model.hpp"
+#include "solver/element/beam.hpp"
+#include "solver/state/failure.hpp"
+#include "solver/state/state.hpp"
+
+namespace gapcheck::solver {
+
+/// The solver's properties of a beam section with constants. ELFORM 3 is a truss (001, 003, 009, 024), all others are
+/// the resultant beam (001, 009); a failure names the section or material that does not fit, or an area of zero.
+[[nodiscard]] std::variant<BeamProperties, Failure> beam_properties(const model::Section& section,
+                                                                    const Material& material);
+
+/// What is not calculated of a deck's beams, and what is calculated as something else; named once each.
+class BeamLimits {
+ public:
+  BeamLimits(const model::Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
+
+  /// True for parts of sections that are not calculated: ELFORM other than 1 to 5 and 13, or without constants. Names
+  /// them, and those that are calculated as the resultant beam.
+  bool leaves_out(PartIndex part);
+  /// From the first node to a point in the plane of the axes r and s; zero where the deck gives none.
+  [[nodiscard]] Vector third_point(std::uint32_t beam, const State& state);
+  /// Names what was counted meanwhile: pin releases, offsets, beams without axes.
+  void tell();
+
+ private:
+  const model::Model& model_;
+  Diagnostics& diagnostics_;
+  std::set<std::uint32_t> named_;  ///< sections
+  std::size_t released_ = 0, shifted_ = 0, without_axes_ = 0;
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,17 @@
+#include "solver/build/build_forces.hpp"
+
+#include "solver/build/build_springs.hpp"
+#include "solver/condition/rigid_walls.hpp"
+
+namespace gapcheck::solver {
+
+std::optional<Failure> add_walls_and_springs(const model::Model& model, const Structure& structure,
+                                             std::vector<std::unique_ptr<Force>>& forces, Diagnostics& diagnostics) {
+  if (!model.rigid_walls.empty()) forces.push_back(std::make_unique<RigidWalls>(model, structure, diagnostics));
+  auto springs = build_springs(model, structure, diagnostics);
+  if (const auto* failure = std::get_if<Failure>(&springs)) return *failure;
+  if (auto& built = std::get<std::unique_ptr<Springs>>(springs)) forces.push_back(std::move(built));
+  return std::nullopt;
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,21 @@
+#pragma once
+#include "base/diagnostic.hpp"
+#include "model/model.hpp"
+#include "solver/element/hourglass.hpp"
+
+namespace gapcheck::solver {
+
+/// Hourglass control and bulk viscosity of a part's elements.
+struct ElementControl {
+  Hourglass hourglass;
+  double quadratic_viscosity = 1.5, linear_viscosity = 0.06;
+};
+
+/// What *HOURGLASS says for the part (HGID), otherwise *CONTROL_HOURGLASS, otherwise `otherwise`. IHQ 1 to 3 are
+/// viscous, 4 and 5 stiffness, 6 and above are calculated as stiffness, with a
+/// warning. Zero is the solver's default, viscous with a coefficient of 0.1. A HGID that
+/// is not defined is a warning.
+[[nodiscard]] ElementControl element_control(const model::Model& model, const model::Part& part, Hourglass otherwise,
+                                             Diagnostics& diagnostics);
+
+}  // namespace gapcheck::solver

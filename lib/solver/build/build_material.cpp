@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "solver/build/build.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+std::vector<YieldCurve::Point> points_of(const std::vector<std::array<double, 2>>& pairs) {
+  std::vector<YieldCurve::Point> points;
+  for (const auto& [strain, stress] : pairs) points.push_back({strain, stress});
+  return points;
+}
+
+/// The curves of a table; nothing where one is not there.
+std::optional<RateTable> rate_table(const model::Model& model, const model::Table& table) {
+  RateTable result;
+  result.logarithmic = !table.rows.empty() && table.rows[0].value < 0;
+  for (const model::Table::Row& row : table.rows) {
+    const auto curve = model.curves.find(row.curve);
+    if (curve == model.curves.end()) return std::nullopt;
+    if (!result.rates.empty() && !(row.value > result.rates.back())) return std::nullopt;
+    result.rates.push_back(row.value);
+    result.curves.emplace_back(points_of(curve->second.points));
+  }
+  if (result.curves.empty()) return std::nullopt;
+  YieldCurve::align(result.curves);
+  return result;
+}
+
+/// Material 037: the slope is over plastic strain.
+YieldCurve anisotropic_yield(const model::Model& model, const model::Plasticity& data) {
+  if (data.lcss == 0) return {data.sigy, std::abs(data.etan)};
+  const auto curve = model.curves.find(data.lcss);
+  return curve == model.curves.end() ? YieldCurve() : YieldCurve(points_of(curve->second.points));
+}
+
+/// Material 024: a curve goes before points, points before SIGY and ETAN.
+YieldCurve piecewise_linear(const model::Model& model, const model::Material& material) {
+  const model::Plasticity& data = *material.plasticity;
+  if (data.lcss != 0) {
+    const auto curve = model.curves.find(data.lcss);
+    return curve == model.curves.end() ? YieldCurve() : YieldCurve(points_of(curve->second.points));
+  }
+  if (!data.points.empty()) return YieldCurve(points_of(data.points));
+  return YieldCurve(data.sigy, material.young * data.etan / (material.young - data.etan));
+}
+
+/// FS or FAIL is an effective plastic strain.
+bool fails(const model::Plasticity& data) {
+  constexpr double never = 1e20;
+  return data.failure_strain > 0 && data.failure_strain < never;
+}
+
+}  // namespace
+
+std::variant<Material, Failure> build_material(const model::Model& model, const model::Material& material) {
+  const auto refused = [&](std::string_view why) {
+    return Failure{Failure::Kind::bad_material,
+                   fmt::format("material {} (*{}) {}", material.id, material.keyword, why)};
+  };
+  Material result{MaterialKind::elastic, material.density, material.young, material.poisson, {}, 0, 0, 0, {}, 1};
+  if (material.rigid) {
+    result.kind = MaterialKind::rigid;
+  } else if (material.null_material) {
+    result.kind = MaterialKind::null;
+  } else if (material.plasticity) {
+    const model::Plasticity& data = *material.plasticity;
+    if (material.keyword == "MAT_PLASTIC_KINEMATIC") {
+      result = plastic_kinematic(material.density, material.young, material.poisson, data.sigy, data.etan, data.beta);
+    } else if (material.keyword == "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC") {
+      result.kind = MaterialKind::anisotropic;
+      result.anisotropy = std::abs(data.anisotropy);
+      result.yield = anisotropic_yield(model, data);
+      if (result.yield.empty()) return refused("names a yield curve that is not there");
+    } else if (const auto table = model.tables.find(data.lcss); table != model.tables.end() && data.lcss != 0) {
+      result.kind = MaterialKind::plastic;
+      auto rates = rate_table(model, table->second);
+      if (!rates) return refused("names a table whose curves are not all there or whose rates do not rise");
+      result.yield = rates->curves[0];
+      result.table = std::move(*rates);
+    } else {
+      result.kind = MaterialKind::plastic;
+      result.yield = piecewise_linear(model, material);
+      if (result.yield.empty()) return refused("names a yield curve or table that is not there");
+    }
+    result.rate_c = data.rate_c;
+    result.rate_p = data.rate_p;
+    if (fails(data)) result.failure_strain = data.failure_strain;
+  } else if (material.keyword != "MAT_ELASTIC") {
+    return refused("is none of 001, 003, 009, 020, 024 and 037; replace it for this run");
+  }
+  if (!result.valid()) return refused("has a density, stiffness or yield stress out of range");
+  return result;
+}
+
+void name_what_is_not_calculated(const model::Model& model, const model::Material& material, Diagnostics& diagnostics) {
+  if (!material.plasticity) return;
+  const model::Plasticity& data = *material.plasticity;
+  const auto warn = [&](std::string_view what) {
+    diagnostics.warning(model.file(material.place), material.place.line,
+                        fmt::format("material {} (*{}): {}", material.id, material.keyword, what));
+  };
+  if (data.failure_strain < 0) warn("failure by a subroutine (FAIL < 0) is not calculated");
+  if (data.viscoplastic) warn("the viscoplastic rate (VP) is ignored; the total strain rate counts");
+  if (data.lcsr != 0) warn("the curve LCSR over the rate is not calculated");
+  const bool anisotropic = material.keyword == "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC";
+  if (anisotropic && data.lcss != 0)
+    if (const auto curve = model.curves.find(data.lcss); curve != model.curves.end() && !curve->second.points.empty())
+      if (curve->second.points[0][1] <= 0) warn("its yield curve starts at zero: it yields under any load");
+}
+
+}  // namespace gapcheck::solver

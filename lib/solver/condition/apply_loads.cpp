@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include "solver/condition/condition_builder.hpp"
+#include "solver/condition/loads.hpp"
+#include "solver/element/nodal_mass.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+using PressureKind = model::PressureLoad::Kind;
+
+/// Something must take up the load: a mass, an inertia, a rigid body or a constraint.
+void check_target(ConditionBuilder& builder, const model::ConcentratedLoad& load, NodeIndex node, std::size_t freedom) {
+  const Structure& structure = builder.structure;
+  const bool moment = freedom >= 3;
+  const double mass = (moment ? structure.state.inertia : structure.state.mass)[node.value];
+  if (mass > 0 || structure.rigid.holds(node.value) || (structure.constraints.mask(node.value) >> freedom & 1u) != 0)
+    return;
+  builder.fail(Failure::Kind::zero_mass, load.keyword, load.place,
+               fmt::format("node {} has no {} to take up the load; give it one, hold it or remove the load",
+                           structure.node_id[node.value], moment ? "rotational inertia" : "mass"));
+}
+
+void apply_concentrated(ConditionBuilder& builder) {
+  if (builder.model.loads.concentrated.empty()) return;
+  auto loads = std::make_unique<ConcentratedLoads>();
+  for (const model::ConcentratedLoad& load : builder.model.loads.concentrated) {
+    builder.refuse_system(load.system, load.keyword, load.place);
+    const bool force = load.freedom >= 1 && load.freedom <= 3, moment = load.freedom >= 5 && load.freedom <= 7;
+    if (!force && !moment)
+      builder.fail(Failure::Kind::not_calculated, load.keyword, load.place,
+                   fmt::format("DOF {} is not calculated; 1 to 3 and 5 to 7 are", load.freedom));
+    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0};
+    if (builder.failed()) return;
+    const auto freedom = static_cast<std::size_t>(load.freedom - (moment ? 2 : 1));
+    if (load.rigid) {
+      if (const auto body = builder.body(load.part, load.keyword, load.place)) loads->add_body(*body, freedom, value);
+      continue;
+    }
+    for (const NodeIndex node : builder.nodes(load.nodes, load.keyword, load.place)) {
+      check_target(builder, load, node, freedom);
+      loads->add_node(node, freedom, value);
+    }
+  }
+  builder.forces.push_back(std::move(loads));
+}
+
+/// The segment of four node ids.
+std::vector<model::SegmentNodes> written_segment(ConditionBuilder& builder, const model::PressureLoad& load) {
+  model::SegmentNodes nodes;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::int64_t id = k == 3 && load.nodes[3] == 0 ? load.nodes[2] : load.nodes[k];
+    const auto found = builder.nodes({id, false}, load.keyword, load.place);
+    if (found.empty()) return {};
+    nodes[k] = found[0];
+  }
+  return {nodes};
+}
+
+std::vector<model::SegmentNodes> segments_of(ConditionBuilder& builder, const model::PressureLoad& load) {
+  const model::Model& model = builder.model;
+  const auto missing = [&](std::string_view what) {
+    builder.fail(Failure::Kind::unknown_reference, load.keyword, load.place,
+                 fmt::format("{} {} is not defined; define it or remove the load", what, load.id));
+    return std::vector<model::SegmentNodes>();
+  };
+  std::vector<model::SegmentNodes> segments;
+  switch (load.kind) {
+    case PressureKind::segment:
+      return written_segment(builder, load);
+    case PressureKind::segment_set: {
+      const auto set = model.sets.segments.find(load.id);
+      return set == model.sets.segments.end() ? missing("segment set") : set->second.members;
+    }
+    case PressureKind::shell: {
+      const auto shell = model.mesh.shells.lookup.find(load.id);
+      if (!shell) return missing("shell");
+      return {model.mesh.shells.nodes[*shell]};
+    }
+    case PressureKind::shell_set: {
+      const auto set = model.sets.shells.find(load.id);
+      if (set == model.sets.shells.end()) return missing("shell set");
+      for (const std::uint32_t shell : set->second.members) segments.push_back(model.mesh.shells.nodes[shell]);
+    }
+  }
+  return segments;
+}
+
+void apply_pressures(ConditionBuilder& builder) {
+  if (builder.model.loads.pressures.empty()) return;
+  auto pressures = std::make_unique<Pressures>();
+  for (const model::PressureLoad& load : builder.model.loads.pressures) {
+    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, load.arrival};
+    for (const model::SegmentNodes& segment : segments_of(builder, load)) {
+      for (const NodeIndex node : segment)
+        if (node.value >= builder.structure.state.x.size())
+          builder.fail(Failure::Kind::unknown_reference, load.keyword, load.place, "a segment has no node");
+      if (!builder.failed()) pressures->add_segment(segment, value);
+    }
+    if (builder.failed()) return;
+  }
+  builder.forces.push_back(std::move(pressures));
+}
+
+/// Masses at the nodes of the parts of *LOAD_BODY_PARTS; empty: all parts.
+std::vector<double> masses_of_parts(ConditionBuilder& builder) {
+  const model::Model& model = builder.model;
+  if (model.loads.body_parts.empty()) return {};
+  std::vector<bool> wanted(model.parts.size());
+  for (const auto& [set, place] : model.loads.body_parts)
+    for (const PartIndex part : builder.part_set(set, "LOAD_BODY_PARTS", place)) wanted[part.value] = true;
+  std::vector<double> masses = nodal_masses(model, wanted);
+  for (std::size_t i = 0; i < model.mesh.masses.size(); ++i) {
+    const PartIndex part = model.mesh.masses.part[i];
+    const NodeIndex node = model.mesh.masses.nodes[i][0];
+    if (part.value < wanted.size() && wanted[part.value] && node.value < masses.size())
+      masses[node.value] += model.mesh.mass_values[i];
+  }
+  return masses;
+}
+
+void apply_gravity(ConditionBuilder& builder) {
+  if (builder.model.loads.bodies.empty()) return;
+  auto gravity = std::make_unique<Gravity>(masses_of_parts(builder));
+  for (const model::BodyLoad& load : builder.model.loads.bodies) {
+    builder.refuse_system(load.system, load.keyword, load.place);
+    gravity->add_axis(load.axis, {builder.curve(load.curve, load.keyword, load.place), load.scale, 0});
+  }
+  if (!builder.failed()) builder.forces.push_back(std::move(gravity));
+}
+
+void apply_damping(ConditionBuilder& builder) {
+  constexpr std::string_view keyword = "DAMPING_GLOBAL";
+  if (!builder.model.loads.damping) return;
+  const model::GlobalDamping& damping = *builder.model.loads.damping;
+  TimedValue constant{nullptr, damping.value, 0};
+  if (damping.curve != 0)
+    constant = {builder.curve(damping.curve, keyword, damping.place), damping.scale, 0};
+  else
+    constant.curve = std::make_shared<const TimeCurve>(std::vector<TimeCurve::Point>{{0, 1}});
+  if (!builder.failed()) builder.forces.push_back(std::make_unique<GlobalDamping>(constant, damping.factors));
+}
+
+}  // namespace
+
+void apply_loads(ConditionBuilder& builder) {
+  for (const auto apply : {apply_concentrated, apply_pressures, apply_gravity, apply_damping})
+    if (!builder.failed()) apply(builder);
+}
+
+}  // namespace gapcheck::solver

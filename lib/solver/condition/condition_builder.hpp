@@ -1,0 +1,72 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "model/model.hpp"
+#include "solver/state/motion.hpp"
+#include "solver/state/failure.hpp"
+#include "solver/state/force.hpp"
+#include "solver/structure/structure.hpp"
+
+namespace gapcheck::solver {
+
+/// What the functions that put a deck's conditions on a structure share: look-ups and the first failure.
+class ConditionBuilder {
+ public:
+  ConditionBuilder(const model::Model& deck, Structure& target, std::vector<std::unique_ptr<Force>>& list,
+                   Diagnostics& messages)
+      : model(deck), structure(target), forces(list), diagnostics(messages) {}
+
+  const model::Model& model;
+  Structure& structure;
+  std::vector<std::unique_ptr<Force>>& forces;
+  Diagnostics& diagnostics;
+
+  [[nodiscard]] bool failed() const { return failure_.has_value(); }
+  [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
+  /// Keeps the first failure only. The message begins with keyword, line and file.
+  void fail(Failure::Kind kind, std::string_view keyword, model::Place place, std::string_view message);
+  void warn(std::string_view keyword, model::Place place, std::string_view message);
+
+  /// A node or the members of a set; empty after a failure.
+  [[nodiscard]] std::vector<NodeIndex> nodes(const model::NodeChoice& choice, std::string_view keyword,
+                                             model::Place place);
+  [[nodiscard]] std::vector<PartIndex> part_set(std::int64_t id, std::string_view keyword, model::Place place);
+  /// The rigid body of a part or nodal rigid body.
+  [[nodiscard]] std::optional<std::size_t> body(std::int64_t id, std::string_view keyword, model::Place place);
+  /// A curve over time in the model's unit of time; nullptr after a failure. Ordinates are as written.
+  [[nodiscard]] std::shared_ptr<const TimeCurve> curve(std::int64_t id, std::string_view keyword, model::Place place);
+  /// A failure where a local system is named.
+  void refuse_system(std::int64_t system, std::string_view keyword, model::Place place);
+
+ private:
+  std::map<std::int64_t, std::shared_ptr<const TimeCurve>> curves_;
+  std::optional<Failure> failure_;
+};
+
+/// What the deck says about a rigid body besides its elements: constraints of the leading part's material, mass
+/// properties of a part that no other part leads, or those of the nodal rigid body; by body.
+struct BodyProperties {
+  model::BodyConstraint constraint;
+  const model::BodyInertia* inertia = nullptr;
+  std::string_view keyword;
+  model::Place place;
+};
+[[nodiscard]] std::vector<BodyProperties> body_properties(const model::Model& model, const Structure& structure);
+
+/// Nodes of elements of all kinds that belong to the parts, each once, ascending; `wanted`: by part.
+[[nodiscard]] std::vector<NodeIndex> nodes_of_parts(const model::Model& model, const std::vector<bool>& wanted);
+
+// Each puts one kind of condition on the structure.
+void apply_body_properties(ConditionBuilder& builder);
+void apply_loads(ConditionBuilder& builder);
+void apply_boundary(ConditionBuilder& builder);
+void apply_prescribed_motions(ConditionBuilder& builder);
+void apply_initial_velocities(ConditionBuilder& builder);
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,113 @@
+#include "solver/condition/loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "solver/state/summary.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+/// The list of values keeps each only once while the same one is given again and again.
+std::uint32_t position_in(std::vector<TimedValue>& values, const TimedValue& value) {
+  const bool same = !values.empty() && values.back().curve == value.curve && values.back().scale == value.scale &&
+                    values.back().arrival == value.arrival;
+  if (!same) values.push_back(value);
+  return static_cast<std::uint32_t>(values.size() - 1);
+}
+
+std::vector<double> all_at(const std::vector<TimedValue>& values, double time) {
+  std::vector<double> now;
+  now.reserve(values.size());
+  for (const TimedValue& value : values) now.push_back(value.at(time));
+  return now;
+}
+
+/// The sum of one number per node over fixed blocks.
+struct Sum {
+  double value = 0;
+  void add(const Sum& other) { value += other.value; }
+};
+
+}  // namespace
+
+void ConcentratedLoads::add_node(NodeIndex node, std::size_t freedom, const TimedValue& value) {
+  entries_.push_back({node.value, static_cast<std::uint8_t>(freedom), false, position_in(values_, value)});
+}
+
+void ConcentratedLoads::add_body(std::size_t body, std::size_t freedom, const TimedValue& value) {
+  entries_.push_back(
+      {static_cast<std::uint32_t>(body), static_cast<std::uint8_t>(freedom), true, position_in(values_, value)});
+}
+
+void ConcentratedLoads::add(State& state, Forces& forces) {
+  const std::vector<double> now = all_at(values_, state.time);
+  for (const Entry& entry : entries_) {
+    auto& pushes = entry.body ? forces.body_force : forces.force;
+    auto& turns = entry.body ? forces.body_moment : forces.moment;
+    (entry.freedom < 3 ? pushes : turns)[entry.target][entry.freedom % 3] += now[entry.value];
+  }
+}
+
+void Pressures::add_segment(const model::SegmentNodes& nodes, const TimedValue& value) {
+  segments_.push_back(nodes);
+  value_of_.push_back(position_in(values_, value));
+}
+
+void Pressures::add(State& state, Forces& forces) {
+  const std::vector<double> now = all_at(values_, state.time);
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const model::SegmentNodes& nodes = segments_[i];
+    const auto x = [&](std::size_t k) -> const Vector& { return state.x[nodes[k].value]; };
+    const std::size_t corners = nodes[2] == nodes[3] ? 3 : 4;
+    const Vector push = -now[value_of_[i]] / (2 * static_cast<double>(corners)) * (x(2) - x(0)).cross(x(3) - x(1));
+    for (std::size_t k = 0; k < corners; ++k) forces.force[nodes[k].value] += push;
+  }
+}
+
+void Gravity::add(State& state, Forces& forces) {
+  Vector acceleration = Vector::Zero();
+  for (const auto& [axis, value] : axes_) acceleration[axis] -= value.at(state.time);
+  parallel_for(state.x.size(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (!masses_.empty())
+        forces.force[i] += masses_[i] * acceleration;
+      else if (!state.in_body[i])
+        forces.force[i] += state.mass[i] * acceleration;
+  });
+  if (!masses_.empty()) return;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) forces.body_force[b] += state.bodies[b].mass * acceleration;
+}
+
+void GlobalDamping::add(State& state, Forces& forces) {
+  const double constant = constant_.at(state.time);
+  const double strongest = std::max(move_.cwiseAbs().maxCoeff(), turn_.cwiseAbs().maxCoeff()) * std::abs(constant);
+  stable_step_ = strongest > 0 ? 1 / strongest : std::numeric_limits<double>::infinity();
+  const Vector move = -constant * move_, turn = -constant * turn_;
+  if (last_.force.empty()) last_.resize(state.x.size(), state.bodies.size());
+  const double half = state.dt / 2;
+  work_ -= sum_over_blocks<Sum>(state.x.size(), [&](std::size_t begin, std::size_t end) {
+             Sum sum;
+             for (std::size_t i = begin; i < end; ++i) {
+               if (state.in_body[i]) continue;
+               const Vector force = state.mass[i] * move.cwiseProduct(state.v[i]);
+               const Vector moment = state.inertia[i] * turn.cwiseProduct(state.w[i]);
+               sum.value +=
+                   half * ((last_.force[i] + force).dot(state.v[i]) + (last_.moment[i] + moment).dot(state.w[i]));
+               forces.force[i] += last_.force[i] = force;
+               forces.moment[i] += last_.moment[i] = moment;
+             }
+             return sum;
+           }).value;
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    const BodyState& body = state.bodies[b];
+    const Vector force = body.mass * move.cwiseProduct(body.velocity);
+    const Vector moment = turn.cwiseProduct(body.angular_momentum);
+    work_ -= half * ((last_.body_force[b] + force).dot(body.velocity) + (last_.body_moment[b] + moment).dot(body.spin));
+    forces.body_force[b] += last_.body_force[b] = force;
+    forces.body_moment[b] += last_.body_moment[b] = moment;
+  }
+}
+
+}  // namespace gapcheck::solver

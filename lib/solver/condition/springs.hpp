@@ -1,0 +1,69 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "solver/state/force.hpp"
+#include "solver/rigid/rigid_bodies.hpp"
+
+namespace gapcheck::solver {
+
+/// How the force of a spring or damper follows from its elongation u and its rate. For torsion: angle and moment.
+struct SpringLaw {
+  double stiffness = 0;  ///< force = stiffness u
+  double damping = 0;    ///< + damping du/dt
+  /// + a curve over u, linear between points, with the end slopes going on; points ascending in u.
+  std::vector<std::array<double, 2>> curve;
+
+  [[nodiscard]] double force(double elongation) const;
+  /// The largest |dF/du| there is.
+  [[nodiscard]] double largest_stiffness() const;
+};
+
+/// Two nodes, or one and the ground: the place where the node starts.
+struct SpringInput {
+  NodeIndex a, b = none<NodeIndex>;
+  std::uint32_t law = 0;
+  double scale = 1;   ///< on the force
+  double offset = 0;  ///< elongation at the start; without effect where there is no length
+  bool torsional = false;
+};
+
+/// Discrete springs and dampers. A force along the line between the nodes, which is positive in tension; where the
+/// nodes start on one another, or there is one only, it follows the way between them in all directions. Torsion turns
+/// about the line between the nodes. Serial, in the order of the elements.
+class Springs : public Force {
+ public:
+  /// Masses, inertias and rigid bodies give the stable step. Nodes must be there.
+  Springs(std::vector<SpringLaw> laws, std::vector<SpringInput> springs, const State& state, const RigidBodies& rigid);
+
+  void add(State& state, Forces& forces) override;
+  void absorbed(Absorbed& work) const override { work.springs += energy_; }
+  /// An upper bound from the masses at the nodes; elements at the same nodes are left 0.9 of their own step.
+  [[nodiscard]] double stable_step() const override { return step_; }
+
+  [[nodiscard]] std::size_t size() const { return springs_.size(); }
+  /// Tension (or moment) and elongation (or angle) at the last evaluation.
+  [[nodiscard]] double tension(std::size_t spring) const { return springs_[spring].tension; }
+  [[nodiscard]] double elongation(std::size_t spring) const { return springs_[spring].elongation; }
+
+ private:
+  struct Spring {
+    SpringInput input;
+    Vector ground = Vector::Zero();  ///< place of node b where there is none
+    double length = 0;               ///< at the start
+    double tension = 0, elongation = 0;
+    Vector pull = Vector::Zero();  ///< force or moment on a; b has the opposite
+  };
+  [[nodiscard]] double limit_step(const State& state, const RigidBodies& rigid) const;
+  [[nodiscard]] Vector translation(const State& state, Spring& spring) const;
+  [[nodiscard]] Vector torsion(const State& state, Spring& spring) const;
+
+  std::vector<SpringLaw> laws_;
+  std::vector<Spring> springs_;
+  double energy_ = 0;
+  double step_ = 0;
+};
+
+}  // namespace gapcheck::solver

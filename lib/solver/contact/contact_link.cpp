@@ -1,0 +1,26 @@
+#include "solver/contact/contact_link.hpp"
+
+#include <algorithm>
+
+#include "contact/definition/friction.hpp"
+
+namespace gapcheck::solver {
+
+void LinkForce::press(const LinkSpring& spring, double depth, const Vector& velocity, const Vector& before, double dt) {
+  push = spring.stiffness * depth;
+  damping = 0;
+  friction.setZero();
+  // Damping slows both ways but never pulls.
+  if (spring.damping > 0) damping = std::max(-push, -spring.damping * velocity.dot(normal));
+  if (spring.rubs) {
+    const Vector sliding = velocity - velocity.dot(normal) * normal;
+    const double limit = contact::friction_limit(spring.friction, sliding.norm(), push + damping, spring.area);
+    // Elastic sticking up to the limit, with the stiffness of the normal spring.
+    friction = before - before.dot(normal) * normal - spring.stiffness * dt * sliding;
+    const double size = friction.norm();
+    if (size > limit) friction *= size > 0 ? limit / size : 0;
+  }
+  push = std::max(0.0, push);
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "contact/search/search.hpp"
+#include "contact/pair/tied_pairs.hpp"
+#include "solver/contact/contact_spring.hpp"
+
+namespace gapcheck::solver {
+
+/// What all passes of a run share. All references must outlive them.
+struct ContactSetting {
+  const model::Model& model;
+  const ContactMasses& masses;
+  const contact::CandidateSearch& search;
+  const contact::TiedPairs& ties;
+  const std::vector<bool>& movable;  ///< by node: the shooting-node logic may move it
+};
+
+}  // namespace gapcheck::solver

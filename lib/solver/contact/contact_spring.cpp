@@ -1,0 +1,89 @@
+#include "solver/contact/contact_spring.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/stiffness/node_masses.hpp"
+#include "contact/stiffness/stiffness.hpp"
+
+namespace gapcheck::solver {
+
+using contact::corner_count;
+
+ContactMasses::ContactMasses(const model::Model& model)
+    : sizes(contact::element_sizes(model)), springs(model, sizes), mass(contact::node_masses(model, sizes)) {}
+
+ContactSprings::ContactSprings(const model::Model& model, const contact::SideScene& side, const ContactMasses& masses,
+                               double node_scale, double segment_scale)
+    : scene_(side.scene()),
+      mass_(masses.mass),
+      penopt_(model.controls.penopt),
+      // The solver takes SOFT = 1 where a type has no segment-based contact.
+      soft_(scene_.contact.soft == 2 && !contact::has_soft_2(scene_.type) ? 1 : scene_.contact.soft),
+      sofscl_(scene_.contact.sofscl),
+      nodes_(scene_.nodes.size()) {
+  const model::Contact& contact = scene_.contact;
+  const double slsfac = model.controls.slsfac;
+  const double solid_modulus = contact.sldthk > 0 ? contact.sldstf : 0;
+  const contact::Segments& segments = side.reference().selection.segments;
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    segments_.push_back(masses.springs(segments, s, slsfac * segment_scale, false, solid_modulus).stiffness);
+
+  // Thousands of small contacts must not each go through all nodes of the model.
+  std::vector<NodeIndex> touched;
+  for (const auto& corners : side.tracked().selection.segments.nodes)
+    touched.insert(touched.end(), corners.begin(), corners.end());
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  const auto place = [&](NodeIndex node) {
+    return static_cast<std::size_t>(std::lower_bound(touched.begin(), touched.end(), node) - touched.begin());
+  };
+  constexpr double none_yet = std::numeric_limits<double>::infinity();
+  std::vector<double> least(touched.size(), none_yet);
+  std::vector<contact::NodeStiffness> sums(touched.size());
+  const contact::Segments& own = side.tracked().selection.segments;
+  for (std::size_t s = 0; s < own.size(); ++s) {
+    // Where beams are no reference, the segment that their nodes meet decides.
+    if (own.kind[s] == contact::SegmentKind::line && !scene_.type.edges) continue;
+    const contact::SegmentSpring spring = masses.springs(own, s, slsfac * node_scale, false, solid_modulus);
+    if (!(spring.weight > 0)) continue;
+    for (std::size_t c = 0; c < corner_count(own.nodes[s]); ++c) {
+      const std::size_t node = place(own.nodes[s][c]);
+      least[node] = std::min(least[node], spring.stiffness);
+      sums[node] += {spring.weight, spring.weight * spring.stiffness};
+    }
+  }
+  for (std::size_t slot = 0; slot < nodes_.size(); ++slot) {
+    const std::size_t node = place(scene_.nodes.node[slot]);
+    if (node == touched.size() || touched[node] != scene_.nodes.node[slot] || least[node] == none_yet) continue;
+    nodes_[slot] = {least[node], sums[node].value(), 2 * scene_.nodes.half[slot]};
+  }
+}
+
+ContactSprings::Spring ContactSprings::operator()(std::uint32_t slot, std::uint32_t segment) const {
+  const Node& node = nodes_[slot];
+  const double of_segment = segments_[segment];
+  // Nodes of a set have no segment of their own: what they meet decides.
+  const contact::PairStiffness pair{node.least > 0 ? node.least : of_segment, of_segment > 0 ? of_segment : node.least,
+                                    node.weighted > 0 ? node.weighted : of_segment, node.thickness};
+  const model::SegmentNodes& corners = scene_.segments.nodes[segment];
+  Spring spring;
+  spring.stiffness = contact::spring_stiffness(penopt_, pair);
+  spring.node_mass = mass_[scene_.nodes.node[slot].value];
+  for (std::size_t c = 0; c < corner_count(corners); ++c) spring.segment_mass += mass_[corners[c].value];
+  if (soft_ == 1) {
+    const double soft = contact::soft_1_stiffness(spring.node_mass, spring.segment_mass, timestep_);
+    spring.stiffness = contact::soft_1_spring(spring.stiffness, sofscl_, soft);
+  }
+  return spring;
+}
+
+double ContactSprings::damping(const Spring& spring, double percent) {
+  const double m1 = spring.node_mass, m2 = spring.segment_mass;
+  if (!(m1 > 0) || !(m2 > 0) || !(percent > 0)) return 0;
+  const double frequency = std::sqrt(spring.stiffness * (m1 + m2) / (m1 * m2));
+  return percent / 100 * 2 * std::min(m1, m2) * frequency;
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,27 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "model/entity/sets.hpp"
+#include "solver/state/tensor.hpp"
+
+namespace gapcheck::solver {
+
+/// Axes that turn with a segment: the normal of its diagonals (of a triangle: of two sides) and, in the plane, the
+/// bisector of these. Their angular velocity is linear in the velocities of the corners.
+struct SegmentAxes {
+  SegmentAxes() { turn.fill(Matrix::Zero()); }
+  SegmentAxes(const model::SegmentNodes& nodes, const std::vector<Vector>& x);
+  /// Where the corners are after `time` with these velocities.
+  SegmentAxes(const model::SegmentNodes& nodes, const std::vector<Vector>& x, const std::vector<Vector>& v,
+              double time);
+  bool sound = false;                ///< false: the segment has no area; nothing else is known then
+  Matrix axes = Matrix::Identity();  ///< by column
+  std::array<Matrix, 4> turn{};      ///< angular velocity = Σ turn[i] · velocity of corner i
+  [[nodiscard]] Vector spin(const model::SegmentNodes& nodes, const std::vector<Vector>& v) const;
+
+ private:
+  SegmentAxes(const std::array<Vector, 4>& corners, bool triangle);
+};
+
+}  // namespace gapcheck::solver

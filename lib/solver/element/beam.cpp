@@ -1,0 +1,144 @@
+#include "solver/element/beam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gapcheck::solver {
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// Stiffness of one bending plane: M = first own turn + second the other end's.
+struct Bending {
+  double first, second;
+  double shear_ratio;  ///< 12 E I / (G A_s L²)
+};
+
+Bending bending(const BeamProperties& properties, double moment_of_area, double length) {
+  const double stiffness = properties.material.young * moment_of_area / length;
+  const double shear = properties.material.shear() * properties.section.shear_area;
+  const double ratio = shear > 0 ? 12 * stiffness / (shear * length) : 0;
+  return {stiffness * (4 + ratio) / (1 + ratio), stiffness * (2 - ratio) / (1 + ratio), ratio};
+}
+
+double axial_step(const BeamProperties& properties, double length) {
+  const Material& material = properties.material;
+  return material.young > 0 ? length / std::sqrt(material.young / material.density) : no_limit;
+}
+
+/// 2 / ω of the highest of the beam's uncoupled modes: stretching, twisting, bending of one sign and of two.
+double bending_step(const BeamProperties& properties, double length, double start_length) {
+  const Material& material = properties.material;
+  const model::BeamSection& section = properties.section;
+  const double mass = beam_mass(properties, start_length) / 2;
+  const double inertia = mass * beam_inertia(properties, start_length);
+  double squared_frequency = 2 * material.young * section.area / (start_length * mass);
+  squared_frequency = std::max(squared_frequency, 2 * material.shear() * section.torsion / (start_length * inertia));
+  for (const double area : {section.iss, section.itt}) {
+    const double stiffness = material.young * area / start_length;
+    const double ratio = bending(properties, area, start_length).shear_ratio;
+    squared_frequency = std::max({squared_frequency, 2 * stiffness / inertia,
+                                  6 * stiffness / (1 + ratio) * (1 / inertia + 4 / (mass * length * length))});
+  }
+  return 2 / std::sqrt(squared_frequency);
+}
+
+/// The axial stress after a strain increment.
+void update_axial_stress(const Material& material, double increment, double dt, BeamState& state) {
+  state.stress += material.young * increment;
+  if (material.kind != MaterialKind::plastic) return;
+  const YieldLaw yield = material.yield_at(dt > 0 ? std::abs(increment) / dt : 0);
+  const double relative = state.stress - state.back_stress, size = std::abs(relative);
+  if (!(size > yield.stress(state.plastic_strain))) return;
+  const double kinematic = material.kinematic_slope;
+  const double plastic = yield.solve(size, material.young + kinematic, state.plastic_strain).increment;
+  const double sign = relative > 0 ? 1 : -1;
+  state.stress -= sign * material.young * plastic;
+  state.back_stress += sign * kinematic * plastic;
+  state.plastic_strain += plastic;
+}
+
+/// Turns the axes with the beam and adds the ends' turns against them.
+void turn_axes(const BeamEnds& ends, const Vector& way, const Vector& along, double dt, BeamState& state) {
+  const Vector rate = ends.v[1] - ends.v[0];
+  const Vector middle = way - dt / 2 * rate;
+  const double squared_length = middle.squaredNorm();
+  if (!(squared_length > 0)) return;
+  const Vector r = middle / std::sqrt(squared_length);
+  const Vector spin = middle.cross(rate) / squared_length + r.dot(ends.w[0] + ends.w[1]) / 2 * r;
+  const Vector turned = spin_rotation(spin * dt) * state.axis;
+  const Vector mean = state.axis + turned, s = (mean - mean.dot(r) * r).normalized(), t = r.cross(s);
+  state.twist += dt * r.dot(ends.w[1] - ends.w[0]);
+  for (std::size_t end = 0; end < 2; ++end) {
+    const Vector turn = dt * (ends.w[end] - spin);
+    state.turn_s[end] += turn.dot(s);
+    state.turn_t[end] += turn.dot(t);
+  }
+  state.axis = (turned - turned.dot(along) * along).normalized();
+}
+
+}  // namespace
+
+double beam_mass(const BeamProperties& properties, double length) {
+  return length * (properties.material.density * properties.section.area + properties.section.line_mass);
+}
+
+double beam_inertia(const BeamProperties& properties, double length) {
+  const model::BeamSection& section = properties.section;
+  return properties.truss ? 0 : std::max(length * length / 12, (section.iss + section.itt) / section.area);
+}
+
+BeamForces truss_forces(const BeamProperties& properties, const BeamEnds& ends, double dt, BeamState& state) {
+  BeamForces forces;
+  const Vector way = ends.x[1] - ends.x[0];
+  const double length = way.norm(), before = (way - dt * (ends.v[1] - ends.v[0])).norm();
+  if (!(length > 0) || !std::isfinite(length) || !(before > 0)) return forces;
+  forces.good = true;
+  forces.manual_step = forces.stable_step = axial_step(properties, length);
+  const Material& material = properties.material;
+  if (!material.has_stress()) return forces;
+  update_axial_stress(material, 2 * (length - before) / (length + before), dt, state);
+  const double area = properties.section.area, half_mass = beam_mass(properties, state.length) / 2;
+  forces.axial = state.stress * area;
+  forces.force[1] = forces.axial / length * way;
+  forces.force[0] = -forces.force[1];
+  // The geometric stiffness of a taut truss acts across, the material's along.
+  const double stiffness = std::max(material.young * area / length, std::abs(forces.axial) / length);
+  forces.stable_step = 2 / std::sqrt(2 * stiffness / half_mass);
+  return forces;
+}
+
+BeamForces resultant_beam_forces(const BeamProperties& properties, const BeamEnds& ends, double dt, BeamState& state) {
+  BeamForces forces;
+  const Vector way = ends.x[1] - ends.x[0];
+  const double length = way.norm();
+  if (!(length > 0) || !std::isfinite(length)) return forces;
+  const Vector r = way / length;
+  if (dt > 0) turn_axes(ends, way, r, dt, state);
+  forces.good = state.axis.allFinite();
+  forces.manual_step = axial_step(properties, length);
+  forces.stable_step = no_limit;
+  const Material& material = properties.material;
+  if (!material.has_stress()) return forces;
+  const model::BeamSection& section = properties.section;
+  const Vector &s = state.axis, t = r.cross(s);
+  const Bending about_s = bending(properties, section.iss, state.length);
+  const Bending about_t = bending(properties, section.itt, state.length);
+  forces.axial = material.young * section.area * (length - state.length) / state.length;
+  const double torsion = material.shear() * section.torsion / state.length * state.twist;
+  std::array<double, 2> moment_s{}, moment_t{};
+  for (std::size_t end = 0; end < 2; ++end) {
+    moment_s[end] = about_s.first * state.turn_s[end] + about_s.second * state.turn_s[1 - end];
+    moment_t[end] = about_t.first * state.turn_t[end] + about_t.second * state.turn_t[1 - end];
+    forces.moment[end] = (end == 0 ? -torsion : torsion) * r + moment_s[end] * s + moment_t[end] * t;
+  }
+  // Shear from the balance of moments.
+  forces.force[1] =
+      forces.axial * r + (moment_s[0] + moment_s[1]) / length * t - (moment_t[0] + moment_t[1]) / length * s;
+  forces.force[0] = -forces.force[1];
+  forces.stable_step = bending_step(properties, length, state.length);
+  return forces;
+}
+
+}  // namespace gapcheck::solver

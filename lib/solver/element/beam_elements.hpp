@@ -1,0 +1,62 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "solver/element/assembly.hpp"
+#include "solver/element/beam.hpp"
+#include "solver/state/state.hpp"
+#include "solver/state/summary.hpp"
+
+namespace gapcheck::solver {
+
+/// All beams and trusses of a structure; arrays by beam.
+class BeamElements {
+ public:
+  /// Adds a part's properties; returns their position.
+  std::uint32_t add_properties(BeamProperties properties);
+  /// Adds a beam and its share of mass and rotational inertia to the nodes. `third`: a point in the plane of the axes r
+  /// and s, from the first node; any length; across is what counts. `origin`: position in the model, for messages.
+  /// Returns its length; not above zero: it was not added.
+  double add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third, std::uint32_t origin,
+             State& state);
+  /// Once all beams are there.
+  void finish(std::size_t nodes);
+
+  /// Forces at state.time (dt = 0: those of the present state).
+  Summary update(const State& state);
+  /// Takes the beams' pull on a node off its force and moment.
+  void gather(std::size_t node, Vector& force, Vector& moment) const {
+    for (const std::uint32_t place : table_.of(node)) {
+      force -= force_[place];
+      moment -= moment_[place];
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] std::uint32_t origin(std::size_t beam) const { return origin_[beam]; }
+  [[nodiscard]] const std::array<NodeIndex, 2>& nodes(std::size_t beam) const { return nodes_[beam]; }
+  [[nodiscard]] const BeamProperties& properties(std::size_t beam) const { return properties_[which_[beam]]; }
+  [[nodiscard]] const ElementEnergy& energy(std::size_t beam) const { return energy_[beam]; }
+  [[nodiscard]] const BeamState& state(std::size_t beam) const { return state_[beam]; }
+  /// Tension at the last evaluation.
+  [[nodiscard]] double axial(std::size_t beam) const { return axial_[beam]; }
+  /// Force and moment on the second end at the last evaluation; what the beam pulls with is the opposite.
+  [[nodiscard]] const Vector& end_force(std::size_t beam) const { return force_[2 * beam + 1]; }
+  [[nodiscard]] const Vector& end_moment(std::size_t beam) const { return moment_[2 * beam + 1]; }
+
+ private:
+  [[nodiscard]] Summary update_one(const State& state, std::size_t beam);
+
+  std::vector<BeamProperties> properties_;
+  std::vector<std::array<NodeIndex, 2>> nodes_;
+  std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
+  std::vector<BeamState> state_;
+  std::vector<double> axial_;
+  std::vector<ElementEnergy> energy_;
+  std::vector<Vector> force_, moment_;  ///< two places per beam
+  CornerTable table_;
+};
+
+}  // namespace gapcheck::solver

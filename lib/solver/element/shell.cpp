@@ -1,0 +1,53 @@
+#include "solver/element/shell.hpp"
+
+namespace gapcheck::solver {
+
+ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& strain, double dt,
+                                 double& thickness, std::span<PointState> points) {
+  ShellResultants sum;
+  const double half = thickness / 2;
+  double through = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [place, weight] = properties.layers[i];
+    const double z = half * place;
+    if (dt > 0) {
+      const Symmetric increment{strain.xx + z * strain.bend_xx,
+                                strain.yy + z * strain.bend_yy,
+                                0,
+                                strain.xy + z * strain.bend_xy,
+                                strain.yz,
+                                strain.zx};
+      through += weight / 2 * update_plane_stress(properties.material, increment, dt, points[i]);
+    }
+    const Symmetric& stress = points[i].stress;
+    const double share = half * weight, lever = share * z;
+    sum.xx += share * stress[xx];
+    sum.yy += share * stress[yy];
+    sum.xy += share * stress[xy];
+    sum.bend_xx += lever * stress[xx];
+    sum.bend_yy += lever * stress[yy];
+    sum.bend_xy += lever * stress[xy];
+    sum.yz += share * stress[yz];
+    sum.zx += share * stress[zx];
+  }
+  // Mid-step rule for ṫ = t ε̇zz.
+  if (properties.thins) thickness *= (1 + through / 2) / (1 - through / 2);
+  sum.yz *= properties.shear_factor;
+  sum.zx *= properties.shear_factor;
+  return sum;
+}
+
+void set_time_steps(const ShellProperties& properties, const ShellShape& shape, ShellForces& forces) {
+  const Material& material = properties.material;
+  const double squared_speed = material.plate_modulus() / material.density;
+  forces.manual_step = std::sqrt(shape.squared_length / squared_speed);
+  // The strain energy is at most plate (1 + |ν|) |∇u|²; each corner has 1 / corners of the mass. Bending and transverse
+  // shear share the rotations, so their bounds add up.
+  const double membrane = squared_speed * (1 + std::abs(material.poisson)) * shape.gradient;
+  const double bending =
+      membrane * shape.thickness * shape.thickness / 12 / rotational_inertia(shape.area, shape.thickness);
+  const double transverse = properties.shear_factor * material.shear() / material.density * shape.shear;
+  forces.stable_step = 2 / std::sqrt(shape.corners * std::max(membrane, bending + transverse));
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,105 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "solver/element/gauss.hpp"
+#include "solver/element/hourglass.hpp"
+#include "solver/material/material.hpp"
+
+namespace gapcheck::solver {
+
+/// What all shells of one part share.
+struct ShellProperties {
+  Material material;
+  std::vector<GaussPoint> layers = gauss_rule(2);  ///< integration points from the lower to the upper side
+  double shear_factor = 1;                         ///< SHRF
+  bool thins = false;                              ///< ISTUPD = 1: the thickness follows the strain
+  Hourglass hourglass;
+};
+
+/// Corners of one shell: positions at the end of the step, velocities and angular velocities at its middle.
+struct ShellCorners {
+  std::array<Vector, 4> x, v, w;
+};
+
+/// What one shell remembers beside its integration points.
+struct ShellState {
+  double thickness = 0;
+  std::array<double, 5> hourglass{};  ///< generalised stresses: membrane x, y, deflection, rotation x, y
+};
+
+/// Internal forces on the corners (the shell pulls its nodes with the opposite) and what the step needs to know.
+struct ShellForces {
+  std::array<Vector, 4> force, moment;
+  double hourglass_work = 0;  ///< in this step
+  double manual_step = 0;     ///< characteristic length / wave speed, as in the solver manual
+  double stable_step = 0;     ///< 2 / an upper bound of the element's highest frequency
+  bool good = false;          ///< false: no area, or not a number
+};
+
+/// Quadrilateral of Belytschko, Lin and Tsay (Comput. Methods Appl. Mech. Engng 42, 1984): one point in the plane,
+/// velocity strain in axes that turn with the element, hourglass control. Strains are taken in the middle of the step
+/// (x − dt v / 2), forces at its end, so that a rigid motion strains nothing. dt = 0: forces of the present stresses.
+[[nodiscard]] ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
+                                      ShellState& state, std::span<PointState> points);
+
+/// Triangle with constant membrane strain, constant curvature and a transverse shear made from the mean rotations
+/// along its sides (after Kennedy, Belytschko and Lin 1986). Corner 3 repeats corner 2 and gets no force.
+[[nodiscard]] ShellForces triangle_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
+                                          ShellState& state, std::span<PointState> points);
+
+/// Rotational inertia of a corner per mass: max(h²/12, A/8), raised over the physical one so that bending does not
+/// rule the time step (Hughes, Cohen and Haroun 1978).
+[[nodiscard]] inline double rotational_inertia(double area, double thickness) {
+  return std::max(thickness * thickness / 12, area / 8);
+}
+
+/// Strain increments of the mid-surface, of the curvature and of the transverse shear (tensor components).
+struct ShellStrain {
+  double xx = 0, yy = 0, xy = 0;
+  double bend_xx = 0, bend_yy = 0, bend_xy = 0;
+  double yz = 0, zx = 0;
+};
+
+/// Forces and moments per length.
+struct ShellResultants {
+  double xx = 0, yy = 0, xy = 0;
+  double bend_xx = 0, bend_yy = 0, bend_xy = 0;
+  double yz = 0, zx = 0;
+};
+
+/// Updates the layers' stresses and integrates them through the thickness, which follows where the section says so.
+[[nodiscard]] ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& strain, double dt,
+                                               double& thickness, std::span<PointState> points);
+
+/// Gram matrix of an element's gradient operator in the plane, Σ b bᵀ, and its larger eigenvalue.
+struct Gram {
+  double xx = 0, xy = 0, yy = 0;
+  void add(double x, double y) {
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+  }
+  [[nodiscard]] double largest() const {
+    const double half = (xx - yy) / 2;
+    return (xx + yy) / 2 + std::sqrt(half * half + xy * xy);
+  }
+};
+
+/// What the time step of a shell depends on.
+struct ShellShape {
+  double corners = 4, area = 0, thickness = 0;
+  double squared_length = 0;  ///< characteristic
+  // Larger eigenvalues of the Gram matrices.
+  double gradient = 0;  ///< of the membrane
+  double shear = 0;     ///< of the transverse shear, rotations divided by the root of their inertia per mass
+};
+
+/// Sets both time steps.
+void set_time_steps(const ShellProperties& properties, const ShellShape& shape, ShellForces& forces);
+
+}  // namespace gapcheck::solver

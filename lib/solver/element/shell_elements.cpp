@@ -1,0 +1,121 @@
+#include "solver/element/shell_elements.hpp"
+
+#include <limits>
+
+namespace gapcheck::solver {
+
+std::uint32_t ShellElements::add_properties(ShellProperties properties) {
+  properties_.push_back(std::move(properties));
+  return static_cast<std::uint32_t>(properties_.size() - 1);
+}
+
+ShellForces ShellElements::at_rest(std::size_t shell, const std::vector<Vector>& x) const {
+  ShellCorners corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    corners.x[k] = x[nodes_[shell][k].value];
+    corners.v[k] = corners.w[k] = Vector::Zero();
+  }
+  const ShellProperties& properties = properties_[which_[shell]];
+  ShellState state = state_[shell];
+  std::vector<PointState> points(properties.layers.size());
+  return triangle(shell) ? triangle_forces(properties, corners, 0, state, points)
+                         : quad_forces(properties, corners, 0, state, points);
+}
+
+double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness,
+                          std::uint32_t origin, State& state, const MassScaling& scaling) {
+  nodes_.push_back(nodes);
+  which_.push_back(properties);
+  origin_.push_back(origin);
+  ShellState shell;
+  shell.thickness = thickness;
+  state_.push_back(shell);
+  const std::size_t corners = triangle(size() - 1) ? 3 : 4;
+  // With corners 3 and 4 equal this is the triangle's area too.
+  const std::vector<Vector>& x = state.x;
+  const double area = (x[nodes[2].value] - x[nodes[0].value]).cross(x[nodes[3].value] - x[nodes[1].value]).norm() / 2;
+  double factor = 1;
+  if (scaling.step > 0) {
+    const ShellForces steps = at_rest(size() - 1, x);
+    factor = scaling.factor(steps.manual_step, steps.stable_step);
+    step_factor_.push_back(std::sqrt(factor));
+  }
+  const double mass = properties_[properties].material.density * area * thickness;
+  const double share = factor * mass / static_cast<double>(corners);
+  for (std::size_t i = 0; i < corners; ++i) {
+    state.mass[nodes[i].value] += share;
+    state.inertia[nodes[i].value] += share * rotational_inertia(area, thickness);
+  }
+  first_point_.push_back(first_point_.back() + properties_[properties].layers.size());
+  return (factor - 1) * mass;
+}
+
+void ShellElements::finish(std::size_t nodes) {
+  points_.assign(first_point_.back(), {});
+  force_.assign(4 * size(), Vector::Zero());
+  moment_.assign(4 * size(), Vector::Zero());
+  energy_.assign(size(), {});
+  failed_.assign(size(), 0);
+  std::vector<NodeIndex> corners;
+  corners.reserve(4 * size());
+  for (std::size_t i = 0; i < size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) corners.push_back(k == 3 && triangle(i) ? none<NodeIndex> : nodes_[i][k]);
+  table_ = CornerTable(nodes, corners);
+}
+
+bool ShellElements::all_failed(std::span<const PointState> points) {
+  return !points.empty() && std::all_of(points.begin(), points.end(), [](const PointState& p) { return p.failed; });
+}
+
+Summary ShellElements::update_one(const State& state, std::size_t shell) {
+  if (failed_[shell] != 0) return {};
+  ShellCorners corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint32_t node = nodes_[shell][k].value;
+    corners.x[k] = state.x[node];
+    corners.v[k] = state.v[node];
+    corners.w[k] = state.w[node];
+  }
+  const ShellProperties& properties = properties_[which_[shell]];
+  const std::span<PointState> points(points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]);
+  ShellForces forces = triangle(shell) ? triangle_forces(properties, corners, state.dt, state_[shell], points)
+                                       : quad_forces(properties, corners, state.dt, state_[shell], points);
+  Summary summary;
+  if (all_failed(points)) {
+    failed_[shell] = 1;
+    forces = {};
+    forces.good = true;
+    forces.manual_step = forces.stable_step = std::numeric_limits<double>::infinity();
+    forces.force.fill(Vector::Zero());
+    forces.moment.fill(Vector::Zero());
+    summary.failed = 1;
+  }
+  summary.manual_step = forces.manual_step;
+  summary.stable_step = forces.stable_step;
+  if (!step_factor_.empty()) {
+    summary.manual_step *= step_factor_[shell];
+    summary.stable_step *= step_factor_[shell];
+  }
+  summary.hourglass_work = forces.hourglass_work;
+  if (!forces.good) summary.bad = static_cast<std::uint32_t>(shell);
+  for (std::size_t k = 0; k < 4; ++k) {
+    Vector &force = force_[4 * shell + k], &moment = moment_[4 * shell + k];
+    summary.work +=
+        state.dt / 2 * ((force + forces.force[k]).dot(corners.v[k]) + (moment + forces.moment[k]).dot(corners.w[k]));
+    force = forces.force[k];
+    moment = forces.moment[k];
+  }
+  summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(shell);
+  energy_[shell].add(summary);
+  return summary;
+}
+
+Summary ShellElements::update(const State& state) {
+  return sum_over_blocks<Summary>(size(), [&](std::size_t begin, std::size_t end) {
+    Summary sum;
+    for (std::size_t i = begin; i < end; ++i) sum.add(update_one(state, i));
+    return sum;
+  });
+}
+
+}  // namespace gapcheck::solver

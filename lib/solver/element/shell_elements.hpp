@@ -1,0 +1,74 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "solver/element/assembly.hpp"
+#include "solver/element/mass_scaling.hpp"
+#include "solver/element/shell.hpp"
+#include "solver/state/summary.hpp"
+
+namespace gapcheck::solver {
+
+/// All shells of a structure; arrays by shell.
+class ShellElements {
+ public:
+  /// Adds a part's properties; returns their position.
+  std::uint32_t add_properties(ShellProperties properties);
+  /// Adds a shell (a triangle repeats its third corner) at positions `x` of all nodes and its share of mass and
+  /// rotational inertia to the nodes. `origin`: its position in the model, for messages.
+  /// Returns the mass that `scaling` has added.
+  double add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness, std::uint32_t origin,
+             State& state, const MassScaling& scaling = {});
+  /// Once all shells are there.
+  void finish(std::size_t nodes);
+
+  /// Forces at state.time, stresses brought over the last step (dt = 0: the forces of the present stresses).
+  Summary update(const State& state);
+  /// Takes the shells' pull on a node off its force and moment.
+  void gather(std::size_t node, Vector& force, Vector& moment) const {
+    for (const std::uint32_t place : table_.of(node)) {
+      force -= force_[place];
+      moment -= moment_[place];
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] std::uint32_t origin(std::size_t shell) const { return origin_[shell]; }
+  [[nodiscard]] const std::array<NodeIndex, 4>& nodes(std::size_t shell) const { return nodes_[shell]; }
+  [[nodiscard]] const ShellProperties& properties(std::size_t shell) const { return properties_[which_[shell]]; }
+  /// False: none ever fails.
+  [[nodiscard]] bool can_fail() const {
+    return std::any_of(properties_.begin(), properties_.end(),
+                       [](const ShellProperties& p) { return p.material.failure_strain > 0; });
+  }
+  /// All its layers have failed: it has no stress, no force and no time step any more.
+  [[nodiscard]] bool failed(std::size_t shell) const { return failed_[shell]; }
+  [[nodiscard]] const ElementEnergy& energy(std::size_t shell) const { return energy_[shell]; }
+  [[nodiscard]] const ShellState& state(std::size_t shell) const { return state_[shell]; }
+  [[nodiscard]] std::span<const PointState> points(std::size_t shell) const {
+    return {points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]};
+  }
+
+ private:
+  [[nodiscard]] ShellForces at_rest(std::size_t shell, const std::vector<Vector>& x) const;
+  [[nodiscard]] bool triangle(std::size_t shell) const { return nodes_[shell][2] == nodes_[shell][3]; }
+  [[nodiscard]] static bool all_failed(std::span<const PointState> points);
+  [[nodiscard]] Summary update_one(const State& state, std::size_t shell);
+
+  std::vector<ShellProperties> properties_;
+  std::vector<std::array<NodeIndex, 4>> nodes_;
+  std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
+  std::vector<ShellState> state_;
+  std::vector<double> step_factor_;  ///< root of the factor on the mass; empty: no shell is scaled
+  std::vector<std::uint64_t> first_point_{0};
+  std::vector<PointState> points_;
+  std::vector<Vector> force_, moment_;  ///< four places per shell
+  std::vector<ElementEnergy> energy_;
+  std::vector<char> failed_;  ///< not bits: written by several threads
+  CornerTable table_;
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,194 @@
+#include "solver/element/shell.hpp"
+
+#include <utility>
+
+namespace gapcheck::solver {
+namespace {
+
+/// Axes of the element, half diagonals and hourglass shape of its corners in them. With e3 normal to both diagonals
+/// the corners lie at ± warp / 4 from the mean plane.
+struct QuadFrame {
+  Vector e1, e2, e3;
+  double area;
+  double bx1, bx2, by1, by2;      ///< ∂N/∂x of corners 1 and 2; 3 and 4 have the opposite
+  double shape_x, shape_y, warp;  ///< x₁ − x₂ + x₃ − x₄ in the three axes
+};
+
+/// Two numbers that the same is done to: roots and divisions of both cost as much as of one.
+using Both = Eigen::Array2d;
+
+struct BothVectors {
+  Both x, y, z;
+  BothVectors(Both x_, Both y_, Both z_) : x(std::move(x_)), y(std::move(y_)), z(std::move(z_)) {}
+  BothVectors(const Vector& a, const Vector& b) : x(a.x(), b.x()), y(a.y(), b.y()), z(a.z(), b.z()) {}
+  [[nodiscard]] Both dot(const BothVectors& o) const { return x * o.x + y * o.y + z * o.z; }
+  [[nodiscard]] BothVectors cross(const BothVectors& o) const {
+    return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x};
+  }
+  [[nodiscard]] Vector at(int i) const { return {x[i], y[i], z[i]}; }
+};
+
+BothVectors operator-(const BothVectors& a, const BothVectors& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+BothVectors operator*(const Both& f, const BothVectors& a) { return {f * a.x, f * a.y, f * a.z}; }
+
+/// The frames in the middle and at the end of the step.
+std::array<QuadFrame, 2> make_frames(const std::array<Vector, 4>& middle, const std::array<Vector, 4>& end) {
+  const auto difference = [&](std::size_t i, std::size_t j) {
+    return BothVectors(middle[i] - middle[j], end[i] - end[j]);
+  };
+  const BothVectors d31 = difference(2, 0), d42 = difference(3, 1), side = difference(1, 0);
+  const BothVectors normal = d31.cross(d42);
+  // Roots and divisions that do not wait for one another: this is the slowest part of the element.
+  const Both square = normal.dot(normal), inverse_square = 1 / square, twice_area = square.sqrt();
+  BothVectors along = side - Both(side.dot(normal) * inverse_square) * normal;
+  // Corners 1 and 2 on one point give no direction: the diagonal does.
+  if (!(along.dot(along) > 0).all()) along = d31;
+  const Both inverse = twice_area * inverse_square;
+  const BothVectors e3 = inverse * normal, e1 = Both(1 / along.dot(along).sqrt()) * along, e2 = e3.cross(e1);
+  const Both bx1 = -d42.dot(e2) * inverse, bx2 = d31.dot(e2) * inverse;
+  const Both by1 = d42.dot(e1) * inverse, by2 = -d31.dot(e1) * inverse;
+  const BothVectors shape = difference(0, 1) - difference(3, 2);
+  const Both shape_x = shape.dot(e1), shape_y = shape.dot(e2), warp = shape.dot(e3);
+  const auto frame = [&](int i) {
+    return QuadFrame{e1.at(i), e2.at(i), e3.at(i),   twice_area[i] / 2, bx1[i], bx2[i],
+                     by1[i],   by2[i],   shape_x[i], shape_y[i],        warp[i]};
+  };
+  return {frame(0), frame(1)};
+}
+
+/// A field of vectors at the corners, seen in the frame: derivatives in the plane, hourglass part, mean.
+struct Field {
+  Vector dx, dy, hourglass;
+};
+
+Field field_of(const QuadFrame& frame, const std::array<Vector, 4>& v) {
+  const auto local = [&](const Vector& a) { return Vector(a.dot(frame.e1), a.dot(frame.e2), a.dot(frame.e3)); };
+  const Vector v13 = local(v[0] - v[2]), v24 = local(v[1] - v[3]), shape = local(v[0] - v[1] + v[2] - v[3]);
+  Field field;
+  field.dx = frame.bx1 * v13 + frame.bx2 * v24;
+  field.dy = frame.by1 * v13 + frame.by2 * v24;
+  field.hourglass = shape - frame.shape_x * field.dx - frame.shape_y * field.dy;
+  return field;
+}
+
+/// Rates of the five hourglass modes. The corners of a warped quad move out of step in x and y when it just turns
+/// about y and x; that part is no hourglassing.
+std::array<double, 5> hourglass_rates(const QuadFrame& frame, const Field& v, const Field& w) {
+  return {v.hourglass.x() + frame.warp * v.dx.z(), v.hourglass.y() + frame.warp * v.dy.z(), v.hourglass.z(),
+          w.hourglass.x(), w.hourglass.y()};
+}
+
+/// Stiffness (Belytschko, Lin and Tsay, eq. 24) or viscosity of the modes.
+std::array<double, 5> hourglass_moduli(const ShellProperties& properties, const QuadFrame& frame, double thickness) {
+  const Material& material = properties.material;
+  const double r = properties.hourglass.coefficient, squared_thickness = thickness * thickness;
+  if (properties.hourglass.kind == HourglassKind::viscous) {
+    const double speed = std::sqrt(material.plate_modulus() / material.density);
+    const double membrane = r / 4 * material.density * speed * thickness * std::sqrt(frame.area);
+    const double bending = membrane * squared_thickness / 12;
+    return {membrane, membrane, membrane * std::min(1.0, squared_thickness / frame.area), bending, bending};
+  }
+  const double squared_gradient =
+      2 * (frame.bx1 * frame.bx1 + frame.bx2 * frame.bx2 + frame.by1 * frame.by1 + frame.by2 * frame.by2);
+  const double common = r * thickness * frame.area * squared_gradient;
+  const double membrane = common * material.young / 8;
+  const double deflection = common * properties.shear_factor * material.shear() * squared_thickness / 12;
+  const double bending = common * material.young * squared_thickness / 192;
+  return {membrane, membrane, deflection, bending, bending};
+}
+
+/// Brings the hourglass stresses to the end of the step; returns the work.
+double update_hourglass(const ShellProperties& properties, const QuadFrame& middle, const std::array<double, 5>& rates,
+                        double dt, ShellState& state) {
+  if (properties.hourglass.kind == HourglassKind::none || dt <= 0) return 0;
+  const bool viscous = properties.hourglass.kind == HourglassKind::viscous;
+  const std::array<double, 5> moduli = hourglass_moduli(properties, middle, state.thickness);
+  double work = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double before = state.hourglass[i];
+    state.hourglass[i] = viscous ? moduli[i] * rates[i] : before + moduli[i] * rates[i] * dt;
+    work += dt * rates[i] * (before + state.hourglass[i]) / 2;
+  }
+  return work;
+}
+
+ShellStrain strain_of(const QuadFrame& frame, const Field& v, const Field& w, const std::array<Vector, 4>& all_w,
+                      double dt) {
+  const Vector mean = (all_w[0] + all_w[1] + all_w[2] + all_w[3]) / 4;
+  ShellStrain strain;
+  strain.xx = dt * v.dx.x();
+  strain.yy = dt * v.dy.y();
+  strain.xy = dt / 2 * (v.dx.y() + v.dy.x());
+  strain.bend_xx = dt * w.dx.y();
+  strain.bend_yy = -dt * w.dy.x();
+  strain.bend_xy = dt / 2 * (w.dy.y() - w.dx.x());
+  strain.zx = dt / 2 * (v.dx.z() + mean.dot(frame.e2));
+  strain.yz = dt / 2 * (v.dy.z() - mean.dot(frame.e1));
+  return strain;
+}
+
+/// Spreads resultants and hourglass stresses to the corners; the transpose of the strain operators.
+void spread(const QuadFrame& frame, const ShellResultants& n, const std::array<double, 5>& hourglass,
+            ShellForces& out) {
+  const double area = frame.area;
+  const auto global = [&](double x, double y, double z) { return Vector(x * frame.e1 + y * frame.e2 + z * frame.e3); };
+  const auto force = [&](double bx, double by) {
+    return global(area * (bx * n.xx + by * n.xy), area * (by * n.yy + bx * n.xy), area * (bx * n.zx + by * n.yz));
+  };
+  const auto moment = [&](double bx, double by) {
+    return global(-area * (by * n.bend_yy + bx * n.bend_xy), area * (bx * n.bend_xx + by * n.bend_xy), 0);
+  };
+  const Vector force1 = force(frame.bx1, frame.by1), force2 = force(frame.bx2, frame.by2);
+  const Vector moment1 = moment(frame.bx1, frame.by1), moment2 = moment(frame.bx2, frame.by2);
+  const Vector shear = global(-area / 4 * n.yz, area / 4 * n.zx, 0);
+  const double lift_x = frame.warp * hourglass[0], lift_y = frame.warp * hourglass[1];
+  const Vector mode_force = global(hourglass[0], hourglass[1], hourglass[2]);
+  const Vector mode_moment = global(hourglass[3], hourglass[4], 0);
+  const double g1 = -frame.shape_x * frame.bx1 - frame.shape_y * frame.by1;
+  const double g2 = -frame.shape_x * frame.bx2 - frame.shape_y * frame.by2;
+  const std::array<double, 4> gamma{1 + g1, -1 + g2, 1 - g1, -1 - g2};
+  const Vector lift1 = (frame.bx1 * lift_x + frame.by1 * lift_y) * frame.e3;
+  const Vector lift2 = (frame.bx2 * lift_x + frame.by2 * lift_y) * frame.e3;
+  out.force[0] = force1 + lift1 + gamma[0] * mode_force;
+  out.force[1] = force2 + lift2 + gamma[1] * mode_force;
+  out.force[2] = -force1 - lift1 + gamma[2] * mode_force;
+  out.force[3] = -force2 - lift2 + gamma[3] * mode_force;
+  out.moment[0] = moment1 + shear + gamma[0] * mode_moment;
+  out.moment[1] = moment2 + shear + gamma[1] * mode_moment;
+  out.moment[2] = -moment1 + shear + gamma[2] * mode_moment;
+  out.moment[3] = -moment2 + shear + gamma[3] * mode_moment;
+}
+
+void set_steps(const ShellProperties& properties, const std::array<Vector, 4>& x, const QuadFrame& frame,
+               double thickness, ShellForces& out) {
+  const double squared_side = std::max(std::max((x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm()),
+                                       std::max((x[3] - x[2]).squaredNorm(), (x[0] - x[3]).squaredNorm()));
+  Gram gradient;
+  gradient.add(std::sqrt(2) * frame.bx1, std::sqrt(2) * frame.by1);
+  gradient.add(std::sqrt(2) * frame.bx2, std::sqrt(2) * frame.by2);
+  const double largest = gradient.largest();
+  // Four times (1/4)² over the inertia, the same in all directions.
+  const double rotation = 0.25 / rotational_inertia(frame.area, thickness);
+  set_time_steps(properties,
+                 {4, frame.area, thickness, frame.area * frame.area / squared_side, largest, largest + rotation}, out);
+}
+
+}  // namespace
+
+ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt, ShellState& state,
+                        std::span<PointState> points) {
+  ShellForces out;
+  std::array<Vector, 4> middle_x;
+  for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
+  const auto [middle, end] = make_frames(middle_x, corners.x);
+  const Field v = field_of(middle, corners.v), w = field_of(middle, corners.w);
+  out.hourglass_work = update_hourglass(properties, middle, hourglass_rates(middle, v, w), dt, state);
+  const ShellResultants resultants =
+      integrate_layers(properties, strain_of(middle, v, w, corners.w, dt), dt, state.thickness, points);
+  spread(end, resultants, state.hourglass, out);
+  set_steps(properties, corners.x, end, state.thickness, out);
+  out.good = end.area > 0 && std::isfinite(out.force[0].sum() + out.force[1].sum() + out.moment[0].sum());
+  return out;
+}
+
+}  // namespace gapcheck::solver

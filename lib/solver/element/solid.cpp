@@ -1,0 +1,42 @@
+#include "solver/element/solid.hpp"
+
+#include <cmath>
+
+namespace gapcheck::solver {
+
+Matrix update_solid_stress(const Material& material, const Matrix& gradient, double dt, PointState& point) {
+  const Vector spin(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
+  const Matrix rotation = spin_rotation(dt / 2 * spin);
+  if (material.has_stress()) {
+    point.stress = rotated(point.stress, rotation);
+    if (material.kinematic_slope > 0) point.back_stress = rotated(point.back_stress, rotation);
+    Symmetric increment = to_symmetric(gradient);
+    for (double& value : increment) value *= dt;
+    // The strain belongs to the middle of the step, the stress is in the axes of its end: half of the turn.
+    update_stress(material, rotated(increment, spin_rotation(dt / 4 * spin)), dt, point);
+  }
+  return rotation;
+}
+
+BulkViscosity bulk_viscosity(const SolidProperties& properties, double density, double speed, double length,
+                             double volume_rate) {
+  if (!(volume_rate < 0)) return {};
+  const double quadratic = properties.quadratic_viscosity * length * -volume_rate;
+  const double total = quadratic + properties.linear_viscosity * speed;
+  return {density * length * -volume_rate * total, total};
+}
+
+void set_time_steps(const SolidProperties& properties, double density, double length, double squared_gradient,
+                    double corners, const BulkViscosity& viscosity, SolidForces& forces) {
+  const Material& material = properties.material;
+  const double speed = std::sqrt(material.wave_modulus() / density), q = viscosity.step_speed;
+  forces.manual_step = length / (q + std::sqrt(q * q + speed * speed));
+  // The strain energy is at most max(3 K, 2 G) |∇u|² / 2; each corner has 1 / corners of the mass. Damping at the
+  // fraction ξ of the critical shortens the step by √(1 + ξ²) − ξ; ξ = Q / c for the linear part of the viscosity.
+  const double squared_frequency =
+      std::max(3 * material.bulk(), 2 * material.shear()) / density * corners * squared_gradient;
+  const double fraction = speed > 0 ? q / speed : 0;
+  forces.stable_step = 2 / std::sqrt(squared_frequency) * (std::sqrt(1 + fraction * fraction) - fraction);
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,73 @@
+#pragma once
+#include <array>
+#include <span>
+
+#include "solver/element/hourglass.hpp"
+#include "solver/material/material.hpp"
+
+namespace gapcheck::solver {
+
+/// What all solids of one part share.
+struct SolidProperties {
+  Material material;
+  Hourglass hourglass;
+  double quadratic_viscosity = 1.5;  ///< Q1 of the bulk viscosity
+  double linear_viscosity = 0.06;    ///< Q2
+};
+
+/// Corners of one solid: positions at the end of the step, velocities at its middle. Tetrahedra use the first four.
+struct SolidCorners {
+  std::array<Vector, 8> x, v;
+};
+
+/// What one solid remembers beside its integration point.
+struct SolidState {
+  double mass = 0;  ///< of the element; its density follows from it
+  std::array<Vector, 4> hourglass{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
+};
+
+/// Internal forces on the corners (the solid pulls its nodes with the opposite) and what the step needs to know.
+struct SolidForces {
+  std::array<Vector, 8> force;
+  double volume = 0;          ///< at the end of the step
+  double hourglass_work = 0;  ///< in this step
+  double manual_step = 0;     ///< characteristic length / wave speed with bulk viscosity, as in the solver manual
+  double stable_step = 0;     ///< 2 / an upper bound of the element's highest frequency, bulk viscosity included
+  bool good = false;          ///< false: volume not above zero, or not a number
+};
+
+/// Brick with one integration point, Flanagan and Belytschko (Int. J. Numer. Meth. Engng 17, 1981): mean gradients,
+/// exact volume, orthogonal hourglass control. Wedges and pyramids are bricks with repeated corners. The velocity
+/// strain is taken in the middle of the step (x − dt v / 2), the stress turns with the spin there (Hughes–Winget form
+/// of the Jaumann rate), forces belong to the end: a rigid motion strains nothing. dt = 0: forces of the present
+/// stresses.
+[[nodiscard]] SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
+                                       SolidState& state, PointState& point);
+
+/// Tetrahedron with linear displacements; forces on the first four corners only.
+[[nodiscard]] SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
+                                             SolidState& state, PointState& point);
+
+/// Volume of a brick with straight edges, as the brick's forces see it.
+[[nodiscard]] double brick_volume(const std::array<Vector, 8>& x);
+/// Volume of the tetrahedron of the first four corners; positive when corner 4 lies on the side that the others'
+/// right-hand normal points to.
+[[nodiscard]] double tetrahedron_volume(const std::array<Vector, 8>& x);
+
+/// Stress at the end of the step for a velocity gradient in its middle, with the spin's rotation.
+Matrix update_solid_stress(const Material& material, const Matrix& gradient, double dt, PointState& point);
+
+/// Pressure of the bulk viscosity against compression (von Neumann and Richtmyer, with a linear term):
+/// q = ρ l (Q1 l ε̇² − Q2 c ε̇) for a volume rate ε̇ < 0, otherwise 0; and the damping that it adds to the time step.
+struct BulkViscosity {
+  double pressure = 0;
+  double step_speed = 0;  ///< Q = Q2 c + Q1 l |ε̇|
+};
+[[nodiscard]] BulkViscosity bulk_viscosity(const SolidProperties& properties, double density, double speed,
+                                           double length, double volume_rate);
+
+/// Sets both time steps; `squared_gradient`: the largest eigenvalue of Σ b bᵀ, `corners`: 4 or 8.
+void set_time_steps(const SolidProperties& properties, double density, double length, double squared_gradient,
+                    double corners, const BulkViscosity& viscosity, SolidForces& forces);
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/element/solid.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+/// The four hourglass shapes ηζ, ζξ, ξη, ξηζ at the corners.
+constexpr double shapes[4][8] = {{1, 1, -1, -1, -1, -1, 1, 1},
+                                 {1, -1, -1, 1, -1, 1, 1, -1},
+                                 {1, -1, 1, -1, 1, -1, 1, -1},
+                                 {-1, 1, -1, 1, 1, -1, 1, -1}};
+
+using Corners = std::array<Vector, 8>;
+
+/// ∂V/∂x of every corner, V being the volume between the bilinear faces; what Flanagan and Belytschko call B. It is
+/// ∫ N n dA over the three faces that meet in the corner.
+Corners brick_volume_gradient(const Corners& x) {
+  // Corner a, its three neighbours along the edges, and the three corners across the faces, in turning order.
+  constexpr std::size_t edges[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
+                                       {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
+  constexpr std::size_t faces[8][3] = {{2, 7, 5}, {3, 4, 6}, {0, 5, 7}, {1, 6, 4},
+                                       {6, 1, 3}, {7, 2, 0}, {4, 3, 1}, {5, 0, 2}};
+  Corners gradient;
+  for (std::size_t a = 0; a < 8; ++a) {
+    const Vector origin = x[a];
+    Vector sum = Vector::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector first = x[edges[a][k]] - origin, across = x[faces[a][k]] - origin,
+                   second = x[edges[a][(k + 1) % 3]] - origin;
+      // Twelve times the bilinear face's area vector, weighted with the corner's shape function; inward.
+      sum += first.cross(second) + first.cross(across) + across.cross(second);
+    }
+    gradient[a] = -sum / 12;
+  }
+  return gradient;
+}
+
+double volume_of(const Corners& x, const Corners& gradient) {
+  double volume = 0;
+  for (std::size_t a = 0; a < 8; ++a) volume += x[a].dot(gradient[a]);
+  return volume / 3;
+}
+
+Matrix outer_sum(const Corners& v, const Corners& b) {
+  Matrix sum = Matrix::Zero();
+  for (std::size_t a = 0; a < 8; ++a) sum += v[a] * b[a].transpose();
+  return sum;
+}
+
+/// Σ over corners of shape · v, for the four shapes.
+std::array<Vector, 4> shape_sums(const Corners& v) {
+  std::array<Vector, 4> sums;
+  for (std::size_t m = 0; m < 4; ++m) {
+    sums[m] = Vector::Zero();
+    for (std::size_t a = 0; a < 8; ++a) sums[m] += shapes[m][a] * v[a];
+  }
+  return sums;
+}
+
+double largest_face_area(const Corners& x) {
+  constexpr std::size_t faces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                       {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  double squared = 0;
+  for (const auto& f : faces) squared = std::max(squared, (x[f[2]] - x[f[0]]).cross(x[f[3]] - x[f[1]]).squaredNorm());
+  return std::sqrt(squared) / 2;
+}
+
+/// Largest eigenvalue of a symmetric matrix, from above: the largest row sum.
+double eigenvalue_bound(const Matrix& m) { return m.cwiseAbs().rowwise().sum().maxCoeff(); }
+
+/// Brings the hourglass stresses to the end of the step; returns the work. The stiffness is scaled so that coefficient
+/// 1 lets the modes vibrate at the element's highest axial frequency, as in the shell.
+double update_hourglass(const SolidProperties& properties, const std::array<Vector, 4>& rates, const Matrix& rotation,
+                        double squared_gradient, double volume, double dt, SolidState& state) {
+  if (properties.hourglass.kind == HourglassKind::none || dt <= 0) return 0;
+  const Material& material = properties.material;
+  const double r = properties.hourglass.coefficient, modulus = material.wave_modulus();
+  const double density = state.mass / volume;
+  const bool viscous = properties.hourglass.kind == HourglassKind::viscous;
+  const double factor = viscous ? r / 4 * std::sqrt(density * modulus) * std::pow(std::cbrt(volume), 2)
+                                : r / 24 * modulus * volume * squared_gradient * dt;
+  double work = 0;
+  for (std::size_t m = 0; m < 4; ++m) {
+    const Vector before = rotation * state.hourglass[m];
+    state.hourglass[m] = viscous ? Vector(factor * rates[m]) : Vector(before + factor * rates[m]);
+    work += dt / 2 * rates[m].dot(before + state.hourglass[m]);
+  }
+  return work;
+}
+
+}  // namespace
+
+double brick_volume(const std::array<Vector, 8>& x) { return volume_of(x, brick_volume_gradient(x)); }
+
+SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& corners, double dt, SolidState& state,
+                         PointState& point) {
+  SolidForces out;
+  Corners middle_x;
+  for (std::size_t a = 0; a < 8; ++a) middle_x[a] = corners.x[a] - dt / 2 * corners.v[a];
+  const Corners middle = brick_volume_gradient(middle_x), end = brick_volume_gradient(corners.x);
+  const double middle_volume = volume_of(middle_x, middle);
+  out.volume = volume_of(corners.x, end);
+  if (!(middle_volume > 0 && out.volume > 0)) {
+    for (Vector& force : out.force) force.setZero();
+    return out;
+  }
+  const Matrix gradient = outer_sum(corners.v, middle) / middle_volume;
+  const Matrix rotation = update_solid_stress(properties.material, gradient, dt, point);
+
+  const Matrix gram = outer_sum(end, end) / (out.volume * out.volume);
+  const double density = state.mass / out.volume, length = out.volume / largest_face_area(corners.x);
+  const double speed = std::sqrt(properties.material.wave_modulus() / density);
+  const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, gradient.trace());
+  set_time_steps(properties, density, length, eigenvalue_bound(gram), 8, viscosity, out);
+
+  const std::array<Vector, 4> middle_shapes = shape_sums(middle_x), v_shapes = shape_sums(corners.v),
+                              end_shapes = shape_sums(corners.x);
+  std::array<Vector, 4> rates;
+  for (std::size_t m = 0; m < 4; ++m) rates[m] = v_shapes[m] - gradient * middle_shapes[m];
+  out.hourglass_work = update_hourglass(properties, rates, rotation, gram.trace(), out.volume, dt, state);
+
+  // f = σ b + Σ Q (shape − b · (shape · x) / V)
+  Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();
+  for (std::size_t m = 0; m < 4; ++m) stress -= state.hourglass[m] * end_shapes[m].transpose() / out.volume;
+  for (std::size_t a = 0; a < 8; ++a) {
+    out.force[a] = stress * end[a];
+    for (std::size_t m = 0; m < 4; ++m) out.force[a] += shapes[m][a] * state.hourglass[m];
+  }
+  out.good = std::isfinite(out.force[0].sum() + out.force[6].sum());
+  return out;
+}
+
+}  // namespace gapcheck::solver

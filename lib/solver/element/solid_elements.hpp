@@ -1,0 +1,65 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "solver/element/assembly.hpp"
+#include "solver/element/mass_scaling.hpp"
+#include "solver/element/solid.hpp"
+#include "solver/state/summary.hpp"
+
+namespace gapcheck::solver {
+
+/// All solids of a structure; arrays by solid.
+class SolidElements {
+ public:
+  /// Adds a part's properties; returns their position.
+  std::uint32_t add_properties(SolidProperties properties);
+  /// Adds a solid (a tetrahedron repeats its fourth corner) at positions `x` of all nodes and its share of mass to the
+  /// nodes. `origin`: its position in the model, for messages. Returns its volume; not above zero: it was not added.
+  /// `added`: takes the mass that `scaling` adds.
+  double add(const std::array<NodeIndex, 8>& nodes, std::uint32_t properties, std::uint32_t origin, State& state,
+             const MassScaling& scaling = {}, double* added = nullptr);
+  /// Once all solids are there.
+  void finish(std::size_t nodes);
+
+  /// Forces at state.time, stresses brought over the last step (dt = 0: the forces of the present stresses).
+  Summary update(const State& state);
+  /// Takes the solids' pull on a node off its force.
+  void gather(std::size_t node, Vector& force) const {
+    for (const std::uint32_t place : table_.of(node)) force -= force_[place];
+  }
+
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] std::uint32_t origin(std::size_t solid) const { return origin_[solid]; }
+  /// False: none ever fails.
+  [[nodiscard]] bool can_fail() const {
+    return inverted_fail_ || std::any_of(properties_.begin(), properties_.end(), [](const SolidProperties& p) {
+             return p.material.failure_strain > 0;
+           });
+  }
+  /// Its point has failed: it has no stress, no force and no time step any more.
+  [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }
+  /// A solid that loses its volume fails, too, instead of ending the run.
+  void let_inverted_fail() { inverted_fail_ = true; }
+  [[nodiscard]] const ElementEnergy& energy(std::size_t solid) const { return energy_[solid]; }
+  [[nodiscard]] const PointState& point(std::size_t solid) const { return points_[solid]; }
+
+ private:
+  [[nodiscard]] Summary update_one(const State& state, std::size_t solid);
+
+  std::vector<SolidProperties> properties_;
+  std::vector<std::array<NodeIndex, 8>> nodes_;
+  std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
+  std::vector<SolidState> state_;
+  std::vector<PointState> points_;
+  std::vector<Vector> force_;  ///< eight places per solid
+  std::vector<ElementEnergy> energy_;
+  std::vector<char> failed_;  ///< not bits: written by several threads
+  bool inverted_fail_ = false;
+  CornerTable table_;
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/element/solid.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+using Corners = std::array<Vector, 8>;
+
+/// ∂V/∂x of the four corners: a third of the opposite face's area vector, inward.
+std::array<Vector, 4> tetrahedron_volume_gradient(const Corners& x) {
+  const Vector a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];
+  std::array<Vector, 4> gradient{Vector::Zero(), b.cross(c) / 6, c.cross(a) / 6, a.cross(b) / 6};
+  gradient[0] = -(gradient[1] + gradient[2] + gradient[3]);
+  return gradient;
+}
+
+}  // namespace
+
+double tetrahedron_volume(const std::array<Vector, 8>& x) {
+  return (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]) / 6;
+}
+
+SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
+                               SolidState& state, PointState& point) {
+  SolidForces out;
+  for (Vector& force : out.force) force.setZero();
+  Corners middle_x;
+  for (std::size_t a = 0; a < 4; ++a) middle_x[a] = corners.x[a] - dt / 2 * corners.v[a];
+  const double middle_volume = tetrahedron_volume(middle_x);
+  out.volume = tetrahedron_volume(corners.x);
+  if (!(middle_volume > 0 && out.volume > 0)) return out;
+  const std::array<Vector, 4> middle = tetrahedron_volume_gradient(middle_x),
+                              end = tetrahedron_volume_gradient(corners.x);
+  Matrix gradient = Matrix::Zero(), gram = Matrix::Zero();
+  double squared_face = 0;
+  for (std::size_t a = 0; a < 4; ++a) {
+    gradient += corners.v[a] * middle[a].transpose() / middle_volume;
+    gram += end[a] * end[a].transpose() / (out.volume * out.volume);
+    squared_face = std::max(squared_face, 9 * end[a].squaredNorm());
+  }
+  update_solid_stress(properties.material, gradient, dt, point);
+  const double density = state.mass / out.volume;
+  const double length = 3 * out.volume / std::sqrt(squared_face);  // the shortest height
+  const double speed = std::sqrt(properties.material.wave_modulus() / density);
+  const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, gradient.trace());
+  set_time_steps(properties, density, length, gram.cwiseAbs().rowwise().sum().maxCoeff(), 4, viscosity, out);
+  const Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();
+  for (std::size_t a = 0; a < 4; ++a) out.force[a] = stress * end[a];
+  out.good = std::isfinite(out.force[0].sum() + out.force[1].sum() + out.force[2].sum());
+  return out;
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,168 @@
+#include "solver/material/material.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gapcheck::solver {
+namespace {
+
+/// σ + C : ε of the isotropic elastic law.
+Symmetric elastic_trial(const Material& material, const Symmetric& increment, const Symmetric& stress) {
+  const double two_shear = 2 * material.shear();
+  const double pressure_part = (material.bulk() - two_shear / 3) * trace(increment);
+  Symmetric trial = stress;
+  for (std::size_t i = 0; i < 6; ++i) trial[i] += two_shear * increment[i] + (i < 3 ? pressure_part : 0);
+  return trial;
+}
+
+/// The yield stress for one step.
+YieldLaw step_yield(const Material& material, const Symmetric& increment, double dt) {
+  const bool by_rate = dt > 0 && (material.rate_c > 0 || !material.table.curves.empty());
+  return material.yield_at(by_rate ? std::sqrt(contract(increment, increment)) / dt : 0);
+}
+
+/// Stress relative to the centre of the yield surface, its size as a von Mises stress.
+struct Relative {
+  Symmetric direction;  ///< deviatoric
+  double size;
+};
+
+Relative relative(const Symmetric& stress, const Symmetric& back_stress) {
+  Symmetric xi = deviator(stress);
+  for (std::size_t i = 0; i < 6; ++i) xi[i] -= back_stress[i];
+  return {xi, std::sqrt(1.5 * contract(xi, xi))};
+}
+
+/// The returned point and dσzz/dεzz of the step.
+struct Returned {
+  PointState point;
+  double tangent_zz;
+};
+
+/// Radial return from a trial stress.
+Returned radial_return(const Material& material, const Symmetric& trial, const YieldLaw& yield,
+                       const PointState& start) {
+  const double shear = material.shear();
+  PointState point = start;
+  point.stress = trial;
+  const auto [xi, size] = relative(trial, start.back_stress);
+  if (!(size > yield.stress(start.plastic_strain))) return {point, material.wave_modulus()};
+  const double kinematic = material.kinematic_slope;
+  const auto [increment, slope] = yield.solve(size, 3 * shear + kinematic, start.plastic_strain);
+  const double stress_part = 3 * shear * increment / size, shift_part = kinematic * increment / size;
+  for (std::size_t i = 0; i < 6; ++i) {
+    point.stress[i] -= stress_part * xi[i];
+    point.back_stress[i] += shift_part * xi[i];
+  }
+  point.plastic_strain += increment;
+  const double theta = 1 - stress_part;
+  const double theta_bar = 3 * shear / (3 * shear + kinematic + slope) - (1 - theta);
+  const double normal_zz = xi[zz] * xi[zz] * 1.5 / (size * size);
+  return {point, material.bulk() + 4.0 / 3.0 * shear * theta - 2 * shear * theta_bar * normal_zz};
+}
+
+/// Elastic plane-stress step; returns εzz.
+double elastic_plane(const Material& material, const Symmetric& increment, Symmetric& stress) {
+  const double plate = material.plate_modulus(), nu = material.poisson, two_shear = 2 * material.shear();
+  stress[xx] += plate * (increment[xx] + nu * increment[yy]);
+  stress[yy] += plate * (increment[yy] + nu * increment[xx]);
+  stress[zz] = 0;
+  for (const std::size_t i : {xy, yz, zx}) stress[i] += two_shear * increment[i];
+  return -nu / (1 - nu) * (increment[xx] + increment[yy]);
+}
+
+/// Plastic plane-stress step from `start`; `guess` is the elastic εzz.
+double plastic_plane(const Material& material, Symmetric increment, const YieldLaw& yield, double guess,
+                     PointState& point) {
+  constexpr int newton_steps = 12, most_steps = 100;
+  const double tolerance = 1e-10 * yield.stress(point.plastic_strain);
+  const PointState start = point;
+  increment[zz] = guess;
+  for (int step = 0; step < most_steps; ++step) {
+    const Returned result = radial_return(material, elastic_trial(material, increment, start.stress), yield, start);
+    point = result.point;
+    if (!(std::abs(point.stress[zz]) > tolerance)) break;
+    // The stiffest slope always converges, if slowly: σzz rises with εzz and never faster than that.
+    const double slope =
+        step < newton_steps ? std::max(result.tangent_zz, 0.05 * material.wave_modulus()) : material.wave_modulus();
+    increment[zz] -= point.stress[zz] / slope;
+  }
+  // Exactly zero from here on; what is taken off is below the tolerance.
+  point.stress[zz] = 0;
+  return increment[zz];
+}
+
+/// Takes the stress from a point that has reached the failure strain.
+void fail_when_due(const Material& material, PointState& point) {
+  if (!(material.failure_strain > 0) || !(point.plastic_strain >= material.failure_strain)) return;
+  point.failed = true;
+  point.stress = point.back_stress = {};
+}
+
+/// update_plane_stress() of a point that can carry stress.
+double plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
+  if (material.kind == MaterialKind::elastic) return elastic_plane(material, increment, point.stress);
+  if (material.kind == MaterialKind::anisotropic) return update_anisotropic_plane_stress(material, increment, point);
+  Symmetric trial = point.stress;
+  const double through = elastic_plane(material, increment, trial);
+  Symmetric rate_increment = increment;
+  rate_increment[zz] = through;
+  const YieldLaw yield = step_yield(material, rate_increment, dt);
+  if (!(relative(trial, point.back_stress).size > yield.stress(point.plastic_strain))) {
+    point.stress = trial;
+    return through;
+  }
+  return plastic_plane(material, increment, yield, through, point);
+}
+
+}  // namespace
+
+bool Material::valid() const {
+  if (!std::isfinite(density) || density <= 0) return false;
+  if (kind == MaterialKind::null) return true;
+  if (!std::isfinite(young) || young <= 0 || !(poisson > -1 && poisson < 0.5)) return false;
+  if (kind == MaterialKind::anisotropic)
+    return !yield.empty() && yield.stress(0) >= 0 && std::isfinite(anisotropy) && anisotropy >= 0;
+  if (kind != MaterialKind::plastic) return true;
+  for (const YieldCurve& curve : table.curves)
+    if (curve.empty() || !(curve.stress(0) > 0)) return false;
+  return !yield.empty() && yield.stress(0) > 0 && std::isfinite(kinematic_slope) && kinematic_slope >= 0;
+}
+
+YieldLaw Material::yield_at(double rate) const {
+  if (table.curves.empty()) return {&yield, &yield, 0, rate_scale(rate, rate_c, rate_p)};
+  const double value = table.logarithmic ? std::log(rate) : rate;
+  const auto above = std::upper_bound(table.rates.begin(), table.rates.end(), value);
+  const auto position = static_cast<std::size_t>(above - table.rates.begin());
+  const YieldCurve* high = &table.curves[std::min(position, table.curves.size() - 1)];
+  if (position == 0 || position == table.rates.size()) return {high, high, 0, 1};
+  const double low_rate = table.rates[position - 1], high_rate = table.rates[position];
+  return {&table.curves[position - 1], high, (value - low_rate) / (high_rate - low_rate), 1};
+}
+
+Material plastic_kinematic(double density, double young, double poisson, double yield, double tangent, double beta) {
+  Material material{MaterialKind::plastic, density, young, poisson, {}, 0, 0, 0, {}, 1};
+  const double plastic_slope = young * tangent / (young - tangent);
+  material.yield = YieldCurve(yield, beta * plastic_slope);
+  material.kinematic_slope = (1 - beta) * plastic_slope;
+  return material;
+}
+
+void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
+  if (!material.has_stress() || point.failed) return;
+  const Symmetric trial = elastic_trial(material, increment, point.stress);
+  if (material.kind == MaterialKind::elastic)
+    point.stress = trial;
+  else
+    point = radial_return(material, trial, step_yield(material, increment, dt), point).point;
+  fail_when_due(material, point);
+}
+
+double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
+  if (!material.has_stress() || point.failed) return 0;
+  const double through = plane_stress(material, increment, dt, point);
+  fail_when_due(material, point);
+  return through;
+}
+
+}  // namespace gapcheck::solver

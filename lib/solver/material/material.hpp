@@ -1,0 +1,76 @@
+#pragma once
+#include <cstdint>
+
+#include "solver/material/hardening.hpp"
+#include "solver/state/tensor.hpp"
+
+namespace gapcheck::solver {
+
+/// What an integration point remembers. In shells the axes are the element's, in solids the global ones.
+struct PointState {
+  Symmetric stress{};
+  Symmetric back_stress{};    ///< centre of the yield surface, deviatoric
+  double plastic_strain = 0;  ///< effective
+  bool failed = false;        ///< without stress from then on
+};
+
+enum class MaterialKind : std::uint8_t {
+  elastic,      ///< 001
+  plastic,      ///< 003, 024
+  anisotropic,  ///< 037: plastic, in plane stress only
+  null,         ///< 009: mass, no stress
+  rigid,        ///< 020: no stress; elastic constants count for contact and time step only
+};
+
+/// Yield curves over the strain rate, rates rising, curves aligned. Linear in the rate (or its logarithm) between them,
+/// constant beyond.
+struct RateTable {
+  bool logarithmic = false;  ///< then rates are natural logarithms
+  std::vector<double> rates;
+  std::vector<YieldCurve> curves;
+};
+
+/// Constants of one material, in the deck's units.
+struct Material {
+  MaterialKind kind = MaterialKind::elastic;
+  double density = 0, young = 0, poisson = 0;
+  YieldCurve yield;               ///< of the isotropic part
+  double kinematic_slope = 0;     ///< (1 − β) Eₚ of material 003
+  double rate_c = 0, rate_p = 0;  ///< Cowper–Symonds on the total strain rate √(ε̇:ε̇); zero = rate independent
+  RateTable table = {};           ///< instead of `yield` where it has curves
+  double anisotropy = 1;          ///< R of 037
+  double failure_strain = 0;      ///< effective plastic strain at which a point fails; 0: it never does
+
+  [[nodiscard]] double shear() const { return young / (2 * (1 + poisson)); }
+  [[nodiscard]] double bulk() const { return young / (3 * (1 - 2 * poisson)); }
+  /// Largest stiffness of a plane wave: K + 4/3 G.
+  [[nodiscard]] double wave_modulus() const { return bulk() + 4.0 / 3.0 * shear(); }
+  /// Of a plate: E / (1 − ν²).
+  [[nodiscard]] double plate_modulus() const { return young / (1 - poisson * poisson); }
+  [[nodiscard]] bool has_stress() const { return kind != MaterialKind::null && kind != MaterialKind::rigid; }
+  /// The yield stress at a strain rate.
+  [[nodiscard]] YieldLaw yield_at(double rate) const;
+  /// All constants finite and in the range where the formulas mean something: density > 0; where there is stress also
+  /// E > 0, −1 < ν < 0.5 and a yield stress above 0.
+  [[nodiscard]] bool valid() const;
+};
+
+/// Isotropic bilinear law of material 003: Eₚ = E Eₜ / (E − Eₜ), β shares it between growth (1) and shift (0).
+[[nodiscard]] Material plastic_kinematic(double density, double young, double poisson, double yield, double tangent,
+                                         double beta);
+
+/// Adds the strain increment (over dt) to a point in three dimensions. Plasticity: radial return to the von Mises
+/// cylinder (Wilkins; Krieg and Key), exact for a piecewise linear curve. Null, rigid and failed: stress stays zero.
+void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
+
+/// The same with σzz = 0: increment[zz] is not read but found, and returned. Plastic points iterate on it with the
+/// consistent tangent (Simo and Taylor 1985) until σzz is below 1e-10 of the yield stress.
+double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
+
+/// Material 037 in plane stress: transverse isotropy after Hill with the Lankford parameter R,
+/// q² = σxx² + σyy² − 2R/(1+R) σxx σyy + 2(1+2R)/(1+R) σxy² + 3 (σyz² + σzx²) <= σ(ε̄)², associated flow. Pressure,
+/// shear and transverse shear return each by a factor of its own (Simo and Taylor 1986), so one scalar equation is
+/// left, which is bracketed. R = 1 is von Mises. Returns εzz.
+double update_anisotropic_plane_stress(const Material& material, const Symmetric& increment, PointState& point);
+
+}  // namespace gapcheck::solver

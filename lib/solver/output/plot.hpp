@@ -1,0 +1,39 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "contact/stiffness/element_sizes.hpp"
+#include "model/model.hpp"
+#include "results/d3plot/d3plot.hpp"
+#include "results/d3plot/d3plot_state.hpp"
+#include "results/text/file_header.hpp"
+#include "solver/output/part_masses.hpp"
+#include "solver/structure/structure.hpp"
+
+namespace gapcheck::solver {
+
+/// Energies that the elements of one part have taken up: those that are there, and those that have failed.
+struct PartEnergy {
+  ElementEnergy present, eroded;
+};
+[[nodiscard]] std::vector<PartEnergy> part_energies(const model::Model& model, const Structure& structure);
+
+/// Elements of the structure may fail, so that plots say which are there.
+[[nodiscard]] bool can_fail(const Structure& structure);
+
+/// Parts with their titles, in the model's order.
+[[nodiscard]] std::vector<results::LegendEntry> part_titles(const model::Model& model);
+
+/// The model's mesh as a d3plot has it: all elements whose nodes and part are there, nodes at their starting places.
+[[nodiscard]] results::D3plot plot_mesh(const model::Model& model, const std::vector<Vector>& x);
+
+/// What a d3plot holds beside energies: positions, velocities (of the middle of the coming step), stresses in global
+/// axes, plastic strains, resultants and thickness of all shells and solids of plot_mesh(). Elements of rigid parts
+/// have no stress.
+[[nodiscard]] results::D3plotState plot_state(const model::Model& model, const Structure& structure,
+                                              const contact::ElementSizes& sizes, std::span<const PartMotion> motion);
+
+/// Axes of a shell's layers as rows: the third is normal to both diagonals, the first lies along side 1-2.
+[[nodiscard]] Matrix shell_axes(const std::array<Vector, 4>& x);
+
+}  // namespace gapcheck::solver

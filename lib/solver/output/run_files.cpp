@@ -1,0 +1,264 @@
+#include "solver/output/run_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "results/curves/matsum.hpp"
+#include "results/curves/nodout.hpp"
+#include "results/log/run_log.hpp"
+#include "results/log/write_messag.hpp"
+#include "solver/output/plot.hpp"
+#include "solver/output/run_report.hpp"
+#include "solver/output/run_states.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+/// A sum of steps may miss a multiple by this much, relatively.
+constexpr double rounding_of_time = 1e-12;
+
+Failure not_written(const std::string& path, const std::string& why) {
+  return {Failure::Kind::output, fmt::format("{}: cannot be written: {}", path, why)};
+}
+Failure not_written(const std::string& path) { return not_written(path, std::strerror(errno != 0 ? errno : EIO)); }
+
+/// All of the text, and at once on the disk as far as other programs see it.
+bool write(std::FILE* file, const std::string& text) {
+  errno = 0;
+  return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
+}
+
+const char* reason(RunEnd end) {
+  switch (end) {
+    case RunEnd::time:
+      return "termination time reached";
+    case RunEnd::cycles:
+      return "termination cycle reached";
+    case RunEnd::energy:
+      return "the change of energy that ENDENG allows";
+    case RunEnd::step:
+      return "the smallest step that DTMIN allows";
+    case RunEnd::stopped:
+      return "termination on request";
+    case RunEnd::failed:
+      break;
+  }
+  return "termination due to an error";
+}
+
+std::vector<results::LegendEntry> contact_titles(const model::Model& model) {
+  std::vector<results::LegendEntry> list;
+  for (const model::Contact& contact : model.contacts) list.push_back({contact.id.value, contact.title});
+  return list;
+}
+
+std::vector<results::LegendEntry> node_titles(const model::Model& model) {
+  std::vector<results::LegendEntry> list;
+  for (const model::HistoryNode& entry : model.output.history_nodes)
+    list.push_back({model.mesh.nodes.id[entry.node.value], entry.title});
+  return list;
+}
+
+}  // namespace
+
+bool Interval::due(double time) const {
+  return wanted() && (multiple_ == 0 || time >= multiple_ * length_ * (1 - rounding_of_time));
+}
+
+void Interval::written(double time) {
+  multiple_ = std::max(multiple_, std::floor(time / length_ * (1 + rounding_of_time))) + 1;
+}
+
+model::Output output_intervals(const model::Model& model, double end_time) {
+  model::Output output = model.output;
+  for (double* interval : {&output.glstat, &output.sleout, &output.rcforc})
+    if (*interval == 0) *interval = end_time / 1000;
+  if (output.d3plot == 0) output.d3plot = end_time / 20;
+  if (model.contacts.empty()) output.sleout = output.rcforc = output.ncforc = 0;
+  if (output.history_nodes.empty()) output.nodout = 0;
+  return output;
+}
+
+std::optional<Failure> RunFiles::open(Text& text, const std::string& header) {
+  text.path = (std::filesystem::path(settings_.directory) / text.name).string();
+  std::error_code ignored;
+  std::filesystem::remove(text.path, ignored);
+  if (!text.interval.wanted()) return std::nullopt;
+  errno = 0;
+  text.file.reset(std::fopen(text.path.c_str(), "wb"));
+  if (!text.file || !write(text.file.get(), header)) return not_written(text.path);
+  return std::nullopt;
+}
+
+std::variant<RunFiles, Failure> RunFiles::create(const Run& run, contact::SurfaceStore& surfaces,
+                                                 RunFilesSettings settings) {
+  RunFiles files;
+  files.settings_ = std::move(settings);
+  const std::string& directory = files.settings_.directory;
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error)
+    return Failure{Failure::Kind::output, fmt::format("{}: cannot be created: {}", directory, error.message())};
+  files.sizes_ = contact::element_sizes(run.model());
+  files.masses_ = std::make_unique<PartMasses>(run.model(), files.sizes_);
+  auto problem = files.open_logs(run, surfaces);
+  if (!problem) problem = files.open_texts(run);
+  if (!problem) problem = files.open_plot(run);
+  if (problem) return std::move(*problem);
+  return files;
+}
+
+std::optional<Failure> RunFiles::open_texts(const Run& run) {
+  const model::Model& model = run.model();
+  const model::Output output = output_intervals(model, run.end_time());
+  const results::FileHeader header{model.title, settings_.program};
+  const auto contacts = contact_titles(model);
+  std::optional<Failure> problem;
+  const auto add = [&](const char* name, double interval, const std::string& text) {
+    if (problem) return;
+    texts_.push_back({name, {}, Interval(interval), nullptr});
+    problem = open(texts_.back(), text);
+  };
+  add("glstat", output.glstat, results::glstat_header(header));
+  add("matsum", output.matsum, results::matsum_header(header, part_titles(model)));
+  add("nodout", output.nodout, results::nodout_header(header, node_titles(model)));
+  add("rcforc", output.rcforc, results::contact_header(header, contacts));
+  add("sleout", output.sleout, results::contact_header(header, contacts));
+  add("ncforc", output.ncforc, results::contact_header(header, contacts));
+  plot_interval_ = Interval(output.d3plot);
+  return problem;
+}
+
+std::optional<Failure> RunFiles::open_logs(const Run& run, contact::SurfaceStore& surfaces) {
+  const model::Model& model = run.model();
+  const results::FileHeader header{model.title, settings_.program};
+  const Report report = run_report(run, surfaces);
+  std::string switched;
+  for (const model::Contact& contact : model.contacts)
+    if (contact.soft == 2 && ContactForces::calculates(contact) && !contact::has_soft_2(contact::classify(contact)))
+      switched += results::soft_switch_block(contact.id.value);
+  const std::string found =
+      switched + results::message_blocks(report) + results::surface_timesteps(*report.predicted, report.contacts);
+  const std::string banner = results::log_banner(header);
+  for (const auto& [name, text] :
+       {std::pair("messag", banner + found),
+        std::pair("d3hsp", banner + results::contact_definitions(contact_definitions(model, surfaces)) + found +
+                               results::smallest_timesteps(element_steps(model, sizes_)))}) {
+    logs_.push_back({name, {}, Interval(1), nullptr});
+    if (auto problem = open(logs_.back(), text)) return problem;
+  }
+  return std::nullopt;
+}
+
+std::optional<Failure> RunFiles::open_plot(const Run& run) {
+  results::D3plotWriteSettings form;
+  form.word_bytes = settings_.double_words ? 8 : 4;
+  form.deletion = can_fail(run.stepper().structure());
+  auto plot = results::D3plotWriter::create((std::filesystem::path(settings_.directory) / "d3plot").string(),
+                                            plot_mesh(run.model(), run.initial().x), part_titles(run.model()), form);
+  if (!plot) return Failure{Failure::Kind::output, plot.error().file + ": " + plot.error().message};
+  plot_ = std::make_unique<results::D3plotWriter>(std::move(plot).value());
+  return std::nullopt;
+}
+
+std::optional<Failure> RunFiles::log(const std::string& text) {
+  for (const Text& file : logs_)
+    if (!write(file.file.get(), text)) return not_written(file.path);
+  return std::nullopt;
+}
+
+std::optional<Failure> RunFiles::log_failures(const Run& run) {
+  const std::vector<ElementFailure>& failures = run.stepper().failures();
+  const model::Mesh& mesh = run.model().mesh;
+  std::string text;
+  for (; logged_failures_ < failures.size(); ++logged_failures_) {
+    const auto& [kind, element, time] = failures[logged_failures_];
+    text += kind == StepControl::Kind::solid ? results::failed_element("solid", mesh.solids.id[element], time)
+                                             : results::failed_element("shell", mesh.shells.id[element], time);
+  }
+  return text.empty() ? std::nullopt : log(text);
+}
+
+std::optional<Failure> RunFiles::log_end(const Run& run, RunEnd end) {
+  const State& state = run.stepper().state();
+  std::string text;
+  if (run.failure()) text = results::error_block(run.failure()->message);
+  return log(text + results::log_end(end != RunEnd::failed, reason(end), state.time, state.cycle + 1));
+}
+
+std::string RunFiles::state_text(std::size_t which, const Run& run) const {
+  const State& state = run.stepper().state();
+  switch (which) {
+    case glstat:
+      return results::glstat_text(global_state(run));
+    case matsum:
+      return results::matsum_text(state.time, part_states(run, *masses_));
+    case nodout:
+      return results::nodout_text(state.cycle + 1, state.time, node_states(run));
+    case rcforc:
+      return results::rcforc_text(state.time, interface_states(run, true));
+    case sleout:
+      return results::sleout_text(state.time, state.cycle + 1, interface_states(run, false));
+    default:
+      break;
+  }
+  std::string text;
+  for (std::uint32_t contact = 0; contact < run.model().contacts.size(); ++contact) {
+    if (const auto nodes = node_forces(run, contact))
+      text += results::ncforc_text(state.time, run.model().contacts[contact].id.value, *nodes);
+  }
+  return text;
+}
+
+std::optional<Failure> RunFiles::plot(const Run& run) {
+  const Stepper& stepper = run.stepper();
+  results::D3plotState state = plot_state(run.model(), stepper.structure(), sizes_, masses_->motion(stepper.state()));
+  state.kinetic = stepper.energies().kinetic;
+  state.internal = stepper.energies().internal;
+  state.total = stepper.energies().total();
+  if (auto problem = plot_->append(state))
+    return Failure{Failure::Kind::output, problem->file + ": " + problem->message};
+  ++plotted_;
+  if (settings_.on_plot) return settings_.on_plot(state, run, plotted_);
+  return std::nullopt;
+}
+
+std::optional<Failure> RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
+  const State& state = run.stepper().state();
+  if (auto problem = log_failures(run)) return problem;
+  for (const ContactEvent& event : run.events())
+    if (auto problem = log(results::contact_warning(run.model().contacts[event.contact].id.value, event.time,
+                                                    event.text)))
+      return problem;
+  for (std::size_t i = 0; i < texts_.size(); ++i) {
+    Text& text = texts_[i];
+    if (!text.file || !(text.interval.due(state.time) || end)) continue;
+    if (!write(text.file.get(), state_text(i, run))) return not_written(text.path);
+    text.interval.written(state.time);
+  }
+  if (plot_interval_.due(state.time) || end) {
+    plot_interval_.written(state.time);
+    if (auto problem =
+            log(results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), "write d3plot file")))
+      return problem;
+    if (auto problem = plot(run)) return problem;
+  }
+  return end ? log_end(run, *end) : std::nullopt;
+}
+
+std::vector<std::string> RunFiles::names() const {
+  std::vector<std::string> list;
+  for (const auto* texts : {&logs_, &texts_})
+    for (const Text& text : *texts)
+      if (text.file) list.push_back(text.name);
+  list.push_back("d3plot");
+  return list;
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,193 @@
+#include "solver/output/run_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "solver/output/plot.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+/// Acceleration of the coming step; of nodes of rigid bodies that of their forces alone, which says nothing: zero.
+Vector acceleration(const Vector& force, double mass, bool rigid) {
+  return rigid || !(mass > 0) ? Vector(Vector::Zero()) : Vector(force / mass);
+}
+
+void set_control(const Run& run, results::GlobalState& global) {
+  const model::Mesh& mesh = run.model().mesh;
+  const StepControl& control = run.stepper().control();
+  const auto name = [&](const char* what, const auto& elements) {
+    global.controlled_by = what;
+    global.element = elements.id[control.element];
+    global.part = run.model().part(elements.part[control.element]).id.value;
+  };
+  switch (control.kind) {
+    case StepControl::Kind::shell:
+      return name("shell", mesh.shells);
+    case StepControl::Kind::solid:
+      return name("solid", mesh.solids);
+    case StepControl::Kind::beam:
+      return name("beam", mesh.beams);
+    case StepControl::Kind::other:
+      global.controlled_by = "force";
+  }
+}
+
+/// Velocity of the centre of mass.
+Vector global_velocity(const State& state) {
+  double mass = 0;
+  Vector momentum = Vector::Zero();
+  for (std::size_t i = 0; i < state.x.size(); ++i) {
+    mass += state.mass[i];
+    momentum += state.mass[i] * state.v[i];
+  }
+  return mass > 0 ? Vector(momentum / mass) : Vector(Vector::Zero());
+}
+
+/// One contact of two sources.
+void add(const ContactState& part, ContactState& sum) {
+  sum.force_a += part.force_a;
+  sum.force_b += part.force_b;
+  sum.moment_a += part.moment_a;
+  sum.moment_b += part.moment_b;
+  sum.energy_a += part.energy_a;
+  sum.energy_b += part.energy_b;
+  sum.friction += part.friction;
+}
+
+}  // namespace
+
+results::GlobalState global_state(const Run& run) {
+  const Stepper& stepper = run.stepper();
+  const Energies& e = stepper.energies();
+  results::GlobalState global;
+  global.cycle = stepper.state().cycle + 1;
+  global.time = stepper.state().time;
+  global.time_step = stepper.next_step();
+  global.kinetic = e.kinetic;
+  global.internal = e.internal;
+  global.hourglass = e.hourglass;
+  global.springs = e.absorbed.springs;
+  global.damping = e.absorbed.damping;
+  global.sliding = e.absorbed.sliding();
+  global.external = e.external;
+  global.total = e.total();
+  global.ratio = global.ratio_without_eroded = e.ratio();
+  if (stepper.state().failed.count > 0) {
+    for (const PartEnergy& part : part_energies(run.model(), stepper.structure())) {
+      global.eroded_internal += part.eroded.internal;
+      global.eroded_hourglass += part.eroded.hourglass;
+    }
+    const double supplied = e.initial + e.external;
+    if (supplied != 0)
+      global.ratio_without_eroded = (e.total() - global.eroded_internal - global.eroded_hourglass) / supplied;
+  }
+  if (!run.model().rigid_walls.empty()) global.walls.push_back({1, e.absorbed.walls});
+  global.velocity = global_velocity(stepper.state());
+  set_control(run, global);
+  return global;
+}
+
+std::vector<results::PartState> part_states(const Run& run, const PartMasses& masses) {
+  const std::vector<PartEnergy> energies = part_energies(run.model(), run.stepper().structure());
+  const std::vector<PartMotion> motion = masses.motion(run.stepper().state());
+  std::vector<results::PartState> parts;
+  for (std::uint32_t i = 0; i < motion.size(); ++i) {
+    results::PartState part;
+    part.part = run.model().parts[i].id.value;
+    part.internal = energies[i].present.internal;
+    part.hourglass = energies[i].present.hourglass;
+    part.eroded_internal = energies[i].eroded.internal;
+    part.eroded_hourglass = energies[i].eroded.hourglass;
+    part.kinetic = motion[i].kinetic;
+    part.momentum = motion[i].momentum;
+    if (run.model().rigid(PartIndex{i}) && motion[i].mass > 0) part.velocity = motion[i].momentum / motion[i].mass;
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+std::vector<results::NodeState> node_states(const Run& run) {
+  const Structure& structure = run.stepper().structure();
+  const State& state = structure.state;
+  const Forces& net = run.stepper().net();
+  std::vector<results::NodeState> nodes;
+  for (const model::HistoryNode& entry : run.model().output.history_nodes) {
+    const std::uint32_t i = entry.node.value;
+    const bool rigid = structure.rigid.holds(i);
+    results::NodeState node;
+    node.node = run.model().mesh.nodes.id[i];
+    node.position = state.x[i];
+    node.displacement = state.x[i] - run.initial().x[i];
+    node.velocity = state.v[i];
+    node.acceleration = acceleration(net.force[i], state.mass[i], rigid);
+    node.angular_velocity = state.w[i];
+    node.angular_acceleration = acceleration(net.moment[i], state.inertia[i], rigid);
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+std::vector<results::InterfaceState> interface_states(const Run& run, bool transducers) {
+  std::vector<ContactState> states;
+  for (const ContactView& view : run.contacts()) states.push_back(view.state());
+  if (transducers)
+    for (const ContactState& state : run.transducers()) states.push_back(state);
+  std::stable_sort(states.begin(), states.end(),
+                   [](const ContactState& a, const ContactState& b) { return a.contact < b.contact; });
+  std::vector<results::InterfaceState> list;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    ContactState state = states[i];
+    for (; i + 1 < states.size() && states[i + 1].contact == state.contact; ++i) add(states[i + 1], state);
+    results::InterfaceState contact;
+    contact.contact = run.model().contacts[state.contact].id.value;
+    contact.single_surface = state.single_surface;
+    contact.force = {state.force_a, state.force_b};
+    contact.moment = {state.moment_a, state.moment_b};
+    contact.energy = {state.energy_a, state.energy_b};
+    contact.friction = state.friction;
+    list.push_back(contact);
+  }
+  return list;
+}
+
+std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, std::uint32_t contact) {
+  const model::Contact& card = run.model().contacts[contact];
+  const auto& cards = run.model().contacts;
+  const bool all =
+      std::none_of(cards.begin(), cards.end(), [](const model::Contact& c) { return c.print_a || c.print_b; });
+  const std::vector<ContactView> views = run.contacts();
+  const bool calculated = std::any_of(views.begin(), views.end(),
+                                      [&](const ContactView& view) { return view.state().contact == contact; });
+  if (!calculated || !(all || card.print_a || card.print_b)) return std::nullopt;
+  const State& state = run.stepper().state();
+  std::vector<results::NodeForce> list;
+  std::map<NodeIndex, results::NodeForce> by_node;
+  const auto add = [&](const ContactPoint& point, const Vector& force, bool side_b) {
+    if (!all && !(side_b ? card.print_b : card.print_a)) return;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (point.weights[i] != 0) by_node[point.nodes[i]].force += point.weights[i] * force;
+  };
+  for (const ContactView& view : views) {
+    if (view.state().contact != contact) continue;
+    std::vector<ContactLink> links;
+    view.source->links(view.position, links);
+    const bool single = view.state().single_surface;
+    for (const ContactLink& link : links) {
+      add(link.tracked, link.force, link.exchanged && !single);
+      add(link.reference, -link.force, !link.exchanged && !single);
+    }
+    for (const ContactNode& node : view.nodes())
+      if (const auto at = by_node.find(node.node); at != by_node.end())
+        at->second.pressure = std::max(at->second.pressure, node.pressure);
+  }
+  for (auto& [node, entry] : by_node) {
+    entry.node = run.model().mesh.nodes.id[node.value];
+    entry.position = state.x[node.value];
+    list.push_back(entry);
+  }
+  return list;
+}
+
+}  // namespace gapcheck::solver

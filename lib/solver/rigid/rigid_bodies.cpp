@@ -1,0 +1,136 @@
+#include "solver/rigid/rigid_bodies.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+
+namespace gapcheck::solver {
+
+std::size_t RigidBodies::add(std::vector<PointMass> points, std::span<const NodeIndex> nodes, unsigned held,
+                             const State& state) {
+  Body entry;
+  double spin = 0;
+  const auto position = static_cast<std::uint32_t>(bodies_.size());
+  for (const NodeIndex node : nodes) {
+    if (holds(node.value)) continue;
+    of_node_[node.value] = position;
+    entry.nodes.push_back(node);
+    if (state.mass[node.value] > 0) points.push_back({state.x[node.value], state.mass[node.value]});
+    spin += state.inertia[node.value];
+  }
+  entry.body = RigidBody(points, spin);
+  entry.held = held;
+  for (const NodeIndex node : entry.nodes) entry.local.push_back(state.x[node.value] - entry.body.center());
+  bodies_.push_back(std::move(entry));
+  return position;
+}
+
+void RigidBodies::set_motion(std::size_t body, const Vector& velocity, const Vector& angular_velocity, State& state) {
+  Body& entry = bodies_[body];
+  entry.body.set_motion(velocity, angular_velocity);
+  for (const NodeIndex node : entry.nodes) {
+    state.v[node.value] = velocity + angular_velocity.cross(state.x[node.value] - entry.body.center());
+    state.w[node.value] = angular_velocity;
+  }
+}
+
+Imposed RigidBodies::Body::imposed(double time, double dt) const {
+  Imposed result;
+  result.freedoms = held;
+  for (const auto& [freedom, motion] : motions) {
+    if (!motion.active(time, dt)) continue;
+    result.freedoms |= 1u << freedom;
+    (freedom < 3 ? result.velocity : result.spin)[static_cast<int>(freedom % 3)] = motion.velocity(time, dt);
+  }
+  return result;
+}
+
+void RigidBodies::move(std::size_t body, std::size_t freedom, Motion motion) {
+  bodies_[body].motions.emplace_back(freedom, std::move(motion));
+}
+
+void RigidBodies::set_mass(std::size_t body, double mass, const Vector& center, const Matrix& inertia,
+                           const State& state) {
+  Body& entry = bodies_[body];
+  entry.body = RigidBody(mass, center, inertia);
+  for (std::size_t i = 0; i < entry.nodes.size(); ++i) entry.local[i] = state.x[entry.nodes[i].value] - center;
+}
+
+void RigidBodies::start(State& state) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const RigidBody& body = bodies_[b].body;
+    const Imposed imposed = bodies_[b].imposed(state.time, 0);
+    if (imposed.freedoms == 0) continue;
+    Vector velocity = body.velocity(), spin = body.angular_velocity();
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((imposed.freedoms >> axis & 1u) != 0) velocity[axis] = imposed.velocity[axis];
+      if ((imposed.freedoms >> (axis + 3) & 1u) != 0) spin[axis] = imposed.spin[axis];
+    }
+    set_motion(b, velocity, spin, state);
+  }
+  tell(state);
+}
+
+void RigidBodies::tell(State& state) const {
+  if (state.in_body.size() != of_node_.size()) {
+    state.in_body.resize(of_node_.size());
+    for (std::size_t i = 0; i < of_node_.size(); ++i) state.in_body[i] = holds(i);
+  }
+  state.bodies.resize(bodies_.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const RigidBody& body = bodies_[b].body;
+    state.bodies[b] = {body.mass(), body.center(), body.velocity(), body.angular_velocity(), body.angular_momentum()};
+  }
+}
+
+BodyEnergies RigidBodies::accelerate(const State& state, const Forces& net, double mean, double next, bool first) {
+  std::vector<BodyEnergies> energy(bodies_.size());
+  parallel_for(bodies_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      Body& entry = bodies_[b];
+      RigidBody& body = entry.body;
+      Vector force = net.body_force[b], torque = net.body_moment[b];
+      for (const NodeIndex node : entry.nodes) {
+        const Vector& push = net.force[node.value];
+        force += push;
+        torque += net.moment[node.value] + (state.x[node.value] - body.center()).cross(push);
+      }
+      const Vector velocity = body.velocity(), spin = body.angular_velocity();
+      const RigidBody before = body;
+      const Push push = body.accelerate(force, torque, mean, entry.imposed(state.time, next), first);
+      const Vector extra_force = net.body_force[b] + push.force, extra_torque = net.body_moment[b] + push.torque;
+      energy[b].kinetic = push.kinetic;
+      energy[b].work = state.dt / 2 * (entry.power + extra_force.dot(velocity) + extra_torque.dot(spin));
+      entry.power = extra_force.dot(body.velocity()) + extra_torque.dot(body.angular_velocity());
+      if (entry.strength.limited()) entry.failing = link_fails(entry, before, state, net, mean);
+    }
+  });
+  BodyEnergies sum;
+  for (const BodyEnergies& part : energy) {
+    sum.kinetic += part.kinetic;
+    sum.work += part.work;
+  }
+  return sum;
+}
+
+void RigidBodies::move(State& state, double dt) {
+  const bool released = std::any_of(bodies_.begin(), bodies_.end(), [](const Body& entry) { return entry.failing; });
+  parallel_for(bodies_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      Body& entry = bodies_[b];
+      const RigidBody before = entry.body;
+      const Vector spin = entry.body.move(dt) / dt;
+      for (std::size_t i = 0; i < entry.nodes.size(); ++i) {
+        const std::uint32_t node = entry.nodes[i].value;
+        state.x[node] = entry.body.place(entry.local[i]);
+        state.v[node] = (state.x[node] - before.place(entry.local[i])) / dt;
+        state.w[node] = spin;
+      }
+      if (entry.failing) release(entry);
+    }
+  });
+  if (released) state.in_body.clear();
+  tell(state);
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.hpp"
+#include "solver/state/motion.hpp"
+#include "solver/state/state.hpp"
+
+namespace gapcheck::solver {
+
+/// Degrees of freedom that do not follow from forces: held, or moved with a given velocity. Six per node: x y z, then
+/// the rotations about them.
+class Constraints {
+ public:
+  void resize(std::size_t nodes) { held_.assign(nodes, 0), ever_.assign(nodes, 0); }
+  /// Holds the degrees of freedom in `mask` (bit 0: x … bit 5: rotation about z).
+  void hold(NodeIndex node, std::uint8_t mask);
+  /// A motion for any number of freedoms; returns its position.
+  std::uint32_t add(Motion motion);
+  /// Moves one degree of freedom; of several active motions of the same one the last counts.
+  void move(NodeIndex node, std::size_t freedom, std::uint32_t motion);
+  void move(NodeIndex node, std::size_t freedom, Motion motion) { move(node, freedom, add(std::move(motion))); }
+  /// Once all are there.
+  void finish();
+
+  /// Freedoms that are held or moved at any time.
+  [[nodiscard]] std::uint8_t mask(std::size_t node) const { return ever_[node]; }
+  [[nodiscard]] std::uint8_t held(std::size_t node) const { return held_[node]; }
+  /// Those that are held or moved in the step from `time` over dt.
+  [[nodiscard]] std::uint8_t mask(std::size_t node, double time, double dt) const;
+  /// The velocity of a constrained degree of freedom in that step. Moved ones are found by bisection.
+  [[nodiscard]] double velocity(std::size_t node, std::size_t freedom, double time, double dt) const;
+
+ private:
+  struct Moved {
+    std::uint64_t key;  ///< 6 · node + freedom
+    std::uint32_t motion;
+  };
+  [[nodiscard]] const Motion* active(std::size_t node, std::size_t freedom, double time, double dt) const;
+  std::vector<std::uint8_t> held_, ever_;
+  std::vector<Motion> motions_;
+  std::vector<Moved> moved_;
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,73 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "solver/state/tensor.hpp"
+
+namespace gapcheck::solver {
+
+/// A rigid body as forces see it.
+struct BodyState {
+  double mass = 0;
+  Vector center = Vector::Zero(), velocity = Vector::Zero();
+  Vector spin = Vector::Zero(), angular_momentum = Vector::Zero();
+};
+
+/// Elements that have failed; by position in the model, as far as the structure has elements there.
+struct FailedElements {
+  std::vector<bool> shells, solids;
+  std::uint64_t count = 0;
+};
+
+/// Everything that moves; arrays by node. Velocities belong to the middle of the step that led to `time`
+/// (central difference), positions to `time` itself.
+struct State {
+  std::vector<Vector> x, v, w;        ///< w: angular velocity
+  std::vector<double> mass, inertia;  ///< lumped; inertia is the same about all axes
+  std::vector<bool> in_body;          ///< by node: it moves with a rigid body
+  std::vector<BodyState> bodies;      ///< rigid bodies; what acts on them acts on their nodes or their centres
+  double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
+  double coming = 0;  ///< the step that the elements allow next; known when other forces are asked
+  std::uint64_t cycle = 0;
+  FailedElements failed;  ///< these take no more part; their mass stays at their nodes
+};
+
+/// Force and moment by node, and by rigid body at its centre.
+struct Forces {
+  std::vector<Vector> force, moment;
+  std::vector<Vector> body_force, body_moment;
+  void resize(std::size_t nodes, std::size_t bodies = 0) {
+    force.assign(nodes, Vector::Zero());
+    moment.assign(nodes, Vector::Zero());
+    body_force.assign(bodies, Vector::Zero());
+    body_moment.assign(bodies, Vector::Zero());
+  }
+};
+
+/// Work that forces other than the elements' took from the structure since the start; negative: that they put in.
+struct Absorbed {
+  double contact_normal = 0, contact_friction = 0, contact_damping = 0;
+  double walls = 0;    ///< rigid walls
+  double springs = 0;  ///< discrete springs and dampers
+  double damping = 0;  ///< of the system: *DAMPING_GLOBAL
+  [[nodiscard]] double sliding() const { return contact_normal + contact_friction + contact_damping; }
+  [[nodiscard]] double sum() const { return sliding() + walls + springs + damping; }
+};
+
+/// Energies at the time of the last force evaluation. Kinetic energy is ½ m v⁻·v⁺ with the velocities before and after
+/// it; with works by the trapezoidal rule the sum is then constant to rounding while the step is
+/// (Belytschko, Liu, Moran: Nonlinear Finite Elements, 6.2).
+struct Energies {
+  double kinetic = 0, internal = 0, hourglass = 0;
+  Absorbed absorbed;
+  double external = 0;  ///< work of loads and prescribed motion since the start
+  double initial = 0;   ///< kinetic energy at the start; less by ½ m (a dt/2)² than that of the initial velocity
+  [[nodiscard]] double total() const { return kinetic + internal + hourglass + absorbed.sum(); }
+  /// Total energy over what was there or was put in; 1 when in balance or when there is none.
+  [[nodiscard]] double ratio() const {
+    const double supplied = initial + external;
+    return supplied == 0 ? 1 : total() / supplied;
+  }
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,185 @@
+#include "solver/tie/tie.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "contact/definition/active_time.hpp"
+#include "geometry/closest_point.hpp"
+#include "solver/contact/contact_method.hpp"
+#include "solver/contact/corner_weights.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+bool tied(const model::Contact& contact) {
+  const ContactMethod method = choose_method(contact).method;
+  return method == ContactMethod::tie || method == ContactMethod::tiebreak;
+}
+
+/// Rotations that forces can work on.
+bool turns(const Structure& structure, NodeIndex node) {
+  return structure.rigid.holds(node.value) || structure.state.inertia[node.value] > 0;
+}
+
+bool nodes_turn(const Structure& structure, const ContactPoint& point) {
+  for (std::size_t i = 0; i < 4; ++i)
+    if (point.weights[i] != 0 && !turns(structure, point.nodes[i])) return false;
+  return true;
+}
+
+ContactPoint point_of(const model::SegmentNodes& n, const Vector& query, const std::vector<Vector>& x) {
+  const geometry::Facet facet{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
+  const geometry::ClosestPoint closest = geometry::closest_point(facet, query);
+  return {n, corner_weights(false, closest.s, closest.t)};
+}
+
+Tie tie_of(const contact::JudgedNode& judged, const contact::ContactSurfaces& surfaces, const std::vector<Vector>& x,
+           const Structure& structure) {
+  const contact::Segments& segments = (surfaces.two_sided() ? surfaces.b : surfaces.a).selection.segments;
+  const std::string& code = surfaces.type.code;
+  const bool constraint = contact::ties_by_constraint(surfaces.type) && !judged.penalty;
+  Tie tie;
+  tie.contact = judged.contact;
+  tie.segment = judged.segment;
+  tie.segment_part = judged.segment_part;
+  tie.element_kind = segments.element_kind[judged.segment];
+  tie.element = segments.element[judged.segment];
+  tie.node = judged.node;
+  tie.point = point_of(segments.nodes[judged.segment], x[judged.node.value], x);
+  const bool sound = SegmentAxes(tie.point.nodes, x).sound, nodal = nodes_turn(structure, tie.point);
+  const Turning turning = nodal ? Turning::nodes : sound ? Turning::axes : Turning::none;
+  tie.carries = code.front() == 'b' || code.front() == 'c';
+  if (tie.carries)
+    tie.offset = turning;
+  else if (!constraint && sound)
+    tie.offset = Turning::axes;
+  tie.carries = tie.carries && turning != Turning::none;
+  tie.rotations = code.back() == '7' && turning != Turning::none && turns(structure, tie.node);
+  if (tie.rotations) tie.rotation = turning;
+  return tie;
+}
+
+}  // namespace
+
+bool segment_gone(const Tie& tie, const FailedElements& failed) {
+  const bool shell = tie.element_kind == model::ElementKind::shell;
+  if (!shell && tie.element_kind != model::ElementKind::solid) return false;
+  const std::vector<bool>& gone = shell ? failed.shells : failed.solids;
+  return tie.element < gone.size() && gone[tie.element];
+}
+
+std::string failed_ties(const std::vector<std::int64_t>& nodes) {
+  constexpr std::size_t most_ids = 10;
+  std::string ids;
+  for (std::size_t i = 0; i < std::min(most_ids, nodes.size()); ++i) ids += fmt::format(" {}", nodes[i]);
+  return fmt::format("The ties of {} nodes have failed:{}{}", nodes.size(), ids,
+                     nodes.size() > most_ids ? " and others" : "");
+}
+
+TieMotion motion(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& v, const std::vector<Vector>& w) {
+  const auto spin = [&](Turning turning) -> Vector {
+    switch (turning) {
+      case Turning::axes:
+        return axes.spin(tie.point.nodes, v);
+      case Turning::nodes:
+        return tie.point.of(w);
+      case Turning::none:
+        break;
+    }
+    return Vector::Zero();
+  };
+  TieMotion motion;
+  motion.velocity = v[tie.node.value] - tie.point.of(v);
+  motion.spin = spin(tie.offset);
+  if (tie.rotations) motion.turn = w[tie.node.value] - spin(tie.rotation);
+  return motion;
+}
+
+void TieOffset::start(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& x) {
+  value_ = x[tie.node.value] - tie.point.of(x);
+  local_ = axes.axes.transpose() * value_;
+}
+
+void TieOffset::move(const Tie& tie, const SegmentAxes& axes, const Vector& spin, double dt) {
+  if (tie.offset == Turning::axes && axes.sound) value_ = axes.axes * local_;
+  if (tie.offset == Turning::nodes) value_ = spin_rotation(dt * spin) * value_;
+}
+
+void TieLoads::set(const Tie& tie, const SegmentAxes& axes, const Vector& arm, const Vector& on_node,
+                   const Vector& on_rotation) {
+  force = on_node;
+  moment = on_rotation;
+  const auto couple = [&](Turning turning, const Vector& of_segment) {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (turning == Turning::nodes)
+        moments[i] += tie.point.weights[i] * of_segment;
+      else if (turning == Turning::axes)
+        forces[i] += axes.turn[i].transpose() * of_segment;
+  };
+  for (std::size_t i = 0; i < 4; ++i) {
+    forces[i] = -tie.point.weights[i] * force;
+    moments[i] = Vector::Zero();
+  }
+  if (tie.carries) couple(tie.offset, -arm.cross(force));
+  if (tie.rotations) couple(tie.rotation, -moment);
+}
+
+void TieLoads::add_to(const Tie& tie, Forces& sums) const {
+  sums.force[tie.node.value] += force;
+  sums.moment[tie.node.value] += moment;
+  for (std::size_t i = 0; i < 4; ++i) {
+    sums.force[tie.point.nodes[i].value] += forces[i];
+    sums.moment[tie.point.nodes[i].value] += moments[i];
+  }
+}
+
+double TieLoads::on_node(const Tie& tie, const State& state) const {
+  return force.dot(state.v[tie.node.value]) + moment.dot(state.w[tie.node.value]);
+}
+
+double TieLoads::on_segment(const Tie& tie, const State& state) const {
+  double power = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    power += forces[i].dot(state.v[tie.point.nodes[i].value]) + moments[i].dot(state.w[tie.point.nodes[i].value]);
+  return power;
+}
+
+void TieLoads::add_to(const Tie& tie, const State& state, ContactState& result) const {
+  result.force_a += force;
+  result.moment_a += state.x[tie.node.value].cross(force) + moment;
+  for (std::size_t i = 0; i < 4; ++i) {
+    result.force_b += forces[i];
+    result.moment_b += state.x[tie.point.nodes[i].value].cross(forces[i]) + moments[i];
+  }
+}
+
+std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties, bool by_constraint) {
+  std::vector<TieRange> ranges;
+  std::size_t next = 0;
+  for (std::uint32_t c = 0; c < model.contacts.size(); ++c) {
+    const model::Contact& contact = model.contacts[c];
+    const std::size_t first = next;
+    while (next < ties.size() && ties[next].contact == c) ++next;
+    const bool own = tied(contact) && contact::ties_by_constraint(contact::classify(contact)) == by_constraint;
+    if (!own && next == first) continue;
+    const contact::ActiveTime time = contact::active_time(contact);
+    ranges.push_back({c, first, next, time.start, time.end});
+  }
+  return ranges;
+}
+
+std::vector<Tie> tie_list(const model::Model& model, contact::SurfaceStore& surfaces,
+                          const contact::InitialState& initial, const Structure& structure, bool by_constraint) {
+  std::vector<Tie> ties;
+  for (const contact::JudgedNode& judged : initial.judged) {
+    const model::Contact& contact = model.contacts[judged.contact];
+    if (!judged.tied() || !tied(contact)) continue;
+    const contact::ContactSurfaces& sides = surfaces.at(judged.contact);
+    if ((contact::ties_by_constraint(sides.type) && !judged.penalty) != by_constraint) continue;
+    ties.push_back(tie_of(judged, sides, initial.x, structure));
+  }
+  return ties;
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,104 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "contact/initial.hpp"
+#include "solver/contact/contact_source.hpp"
+#include "solver/contact/segment_axes.hpp"
+#include "solver/state/force.hpp"
+#include "solver/structure/structure.hpp"
+
+namespace gapcheck::solver {
+
+/// What carries directions along with a segment.
+enum class Turning : std::uint8_t {
+  none,   ///< nothing: they stay as they are in space
+  axes,   ///< the segment's axes
+  nodes,  ///< the mean angular velocity of the segment's nodes
+};
+
+/// One node that is tied to a point of a segment.
+struct Tie {
+  std::uint32_t contact = 0;  ///< position in Model::contacts
+  std::uint32_t segment = 0;  ///< of the reference side
+  PartIndex segment_part = none<PartIndex>;
+  model::ElementKind element_kind = model::ElementKind::shell;
+  std::uint32_t element = std::numeric_limits<std::uint32_t>::max();  ///< of the segment; max: not known
+  NodeIndex node;
+  ContactPoint point;                ///< of the segment
+  Turning offset = Turning::none;    ///< what turns the offset from the point to the node
+  bool carries = false;              ///< the moment of the offset acts on the segment
+  bool rotations = false;            ///< the node's rotations are tied too
+  Turning rotation = Turning::none;  ///< to what
+};
+
+/// The element of the segment has failed: nothing is there to be tied to.
+[[nodiscard]] bool segment_gone(const Tie& tie, const FailedElements& failed);
+
+/// Asked for every tie that has come to its end: the node, and the part of its segment.
+using Released = std::function<void(NodeIndex, PartIndex)>;
+
+/// What the message file says of nodes whose ties have failed.
+[[nodiscard]] std::string failed_ties(const std::vector<std::int64_t>& nodes);
+
+/// How the node and the point it is tied to move.
+struct TieMotion {
+  Vector velocity = Vector::Zero();  ///< of the node against the point
+  Vector spin = Vector::Zero();      ///< of the offset
+  Vector turn = Vector::Zero();      ///< angular velocity of the node against that of the segment
+};
+[[nodiscard]] TieMotion motion(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& v,
+                               const std::vector<Vector>& w);
+
+/// The offset of a tied node from its point, as it turns with the segment.
+class TieOffset {
+ public:
+  void start(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& x);
+  /// At the end of a step over dt in which the segment turned with `spin`.
+  void move(const Tie& tie, const SegmentAxes& axes, const Vector& spin, double dt);
+  [[nodiscard]] const Vector& value() const { return value_; }
+  /// In the segment's axes, as far as these turn it.
+  [[nodiscard]] const Vector& local() const { return local_; }
+
+ private:
+  Vector value_ = Vector::Zero(), local_ = Vector::Zero();
+};
+
+/// What a tie does at its node and at the corners of its segment: forces and moments, opposite in sum.
+struct TieLoads {
+  Vector force = Vector::Zero(), moment = Vector::Zero();  ///< on the node
+  std::array<Vector, 4> forces{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()}, moments = forces;
+  /// Force and moment on the node; what acts on the segment follows. `arm`: from the point to the node.
+  void set(const Tie& tie, const SegmentAxes& axes, const Vector& arm, const Vector& force, const Vector& moment);
+  void add_to(const Tie& tie, Forces& forces) const;
+  /// Power on the node and on the segment.
+  [[nodiscard]] double on_node(const Tie& tie, const State& state) const;
+  [[nodiscard]] double on_segment(const Tie& tie, const State& state) const;
+  /// Adds to the sums of the contact.
+  void add_to(const Tie& tie, const State& state, ContactState& result) const;
+};
+
+/// One contact's ties among those of all, [first, last), and when they act.
+struct TieRange {
+  std::uint32_t contact = 0;  ///< position in Model::contacts
+  std::size_t first = 0, last = 0;
+  double start = 0, end = 0;
+  [[nodiscard]] bool active(double time) const { return time >= start && time < end; }
+  /// They do not act any more, or never.
+  [[nodiscard]] bool over(double time) const { return time >= end || end <= start; }
+};
+/// Of the contacts that tie by constraints, or by springs, and of others that have ties in the list.
+[[nodiscard]] std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties,
+                                               bool by_constraint);
+
+/// The ties of all calculated contacts, by contact, then node: those by constraints, or those by springs. What is tied
+/// is what the initialisation has found.
+[[nodiscard]] std::vector<Tie> tie_list(const model::Model& model, contact::SurfaceStore& surfaces,
+                                        const contact::InitialState& initial, const Structure& structure,
+                                        bool by_constraint);
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,78 @@
+#pragma once
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "solver/state/force.hpp"
+#include "solver/tie/tie_system.hpp"
+
+namespace gapcheck::solver {
+
+/// Ties by constraints: 2, 6, 7 and their c forms. When all other forces are known, the forces that keep all tied nodes
+/// on the points of their segments are found at once (Lagrange multipliers), so that ties may share nodes and follow on
+/// one another. Equations without arms hold the velocities of the coming step; arms (c forms) are turned over the step
+/// first. Forces act at the places of the beginning of the step, so that momentum and angular momentum stay, and do no
+/// work but for what a turn over a finite step leaves.
+class TieConstraints : public Force, public ContactSource {
+ public:
+  /// `initial` is of this model and these surfaces, `structure` the one that is stepped from initial.x; it must outlive
+  /// the ties. What cannot be tied goes to `diagnostics`.
+  TieConstraints(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
+                 const Structure& structure, Diagnostics& diagnostics);
+
+  /// Stays untied, fails with its segment, or reaches the end of its time.
+  void on_failure(Released released) { released_ = std::move(released); }
+
+  void add(State& /*state*/, Forces& /*forces*/) override {}
+  [[nodiscard]] bool reacts() const override { return true; }
+  void react(const State& state, double mean, double next, Forces& net, Forces& external) override;
+  void absorbed(Absorbed& work) const override;
+
+  [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
+  [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
+  void links(std::size_t position, std::vector<ContactLink>& links) const override;
+  [[nodiscard]] std::vector<ContactEvent> take_events() override;
+
+ private:
+  /// What changes of a tie.
+  struct Present {
+    SegmentAxes axes;
+    TieOffset offset;
+    TieLoads loads;
+    bool started = false;
+    bool gone = false;  ///< with the element of its segment
+    bool told = false;  ///< that it has come to its end
+  };
+  void keep_sound(const model::Model& model, Diagnostics& diagnostics);
+  bool activate(const State& state);
+  void place(const State& state);
+  bool hold(double time, double next);
+  void free_velocities(const State& state, double mean, double next, const Forces& net);
+  [[nodiscard]] Eigen::VectorXd targets(const State& state, double next);
+  void put(const Eigen::VectorXd& lambda, double mean);
+  void sum_up(const State& state, Forces& net, Forces& external);
+  void name_dependent(double time);
+  void tell_ends(double time);
+
+  const Structure& structure_;
+  std::vector<Tie> ties_;
+  std::vector<Present> present_;  ///< by tie
+  std::vector<TieEquation> equations_;
+  std::vector<TieRange> interfaces_;
+  std::vector<bool> active_;  ///< by interface
+  std::vector<ContactState> states_;
+  std::vector<NodeIndex> used_;
+  std::vector<std::uint8_t> held_;  ///< beside used_
+  Mobility mobility_;
+  std::vector<Vector> free_v_, free_w_, v_, w_;  ///< by node: without ties, and with them
+  std::vector<ContactEvent> events_;
+  std::vector<std::pair<NodeIndex, PartIndex>> untied_;  ///< that nobody knows of yet
+  Released released_;
+  std::unique_ptr<TieSystem> system_;
+  std::uint64_t failures_ = 0;  ///< elements that have failed, when this was last asked
+  bool varying_ = false;        ///< some equation has an arm or axes, which turn from step to step
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,71 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "contact/pair/side_scene.hpp"
+#include "solver/state/force.hpp"
+#include "solver/tie/tie.hpp"
+#include "solver/tie/tie_strength.hpp"
+
+namespace gapcheck::solver {
+
+/// Ties by springs: the offset forms, and the nodes that IPBACK ties since a constraint cannot. A spring between the
+/// node and the place that turns with its segment, as stiff as that of a penalty contact; one with which the step
+/// would fall below half that of the elements in the first cycle is made softer. Types 7 tie rotations by springs of
+/// the same frequency. The o forms leave the moment of the offset out, the b forms carry it. Tiebreaks (8, 9) are tied
+/// like o forms until they fail.
+class TieForces : public Force, public ContactSource {
+ public:
+  /// `initial` is of this model and these surfaces, `structure` the one that will be stepped from initial.x; model,
+  /// surfaces and initial must outlive it.
+  TieForces(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
+            const Structure& structure);
+
+  /// Fails, or reaches the end of its time.
+  void on_failure(Released released) { released_ = std::move(released); }
+
+  void add(State& state, Forces& forces) override;
+  void absorbed(Absorbed& work) const override;
+  [[nodiscard]] double stable_step() const override;
+
+  [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
+  [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
+  void links(std::size_t position, std::vector<ContactLink>& links) const override;
+  [[nodiscard]] std::vector<ContactEvent> take_events() override;
+
+ private:
+  struct Spring {
+    Tie tie;
+    double stiffness = 0, rotational = 0, damping = 0;
+    double percent = 0;  ///< of the critical damping: VDC
+    bool active = false;
+    TieStrength strength;
+    TieDamage damage;
+    bool told = false;  ///< that it has come to its end
+    TieOffset offset;
+    Vector turned = Vector::Zero();  ///< rotation of the node against the segment
+    TieLoads loads;
+    double on_node = 0, on_segment = 0, damped = 0;  ///< work taken in the last step
+  };
+  void build(const State& state);
+  void find_strength(const TieRange& interface, const contact::SideScene& side, const std::vector<Vector>& x);
+  void tell_ends(const TieRange& interface, double time);
+  static void turn(Spring& spring, const State& state);
+  static void calculate(Spring& spring, const State& state, bool active);
+
+  const model::Model& model_;
+  contact::SurfaceStore& store_;
+  const contact::InitialState& initial_;
+  const Structure* structure_;  ///< until the first cycle
+  std::vector<Spring> springs_;
+  std::vector<TieRange> interfaces_;
+  std::vector<ContactState> states_;
+  double squared_frequency_ = 0;  ///< upper bound of the springs'
+  double coming_ = 0;             ///< step that the elements allow
+  std::vector<ContactEvent> events_;
+  Released released_;
+  std::uint64_t failures_ = 0;  ///< elements that have failed, when this was last asked
+  bool built_ = false;
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,84 @@
+#include "contact/pair/node_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace gapcheck::contact::node_contact_test {
+namespace {
+
+using State = NodeContact::State;
+
+NodeEncounter inside(double penetration, double release = 1) { return {true, true, penetration, release, true}; }
+const NodeEncounter outside{};
+
+ContactSettings ignore(std::int64_t value, std::int64_t snlog = 0) {
+  ContactSettings settings;
+  settings.ignore = value;
+  settings.snlog = snlog;
+  return settings;
+}
+
+TEST(NodeContact, ShootingNodeIsMovedThenForcedAndMovedAgainAfterItHasLeft) {
+  NodeContact node;
+  EXPECT_EQ(advance(node, ignore(0), inside(0.1)), NodeAction::move);
+  EXPECT_EQ(advance(node, ignore(0), inside(0.05)), NodeAction::force);
+  EXPECT_EQ(node.forgiven, 0);
+  EXPECT_EQ(advance(node, ignore(0), outside), NodeAction::none);
+  EXPECT_EQ(advance(node, ignore(0), inside(0.02)), NodeAction::move);
+}
+
+TEST(NodeContact, NodesThatCannotBeMovedAreForced) {
+  NodeContact node;
+  NodeEncounter fixed = inside(0.1);
+  fixed.movable = false;
+  EXPECT_EQ(advance(node, ignore(0), fixed), NodeAction::force);
+}
+
+TEST(NodeContact, SnlogForcesAtOnce) {
+  NodeContact node;
+  EXPECT_EQ(advance(node, ignore(0, 1), inside(0.1)), NodeAction::force);
+  EXPECT_EQ(node.forgiven, 0);
+}
+
+// The forgiven depth follows the penetration downwards only, and is forgotten outside.
+TEST(NodeContact, IgnoreForgivesWhatWasThere) {
+  for (const std::int64_t value : {1, 2}) {
+    NodeContact node;
+    EXPECT_EQ(advance(node, ignore(value, 1), inside(0.3)), NodeAction::force);
+    EXPECT_EQ(node.forgiven, 0.3);
+    EXPECT_NE(advance(node, ignore(value), inside(0.5)), NodeAction::move);
+    EXPECT_EQ(node.forgiven, 0.3);
+    EXPECT_NE(advance(node, ignore(value), inside(0.1)), NodeAction::move);
+    EXPECT_EQ(node.forgiven, 0.1);
+    EXPECT_NE(advance(node, ignore(value), inside(0.2)), NodeAction::move);
+    EXPECT_EQ(node.forgiven, 0.1);
+    EXPECT_NE(advance(node, ignore(value), outside), NodeAction::move);
+    EXPECT_EQ(node.forgiven, 0);
+    EXPECT_EQ(node.state, State::apart);
+  }
+}
+
+// Too deep at any time: released until it has left the whole zone, also where it is in no band.
+TEST(NodeContact, ReleasedUntilOutOfTheZone) {
+  for (const std::int64_t value : {0, 1}) {
+    NodeContact node{State::touching, 0};
+    EXPECT_EQ(advance(node, ignore(value), inside(1.0)), NodeAction::force);  // not deeper than the limit
+    EXPECT_EQ(advance(node, ignore(value), inside(1.0 + 1e-15)), NodeAction::none);
+    EXPECT_EQ(node.state, State::released);
+    EXPECT_EQ(advance(node, ignore(value), inside(0.1)), NodeAction::none);
+    EXPECT_EQ(advance(node, ignore(value), {false, true, 0, 0, true}), NodeAction::none);
+    EXPECT_EQ(node.state, State::released);
+    EXPECT_EQ(advance(node, ignore(value), outside), NodeAction::none);
+    EXPECT_EQ(advance(node, ignore(value), inside(0.1)), value == 0 ? NodeAction::move : NodeAction::force);
+  }
+}
+
+TEST(NodeContact, NeverReleasedWithoutALimit) {
+  NodeContact node;
+  const double never = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(advance(node, ignore(0, 1), inside(1e300, never)), NodeAction::force);
+}
+
+}  // namespace
+}  // namespace gapcheck::contact::node_contact_test

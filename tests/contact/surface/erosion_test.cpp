@@ -1,0 +1,138 @@
+#include "contact/surface/erosion.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "../model/read.hpp"
+
+namespace gapcheck::contact::erosion_test {
+namespace {
+
+/// Three bricks in a row along x, one plate of two shells in front of the first one at x = -1, an eroding contact.
+std::string row(const std::string& contact, const std::string& more = "") {
+  std::string nodes = "*NODE\n", solids = "*ELEMENT_SOLID\n";
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 4; ++k)
+      nodes += fmt::format("{},{}.,{}.,{}.\n", 4 * i + k + 1, i, k == 1 || k == 2 ? 1 : 0, k / 2);
+  for (int i = 0; i < 3; ++i) {
+    solids += fmt::format("{},1", i + 1);
+    for (int k = 1; k <= 8; ++k) solids += fmt::format(",{}", 4 * i + k);
+    solids += "\n";
+  }
+  return nodes + "101,-1.,0.,0.\n102,-1.,1.,0.\n103,-1.,1.,1.\n104,-1.,0.,1.\n105,-1.,2.,0.\n106,-1.,2.,1.\n" + solids +
+         "*ELEMENT_SHELL\n11,2,101,102,103,104\n12,2,102,105,106,103\n"
+         "*PART\nrow\n1,1,1\n*PART\nplate\n2,2,1\n*SECTION_SOLID\n1,1\n*SECTION_SHELL\n2,2\n0.1\n*MAT_ELASTIC\n1,1.,1.,"
+         "0.\n" +
+         contact + more;
+}
+
+const std::string eroding = "*CONTACT_ERODING_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n0,1,1\n";
+
+struct Eroded {
+  model::Read read;
+  ContactSurfaces start, left;
+};
+
+Eroded erode(const std::string& deck, const std::vector<bool>& shells, const std::vector<bool>& solids) {
+  Eroded result{model::read_text(deck), {}, {}};
+  SurfaceStore store(result.read.model);
+  result.start = store.at(0);
+  result.left = store.erode(0, result.start, {shells, solids}, result.read.model.mesh.nodes.x);
+  return result;
+}
+
+std::size_t segments(const ContactSide& side) { return side.selection.segments.size(); }
+bool tracks(const ContactSide& side, std::uint32_t node) {
+  const auto& nodes = side.nodes.node;
+  return std::find(nodes.begin(), nodes.end(), NodeIndex{node}) != nodes.end();
+}
+
+// The first brick of the row fails: its five outer faces go, the one between it and the second comes, turned to where
+// it was.
+TEST(Erosion, InnerFacesOpen) {
+  const Eroded e = erode(row(eroding), {}, {true, false, false});
+  EXPECT_EQ(segments(e.start.a), 14u);
+  ASSERT_EQ(segments(e.left.a), 10u);
+  const Segments& s = e.left.a.selection.segments;
+  std::size_t opened = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    EXPECT_NE(s.element[i], 0u);
+    const auto& x = e.read.model.mesh.nodes.x;
+    const Vector normal =
+        (x[s.nodes[i][2].value] - x[s.nodes[i][0].value]).cross(x[s.nodes[i][3].value] - x[s.nodes[i][1].value]);
+    if (normal.x() < -0.5) {
+      ++opened;
+      EXPECT_EQ(x[s.nodes[i][0].value].x(), 1);
+    }
+    EXPECT_EQ(s.kind[i], SegmentKind::solid);
+    EXPECT_EQ(s.half[i], 0);
+  }
+  EXPECT_EQ(opened, 1u);
+  for (const auto* list : {&s.half}) EXPECT_EQ(list->size(), s.size());
+  EXPECT_EQ(s.rule.size(), s.size());
+  for (std::uint32_t node = 0; node < 16; ++node) EXPECT_EQ(tracks(e.left.a, node), node >= 4) << node;
+  EXPECT_EQ(segments(e.left.b), 2u);
+}
+
+TEST(Erosion, MiddleBrickOpensBothSides) {
+  const Eroded e = erode(row(eroding), {}, {false, true, false});
+  EXPECT_EQ(segments(e.left.a), 12u);
+  EXPECT_EQ(e.left.a.nodes.size(), 16u);
+}
+
+// Without EROSOP and IADJ, and in types that do not erode, nothing opens.
+TEST(Erosion, OnlyWhereAskedFor) {
+  for (const std::string contact : {"*CONTACT_ERODING_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n0,0,0\n",
+                                    "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n\n\n"}) {
+    const Eroded e = erode(row(contact), {}, {true, false, false});
+    EXPECT_EQ(segments(e.left.a), 9u) << contact;
+    EXPECT_EQ(e.left.a.nodes.size(), 12u) << contact;
+  }
+}
+
+// Nodes of failed elements alone stay where ENMASS says so: 1 of solids, 2 of shells too.
+TEST(Erosion, NodesOfFailedElements) {
+  for (const int enmass : {0, 1, 2}) {
+    const std::string control = fmt::format("*CONTROL_CONTACT\n0.1,0,0,0,0,0,0,{}\n", enmass);
+    const Eroded e = erode(row(eroding, control), {true, false}, {true, false, false});
+    EXPECT_EQ(tracks(e.left.a, 0), enmass > 0) << enmass;
+    EXPECT_EQ(segments(e.left.b), 1u);
+    EXPECT_EQ(e.left.b.nodes.size(), enmass == 2 ? 6u : 4u) << enmass;
+  }
+}
+
+// One element after the other, and all of them at once, leave the same.
+TEST(Erosion, StepByStepAsAtOnce) {
+  const Eroded once = erode(row(eroding), {false, true}, {true, true, false});
+  const model::Read& read = once.read;
+  SurfaceStore store(read.model);
+  const std::vector<bool> none, shell{false, true}, one{true}, two{true, true, false};
+  const auto& x = read.model.mesh.nodes.x;
+  ContactSurfaces left = store.erode(0, store.at(0), {none, one}, x);
+  left = store.erode(0, left, {shell, two}, x);
+  auto keys = [](const ContactSide& side) {
+    std::vector<model::SegmentNodes> sorted;
+    for (model::SegmentNodes nodes : side.selection.segments.nodes) {
+      std::sort(nodes.begin(), nodes.end(), [](NodeIndex a, NodeIndex b) { return a.value < b.value; });
+      sorted.push_back(nodes);
+    }
+    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+      return a[0].value < b[0].value || (a[0] == b[0] && a[1].value < b[1].value);
+    });
+    return sorted;
+  };
+  EXPECT_EQ(keys(left.a), keys(once.left.a));
+  EXPECT_EQ(left.a.nodes.node, once.left.a.nodes.node);
+  EXPECT_EQ(segments(left.b), 1u);
+}
+
+// Everything fails: empty sides, no crash; flags beyond the mesh do not count.
+TEST(Erosion, Everything) {
+  const Eroded e = erode(row(eroding), {true, true, true, true}, {true, true, true, true, true});
+  EXPECT_EQ(segments(e.left.a) + segments(e.left.b) + e.left.a.nodes.size() + e.left.b.nodes.size(), 0u);
+}
+
+}  // namespace
+}  // namespace gapcheck::contact::erosion_test

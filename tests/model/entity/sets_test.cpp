@@ -1,0 +1,208 @@
+#include "model/entity/sets.hpp"
+
+#include <random>
+#include <set>
+
+#include "model/read.hpp"
+
+namespace gapcheck::model::sets_test {
+namespace {
+
+using Ids = std::vector<std::int64_t>;
+
+Ids node_ids(const Model& model, std::int64_t set) {
+  Ids ids;
+  for (const NodeIndex node : model.sets.nodes.at(set).members) ids.push_back(model.mesh.nodes.id[node.value]);
+  return ids;
+}
+Ids part_ids(const Model& model, std::int64_t set) {
+  Ids ids;
+  for (const PartIndex part : model.sets.parts.at(set).members) ids.push_back(model.part(part).id.value);
+  return ids;
+}
+Ids shell_ids(const Model& model, std::int64_t set) {
+  Ids ids;
+  for (const std::uint32_t shell : model.sets.shells.at(set).members) ids.push_back(model.mesh.shells.id[shell]);
+  return ids;
+}
+std::vector<Ids> segment_ids(const Model& model, std::int64_t set) {
+  std::vector<Ids> result;
+  for (const SegmentNodes& segment : model.sets.segments.at(set).members) {
+    Ids ids;
+    for (const NodeIndex node : segment) ids.push_back(model.mesh.nodes.id[node.value]);
+    result.push_back(ids);
+  }
+  return result;
+}
+
+TEST(Sets, ListsWithTitleDefaultsAndRepetition) {
+  const Read read = read_text(nodes_text(9) +
+                              "*SET_NODE_LIST_TITLE\nsome, nodes\n         5       0.1       0.2\n"
+                              "         3         1         2         3         0         9\n7,8\n"
+                              "*SET_NODE\n6\n4\n*SET_NODE_COLUMN\n7\n1,0.5\n2,0.5\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(node_ids(read.model, 5), (Ids{3, 1, 2, 9, 7, 8}));
+  EXPECT_EQ(read.model.sets.nodes.at(5).title, "some, nodes");
+  EXPECT_EQ(read.model.sets.nodes.at(5).defaults, (std::array<double, 4>{0.1, 0.2, 0, 0}));
+  EXPECT_EQ(read.model.sets.nodes.at(5).place.line, 13u);
+  EXPECT_EQ(node_ids(read.model, 6), (Ids{4}));
+  EXPECT_EQ(node_ids(read.model, 7), (Ids{1, 2}));
+}
+
+TEST(Sets, RangesTakeWhatIsThere) {
+  const Read read = read_text(nodes_text(9) +
+                              "*SET_NODE_LIST_GENERATE\n1\n7,9000000000000000000,1,2\n"
+                              "*SET_NODE_LIST_GENERATE_INCREMENT\n2\n2,9,3\n-5,3,0\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(node_ids(read.model, 1), (Ids{7, 8, 9, 1, 2}));
+  EXPECT_EQ(node_ids(read.model, 2), (Ids{2, 5, 8, 1, 3}));
+}
+
+TEST(Sets, SetsOfSets) {
+  const Read read = read_text(nodes_text(9) +
+                              "*SET_NODE_ADD\n10\n1,2\n*SET_NODE_LIST\n1\n1,2,3\n*SET_NODE_LIST\n2\n3,4\n"
+                              "*SET_NODE_INTERSECT\n11\n1,2\n*SET_NODE_ADD\n12\n10,11\n*SET_NODE_ADD\n13\n1,-11\n"
+                              "*SET_NODE_LIST_COLLECT\n20\n5\n*SET_NODE_LIST_COLLECT\n20\n6\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(node_ids(read.model, 10), (Ids{1, 2, 3, 4}));
+  EXPECT_EQ(node_ids(read.model, 11), (Ids{3}));
+  EXPECT_EQ(node_ids(read.model, 12), (Ids{1, 2, 3, 4}));
+  EXPECT_EQ(node_ids(read.model, 13), (Ids{1, 2, 3, 4}));
+  EXPECT_EQ(node_ids(read.model, 20), (Ids{5, 6}));
+}
+
+TEST(Sets, CyclesEnd) {
+  const Read read = read_text(
+      nodes_text(3) + "*SET_NODE_ADD\n1\n2,3\n*SET_NODE_ADD\n2\n1\n*SET_NODE_LIST\n3\n1\n*SET_NODE_ADD\n4\n4\n");
+  EXPECT_EQ(node_ids(read.model, 1), (Ids{1}));
+  EXPECT_EQ(read.errors(), 2u) << read.text();
+  EXPECT_TRUE(read.model.faults.empty()) << read.text();
+}
+
+TEST(Sets, DeepNestingIsBounded) {
+  std::string text = nodes_text(1);
+  for (int i = 1; i < 5000; ++i) text += "*SET_NODE_ADD\n" + std::to_string(i) + "\n" + std::to_string(i + 1) + "\n";
+  text += "*SET_NODE_LIST\n5000\n1\n";
+  const Read read = read_text(text);
+  EXPECT_GT(read.errors(), 0u);
+  EXPECT_EQ(read.model.sets.nodes.size(), 5000u);
+}
+
+TEST(Sets, GeneralNodesPartsAndShells) {
+  const Read read = read_text(nodes_text(12) + part_text +
+                              "*PART\nb\n2,1,1\n*ELEMENT_SHELL\n1,1,1,2,3,4\n2,2,5,6,7,8\n3,2,7,8,9\n"
+                              "*DEFINE_BOX\n1,0.,4.5,0.,1000.,0.,10000.\n"
+                              "*SET_NODE_GENERAL\n1\nPART,2\nDNODE,6,9\n"
+                              "*SET_NODE_GENERAL\n2\nALL\nDBOX,1\nDPART,2\nNODE,1\n"
+                              "*SET_PART_GENERAL\n3\nALL\nDPART,1\n*SET_PART_LIST\n4\n1\n"
+                              "*SET_SHELL_GENERAL\n5\nPART,2\nELEM,1\nDELEM,3\n"
+                              "*SET_NODE_GENERAL\n6\nSET_SHELL,5\n"
+                              "*SET_SHELL_GENERAL\n7\nBOX,1\n*SET_NODE_GENERAL\n8\nNODE,1,2,3,4,5,6,7\n,8,9\n"
+                              "*SET_PART_GENERAL\n9\nBOX,1\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(node_ids(read.model, 1), (Ids{5, 7, 8}));
+  EXPECT_EQ(node_ids(read.model, 2), (Ids{10, 11, 12, 1}));
+  EXPECT_EQ(part_ids(read.model, 3), (Ids{2}));
+  EXPECT_EQ(part_ids(read.model, 4), (Ids{1}));
+  EXPECT_EQ(shell_ids(read.model, 5), (Ids{2, 1}));
+  EXPECT_EQ(node_ids(read.model, 6), (Ids{5, 6, 7, 8, 1, 2, 3, 4}));
+  EXPECT_EQ(shell_ids(read.model, 7), (Ids{1}));
+  EXPECT_EQ(node_ids(read.model, 8), (Ids{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(part_ids(read.model, 9), (Ids{1}));
+}
+
+TEST(Sets, Segments) {
+  const Read read =
+      read_text(nodes_text(12) + part_text +
+                "*ELEMENT_SHELL\n1,1,1,2,3,4\n"
+                "*SET_SEGMENT\n1\n         1         2         3         4       0.5\n5,6,7\n5,6,7,7\n1,2,3,4\n"
+                "*SET_SEGMENT_GENERAL\n2\nSEG,1,2,3,0\nPART,1\n"
+                "*SET_SEGMENT_ADD\n3\n1,2\n"
+                "*SET_NODE_ADD_ADVANCED\n4\n2,5,1,2\n*SET_SHELL_LIST\n1\n1\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(segment_ids(read.model, 1), (std::vector<Ids>{{1, 2, 3, 4}, {5, 6, 7, 7}}));
+  EXPECT_EQ(segment_ids(read.model, 2), (std::vector<Ids>{{1, 2, 3, 3}, {1, 2, 3, 4}}));
+  EXPECT_EQ(segment_ids(read.model, 3), (std::vector<Ids>{{1, 2, 3, 4}, {5, 6, 7, 7}, {1, 2, 3, 3}}));
+  EXPECT_EQ(node_ids(read.model, 4), (Ids{1, 2, 3, 4}));
+}
+
+TEST(Sets, ElementKinds) {
+  const Read read =
+      read_text(nodes_text(12) + part_text +
+                "*ELEMENT_SOLID\n4,1,1,2,3,4,5,6,7,8\n*ELEMENT_BEAM\n5,1,1,2\n*ELEMENT_DISCRETE\n6,1,1,2\n"
+                "*ELEMENT_TSHELL\n7,1,1,2,3,4,5,6,7,8\n"
+                "*SET_SOLID\n1,MECH\n4\n*SET_BEAM_GENERATE\n1\n1,9\n*SET_DISCRETE\n1\n6\n*SET_TSHELL\n1\n7\n"
+                "*SET_SOLID_GENERAL\n2\nPART,1\n");
+  EXPECT_EQ(read.errors(), 0u) << read.text();
+  EXPECT_EQ(read.model.sets.solids.at(1).members, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(read.model.sets.solids.at(2).members, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(read.model.sets.beams.at(1).members, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(read.model.sets.discrete.at(1).members, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(read.model.sets.thick_shells.at(1).members, (std::vector<std::uint32_t>{0}));
+}
+
+TEST(Sets, FaultsAndUnsupportedOptionsAreNamed) {
+  const Read read =
+      read_text(nodes_text(3) +
+                "*SET_NODE_LIST\n1\n1,50,51\n*SET_NODE_LIST\n1\n2\n*SET_NODE_ADD\n2\n9\n"
+                "*SET_NODE_GENERAL\n3\nSALECPT,1\nBOX,4\n*SET_NODE\n0\n1\n*SET_PART_TREE\n1\n*SET_NODE\n");
+  const std::string text = read.text();
+  EXPECT_NE(text.find("node set 1 names 2 members that are not defined (50, 51)"), std::string::npos) << text;
+  EXPECT_NE(text.find("node set 1 is defined again"), std::string::npos) << text;
+  EXPECT_NE(text.find("node set 2 names a member that is not defined (9)"), std::string::npos) << text;
+  EXPECT_NE(text.find("node set 3 names a member that is not defined (4)"), std::string::npos) << text;
+  EXPECT_NE(text.find("the option SALECPT is not supported"), std::string::npos) << text;
+  EXPECT_NE(text.find("*SET_PART_TREE is not read"), std::string::npos) << text;
+  EXPECT_EQ(read.errors(), 2u) << text;
+  EXPECT_EQ(node_ids(read.model, 1), (Ids{1}));
+}
+
+TEST(Sets, TooManyMembersInAllAreAnErrorAndNoMore) {
+  std::string text = nodes_text(10000);
+  std::string everything = "*SET_NODE_GENERAL\n1\n";
+  text += everything + "ALL\n";
+  // 40,000 sets of 10,000 nodes each from a deck of a megabyte.
+  for (int i = 2; i < 40000; ++i) text += "*SET_NODE_ADD\n" + std::to_string(i) + "\n1\n";
+  const Read read = read_text(text);
+  EXPECT_EQ(read.errors(), 1u);
+  EXPECT_NE(read.text().find("too many members"), std::string::npos);
+}
+
+/// Random steps of a general set against a plain walk over them.
+TEST(Sets, GeneralAgreesWithAPlainWalk) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 50; ++round) {
+    std::string text = nodes_text(30) + "*SET_NODE_GENERAL\n1\n";
+    Ids expected;
+    for (int step = 0; step < 12; ++step) {
+      const bool remove = random() % 3 == 0;
+      text += remove ? "DNODE" : "NODE";
+      for (int i = 0; i < 7; ++i) {
+        const std::int64_t id = 1 + static_cast<std::int64_t>(random() % 30);
+        text += "," + std::to_string(id);
+        const auto there = std::find(expected.begin(), expected.end(), id);
+        if (remove && there != expected.end()) expected.erase(there);
+        if (!remove && there == expected.end()) expected.push_back(id);
+      }
+      text += "\n";
+    }
+    const Read read = read_text(text);
+    EXPECT_EQ(node_ids(read.model, 1), expected);
+  }
+}
+
+TEST(Boxes, GlobalAndLocal) {
+  const Read read = read_text(
+      "*DEFINE_BOX\n         1       0.0       1.0       0.0       2.0       0.0       3.0\n"
+      "*DEFINE_BOX_LOCAL_TITLE\nturned\n2,0.,1.,0.,2.,0.,3.\n0.,1.,0.,-1.,0.,0.\n10.,0.,0.\n"
+      "*DEFINE_BOX_LOCAL\n3,0.,1.,0.,1.,0.,1.\n0.,1.,0.,0.,2.,0.\n0.,0.,0.\n");
+  ASSERT_EQ(read.model.boxes.size(), 3u) << read.text();
+  EXPECT_TRUE(read.model.boxes.at(1).contains(Vector(0.5, 1.9, 2.9)));
+  EXPECT_FALSE(read.model.boxes.at(1).contains(Vector(1.5, 1.9, 2.9)));
+  EXPECT_TRUE(read.model.boxes.at(2).contains(Vector(8.5, 0.5, 1)));
+  EXPECT_FALSE(read.model.boxes.at(2).contains(Vector(10.5, 0.5, 1)));
+  EXPECT_EQ(read.errors(), 1u) << read.text();  // no plane
+}
+
+}  // namespace
+}  // namespace gapcheck::model::sets_test

@@ -1,0 +1,167 @@
+#include "solver/condition/loads.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solver/conditioned.hpp"
+
+namespace gapcheck::solver::loads_test {
+namespace {
+
+const std::string one = "*DEFINE_CURVE\n5\n0.,1.\n1.,1.\n";
+
+// Central differences have v(t − dt/2) = g (t − dt/2) and x = g t² / 2 without error. The frame's acceleration upwards
+// pulls downwards.
+TEST(Loads, FallingBodies) {
+  Stepper stepper = good(point_mass + rigid_box + rigid_material + one + "*LOAD_BODY_Z\n5,9.81\n*LOAD_BODY_X\n5,-2.\n")
+                        .stepper(fixed_step(0.01));
+  const Vector center = stepper.structure().rigid[0].center();
+  run(stepper, 100);
+  const double t = stepper.state().time, middle = t - 0.005;
+  const Vector pull(2, 0, -9.81);
+  EXPECT_NEAR((stepper.state().v[0] - middle * pull).norm(), 0, 1e-12);
+  EXPECT_NEAR((stepper.state().x[0] - t * t / 2 * pull).norm(), 0, 1e-12);
+  EXPECT_NEAR((stepper.structure().rigid[0].center() - center - t * t / 2 * pull).norm(), 0, 1e-12);
+  EXPECT_EQ(stepper.structure().rigid[0].angular_velocity().norm(), 0);
+  EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-12);
+}
+
+TEST(Loads, BodyLoadsOfSomePartsOnly) {
+  Conditioned result =
+      good(rigid_box + rigid_material + plate(1, 1, {1, 1, 0}) + elastic_deck(shell_section, 1000, 0.3, 7) + one +
+           "*ELEMENT_MASS\n1,1,2.,7\n*SET_PART_LIST\n3\n1\n*LOAD_BODY_PARTS\n3\n*LOAD_BODY_Y\n5,1.\n");
+  Forces forces;
+  forces.resize(result.structure.state.x.size(), 1);
+  ASSERT_EQ(result.forces.size(), 1u);
+  result.forces[0]->add(result.structure.state, forces);
+  Vector sum = Vector::Zero();
+  for (const Vector& force : forces.force) sum += force;
+  EXPECT_NEAR((sum - Vector(0, -7 * 0.1, 0)).norm(), 0, 1e-14);
+  EXPECT_EQ(forces.body_force[0].norm(), 0);
+}
+
+// v = F t / m.
+TEST(Loads, ForceOnAMassAndABody) {
+  Stepper stepper = good(point_mass + rigid_box + rigid_material +
+                         "*DEFINE_CURVE\n5\n0.,0.\n1.,6.\n*LOAD_NODE_POINT\n1,2,5,2.\n"
+                         "*LOAD_RIGID_BODY\n7,3,5,4.\n7,5,5,1.\n")
+                        .stepper(fixed_step(0.01));
+  run(stepper, 100);
+  const double middle = stepper.state().time - 0.005;
+  // Impulse of the ramp by the trapezoidal rule up to the last force, half the first step before it.
+  const double impulse = 6 * (0.99 * 0.99 / 2 + 0.99 * 0.005);
+  EXPECT_NEAR(middle, 0.995, 1e-12);
+  EXPECT_NEAR(stepper.state().v[0].y(), 2 * impulse / 2, 1e-12);
+  EXPECT_NEAR(stepper.structure().rigid[0].velocity().z(), 4 * impulse / 12, 1e-12);
+  const double inertia = 12 * (4 + 9) / 12.0;
+  EXPECT_NEAR(stepper.structure().rigid[0].angular_velocity().x(), impulse / inertia, 1e-12);
+  EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-9);
+}
+
+// A pressure of 3 against the normal (0, 0, 1) of a plate of 2 x 1, from t = 0.25 on by the curve's start.
+TEST(Loads, PressurePushesIntoTheSegment) {
+  const std::string ramp = "*DEFINE_CURVE\n5\n0.,3.\n1.,4.\n";
+  for (const std::string load :
+       {"*LOAD_SEGMENT\n5,1.,0.25,1,2,5,4\n5,1.,0.25,2,3,6,5\n",
+        "*SET_SEGMENT\n3\n1,2,5,4\n2,3,6,5\n*LOAD_SEGMENT_SET_ID\n1,push\n3,5,1.,0.25\n",
+        "*LOAD_SHELL_ELEMENT\n1,5,1.,0.25\n2,5,1.,0.25\n", "*SET_SHELL_LIST\n3\n1,2\n*LOAD_SHELL_SET\n3,5,1.,0.25\n"}) {
+    Conditioned result = good(plate(2, 1, {1, 1, 0}) + elastic_deck(shell_section, 1000, 0.3, 7) + ramp + load);
+    ASSERT_EQ(result.forces.size(), 1u) << load;
+    const auto sum_at = [&](double time) {
+      Forces forces;
+      forces.resize(result.structure.state.x.size());
+      result.structure.state.time = time;
+      result.forces[0]->add(result.structure.state, forces);
+      EXPECT_EQ(forces.force[1].z(), 2 * forces.force[0].z());
+      Vector sum = Vector::Zero();
+      for (const Vector& force : forces.force) sum += force;
+      return sum;
+    };
+    EXPECT_EQ(sum_at(0.2).norm(), 0) << load;
+    EXPECT_NEAR((sum_at(0.25) - Vector(0, 0, -6)).norm(), 0, 1e-13) << load;
+    EXPECT_NEAR((sum_at(0.75) - Vector(0, 0, -7)).norm(), 0, 1e-13) << load;
+  }
+}
+
+// A closed box of warped quads and triangles has no resultant, neither force nor moment of the triangles.
+TEST(Loads, PressureInAClosedBox) {
+  Pressures pressures;
+  State state;
+  state.x = {{0, 0, 0},   {1, 0.1, -0.2}, {1.2, 1, 0.3}, {-0.1, 1, 0},
+             {0, 0.2, 1}, {1, 0, 1.4},    {1, 1.3, 1},   {0, 1, 0.8}};
+  const auto node = [](std::uint32_t i) { return NodeIndex{i}; };
+  const TimedValue value{std::make_shared<const TimeCurve>(std::vector<TimeCurve::Point>{{0, 2}}), 1, 0};
+  for (const auto& s : {std::array{0u, 3u, 2u, 1u},
+                        {4u, 5u, 6u, 7u},
+                        {0u, 1u, 5u, 4u},
+                        {1u, 2u, 6u, 5u},
+                        {2u, 3u, 7u, 6u},
+                        {3u, 0u, 4u, 4u},
+                        {3u, 4u, 7u, 7u}})
+    pressures.add_segment({node(s[0]), node(s[1]), node(s[2]), node(s[3])}, value);
+  Forces forces;
+  forces.resize(8);
+  pressures.add(state, forces);
+  Vector sum = Vector::Zero();
+  double size = 0;
+  for (const Vector& force : forces.force) {
+    sum += force;
+    size += force.norm();
+  }
+  EXPECT_GT(size, 1);
+  EXPECT_NEAR(sum.norm(), 0, 1e-15 * size);
+}
+
+// v = v₀ (1 − D dt / 2) (1 − D dt)ⁿ⁻¹; what is lost is the damping's.
+TEST(Loads, GlobalDamping) {
+  constexpr double damping = 1.5, dt = 0.01;
+  Stepper stepper =
+      good(point_mass + rigid_box + rigid_material + "*DAMPING_GLOBAL\n0,1.5\n*INITIAL_VELOCITY\n0\n3.,0.,0.\n")
+          .stepper(fixed_step(dt));
+  run(stepper, 100);
+  const double wanted = 3 * (1 - damping * dt / 2) * std::pow(1 - damping * dt, 99);
+  EXPECT_NEAR(stepper.state().v[0].x(), wanted, 1e-14);
+  EXPECT_NEAR(stepper.structure().rigid[0].velocity().x(), wanted, 1e-14);
+  const Energies& e = stepper.energies();
+  EXPECT_NEAR(e.external, 0, 1e-12);
+  EXPECT_NEAR(e.absorbed.damping, e.initial - e.kinetic, 1e-12);
+  EXPECT_GT(e.absorbed.damping, 0.9 * e.initial);
+}
+
+TEST(Loads, DampingByACurveAndDirection) {
+  Conditioned result = good(
+      point_mass + "*DEFINE_CURVE\n5\n0.,2.\n1.,4.\n*DAMPING_GLOBAL\n5,0.,0.,1.\n*INITIAL_VELOCITY\n0\n3.,3.,0.\n");
+  Forces forces;
+  forces.resize(1);
+  result.structure.state.time = 0.5;
+  ASSERT_EQ(result.forces.size(), 1u);
+  result.forces[0]->add(result.structure.state, forces);
+  EXPECT_NEAR((forces.force[0] - Vector(0, -3.0 * 2 * 3, 0)).norm(), 0, 1e-14);
+  EXPECT_NEAR(result.forces[0]->stable_step(), 1.0 / 3, 1e-15);
+}
+
+TEST(Loads, WhatCannotBeIsAFailure) {
+  for (const auto& [cards, text] : std::vector<std::pair<std::string, std::string>>{
+           {"*LOAD_NODE_POINT\n1,1,99\n", "*LOAD_NODE_POINT in line 10 of a.k: curve 99"},
+           {"*LOAD_NODE_POINT\n1,4,5\n", "DOF 4"},
+           {"*LOAD_NODE_POINT\n1,1,5,1.,3\n", "local system 3"},
+           {"*LOAD_NODE_POINT\n1,5,5\n", "no rotational inertia"},
+           {"*NODE\n2,0.,0.,0.\n*LOAD_NODE_POINT\n2,1,5\n", "node 2 has no mass"},
+           {"*LOAD_NODE_SET\n4,1,5\n", "node set 4"},
+           {"*LOAD_RIGID_BODY\n4,1,5\n", "4 is no rigid part"},
+           {"*LOAD_SEGMENT\n5,1.,0.,1,1,8\n", "node 8"},
+           {"*LOAD_SEGMENT_SET\n6,5\n", "segment set 6"},
+           {"*LOAD_SHELL_ELEMENT\n6,5\n", "shell 6"},
+           {"*LOAD_SHELL_SET\n6,5\n", "shell set 6"},
+           {"*LOAD_BODY_X\n99\n", "curve 99"},
+           {"*LOAD_BODY_X\n5\n*LOAD_BODY_PARTS\n8\n", "part set 8"},
+           {"*DAMPING_GLOBAL\n99\n", "curve 99"}}) {
+    const Conditioned result = conditioned(point_mass + one + cards);
+    ASSERT_TRUE(result.failure.has_value()) << cards;
+    EXPECT_NE(result.failure->message.find(text), std::string::npos) << result.failure->message;
+  }
+}
+
+}  // namespace
+}  // namespace gapcheck::solver::loads_test

@@ -1,0 +1,269 @@
+#include "solver/condition/rigid_walls.hpp"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "base/parallel.hpp"
+#include "solver/structure/structure.hpp"
+
+namespace gapcheck::solver::rigid_walls_test {
+namespace {
+
+/// A stepper with the walls of a deck; the deck's masses fly with the given velocity.
+struct Flight {
+  Stepper stepper;
+  const RigidWalls* walls;
+  std::vector<Diagnostic> diagnostics;
+  [[nodiscard]] const WallState& wall(std::size_t i = 0) const { return walls->states()[i]; }
+};
+
+Flight fly(const std::string& deck, const Vector& velocity, double step, std::uint8_t held = 0) {
+  const model::Read read = model::read_text(deck);
+  EXPECT_EQ(read.errors(), 0u) << read.text();
+  Diagnostics diagnostics;
+  Structure structure = std::get<Structure>(build_structure(read.model, {}, diagnostics));
+  for (Vector& v : structure.state.v) v = velocity;
+  for (std::uint32_t i = 0; i < structure.state.x.size(); ++i) structure.constraints.hold(NodeIndex{i}, held);
+  StepSettings settings;
+  settings.greatest_step = step;
+  auto walls = std::make_unique<RigidWalls>(read.model, structure, diagnostics);
+  Flight flight{Stepper(std::move(structure), settings), walls.get(), diagnostics.sorted()};
+  flight.stepper.add(std::move(walls));
+  return flight;
+}
+
+void run(Flight& flight, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    const auto failure = flight.stepper.step();
+    ASSERT_FALSE(failure.has_value()) << failure->message;
+  }
+}
+
+/// A mass of 2 at the given place; node set 1.
+std::string mass_at(const std::string& place) {
+  return "*NODE\n1," + place + "\n*ELEMENT_MASS\n1,1,2.\n*SET_NODE_LIST\n1\n1\n";
+}
+
+/// A constant force on all nodes.
+class Push : public Force {
+ public:
+  explicit Push(Vector force) : force_(std::move(force)) {}
+  void add(State&, Forces& forces) override {
+    for (Vector& f : forces.force) f += force_;
+  }
+
+ private:
+  Vector force_;
+};
+
+// A mass thrown at a plane: it comes to lie on it, gives m v and ½ m v² to it, and stays there.
+TEST(RigidWalls, PlasticStop) {
+  Flight flight = fly(mass_at("0.,0.,0.0123") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n", {0.5, 0, -3}, 1e-3);
+  double impulse = 0;
+  for (int i = 0; i < 20; ++i) {
+    run(flight, 1);
+    impulse += flight.wall().force.z() * 1e-3;
+    EXPECT_NEAR(flight.stepper.energies().ratio(), 1, 1e-14);
+    EXPECT_EQ(flight.wall().normal_force, flight.wall().force.z());
+  }
+  EXPECT_NEAR(impulse, 2 * 3, 1e-12);
+  EXPECT_NEAR(flight.wall().energy, 0.5 * 2 * 9, 1e-12);
+  EXPECT_NEAR(flight.stepper.energies().absorbed.walls, 9, 1e-12);
+  EXPECT_NEAR(flight.stepper.energies().external, 0, 1e-12);
+  EXPECT_NEAR(flight.stepper.state().x[0].z(), 0, 1e-15);
+  EXPECT_NEAR(flight.stepper.state().x[0].x(), 0.01, 1e-14);  // nothing along the wall
+  EXPECT_NEAR(flight.stepper.state().v[0].z(), 0, 1e-14);
+}
+
+// A plane in any direction; a mass that goes away is not held.
+TEST(RigidWalls, PlaneInAnyDirection) {
+  const std::string wall = "*RIGIDWALL_PLANAR\n1\n1,2,3,2,4,5\n";
+  const Vector normal = Vector(1, 2, 2) / 3;
+  const Vector along = normal.unitOrthogonal();
+  Flight flight = fly(mass_at("1.01,2.02,3.02") + wall, along - 4 * normal, 1e-3);
+  run(flight, 50);
+  EXPECT_NEAR((flight.stepper.state().v[0] - along).norm(), 0, 1e-12);
+  EXPECT_NEAR((flight.stepper.state().x[0] - Vector(1, 2, 3)).dot(normal), 0, 1e-14);
+  EXPECT_EQ(flight.wall().touching, 0u);
+  Flight away = fly(mass_at("1.,2.,3.") + wall, 4 * normal, 1e-3);
+  run(away, 50);
+  EXPECT_NEAR((away.stepper.state().v[0] - 4 * normal).norm(), 0, 1e-14);
+  EXPECT_EQ(away.wall().energy, 0);
+}
+
+// A weight lies on the wall: its weight is the wall's force, no work. With friction it comes to rest after v / (μ g).
+TEST(RigidWalls, WeightAndFriction) {
+  constexpr double weight = 6, mass = 2, mu = 0.25, speed = 0.3, step = 1e-3;
+  Flight flight = fly(mass_at("0.,0.,0.") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,0.25\n", {speed, 0, 0}, step);
+  flight.stepper.add(std::make_unique<Push>(Vector(0, 0, -weight)));
+  // The load was added behind the walls: reactions come after all loads.
+  const double slowing = mu * weight / mass;
+  for (int i = 0; i < 100; ++i) {
+    run(flight, 1);
+    const double mean_steps = 0.5 + i;  // the first step counts half
+    EXPECT_NEAR(flight.stepper.state().v[0].x(), speed - slowing * step * mean_steps, 1e-12);
+    EXPECT_NEAR(flight.wall().force.z(), weight, 1e-9);
+    EXPECT_NEAR(flight.wall().force.x(), -mu * weight, 1e-9);
+    EXPECT_EQ(flight.wall().touching, 1u);
+  }
+  run(flight, 400);
+  EXPECT_NEAR(flight.stepper.state().v[0].norm(), 0, 1e-12);
+  EXPECT_NEAR(flight.stepper.state().x[0].x(), speed * speed / 2 / slowing, 1e-3 * speed);
+  EXPECT_NEAR(flight.wall().energy, 0.5 * mass * speed * speed, 1e-6);  // ½ m v² of the first half step's slowing
+  EXPECT_NEAR(flight.stepper.energies().ratio(), 1, 1e-10);
+}
+
+// Coulomb on the stopping impulse: v − μ · impulse / m. FRIC 1: no sliding at all.
+TEST(RigidWalls, FrictionOnTheImpulse) {
+  Flight flight = fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,0.2\n", {5, 0, -3}, 1e-3);
+  run(flight, 10);
+  EXPECT_NEAR(flight.stepper.state().v[0].x(), 5 - 0.2 * 3, 1e-12);
+  EXPECT_NEAR(flight.wall().energy, 0.5 * 2 * (9 + 25 - 4.4 * 4.4), 1e-11);
+  Flight rough = fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,1.\n", {5, 0, -3}, 1e-3);
+  run(rough, 10);
+  EXPECT_NEAR(rough.stepper.state().v[0].norm(), 0, 1e-12);
+  EXPECT_NEAR(rough.wall().energy, 0.5 * 2 * (9 + 25), 1e-11);
+}
+
+// Who starts behind the wall is not thrown out, but goes no deeper.
+TEST(RigidWalls, StartBehind) {
+  const std::string deck = mass_at("0.,0.,-0.5") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n";
+  Flight flight = fly(deck, {1, 0, -3}, 1e-3);
+  run(flight, 20);
+  EXPECT_NEAR(flight.stepper.state().x[0].z(), -0.5, 1e-14);
+  EXPECT_NEAR(flight.stepper.state().v[0].x(), 1, 1e-14);
+  Flight out = fly(deck, {0, 0, 3}, 1e-3);
+  run(out, 20);
+  EXPECT_NEAR(out.stepper.state().v[0].z(), 3, 1e-14);
+}
+
+// Past a rectangle, and between birth and death only.
+TEST(RigidWalls, RectangleAndTimes) {
+  const std::string finite = "*RIGIDWALL_PLANAR_FINITE\n1\n0,0,0,0,0,1\n1,0,0,2,3\n";
+  Flight inside = fly(mass_at("1.,1.,0.") + finite, {0, 0, -3}, 1e-3);
+  run(inside, 5);
+  EXPECT_EQ(inside.stepper.state().x[0].z(), 0);
+  Flight past = fly(mass_at("1.,3.1,0.") + finite, {0, 0, -3}, 1e-3);
+  run(past, 5);
+  EXPECT_LT(past.stepper.state().x[0].z(), -0.014);
+  const std::string timed = "*RIGIDWALL_PLANAR\n1,0,0,0.,0.0105,0.0205\n0,0,0,0,0,1\n";
+  Flight flight = fly(mass_at("0.,0.,0.") + timed, {0, 0, -3}, 1e-3);
+  flight.stepper.add(std::make_unique<Push>(Vector(0, 0, -1)));
+  run(flight, 10);
+  EXPECT_EQ(flight.wall().touching, 0u);
+  run(flight, 10);
+  EXPECT_EQ(flight.wall().touching, 1u);
+  const double depth = flight.stepper.state().x[0].z();
+  EXPECT_NEAR(depth, -0.033, 2e-4);
+  run(flight, 10);
+  EXPECT_EQ(flight.wall().touching, 0u);
+  EXPECT_LT(flight.stepper.state().x[0].z(), depth);
+  EXPECT_NEAR(flight.stepper.energies().ratio(), 1, 1e-12);
+}
+
+// A mass that meets a cylinder off its middle goes on along it.
+TEST(RigidWalls, CylinderKeepsWhatIsAlong) {
+  constexpr double step = 1e-5;
+  Flight flight =
+      fly(mass_at("-0.6,0.,0.") + "*RIGIDWALL_GEOMETRIC_CYLINDER\n1\n0,0,-1,0,0,1\n0.5\n", {2, 0, 0.3}, step);
+  // Hits at (-0.5, 0): head on, only the motion along the axis is left.
+  run(flight, 6000);
+  EXPECT_NEAR(flight.stepper.state().v[0].x(), 0, 1e-12);
+  EXPECT_NEAR(flight.stepper.state().v[0].z(), 0.3, 1e-12);
+  EXPECT_NEAR(flight.stepper.state().x[0].x(), -0.5, 1e-12);
+  EXPECT_NEAR(flight.wall().energy, 0.5 * 2 * 4, 1e-9);
+  // At 60 degrees from the flight direction the part along the tangent stays: v sin 60.
+  const double y = 0.5 * std::sin(std::numbers::pi / 3);
+  Flight off = fly(mass_at(fmt::format("-0.6,{:.15g},0.", y)) + "*RIGIDWALL_GEOMETRIC_CYLINDER\n1\n0,0,-1,0,0,1\n0.5\n",
+                   {2, 0, 0}, step);
+  for (int i = 0; i < 100000 && off.wall().energy == 0; ++i) run(off, 1);
+  run(off, 3);
+  EXPECT_NEAR(off.stepper.state().v[0].norm(), 2 * std::sin(std::numbers::pi / 3), 1e-3);
+  EXPECT_NEAR(off.wall().energy, 4 * 0.25, 1e-2);
+  EXPECT_NEAR(off.stepper.energies().ratio(), 1, 1e-10);
+}
+
+TEST(RigidWalls, SphereFromInside) {
+  Flight flight = fly(mass_at("0.,0.,0.99") + "*RIGIDWALL_GEOMETRIC_SPHERE_INTERIOR\n1\n0,0,0\n1.\n", {0, 0, 3}, 1e-3);
+  run(flight, 20);
+  EXPECT_NEAR(flight.stepper.state().x[0].z(), 1, 1e-14);
+  EXPECT_NEAR(flight.wall().energy, 9, 1e-12);
+}
+
+// Held against the wall's normal the wall has nothing to do; held across it, it stops what is free.
+TEST(RigidWalls, ConstrainedNodes) {
+  Flight flight = fly(mass_at("0.,0.,0.01") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,1,1\n", {0, 0, -3}, 1e-3, 3);
+  run(flight, 20);
+  EXPECT_NEAR(flight.stepper.state().x[0].z(), 0, 1e-14);
+  EXPECT_EQ(flight.stepper.state().x[0].y(), 0);
+  EXPECT_NEAR(flight.stepper.energies().ratio(), 1, 1e-12);
+}
+
+// An elastic bar runs into a wall: σ = ρ c v behind the front, so the wall's force is ρ c v A.
+TEST(RigidWalls, RodAgainstTheWall) {
+  constexpr double young = 400, density = 4, speed = 0.01, wave = 10, area = 0.01;
+  constexpr int n = 100;
+  Flight flight = fly(brick_bar(n, {0.1, 0.1, 0.1}) + elastic_deck(solid_section, young, 0, density) +
+                          "*RIGIDWALL_PLANAR\n0\n0,0,0,1,0,0\n",
+                      {-speed, 0, 0}, 1e-3);
+  double impulse = 0, last = 0;
+  while (flight.stepper.state().time < 1) {  // half of the way to the free end and back
+    run(flight, 1);
+    impulse += flight.wall().normal_force * (flight.stepper.state().time - last);
+    last = flight.stepper.state().time;
+  }
+  EXPECT_NEAR(impulse / (density * wave * speed * area * 1), 1, 0.02);
+  EXPECT_NEAR(flight.wall().normal_force / (density * wave * speed * area), 1, 0.05);
+  EXPECT_EQ(flight.wall().touching, 4u);
+  EXPECT_NEAR(flight.stepper.energies().ratio(), 1, 1e-9);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(flight.stepper.state().x[i * (n + 1)].x(), 0, 1e-12);
+  EXPECT_GT(flight.wall().energy, 0);
+}
+
+TEST(RigidWalls, WhatIsNotCalculatedIsNamed) {
+  const Flight flight = fly(mass_at("0.,0.,0.") +
+                                "*RIGIDWALL_PLANAR_MOVING\n1\n0,0,0,0,0,1\n1.,1.\n"
+                                "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,2.\n"
+                                "*RIGIDWALL_PLANAR_ORTHO\n1\n0,0,0,0,0,1\n\n\n"
+                                "*RIGIDWALL_PLANAR_FORCES\n1\n0,0,0,0,0,1\n9\n"
+                                "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n",
+                            {0, 0, 0}, 1);
+  EXPECT_EQ(flight.walls->states().size(), 1u);
+  EXPECT_EQ(flight.wall().wall, 4u);
+  ASSERT_EQ(flight.diagnostics.size(), 4u);
+  EXPECT_EQ(flight.diagnostics[0].file, "a.k");
+  EXPECT_GT(flight.diagnostics[0].line, 0u);
+  EXPECT_EQ(flight.diagnostics[0].message,
+            "*RIGIDWALL_PLANAR_MOVING, wall 1: moving walls are not calculated; the wall takes no part in the "
+            "calculation");
+}
+
+// Numbers without sense must not bring it down.
+TEST(RigidWalls, HostileNumbers) {
+  Flight flight =
+      fly(mass_at("1e29,-1e29,0.") + "*RIGIDWALL_PLANAR\n1\n1e29,1e29,1e29,0,0,1\n", {1e200, 1e300, 1e300}, 1);
+  for (int i = 0; i < 5; ++i)
+    if (flight.stepper.step()) break;
+  SUCCEED();
+}
+
+TEST(RigidWalls, SameBitsForAnyNumberOfThreads) {
+  std::array<State, 2> result;
+  std::array<double, 2> energy{};
+  for (std::size_t run_number = 0; run_number < 2; ++run_number) {
+    const JobLimit jobs(run_number == 0 ? 1 : 4);
+    Flight flight = fly(plate(60, 60, {0.1, 0.1, 0}) + elastic_deck(shell_section, 1000, 0.3, 1) +
+                            "*RIGIDWALL_PLANAR\n0\n0,0,-0.001,0.1,0.05,1,0.3\n",
+                        {0, 0, -1}, 1e-3);
+    run(flight, 20);
+    result[run_number] = flight.stepper.state();
+    energy[run_number] = flight.wall().energy;
+    EXPECT_GT(energy[run_number], 0);
+  }
+  EXPECT_EQ(result[0].x, result[1].x);
+  EXPECT_EQ(energy[0], energy[1]);
+}
+
+}  // namespace
+}  // namespace gapcheck::solver::rigid_walls_test

@@ -1,0 +1,204 @@
+#include "solver/condition/springs.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "solver/build/build_forces.hpp"
+#include "solver/structure/structure.hpp"
+
+namespace gapcheck::solver::springs_test {
+namespace {
+
+/// A stepper with the springs of a deck.
+struct Oscillation {
+  Stepper stepper;
+  const Springs* springs;
+};
+
+Oscillation run_of(const std::string& deck, const std::vector<Vector>& velocity, double step,
+                   const std::vector<double>& inertia = {}) {
+  const model::Read read = model::read_text(deck);
+  EXPECT_EQ(read.errors(), 0u) << read.text();
+  Diagnostics diagnostics;
+  Structure structure = std::get<Structure>(build_structure(read.model, {}, diagnostics));
+  for (std::size_t i = 0; i < inertia.size(); ++i) structure.state.inertia[i] = inertia[i];
+  for (std::size_t i = 0; i < velocity.size(); ++i)
+    (inertia.empty() ? structure.state.v : structure.state.w)[i] = velocity[i];
+  std::vector<std::unique_ptr<Force>> forces;
+  const auto failure = add_walls_and_springs(read.model, structure, forces, diagnostics);
+  EXPECT_FALSE(failure.has_value()) << (failure ? failure->message : "");
+  EXPECT_TRUE(diagnostics.sorted().empty());
+  StepSettings settings;
+  settings.greatest_step = step;
+  Oscillation run{Stepper(std::move(structure), settings), dynamic_cast<const Springs*>(forces.at(0).get())};
+  run.stepper.add(std::move(forces[0]));
+  return run;
+}
+
+void go(Oscillation& run, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    const auto failure = run.stepper.step();
+    ASSERT_FALSE(failure.has_value()) << failure->message;
+  }
+}
+
+const std::string one_mass = "*NODE\n1,0.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n*ELEMENT_DISCRETE\n1,1,1,0\n";
+const std::string two_masses =
+    "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n2,2,3.\n*ELEMENT_DISCRETE\n1,1,1,2\n";
+const std::string part = "*PART\np\n1,1,1\n*SECTION_DISCRETE\n1\n\n";
+
+// Central differences give x_n = v/ω' sin(n ω_d dt) with sin(ω_d dt / 2) = ω dt / 2, started half a step into it.
+TEST(Springs, PeriodOfAMassOnTheGround) {
+  constexpr double mass = 2, stiffness = 50, step = 0.05, speed = 0.3;
+  Oscillation run = run_of(one_mass + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {Vector(0, speed, 0)}, step);
+  const double omega = std::sqrt(stiffness / mass), turn = 2 * std::asin(omega * step / 2);
+  // x_0 = 0, x_1 = v dt: the first force is zero.
+  for (int n = 1; n <= 500; ++n) {
+    go(run, 1);
+    EXPECT_NEAR(run.stepper.state().x[0].y(), speed * step * std::sin(n * turn) / std::sin(turn), 1e-12);
+  }
+  EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-12);
+  EXPECT_EQ(run.stepper.state().x[0].x(), 0);
+}
+
+TEST(Springs, TwoMassesAndTheEnergyOfTheSpring) {
+  Oscillation run =
+      run_of(two_masses + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {Vector(-0.03, 0, 0), Vector(0.02, 0, 0)}, 1e-3);
+  go(run, 1000);
+  const double elongation = run.springs->elongation(0);
+  EXPECT_NEAR(run.springs->tension(0), 50 * elongation, 1e-12);
+  EXPECT_NEAR(run.stepper.energies().absorbed.springs, 25 * elongation * elongation, 1e-9);
+  EXPECT_NEAR(run.stepper.energies().external, 0, 1e-12);
+  EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-11);
+  // ω² = k (1/m1 + 1/m2)
+  const double omega = std::sqrt(50.0 * 5 / 6), relative = 0.05;
+  EXPECT_NEAR(elongation, relative / omega * std::sin(omega * 0.999), 1e-6);
+}
+
+// S scales, the offset stretches at the start.
+TEST(Springs, ScaleAndOffset) {
+  const std::string deck =
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n2,2,3.\n*ELEMENT_DISCRETE\n"
+      "1,1,1,2,0,3.,0,0.01\n";
+  Oscillation run = run_of(deck + part + "*MAT_SPRING_ELASTIC\n1,50.\n", {}, 1e-3);
+  go(run, 1);
+  EXPECT_NEAR(run.springs->tension(0), 3 * 50 * 0.01, 1e-14);
+  EXPECT_NEAR(run.stepper.net().force[0].x(), 1.5, 1e-14);
+  EXPECT_NEAR(run.stepper.net().force[1].x(), -1.5, 1e-14);
+}
+
+// A damper: v is multiplied with 1 − c dt / m in each step, with 1 − c dt / 2 m in the first.
+TEST(Springs, DamperDecay) {
+  constexpr double step = 0.01;
+  Oscillation run = run_of(one_mass + part + "*MAT_DAMPER_VISCOUS\n1,3.\n", {Vector(0.4, 0, 0)}, step);
+  double speed = 0.4;
+  for (int n = 0; n < 300; ++n) {
+    go(run, 1);
+    speed *= 1 - 3 * step / 2 / (n == 0 ? 2 : 1);
+    EXPECT_NEAR(run.stepper.state().v[0].x(), speed, 1e-13);
+  }
+  EXPECT_NEAR(run.stepper.energies().absorbed.springs + run.stepper.energies().kinetic, run.stepper.energies().initial,
+              1e-13);
+  EXPECT_GT(run.stepper.energies().absorbed.springs, 0.9 * run.stepper.energies().initial);
+}
+
+TEST(Springs, NonlinearCurve) {
+  Oscillation run = run_of(
+      two_masses + part + "*MAT_SPRING_NONLINEAR_ELASTIC\n1,7\n*DEFINE_CURVE\n7\n-1.,-20.\n0.,0.\n0.1,1.\n0.2,9.\n",
+      {Vector(0, 0, 0), Vector(0.5, 0, 0)}, 1e-3);
+  for (int i = 0; i < 1000; ++i) {
+    go(run, 1);
+    const double u = run.springs->elongation(0);
+    const double expected = u < 0 ? 20 * u : u < 0.1 ? 10 * u : 1 + 80 * (u - 0.1);
+    EXPECT_NEAR(run.springs->tension(0), expected, 1e-12);
+  }
+  EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-9);
+}
+
+// Two inertias turn against one another about the line between them.
+TEST(Springs, Torsion) {
+  constexpr double step = 1e-2, stiffness = 50;
+  Oscillation run = run_of(two_masses + "*PART\np\n1,1,1\n*SECTION_DISCRETE\n1,1\n\n*MAT_SPRING_ELASTIC\n1,50.\n",
+                           {Vector(0, 0, 0), Vector(0.1, 0, 0)}, step, {2, 3});
+  const double omega = std::sqrt(stiffness * 5 / 6), turn = 2 * std::asin(omega * step / 2);
+  for (int n = 0; n < 100; ++n) {
+    go(run, 1);
+    EXPECT_NEAR(run.springs->elongation(0), 0.1 * step * std::sin(n * turn) / std::sin(turn), 1e-12);
+  }
+  EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-11);
+}
+
+// The step is limited so that a chain of springs stays stable, and not more than needed.
+TEST(Springs, StableStep) {
+  std::string deck = "*NODE\n";
+  for (int i = 1; i <= 20; ++i) deck += fmt::format("{},{}.,0.,0.\n", i, i);
+  deck += "*ELEMENT_MASS\n";
+  for (int i = 1; i <= 20; ++i) deck += fmt::format("{},{},0.01\n", i, i);
+  deck += "*ELEMENT_DISCRETE\n";
+  for (int i = 1; i < 20; ++i) deck += fmt::format("{},1,{},{}\n", i, i, i + 1);
+  std::vector<Vector> velocity(20, Vector::Zero());
+  velocity[3] = {1e-3, 0, 0};
+  for (const char* material : {"*MAT_SPRING_ELASTIC\n1,5000.\n", "*MAT_DAMPER_VISCOUS\n1,30.\n"}) {
+    Oscillation run = run_of(deck + part + material, velocity, 1);
+    go(run, 3000);
+    EXPECT_LT(run.stepper.state().dt, 1);
+    EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-9);
+    for (const Vector& v : run.stepper.state().v) EXPECT_LT(v.norm(), 2e-3);
+  }
+  // ω² = 4 k / m for the chain.
+  Oscillation run = run_of(deck + part + "*MAT_SPRING_ELASTIC\n1,5000.\n", velocity, 1);
+  EXPECT_NEAR(run.springs->stable_step(), std::sqrt(0.19) * 2 / std::sqrt(4 * 5000 / 0.01), 1e-12);
+}
+
+// On a rigid body its mass counts, not that of the node.
+TEST(Springs, OnARigidBody) {
+  const std::string deck =
+      brick_bar(1, {1, 1, 1}) + "*PART\np\n1,2,2\n*PART\ns\n2,1,1\n" + "*SECTION_DISCRETE\n1\n\n*SECTION_SOLID\n2,1\n" +
+      "*MAT_SPRING_ELASTIC\n1,50.\n*MAT_RIGID\n2,4.,1000.,0.3\n*ELEMENT_DISCRETE\n9,2,1,0\n10,2,8,0\n";
+  const model::Read read = model::read_text(deck);
+  EXPECT_EQ(read.errors(), 0u) << read.text();
+  Diagnostics diagnostics;
+  Structure structure = std::get<Structure>(build_structure(read.model, {}, diagnostics));
+  structure.rigid.set_motion(0, {0.1, 0, 0}, {0, 0, 0}, structure.state);
+  std::vector<std::unique_ptr<Force>> forces;
+  ASSERT_FALSE(add_walls_and_springs(read.model, structure, forces, diagnostics).has_value());
+  EXPECT_GT(forces.at(0)->stable_step(), 0.01);
+  StepSettings settings;
+  settings.greatest_step = 1e-2;
+  Stepper stepper(std::move(structure), settings);
+  stepper.add(std::move(forces[0]));
+  for (int i = 0; i < 500; ++i) ASSERT_FALSE(stepper.step().has_value());
+  EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-6);  // the body turns: curved ways within a step
+  EXPECT_GT(stepper.energies().absorbed.springs, 0);
+}
+
+TEST(Springs, WhatIsMissingOrNotCalculatedIsTold) {
+  const auto outcome = [](const std::string& deck, Diagnostics& diagnostics) {
+    const model::Read read = model::read_text(deck);
+    const Structure structure = std::get<Structure>(build_structure(read.model, {}, diagnostics));
+    std::vector<std::unique_ptr<Force>> forces;
+    return add_walls_and_springs(read.model, structure, forces, diagnostics);
+  };
+  Diagnostics unused;
+  EXPECT_EQ(outcome(one_mass, unused)->kind, Failure::Kind::missing_material);
+  EXPECT_EQ(outcome(one_mass + "*PART\np\n1,1,1\n*SECTION_SOLID\n1,1\n*MAT_S01\n1,1.\n", unused)->kind,
+            Failure::Kind::missing_material);
+  EXPECT_EQ(outcome(one_mass + part + "*MAT_S05\n1,7\n", unused)->kind, Failure::Kind::bad_material);
+  EXPECT_EQ(outcome(one_mass + part + "*MAT_S04\n1,7\n", unused)->kind, Failure::Kind::bad_material);
+  Diagnostics diagnostics;
+  EXPECT_FALSE(outcome("*NODE\n1,0.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n*ELEMENT_DISCRETE\n1,1,1,0,5\n2,2,1,0\n3,3,1,0\n" +
+                           part +
+                           "*PART\nt\n2,2,1\n*PART\nl\n3,3,1\n*SECTION_DISCRETE\n2,1\n\n3,0,1.\n\n*MAT_S01\n1,1.\n",
+                       diagnostics)
+                   .has_value());
+  std::string text;
+  for (const Diagnostic& d : diagnostics.sorted()) text += d.message + "\n";
+  EXPECT_EQ(
+      text,
+      "discrete element 1 acts along a vector (VID), which is not calculated; it takes no part in the calculation\n"
+      "discrete element 2 has no axis to turn about; it takes no part in the calculation\n"
+      "section 3: KD, V0, CL, FD, CDL and TDL are not calculated\n");
+}
+
+}  // namespace
+}  // namespace gapcheck::solver::springs_test

@@ -1,0 +1,289 @@
+#include "solver/element/solid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace gapcheck::solver::solid_test {
+namespace {
+
+using Kernel = SolidForces (*)(const SolidProperties&, const SolidCorners&, double, SolidState&, PointState&);
+using Corners = std::array<Vector, 8>;
+
+constexpr double young = 1000;
+
+SolidProperties elastic_solid(double nu = 0.3, HourglassKind hourglass = HourglassKind::stiffness) {
+  SolidProperties properties;
+  properties.material = {MaterialKind::elastic, 1, young, nu, {}, 0, 0, 0};
+  properties.hourglass = {hourglass, 0.1};
+  properties.linear_viscosity = properties.quadratic_viscosity = 0;
+  return properties;
+}
+
+const Corners unit_cube{Vector(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+
+double volume_of(Kernel kernel, const Corners& x) {
+  return kernel == brick_forces ? brick_volume(x) : tetrahedron_volume(x);
+}
+
+struct OneSolid {
+  SolidProperties properties = elastic_solid();
+  Kernel kernel = brick_forces;
+  SolidState state;
+  PointState point;
+  OneSolid(SolidProperties all, Kernel function, const Corners& x) : properties(std::move(all)), kernel(function) {
+    state.mass = properties.material.density * volume_of(kernel, x);
+  }
+  SolidForces step(const SolidCorners& corners, double dt) { return kernel(properties, corners, dt, state, point); }
+};
+
+SolidCorners at_rest(const Corners& x) {
+  SolidCorners corners{x, {}};
+  for (Vector& v : corners.v) v.setZero();
+  return corners;
+}
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  Vector vector(double size) { return {number(size), number(size), number(size)}; }
+  /// A cube with moved corners; for a tetrahedron corners 0, 1, 3, 4 of it in front.
+  Corners shape(Kernel kernel, double size) {
+    Corners x = unit_cube;
+    for (Vector& corner : x) corner += vector(size);
+    if (kernel == tetrahedron_forces) x = {x[0], x[1], x[3], x[4], x[4], x[4], x[4], x[4]};
+    return x;
+  }
+
+ private:
+  double number(double size) { return std::uniform_real_distribution<double>(-size, size)(engine_); }
+  std::mt19937 engine_;
+};
+
+/// Volume of the trilinear brick by 2 x 2 x 2 Gauss points, which are exact for it.
+double gauss_volume(const Corners& x) {
+  constexpr double signs[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                  {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  double volume = 0;
+  for (const auto& g : signs) {
+    const Vector at = Vector(g[0], g[1], g[2]) / std::numbers::sqrt3;
+    Matrix jacobian = Matrix::Zero();
+    for (std::size_t a = 0; a < 8; ++a)
+      for (int k = 0; k < 3; ++k) {
+        double slope = signs[a][k] / 8;
+        for (int j = 0; j < 3; ++j)
+          if (j != k) slope *= 1 + signs[a][j] * at[j];
+        jacobian.col(k) += slope * x[a];
+      }
+    volume += jacobian.determinant();
+  }
+  return volume;
+}
+
+TEST(Solid, VolumeOfWarpedBricks) {
+  EXPECT_NEAR(brick_volume(unit_cube), 1, 1e-15);
+  Random random(3);
+  for (int i = 0; i < 20; ++i) {
+    const Corners x = random.shape(brick_forces, 0.3);
+    EXPECT_NEAR(brick_volume(x), gauss_volume(x), 1e-14);
+  }
+  EXPECT_NEAR(tetrahedron_volume({Vector(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), 1.0 / 6, 1e-16);
+}
+
+/// A cube of 2 x 2 x 2 cells with its inner node (13) and the nodes of its faces moved about.
+struct Patch {
+  std::vector<Vector> x;
+  std::vector<Corners> elements;
+  std::vector<std::array<int, 8>> nodes;
+  explicit Patch(Kernel kernel) {
+    for (int i = 0; i < 27; ++i) x.emplace_back(i % 3, i / 3 % 3, i / 9);
+    x[13] += Vector(0.3, -0.25, 0.2);
+    x[22] += Vector(0.2, 0.1, 0);
+    x[14] += Vector(0, 0.2, -0.1);
+    for (int cell = 0; cell < 8; ++cell) {
+      const int o = cell % 2 + cell / 2 % 2 * 3 + cell / 4 * 9;
+      const std::array<int, 8> hex{o, o + 1, o + 4, o + 3, o + 9, o + 10, o + 13, o + 12};
+      if (kernel == brick_forces) {
+        nodes.push_back(hex);
+        continue;
+      }
+      // Six tetrahedra about the diagonal 0–6; neighbours fit.
+      constexpr std::size_t ring[7] = {1, 2, 3, 7, 4, 5, 1};
+      for (std::size_t k = 0; k < 6; ++k) {
+        const int last = hex[6];
+        nodes.push_back({hex[0], hex[ring[k]], hex[ring[k + 1]], last, last, last, last, last});
+      }
+    }
+    for (const auto& element : nodes) {
+      Corners corners;
+      for (std::size_t a = 0; a < 8; ++a) corners[a] = x[static_cast<std::size_t>(element[a])];
+      elements.push_back(corners);
+    }
+  }
+};
+
+// A linear field: the inner node feels nothing, the stress is the elastic law's everywhere.
+TEST(SolidPatch, LinearField) {
+  constexpr double dt = 1e-9;
+  Matrix gradient;
+  gradient << 1, 0.5, -0.2, 0.3, -0.4, 0.7, 0.1, -0.6, 0.8;
+  for (const Kernel kernel : {brick_forces, tetrahedron_forces}) {
+    const Patch patch(kernel);
+    std::vector<Vector> force(27, Vector::Zero());
+    double volume = 0;
+    for (std::size_t e = 0; e < patch.elements.size(); ++e) {
+      OneSolid solid(elastic_solid(), kernel, patch.elements[e]);
+      SolidCorners corners = at_rest(patch.elements[e]);
+      for (std::size_t a = 0; a < 8; ++a) corners.v[a] = gradient * corners.x[a];
+      const SolidForces forces = solid.step(corners, dt);
+      ASSERT_TRUE(forces.good) << e;
+      volume += forces.volume;
+      EXPECT_NEAR(forces.hourglass_work / (dt * dt), 0, 1e-9);
+      PointState expected;
+      Symmetric increment = to_symmetric(gradient);
+      for (double& value : increment) value *= dt;
+      update_stress(solid.properties.material, increment, dt, expected);
+      for (std::size_t c = 0; c < 6; ++c)
+        EXPECT_NEAR(solid.point.stress[c] / dt, expected.stress[c] / dt, 1e-5) << e << " " << c;
+      for (std::size_t a = 0; a < 8; ++a) force[static_cast<std::size_t>(patch.nodes[e][a])] += forces.force[a];
+    }
+    EXPECT_NEAR(volume, 8, 1e-7);
+    EXPECT_NEAR(force[13].norm() / dt, 0, 1e-5);
+  }
+}
+
+// Through a whole circle about any axis a stressed, hourglassed solid keeps its stresses and forces in its own axes.
+TEST(Solid, RigidRotationIsFree) {
+  const Vector axis = Vector(0.3, -1, 0.6).normalized();
+  constexpr int steps = 100;
+  const Matrix turn = Eigen::AngleAxisd(2 * std::numbers::pi / steps, axis).toRotationMatrix();
+  for (const Kernel kernel : {brick_forces, tetrahedron_forces}) {
+    Random random(5);
+    const Corners x = random.shape(kernel, 0.2);
+    OneSolid solid(elastic_solid(), kernel, x);
+    SolidCorners corners = at_rest(x);
+    for (Vector& v : corners.v) v = random.vector(0.01);
+    const SolidForces first = solid.step(corners, 1);
+    const Symmetric stress = solid.point.stress;
+    for (int step = 0; step < steps; ++step) {
+      for (std::size_t a = 0; a < 8; ++a) {
+        const Vector next = turn * corners.x[a];
+        corners.v[a] = next - corners.x[a];
+        corners.x[a] = next;
+      }
+      const SolidForces forces = solid.step(corners, 1);
+      EXPECT_NEAR(forces.hourglass_work, 0, 1e-13);
+      if (step == steps / 4 - 1) {
+        const Matrix quarter = Eigen::AngleAxisd(std::numbers::pi / 2, axis).toRotationMatrix();
+        for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(solid.point.stress[c], rotated(stress, quarter)[c], 1e-11);
+        for (std::size_t a = 0; a < 8; ++a) EXPECT_NEAR((forces.force[a] - quarter * first.force[a]).norm(), 0, 1e-11);
+      }
+    }
+    for (std::size_t c = 0; c < 6; ++c) EXPECT_NEAR(solid.point.stress[c], stress[c], 1e-11);
+  }
+}
+
+TEST(Solid, ForcesAreInBalance) {
+  Random random(9);
+  for (int trial = 0; trial < 50; ++trial)
+    for (const Kernel kernel : {brick_forces, tetrahedron_forces}) {
+      const Corners x = random.shape(kernel, 0.2);
+      OneSolid solid(elastic_solid(), kernel, x);
+      SolidCorners corners = at_rest(x);
+      for (Vector& v : corners.v) v = random.vector(0.5);
+      const SolidForces forces = solid.step(corners, 1e-3);
+      ASSERT_TRUE(forces.good);
+      Vector force = Vector::Zero(), moment = Vector::Zero();
+      for (std::size_t a = 0; a < 8; ++a) {
+        force += forces.force[a];
+        moment += corners.x[a].cross(forces.force[a]);
+      }
+      EXPECT_NEAR(force.norm(), 0, 1e-13);
+      EXPECT_NEAR(moment.norm(), 0, 1e-12);
+    }
+}
+
+TEST(Solid, StableStepIsABound) {
+  Random random(21);
+  for (int trial = 0; trial < 40; ++trial)
+    for (const Kernel kernel : {brick_forces, tetrahedron_forces}) {
+      const Corners x = trial == 0 ? random.shape(kernel, 0) : random.shape(kernel, 0.25);
+      const OneSolid solid(elastic_solid(trial % 2 == 0 ? 0.3 : 0, HourglassKind::none), kernel, x);
+      const int corners = kernel == brick_forces ? 8 : 4;
+      constexpr double dt = 1e-8;
+      Eigen::MatrixXd stiffness(3 * corners, 3 * corners);
+      for (int column = 0; column < 3 * corners; ++column) {
+        OneSolid copy = solid;
+        SolidCorners moved = at_rest(x);
+        moved.v[static_cast<std::size_t>(column / 3)][column % 3] = 1;
+        const SolidForces forces = copy.step(moved, dt);
+        for (int a = 0; a < corners; ++a)
+          stiffness.block<3, 1>(3 * a, column) = forces.force[static_cast<std::size_t>(a)] / dt;
+      }
+      const Eigen::MatrixXd scaled = (stiffness + stiffness.transpose()) / 2 * corners / solid.state.mass;
+      const double highest = std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues().tail(1)[0]);
+      OneSolid copy = solid;
+      const double step = copy.step(at_rest(x), 0).stable_step;
+      EXPECT_LE(step, 2 / highest * (1 + 1e-5)) << trial;
+      EXPECT_GE(step, 0.5 * 2 / highest) << trial;
+    }
+}
+
+// Brick: volume / largest face; tetrahedron: the shortest height.
+TEST(Solid, ManualTimeStep) {
+  Corners box = unit_cube;
+  for (Vector& x : box) x = x.cwiseProduct(Vector(3, 2, 0.5));
+  OneSolid brick(elastic_solid(), brick_forces, box);
+  const double speed = std::sqrt(brick.properties.material.wave_modulus());
+  EXPECT_NEAR(brick.step(at_rest(box), 0).manual_step, 0.5 / speed, 1e-14);
+  const Corners tet{Vector(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+  OneSolid tetrahedron(elastic_solid(), tetrahedron_forces, tet);
+  EXPECT_NEAR(tetrahedron.step(at_rest(tet), 0).manual_step, 1 / std::sqrt(3.0) / speed, 1e-14);
+}
+
+// Unit cube, mode (−1, 1, −1, 1, 1, −1, 1, −1) in x: q = 8 and Σ b² = 3/2, so Q = r M / 2 · dt.
+TEST(Solid, HourglassStiffness) {
+  constexpr double dt = 1e-8;
+  constexpr double mode[8] = {-1, 1, -1, 1, 1, -1, 1, -1};
+  OneSolid solid(elastic_solid(), brick_forces, unit_cube);
+  SolidCorners corners = at_rest(unit_cube);
+  for (std::size_t a = 0; a < 8; ++a) corners.v[a].x() = mode[a];
+  const SolidForces forces = solid.step(corners, dt);
+  const double expected = 0.1 * solid.properties.material.wave_modulus() / 2 * dt;
+  for (std::size_t a = 0; a < 8; ++a) EXPECT_NEAR(forces.force[a].x(), mode[a] * expected, 1e-13);
+  EXPECT_NEAR(forces.hourglass_work, 8 * expected * dt / 2, 1e-18);
+  // Viscous: r / 4 ρ c V^(2/3) q, for as long as it moves.
+  OneSolid viscous(elastic_solid(0.3, HourglassKind::viscous), brick_forces, unit_cube);
+  const double damping = 0.1 / 4 * std::sqrt(viscous.properties.material.wave_modulus()) * 8;
+  EXPECT_NEAR(viscous.step(corners, dt).force[1].x(), damping, 1e-6);
+  EXPECT_EQ(viscous.step(at_rest(unit_cube), dt).force[1].norm(), 0);
+}
+
+TEST(Solid, BulkViscosity) {
+  SolidProperties properties = elastic_solid();
+  properties.quadratic_viscosity = 1.5;
+  properties.linear_viscosity = 0.06;
+  const BulkViscosity q = bulk_viscosity(properties, 2, 10, 0.5, -4);
+  EXPECT_DOUBLE_EQ(q.pressure, 2 * 0.5 * (1.5 * 0.5 * 16 + 0.06 * 10 * 4));
+  EXPECT_DOUBLE_EQ(q.step_speed, 0.06 * 10 + 1.5 * 0.5 * 4);
+  EXPECT_EQ(bulk_viscosity(properties, 2, 10, 0.5, 4).pressure, 0);
+}
+
+TEST(Solid, TurnedInsideOutIsTold) {
+  Corners x = unit_cube;
+  std::swap(x[0], x[4]);
+  std::swap(x[1], x[5]);
+  std::swap(x[2], x[6]);
+  std::swap(x[3], x[7]);
+  OneSolid solid(elastic_solid(), brick_forces, unit_cube);
+  EXPECT_FALSE(solid.step(at_rest(x), 0).good);
+  Corners broken = unit_cube;
+  broken[3].x() = NAN;
+  EXPECT_FALSE(solid.step(at_rest(broken), 0).good);
+}
+
+}  // namespace
+}  // namespace gapcheck::solver::solid_test
