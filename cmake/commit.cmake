@@ -1,5 +1,5 @@
-# Run at every build: writes OUTPUT with the commit of SOURCE, and only if it has changed, so that nothing is built for
-# nothing. Outside a repository the commit is "unknown"; "+" stands for changes that are not committed.
+# Run at every build: writes OUTPUT with the commit of SOURCE, and only if it has changed, to avoid needless builds.
+# Outside a repository the commit is "unknown"; "+" means uncommitted changes.
 execute_process(COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE
                 ERROR_QUIET RESULT_VARIABLE status)
 if(NOT status EQUAL 0)

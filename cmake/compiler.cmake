@@ -3,15 +3,15 @@ add_library(gapcheck_flags INTERFACE)
 target_include_directories(gapcheck_flags INTERFACE ${PROJECT_SOURCE_DIR}/lib)
 target_compile_options(gapcheck_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wcast-align)
-# g++ 12 warns of overlapping copies inside its own std::string (GCC bug 105329).
+# g++ 12 warns about overlapping copies inside its own std::string (GCC bug 105329).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(gapcheck_flags INTERFACE -Wno-restrict)
 endif()
 if(GAPCHECK_WERROR)
   target_compile_options(gapcheck_flags INTERFACE -Werror)
 endif()
-# The same bits from every compiler and on every machine. The proofs hold with fused operations as well, and
-# GAPCHECK_CONTRACT is there to show it. The flags are those of all rooms: Eigen aligns memory by -mfma.
+# The same bits from every compiler and on every machine. The proofs also hold with fused operations, as
+# GAPCHECK_CONTRACT shows. All rooms use the same flags: Eigen aligns memory by -mfma.
 if(GAPCHECK_CONTRACT)
   include(CheckCXXSourceRuns)
   set(CMAKE_REQUIRED_FLAGS -mfma)

@@ -1,8 +1,7 @@
 # gapcheck_refuse_fast_math(): ends the configuration if a compiler flag anywhere lets arithmetic be rearranged or taken as
 # free of NaN and infinities. The error bounds of the decisions are proven for IEEE doubles (docs/theory/decisions.md).
-# -ffp-contract is not among them: the proofs hold with fused operations too.
-# Looked at: CMAKE_CXX_FLAGS and those of all configurations, options of the directory, words behind the compiler's name,
-# and CXXFLAGS of the environment.
+# -ffp-contract is allowed: the proofs hold with fused operations too. Checked: CMAKE_CXX_FLAGS and those of all
+# configurations, options of the directory, words after the compiler's name, and CXXFLAGS of the environment.
 function(gapcheck_refuse_fast_math)
   set(flags
     -Ofast
@@ -33,7 +32,7 @@ function(gapcheck_refuse_fast_math)
   endif()
 endfunction()
 
-# A flag may carry a value of its own: -mrecip=all.
+# A flag may have a value: -mrecip=all.
 function(gapcheck_refuse_flags_in place text pattern)
   if(" ${text} " MATCHES "[ ;\"'](${pattern})[ ;\"'=]")
     message(FATAL_ERROR "gapcheck decides exactly, and ${CMAKE_MATCH_1} breaks the proofs of its error bounds. "

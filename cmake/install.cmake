@@ -1,5 +1,6 @@
 # cmake --install: programs, manual pages and completions; and, as component "development", the libraries with a CMake
-# package: find_package(gapcheck) gives gapcheck::audit, gapcheck::solver, gapcheck::report and the rooms that they need.
+# package: find_package(gapcheck) gives gapcheck::api with its headers, gapcheck/*.hpp. The other rooms are installed only
+# to be linked: they have no headers there.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -15,13 +16,20 @@ install(FILES ${PROJECT_SOURCE_DIR}/NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} C
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT programs)
 
 set(rooms "")
-foreach(room base records keyword model geometry contact results audit solver report)
+foreach(room base records keyword model geometry contact results audit solver report api)
   list(APPEND rooms gapcheck_${room})
   set_target_properties(gapcheck_${room} PROPERTIES EXPORT_NAME ${room})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gapcheck
-          COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+  # Libraries of headers alone are needed to build the rooms, not to link them.
+  get_target_property(linked gapcheck_${room} INTERFACE_LINK_LIBRARIES)
+  list(TRANSFORM linked REPLACE "^(.*(Eigen3|CGAL|nlohmann_json)::.*)$" "$<BUILD_INTERFACE:\\1>")
+  set_target_properties(gapcheck_${room} PROPERTIES INTERFACE_LINK_LIBRARIES "${linked}")
 endforeach()
+# The numbers of CGAL.
+set_property(TARGET gapcheck_geometry APPEND PROPERTY INTERFACE_LINK_LIBRARIES $<INSTALL_INTERFACE:mpfr>
+             $<INSTALL_INTERFACE:gmp>)
 install(TARGETS ${rooms} EXPORT gapcheck-targets ARCHIVE COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/lib/api/gapcheck DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+        COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/gapcheck)
 install(EXPORT gapcheck-targets NAMESPACE gapcheck:: DESTINATION ${package_folder} COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/gapcheck-config.cmake.in
@@ -43,6 +51,6 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME gapcheck)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME gapcheck-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libcgal-dev, libeigen3-dev, libfmt-dev, libtbb-dev, nlohmann-json3-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libfmt-dev, libgmp-dev, libmpfr-dev, libtbb-dev")
 set(CPACK_STRIP_FILES ON)
 include(CPack)

@@ -1,4 +1,4 @@
-"""What scripts that write generated files share: the command line, and --check, which compares without writing."""
+"""Shared by scripts that generate files: the command line, and --check, which compares without writing."""
 
 import argparse
 import filecmp
@@ -10,7 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def stale_files(folder, write_all, foreign):
-    """Files of the folder that differ from what would be written, or should not be there. `foreign(path)`: not ours."""
+    """Files of the folder that differ from what would be written, or should not exist. `foreign(path)`: not ours."""
     with tempfile.TemporaryDirectory() as fresh:
         fresh = pathlib.Path(fresh)
         write_all(fresh)

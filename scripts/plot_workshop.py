@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-# Broken lines, so that a curve beneath shows.
+# Dashed lines, so that a curve beneath is visible.
 STROKES = ('stroke="#1f4e9c"', 'stroke="#c0392b"', 'stroke="#2e8b57" stroke-dasharray="10 4"',
            'stroke="#8e44ad" stroke-dasharray="4 4"')
 FIRST_UPPER_NODE = 2001  # of what is thrown or pushed
@@ -84,6 +84,7 @@ def round_step(span):
 class Axis:
     def __init__(self, values, start, end):
         low, high = min(values), max(values)
+        high = high if high > low else low + 1.0  # a constant
         step = round_step(high - low)
         self.first, self.last = math.floor(low / step + 1e-9), math.ceil(high / step - 1e-9)
         self.step, self.start, self.end = step, start, end
@@ -186,12 +187,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", help="path of gapcheck")
     parser.add_argument("output", nargs="?", type=pathlib.Path, default=ROOT / "docs" / "workshop")
+    parser.add_argument("--small", action="store_true", help="one figure only, to test this script")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
-        for name, (draw, x_label, y_label), decks, more in FIGURES:
+        for name, (draw, x_label, y_label), decks, more in FIGURES[:1] if arguments.small else FIGURES:
             curves = {label: draw(Results(arguments.program, deck, folder)) for deck, label in decks.items()}
             (arguments.output / f"{name}.svg").write_text(svg(curves, x_label, y_label, **more), encoding="ascii")
+        if arguments.small:
+            return 0
         (arguments.output / "transducer_sum.svg").write_text(transducer_figure(arguments.program, folder),
                                                              encoding="ascii")
     return 0

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes what the programs print for every deck and log at hand into a folder, so that two builds can be compared.
+"""Writes what the programs print for every available deck and log into a folder, to compare two builds.
 
     scripts/record_outputs.py BUILD FOLDER [--decks DIR …]
     diff -r before after
@@ -24,7 +24,7 @@ dates = re.compile(rb'Date: \d\d/\d\d/\d{4} +Time: \d\d:\d\d:\d\d')
 
 
 def normal(text, out):
-    return versions.sub('gapcheck VERSION', times.sub(r'\1\2T', text.replace(str(out), 'FOLDER')))
+    return versions.sub('gapcheck VERSION', times.sub(r'\1\2T', text.replace(str(out), 'FOLDER').replace(str(root), 'ROOT')))
 
 
 def call(program, arguments, target, folder, out):

@@ -5,6 +5,7 @@
 
 The tests record their numbers as properties; this runs them and puts the numbers into a table.
 """
+import argparse
 import json
 import pathlib
 import re
@@ -88,12 +89,14 @@ TAIL = """
   reports, with their product, is constant to rounding.
 """
 
+TESTS = "Vibration.*:*TimeStep.*:*PulledBar*:Impact.*:*LongImpacts*:Hertz.*:Penalty.*"
+SMALL = "*PulledBar*"
 
-def measured(program):
+
+def measured(program, names):
     """All recorded properties of one run."""
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / "tests.json"
-        names = "Vibration.*:*TimeStep.*:*PulledBar*:Impact.*:*LongImpacts*:Hertz.*:Penalty.*"
         subprocess.run([program, f"--gtest_filter={names}", f"--gtest_output=json:{output}", "--gtest_brief=1"], check=True)
         suites = json.loads(output.read_text())["testsuites"]
     found = {}
@@ -104,9 +107,13 @@ def measured(program):
 
 
 def main():
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    values = measured(sys.argv[1])
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", metavar="TEST_SOLVER")
+    parser.add_argument("--small", action="store_true", help="a few of the numbers only, to test this script")
+    arguments = parser.parse_args()
+    values = measured(arguments.program, SMALL if arguments.small else TESTS)
+    if not values:
+        sys.exit(f"{arguments.program}: no test has recorded anything")
     lines = [HEAD]
     unused = set(values)
     for row in ROWS:
@@ -115,6 +122,8 @@ def main():
             continue
         what, wanted, key = row
         if key not in values:
+            if arguments.small:
+                continue
             sys.exit(f"no test has recorded {key}")
         unused.discard(key)
         lines.append(f"| {what} | {wanted} | {values[key]} |")

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Runs decks by others with the verification solver and writes docs/solver-runs.md with its pictures.
+"""Runs other people's decks with the verification solver and writes docs/solver-runs.md with its pictures.
 
     scripts/solver_runs.py GAPCHECK DECKS    GAPCHECK: the program; DECKS: the folder with the decks
 """
+import argparse
 import base64
 import math
 import pathlib
@@ -28,6 +29,9 @@ RUNS = [
     ("roll_forming", "roll_forming/model.k", 0.01, PARTS, ["--ignore-unsupported"], (1, -1, 2), 1e-5),
 ]
 
+# With --small: DECKS is data/workshop.
+SMALL = [("push_shell_shell", "push_shell_shell.k", None, "", [], (1, -2, 1), 0.005)]
+
 # Reading results ----------------------------------------------------------------------------------------------------
 
 
@@ -35,7 +39,7 @@ def array(text, name):
     """A data array of a .vtu file, flat."""
     tag, data = re.search(rf'<DataArray ([^>]*Name="{name}"[^>]*)>\s*([^<]*)<', text).groups()
     raw = base64.b64decode(data)
-    size, code = {"Float32": (4, "f"), "Float64": (8, "d"), "Int64": (8, "q"), "UInt8": (1, "B")}[
+    size, code = {"Float32": (4, "f"), "Float64": (8, "d"), "Int32": (4, "i"), "Int64": (8, "q"), "UInt8": (1, "B")}[
         re.search(r'type="(\w+)"', tag)[1]]
     count = struct.unpack_from("<Q", raw)[0] // size
     return struct.unpack_from(f"<{count}{code}", raw, 8)
@@ -53,7 +57,7 @@ def glstat(folder):
 
 
 def forces(folder):
-    """Half the sum of the sizes of all nodal contact forces over time, from ncforc: both sides are in it."""
+    """Half the sum of the magnitudes of all nodal contact forces over time, from ncforc, which contains both sides."""
     sums = {}
     for block in (folder / "ncforc").read_text(encoding="ascii").split("forces of contact")[1:]:
         time = float(re.search(r"time=\s*(\S+)", block)[1])
@@ -164,12 +168,15 @@ def run(program, decks, folder, name, deck, until, front, more, view, interval):
 
 
 def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__)
-    program, decks = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", metavar="GAPCHECK")
+    parser.add_argument("decks", metavar="DECKS", type=pathlib.Path)
+    parser.add_argument("--small", action="store_true", help="one short run of a deck of data/workshop, to test this script")
+    arguments = parser.parse_args()
+    program, decks = arguments.program, arguments.decks.resolve()
     PICTURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
-        done = [run(program, decks, pathlib.Path(folder), *one) for one in RUNS]
+        done = [run(program, decks, pathlib.Path(folder), *one) for one in (SMALL if arguments.small else RUNS)]
     PAGE.write_text("""# Runs of other people's decks
 
 The verification solver on decks that were not written for it; `scripts/solver_runs.py` runs them and writes this page.

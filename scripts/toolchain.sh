@@ -1,4 +1,4 @@
-# Sourced by ../run and ../test: what both need before they build. Everything it says goes to standard error.
+# Sourced by ../run and ../test: what both need before they build. All its messages go to standard error.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '%s\n' "$*" >&2; }

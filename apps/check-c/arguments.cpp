@@ -15,8 +15,8 @@ namespace {
 
 using Value = std::string;
 
-/// Takes an option's value; returns what is wrong with it, or nothing.
-using Set = std::string (*)(Arguments&, const Value&);
+/// Takes an option's value. The error says what is wrong with it.
+using Set = Status (*)(Arguments&, const Value&);
 
 struct Option {
   std::string_view name;
@@ -25,57 +25,68 @@ struct Option {
   Set set;
 };
 
-std::string set_amount(const Value& text, double& amount) {
+Status set_amount(const Value& text, double& amount) {
   const std::optional<double> value = parse_real(text);
-  if (!value || !(*value >= 0)) return "is not a number of 0 or more";
+  if (!value || !(*value >= 0)) return plain_error("is not a number of 0 or more");
   amount = *value;
-  return "";
+  return {};
 }
 
 template <class Integer>
-std::string set_count(const Value& text, std::int64_t least, std::int64_t most, Integer& count) {
+Status set_count(const Value& text, std::int64_t least, std::int64_t most, Integer& count) {
   const std::optional<std::int64_t> value = parse_integer(text);
-  if (!value || *value < least || *value > most) return fmt::format("is not a whole number of {} to {}", least, most);
+  if (!value || *value < least || *value > most)
+    return plain_error(fmt::format("is not a whole number of {} to {}", least, most));
   count = static_cast<Integer>(*value);
-  return "";
+  return {};
 }
 
-/// "1,2,3"; empty entries, as in "1,2,", are passed over.
-std::string set_ids(const Value& text, std::vector<std::int64_t>& ids) {
+/// "1,2,3"; empty entries, as in "1,2,", are skipped.
+Status set_ids(const Value& text, std::vector<std::int64_t>& ids) {
   std::string_view rest = text;
   while (!rest.empty()) {
     const std::string_view entry = rest.substr(0, rest.find(','));
     rest.remove_prefix(std::min(rest.size(), entry.size() + 1));
     if (entry.empty()) continue;
     const std::optional<std::int64_t> id = parse_integer(entry);
-    if (!id) return "is not a list of whole numbers";
+    if (!id) return plain_error("is not a list of whole numbers");
     ids.push_back(*id);
   }
-  return ids.empty() ? "names no interface" : "";
+  if (ids.empty()) return plain_error("names no interface");
+  return {};
 }
 
-std::string set_selection(Arguments& arguments, const Value& text) {
-  if (!report::known_selection(text)) return "is no warning type; check-c -help lists them";
+Status set_selection(Arguments& arguments, const Value& text) {
+  if (!report::known_selection(text)) return plain_error("is no warning type; check-c -help lists them");
   arguments.view.sel = text;
-  return "";
+  return {};
 }
 
 /// A flag of the view, of the arguments.
 template <auto Member>
-std::string view_flag(Arguments& arguments, const Value&) {
+Status view_flag(Arguments& arguments, const Value&) {
   arguments.view.*Member = true;
-  return "";
+  return {};
 }
 template <auto Member>
-std::string flag(Arguments& arguments, const Value&) {
+Status flag(Arguments& arguments, const Value&) {
   arguments.*Member = true;
-  return "";
+  return {};
 }
 template <auto Member>
-std::string text(Arguments& arguments, const Value& value) {
-  if (value.empty()) return "is empty";
+Status text(Arguments& arguments, const Value& value) {
+  if (value.empty()) return plain_error("is empty");
   arguments.*Member = value;
-  return "";
+  return {};
+}
+
+/// A second -typ asks for keywords instead of codes.
+Status set_type(Arguments& arguments, const Value&) {
+  const bool again = arguments.typ_given;
+  arguments.typ_given = true;
+  if (again) arguments.view.type_keyword = true;
+  arguments.view.type_code = !again;
+  return {};
 }
 
 constexpr std::int64_t most_nodes = 1'000'000'000'000;
@@ -128,7 +139,7 @@ const std::array options{
     Option{"-title", "", "print contact titles where there are any (from the d3hsp file)",
            view_flag<&report::CheckCOptions::title>},
     Option{"-hsp", "<file>", "d3hsp file (default: d3hsp beside the first messag-file)", text<&Arguments::hsp>},
-    Option{"-typ", "", "print contact types as codes (a3, 13, a13)", view_flag<&report::CheckCOptions::type_code>},
+    Option{"-typ", "", "print contact types as codes (a3, 13, a13); twice: as -type", set_type},
     Option{"-type", "", "print contact types as keywords (SINGLE_SURFACE); also -typkey",
            view_flag<&report::CheckCOptions::type_keyword>},
     Option{"-timestep", "", "print contact time steps where there are any",
@@ -156,7 +167,7 @@ const std::array options{
     Option{"--messages", "<file>", "additions to the table of known messages",
            [](Arguments& a, const Value& v) {
              a.message_files.push_back(v);
-             return std::string();
+             return Status();
            }},
     Option{"--quiet", "", "no warnings about the input", flag<&Arguments::quiet>},
     Option{"--jobs", "##", "threads (default: as many as the machine has)",
@@ -177,13 +188,13 @@ const Option* find(std::string_view word) {
   return found == options.end() ? nullptr : &*found;
 }
 
-/// Columns of a text in which every byte but the continuations of UTF-8 is one.
+/// Columns of a text: every byte except UTF-8 continuation bytes counts as one.
 std::size_t width(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// The help's lines, all beginning in the same column.
+/// The help's lines, all starting in the same column.
 void append_help(const Option& option, std::string& out) {
   constexpr std::size_t column = 20;
   std::string left = "  " + std::string(option.name);
@@ -202,25 +213,26 @@ void append_help(const Option& option, std::string& out) {
 
 }  // namespace
 
-std::string parse(const std::vector<std::string>& words, Arguments& arguments) {
+Result<Arguments> parse(const std::vector<std::string>& words) {
+  Arguments arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     const Option* option = find(word);
     if (option == nullptr) {
-      if (word.size() > 1 && word.front() == '-') return fmt::format("unknown option '{}'", word);
+      if (word.size() > 1 && word.front() == '-') return plain_error(fmt::format("unknown option '{}'", word));
       arguments.files.push_back(word);
       continue;
     }
     const bool takes_value = !option->value.empty();
     if (takes_value && (i + 1 == words.size() || find(words[i + 1]) != nullptr))
-      return fmt::format("{} needs a value: {}", word, option->value);
+      return plain_error(fmt::format("{} needs a value: {}", word, option->value));
     const std::string& value = takes_value ? words[++i] : word;
-    if (const std::string wrong = option->set(arguments, value); !wrong.empty())
-      return fmt::format("{}: '{}' {}", word, value, wrong);
+    if (const Status status = option->set(arguments, value); !status.ok())
+      return plain_error(fmt::format("{}: '{}' {}", word, value, status.error().message));
   }
-  if (arguments.ani && arguments.a4sel) return "-ani and -a4sel write the same file: give one of them";
-  if (arguments.help || arguments.version) return "";
-  return arguments.files.empty() ? "no messag-file is given" : "";
+  if (arguments.ani && arguments.a4sel) return plain_error("-ani and -a4sel write the same file: give one of them");
+  if (arguments.files.empty() && !arguments.help && !arguments.version) return plain_error("no messag-file is given");
+  return arguments;
 }
 
 std::string usage() {

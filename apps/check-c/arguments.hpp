@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.hpp"
 #include "report/text/check_c_view.hpp"
 
 namespace gapcheck::check_c {
@@ -12,7 +13,8 @@ namespace gapcheck::check_c {
 /// What the command line asks for.
 struct Arguments {
   report::CheckCOptions view;
-  bool top_given = false;  ///< exports are cut at -top only where it is given
+  bool top_given = false;  ///< exports are cut at -top only if it is given
+  bool typ_given = false;  ///< once or more
   std::vector<std::string> files, message_files;
   std::string hsp, d3plot, deck;
   bool ani = false, a4sel = false, key = false, medina = false;
@@ -21,10 +23,10 @@ struct Arguments {
   std::size_t jobs = 0;
 };
 
-/// Reads the arguments behind the program's name. Returns what is wrong with them; empty: nothing.
-[[nodiscard]] std::string parse(const std::vector<std::string>& words, Arguments& arguments);
+/// Reads the arguments after the program's name.
+[[nodiscard]] Result<Arguments> parse(const std::vector<std::string>& words);
 
-/// The usage text, made from the table of options that `parse` works with.
+/// The usage text, made from the table of options that `parse` uses.
 [[nodiscard]] std::string usage();
 
 /// An option as the usage shows it.

@@ -12,11 +12,12 @@
 
 #include "arguments.hpp"
 #include "base/parallel.hpp"
+#include "common/failures.hpp"
 #include "common/files.hpp"
 #include "common/mesh.hpp"
 #include "common/version.hpp"
-#include "report/text/check_c_view.hpp"
 #include "report/export/exports.hpp"
+#include "report/text/check_c_view.hpp"
 #include "report/write/writers.hpp"
 #include "results/log/solver_log.hpp"
 
@@ -27,8 +28,6 @@ enum Exit : int { clean = 0, warned = 1, failed = 2 };
 
 void complain(const Diagnostic& diagnostic) { std::fputs(app::line_of("check-c", diagnostic).c_str(), stderr); }
 
-void complain(const std::string& message) { complain(Diagnostic{Severity::error, "", 0, message}); }
-
 void print(const Diagnostics& diagnostics, bool quiet) {
   for (const Diagnostic& diagnostic : diagnostics.sorted())
     if (!quiet || diagnostic.severity == Severity::error) complain(diagnostic);
@@ -36,46 +35,41 @@ void print(const Diagnostics& diagnostics, bool quiet) {
     std::fputs(fmt::format("check-c: ... and {} more messages\n", more).c_str(), stderr);
 }
 
-/// False if standard output does not take the text.
-bool print(const std::string& text) {
+/// To standard output.
+Status print(const std::string& text) {
   errno = 0;
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return true;
-  complain(Diagnostic{Severity::error, "standard output", 0,
-                      fmt::format("cannot be written: {}", std::strerror(errno != 0 ? errno : EIO))});
-  return false;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return {};
+  return Diagnostic{Severity::error, "standard output", 0,
+                    fmt::format("cannot be written: {}", std::strerror(errno != 0 ? errno : EIO))};
 }
 
-/// The mesh, where the options need one. False: it was needed and cannot be had; that has been said.
-bool load_mesh(const Arguments& arguments, results::MeshSource& mesh, Diagnostics& diagnostics) {
-  const bool parts = arguments.view.pid || arguments.view.psum;
-  const bool given = !arguments.deck.empty() || !arguments.d3plot.empty();
-  if (!parts && !given && !arguments.key && !arguments.medina) return true;
-  auto found = app::find_mesh(arguments.deck, arguments.d3plot, arguments.files.front(), diagnostics);
-  if (!found) {
-    complain(found.error());
-    return false;
-  }
-  mesh = std::move(found).value();
-  if (!parts || given || !mesh.parts.empty()) return true;
-  complain("parts are not known: there is no d3plot beside the first file; give -g <d3plot> or --deck <file>");
-  return false;
+bool shows_parts(const Arguments& arguments) { return arguments.view.pid || arguments.view.psum; }
+bool mesh_given(const Arguments& arguments) { return !arguments.deck.empty() || !arguments.d3plot.empty(); }
+
+/// The mesh; empty if the options need none.
+Result<results::MeshSource> load_mesh(const Arguments& arguments, Diagnostics& diagnostics) {
+  if (!shows_parts(arguments) && !mesh_given(arguments) && !arguments.key && !arguments.medina)
+    return results::MeshSource{};
+  return app::find_mesh({arguments.deck, {}, arguments.d3plot, arguments.files.front()}, diagnostics);
+}
+
+/// An error if parts are to be shown and nothing tells them.
+Status check_parts(const Arguments& arguments, const results::MeshSource& mesh) {
+  if (!shows_parts(arguments) || mesh_given(arguments) || !mesh.parts.empty()) return {};
+  return plain_error(
+      "parts are not known: there is no d3plot beside the first file; give -g <d3plot> or --deck <file>");
 }
 
 /// Writes check-c.* into the working directory and says so.
-bool write_exports(const Report& report, const Arguments& arguments, const report::NodePosition& position) {
-  bool written = true;
+void write_exports(const Report& report, const Arguments& arguments, const report::NodePosition& position,
+                   app::Failures& failures) {
   const auto write = [&](const char* path, const std::string& text) {
-    if (const auto error = app::write_file(path, text)) {
-      complain(*error);
-      written = false;
-    } else {
-      written = print(fmt::format("{} written\n", path)) && written;
-    }
+    const Status written = app::write_file(path, text);
+    failures.add(written.ok() ? print(fmt::format("{} written\n", path)) : written);
   };
   if (arguments.key) write("check-c.key", report::keyword_beams(report, position));
   if (arguments.ani || arguments.a4sel) write("check-c.ses", report::animator_session(report, arguments.a4sel));
   if (arguments.medina) write("check-c.prt", report::medina_protocol(report, position, arguments.medina_node));
-  return written;
 }
 
 /// Interfaces of -sid that no file mentions: they may have no warnings, or be misspelt.
@@ -96,46 +90,57 @@ int check(const Arguments& arguments) {
   options.d3hsp = arguments.hsp;
   options.message_files = arguments.message_files;
   auto read = results::read_solver_logs(arguments.files, options, diagnostics);
+  app::Failures failures(complain);
   results::MeshSource mesh;
-  const bool meshed = read && load_mesh(arguments, mesh, diagnostics);
+  if (read) {
+    auto loaded = load_mesh(arguments, diagnostics);
+    if (loaded) mesh = std::move(loaded).value();
+    failures.add(loaded ? check_parts(arguments, mesh) : loaded.error());
+  }
   print(diagnostics, arguments.quiet);
+  failures.count(diagnostics);
   if (!read) {
     complain(read.error());
     return failed;
   }
-  app::add_parts(read.value(), mesh);
+  results::add_parts(mesh, read.value());
   note_unknown_interfaces(read.value(), arguments);
   const Report picked = report::pick(std::move(read).value(), arguments.view);
-  bool done = print(report::check_c_text(picked, arguments.view)) && meshed;
+  failures.add(print(report::check_c_text(picked, arguments.view)));
   const auto position = app::positions(mesh);
-  done = (arguments.top_given ? write_exports(report::top_only(picked, arguments.view), arguments, position)
-                              : write_exports(picked, arguments, position)) &&
-         done;
+  write_exports(arguments.top_given ? report::top_only(picked, arguments.view) : picked, arguments, position, failures);
   if (arguments.stats) std::fputs(report::statistics(picked).c_str(), stderr);
-  if (!done || diagnostics.has_errors()) return failed;
+  if (failures.any()) return failed;
   return report::warning_count(picked) > 0 ? warned : clean;
+}
+
+/// Prints the text and nothing else.
+int show(const std::string& text) {
+  app::Failures failures(complain);
+  failures.add(print(text));
+  return failures.any() ? failed : clean;
 }
 
 int run(const std::vector<std::string>& words) {
   if (words.empty()) {
-    print(usage());
+    show(usage());
     return failed;
   }
-  Arguments arguments;
-  if (const std::string wrong = parse(words, arguments); !wrong.empty()) {
-    complain(wrong + "; check-c -help lists the options");
+  const Result<Arguments> arguments = parse(words);
+  if (!arguments) {
+    complain(plain_error(arguments.error().message + "; check-c -help lists the options"));
     return failed;
   }
-  if (arguments.help) return print(usage()) ? clean : failed;
-  if (arguments.version) return print(app::version_line("check-c") + "\n") ? clean : failed;
-  return check(arguments);
+  if (arguments.value().help) return show(usage());
+  if (arguments.value().version) return show(app::version_line("check-c") + "\n");
+  return check(arguments.value());
 }
 
 }  // namespace
 }  // namespace gapcheck::check_c
 
 int main(int argc, char** argv) {
-  // Nothing behind the catch may allocate.
+  // Nothing after the catch may allocate.
   try {
     return gapcheck::check_c::run({argv + (argc > 0 ? 1 : 0), argv + argc});
   } catch (const std::bad_alloc&) {

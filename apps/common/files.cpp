@@ -13,29 +13,28 @@
 
 namespace gapcheck::app {
 
-std::optional<Diagnostic> write_file(const std::string& path, std::string_view text) {
+Status write_file(const std::string& path, std::string_view text) {
   errno = 0;
   std::FILE* file = std::fopen(path.c_str(), "wb");
   bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if (file != nullptr && std::fclose(file) != 0) written = false;
-  if (written) return std::nullopt;
+  if (written) return {};
   return Diagnostic{Severity::error, path, 0,
                     fmt::format("cannot be written: {}", std::strerror(errno != 0 ? errno : EIO))};
 }
 
-std::optional<Diagnostic> replace_file(const std::string& path, std::string_view text) {
+Status replace_file(const std::string& path, std::string_view text) {
   std::error_code failed;
-  // What is no file of its own, as /dev/stdout, is written and not replaced.
+  // Anything that is not a regular file, such as /dev/stdout, is written and not replaced.
   const auto status = std::filesystem::symlink_status(path, failed);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return write_file(path, text);
   const std::string beside = fmt::format("{}.{}.part", path, ::getpid());
-  if (auto error = write_file(beside, text)) {
-    error->file = path;
+  if (const Status written = write_file(beside, text); !written.ok()) {
     std::filesystem::remove(beside, failed);
-    return error;
+    return Diagnostic{Severity::error, path, 0, written.error().message};
   }
   std::filesystem::rename(beside, path, failed);
-  if (!failed) return std::nullopt;
+  if (!failed) return {};
   const std::string why = failed.message();
   std::filesystem::remove(beside, failed);
   return Diagnostic{Severity::error, path, 0, "cannot be written: " + why};

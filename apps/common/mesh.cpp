@@ -1,12 +1,9 @@
 #include "common/mesh.hpp"
 
-#include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "keyword/deck.hpp"
-#include "results/d3plot/d3plot.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -23,9 +20,9 @@ void add_elements(const model::Model& model, const model::Elements<N>& elements,
 
 }  // namespace
 
-Result<results::MeshSource> read_deck_mesh(const std::string& path, Diagnostics& diagnostics,
-                                           std::optional<model::Model>* kept) {
-  const auto deck = keyword::read_deck(path, {}, diagnostics);
+Result<results::MeshSource> read_deck_mesh(const std::string& path, const keyword::ReadOptions& options,
+                                           Diagnostics& diagnostics, std::optional<model::Model>* kept) {
+  const auto deck = keyword::read_deck(path, options, diagnostics);
   if (!deck) return deck.error();
   auto read = model::read_model(deck.value(), diagnostics);
   if (!read) return read.error();
@@ -44,27 +41,10 @@ Result<results::MeshSource> read_deck_mesh(const std::string& path, Diagnostics&
   return mesh;
 }
 
-Result<results::MeshSource> find_mesh(const std::string& deck, const std::string& d3plot, const std::string& beside,
-                                      Diagnostics& diagnostics, std::optional<model::Model>* model) {
-  if (!deck.empty()) return read_deck_mesh(deck, diagnostics, model);
-  const auto guess = std::filesystem::path(beside).replace_filename("d3plot");
-  std::error_code ignored;
-  if (d3plot.empty() && !std::filesystem::is_regular_file(guess, ignored)) return results::MeshSource{};
-  const auto plot = results::read_d3plot(d3plot.empty() ? guess.string() : d3plot);
-  if (plot) return results::mesh_source(plot.value());
-  if (!d3plot.empty()) return plot.error();
-  // Nobody asked for this file: what it cannot give is missing as if it were not there.
-  diagnostics.warning(plot.error().file, plot.error().line, plot.error().message);
-  return results::MeshSource{};
-}
-
-void add_parts(Report& report, const results::MeshSource& mesh) {
-  const auto fill = [&](auto& record) {
-    if (record.part != 0) return;
-    if (const auto found = mesh.parts.find(record.node); found != mesh.parts.end()) record.part = found->second;
-  };
-  for (Penetration& record : report.penetrations) fill(record);
-  for (TieFailure& failure : report.tie_failures) fill(failure);
+Result<results::MeshSource> find_mesh(const MeshPlaces& places, Diagnostics& diagnostics,
+                                      std::optional<model::Model>* model) {
+  if (!places.deck.empty()) return read_deck_mesh(places.deck, places.deck_options, diagnostics, model);
+  return results::find_mesh(places.d3plot, places.beside, diagnostics);
 }
 
 report::NodePosition positions(const results::MeshSource& mesh) {

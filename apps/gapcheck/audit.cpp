@@ -1,5 +1,3 @@
-#include "audit_decks.hpp"
-
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 #include <chrono>
@@ -11,10 +9,12 @@
 #include <vector>
 
 #include "audit/registry.hpp"
+#include "audit_decks.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
 #include "options.hpp"
-#include "settings.hpp"
+#include "output.hpp"
+#include "settings/settings.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -60,7 +60,7 @@ void add_work(CLI::App& command, AuditArguments& arguments) {
   for (CLI::Option* option : options) option->group("Reading and work");
 }
 
-/// The day here, not in Greenwich: ignores hold until the end of their last day.
+/// The local day, not UTC: ignores apply until the end of their last day.
 std::chrono::sys_days today() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
@@ -87,9 +87,9 @@ void add_audit(CLI::App& app, Action& action) {
     action = [arguments, command] {
       arguments->selection = selects(arguments->audit);
       arguments->baseline.by_settings = arguments->baseline.compare.empty();
-      auto settings = use_settings(arguments->settings_file, arguments->decks.front(), true, *command);
-      if (!settings) return static_cast<int>(failed);
-      arguments->settings = std::move(*settings);
+      Failures failures(print);
+      arguments->settings = use_settings(arguments->settings_file, arguments->decks.front(), true, *command, failures);
+      if (failures.any()) return static_cast<int>(failed);
       arguments->audit.severities = arguments->settings.severities;
       arguments->audit.today = today();
       if (!arguments->units.empty()) arguments->audit.millimetre = 1 / unit_systems.at(arguments->units);

@@ -23,13 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the baseline has and the audit was not asked for is not gone. Limits by depth or part leave out more than can
-/// be told from a baseline.
+/// Baseline findings that the audit did not look for are not gone. Limits by depth or part leave out more than a
+/// baseline can show.
 bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
   if (!options.parts.empty() || options.ptol >= 0 || options.rtol >= 0 || options.ratio >= 0) return false;
   const auto& ids = options.contacts;
   if (!ids.empty() && std::find(ids.begin(), ids.end(), known.contact) == ids.end()) return false;
-  const audit::RuleInfo* rule = audit::find_rule(known.id);
+  const RuleIdentity* rule = audit::find_rule(known.id);
   return rule == nullptr || audit::selected(*rule, options.select, options.ignore);
 }
 
@@ -65,35 +65,36 @@ std::vector<PlannedOutput> files_written(const AuditArguments& arguments, const 
   return outputs;
 }
 
-/// Every file that the call reads. A baseline that is brought up to date is written once it has been read.
+/// Every file that the call reads. A baseline that is updated is written after it has been read.
 std::vector<ReadInput> files_read(const AuditArguments& arguments, const std::vector<std::string>& decks,
-                                  const std::vector<PlannedOutput>& outputs) {
+                                  DeckFiles& of_decks, const std::vector<PlannedOutput>& outputs) {
   std::vector<ReadInput> files{{arguments.settings.path, "the settings file"}};
   for (const std::string& deck : decks) {
-    add_deck_files(deck, arguments.audit.read, outputs, files);
+    add_deck_files(deck, of_decks, outputs, files);
     const BaselineOptions baseline = arguments_for(deck, arguments).baseline;
     if (!same_file(baseline)) files.push_back({baseline.compare, "the baseline to compare with"});
   }
   return files;
 }
 
-/// Why the files cannot all be written: one would take the place of a file that is read, or that of another deck's
-/// results, or a baseline would lose what a selection leaves out. Empty: they can.
-std::string audit_obstacle(const AuditArguments& arguments, const std::vector<std::string>& decks) {
+/// An error if the files cannot all be written: one would overwrite an input or another deck's results, or a baseline
+/// would lose what a selection leaves out.
+Status check_files(const AuditArguments& arguments, const std::vector<std::string>& decks, DeckFiles& files) {
   const std::vector<PlannedOutput> outputs = files_written(arguments, decks);
   if (!outputs.empty())
-    if (std::string why = output_obstacle(files_read(arguments, decks, outputs), outputs); !why.empty()) return why;
+    if (Status status = check_outputs(files_read(arguments, decks, files, outputs), outputs); !status.ok())
+      return status;
   for (const std::string& deck : decks)
     if (arguments.selection && same_file(arguments_for(deck, arguments).baseline))
-      return "--write-baseline into the file of --baseline would lose what the selection leaves out; write another "
-             "file";
+      return plain_error(
+          "--write-baseline into the file of --baseline would lose what the selection leaves out; write another file");
   if (decks.size() > 1 && !arguments.baseline.compare.empty() && arguments.baseline.compare.find("{deck}") == std::string::npos)
-    return "--baseline: each deck has a baseline of its own; write {deck} into the name";
-  return "";
+    return plain_error("--baseline: each deck has a baseline of its own; write {deck} into the name");
+  return {};
 }
 
 /// The folders that names with {deck} lead to.
-bool make_folders(const AuditArguments& arguments, AuditArguments& own) {
+Status make_folders(const AuditArguments& arguments, AuditArguments& own) {
   const auto patterns = names_of(arguments);
   const auto names = names_of(own);
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -101,11 +102,9 @@ bool make_folders(const AuditArguments& arguments, AuditArguments& own) {
     if (folder.empty() || patterns[i]->find("{deck}") == std::string::npos) continue;
     std::error_code error;
     fs::create_directories(folder, error);
-    if (!error) continue;
-    print(Diagnostic{Severity::error, folder.string(), 0, "the folder cannot be made: " + error.message()});
-    return false;
+    if (error) return Diagnostic{Severity::error, folder.string(), 0, "the folder cannot be made: " + error.message()};
   }
-  return true;
+  return {};
 }
 
 /// "known/a: cannot be opened: …"
@@ -125,10 +124,11 @@ class Run {
     for (const std::string& deck : decks_) audit(deck);
     // Nothing is found in a contact that does not exist.
     for (const std::int64_t id : arguments_.audit.contacts)
-      if (!reports_.empty() && !known_contact(id)) complain(fmt::format("--contact {}: {}", id, no_such_contact()));
+      if (!reports_.empty() && !known_contact(id))
+        failures_.add(plain_error(fmt::format("--contact {}: {}", id, no_such_contact())));
     if (reports_.empty() && !several()) return failed;
-    complete_ = write({reports_, unread_}, arguments_.output) && complete_;
-    if (!complete_) return failed;
+    failures_.add(write({reports_, unread_}, arguments_.output));
+    if (failures_.any()) return failed;
     int code = clean;
     for (const Report& report : reports_) code = std::max(code, exit_code(report, arguments_.output.fail_on));
     return code;
@@ -139,10 +139,6 @@ class Run {
   [[nodiscard]] std::string no_such_contact() const {
     return several() ? "none of the decks has such a contact" : "the deck has no such contact";
   }
-  void complain(const std::string& what) {
-    print_error(what);
-    complete_ = false;
-  }
   [[nodiscard]] bool known_contact(std::int64_t id) const {
     return std::any_of(reports_.begin(), reports_.end(), [id](const Report& report) { return has(report, id); });
   }
@@ -151,7 +147,7 @@ class Run {
     return std::any_of(report.contacts.begin(), report.contacts.end(), matches);
   }
 
-  /// Reads and audits one deck and writes the files that are its own.
+  /// Reads and audits one deck and writes its own files.
   void audit(const std::string& deck) {
     AuditArguments own = arguments_for(deck, arguments_);
     // Before the work: a baseline that cannot be read makes it worthless.
@@ -165,6 +161,7 @@ class Run {
       return audit::audit_deck(deck, own.audit, diagnostics);
     }();
     print(diagnostics, own.output.text.quiet);
+    failures_.count(diagnostics);
     if (!result) return unread(deck, result.error());
     Report& report = reports_.emplace_back(std::move(result).value());
     if (const std::string& settings = own.settings.path; !settings.empty()) {
@@ -178,27 +175,25 @@ class Run {
                                                  [&report](std::int64_t id) { return has(report, id); }));
     // Every record of a deck knows where its node is.
     const auto position = [](std::int64_t) { return std::nullopt; };
-    bool written = make_folders(arguments_, own);
-    written = written && write_page(report, own.output, position);
-    written = write(report, own.baseline, whole) && written;
-    written = write(report, own.exports, position) && written;
+    const Status made = make_folders(arguments_, own);
+    failures_.add(made.ok() ? write_page(report, own.output, position) : made);
+    failures_.add(write(report, own.baseline, whole));
+    write(report, own.exports, position, failures_);
     report.scene.reset();
     report.mesh.reset();
     for (Finding& finding : report.findings) finding.members = {};
-    complete_ = complete_ && whole && written;
   }
 
   void unread(const std::string& deck, const Diagnostic& why) {
-    print(why);
+    failures_.add(why);
     unread_.push_back({deck, reason_of(why)});
-    complete_ = false;
   }
 
   AuditArguments arguments_;
   std::vector<std::string> decks_;
   std::vector<Report> reports_;
   std::vector<report::Unread> unread_;
-  bool complete_ = true;
+  Failures failures_{print};
 };
 
 }  // namespace
@@ -211,12 +206,13 @@ bool selects(const audit::AuditOptions& audit) {
 int audit_decks(AuditArguments arguments) {
   keyword::FileCache cache;
   arguments.audit.read.cache = &cache;
+  DeckFiles files(arguments.audit.read);
   Diagnostics diagnostics;
-  const DeckList list = list_decks(arguments.decks, arguments.audit.read, diagnostics);
+  const DeckList list = list_decks(arguments.decks, files, diagnostics);
   print(diagnostics, arguments.output.text.quiet);
   if (diagnostics.has_errors()) return failed;
-  if (const std::string why = audit_obstacle(arguments, list.decks); !why.empty()) {
-    print_error(report::printable(why));
+  if (const Status status = check_files(arguments, list.decks, files); !status.ok()) {
+    print(status.error());
     return failed;
   }
   if (const std::size_t parts = list.parts_of_others.size(); parts > 0 && !arguments.output.text.quiet)

@@ -6,11 +6,11 @@
 #include "audit/audit.hpp"
 #include "baseline_options.hpp"
 #include "options.hpp"
-#include "settings.hpp"
+#include "settings/settings.hpp"
 
 namespace gapcheck::app {
 
-/// What `gapcheck audit` is told.
+/// The input of `gapcheck audit`.
 struct AuditArguments {
   std::vector<std::string> decks;  ///< paths and patterns
   std::string missing_includes = "error";
@@ -20,16 +20,16 @@ struct AuditArguments {
   ExportOptions exports;
   BaselineOptions baseline;
   SettingsOptions settings_file;
-  Settings settings;       ///< what that file says and is no option
-  bool selection = false;  ///< the command line leaves something out, which a settings file does for good
+  Settings settings;       ///< what that file says besides options
+  bool selection = false;  ///< the command line leaves something out; what settings leave out does not count
   std::size_t jobs = 0;
 };
 
 /// True if the options leave anything out.
 [[nodiscard]] bool selects(const audit::AuditOptions& audit);
 
-/// Audits the decks one after the other and writes what was asked for; the exit code. Files that hold one deck's results
-/// carry {deck} in their name where there are several.
+/// Audits the decks one after the other and writes the requested output; returns the exit code. Files that hold one
+/// deck's results have {deck} in their name if there are several.
 [[nodiscard]] int audit_decks(AuditArguments arguments);
 
 }  // namespace gapcheck::app

@@ -6,7 +6,6 @@
 
 #include "base/mapped_file.hpp"
 #include "common/files.hpp"
-#include "output.hpp"
 
 namespace gapcheck::app {
 
@@ -48,15 +47,11 @@ void compare(const Baseline& baseline, const report::LookedFor& looked_for, Repo
   if (baseline) report.baseline = report::compare_with_baseline(report, *baseline, looked_for);
 }
 
-bool write(const Report& report, const BaselineOptions& options, bool complete) {
-  if (options.write.empty()) return true;
-  if (!complete) {
-    print(Diagnostic{Severity::error, options.write, 0, "not written: the deck was not read without errors"});
-    return false;
-  }
-  const auto error = replace_file(options.write, report::baseline_text(report::known_findings(report)));
-  if (error) print(*error);
-  return !error;
+Status write(const Report& report, const BaselineOptions& options, bool complete) {
+  if (options.write.empty()) return {};
+  if (!complete)
+    return Diagnostic{Severity::error, options.write, 0, "not written: the deck was not read without errors"};
+  return replace_file(options.write, report::baseline_text(report::known_findings(report)));
 }
 
 }  // namespace gapcheck::app

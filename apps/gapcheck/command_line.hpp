@@ -5,7 +5,7 @@
 
 namespace gapcheck::app {
 
-/// Gives `app` all commands with their options; the one that is chosen sets `action`. Both must outlive the parsing.
+/// Adds all commands with their options to `app`; the chosen one sets `action`. Both must outlive the parsing.
 void add_commands(CLI::App& app, Action& action);
 
 }  // namespace gapcheck::app

@@ -11,10 +11,10 @@ enum Exit : int {
   failed = 2,    ///< the tool could not do its job
 };
 
-/// What the chosen command will do once all arguments are read; returns the exit code.
+/// The action of the chosen command once all arguments are read; returns the exit code.
 using Action = std::function<int()>;
 
-// Each adds its subcommand; when it is chosen, it sets `action`.
+// Each adds its subcommand, which sets `action` when chosen.
 void add_audit(CLI::App& app, Action& action);
 void add_messag(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);

@@ -8,23 +8,24 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
-#include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "audit/audit.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
-#include "common/input_kind.hpp"
 #include "common/version.hpp"
 #include "compare_curves.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
-#include "report/text/check_c_view.hpp"
 #include "report/item/describe.hpp"
+#include "report/text/check_c_view.hpp"
+#include "results/log/input_kind.hpp"
 #include "results/log/solver_log.hpp"
 
 namespace gapcheck::app {
@@ -42,21 +43,21 @@ struct CompareArguments {
   CurveArguments curves;
 };
 
-/// A deck is audited, everything else read. Diagnostics are printed.
-Result<Report> read_source(const std::string& path, const CompareArguments& arguments, bool& complete) {
+/// A deck is audited, everything else read. Nothing after a failure.
+std::optional<Report> read_source(const std::string& path, const Result<results::InputKind>& input,
+                                  const CompareArguments& arguments, Failures& failures) {
   Diagnostics diagnostics;
   auto report = [&]() -> Result<Report> {
-    const auto input = recognise(path);
     if (!input) return input.error();
     const Progress progress("reading " + report::printable(path), !arguments.quiet);
     if (input.value().deck) return audit::audit_deck(path, arguments.audit, diagnostics);
     return results::read_solver_logs(input.value().files, arguments.log, diagnostics);
   }();
   print(diagnostics, arguments.quiet);
-  complete = complete && report.ok() && !diagnostics.has_errors();
+  failures.count(diagnostics);
   if (!report) {
-    print(report.error());
-    return report;
+    failures.add(report.error());
+    return std::nullopt;
   }
   report::CheckCOptions only;
   only.sid = arguments.contacts;
@@ -66,59 +67,67 @@ Result<Report> read_source(const std::string& path, const CompareArguments& argu
 }
 
 /// A contact that neither source has is a misspelt one.
-bool contacts_exist(const report::Comparison& comparison, const std::vector<std::int64_t>& wanted) {
-  bool all = true;
+void check_contacts(const report::Comparison& comparison, const std::vector<std::int64_t>& wanted, Failures& failures) {
   for (const std::int64_t id : wanted) {
     const auto& contacts = comparison.contacts;
     if (std::any_of(contacts.begin(), contacts.end(), [&](const auto& contact) { return contact.id == id; })) continue;
-    print_error(fmt::format("--contact {}: neither source has such a contact", id));
-    all = false;
+    failures.add(plain_error(fmt::format("--contact {}: neither source has such a contact", id)));
   }
-  return all;
 }
 
-/// Why the results cannot be written beside what is read; empty: they can.
-std::string comparison_obstacle(const CompareArguments& arguments) {
+/// What the two paths hold.
+struct Inputs {
+  Result<results::InputKind> first, second;
+};
+
+/// An error if the results cannot be written without overwriting an input.
+Status check_output(const Inputs& inputs, const CompareArguments& arguments) {
   const std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
+  DeckFiles files(arguments.audit.read);
   std::vector<ReadInput> read;
-  for (const std::string& path : {arguments.first, arguments.second}) {
-    const auto input = recognise(path);
-    if (!input) continue;  // said when it is read
+  for (const auto& [path, input] :
+       {std::tie(arguments.first, inputs.first), std::tie(arguments.second, inputs.second)}) {
+    if (!input) continue;  // reported when it is read
     if (input.value().deck) {
-      add_deck_files(path, arguments.audit.read, outputs, read);
+      add_deck_files(path, files, outputs, read);
       continue;
     }
     for (const std::string& file : input.value().files) read.push_back({file, "one of those compared"});
-    std::error_code failed;
-    const bool directory = std::filesystem::is_directory(path, failed);
-    add_run_files(directory ? path : std::filesystem::path(path).parent_path().string(), read);
+    add_run_files(input.value().directory ? path : std::filesystem::path(path).parent_path().string(), read);
   }
   for (const std::string& table : arguments.log.message_files) read.push_back({table, "a table of messages"});
-  return output_obstacle(read, outputs);
+  return check_outputs(read, outputs);
 }
 
-int compare_sources(const CompareArguments& arguments) {
+int compare_sources(CompareArguments arguments) {
+  keyword::FileCache cache;
+  arguments.audit.read.cache = &cache;
   const JobLimit limit(arguments.jobs);
-  if (const std::string why = comparison_obstacle(arguments); !why.empty()) {
-    print_error(report::printable(why));
+  const Inputs inputs{results::recognise(arguments.first), results::recognise(arguments.second)};
+  if (const Status status = check_output(inputs, arguments); !status.ok()) {
+    print(status.error());
     return failed;
   }
-  bool complete = true;
-  const auto first = read_source(arguments.first, arguments, complete),
-             second = read_source(arguments.second, arguments, complete);
+  Failures failures(print);
+  const auto first = read_source(arguments.first, inputs.first, arguments, failures),
+             second = read_source(arguments.second, inputs.second, arguments, failures);
   if (!first || !second) return failed;
-  const report::Comparison comparison = report::compare(first.value(), second.value(), arguments.tolerance);
-  CurvesOfBoth curves(arguments.first, arguments.second, arguments.contacts, arguments.curves, arguments.quiet);
+  const report::Comparison comparison = report::compare(*first, *second, arguments.tolerance);
+  CurvesOfBoth curves(arguments.first, arguments.second, arguments.contacts, arguments.curves, arguments.quiet,
+                      failures);
   const report::CurveComparison* compared = curves.comparison();
   Output output(arguments.output);
   output.write(arguments.format == "json"
-                   ? report::comparison_json(comparison, first.value(), second.value(), compared)
-                   : report::comparison_text(comparison, first.value(), second.value(), arguments.top, compared));
+                   ? report::comparison_json(comparison, *first, *second, compared)
+                   : report::comparison_text(comparison, *first, *second, arguments.top, compared));
   if (arguments.stats)
-    for (const Report* source : {&first.value(), &second.value()})
+    for (const Report* source : {&*first, &*second})
       std::fputs((report::printable(source->input) + '\n' + report::statistics(*source)).c_str(), stderr);
-  const bool written = output.close() && curves.write_plots(arguments.top);
-  if (!written || !contacts_exist(comparison, arguments.contacts) || !complete || !curves.complete()) return failed;
+  Status written = output.close();
+  if (written.ok()) written = curves.write_plots(arguments.top);
+  failures.add(written);
+  if (written.ok()) check_contacts(comparison, arguments.contacts, failures);
+  if (failures.any()) return failed;
   return comparison.equal() && (compared == nullptr || compared->differ == 0) ? clean : findings;
 }
 

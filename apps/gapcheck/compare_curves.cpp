@@ -28,6 +28,19 @@ std::string file_name(std::string name) {
   return name + ".svg";
 }
 
+std::vector<report::Curve> read(const std::string& path, const std::vector<std::int64_t>& contacts, bool quiet,
+                                Failures& failures) {
+  Diagnostics diagnostics;
+  std::vector<report::Curve> list = report::curves(results::read_run_results(path, true, diagnostics));
+  print(diagnostics, quiet);
+  failures.count(diagnostics);
+  if (!contacts.empty())
+    std::erase_if(list, [&](const report::Curve& curve) {
+      return curve.contact != 0 && std::find(contacts.begin(), contacts.end(), curve.contact) == contacts.end();
+    });
+  return list;
+}
+
 }  // namespace
 
 void add_curve_options(CLI::App& command, CurveArguments& arguments) {
@@ -45,35 +58,22 @@ void add_curve_options(CLI::App& command, CurveArguments& arguments) {
 }
 
 CurvesOfBoth::CurvesOfBoth(const std::string& first, const std::string& second,
-                           const std::vector<std::int64_t>& contacts, const CurveArguments& arguments, bool quiet)
+                           const std::vector<std::int64_t>& contacts, const CurveArguments& arguments, bool quiet,
+                           Failures& failures)
     : arguments_(arguments), first_name_(first), second_name_(second) {
   std::error_code failed;
   if (!arguments.none && fs::is_directory(first, failed) && fs::is_directory(second, failed)) {
-    first_ = read(first, contacts, quiet);
-    second_ = read(second, contacts, quiet);
+    first_ = read(first, contacts, quiet, failures);
+    second_ = read(second, contacts, quiet, failures);
     if (!first_.empty() || !second_.empty())
       comparison_ = report::compare_curves(first_, second_, {arguments.tolerance, arguments.names});
   }
   const auto must_exist = [&](bool asked, const char* option) {
     if (!asked || (comparison_ && !comparison_->pairs.empty())) return;
-    print_error(fmt::format("{}: there are no such curves that both A and B have", option));
-    complete_ = false;
+    failures.add(plain_error(fmt::format("{}: there are no such curves that both A and B have", option)));
   };
   must_exist(!arguments.names.empty(), "--curves");
   must_exist(!arguments.svg.empty() && arguments.names.empty(), "--svg");
-}
-
-std::vector<report::Curve> CurvesOfBoth::read(const std::string& path, const std::vector<std::int64_t>& contacts,
-                                              bool quiet) {
-  Diagnostics diagnostics;
-  std::vector<report::Curve> list = report::curves(results::read_run_results(path, true, diagnostics));
-  print(diagnostics, quiet);
-  complete_ = complete_ && !diagnostics.has_errors();
-  if (!contacts.empty())
-    std::erase_if(list, [&](const report::Curve& curve) {
-      return curve.contact != 0 && std::find(contacts.begin(), contacts.end(), curve.contact) == contacts.end();
-    });
-  return list;
 }
 
 std::string CurvesOfBoth::plot(const report::CurvePair& pair) const {
@@ -84,8 +84,8 @@ std::string CurvesOfBoth::plot(const report::CurvePair& pair) const {
                            {{"A: " + first_name_, a.times, a.values}, {"B: " + second_name_, b.times, b.values}}});
 }
 
-bool CurvesOfBoth::write_plots(std::size_t top) const {
-  if (arguments_.svg.empty() || !comparison_) return true;
+Status CurvesOfBoth::write_plots(std::size_t top) const {
+  if (arguments_.svg.empty() || !comparison_) return {};
   std::error_code failed;
   fs::create_directories(arguments_.svg, failed);
   const bool named = !arguments_.names.empty();
@@ -93,13 +93,10 @@ bool CurvesOfBoth::write_plots(std::size_t top) const {
   for (const report::CurvePair& pair : comparison_->pairs) {
     if (written == top || (!named && pair.verdict != report::CurvePair::Verdict::differs)) break;
     const std::string path = (fs::path(arguments_.svg) / file_name(pair.name)).string();
-    if (const auto problem = write_file(path, plot(pair))) {
-      print(*problem);
-      return false;
-    }
+    if (Status plotted = write_file(path, plot(pair)); !plotted.ok()) return plotted;
     ++written;
   }
-  return true;
+  return {};
 }
 
 }  // namespace gapcheck::app

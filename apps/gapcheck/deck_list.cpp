@@ -69,7 +69,7 @@ std::string canonical(const std::string& path) {
   return name.empty() ? path : name;
 }
 
-/// A deck to be, and whether it was named.
+/// A candidate deck, and whether it was named.
 struct Candidate {
   std::string path, canonical;
   bool named = false;
@@ -96,23 +96,19 @@ std::vector<Candidate> candidates(const std::vector<std::string>& arguments, Dia
   return list;
 }
 
-/// The other files that a deck includes, itself or through them, by canonical path. What is wrong with the deck is said
-/// when it is audited.
-std::set<std::string> includes_of(const Candidate& candidate, const keyword::ReadOptions& options) {
-  Diagnostics unheard;
-  std::set<std::string> files;
-  const auto deck = keyword::read_deck(candidate.path, options, unheard);
-  if (!deck) return files;
-  for (const keyword::SourceFile& file : deck.value().files().subspan(1)) files.insert(canonical(file.path));
-  files.erase(candidate.canonical);
-  return files;
+/// The other files that a deck includes, directly or indirectly, by canonical path.
+std::set<std::string> includes_of(const Candidate& candidate, DeckFiles& files) {
+  std::set<std::string> others;
+  for (const std::string& file : files.includes(candidate.path)) others.insert(canonical(file));
+  others.erase(candidate.canonical);
+  return others;
 }
 
 /// Chooses the decks so that each candidate is one or is included by one.
 class Choice {
  public:
-  Choice(const std::vector<Candidate>& all, const keyword::ReadOptions& options) : all_(all) {
-    for (const Candidate& candidate : all) includes_.push_back(includes_of(candidate, options));
+  Choice(const std::vector<Candidate>& all, DeckFiles& files) : all_(all) {
+    for (const Candidate& candidate : all) includes_.push_back(includes_of(candidate, files));
     for (std::size_t i = 0; i < all.size(); ++i)
       for (const std::string& file : includes_[i]) includers_[file].push_back(i);
   }
@@ -134,8 +130,8 @@ class Choice {
   }
 
  private:
-  /// Nothing includes the file but what it includes itself: of files that include one another in a circle, the first
-  /// will do, and reading it says what is wrong.
+  /// Only files that it includes itself include this file: of files that include one another in a circle the first is
+  /// enough, and reading it reports the fault.
   [[nodiscard]] bool leads(std::size_t i) const {
     const auto found = includers_.find(all_[i].canonical);
     return found == includers_.end() || std::all_of(found->second.begin(), found->second.end(), [&](std::size_t other) {
@@ -151,12 +147,11 @@ class Choice {
 
 }  // namespace
 
-DeckList list_decks(const std::vector<std::string>& arguments, const keyword::ReadOptions& options,
-                    Diagnostics& diagnostics) {
+DeckList list_decks(const std::vector<std::string>& arguments, DeckFiles& files, Diagnostics& diagnostics) {
   DeckList list;
   const std::vector<Candidate> all = candidates(arguments, diagnostics);
   const bool named = std::all_of(all.begin(), all.end(), [](const Candidate& candidate) { return candidate.named; });
-  const std::vector<bool> decks = named ? std::vector<bool>(all.size(), true) : Choice(all, options).decks();
+  const std::vector<bool> decks = named ? std::vector<bool>(all.size(), true) : Choice(all, files).decks();
   for (std::size_t i = 0; i < all.size(); ++i) (decks[i] ? list.decks : list.parts_of_others).push_back(all[i].path);
   return list;
 }

@@ -3,26 +3,26 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
-#include "keyword/deck.hpp"
+#include "deck_files.hpp"
 
 namespace gapcheck::app {
 
-/// The decks that one call works on.
+/// The decks of one call.
 struct DeckList {
   std::vector<std::string> decks;   ///< paths, each file once
-  std::vector<std::string> parts_of_others;  ///< found by a pattern and left out: another of the decks includes them
+  std::vector<std::string> parts_of_others;  ///< found by a pattern but left out: another of the decks includes them
 };
 
-/// Decks from the command line: paths as they are, and patterns (`*`, `?`, `**` for any folders) that no file is named
-/// like. What patterns find is sorted, without hidden folders and folders behind links. A file that is only found by a
-/// pattern and that one of the listed decks includes is no deck of its own; of files that include one another in a
+/// Decks from the command line: literal paths, and patterns (`*`, `?`, `**` for any folders) that are not the name of a
+/// file. Matches of patterns are sorted, without hidden folders and folders behind links. A file found only by a
+/// pattern and included by one of the listed decks is not a deck of its own; of files that include one another in a
 /// circle one is. Errors go to `diagnostics`: patterns that find nothing, folders that cannot be read, more files than
 /// a call should take.
-[[nodiscard]] DeckList list_decks(const std::vector<std::string>& arguments, const keyword::ReadOptions& options,
+[[nodiscard]] DeckList list_decks(const std::vector<std::string>& arguments, DeckFiles& files,
                                   Diagnostics& diagnostics);
 
-/// `name` with the deck's path in place of {deck}: without its extension, and nothing of it leads out of the folder that
-/// `name` gives. "reports/{deck}.html" and "models/side/a.k" give "reports/models/side/a.html".
+/// `name` with {deck} replaced by the deck's path: without its extension, and never leading out of the folder in
+/// `name`. "reports/{deck}.html" and "models/side/a.k" give "reports/models/side/a.html".
 [[nodiscard]] std::string name_for(std::string_view name, std::string_view deck);
 
 }  // namespace gapcheck::app

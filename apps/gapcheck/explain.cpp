@@ -9,21 +9,24 @@
 #include "commands.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "records/record_rules.hpp"
 
 namespace gapcheck::app {
 namespace {
 
 int explain(const std::string& name, const CommonOptions& options) {
-  const audit::RuleInfo* rule = audit::find_rule(name);
+  const RuleIdentity* rule = audit::find_rule(name);
   if (rule == nullptr) {
-    print_error("there is no rule '" + name + "'; gapcheck rules lists them");
+    print(plain_error("there is no rule '" + name + "'; gapcheck rules lists them"));
     return failed;
   }
   Output output("");
   const std::string_view page = audit::page(*rule);
   output.write(options.quiet ? fmt::format("{} {}: {}\n", rule->id, rule->name, rule->summary) : std::string(page));
   if (options.stats) fmt::print(stderr, "  lines  {}\n", std::count(page.begin(), page.end(), '\n'));
-  return output.close() ? clean : failed;
+  Failures failures(print);
+  failures.add(output.close());
+  return failures.any() ? failed : clean;
 }
 
 }  // namespace
@@ -31,7 +34,8 @@ int explain(const std::string& name, const CommonOptions& options) {
 void add_explain(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("explain", "Print the page of one rule");
   const auto name = std::make_shared<std::string>();
-  command->add_option("RULE", *name, "Id or name: GC101, initial-penetration")->required();
+  const RuleIdentity& example = record_rules::initial_penetration;
+  command->add_option("RULE", *name, fmt::format("Id or name: {}, {}", example.id, example.name))->required();
   const auto options = std::make_shared<CommonOptions>();
   add_common(*command, *options, "Only the rule's summary, in one line");
   command->callback([&action, name, options] { action = [name, options] { return explain(*name, *options); }; });

@@ -26,7 +26,7 @@
 #include "progress.hpp"
 #include "report/item/describe.hpp"
 #include "report/format/fix_report.hpp"
-#include "settings.hpp"
+#include "settings/settings.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -46,7 +46,7 @@ struct FixArguments {
   bool dry_run = false, stats = false;
 };
 
-/// `PART`, `FIRST-LAST`, or the same for nodes behind `node:`.
+/// `PART`, `FIRST-LAST`, or the same for nodes after `node:`.
 std::optional<audit::Lock> parse_lock(std::string_view text) {
   audit::Lock lock;
   constexpr std::string_view nodes = "node:";
@@ -79,14 +79,9 @@ std::string check_priority(const std::string& text) {
   return parse_priority(text) ? "" : text + " is not PART=FACTOR with a factor between 1e-6 and 1e6";
 }
 
-bool fail(const std::string& message) {
-  print_error(message);
-  return false;
-}
-
-/// Where each changed file goes: as it lies to the main file, or by its name alone where that is elsewhere. False
-/// (and a message) where this would overwrite a file of the deck, or two files would go to one place.
-bool choose_places(const keyword::Deck& deck, const FixArguments& arguments, audit::Fix& fix) {
+/// Where each changed file goes: at its path relative to the main file, or only by name if it is elsewhere. An
+/// error if this would overwrite a file of the deck, or two files would go to the same place.
+Status choose_places(const keyword::Deck& deck, const FixArguments& arguments, audit::Fix& fix) {
   std::error_code error;
   const fs::path home = fs::weakly_canonical(fs::path(arguments.deck), error).parent_path();
   std::set<fs::path> sources, taken;
@@ -103,45 +98,51 @@ bool choose_places(const keyword::Deck& deck, const FixArguments& arguments, aud
     const fs::path target = fs::path(arguments.directory) / below;
     const fs::path canonical = fs::weakly_canonical(target, error);
     if (is_source(target))
-      return fail(fmt::format("{} is a file of the deck itself; give another directory with -o",
-                              report::printable(target.string())));
+      return plain_error(
+          fmt::format("{} is a file of the deck itself; give another directory with -o", target.string()));
     if (!taken.insert(canonical).second)
-      return fail(fmt::format("two files of the deck would become {}; put them below the folder of the main file",
-                              report::printable(target.string())));
+      return plain_error(fmt::format(
+          "two files of the deck would become {}; put them below the folder of the main file", target.string()));
     changed.written = target.string();
   }
-  return true;
+  return {};
 }
 
-/// False (and a message) where the report would take the place of a file that is read, or of a corrected one.
-bool report_has_place(const keyword::Deck& deck, const FixArguments& arguments, const FixReport& report) {
+/// An error if the report would overwrite an input or a corrected file.
+Status check_report(const keyword::Deck& deck, const FixArguments& arguments, const FixReport& report) {
   std::vector<ReadInput> read{{arguments.settings_path, "the settings file"}};
   add_deck_files(deck, read);
   std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
   for (const FixedFile& file : report.changed) outputs.push_back({"-o", file.written});
-  const std::string why = output_obstacle(read, outputs);
-  return why.empty() || fail(report::printable(why));
+  return check_outputs(read, outputs);
 }
 
-bool write_files(const keyword::Deck& deck, const audit::Fix& fix) {
+Status write_files(const keyword::Deck& deck, const audit::Fix& fix) {
   for (std::size_t i = 0; i < fix.files.size(); ++i) {
     const std::string& path = fix.report.changed[i].written;
     std::error_code error;
     fs::create_directories(fs::path(path).parent_path(), error);
     const std::string_view bytes = deck.file(fix.files[i].file).bytes;
     const keyword::LineIndex index(bytes);
-    if (const auto failure = replace_file(path, keyword::with_lines(bytes, index, fix.files[i].edits))) {
-      print(*failure);
-      return false;
-    }
+    if (Status written = replace_file(path, keyword::with_lines(bytes, index, fix.files[i].edits)); !written.ok())
+      return written;
   }
-  return true;
+  return {};
 }
 
-bool write_report(const FixArguments& arguments, const FixReport& report) {
+Status write_report(const FixArguments& arguments, const FixReport& report) {
   Output output(arguments.output);
   output.write(arguments.format == "json" ? report::fix_json(report) : report::fix_text(report, arguments.text));
   return output.close();
+}
+
+/// The corrected files, unless it is a dry run, and the report.
+Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Fix& fix) {
+  Status status;
+  if (!arguments.dry_run) status = choose_places(deck, arguments, fix);
+  if (status.ok()) status = check_report(deck, arguments, fix.report);
+  if (status.ok() && !arguments.dry_run) status = write_files(deck, fix);
+  return status.ok() ? write_report(arguments, fix.report) : status;
 }
 
 /// Counters and the time, on standard error.
@@ -159,7 +160,7 @@ int fix_deck(const FixArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const JobLimit limit(arguments.jobs);
   if (arguments.directory.empty() && !arguments.dry_run) {
-    print_error("give a directory for the corrected files with -o, or --dry-run");
+    print(plain_error("give a directory for the corrected files with -o, or --dry-run"));
     return failed;
   }
   Diagnostics diagnostics;
@@ -178,15 +179,15 @@ int fix_deck(const FixArguments& arguments) {
     print(fix.error());
     return failed;
   }
-  // What was not understood may be what the nodes hang on.
+  // Unread input may be what holds the nodes.
   if (diagnostics.has_errors()) return failed;
   FixReport& report = fix.value().report;
   report.input = arguments.deck;
   report.dry_run = arguments.dry_run;
-  if (!arguments.dry_run && !choose_places(deck.value(), arguments, fix.value())) return failed;
-  if (!report_has_place(deck.value(), arguments, report)) return failed;
-  if (!arguments.dry_run && !write_files(deck.value(), fix.value())) return failed;
-  if (!write_report(arguments, report)) return failed;
+  if (const Status status = write(deck.value(), arguments, fix.value()); !status.ok()) {
+    print(status.error());
+    return failed;
+  }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   if (arguments.stats) print_statistics(deck.value(), report, spent.count());
   return complete(report) ? clean : findings;
@@ -231,9 +232,9 @@ void add_fix(CLI::App& app, Action& action) {
   add_jobs(*command, arguments->jobs);
   command->callback([&action, arguments, command] {
     action = [arguments, command] {
-      const auto settings = use_settings(arguments->settings, arguments->deck, false, *command);
-      if (!settings) return static_cast<int>(failed);
-      arguments->settings_path = settings->path;
+      Failures failures(print);
+      arguments->settings_path = use_settings(arguments->settings, arguments->deck, false, *command, failures).path;
+      if (failures.any()) return static_cast<int>(failed);
       arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
       for (const std::string& text : arguments->locks) arguments->fix.locks.push_back(*parse_lock(text));
       for (const std::string& text : arguments->priorities)

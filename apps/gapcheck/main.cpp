@@ -21,7 +21,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
       return app.exit(error) == 0 ? clean : failed;
-    print_error(std::string(error.what()) + "; see gapcheck --help");
+    print(plain_error(std::string(error.what()) + "; see gapcheck --help"));
     return failed;
   }
   return action ? action() : failed;

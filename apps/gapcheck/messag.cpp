@@ -4,28 +4,26 @@
 #include <CLI/Validators.hpp>
 #include <filesystem>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
-#include "audit/mesh/element_mesh.hpp"
 #include "audit/judge.hpp"
+#include "audit/mesh/element_mesh.hpp"
 #include "audit/mesh/scene_mesh.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
-#include "common/input_kind.hpp"
 #include "common/mesh.hpp"
 #include "common/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
-#include "report/text/check_c_view.hpp"
 #include "report/item/describe.hpp"
+#include "report/text/check_c_view.hpp"
 #include "results/curves/run_results.hpp"
+#include "results/log/input_kind.hpp"
 #include "results/log/solver_log.hpp"
 
 namespace gapcheck::app {
@@ -76,24 +74,8 @@ void add_input(CLI::App& command, MessagArguments& arguments) {
   for (CLI::Option* option : options) option->group("Input");
 }
 
-/// What to read: a directory stands for the log files in it. An error ends the list.
-Result<std::vector<std::string>> log_files(const std::vector<std::string>& given) {
-  std::vector<std::string> files;
-  for (const std::string& path : given) {
-    std::error_code failed;
-    if (!std::filesystem::is_directory(path, failed)) {
-      files.push_back(path);
-      continue;
-    }
-    auto input = recognise(path);
-    if (!input) return input.error();
-    files.insert(files.end(), input.value().files.begin(), input.value().files.end());
-  }
-  return files;
-}
-
-/// Judges the run by the result files beside its first log. Says what was not judged where the user may expect it:
-/// where there is any such file, or a directory was given.
+/// Judges the run by the result files beside its first log. Reports what was not judged if the user may expect it: if
+/// there is any such file, or a directory was given.
 void judge(const MessagArguments& arguments, const std::string& first_file, Report& report, Diagnostics& diagnostics) {
   const std::string directory = std::filesystem::path(first_file).parent_path().string();
   const results::RunResults files = results::read_run_results(directory, false, diagnostics);
@@ -105,19 +87,18 @@ void judge(const MessagArguments& arguments, const std::string& first_file, Repo
   for (const std::string& skip : skips) print(Diagnostic{Severity::note, directory, 0, "not judged: " + skip});
 }
 
-/// What pictures and sets need of the deck.
+/// What pictures and sets need from the deck.
 void add_deck(const model::Model& model, bool picture, bool grid, Report& report) {
   report.highest_set = audit::highest_set(model.sets);
   if (picture) report.scene = audit::scene_mesh(model, report);
   if (!grid) return;
   contact::SurfaceStore surfaces(model);
-  std::vector<std::uint32_t> contacts(model.contacts.size());
-  std::iota(contacts.begin(), contacts.end(), 0U);
-  report.mesh = audit::element_mesh(model, surfaces, contacts);
+  report.mesh = audit::element_mesh(model, surfaces, gapcheck::positions<ContactIndex>(model.contacts.size()).list());
 }
 
-/// Why the files cannot be written beside what is read; empty: they can.
-std::string messag_obstacle(const MessagArguments& arguments, const std::vector<std::string>& logs) {
+/// An error if the files cannot be written without overwriting an input.
+Status check_files(const MessagArguments& arguments, const std::vector<std::string>& logs,
+                   const keyword::ReadOptions& deck_options) {
   std::vector<PlannedOutput> outputs = planned_outputs(arguments.output);
   for (PlannedOutput& output : planned_outputs(arguments.exports)) outputs.push_back(std::move(output));
   std::vector<ReadInput> read;
@@ -126,22 +107,26 @@ std::string messag_obstacle(const MessagArguments& arguments, const std::vector<
   read.push_back({arguments.log.d3hsp, "the d3hsp file"});
   read.push_back({arguments.d3plot, "the d3plot file"});
   for (const std::string& table : arguments.log.message_files) read.push_back({table, "a table of messages"});
-  if (!arguments.deck.empty()) add_deck_files(arguments.deck, {}, outputs, read);
-  return output_obstacle(read, outputs);
+  DeckFiles files(deck_options);
+  if (!arguments.deck.empty()) add_deck_files(arguments.deck, files, outputs, read);
+  return check_outputs(read, outputs);
 }
 
 int show_logs(const MessagArguments& arguments) {
   const JobLimit limit(arguments.jobs);
   Diagnostics diagnostics;
   const bool talk = !arguments.output.text.quiet;
-  const auto files = log_files(arguments.files);
+  const auto files = results::log_files(arguments.files);
   if (!files) {
     print(files.error());
     return failed;
   }
   const std::string& first_file = files.value().front();
-  if (const std::string why = messag_obstacle(arguments, files.value()); !why.empty()) {
-    print_error(report::printable(why));
+  keyword::FileCache cache;
+  keyword::ReadOptions deck_options;
+  deck_options.cache = &cache;
+  if (const Status status = check_files(arguments, files.value(), deck_options); !status.ok()) {
+    print(status.error());
     return failed;
   }
   auto read = [&] {
@@ -153,22 +138,22 @@ int show_logs(const MessagArguments& arguments) {
   std::optional<model::Model> model;
   const bool picture = !arguments.output.html.empty(), grid = !arguments.exports.vtu.empty();
   const bool with_model = picture || grid || !arguments.exports.sets.empty();
-  auto mesh = find_mesh(arguments.deck, arguments.d3plot, first_file, diagnostics, with_model ? &model : nullptr);
+  auto mesh = find_mesh({arguments.deck, deck_options, arguments.d3plot, first_file}, diagnostics,
+                        with_model ? &model : nullptr);
   print(diagnostics, !talk);
-  if (!read || !mesh) {
-    print(!read ? read.error() : mesh.error());
-    if (!read) return failed;
-  }
-  bool complete = mesh.ok() && !diagnostics.has_errors();
+  Failures failures(print);
+  failures.count(diagnostics);
+  if (!read || !mesh) failures.add(!read ? read.error() : mesh.error());
+  if (!read) return failed;
   Report report = report::pick(std::move(read).value(), arguments.pick);
   results::MeshSource known;
   if (mesh) known = std::move(mesh).value();
-  add_parts(report, known);
+  results::add_parts(known, report);
   if (model) add_deck(*model, picture, grid, report);
-  complete = write_page(report, arguments.output, positions(known)) && complete;
-  complete = write(report, arguments.output) && complete;
-  complete = write(report, arguments.exports, positions(known)) && complete;
-  return complete ? exit_code(report, arguments.output.fail_on) : failed;
+  failures.add(write_page(report, arguments.output, positions(known)));
+  failures.add(write(report, arguments.output));
+  write(report, arguments.exports, positions(known), failures);
+  return failures.any() ? failed : exit_code(report, arguments.output.fail_on);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <CLI/Validators.hpp>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -25,7 +26,7 @@ namespace {
 
 std::string check_rule(const std::string& text, bool of_runs) {
   for (const auto& rule : audit::rules())
-    if (rule.of_runs == of_runs && audit::selected(rule, {text}, {})) return "";
+    if (rule.of_runs() == of_runs && audit::selected(rule, {text}, {})) return "";
   return fmt::format("'{}' is no rule on {}; gapcheck rules lists them", text, of_runs ? "runs" : "decks");
 }
 
@@ -35,8 +36,10 @@ std::string check_deck_rule(const std::string& text) { return check_rule(text, f
 std::string check_run_rule(const std::string& text) { return check_rule(text, true); }
 
 std::string check_amount(const std::string& text) {
-  double value = -1;
-  if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= 0) return "";
+  // All of the text, as CLI11 itself reads numbers.
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (!text.empty() && end == text.c_str() + text.size() && std::isfinite(value) && value >= 0) return "";
   return "'" + text + "' is not a number of 0 or more";
 }
 
@@ -68,15 +71,15 @@ void add_output(CLI::App& command, OutputOptions& options) {
 
 namespace {
 
-/// The rules as formats show them.
+/// The rules as shown in formats.
 std::vector<report::RuleText> rule_texts() {
   std::vector<report::RuleText> texts;
-  for (const audit::RuleInfo& rule : audit::rules())
+  for (const RuleIdentity& rule : audit::rules())
     texts.push_back({rule.id, rule.name, rule.severity, rule.summary, audit::page(rule)});
   return texts;
 }
 
-/// The least severity that counts; none for "never".
+/// The lowest severity that counts; none for "never".
 std::optional<Severity> limit_of(const std::string& fail_on) {
   for (const Severity severity : {Severity::note, Severity::warning, Severity::error})
     if (report::name(severity) == fail_on) return severity;
@@ -96,7 +99,7 @@ void write_text(const report::Reports& reports, const OutputOptions& options, Ou
   output.write(report::text_of_all(reports, text));
 }
 
-/// In one of the formats for programs.
+/// In one of the machine-readable formats.
 void write_format(const report::Reports& reports, const OutputOptions& options, const report::Sink& sink) {
   const std::size_t top = options.text.list ? std::numeric_limits<std::size_t>::max() : options.text.top;
   const std::optional<Severity> limit = limit_of(options.fail_on);
@@ -108,7 +111,7 @@ void write_format(const report::Reports& reports, const OutputOptions& options, 
   if (options.format == "csv") report::csv(reports, sink);
 }
 
-/// Formats that have no place for findings that are left out on purpose must not hide that there are any.
+/// Formats without a place for findings left out on purpose must not hide that there are any.
 void say_ignored(const report::Reports& reports, const OutputOptions& options) {
   std::size_t ignored = 0;
   for (const Report& report : reports.all) ignored += report.ignored.size();
@@ -119,16 +122,14 @@ void say_ignored(const report::Reports& reports, const OutputOptions& options) {
 
 }  // namespace
 
-bool write_page(const Report& report, const OutputOptions& options, const report::NodePosition& position) {
-  if (options.html.empty()) return true;
+Status write_page(const Report& report, const OutputOptions& options, const report::NodePosition& position) {
+  if (options.html.empty()) return {};
   report::HtmlOptions page;
   page.version = version();
-  const auto error = write_file(options.html, report::html(report, position, page));
-  if (error) print(*error);
-  return !error;
+  return write_file(options.html, report::html(report, position, page));
 }
 
-bool write(const report::Reports& reports, const OutputOptions& options) {
+Status write(const report::Reports& reports, const OutputOptions& options) {
   say_ignored(reports, options);
   Output output(options.output);
   if (options.format == "text") {
@@ -175,14 +176,10 @@ void add_exports(CLI::App& command, ExportOptions& options) {
   for (CLI::Option* option : added) option->group("Files for post-processors");
 }
 
-bool write(const Report& report, const ExportOptions& options, const report::NodePosition& position) {
-  bool written = true;
-  const auto write = [&written](const std::string& path, const auto& text) {
-    if (path.empty()) return;
-    if (const auto error = write_file(path, text())) {
-      print(*error);
-      written = false;
-    }
+void write(const Report& report, const ExportOptions& options, const report::NodePosition& position,
+           Failures& failures) {
+  const auto write = [&failures](const std::string& path, const auto& text) {
+    if (!path.empty()) failures.add(write_file(path, text()));
   };
   write(options.key, [&] { return report::keyword_beams(report, position); });
   write(options.ani, [&] { return report::animator_session(report, false); });
@@ -190,7 +187,6 @@ bool write(const Report& report, const ExportOptions& options, const report::Nod
   write(options.medina, [&] { return report::medina_protocol(report, position, options.medina_node); });
   write(options.vtu, [&] { return report::vtu(report::finding_grid(report, position)); });
   write(options.sets, [&] { return report::keyword_sets(report, options.set_id); });
-  return written;
 }
 
 void add_jobs(CLI::App& command, std::size_t& jobs) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/result.hpp"
+#include "common/failures.hpp"
 #include "keyword/deck.hpp"
 #include "records/report.hpp"
 #include "report/export/exports.hpp"
@@ -18,15 +20,16 @@ namespace gapcheck::app {
 /// A finite number that is not negative; CLI11's own ranges let NaN pass.
 [[nodiscard]] std::string check_amount(const std::string& text);
 
-/// CLI11 alone would take the largest number there is for ids beyond it.
+/// CLI11 alone would clamp larger ids to the largest number.
 [[nodiscard]] std::string check_id(const std::string& text);
 
-// Every entry of --select and --ignore must pick a rule on decks, or on runs: a misspelt one would hide findings in
-// silence.
+// Every entry of --select and --ignore must pick a rule on decks, or on runs: a misspelt one would silently hide
+// findings.
 [[nodiscard]] std::string check_deck_rule(const std::string& text);
 [[nodiscard]] std::string check_run_rule(const std::string& text);
 
-/// An option that takes a list: commas, or the option again. Never more than one argument, or it would take the input.
+/// An option that takes a list: commas, or the option repeated. Never more than one argument, or it would consume the
+/// input.
 template <class Value>
 CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Value>& values, const std::string& text) {
   return command.add_option(name, values, text)->delimiter(',')->take_all()->allow_extra_args(false);
@@ -35,21 +38,22 @@ CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Va
 /// How results are written.
 struct OutputOptions {
   std::string format = "text", output, fail_on = "error";
-  std::string html;  ///< path of the page; empty: not asked for
+  std::string html;  ///< path of the page; empty: not requested
   report::TextOptions text;
 };
 void add_output(CLI::App& command, OutputOptions& options);
 
-/// Writes the results of one report or of several; false after a failure, which has been said.
-bool write(const report::Reports& reports, const OutputOptions& options);
+/// Writes the results of one report or of several.
+[[nodiscard]] Status write(const report::Reports& reports, const OutputOptions& options);
 
-/// Writes the page if it is asked for; false after a failure, which has been said. `position` may be empty.
-bool write_page(const Report& report, const OutputOptions& options, const report::NodePosition& position);
+/// Writes the page if requested. `position` may be empty.
+[[nodiscard]] Status write_page(const Report& report, const OutputOptions& options,
+                                const report::NodePosition& position);
 
-/// Clean or findings, as --fail-on has it.
+/// Clean or findings, according to --fail-on.
 [[nodiscard]] int exit_code(const Report& report, const std::string& fail_on);
 
-/// Files for post-processors; empty names: not asked for.
+/// Files for post-processors; empty names: not requested.
 struct ExportOptions {
   std::string key, ani, a4sel, medina, vtu, sets;
   std::int64_t medina_node = 9999999;
@@ -57,17 +61,18 @@ struct ExportOptions {
 };
 void add_exports(CLI::App& command, ExportOptions& options);
 
-/// Writes the files; false after a failure, which has been said.
-bool write(const Report& report, const ExportOptions& options, const report::NodePosition& position);
+/// Writes the files, as many as can be written.
+void write(const Report& report, const ExportOptions& options, const report::NodePosition& position,
+           Failures& failures);
 
 void add_jobs(CLI::App& command, std::size_t& jobs);
 
-/// What commands take that have no work worth sharing, as every command does: --quiet, --stats, --jobs, --version.
+/// Options that every command accepts, even without work to share: --quiet, --stats, --jobs, --version.
 struct CommonOptions {
   bool quiet = false, stats = false;
   std::size_t jobs = 0;  ///< without effect
 };
-/// `quiet`: what --quiet leaves of the output.
+/// `quiet`: the output that --quiet keeps.
 void add_common(CLI::App& command, CommonOptions& options, const std::string& quiet);
 
 /// -I and --missing-includes; `missing` is "error" or "skip" once the arguments are read.

@@ -26,12 +26,11 @@ bool Output::write(std::string_view text) {
   return error_ == 0;
 }
 
-bool Output::close() {
+Status Output::close() {
   if (error_ == 0 && std::fflush(file_) != 0) error_ = errno;
-  if (error_ == 0) return true;
-  print(Diagnostic{Severity::error, path_.empty() ? "standard output" : path_, 0,
-                   fmt::format("cannot be written: {}", std::strerror(error_))});
-  return false;
+  if (error_ == 0) return {};
+  return Diagnostic{Severity::error, path_.empty() ? "standard output" : path_, 0,
+                    fmt::format("cannot be written: {}", std::strerror(error_))};
 }
 
 bool Output::color() const {
@@ -40,8 +39,6 @@ bool Output::color() const {
 }
 
 void print(const Diagnostic& diagnostic) { std::fputs(line_of("gapcheck", diagnostic).c_str(), stderr); }
-
-void print_error(std::string_view message) { print(Diagnostic{Severity::error, "", 0, std::string(message)}); }
 
 void print(const Diagnostics& diagnostics, bool quiet) {
   for (const Diagnostic& diagnostic : diagnostics.sorted())

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "base/diagnostic.hpp"
+#include "base/result.hpp"
 
 namespace gapcheck::app {
 
@@ -17,9 +18,9 @@ class Output {
   Output& operator=(const Output&) = delete;
   /// False from the first failure on.
   bool write(std::string_view text);
-  /// Ends the writing; reports a failure on standard error and returns false then.
-  [[nodiscard]] bool close();
-  /// ANSI colours are welcome: a terminal, and NO_COLOR is not set.
+  /// Finishes writing; the first failure, if there was any.
+  [[nodiscard]] Status close();
+  /// Use ANSI colours: a terminal, and NO_COLOR is not set.
   [[nodiscard]] bool color() const;
 
  private:
@@ -30,7 +31,6 @@ class Output {
 
 /// "gapcheck: error: FILE:LINE: message" on standard error; empty file and line 0 are left out.
 void print(const Diagnostic& diagnostic);
-void print_error(std::string_view message);
 
 /// All diagnostics, errors first; with `quiet` only the errors.
 void print(const Diagnostics& diagnostics, bool quiet);

@@ -2,16 +2,19 @@
 #include <string>
 #include <vector>
 
+#include "base/result.hpp"
+#include "deck_files.hpp"
 #include "keyword/deck.hpp"
 #include "options.hpp"
 
 namespace gapcheck::app {
 
-/// A file that a command is to write.
+/// A file that a command will write.
 struct PlannedOutput {
   std::string option;  ///< that names it
   std::string path;
   std::string deck = "";  ///< whose results it holds; empty: those of the whole call
+  std::string instead = "another file to write";  ///< what to give where this is an input
 };
 
 /// A file that a command reads.
@@ -20,24 +23,26 @@ struct ReadInput {
   std::string what;  ///< "the deck itself", "the settings file", …
 };
 
-/// The outputs that these options name, under their names.
+/// The outputs that these options request, under their names.
 [[nodiscard]] std::vector<PlannedOutput> planned_outputs(const OutputOptions& output);
 [[nodiscard]] std::vector<PlannedOutput> planned_outputs(const ExportOptions& exports);
 
-/// Adds the deck, and the files that it includes if one of the outputs exists and so might be one of them. What is
-/// wrong with the deck is said when it is read for its own sake.
-void add_deck_files(const std::string& deck, const keyword::ReadOptions& options,
-                    const std::vector<PlannedOutput>& outputs, std::vector<ReadInput>& read);
+/// The files below `directory` that a run would replace or delete; `vtu`: with those of --vtu.
+[[nodiscard]] std::vector<PlannedOutput> planned_run_outputs(const std::string& directory, bool vtu);
+
+/// Adds the deck, and its includes if one of the outputs exists and so might be one of them. Faults of the deck are
+/// reported when it is actually read.
+void add_deck_files(const std::string& deck, DeckFiles& files, const std::vector<PlannedOutput>& outputs,
+                    std::vector<ReadInput>& read);
 
 /// The same for a deck that has been read.
 void add_deck_files(const keyword::Deck& deck, std::vector<ReadInput>& read);
 
-/// Adds the text files that a run leaves in its directory, which are read beside those that are named.
+/// Adds the text files in a run's directory, which are read besides the named ones.
 void add_run_files(const std::string& directory, std::vector<ReadInput>& read);
 
-/// Why the outputs must not be written: one is a file that is read, by whatever name, or two are one file. Empty: they
-/// may. Terminals, pipes and devices take what comes.
-[[nodiscard]] std::string output_obstacle(const std::vector<ReadInput>& read,
-                                          const std::vector<PlannedOutput>& outputs);
+/// An error if the outputs must not be written: one is also an input, under any name, or two are the same file.
+/// Terminals, pipes and devices are always allowed.
+[[nodiscard]] Status check_outputs(const std::vector<ReadInput>& read, const std::vector<PlannedOutput>& outputs);
 
 }  // namespace gapcheck::app

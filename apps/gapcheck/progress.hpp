@@ -6,8 +6,8 @@
 
 namespace gapcheck::app {
 
-/// While it lives, a line on standard error says every second how long the work has taken; only on a terminal, and
-/// only from the first second on. Leaves nothing behind.
+/// While it lives, a line on standard error shows every second how long the work has taken; only on a terminal, and
+/// only after the first second. The line is erased at the end.
 class Progress {
  public:
   Progress(std::string what, bool wanted);

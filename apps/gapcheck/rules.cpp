@@ -21,7 +21,9 @@ int list_rules(const CommonOptions& options) {
                                : fmt::format("{}  {:<{}}  {:<7}  {}\n", rule.id, rule.name, width,
                                              report::name(rule.severity), rule.summary));
   if (options.stats) fmt::print(stderr, "  rules  {}\n", audit::rules().size());
-  return output.close() ? clean : failed;
+  Failures failures(print);
+  failures.add(output.close());
+  return failures.any() ? failed : clean;
 }
 
 }  // namespace

@@ -17,12 +17,13 @@
 #include "common/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "output_guard.hpp"
 #include "progress.hpp"
 #include "report/item/describe.hpp"
 #include "run_progress.hpp"
 #include "run_summary.hpp"
 #include "run_vtu.hpp"
-#include "settings.hpp"
+#include "settings/settings.hpp"
 #include "solver/output/run_files.hpp"
 #include "solver/supported.hpp"
 
@@ -34,6 +35,7 @@ struct RunArguments {
   std::string missing_includes = "error";
   keyword::ReadOptions read;
   SettingsOptions settings;
+  std::string settings_path;  ///< empty: none is used
   double until = 0;
   std::uint64_t cycles = 0;
   std::size_t jobs = 0;
@@ -66,7 +68,7 @@ class Interruptible {
 class Watch : public solver::Run::Observer {
  public:
   Watch(solver::RunFiles& files, bool progress) : files_(files), progress_(progress) {}
-  std::optional<solver::Failure> observe(const solver::Run& run, std::optional<solver::RunEnd> end) override {
+  solver::SolverStatus observe(const solver::Run& run, std::optional<solver::RunEnd> end) override {
     progress_.show(run);
     return files_.observe(run, end);
   }
@@ -76,18 +78,17 @@ class Watch : public solver::Run::Observer {
   RunProgress progress_;
 };
 
-/// True if the run may go on.
-bool tell_unsupported(const std::vector<solver::Unsupported>& list, const RunArguments& arguments) {
+/// Says what of the deck is not calculated, which is a failure unless the user wants to run without it.
+void tell_unsupported(const std::vector<solver::Unsupported>& list, const RunArguments& arguments, Failures& failures) {
   const Severity severity = arguments.ignore_unsupported ? Severity::warning : Severity::error;
   for (const solver::Unsupported& one : list)
     if (!arguments.ignore_unsupported || !arguments.quiet)
       print(Diagnostic{severity, one.file, one.line,
                        fmt::format("*{} {}: {}", one.keyword,
                                    arguments.ignore_unsupported ? "is left out" : "is not supported", one.why)});
-  if (list.empty() || arguments.ignore_unsupported) return true;
-  print_error(fmt::format("{} of the deck is not calculated; change it, or run with --ignore-unsupported",
-                          list.size() == 1 ? "a part" : "some"));
-  return false;
+  if (list.empty() || arguments.ignore_unsupported) return;
+  failures.add(plain_error(fmt::format("{} of the deck is not calculated; change it, or run with --ignore-unsupported",
+                                       list.size() == 1 ? "a part" : "some")));
 }
 
 void tell_output_notes(const keyword::Deck& deck, const model::Model& model, Diagnostics& diagnostics) {
@@ -95,13 +96,8 @@ void tell_output_notes(const keyword::Deck& deck, const model::Model& model, Dia
     diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
 }
 
-bool tell_failure(const solver::Failure& failure) {
-  print_error(failure.message);
-  return false;
-}
-
-/// Steps to the end and tells what came of it.
-bool calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArguments& arguments) {
+/// Steps to the end and reports the result.
+int calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArguments& arguments) {
   solver::RunFilesSettings settings;
   settings.directory = arguments.directory;
   settings.program = fmt::format("gapcheck {}", version());
@@ -113,17 +109,27 @@ bool calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArgum
     };
   }
   auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
-  if (const auto* failure = std::get_if<solver::Failure>(&files)) return tell_failure(*failure);
+  if (!files) {
+    print(plain_error(files.error().message));
+    return failed;
+  }
   solver::RunEnd end{};
   {
     const Interruptible interruptible;
-    Watch watch(std::get<solver::RunFiles>(files), !arguments.quiet);
+    Watch watch(files.value(), !arguments.quiet);
     end = run.go(watch);
   }
-  if (run.failure()) tell_failure(*run.failure());
+  if (!run.status().ok()) print(plain_error(run.status().error().message));
   if (!arguments.quiet) std::fputs(run_summary(run, end).c_str(), stdout);
   if (arguments.stats) std::fputs(run_statistics(run).c_str(), stdout);
-  return end != solver::RunEnd::failed;
+  return end == solver::RunEnd::failed ? failed : clean;
+}
+
+/// An error if the run would write over what it reads.
+Status check_directory(const keyword::Deck& deck, const RunArguments& arguments) {
+  std::vector<ReadInput> read{{arguments.settings_path, "the settings file"}};
+  add_deck_files(deck, read);
+  return check_outputs(read, planned_run_outputs(arguments.directory, arguments.vtu));
 }
 
 int run_deck(const RunArguments& arguments) {
@@ -137,6 +143,11 @@ int run_deck(const RunArguments& arguments) {
     print(deck.error());
     return failed;
   }
+  if (const Status status = check_directory(deck.value(), arguments); !status.ok()) {
+    reading.reset();
+    print(status.error());
+    return failed;
+  }
   const auto model = model::read_model(deck.value(), diagnostics);
   reading.reset();
   if (!model || diagnostics.has_errors()) {
@@ -145,7 +156,9 @@ int run_deck(const RunArguments& arguments) {
     return failed;
   }
   tell_output_notes(deck.value(), model.value(), diagnostics);
-  if (!tell_unsupported(solver::unsupported(deck.value(), model.value()), arguments)) {
+  Failures failures(print);
+  tell_unsupported(solver::unsupported(deck.value(), model.value()), arguments, failures);
+  if (failures.any()) {
     print(diagnostics, arguments.quiet);
     return failed;
   }
@@ -156,11 +169,11 @@ int run_deck(const RunArguments& arguments) {
   contact::SurfaceStore surfaces(model.value());
   auto run = solver::Run::prepare(model.value(), surfaces, settings, diagnostics);
   print(diagnostics, arguments.quiet);
-  if (const auto* failure = std::get_if<solver::Failure>(&run)) {
-    tell_failure(*failure);
+  if (!run) {
+    print(plain_error(run.error().message));
     return failed;
   }
-  return calculate(std::get<solver::Run>(run), surfaces, arguments) ? clean : failed;
+  return calculate(run.value(), surfaces, arguments);
 }
 
 }  // namespace
@@ -190,7 +203,9 @@ void add_run(CLI::App& app, Action& action) {
   add_jobs(*command, arguments->jobs);
   command->callback([&action, arguments, command] {
     action = [arguments, command] {
-      if (!use_settings(arguments->settings, arguments->deck, false, *command)) return static_cast<int>(failed);
+      Failures failures(print);
+      arguments->settings_path = use_settings(arguments->settings, arguments->deck, false, *command, failures).path;
+      if (failures.any()) return static_cast<int>(failed);
       arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
       return run_deck(*arguments);
     };

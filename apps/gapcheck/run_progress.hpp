@@ -5,7 +5,7 @@
 
 namespace gapcheck::app {
 
-/// A line on standard error that says how far a run is; only on a terminal, twice a second at most.
+/// A progress line for a run on standard error; only on a terminal, at most twice a second.
 class RunProgress {
  public:
   explicit RunProgress(bool wanted);

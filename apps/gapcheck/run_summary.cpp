@@ -35,7 +35,7 @@ std::string contact_rows(const solver::Run& run) {
   for (const solver::ContactView& contact : contacts) {
     const solver::ContactState& c = contact.state();
     text += fmt::format("  {:>10} {:>9} {:>9} {:>9} {:>12.4g} {:>12.4g} {:>12.4g}\n",
-                        run.model().contacts[c.contact].id.value, c.touching, c.released, c.moved, c.energy_a,
+                        run.model().contact(c.contact).id.value, c.touching, c.released, c.moved, c.energy_a,
                         c.energy_b, c.friction);
   }
   return text;

@@ -5,7 +5,7 @@
 
 namespace gapcheck::app {
 
-/// What a finished run did: end, cycles, energies, and one line per contact.
+/// Summary of a finished run: end, cycles, energies, and one line per contact.
 [[nodiscard]] std::string run_summary(const solver::Run& run, solver::RunEnd end);
 
 /// Counters and times of the run, for --stats.

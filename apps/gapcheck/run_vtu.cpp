@@ -14,7 +14,7 @@ namespace {
 using report::VtuArray;
 using report::VtuGrid;
 
-/// Per node what the contact with the deepest penetration there says, and the forces of all contacts.
+/// Per node the data of the contact with the deepest penetration there, and the forces of all contacts.
 void add_contacts(const solver::Run& run, VtuGrid& grid) {
   const std::vector<double> none(grid.points.size(), 0.0);
   VtuArray penetration{"contact_penetration", 1, none};
@@ -101,15 +101,16 @@ VtuGrid vtu_grid(const results::D3plot& mesh, const results::D3plotState& state,
 VtuSeries::VtuSeries(const solver::Run& run, std::string directory)
     : directory_(std::move(directory)), mesh_(solver::plot_mesh(run.model(), run.initial().x)) {}
 
-std::optional<solver::Failure> VtuSeries::add(const results::D3plotState& state, const solver::Run& run) {
+solver::SolverStatus VtuSeries::add(const results::D3plotState& state, const solver::Run& run) {
   entries_.push_back({state.time, fmt::format("state_{:04}.vtu", entries_.size() + 1)});
   const auto write = [&](const std::string& name, const std::string& text) {
     return write_file((std::filesystem::path(directory_) / name).string(), text);
   };
-  auto problem = write(entries_.back().file, report::vtu(vtu_grid(mesh_, state, run)));
-  if (!problem) problem = write("run.pvd", report::pvd(entries_));
-  if (problem) return solver::Failure{solver::Failure::Kind::output, problem->file + ": " + problem->message};
-  return std::nullopt;
+  Status written = write(entries_.back().file, report::vtu(vtu_grid(mesh_, state, run)));
+  if (written.ok()) written = write("run.pvd", report::pvd(entries_));
+  if (written.ok()) return {};
+  const Diagnostic& error = written.error();
+  return solver::Failure{solver::Failure::Kind::output, error.file + ": " + error.message};
 }
 
 }  // namespace gapcheck::app

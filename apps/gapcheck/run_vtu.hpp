@@ -10,13 +10,13 @@
 
 namespace gapcheck::app {
 
-/// A run as files for VTK: state_0001.vtu, … and the collection run.pvd, which is written anew with every state.
+/// A run as files for VTK: state_0001.vtu, … and the collection run.pvd, which is rewritten with every state.
 class VtuSeries {
  public:
-  /// `directory` must be there.
+  /// `directory` must exist.
   VtuSeries(const solver::Run& run, std::string directory);
   /// The error of the file that could not be written.
-  [[nodiscard]] std::optional<solver::Failure> add(const results::D3plotState& state, const solver::Run& run);
+  [[nodiscard]] solver::SolverStatus add(const results::D3plotState& state, const solver::Run& run);
 
  private:
   std::string directory_;
@@ -24,8 +24,8 @@ class VtuSeries {
   std::vector<report::PvdEntry> entries_;
 };
 
-/// The grid of one state: shells, solids, beams; displacement, velocity and what the contacts say at the points; part,
-/// id, stress, plastic strain and thickness in the cells.
+/// The grid of one state: shells, solids, beams; displacement, velocity and contact results at the points; part, id,
+/// stress, plastic strain and thickness in the cells.
 [[nodiscard]] report::VtuGrid vtu_grid(const results::D3plot& mesh, const results::D3plotState& state,
                                        const solver::Run& run);
 

@@ -32,7 +32,7 @@ bool takes_file(const OptionText& option) {
   return option.value.find("FILE") != std::string::npos || option.value.find("<") != std::string::npos;
 }
 
-/// What bash offers behind an option: words, directories, files, or nothing of its own.
+/// What bash offers after an option: words, directories, files, or nothing of its own.
 std::string bash_values(const OptionText& option) {
   if (!option.choices.empty()) return fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", joined(option.choices, " "));
   if (is_directory(option)) return "COMPREPLY=($(compgen -d -- \"$cur\"))";

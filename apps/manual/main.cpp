@@ -5,6 +5,7 @@
 #include <exception>
 #include <string>
 
+#include "common/failures.hpp"
 #include "common/files.hpp"
 #include "common/version.hpp"
 #include "completion.hpp"
@@ -13,20 +14,21 @@
 namespace gapcheck::manual {
 namespace {
 
-bool write(const std::string& path, const std::string& text) {
-  const auto error = app::write_file(path, text);
-  if (error) std::fprintf(stderr, "gapcheck_manual: %s: %s\n", path.c_str(), error->message.c_str());
-  return !error;
+void complain(const Diagnostic& error) {
+  std::fprintf(stderr, "gapcheck_manual: %s: %s\n", error.file.c_str(), error.message.c_str());
 }
 
 int run(const std::string& folder) {
-  bool done = true;
+  app::Failures failures(complain);
+  const auto write = [&](const std::string& path, const std::string& text) {
+    failures.add(app::write_file(path, text));
+  };
   for (const ProgramText& program : {gapcheck_text(), check_c_text()}) {
-    done = write(fmt::format("{}/{}.1", folder, program.name), man_page(program, app::version())) && done;
-    done = write(fmt::format("{}/{}.bash", folder, program.name), bash_completion(program)) && done;
-    done = write(fmt::format("{}/_{}", folder, program.name), zsh_completion(program)) && done;
+    write(fmt::format("{}/{}.1", folder, program.name), man_page(program, app::version()));
+    write(fmt::format("{}/{}.bash", folder, program.name), bash_completion(program));
+    write(fmt::format("{}/_{}", folder, program.name), zsh_completion(program));
   }
-  return done ? 0 : 2;
+  return failures.any() ? 2 : 0;
 }
 
 }  // namespace

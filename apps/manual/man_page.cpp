@@ -5,7 +5,7 @@
 namespace gapcheck::manual {
 namespace {
 
-/// Text that roff prints as it stands: dashes that can be copied, no escapes, no macros at line starts.
+/// Text that roff prints literally: dashes that can be copied, no escapes, no macros at line starts.
 std::string roff(std::string_view text) {
   std::string out;
   bool line_start = true;

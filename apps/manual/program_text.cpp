@@ -19,7 +19,7 @@ std::vector<std::string> choices_in(std::string_view type) {
   std::string_view list = type.substr(open + 1, close - open - 1);
   while (!list.empty()) {
     const std::string_view entry = list.substr(0, list.find(','));
-    const std::string_view key = entry.substr(0, entry.find("->"));  // of a map the keys are what one writes
+    const std::string_view key = entry.substr(0, entry.find("->"));  // for a map the user writes the keys
     choices.emplace_back(key);
     list.remove_prefix(std::min(list.size(), entry.size() + 1));
   }

@@ -11,7 +11,7 @@ struct OptionText {
   std::string value;                 ///< what it takes: "FILE"; empty: nothing
   std::string help;
   std::vector<std::string> choices;  ///< the only values it takes; empty: any
-  bool argument = false;             ///< stands without a name
+  bool argument = false;             ///< has no name
 };
 
 struct CommandText {
@@ -25,9 +25,9 @@ struct ProgramText {
   std::vector<CommandText> commands;
 };
 
-/// All of gapcheck, read off the definitions that parse the command line.
+/// All of gapcheck, from the definitions that parse the command line.
 [[nodiscard]] ProgramText gapcheck_text();
-/// The same of check-c.
+/// The same for check-c.
 [[nodiscard]] ProgramText check_c_text();
 
 }  // namespace gapcheck::manual

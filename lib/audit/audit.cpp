@@ -9,7 +9,9 @@
 #include "audit/mesh/element_mesh.hpp"
 #include "audit/ignore_reviews.hpp"
 #include "audit/members.hpp"
+#include "audit/rule_log.hpp"
 #include "audit/run_rules.hpp"
+#include "audit/shared_results.hpp"
 #include "audit/mesh/scene_mesh.hpp"
 #include "contact/tie/record_tie.hpp"
 
@@ -35,7 +37,7 @@ ModelCounts counts(const model::Model& model) {
   return c;
 }
 
-/// Contacts as they stand in the deck, when no rule asked for their initialisation.
+/// Contacts as in the deck, if no rule asked for their initialisation.
 std::vector<ContactSummary> contacts_alone(const model::Model& model) {
   std::vector<ContactSummary> list;
   for (const model::Contact& contact : model.contacts) {
@@ -44,7 +46,7 @@ std::vector<ContactSummary> contacts_alone(const model::Model& model) {
     s.order = contact.order;
     s.title = contact.title;
     s.keyword = contact.keyword;
-    s.type = contact::classify(contact).code;
+    s.type = contact::classify(contact).printed();
     s.not_checked = "no selected rule asks for it";
     s.line = contact.place.line;
     list.push_back(std::move(s));
@@ -52,34 +54,34 @@ std::vector<ContactSummary> contacts_alone(const model::Model& model) {
   return list;
 }
 
-bool keep(const Penetration& p, const Context& context) {
-  const AuditOptions& o = context.options();
-  if (!context.wanted(p.kind)) return false;
+bool keep(const Penetration& p, const Selection& selection) {
+  const AuditOptions& o = selection.options();
+  if (!selection.wanted(p.kind)) return false;
   if (o.rtol >= 0 && !(p.remaining() < o.rtol)) return false;
   if (o.ratio >= 0 && !(p.depth > o.ratio * p.contact_distance)) return false;
   const auto chosen = [&](std::int64_t part) { return std::find(o.parts.begin(), o.parts.end(), part) != o.parts.end(); };
   return o.parts.empty() || chosen(p.part) || chosen(p.element_part);
 }
 
-/// --part holds for findings that name a part; others are about no part in particular.
+/// --part applies to findings that name a part; others concern no particular part.
 bool keep(const Finding& f, const std::vector<std::int64_t>& parts) {
   if (parts.empty() || (f.part == 0 && f.element_part == 0)) return true;
   return std::any_of(parts.begin(), parts.end(), [&](std::int64_t id) { return id == f.part || id == f.element_part; });
 }
 
 /// Nodes that did not tie, or tied with a separation, as far as rules ask for them; by contact, reason, node.
-std::vector<TieFailure> tie_failures(const contact::InitialState& initial, const model::Model& model, const Context& context) {
+std::vector<TieFailure> tie_failures(const contact::InitialState& initial, const Selection& selection) {
   std::vector<TieFailure> list;
   for (const contact::JudgedNode& judged : initial.judged)
-    if (judged.reason && context.wanted(*judged.reason) && context.part_chosen(judged.part))
-      list.push_back(contact::record_tie(judged, model));
+    if (judged.reason && selection.wanted(*judged.reason) && selection.part_chosen(judged.part))
+      list.push_back(contact::record_tie(judged, selection.model()));
   std::sort(list.begin(), list.end(), [](const TieFailure& a, const TieFailure& b) {
     return std::tie(a.contact, a.reason, a.node) < std::tie(b.contact, b.reason, b.node);
   });
   return list;
 }
 
-/// Findings that name a node are where it is: that is how they are known again after renumbering.
+/// Findings that name a node get its position, by which they are recognised after renumbering.
 void place_at_nodes(std::vector<Finding>& findings, const model::Nodes& nodes) {
   for (Finding& f : findings) {
     if (f.point || f.node == 0) continue;
@@ -115,7 +117,8 @@ std::string searches_taken(const contact::SearchTally& tally) {
   return text;
 }
 
-void add_statistics(Report& report, const keyword::Deck& deck, const model::Model& model, Context& context) {
+void add_statistics(Report& report, const keyword::Deck& deck, const model::Model& model, SharedResults& results,
+                    const RuleLog& log) {
   const auto add = [&](std::string name, std::uint64_t value) {
     report.statistics.emplace_back(std::move(name), fmt::format("{}", value));
   };
@@ -125,10 +128,10 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("encrypted blocks skipped", deck.counters().encrypted_blocks);
   add("includes missing", deck.counters().missing_includes);
   if (deck.counters().shared_files > 0) add("files read before in this call", deck.counters().shared_files);
-  const auto& c = context.counters();
-  add("rules run", context.rule_counters().asking + context.rule_counters().content);
-  add("rules that asked for no surface and no search", context.rule_counters().content);
-  add("contact surfaces built", c.surfaces_built + context.surface_store().built());
+  const auto& c = results.counters();
+  add("rules run", log.rules_run());
+  add("rules that asked for no surface and no search", log.content_rules());
+  add("contact surfaces built", c.surfaces_built + results.surface_store().built());
   add("contacts searched", c.contacts_searched);
   add("contacts culled by boxes", c.contacts_culled);
   add("searches", c.sweep.searches);
@@ -146,18 +149,18 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
   add("nodes tied", c.tied_nodes);
   add("penetrating pairs of tied nodes not reported", c.tied_pairs);
   add("penetrating pairs excluded by the deck", c.excluded_pairs);
-  if (context.other_surfaces() > 0) {
-    add("surfaces built with another thickness", context.other_surfaces());
-    add("searches with another thickness", context.other_counters().sweep.searches);
-    add("candidate pairs with another thickness", context.other_counters().sweep.candidate_pairs);
+  if (results.other_surfaces() > 0) {
+    add("surfaces built with another thickness", results.other_surfaces());
+    add("searches with another thickness", results.other_counters().sweep.searches);
+    add("candidate pairs with another thickness", results.other_counters().sweep.candidate_pairs);
   }
-  const auto& crossings = context.crossing_counters();
+  const auto& crossings = results.crossing_counters();
   add("element pairs with boxes that meet", crossings.box_pairs);
   add("triangle pairs decided by the filter", crossings.decisions.filter);
   add("triangle pairs decided exactly", crossings.decisions.exact);
-  if (context.initialised())
-    for (const std::string& note : context.initial().notes) report.statistics.emplace_back("note", note);
-  for (const std::string& skip : context.skips()) report.statistics.emplace_back("not looked at", skip);
+  if (results.initialised())
+    for (const std::string& note : results.initial().notes) report.statistics.emplace_back("note", note);
+  for (const std::string& skip : log.skips()) report.statistics.emplace_back("not looked at", skip);
   for (const auto& [keyword, blocks] : model.skipped_keywords)
     report.statistics.emplace_back("keyword skipped: " + keyword, fmt::format("{}", blocks));
 }
@@ -169,32 +172,36 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   report.input = input;
   for (const keyword::SourceFile& file : deck.files()) report.files.push_back(file.path);
   report.model = counts(model);
-  Context context(deck, model, options);
-  run_rules(context, report);
-  if (context.search_wanted() || context.initialised()) {
-    contact::InitialState& initial = context.initial();
+  const Selection selection(model, options);
+  SharedResults results(selection);
+  RuleLog log;
+  Context context(deck, selection, results, log);
+  run_rules(context, log, report);
+  if (selection.records_wanted() || results.initialised()) {
+    contact::InitialState& initial = results.initial();
     report.contacts = std::move(initial.contacts);
     report.penetrations = std::move(initial.penetrations);
-    std::erase_if(report.penetrations, [&](const Penetration& p) { return !keep(p, context); });
-    report.tie_failures = tie_failures(initial, model, context);
+    std::erase_if(report.penetrations, [&](const Penetration& p) { return !keep(p, selection); });
+    report.tie_failures = tie_failures(initial, selection);
   } else {
     report.contacts = contacts_alone(model);
   }
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   place_at_nodes(report.findings, model.mesh.nodes);
-  context.set_ignores(leave_out_ignored(report, deck, options));
+  const IgnoreOutcome ignores = leave_out_ignored(report, deck, options);
   const std::size_t reviews = report.findings.size();
-  review_ignores(context, report);
+  review_ignores(options, ignores, report);
   leave_out_reviews(report, reviews, options);
   set_severities(options.severities, report);
-  if (context.initialised()) recount(report);
-  for (std::size_t i = 0; i < report.contacts.size(); ++i) report.contacts[i].file = context.path(model.contacts[i].place.file);
-  report.timing.surface_s = context.counters().surface_s + context.surface_store().seconds();
-  report.timing.search_s = context.counters().search_s;
-  add_statistics(report, deck, model, context);
+  if (results.initialised()) recount(report);
+  for (std::size_t i = 0; i < report.contacts.size(); ++i)
+    report.contacts[i].file = context.path(model.contacts[i].place.file);
+  report.timing.surface_s = results.counters().surface_s + results.surface_store().seconds();
+  report.timing.search_s = results.counters().search_s;
+  add_statistics(report, deck, model, results, log);
   report.highest_set = highest_set(model.sets);
   if (options.members) add_named_elements(model, report.findings);
-  if (options.mesh) report.mesh = element_mesh(model, context.surface_store(), context.contacts());
+  if (options.mesh) report.mesh = element_mesh(model, results.surface_store(), selection.contacts());
   if (options.scene) report.scene = scene_mesh(model, report);
   return report;
 }

@@ -1,22 +1,23 @@
 #include "audit/grouped.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
+
+#include "base/parallel.hpp"
 
 namespace gapcheck::audit {
 
 void add_grouped(Report& report, std::vector<Found> found, const std::function<Finding(const Found&)>& words,
                  const std::function<Finding(const Found&, std::uint64_t)>& rest, const Collect& collect) {
-  tbb::parallel_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+  parallel_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     if (a.group != b.group) return a.group < b.group;
     return a.weight != b.weight ? a.weight > b.weight : a.item < b.item;
   });
   for (std::size_t first = 0; first < found.size();) {
     std::size_t end = first;
     while (end < found.size() && found[end].group == found[first].group) ++end;
-    // One more is said as shortly in full as by a line that counts it.
+    // A single extra finding is as short in full as a line that counts it.
     const std::size_t shown = end - first <= found_in_full + 1 ? end : first + found_in_full;
     for (std::size_t i = first; i < shown; ++i) {
       report.findings.push_back(words(found[i]));

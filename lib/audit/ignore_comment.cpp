@@ -10,6 +10,7 @@
 #include "audit/registry.hpp"
 #include "base/edit_distance.hpp"
 #include "base/number.hpp"
+#include "records/record_rules.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -23,7 +24,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// The text in quotation marks, cut where it is long; bytes that no message should have are question marks.
+/// The text in quotation marks, cut if long; bytes unsuitable for messages become question marks.
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string out = "\"";
@@ -31,7 +32,7 @@ std::string quoted(std::string_view text) {
   return out + (text.size() > longest ? "…\"" : "\"");
 }
 
-/// Of the names the one that was probably meant; empty: none is near.
+/// The name that was probably meant; empty: none is similar.
 template <class Names>
 std::string_view nearest(std::string_view written, const Names& names) {
   const std::string word = lower_case(written.substr(0, 60));
@@ -52,8 +53,10 @@ class Parser {
 
   IgnoreComment read() {
     if (lower_case(word()) != "ignore")
-      return {{}, "a comment that starts with \"gapcheck:\" needs the word ignore and rules behind it: "
-                  "$ gapcheck: ignore GC101 contact=3 because …"};
+      return {{},
+              fmt::format("a comment that starts with \"gapcheck:\" needs the word ignore and rules behind it: "
+                          "$ gapcheck: ignore {} contact=3 because …",
+                          record_rules::initial_penetration.id)};
     read_rules();
     while (wrong_.empty() && !at_end()) read_clause();
     if (!wrong_.empty()) return {{}, wrong_};
@@ -84,7 +87,8 @@ class Parser {
     do {
       const std::string_view pattern = word();
       if (pattern.empty() || rest_.starts_with('=')) {
-        wrong_ = "an ignore names the rules that it is about; write ignore GC101 or ignore GC101,untied-node";
+        wrong_ = fmt::format("an ignore names the rules that it is about; write ignore {0} or ignore {0},{1}",
+                             record_rules::initial_penetration.id, record_rules::untied_node.name);
         return;
       }
       check_rule(pattern);
@@ -96,10 +100,10 @@ class Parser {
   void check_rule(std::string_view pattern) {
     const std::vector<std::string> patterns{std::string(pattern)};
     bool of_runs = false, of_ignores = false;
-    for (const RuleInfo& rule : rules()) {
+    for (const RuleIdentity& rule : rules()) {
       if (!selected(rule, patterns, {})) continue;
-      if (!rule.of_runs && !rule.of_ignores) return;
-      (rule.of_runs ? of_runs : of_ignores) = true;
+      if (!rule.of_runs() && !rule.of_ignores()) return;
+      (rule.of_runs() ? of_runs : of_ignores) = true;
     }
     if (of_runs)
       wrong_ = quoted(pattern) + " judges what a run has written, which no comment of a deck can leave out; "
@@ -114,8 +118,8 @@ class Parser {
   static std::string_view nearest_rule(std::string_view pattern) {
     std::vector<std::string_view> names;
     const std::string word = lower_case(pattern.substr(0, 3));
-    for (const RuleInfo& rule : rules())
-      if (!rule.of_runs && !rule.of_ignores) names.push_back(word.starts_with("gc") ? rule.id : rule.name);
+    for (const RuleIdentity& rule : rules())
+      if (!rule.of_runs() && !rule.of_ignores()) names.push_back(word.starts_with("gc") ? rule.id : rule.name);
     return nearest(pattern, names);
   }
 
@@ -175,7 +179,7 @@ class Parser {
     wrong_ = quoted(text) + " is no day; write until=YYYY-MM-DD";
   }
 
-  /// An id from 1; says what is wrong with others.
+  /// An id from 1; otherwise says what is wrong.
   std::optional<std::int64_t> id(std::string_view text, std::string_view key) {
     std::int64_t value = 0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);

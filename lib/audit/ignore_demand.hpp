@@ -29,7 +29,8 @@ class RuleLists {
   const std::vector<bool>& of(const std::vector<std::string>& patterns) {
     const auto [known, is_new] = known_.try_emplace(patterns);
     if (is_new)
-      for (const RuleInfo& rule : rules()) known->second.push_back(!patterns.empty() && selected(rule, patterns, {}));
+      for (const RuleIdentity& rule : rules())
+        known->second.push_back(!patterns.empty() && selected(rule, patterns, {}));
     return known->second;
   }
 
@@ -69,7 +70,7 @@ class Demand {
 
   [[nodiscard]] bool matches(const Fact& fact) {
     const auto lets = [](const std::vector<IdRange>& ids, std::int64_t id) { return ids.empty() || holds(ids, id); };
-    return fact.rule != none_of_them && (*of_rule_)[fact.rule] && lets(entry_.contacts, fact.contact) &&
+    return fact.rule != no_position && (*of_rule_)[fact.rule] && lets(entry_.contacts, fact.contact) &&
            lets(entry_.nodes, fact.node) && lets(entry_.elements, fact.element) &&
            (lets(entry_.parts, fact.part) || lets(entry_.parts, fact.element_part)) && shallow(fact) && in_files(fact);
   }
@@ -85,7 +86,8 @@ class Demand {
                                                                               entry_.contacts.end(), looked_at)))
       return false;
     for (std::size_t i = 0; i < rules().size(); ++i)
-      if ((*of_rule_)[i] && !rules()[i].of_runs && !selected(rules()[i], options.select, options.ignore)) return false;
+      if ((*of_rule_)[i] && !rules()[i].of_runs() && !selected(rules()[i], options.select, options.ignore))
+        return false;
     return true;
   }
 

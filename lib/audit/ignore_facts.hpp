@@ -5,15 +5,14 @@
 #include <vector>
 
 #include "audit/ignores.hpp"
+#include "base/ids.hpp"
 
 namespace gapcheck::audit {
 
-inline constexpr std::uint32_t none_of_them = 0xffffffffU;
-
 /// What ignores check, the same for every finding.
 struct Fact {
-  std::uint32_t rule = none_of_them;  ///< position in rules(); none of those on ignores
-  std::uint32_t source = none_of_them;
+  std::uint32_t rule = no_position;  ///< position in rules(); none of those on ignores
+  std::uint32_t source = no_position;
   std::int64_t contact = 0, node = 0, part = 0, element_part = 0, element = 0;
   double penetration = -1, contact_distance = -1;
   const std::string* file = nullptr;
@@ -36,7 +35,7 @@ class FactIndex {
 
   /// Ids of 0 and facts of no rule are left out.
   void add(std::int64_t id, std::uint32_t fact) {
-    if (id != 0 && facts_[fact].rule != none_of_them) entries_.push_back({facts_[fact].rule, id, fact});
+    if (id != 0 && facts_[fact].rule != no_position) entries_.push_back({facts_[fact].rule, id, fact});
   }
   void finish();
 
@@ -75,7 +74,7 @@ class FactIndex {
     for (const std::uint32_t rule : rules_) {
       if (!rules[rule]) continue;
       for (const IdRange& range : ranges)
-        if (!run(first_from({rule, range.first, 0}), first_behind({rule, range.last, none_of_them}))) return;
+        if (!run(first_from({rule, range.first, 0}), first_behind({rule, range.last, no_position}))) return;
     }
   }
   [[nodiscard]] std::size_t first_from(const Entry& entry) const;

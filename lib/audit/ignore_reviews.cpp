@@ -9,7 +9,7 @@
 namespace gapcheck::audit {
 namespace {
 
-/// The position in `sources` of an entry, which is added if it is not there.
+/// The position in `sources` of an entry, which is added if missing.
 std::uint32_t source_of(const IgnoreEntry& entry, std::vector<IgnoreSource>& sources) {
   const auto same = [&](const IgnoreSource& s) {
     return !s.in_deck && s.line == entry.line && s.file == entry.file && s.reason == entry.reason;
@@ -30,7 +30,7 @@ void leave_out_reviews(Report& report, std::size_t first, const AuditOptions& op
     if (!expired(entry, options)) demands.emplace_back(entry, lists);
   const auto leaves_out = [&](const Finding& f) -> const IgnoreEntry* {
     const auto of_entry = [&](const IgnoreEntry& entry) { return entry.file == f.file; };
-    const RuleInfo* rule = find_rule(f.id);
+    const RuleIdentity* rule = find_rule(f.id);
     if (rule == nullptr || std::any_of(options.ignores.begin(), options.ignores.end(), of_entry)) return nullptr;
     Fact fact;
     fact.rule = static_cast<std::uint32_t>(rule - rules().data());

@@ -17,14 +17,14 @@
 namespace gapcheck::audit {
 namespace {
 
-/// All demands that stand in one place and say the same: a comment in a file that is included several times, an entry of
-/// settings for several files.
+/// All demands in one place that say the same: a comment in a file that is included several times, an entry of settings
+/// for several files.
 struct Place {
   std::vector<Demand> demands;
   bool in_deck = true;
 };
 
-/// The ids of a comment as the model has them. What moves beyond all ids matches nothing.
+/// The ids of a comment in the model's numbering. Ids shifted out of range match nothing.
 void move_ids(std::vector<IdRange>& ids, std::int64_t offset) {
   constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
   std::erase_if(ids, [&](const IdRange& range) { return offset > 0 && range.first > largest - offset; });
@@ -46,8 +46,8 @@ std::string rules_of(const Place& place) {
   return all.size() > most ? text + ", …" : text;
 }
 
-/// What a reader of an entry sees of it, but for its ids, which offsets change. One entry of settings may be several
-/// demands of different rules.
+/// The visible text of an entry, except for its ids, which offsets change. One entry of settings may be several demands
+/// of different rules.
 std::string words_of(const IgnoreEntry& entry, bool in_deck) {
   std::string text = fmt::format("{}|", entry.until ? std::chrono::sys_days(*entry.until).time_since_epoch().count() : 0);
   if (in_deck)
@@ -55,7 +55,7 @@ std::string words_of(const IgnoreEntry& entry, bool in_deck) {
   return text + "|" + entry.reason;
 }
 
-/// What decides on the findings that the demands match.
+/// Decides on the findings that the demands match.
 std::string conditions_of(const Place& place) {
   std::string text;
   for (const Demand& demand : place.demands) {
@@ -116,7 +116,7 @@ void Engine::read(const keyword::Deck& deck) {
     const auto move = [&](std::vector<IdRange>& ids, keyword::IdKind kind) {
       const std::size_t before = ids.size();
       move_ids(ids, deck.transform(directive.transform).offset[static_cast<std::size_t>(kind)]);
-      if (before > 0 && ids.empty()) ids.push_back({0, 0});  // an empty list would let everything through
+      if (before > 0 && ids.empty()) ids.push_back({0, 0});  // an empty list would match everything
     };
     move(entry.nodes, keyword::IdKind::node);
     move(entry.parts, keyword::IdKind::part);
@@ -142,7 +142,7 @@ void Engine::index() {
   for (FactIndex* ids : {&all_, &by_contact_, &by_node_, &by_part_, &by_element_}) ids->finish();
 }
 
-/// The index in which the demand has the fewest findings to look at, and what to look for there.
+/// The index in which the demand has the fewest findings to check, and what to look for there.
 std::pair<FactIndex*, const std::vector<IdRange>*> Engine::index_for(const Demand& demand) {
   static const std::vector<IdRange> everything{{1, 1}};
   const IgnoreEntry& entry = demand.entry();
@@ -157,7 +157,7 @@ std::pair<FactIndex*, const std::vector<IdRange>*> Engine::index_for(const Deman
   return best;
 }
 
-/// Gives the findings that the place matches to the source, but for those that another one has.
+/// Assigns the findings that the place matches to the source, except those that another one has.
 void Engine::claim(Place& place, IgnoreSource source) {
   for (Demand& demand : place.demands) {
     const auto [index, ids] = index_for(demand);
@@ -199,7 +199,7 @@ IgnoreOutcome Engine::run() {
   for (const IgnoreEntry& entry : options_.ignores) add(entry, false);
   if (places_.empty()) return std::move(outcome_);
   index();
-  // The same demand a second time finds nothing more; a deck may have the same comment everywhere.
+  // Repeating a demand finds nothing more; a deck may have the same comment everywhere.
   std::unordered_map<std::string, std::uint64_t> expired_matches;
   std::unordered_map<std::string, bool> unused;
   for (Place& place : places_) {
@@ -207,7 +207,7 @@ IgnoreOutcome Engine::run() {
     if (expired(entry, options_)) {
       const auto [count, is_new] = expired_matches.try_emplace(conditions_of(place), 0);
       if (is_new) count->second = matched(place);
-      // Settings hold for many decks.
+      // Settings apply to many decks.
       if (place.in_deck || count->second > 0)
         outcome_.expired.push_back({entry.file, entry.line, rules_of(place), entry.until, count->second});
       continue;
@@ -230,7 +230,7 @@ bool Engine::tried(const Place& place) const {
                      [&](const Demand& demand) { return demand.tried(options_); });
 }
 
-/// Moves what has found its source out of the report.
+/// Moves findings with a source out of the report.
 void Engine::leave_out() {
   Ignored& ignored = report_.ignored;
   std::size_t number = 0;
@@ -238,7 +238,7 @@ void Engine::leave_out() {
     std::size_t kept = 0;
     for (auto& record : list) {
       const std::uint32_t source = facts_[number++].source;
-      if (source != none_of_them) {
+      if (source != no_position) {
         ignored.source.push_back(source);
         out.push_back(std::move(record));
       } else if (auto& place = list[kept++]; &place != &record) {

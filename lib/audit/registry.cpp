@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "audit/rule_log.hpp"
 #include "audit/run_context.hpp"
 #include "audit/run_rules.hpp"
+#include "audit/shared_results.hpp"
 #include "base/embedded.hpp"
 
 namespace gapcheck::embedded {
@@ -19,7 +21,7 @@ std::span<const Rule* const> all_rules() {
   static const std::vector<const Rule*> sorted = [] {
     const auto listed = listed_rules();
     std::vector<const Rule*> list(listed.begin(), listed.end());
-    std::sort(list.begin(), list.end(), [](const Rule* a, const Rule* b) { return a->info.id < b->info.id; });
+    std::sort(list.begin(), list.end(), [](const Rule* a, const Rule* b) { return a->identity.id < b->identity.id; });
     return list;
   }();
   return sorted;
@@ -31,7 +33,7 @@ bool equal_ignoring_case(std::string_view a, std::string_view b) {
   });
 }
 
-bool matches(const RuleInfo& rule, std::string_view pattern) {
+bool matches(const RuleIdentity& rule, std::string_view pattern) {
   const auto begins = [&](std::string_view text) {
     return text.size() >= pattern.size() && equal_ignoring_case(text.substr(0, pattern.size()), pattern);
   };
@@ -40,60 +42,57 @@ bool matches(const RuleInfo& rule, std::string_view pattern) {
 
 }  // namespace
 
-std::span<const RuleInfo> rules() {
-  static const std::vector<RuleInfo> infos = [] {
-    std::vector<RuleInfo> list;
-    for (const Rule* rule : all_rules()) {
-      list.push_back(rule->info);
-      list.back().of_runs = rule->judge != nullptr;
-      list.back().of_ignores = rule->review != nullptr;
-    }
+std::span<const RuleIdentity> rules() {
+  static const std::vector<RuleIdentity> infos = [] {
+    std::vector<RuleIdentity> list;
+    for (const Rule* rule : all_rules()) list.push_back(rule->identity);
     return list;
   }();
   return infos;
 }
 
-const RuleInfo* find_rule(std::string_view id_or_name) {
-  for (const RuleInfo& rule : rules())
+const RuleIdentity* find_rule(std::string_view id_or_name) {
+  for (const RuleIdentity& rule : rules())
     if (equal_ignoring_case(rule.id, id_or_name) || equal_ignoring_case(rule.name, id_or_name)) return &rule;
   return nullptr;
 }
 
-bool selected(const RuleInfo& rule, const std::vector<std::string>& select, const std::vector<std::string>& ignore) {
+bool selected(const RuleIdentity& rule, const std::vector<std::string>& select,
+              const std::vector<std::string>& ignore) {
   const auto any = [&](const std::vector<std::string>& patterns) {
     return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return matches(rule, p); });
   };
   return (select.empty() || any(select)) && !any(ignore);
 }
 
-std::string_view page(const RuleInfo& rule) {
+std::string_view page(const RuleIdentity& rule) {
   for (const auto& text : embedded::rule_pages)
     if (text.name == rule.name) return text.content;
   return {};
 }
 
-void run_rules(Context& context, Report& report) {
+void run_rules(Context& context, RuleLog& log, Report& report) {
   const AuditOptions& options = context.options();
   for (const Rule* rule : all_rules()) {
-    if (rule->run == nullptr || !selected(rule->info, options.select, options.ignore)) continue;
-    const std::uint64_t before = context.requests();
-    rule->run(rule->info, context, report);
-    context.count_rule(context.requests() > before);
+    if (rule->judge != nullptr || rule->review != nullptr) continue;
+    if (!selected(rule->identity, options.select, options.ignore)) continue;
+    const std::uint64_t before = context.results().requests();
+    if (rule->run != nullptr) rule->run(rule->identity, context, report);
+    log.count_rule(rule->of_records() || context.results().requests() > before);
   }
 }
 
-void review_ignores(const Context& context, Report& report) {
-  const AuditOptions& options = context.options();
+void review_ignores(const AuditOptions& options, const IgnoreOutcome& ignores, Report& report) {
   for (const Rule* rule : all_rules())
-    if (rule->review != nullptr && selected(rule->info, options.select, options.ignore))
-      rule->review(rule->info, context, report);
+    if (rule->review != nullptr && selected(rule->identity, options.select, options.ignore))
+      rule->review(rule->identity, ignores, report);
 }
 
 void run_rules(RunContext& context, Report& report) {
   const JudgeOptions& options = context.options();
   for (const Rule* rule : all_rules())
-    if (rule->judge != nullptr && selected(rule->info, options.select, options.ignore))
-      rule->judge(rule->info, context, report);
+    if (rule->judge != nullptr && selected(rule->identity, options.select, options.ignore))
+      rule->judge(rule->identity, context, report);
 }
 
 }  // namespace gapcheck::audit

@@ -8,7 +8,7 @@
 namespace gapcheck::audit {
 namespace {
 
-/// Below this share of the total energy the internal energy is no measure.
+/// Below this share of the total energy the internal energy is not a usable reference.
 constexpr double rigid_share = 0.01;
 
 }  // namespace
@@ -39,11 +39,12 @@ double RunContext::peak(double results::GlobalState::*value) const {
   return largest;
 }
 
-void RunContext::skipped(const RuleInfo& rule, std::string_view why) {
+void RunContext::skipped(const RuleIdentity& rule, std::string_view why) {
   skips_.push_back(fmt::format("{} {}: {}", rule.id, rule.name, why));
 }
 
-Finding RunContext::finding(const RuleInfo& rule, std::string_view file, Severity severity, std::string message) const {
+Finding RunContext::finding(const RuleIdentity& rule, std::string_view file, Severity severity,
+                            std::string message) const {
   Finding f = audit::finding(rule, std::move(message), files_.path(file), 0);
   f.severity = severity;
   return f;

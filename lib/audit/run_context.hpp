@@ -41,11 +41,11 @@ class RunContext {
   [[nodiscard]] const ReferenceEnergy& reference() const { return reference_; }
 
   /// Says what a rule could not judge and why: "there is no glstat".
-  void skipped(const RuleInfo& rule, std::string_view why);
+  void skipped(const RuleIdentity& rule, std::string_view why);
   [[nodiscard]] const std::vector<std::string>& skips() const { return skips_; }
 
   /// A finding in one of the files, "sleout".
-  [[nodiscard]] Finding finding(const RuleInfo& rule, std::string_view file, Severity severity,
+  [[nodiscard]] Finding finding(const RuleIdentity& rule, std::string_view file, Severity severity,
                                 std::string message) const;
 
  private:

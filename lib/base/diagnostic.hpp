@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gapcheck {
@@ -17,6 +18,11 @@ struct Diagnostic {
   std::uint32_t line = 0;
   std::string message;
 };
+
+/// An error about no file in particular.
+[[nodiscard]] inline Diagnostic plain_error(std::string message) {
+  return {Severity::error, "", 0, std::move(message)};
+}
 
 /// Collects diagnostics from any thread. Keeps the first `limit` of them and counts the rest, so a hostile file cannot
 /// fill the memory.

@@ -46,7 +46,7 @@ Result<MappedFile> MappedFile::open(const std::string& path) {
 }
 
 void MappedFile::release() const {
-  // Pages of a file that nobody wrote to are only forgotten: the next access reads them again.
+  // Unmodified pages are simply dropped: the next access reads them again.
   if (data_ != nullptr) ::madvise(const_cast<char*>(data_), size_, MADV_DONTNEED);
 }
 

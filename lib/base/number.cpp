@@ -10,13 +10,13 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Plain form accepted by from_chars, and the whole text used.
+/// Plain form accepted by from_chars, using the whole text.
 std::optional<double> plain_real(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
-    // from_chars leaves the value alone here: too small is zero for every deck, too large is no number.
+    // from_chars leaves the value unchanged here: too small counts as zero, too large is not a number.
     const auto e = text.find_first_of("eE");
     const bool small = e != std::string_view::npos ? e + 1 < text.size() && text[e + 1] == '-'
                                                    : text.find_first_of("123456789.") == text.find('.');

@@ -26,7 +26,7 @@ std::size_t character_size(std::string_view text, std::size_t at) {
   return end - at;
 }
 
-/// How much of the text the item of the pattern takes; 0: it does not fit.
+/// How much of the text the item of the pattern matches; 0: no match.
 std::size_t taken(std::string_view pattern, std::size_t item, std::string_view text, std::size_t at) {
   if (pattern[item] == '?') return character_size(text, at);
   return pattern[item] == text[at] ? 1 : 0;
@@ -38,8 +38,8 @@ std::size_t taken(const std::vector<std::string_view>& pattern, std::size_t item
 bool is_star(std::string_view pattern, std::size_t item) { return pattern[item] == '*'; }
 bool is_star(const std::vector<std::string_view>& pattern, std::size_t item) { return pattern[item] == any_folders; }
 
-/// Matches items against a text in which stars stand for any run. Only the last star that was met is ever tried with a
-/// longer run: what stands before it has been matched as early as possible, so a longer run there gains nothing.
+/// Matches items against a text; stars match any run. Only the last star is ever tried with a longer run: everything
+/// before it was matched as early as possible, so a longer run there gains nothing.
 template <class Sequence>
 bool match(const Sequence& pattern, const Sequence& text) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);

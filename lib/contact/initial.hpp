@@ -21,8 +21,8 @@ struct InitialOptions {
   geometry::Mode mode = geometry::Mode::filtered;
   bool brute_force = false;
   std::optional<SearchKind> search;  ///< nothing: chosen for each search by its scene
-  bool nodes_stay = false;  ///< penetrating nodes are not moved, whatever the settings are
-  // Penetrations that move no nodes are looked for only where somebody asks.
+  bool nodes_stay = false;  ///< penetrating nodes are not moved, whatever the settings
+  // Penetrations that move no nodes are searched only on request.
   bool segments = false;  ///< contacts with SOFT = 2
   bool mortar = false;
   bool edges = false;     ///< edges against edges in types 26
@@ -33,9 +33,9 @@ struct InitialCounters {
   SweepCounters sweep;
   SearchTally searches_by_kind;  ///< ties and orientation included
   std::uint64_t tied_nodes = 0, tied_pairs = 0, excluded_pairs = 0, surfaces_built = 0;
-  std::uint64_t contacts_searched = 0;  ///< whose nodes and segments were looked for at all
+  std::uint64_t contacts_searched = 0;  ///< whose nodes and segments were searched at all
   std::uint64_t contacts_culled = 0;    ///< of these: all searches ended by boxes
-  std::uint64_t edges = 0;  ///< that were looked at
+  std::uint64_t edges = 0;  ///< that were checked
   double surface_s = 0, search_s = 0;
 };
 
@@ -43,13 +43,13 @@ struct InitialState {
   std::vector<ContactSummary> contacts;   ///< beside Model::contacts; those not chosen have `not_checked` set
   std::vector<Penetration> penetrations;  ///< by contact, deepest first, then node id
   std::vector<JudgedNode> judged;         ///< nodes meant to tie; by contact, then node
-  std::vector<std::string> notes;         ///< what could not be honoured
+  std::vector<std::string> notes;         ///< input that is not supported
   std::vector<Vector> x;                  ///< coordinates after the initialisation
 };
 
-/// What the solver finds when it initialises the contacts: one after the other in deck order, side A before side B, each
-/// on the coordinates that the earlier ones have left; within one side all nodes are judged on the same coordinates.
-/// `surfaces`: of this model. Source: contact rules, sections 3 to 5, 7 and 12.
+/// What the solver finds when it initialises the contacts: one by one in deck order, side A before side B, each on the
+/// coordinates left by the earlier ones; within one side all nodes are judged on the same coordinates. `surfaces`: of
+/// this model. Source: contact rules, sections 3 to 5, 7 and 12.
 [[nodiscard]] InitialState initialise_contacts(const model::Model& model, SurfaceStore& surfaces,
                                                const InitialOptions& options, InitialCounters& counters);
 

@@ -11,13 +11,13 @@ namespace {
 
 using Shape = model::RigidWall::Shape;
 
-/// A face of a wall: how deep the point is below it, and the face's outward normal.
+/// A face of a wall: the point's depth below it, and the face's outward normal.
 struct WallFace {
   double depth;
   Vector normal;
 };
 
-/// The face that the point is least deep below; one with a depth that is not positive means that it is outside.
+/// The face with the smallest depth of the point; a depth that is not positive means that it is outside.
 std::optional<WallPenetration> nearest_face(std::initializer_list<WallFace> faces, const Vector& x, double tolerance) {
   const WallFace face = *std::min_element(faces.begin(), faces.end(),
                                           [](const WallFace& a, const WallFace& b) { return a.depth < b.depth; });
@@ -25,7 +25,7 @@ std::optional<WallPenetration> nearest_face(std::initializer_list<WallFace> face
   return WallPenetration{face.depth, x + face.depth * face.normal, face.normal};
 }
 
-/// Rounding of the deck's numbers is no penetration.
+/// Rounding of the deck's numbers is not a penetration.
 double touching(const model::RigidWall& wall, const Vector& x) {
   return 1e-9 * (x - wall.tail).norm() + 1e-15 * (x.norm() + wall.tail.norm()) + 1e-9 * wall.radius;
 }
@@ -61,7 +61,7 @@ std::optional<WallPenetration> in_round(const model::RigidWall& wall, const Vect
   Vector radial = distance > 0 ? Vector(out / distance) : Vector(wall.normal.unitOrthogonal());
   if (!wall.interior)
     return nearest_face({{wall.radius - distance, radial}, {low, -wall.normal}, {high, wall.normal}}, x, tolerance);
-  // Kept inside: out through the mantle is what counts, the ends are open.
+  // Kept inside: only leaving through the mantle counts, the ends are open.
   if (low < 0 || high < 0) return std::nullopt;
   return nearest_face({{distance - wall.radius, -radial}}, x, tolerance);
 }

@@ -11,12 +11,12 @@ namespace gapcheck::contact {
 struct WallPenetration {
   double depth = 0;
   Vector surface = Vector::Zero();
-  Vector normal = Vector::Zero();  ///< of the wall there, away from its material
+  Vector normal = Vector::Zero();  ///< normal of the wall there, away from its material
 };
 
-/// Nothing where the point is outside, touches (up to 1e-9 of the coordinates' size), or is no finite number. Behind a
-/// plane every depth counts; of a rectangle only what lies behind it along its normal. A prism, cylinder or sphere is
-/// deep by the distance to the nearest of its faces that is not at infinity.
+/// Nothing if the point is outside, touches (up to 1e-9 of the coordinates' size), or is not finite. Behind a plane
+/// every depth counts; behind a rectangle only points along its normal. In a prism, cylinder or sphere the depth is the
+/// distance to the nearest of its faces that is not at infinity.
 [[nodiscard]] std::optional<WallPenetration> wall_penetration(const model::RigidWall& wall, const Vector& x);
 
 /// The same where a point touches up to the depth `tolerance`.
@@ -35,7 +35,7 @@ class WallNodes {
  private:
   const model::Model& model_;
   std::optional<RigidNodes> rigid_;  ///< none: nodes of rigid bodies count
-  std::vector<NodeIndex> all_;       ///< what walls without a set see; filled when the first one comes
+  std::vector<NodeIndex> all_;       ///< what walls without a set stop; filled for the first one
 };
 
 }  // namespace gapcheck::contact

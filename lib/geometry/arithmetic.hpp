@@ -2,7 +2,7 @@
 #include <cfloat>
 #include <limits>
 
-// What the proofs of docs/theory/decisions.md take for granted. All of lib/geometry includes this.
+// What the proofs of docs/theory/decisions.md assume. All of lib/geometry includes this.
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quad.hpp"
 #include "geometry/nearest_slack.hpp"
 
 namespace gapcheck::geometry {
 namespace {
 
-/// Amount of a slope along one parameter that can lower the value inside [-1, 1]; `margin` bounds the slope's error.
+/// The part of a slope along one parameter that can lower the value inside [-1, 1]; `margin` bounds the slope's error.
 double usable_slope(double slope, double parameter, double margin) {
   if (parameter >= 1 && slope <= -margin) return 0;
   if (parameter <= -1 && slope >= margin) return 0;
@@ -46,12 +47,12 @@ bool Certificate::separated_by(const Corners& e, const Vector& direction) const 
 }
 
 bool Certificate::separated_by_mean_plane(const Corners& e) const {
-  const Vector normal = (e[2] - e[0]).cross(e[3] - e[1]);
+  const Vector normal = quad_normal(e);
   return separated_by(e, normal.dot(e[0]) < 0 ? Vector(-normal) : normal);
 }
 
 Verdict Certificate::at(const Corners& e, double s, double t, bool triangle) const {
-  const Vector w = blend(e, weights(s, t));
+  const Vector w = blend(e, quad_weights(s, t));
   const double square = w.squaredNorm(), inside = bound_ - slack_;
   if (inside > 0 && square < inside * inside) return Verdict::closer;
   const double distance = std::sqrt(square);
@@ -65,7 +66,7 @@ Verdict Certificate::at(const Corners& e, double s, double t, bool triangle) con
 
 bool is_nearest(const Corners& e, const Patch& patch, double s, double t) {
   const double size = size_of(e);
-  const Vector w = blend(e, weights(s, t));
+  const Vector w = blend(e, quad_weights(s, t));
   const double square = w.squaredNorm(), slack = 64 * roundoff * size * std::sqrt(square);
   if (std::all_of(e.begin(), e.end(), [&](const Vector& corner) { return w.dot(corner) >= square - slack; }))
     return true;

@@ -5,7 +5,7 @@
 
 namespace gapcheck::geometry {
 
-/// What is known of "the facet is nearer to the origin than the bound".
+/// What is known about "the facet is nearer to the origin than the bound".
 enum class Verdict : std::uint8_t {
   closer,  ///< proven
   apart,   ///< proven not
@@ -13,7 +13,7 @@ enum class Verdict : std::uint8_t {
   tied,    ///< a point of the facet lies at the bound up to rounding: only exact numbers can tell
 };
 
-/// Is some coordinate of all corners beyond the bound? Exact for corners that were rounded once.
+/// Is some coordinate of all corners beyond the bound? Exact for corners rounded once.
 [[nodiscard]] inline bool separated_by_axis(const Corners& e, double bound) {
   const Vector low = e[0].cwiseMin(e[1]).cwiseMin(e[2].cwiseMin(e[3]));
   const Vector high = e[0].cwiseMax(e[1]).cwiseMax(e[2].cwiseMax(e[3]));
@@ -29,7 +29,7 @@ class Certificate {
 
   /// A cheap proof that the corners' hull is apart: the mean plane separates it.
   [[nodiscard]] bool separated_by_mean_plane(const Corners& e) const;
-  /// What the point at (s, t) proves: itself, the plane through it, and on quads largest_drop().
+  /// What the point at (s, t) proves: the point itself, the plane through it, and on quads largest_drop().
   [[nodiscard]] Verdict at(const Corners& e, double s, double t, bool triangle) const;
 
   [[nodiscard]] double size() const { return size_; }
@@ -40,8 +40,8 @@ class Certificate {
 };
 
 /// Upper bound of how much smaller the squared distance gets anywhere on the patch than at (s, t), where the patch's
-/// point is w. Infinity if there is no bound of the kind. Rounding is accounted for; `slope_error` bounds that of the
-/// products of w with the patch's derivatives.
+/// point is w. Infinity if there is no such bound. Rounding is accounted for; `slope_error` bounds that of the products
+/// of w with the patch's derivatives.
 [[nodiscard]] double largest_drop(const Patch& patch, double s, double t, const Vector& w, double size,
                                   double slope_error);
 [[nodiscard]] inline double largest_drop(const Patch& patch, double s, double t, const Vector& w, double size) {

@@ -9,7 +9,7 @@
 namespace gapcheck::geometry {
 namespace {
 
-/// The vector's direction; zero where it is nothing but rounding beside `scale`.
+/// The vector's direction; zero if it is only rounding compared with `scale`.
 Vector direction(const Vector& v, double squared_scale) {
   const double square = v.squaredNorm();
   return square > 1e-30 * squared_scale ? Vector(v / std::sqrt(square)) : Vector(Vector::Zero());
@@ -20,7 +20,7 @@ Vector triangle_normal(const Corners& e) {
   return direction(u.cross(v), u.squaredNorm() * v.squaredNorm());
 }
 
-/// Where an edge has collapsed to a point there is no normal: the one of the mean plane stands in.
+/// Where an edge has collapsed to a point there is no normal: that of the mean plane is used.
 Vector patch_normal(const Patch& patch, double s, double t) {
   const Vector rs = patch.along_s(t), rt = patch.along_t(s);
   const Vector here = direction(rs.cross(rt), rs.squaredNorm() * rt.squaredNorm());
@@ -50,7 +50,7 @@ ClosestPoint closest_point(const Facet& facet, const Vector& query, double band)
   Location at = facet.triangle ? locate_on_triangle(e) : locate_on_patch(e, patch);
   if (!facet.triangle && !is_nearest(e, patch, at.s, at.t)) at = search_patch(e, patch);
 
-  const Weights w = weights(at.s, at.t);
+  const Weights w = quad_weights(at.s, at.t);
   const Vector offset = blend(e, w);
   if (offset.hasNaN()) return nowhere();
   ClosestPoint out;

@@ -31,10 +31,10 @@ struct ClosestPoint {
 
 /// How far beyond the facet a projection still counts: |s|, |t| <= 1 + band on quads (0.5: the solver's rule); on
 /// triangles every barycentric coordinate >= -band / 2. Points on the face are always in the band. The comparison is
-/// made on the double result, inclusive, with a relative slack of 1e-9. Where a warped quad has no such projection near
-/// its own, the projection by its mean plane counts; a facet without area is always in the band. Coordinates that are
-/// not finite give an infinite distance out of the band; finite ones give finite results as far as the squared distance
-/// itself does not overflow. Never allocates.
+/// made on the double result, inclusive, with a relative slack of 1e-9. If a warped quad has no such projection nearby,
+/// the projection by its mean plane counts; a facet without area is always in the band. Coordinates that are not finite
+/// give an infinite distance out of the band; finite ones give finite results unless the squared distance itself
+/// overflows. Never allocates.
 [[nodiscard]] ClosestPoint closest_point(const Facet& facet, const Vector& query, double band = 0.5);
 
 /// Closest point of the straight line between two points.

@@ -28,7 +28,7 @@ Trial trial_on_patch(const Corners& e) {
 
 /// Corners of a piece, to within 10 roundoffs of the patch's size.
 Corners piece_corners(const Corners& e, const Piece& p) {
-  const auto at = [&](double s, double t) { return blend(e, weights(2 * s - 1, 2 * t - 1)); };
+  const auto at = [&](double s, double t) { return blend(e, quad_weights(2 * s - 1, 2 * t - 1)); };
   return {at(p.s0, p.t0), at(p.s1, p.t0), at(p.s1, p.t1), at(p.s0, p.t1)};
 }
 
@@ -37,7 +37,7 @@ struct Limits {
 };
 constexpr Limits floating_limits{48, 256}, exact_limits{96, 4096};
 
-/// The two halves of a piece of a patch, cut across its longer side; the same piece twice where doubles end.
+/// The two halves of a piece of a patch, cut across its longer side; the same piece twice at the limit of doubles.
 std::array<Piece, 2> halves(const Piece& piece, const Patch& patch) {
   std::array<Piece, 2> out{piece, piece};
   const double s = 0.5 * (piece.s0 + piece.s1), t = 0.5 * (piece.t0 + piece.t1);
@@ -88,7 +88,7 @@ struct Filtered {
   Trial trial;
 };
 
-/// `near`: the pair is likely to be closer, so that a proof of the contrary is not worth a try.
+/// `near`: the pair is probably closer, so a proof of the contrary is not worth trying.
 Filtered filter(const Certificate& certificate, const Corners& e, bool triangle, const ClosestPoint* hint, bool near) {
   if (!near && certificate.separated_by_mean_plane(e)) return {Verdict::apart, {}};
   const auto at = [&](double s, double t) { return Filtered{certificate.at(e, s, t, triangle), {s, t}}; };
@@ -134,7 +134,7 @@ Verdict prove_further(const Certificate& certificate, const Facet& facet, const 
   return settled(verdict) ? verdict : prove_precisely(facet, query, certificate.size(), bound, trial_on_patch(e));
 }
 
-/// In exact numbers; `filtered` asks doubles first wherever they are sure.
+/// In exact numbers; `filtered` uses doubles first wherever they are certain.
 Decision decide_exactly(const Facet& facet, const Vector& query, double bound, Mode mode) {
   if (!all_finite(facet, query)) return {false, Stage::exact};
   if (std::isinf(bound)) return {true, Stage::exact};
@@ -226,13 +226,6 @@ Side decide_side(const Vector& a, const Vector& b, const Vector& c, const Vector
   }
   if (!a.allFinite() || !b.allFinite() || !c.allFinite() || !query.allFinite()) return {0, Stage::exact};
   return {-exact::orientation(a, b, c, query), Stage::exact};
-}
-
-int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode,
-                  DecisionCounters& counters) {
-  const Side side = decide_side(a, b, c, query, mode);
-  count(counters, side.stage);
-  return side.sign;
 }
 
 }  // namespace gapcheck::geometry

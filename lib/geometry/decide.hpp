@@ -16,7 +16,7 @@ struct DecisionCounters {
 
 enum class Mode : std::uint8_t { filtered, exact };
 
-/// The way on which one decision was reached, in the order of the counters.
+/// The stage that reached one decision, in the order of the counters.
 enum class Stage : std::uint8_t { filter, interval, exact, triangulated };
 
 struct Decision {
@@ -32,7 +32,7 @@ void count(DecisionCounters& counters, Stage stage, std::uint64_t times = 1);
                               const ClosestPoint* hint = nullptr);
 
 /// Is the facet nearer to the query than `bound`: squared distance < bound², decided exactly for the given doubles?
-/// Negative bounds are never met. Quads: exact on the bilinear patch as far as the enclosure goes; what stays open is
+/// Negative bounds are never met. Quads: exact on the bilinear patch as far as the enclosure reaches; open cases are
 /// decided on the triangulation documented in docs/theory/decisions.md and counted. Mode::exact leaves the filter out
 /// (slow twin, same answers). `hint` may carry closest_point() of the same pair to save its work.
 [[nodiscard]] bool closer_than(const Facet& facet, const Vector& query, double bound, Mode mode,
@@ -42,19 +42,15 @@ void count(DecisionCounters& counters, Stage stage, std::uint64_t times = 1);
 [[nodiscard]] bool closer_than(const Vector& a, const Vector& b, const Vector& query, double bound, Mode mode,
                                DecisionCounters& counters);
 
-/// On which side of a plane a point lies, and how that was decided.
+/// On which side of a plane a point lies, and the stage that decided it.
 struct Side {
   int sign = 0;
   Stage stage = Stage::filter;
 };
 
-/// side_of_plane() without counters, for decisions that are made of several sides.
-[[nodiscard]] Side decide_side(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode);
-
 /// Sign of the side of the plane through a, b, c on which the query lies (orientation determinant): exact. 1 on the
 /// side to which the normal (b - a) x (c - a) points, -1 on the other, 0 on the plane or for numbers that are not
 /// finite.
-[[nodiscard]] int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode,
-                                DecisionCounters& counters);
+[[nodiscard]] Side decide_side(const Vector& a, const Vector& b, const Vector& c, const Vector& query, Mode mode);
 
 }  // namespace gapcheck::geometry

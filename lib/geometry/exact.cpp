@@ -49,7 +49,7 @@ bool triangle_closer_to_origin(const Point& a, const Point& b, const Point& c, c
          segment_closer_to_origin(c, a, bound);
 }
 
-/// Coefficients of the piece's squared distance in Bernstein form: its values lie between the least and the greatest.
+/// Coefficients of the piece's squared distance in Bernstein form: its values lie between the smallest and the largest.
 using Coefficients = std::array<std::array<Number, 3>, 3>;  ///< [power of s][power of t]
 
 Coefficients bernstein(const std::array<Point, 4>& p) {
@@ -165,7 +165,7 @@ bool separated(const std::array<Point, 4>& p, const Point& direction, const Numb
          });
 }
 
-/// False if separated() is sure to fail, as doubles tell: most points that are tried on warped patches.
+/// False if doubles show that separated() will fail: most points tried on warped patches.
 bool may_be_separated(const std::array<Point, 4>& p, const Point& direction, double bound) {
   const auto rounded = [](const Point& a) {
     return Vector(CGAL::to_double(a.x), CGAL::to_double(a.y), CGAL::to_double(a.z));

@@ -16,8 +16,8 @@ namespace gapcheck::geometry::exact {
 [[nodiscard]] bool edges_closer(const std::array<Vector, 2>& first, const std::array<Vector, 2>& second, double bound);
 /// A quad whose corners lie in one plane and turn one way (or all on a line): the patch is their convex hull.
 [[nodiscard]] bool flat_and_convex(const Facet& facet);
-/// What the piece of the patch between the parameters (s0, t0) and (s1, t1), all in [0, 1] here, proves; (s, t) in
-/// [-1, 1] is a point of the piece to try. Never `tied`.
+/// What the piece of the patch between the parameters (s0, t0) and (s1, t1), here all in [0, 1], proves; (s, t) in [-1,
+/// 1] is a point of the piece to try. Never `tied`.
 struct Piece {
   double s0 = 0, s1 = 1, t0 = 0, t1 = 1;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quad.hpp"
 #include "geometry/closest_point.hpp"
 #include "geometry/decide.hpp"
 #include "geometry/view.hpp"
@@ -15,7 +16,8 @@ double error_of_turn(double size) { return 1024 * roundoff * size * size * size 
 
 enum class Sign : std::uint8_t { negative, unsure, positive };
 
-/// The least of some numbers, each off by at most `error`: positive if all surely are, negative if one surely is.
+/// The smallest of some numbers, each off by at most `error`: positive if all certainly are, negative if one certainly
+/// is.
 Sign sign_of_least(double least, double error) {
   return least > error ? Sign::positive : least < -error ? Sign::negative : Sign::unsure;
 }
@@ -53,7 +55,7 @@ bool quick_flat_and_convex(const Facet& facet) {
   const Corners e = seen_from(facet, x[0]);
   const double size = size_of(e);
   if (!usable(size)) return flat_and_convex(facet);
-  const Vector n = (e[2] - e[0]).cross(e[3] - e[1]);
+  const Vector n = quad_normal(e);
   const std::array<Vector, 4> edge{e[1] - e[0], e[2] - e[1], e[3] - e[2], e[0] - e[3]};
   const auto turn = [&](std::size_t i) { return n.dot(edge[i].cross(edge[(i + 1) % 4])); };
   const Sign convex = sign_of_least(std::min({turn(0), turn(1), turn(2), turn(3)}), error_of_turn(2 * size));

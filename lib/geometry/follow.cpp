@@ -22,7 +22,7 @@ namespace {
 constexpr int most_steps = 5;
 /// Relative move of the last step of Newton's method, which converges quadratically.
 constexpr double last_step = 1e-8;
-/// Nearer to the border than this, which feature is the closest is left to others.
+/// Nearer to the border than this, others decide which feature is closest.
 constexpr double border = 1 - 1e-9;
 
 struct Triple {
@@ -78,7 +78,7 @@ GAPCHECK_INLINE void step(FollowedPairs& f, std::size_t count) {
   }
 }
 
-/// Upper bound of largest_drop() inside the patch, as a fraction: it need not be divided to be compared.
+/// Upper bound of largest_drop() inside the patch, as a fraction: it can be compared without a division.
 struct Drop {
   double above, below;
 };
@@ -101,6 +101,7 @@ GAPCHECK_INLINE void judge(FollowedPairs& f, std::size_t count) {
     const Triple e0 = load(f.corner[0], i), e1 = load(f.corner[1], i), e2 = load(f.corner[2], i),
                  e3 = load(f.corner[3], i);
     const double s = f.s[i], t = f.t[i];
+    // quad_weights() without its array: the loop is there to be vectorised.
     const double left = 0.5 * (1 - s), right = 0.5 * (1 + s), low = 0.5 * (1 - t), high = 0.5 * (1 + t);
     const Triple w = ((left * low) * e0 + (right * low) * e1) + ((right * high) * e2 + (left * high) * e3);
     const double square = dot(w, w);
@@ -142,7 +143,7 @@ GAPCHECK_INLINE void follow_pairs(FollowedPairs& f, std::size_t count) {
 __attribute__((target("avx2"))) void follow_wide(FollowedPairs& f, std::size_t count) { follow_pairs(f, count); }
 #endif
 
-/// Whole vectors: what lies beyond the last pair repeats it. Returns how many there are then.
+/// Pads to whole vectors by repeating the last pair. Returns the new number of pairs.
 std::size_t pad(FollowedPairs& pairs, std::size_t count) {
   constexpr std::size_t lanes = 4;
   const std::size_t padded = (count + lanes - 1) / lanes * lanes;

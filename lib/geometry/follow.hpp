@@ -41,11 +41,11 @@ struct FollowedPairs {
   Row hull, convexity, level;
 };
 
-/// Finds the closest points of the first `count` pairs by Newton's method from s, t, several pairs at once. What it finds
-/// of a pair does not depend on the others, nor on the processor. The proofs are those of Certificate::at() and
-/// is_nearest() (docs/theory/decisions.md); where they fail, closest_point() and decide() are to be asked.
+/// Finds the closest points of the first `count` pairs by Newton's method from s, t, several pairs at once. The result
+/// for a pair does not depend on the others, nor on the processor. The proofs are those of Certificate::at() and
+/// is_nearest() (docs/theory/decisions.md); where they fail, use closest_point() and decide().
 void follow(FollowedPairs& pairs, std::size_t count);
-/// The same with the vectors that every processor has.
+/// The same with vectors that every processor has.
 void follow_narrow(FollowedPairs& pairs, std::size_t count);
 
 }  // namespace gapcheck::geometry

@@ -20,7 +20,7 @@ bool both_sides(const Signs& s) { return std::max({s[0], s[1], s[2]}) > 0 && std
 /// No two of them are opposite.
 bool agree(const Signs& s) { return !both_sides(s); }
 
-/// Exact answers made of the signs of determinants; remembers whether one of them needed exact numbers.
+/// Exact answers from the signs of determinants; remembers whether one of them needed exact numbers.
 class Decider {
  public:
   explicit Decider(Mode mode) : mode_(mode) {}
@@ -153,7 +153,7 @@ class Decider {
   Stage stage_ = Stage::filter;
 };
 
-/// Asks a decider and counts the answer.
+/// Calls a decider and counts the answer.
 template <class Ask>
 bool answer(Mode mode, DecisionCounters& counters, const Ask& ask) {
   Decider decider(mode);

@@ -10,17 +10,17 @@ namespace gapcheck::geometry {
 using Triangle = std::array<Vector, 3>;
 
 /// The following are decided exactly for the given doubles, and each is counted once: as `filter` if the floating-point
-/// filter of side_of_plane() settled all its signs, else as `exact`. Mode::exact leaves the filter out (slow twin, same
-/// answers). Nothing that has a coordinate which is not finite meets or crosses anything. How: docs/theory/decisions.md.
+/// filter of decide_side() settled all its signs, else as `exact`. Mode::exact leaves the filter out (slow twin, same
+/// answers). Anything with a non-finite coordinate meets or crosses nothing. How: docs/theory/decisions.md.
 
-/// Have the closed triangles a point in common?
+/// Do the closed triangles share a point?
 [[nodiscard]] bool triangles_meet(const Triangle& a, const Triangle& b, Mode mode, DecisionCounters& counters);
 
-/// Do the triangles pass through each other: each has corners strictly on both sides of the other's plane, and what they
-/// have in common is longer than a point. Touching, standing on each other and lying in one plane is no crossing.
+/// Do the triangles pass through each other: each has corners strictly on both sides of the other's plane, and they
+/// share more than a point. Touching, standing on each other and lying in one plane are not crossings.
 [[nodiscard]] bool triangles_cross(const Triangle& a, const Triangle& b, Mode mode, DecisionCounters& counters);
 
-/// Has the closed segment p q a point of the closed triangle?
+/// Does the closed segment p q share a point with the closed triangle?
 [[nodiscard]] bool segment_meets(const Vector& p, const Vector& q, const Triangle& triangle, Mode mode,
                                  DecisionCounters& counters);
 
@@ -28,7 +28,7 @@ using Triangle = std::array<Vector, 3>;
 [[nodiscard]] bool segment_crosses(const Vector& p, const Vector& q, const Triangle& triangle, Mode mode,
                                    DecisionCounters& counters);
 
-/// How a segment lies to a triangle.
+/// Position of a segment relative to a triangle.
 enum class Passage : std::uint8_t {
   none,      ///< nothing in common
   through,   ///< from one side to the other, inside the edges
@@ -37,7 +37,7 @@ enum class Passage : std::uint8_t {
 [[nodiscard]] Passage passage(const Vector& p, const Vector& q, const Triangle& triangle, Mode mode,
                               DecisionCounters& counters);
 
-/// Have two closed segments a point in common?
+/// Do two closed segments share a point?
 [[nodiscard]] bool segments_meet(const Vector& p, const Vector& q, const Vector& r, const Vector& s, Mode mode,
                                  DecisionCounters& counters);
 
@@ -48,8 +48,8 @@ struct Line {
   [[nodiscard]] Vector middle() const { return 0.5 * (from + to); }
 };
 
-/// What two triangles have in common, in double precision: corners nearer to the other's plane than `tolerance` count as
-/// lying on it. For triangles whose planes are at an angle; without length where they have nothing in common.
+/// The intersection of two triangles, in double precision: corners nearer to the other's plane than `tolerance` count
+/// as lying on it. For triangles whose planes are at an angle; without length if they share nothing.
 [[nodiscard]] Line common_line(const Triangle& a, const Triangle& b, double tolerance = 0);
 
 }  // namespace gapcheck::geometry

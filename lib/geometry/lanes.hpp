@@ -9,7 +9,7 @@
 #endif
 
 /// Vectors of doubles, one lane per pair. All operations are those of single doubles, lane by lane: the results do not
-/// depend on the width. Internal linkage throughout, since the same text is compiled for several kinds of processors.
+/// depend on the width. Internal linkage throughout, since the same source is compiled for several kinds of processors.
 namespace gapcheck::geometry {
 namespace {
 
@@ -49,7 +49,7 @@ template <class V>
 [[nodiscard]] inline V amount(const V& a) {
   return a < 0.0 ? -a : a;
 }
-/// Into [low, high]; numbers that are none become `low`.
+/// Clamps to [low, high]; NaN becomes `low`.
 template <class V>
 [[nodiscard]] inline V clamped(const V& a, double low, double high) {
   const V raised = a > low ? a : all<V>(low);

@@ -2,11 +2,11 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Plain numbers only: this header is compiled for several kinds of processors, and nothing that others include too may
-/// be compiled for more than one.
+/// Plain numbers only: this header is compiled for several kinds of processors, and nothing that other code includes
+/// may be compiled for more than one.
 namespace gapcheck::geometry {
 
-/// Pairs of a facet and a point side by side, and what is known of them. Bit i of a word belongs to pair i.
+/// Pairs of a facet and a point side by side, and what is known about them. Bit i of a word belongs to pair i.
 struct PairArrays {
   static constexpr std::size_t capacity = 64;
   alignas(

@@ -8,16 +8,16 @@
 
 namespace gapcheck::geometry {
 
-/// How many pairs the processor works on at once.
+/// Number of pairs that the processor handles at once.
 enum class BatchWidth : std::uint8_t { two = 2, four = 4, eight = 8 };
 
 /// The widths this processor has, ascending; never empty.
 [[nodiscard]] std::vector<BatchWidth> batch_widths();
 
 /// "Nearer than the bound?" for up to 64 pairs of a facet and a point at once: one facet with many points, or each pair
-/// with a facet of its own. Proves what doubles can prove cheaply; the rest is `open` and wants decide(). Facets of one
+/// with a facet of its own. Proves what doubles can prove cheaply; the rest is `open` and needs decide(). Facets of one
 /// batch are all quads or all triangles. The answers are the same for every width. Coordinates and bounds may be
-/// anything; what is not finite, far too large or far too small stays open. Derivation: docs/theory/decisions.md.
+/// anything; non-finite, far too large or far too small values stay open. Derivation: docs/theory/decisions.md.
 class PairBatch {
  public:
   static constexpr std::size_t capacity = PairArrays::capacity;
@@ -48,7 +48,7 @@ class PairBatch {
     return arrays_.closer >> i & 1 ? Verdict::closer : arrays_.apart >> i & 1 ? Verdict::apart : Verdict::open;
   }
   /// True if s(i), t(i) and squared_distance(i) belong to the closest point, up to rounding, and it lies on the face
-  /// well off the border. Only pairs that are closer are asked.
+  /// well off the border. Only for closer pairs.
   [[nodiscard]] bool located(std::size_t i) const { return arrays_.located >> i & 1; }
   [[nodiscard]] double s(std::size_t i) const { return arrays_.s[i]; }
   [[nodiscard]] double t(std::size_t i) const { return arrays_.t[i]; }

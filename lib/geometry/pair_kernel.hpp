@@ -3,23 +3,23 @@
 #include "geometry/nearest_slack.hpp"
 #include "geometry/pair_arrays.hpp"
 
-/// The arithmetic of pair_batch.hpp for one width. Every lane does the same whatever its neighbours hold. The constants
-/// are derived in docs/theory/decisions.md.
+/// The arithmetic of pair_batch.hpp for one width. Every lane does the same, whatever its neighbours hold. The
+/// constants are derived in docs/theory/decisions.md.
 namespace gapcheck::geometry {
 namespace {
 
 constexpr double batch_roundoff = 0x1p-53;
-/// Newton steps after the solution of the flat parallelogram: what they leave is of no interest to most proofs.
+/// Newton steps after the solution of the flat parallelogram: the remaining error does not matter to most proofs.
 constexpr int steps_to_prove = 2;
 /// Parameters that moved less in the last step are good to rounding after it.
 constexpr double settled_step = 1e-7;
-/// Closest points this near to the border are not called located.
+/// Closest points this near to the border do not count as located.
 constexpr double border = 1e-6;
 
-/// All that is known of the sizes in one lane.
+/// What is known about the sizes in one lane.
 template <class V>
 struct Scale {
-  V squared_bound, error, limit;  ///< B², what squared lengths may be off by, B² and that error
+  V squared_bound, error, limit;  ///< B², the error of squared lengths, B² plus that error
   Mask<V> usable;
 
   /// `squares`: at least the square of every corner.
@@ -164,7 +164,7 @@ inline void decide_quads(PairArrays& p, std::size_t first) {
   const Mask<V> closer = scale.closer(on.ww);
   Mask<V> apart = scale.separated(on.ww, least);
   const Mask<V> face = closer & at.settled & (amount(at.s) < 1.0 - border) & (amount(at.t) < 1.0 - border);
-  // The margin must be small beside the square itself, else it proves nothing near the query.
+  // The margin must be small compared with the square itself, otherwise it proves nothing near the query.
   Mask<V> nearest = (least >= on.ww - scale.error) & (on.ww >= 0x1p20 * scale.error);
   const Mask<V> open = (scale.usable & (on.ww > scale.limit) & ~apart) | (face & ~nearest);
   if (bits<V>(open) != 0) {

@@ -53,7 +53,7 @@ struct Projection {
   bool valid;
 };
 
-/// Newton's method for the stationary point of the distance, from a start near it. Not valid where it does not settle.
+/// Newton's method for the stationary point of the distance, from a start near it. Not valid if it does not converge.
 Projection refine(const Patch& p, double s, double t) {
   for (int step = 0; step < 12; ++step) {
     const Vector rs = p.along_s(t), rt = p.along_t(s), r = p.m + t * p.b + s * rs;
@@ -97,7 +97,7 @@ Projection project(const Patch& p, bool quick) {
   return {s, t, true};
 }
 
-/// The same with parameters that can be worked with: of a facet that is all but flat to a line they may be anything.
+/// The same with usable parameters: for a facet that is nearly a line they may be anything.
 Projection free_projection(const Patch& p, bool quick) {
   constexpr double limit = 1e9;
   const Projection at = project(p, quick);
@@ -149,7 +149,7 @@ Location locate_on_triangle(const Corners& e) {
     out.feature = Feature::face;
     return out;
   }
-  // The nearest point lies on an edge that the projection lies beyond. Where rounding decides which, ask them all.
+  // The nearest point lies on an edge that the projection lies beyond. If rounding decides which, try them all.
   const bool thin = nn < 1e-12 * u.squaredNorm() * v.squaredNorm();
   visit(thin || l2 <= 0, thin || l0 <= 0, thin || l1 <= 0);
   return out;

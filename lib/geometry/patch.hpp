@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/quad.hpp"
 #include "base/vector.hpp"
 #include "geometry/arithmetic.hpp"
 #include "records/penetration.hpp"
@@ -19,17 +20,11 @@ using Weights = std::array<double, 4>;
 /// Unit roundoff of double.
 inline constexpr double roundoff = std::numeric_limits<double>::epsilon() / 2;
 
-/// The largest coordinate (by amount). NaN may or may not show.
+/// The largest absolute coordinate. NaN may or may not show.
 [[nodiscard]] inline double size_of(const Corners& e) {
   double size = 0;
   for (const Vector& corner : e) size = std::max(size, corner.lpNorm<Eigen::Infinity>());
   return size;
-}
-
-/// Weights of the corners at (s, t): never negative on the patch, relative error of each at most 3 roundoffs.
-[[nodiscard]] inline Weights weights(double s, double t) {
-  const double left = 0.5 * (1 - s), right = 0.5 * (1 + s), low = 0.5 * (1 - t), high = 0.5 * (1 + t);
-  return {left * low, right * low, right * high, left * high};
 }
 
 [[nodiscard]] inline Vector blend(const Corners& e, const Weights& w) {
@@ -52,7 +47,7 @@ struct Patch {
   [[nodiscard]] Vector along_t(double s) const { return b + s * c; }
 };
 
-/// Where on a facet the point nearest to the origin was found.
+/// The position on a facet of the point nearest to the origin.
 struct Location {
   double s = 0, t = 0;            ///< in [-1, 1]
   double free_s = 0, free_t = 0;  ///< of the projection on the continued facet
@@ -64,7 +59,7 @@ struct Location {
 /// Nearest point of a triangle: exact up to rounding.
 [[nodiscard]] Location locate_on_triangle(const Corners& e);
 /// Nearest point of a patch: the stationary point if it lies inside, the best of the edges it lies beyond otherwise.
-/// On strongly warped patches that need not be the nearest of all; then use search_patch. `quick` leaves it at the
+/// On strongly warped patches that may not be the nearest of all; then use search_patch. `quick` stops at the
 /// projection by the mean plane, which is off by the square of the warp.
 [[nodiscard]] Location locate_on_patch(const Corners& e, const Patch& patch, bool quick = false);
 /// Nearest point of a patch by sampling and refinement: slow, for the cases that locate_on_patch does not settle.

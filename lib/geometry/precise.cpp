@@ -13,7 +13,7 @@ namespace {
 using Number = DoubleDouble<double>;
 using Two = Lanes<2>;
 
-/// x and y side by side, and z beside nothing.
+/// x and y side by side, and z alone.
 struct Point {
   DoubleDouble<Two> xy, z;
 };
@@ -58,7 +58,7 @@ struct Parameter {
   [[nodiscard]] double nearly() const { return value.low == 0 ? value.high : value.high * (1 - roundoff); }
 };
 
-/// Where a point w of a facet lies beside the bound: the squared distance less the squared bound, and its error.
+/// A point w of a facet relative to the bound: the squared distance less the squared bound, and its error.
 struct Beside {
   double excess, error;
   Beside(const Point& w, double size, const Number& squared_bound) {
@@ -159,7 +159,7 @@ Verdict patch_verdict(const Differences& corners, double size, double bound, dou
 }
 
 Verdict triangle_verdict(const Differences& corners, double size, double bound, double s, double t) {
-  const Weights share = weights(s, t);
+  const Weights share = quad_weights(s, t);
   const std::array<double, 3> weight{share[0], share[1], share[2] + share[3]};
   // From the corner with the greatest weight the opposite edge is far: only those that meet there limit x and y.
   const std::size_t i = static_cast<std::size_t>(std::max_element(weight.begin(), weight.end()) - weight.begin());

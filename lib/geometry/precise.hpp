@@ -2,8 +2,8 @@
 #include "geometry/certificate.hpp"
 #include "geometry/closest_point.hpp"
 
-/// Proofs in numbers of about 106 bits, for facets that lie at the bound up to the rounding of doubles. They settle all
-/// but ties to about 30 digits. Derivation: docs/theory/decisions.md.
+/// Proofs in numbers of about 106 bits, for facets that lie at the bound up to the rounding of doubles. They settle
+/// everything except ties to about 30 digits. Derivation: docs/theory/decisions.md.
 namespace gapcheck::geometry::precise {
 
 /// Corners to[i] - from[i], without rounding: of a facet seen from a query, or the differences of two edges' ends.

@@ -22,7 +22,7 @@ View scaled_view(const Facet& facet, const Vector& query) {
     size = size_of(out.corners);
   }
   if (usable(size) || !(size > 0)) return out;
-  // The factor itself must not overflow; subnormal sizes come near enough to 1 all the same.
+  // The factor itself must not overflow; subnormal sizes still come near enough to 1.
   const int shift = std::clamp(-std::ilogb(size), -1000, 1000);
   return view_at(facet, query, std::ldexp(out.scale, shift));
 }

@@ -4,10 +4,10 @@
 
 namespace gapcheck::geometry {
 
-/// A facet as seen from the query, brought to a usual size.
+/// A facet as seen from the query, scaled to a usable size.
 struct View {
   Corners corners;
-  double scale = 1;  ///< power of two that the coordinates were multiplied with
+  double scale = 1;  ///< power of two by which the coordinates were multiplied
 };
 
 /// The corners less the query, each coordinate rounded once. Not finite where the numbers are not or the difference
@@ -17,7 +17,7 @@ struct View {
 }
 /// Sizes at which products of up to six coordinates neither overflow nor vanish.
 [[nodiscard]] inline bool usable(double size) { return size >= 1e-30 && size <= 1e30; }
-/// The same, brought to a size near 1 if it is not usable. For finite numbers only.
+/// The same, scaled to a size near 1 if it is not usable. For finite numbers only.
 [[nodiscard]] View scaled_view(const Facet& facet, const Vector& query);
 [[nodiscard]] bool all_finite(const Facet& facet, const Vector& query);
 

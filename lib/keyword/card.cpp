@@ -13,10 +13,10 @@ std::size_t width_in(std::size_t standard, Format format) {
   return format == Format::i10 && standard == 8 ? 10 : standard;
 }
 
-/// The column behind a character that starts in `column`: tabs reach to the next multiple of eight.
+/// The column after a character that starts in `column`: tabs reach to the next multiple of eight.
 std::size_t next_column(char c, std::size_t column) { return c == '\t' ? (column / 8 + 1) * 8 : column + 1; }
 
-/// Calls visit(index, column) for every comma that is in no parentheses, until it returns false.
+/// Calls visit(index, column) for every comma outside parentheses, until it returns false.
 template <class Visit>
 void for_each_comma(std::string_view line, const Visit& visit) {
   int depth = 0;
@@ -126,7 +126,7 @@ void Card::report(std::size_t field, const std::string& problem) const {
                       "*" + block_->name + ", field " + layout_->fields[field].name + ": " + problem);
 }
 
-/// The value that `&name`, `-&name` or `<expression>` stands for; nothing (and a report) if it has none.
+/// The value of `&name`, `-&name` or `<expression>`; nothing (and a report) if it has none.
 std::optional<ParameterValue> Card::substituted(std::size_t field, std::string_view raw) const {
   const Parameters& parameters = deck_->parameters();
   if (raw.front() == '<') {
@@ -187,7 +187,7 @@ std::int64_t Card::integer(std::size_t field, std::int64_t default_value) const 
   const std::int64_t offset =
       deck_->transform(block_->transform).offset[static_cast<std::size_t>(layout_->fields[field].id)];
   std::int64_t shifted = 0;
-  // Some fields give an id with a minus sign as a switch: the id behind it is shifted.
+  // Some fields give an id with a minus sign as a switch: the id after it is shifted.
   if (*value > 0 ? __builtin_add_overflow(*value, offset, &shifted)
                  : __builtin_sub_overflow(*value, offset, &shifted)) {
     report(field, quoted(raw) + " is too large an id for the offset of its include");
@@ -218,7 +218,7 @@ double Card::real(std::size_t field, double default_value) const {
 std::string_view Card::text(std::size_t field) const {
   const auto raw = raw_text(field);
   if (raw.size() < 2 || raw.front() != '&') return raw;
-  // Headings may start with an ampersand of their own: only a text parameter of that name counts.
+  // Headings may start with a literal ampersand: only a text parameter of that name counts.
   const ParameterValue* value = deck_->parameters().find(trimmed(raw.substr(1)), block_->scope, block_->order);
   const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
   return text != nullptr ? std::string_view(*text) : raw;

@@ -10,23 +10,23 @@
 
 namespace gapcheck::keyword {
 
-/// Where a field of a layout lies in a line: how many values stand before it in free format, and its columns.
+/// Where a field of a layout is in a line: the number of values before it in free format, and its columns.
 struct Cell {
   std::size_t slot = 0, column = 0, width = 0;
 };
 
 /// Position of one field of a layout. In the i10 format 8-wide fields are 10 wide, in the long format every field is
-/// at least 20 wide; columns that the layout leaves unused keep their place as values of their own.
+/// at least 20 wide; columns that the layout leaves unused count as values of their own.
 [[nodiscard]] Cell locate(const CardLayout& layout, Format format, std::size_t field);
 
-/// One line cut into fields. Resolves free format, field widths, parameters and id offsets. A field that should be a
-/// number and is not is reported once, with file, line and field name, and reads as its default.
+/// One line split into fields. Resolves free format, field widths, parameters and id offsets. A field that should be a
+/// number but is not is reported once, with file, line and field name, and reads as its default.
 ///
-/// A comma makes a line free format, unless it stands in parentheses, behind the last field, inside a last field that
-/// is text, or the card is a single text (titles, file names). Texts are views into the deck.
+/// A comma makes a line free format, unless it is in parentheses, after the last field, inside a last field that is
+/// text, or the card is a single text (titles, file names). Texts are views into the deck.
 class Card {
  public:
-  /// Lines that are longer are reported and cut off.
+  /// Longer lines are reported and cut off.
   static constexpr std::size_t max_line = 10000;
   /// Numbers beyond this size are reported.
   static constexpr double max_real = 1e30;
@@ -46,12 +46,12 @@ class Card {
   [[nodiscard]] double real(std::size_t field, double default_value = 0) const;
   /// Trimmed text of the field.
   [[nodiscard]] std::string_view text(std::size_t field) const;
-  /// Trimmed characters of the field as they stand in the line: a parameter's name, not its value.
+  /// Trimmed characters of the field as written in the line: a parameter's name, not its value.
   [[nodiscard]] std::string_view written(std::size_t field) const { return raw_text(field); }
   /// The whole line, without its line end.
   [[nodiscard]] std::string_view raw_line() const { return raw_; }
   [[nodiscard]] bool free_format() const { return free_format_; }
-  /// Where the field stands in a line of this card's format.
+  /// Where the field is in a line of this card's format.
   [[nodiscard]] Cell cell(std::size_t field) const { return locate(*layout_, block_->format, field); }
   // The same by field name; a name that the layout lacks reads as blank.
   [[nodiscard]] bool blank(std::string_view field) const { return blank(layout_->index(field)); }
@@ -83,7 +83,7 @@ class Card {
   mutable std::uint64_t reported_ = 0;  ///< one bit per field
 };
 
-/// Walks through the data lines of one block; comment lines are passed over.
+/// Iterates over the data lines of one block; comment lines are skipped.
 class CardReader {
  public:
   /// Deck, block and diagnostics must outlive the reader and its cards.
@@ -92,9 +92,9 @@ class CardReader {
   /// The next data line without its line end; empty at the end.
   [[nodiscard]] std::string_view peek() const;
   [[nodiscard]] std::uint32_t peek_line() const;
-  /// The next data line cut by the layout.
+  /// The next data line, split by the layout.
   Card next(const CardLayout& layout);
-  /// The next data line cut by the layout, not taken.
+  /// The next data line, split by the layout but not consumed.
   [[nodiscard]] Card peek(const CardLayout& layout) const;
   void skip();
   [[nodiscard]] const Block& block() const { return *block_; }

@@ -12,19 +12,20 @@
 namespace gapcheck::keyword {
 namespace {
 
-/// Far beyond any real deck; keeps a file of nothing but stars from filling the memory.
+/// Far beyond any real deck; keeps a file of only stars from filling the memory.
 constexpr std::size_t max_blocks = 5'000'000;
 constexpr std::size_t max_directives = 1'000'000;
 
-/// What keeps a file from being a keyword file; empty: nothing.
-std::string unreadable(std::string_view bytes) {
-  if (bytes.empty()) return "is empty; give a keyword file";
+/// An error if a file cannot be a keyword file.
+Status check_text(std::string_view bytes, const std::string& name) {
+  const auto error = [&](const char* what) { return Diagnostic{Severity::error, name, 0, what}; };
+  if (bytes.empty()) return error("is empty; give a keyword file");
   if (bytes.substr(0, 4096).find('\0') != std::string_view::npos)
-    return "is not a keyword file (it is binary or in a wide encoding); give the text file with the keywords";
+    return error("is not a keyword file (it is binary or in a wide encoding); give the text file with the keywords");
   return {};
 }
 
-/// The letter behind `NAME=` among the options of *KEYWORD; NUL if it is not there.
+/// The letter after `NAME=` among the options of *KEYWORD; NUL if absent.
 char option_letter(std::string_view options, std::string_view name) {
   for (auto at = options.find(name); at != std::string_view::npos; at = options.find(name, at + 1)) {
     if (at > 0 && options[at - 1] != ' ' && options[at - 1] != ',') continue;
@@ -56,8 +57,7 @@ Result<Deck> DeckReader::read_path(const std::string& path) {
   canonical_.push_back(std::filesystem::canonical(path, error).string());
   const auto file = open_file(path, canonical_.back());
   if (!file) return file.error();
-  if (const auto problem = unreadable(file.value()->bytes()); !problem.empty())
-    return Diagnostic{Severity::error, path, 0, problem};
+  if (const Status status = check_text(file.value()->bytes(), path); !status.ok()) return status.error();
   FileContext context;
   context.file = add_file(path, file.value()->bytes(), nullptr, 0);
   context.scope = deck_.parameters_.add_scope(Parameters::global);
@@ -66,7 +66,7 @@ Result<Deck> DeckReader::read_path(const std::string& path) {
 }
 
 Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
-  if (const auto problem = unreadable(text); !problem.empty()) return Diagnostic{Severity::error, name, 0, problem};
+  if (const Status status = check_text(text, name); !status.ok()) return status.error();
   deck_.texts_.push_back(std::move(text));
   canonical_.emplace_back();
   FileContext context;
@@ -171,7 +171,7 @@ void DeckReader::check_before_keywords(const FileContext& context, std::size_t b
   }
 }
 
-/// Passes over one encrypted block; gives the position of the mark behind it.
+/// Skips one encrypted block; returns the position of the mark after it.
 std::size_t DeckReader::pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at) {
   const std::string_view bytes = deck_.files_[context.file.value].bytes;
   const Mark begin = marks[at];
@@ -199,7 +199,7 @@ std::size_t DeckReader::pass_encrypted(const FileContext& context, const std::ve
   return at;
 }
 
-/// The block of a keyword line, still without its data. *KEYWORD changes the format of what follows in its file.
+/// The block of a keyword line, still without its data. *KEYWORD changes the format of the rest of its file.
 Block DeckReader::block_of(FileContext& context, std::string_view line) {
   const auto name_end = std::min(line.find_first_of(" \t"), line.size());
   Block block;
@@ -217,7 +217,7 @@ Block DeckReader::block_of(FileContext& context, std::string_view line) {
   return block;
 }
 
-/// Adds a block and follows it where it leads to other files; false if nothing is to be read behind it.
+/// Adds a block and follows it to other files; false if nothing after it must be read.
 bool DeckReader::add_block(Block block, const FileContext& context) {
   if (block.name.empty())
     diagnostics_.error(path_of(block.file), block.line, "a keyword line without a name; give the keyword or remove it");

@@ -18,7 +18,7 @@ namespace gapcheck::keyword {
 /// Field widths: as in the manual, 8-wide fields as 10, or 20 columns each.
 enum class Format : std::uint8_t { standard, i10, long_fields };
 
-/// One keyword file, once per time that it is included.
+/// One keyword file, once per inclusion.
 struct SourceFile {
   std::string path;        ///< as opened
   std::string_view bytes;  ///< owned by the deck
@@ -35,12 +35,12 @@ struct Block {
   Format format = Format::standard;
   TransformIndex transform{0};  ///< of the *INCLUDE_TRANSFORM that brought it; 0 = none
   std::uint32_t scope = 0;      ///< parameter scope (chain of files)
-  std::uint32_t order = 0;      ///< place in the input; parameters are visible from their definition on
+  std::uint32_t order = 0;      ///< position in the input; parameters are visible from their definition on
 };
 
-/// A comment that speaks to gapcheck: `$ gapcheck: …`.
+/// A comment for gapcheck: `$ gapcheck: …`.
 struct Directive {
-  std::string_view text;  ///< behind the colon, to the end of the line
+  std::string_view text;  ///< after the colon, to the end of the line
   FileIndex file;
   std::uint32_t line = 0;
   TransformIndex transform{0};
@@ -54,26 +54,26 @@ struct ReadOptions {
   FileCache* cache = nullptr;  ///< files shared with other decks; must outlive the reading
 };
 
-/// What was passed over on purpose, for --stats.
+/// What was skipped on purpose, for --stats.
 struct DeckCounters {
   std::uint64_t bytes = 0, files = 0, missing_includes = 0, encrypted_blocks = 0;
   std::uint64_t shared_files = 0;  ///< that the cache had before
 };
 
-/// A deck with all its includes as a list of blocks in input order. Nothing is parsed but what the structure needs:
-/// includes, parameters, transformations.
+/// A deck with all its includes as a list of blocks in input order. Only what the structure needs is parsed: includes,
+/// parameters, transformations.
 class Deck {
  public:
   [[nodiscard]] std::span<const SourceFile> files() const { return files_; }
   [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
   [[nodiscard]] const SourceFile& file(FileIndex index) const { return files_[index.value]; }
-  /// By file and line; of what is read, so not behind *END.
+  /// By file and line; only from what is read, so not after *END.
   [[nodiscard]] std::span<const Directive> directives() const { return directives_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[nodiscard]] const Transform& transform(TransformIndex index) const { return transforms_[index.value]; }
   [[nodiscard]] const DeckCounters& counters() const { return counters_; }
-  /// Gives back the memory of the files' pages, for when all has been read. All views stay valid; what is looked at
-  /// again is read again.
+  /// Releases the memory of the files' pages once everything has been read. All views stay valid; pages used again are
+  /// read again.
   void release_pages() const {
     for (const auto& file : mapped_) file->release();
   }
@@ -91,10 +91,10 @@ class Deck {
 };
 
 /// Reads a deck with its includes. Errors that stop it (main file missing, binary, empty) come as the result's error;
-/// all others go to `diagnostics` with file and line, and reading goes on, so that all of them are seen at once.
+/// all others go to `diagnostics` with file and line, and reading continues, so that all are reported at once.
 Result<Deck> read_deck(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics);
 
-/// The same for a deck in memory; `name` stands for the file name; includes are looked up beside the working directory.
+/// The same for a deck in memory; `name` replaces the file name; includes are looked up in the working directory.
 Result<Deck> read_deck_text(std::string text, const std::string& name, const ReadOptions& options,
                             Diagnostics& diagnostics);
 

@@ -18,7 +18,7 @@ class DeckReader {
   Result<Deck> read_text(std::string text, const std::string& name);
 
  private:
-  /// What the blocks of one file have in common.
+  /// What the blocks of one file share.
   struct FileContext {
     FileIndex file;
     Format format = Format::standard;

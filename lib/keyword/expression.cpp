@@ -73,17 +73,16 @@ class Evaluator {
   Result<double> run() {
     if (text_.size() > max_length) fail("is longer than " + std::to_string(max_length) + " characters");
     const double value = sum(0);
-    if (peek(); !problem_ && at_ < text_.size()) fail("unexpected \"" + std::string(1, text_[at_]) + "\"");
-    if (!problem_ && !std::isfinite(value)) fail("has no finite value");
-    if (problem_)
-      return Diagnostic{
-          Severity::error, {}, 0, "expression \"" + std::string(text_.substr(0, 80)) + "\": " + *problem_};
+    if (peek(); status_.ok() && at_ < text_.size()) fail("unexpected \"" + std::string(1, text_[at_]) + "\"");
+    if (status_.ok() && !std::isfinite(value)) fail("has no finite value");
+    if (!status_.ok())
+      return plain_error("expression \"" + std::string(text_.substr(0, 80)) + "\": " + status_.error().message);
     return value;
   }
 
  private:
   double fail(std::string problem) {
-    if (!problem_) problem_ = std::move(problem);
+    if (status_.ok()) status_ = plain_error(std::move(problem));
     at_ = text_.size();
     return 0;
   }
@@ -102,7 +101,7 @@ class Evaluator {
   double sum(int depth) {
     if (depth > max_depth) return fail("is nested too deeply");
     double value = product(depth);
-    while (!problem_) {
+    while (status_.ok()) {
       if (accept("+"))
         value += product(depth);
       else if (accept("-"))
@@ -115,8 +114,8 @@ class Evaluator {
 
   double product(int depth) {
     double value = signed_power(depth);
-    while (!problem_) {
-      // A power would have been taken by signed_power.
+    while (status_.ok()) {
+      // signed_power would have handled a power.
       const char operation = peek();
       if (operation != '*' && operation != '/' && operation != '%') break;
       ++at_;
@@ -198,7 +197,7 @@ class Evaluator {
       arguments.push_back(sum(depth + 1));
     } while (accept(","));
     if (!accept(")")) return fail("lacks a \")\"");
-    if (problem_) return 0;
+    if (!status_.ok()) return 0;
     const std::string name = lower_case(written);
     if (name == "min") return *std::min_element(arguments.begin(), arguments.end());
     if (name == "max") return *std::max_element(arguments.begin(), arguments.end());
@@ -219,7 +218,7 @@ class Evaluator {
   std::string_view text_;
   const std::function<Result<double>(std::string_view)>& value_of_;
   std::size_t at_ = 0;
-  std::optional<std::string> problem_;
+  Status status_;
 };
 
 }  // namespace

@@ -12,16 +12,16 @@
 
 namespace gapcheck::keyword {
 
-/// The lines that structure a file; a byte order mark at its start is none of them.
+/// The lines that structure a file; a byte order mark at its start is not one of them.
 [[nodiscard]] std::vector<Mark> marks_of_file(std::string_view bytes);
 
-/// A file on disk and the lines that structure it, which are looked for once.
+/// A file on disk and the lines that structure it, found only once.
 class KeywordFile {
  public:
   explicit KeywordFile(MappedFile mapping) : mapping_(std::move(mapping)) {}
   [[nodiscard]] std::string_view bytes() const { return mapping_.bytes(); }
   [[nodiscard]] const std::vector<Mark>& marks();
-  /// Gives back the memory of the pages; they can be read again.
+  /// Releases the memory of the pages; they can be read again.
   void release() const { mapping_.release(); }
 
  private:
@@ -31,12 +31,12 @@ class KeywordFile {
 };
 
 /// Files of one or more decks, each mapped and scanned once however often it is included. Keeps them all. Not for use
-/// by two threads at a time. A file that changes after it was opened here is not looked at again.
+/// by two threads at a time. A file that changes after it was opened here is not read again.
 class FileCache {
  public:
-  /// `canonical` tells files apart. Errors: those of MappedFile::open(), which are not kept.
+  /// `canonical` identifies files. Errors: those of MappedFile::open(), which are not kept.
   Result<std::shared_ptr<KeywordFile>> open(const std::string& path, const std::string& canonical);
-  /// How often a file was there already.
+  /// How often a file was already in the cache.
   [[nodiscard]] std::uint64_t shared() const { return shared_; }
 
  private:

@@ -18,7 +18,7 @@ constexpr WholePowers whole_powers;
 
 double power_of_two(int exponent) { return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52); }
 
-/// A product is exact in 128 bits. Of these the top 64 decide; the rest only says whether something is there.
+/// A product is exact in 128 bits. The top 64 of these decide; the rest only says whether it is nonzero.
 double product(std::uint64_t mantissa, std::uint64_t factor) {
   const Wide exact = Wide{mantissa} * factor;
   const auto high = static_cast<std::uint64_t>(exact >> 64);
@@ -29,8 +29,8 @@ double product(std::uint64_t mantissa, std::uint64_t factor) {
          power_of_two(shift);
 }
 
-/// Both are shifted to the top, so that the whole quotient has 63 or 64 bits: far more than a double keeps, so the rest
-/// only has to say whether it is there.
+/// Both are shifted to the top, so that the whole quotient has 63 or 64 bits: far more than a double keeps, so the
+/// remainder only has to say whether it is nonzero.
 double quotient(std::uint64_t mantissa, std::uint64_t divisor) {
   const int up = std::countl_zero(mantissa), divisor_up = std::countl_zero(divisor);
   const Wide dividend = Wide{mantissa << up} << 63;

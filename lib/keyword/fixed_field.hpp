@@ -11,8 +11,8 @@
 namespace gapcheck::keyword {
 
 /// Numbers in fixed columns, without a branch per character. Both functions read up to `reach` bytes before the field
-/// and as many behind its first column, whatever these hold; the caller sees to it that they can be read. They give
-/// false for everything they do not take, which says nothing about the field. Derivation: docs/theory/reading.md.
+/// and as many after its first column, whatever these hold; the caller ensures that they are readable. They return
+/// false for everything they do not handle, which says nothing about the field. Derivation: docs/theory/reading.md.
 /// Processors without SSE2: always false.
 inline constexpr std::size_t reach = 32;
 
@@ -20,8 +20,8 @@ inline constexpr std::size_t reach = 32;
 /// zero.
 bool read_fixed_integer(const char* at, std::size_t width, std::int64_t& value);
 
-/// A real number with blanks around it in a field of up to 31 columns; a blank field is zero. Takes up to 16 digits
-/// before and behind the point, 19 together, and the exponents of C and Fortran (`E+02`, `D2`, `-3`) as long as the
+/// A real number with blanks around it in a field of up to 31 columns; a blank field is zero. Handles up to 16 digits
+/// before and after the point, 19 together, and the exponents of C and Fortran (`E+02`, `D2`, `-3`) as long as the
 /// result needs no more than 10^±22. Correctly rounded: the same bits as strtod, where the processor rounds to nearest.
 bool read_fixed_real(const char* at, std::size_t width, double& value);
 
@@ -50,7 +50,7 @@ inline std::uint64_t load_eight(const char* at) {
   return bytes;
 }
 
-/// mantissa · 10^exponent, correctly rounded; where it is one operation on exact doubles, by that one.
+/// mantissa · 10^exponent, correctly rounded; by one operation on exact doubles where that is enough.
 inline bool scaled(std::uint64_t mantissa, int exponent, double& value) {
   if (mantissa > max_exact_mantissa || exponent < -max_exact_power || exponent > max_exact_power)
     return scaled_exactly(mantissa, exponent, value);
@@ -65,7 +65,7 @@ bool read_long_real(const char* point, unsigned whole, const char* end, unsigned
 
 #ifdef __SSE2__
 
-/// One bit per column: what kind of character stands there.
+/// One bit per column: the kind of character there.
 struct Kinds {
   std::uint32_t blank = 0, digit = 0, point = 0;
 };
@@ -92,7 +92,7 @@ inline Kinds kinds_of(const char* at, std::size_t width) {
 inline std::uint32_t low_bits(std::size_t count) { return static_cast<std::uint32_t>((std::uint64_t{1} << count) - 1); }
 
 /// The number that the last `count` ≤ 16 digits before `end` spell, with a point before the last `fraction` of them; 16
-/// says that there is none. Digits and point together are at most 16 characters.
+/// means that there is none. Digits and point together are at most 16 characters.
 inline std::uint64_t sixteen_digits(const char* end, unsigned count, unsigned fraction) {
   static constexpr std::uint8_t last_bytes[32] = {0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,
                                                   0,   0,   0,   0,   0,   255, 255, 255, 255, 255, 255,
@@ -100,7 +100,7 @@ inline std::uint64_t sixteen_digits(const char* end, unsigned count, unsigned fr
   const auto load = [](const void* from) { return _mm_loadu_si128(static_cast<const __m128i*>(from)); };
   const __m128i text = _mm_xor_si128(load(end - 16), _mm_set1_epi8('0'));
   const __m128i behind_point = load(last_bytes + fraction);
-  // What stands before the point moves up by one place, onto it.
+  // The digits before the point move up by one place, onto it.
   const __m128i joined =
       _mm_or_si128(_mm_and_si128(behind_point, text), _mm_andnot_si128(behind_point, _mm_slli_si128(text, 1)));
   const __m128i digits = _mm_and_si128(joined, load(last_bytes + count));

@@ -93,7 +93,7 @@ void add_cards(std::string_view line, const FieldLists& lists, Table& table) {
   }
 }
 
-/// `#` in the pattern stands for one or more digits.
+/// `#` in the pattern matches one or more digits.
 bool field_matches(std::string_view name, std::string_view pattern) {
   while (!pattern.empty() && !name.empty()) {
     if (pattern.front() == '#') {

@@ -17,7 +17,7 @@ struct Field {
   std::uint16_t column = 0;  ///< from 0
   std::uint16_t width = 0;
   FieldType type = FieldType::integer;
-  IdKind id = IdKind::plain;  ///< which offset of *INCLUDE_TRANSFORM it takes
+  IdKind id = IdKind::plain;  ///< which offset of *INCLUDE_TRANSFORM applies to it
 };
 
 /// One line of a keyword.

@@ -12,7 +12,7 @@ namespace gapcheck::keyword {
 
 using ParameterValue = std::variant<std::int64_t, double, std::string>;
 
-/// Whether a field names a parameter or holds an expression in place of its value: `&name`, `-&name`, `<expression>`.
+/// Whether a field names a parameter or holds an expression instead of its value: `&name`, `-&name`, `<expression>`.
 [[nodiscard]] inline bool is_parameter_reference(std::string_view field) {
   return field.starts_with('&') || field.starts_with("-&") || field.starts_with('<');
 }
@@ -20,13 +20,13 @@ using ParameterValue = std::variant<std::int64_t, double, std::string>;
 /// The values of *PARAMETER and its relatives, with the place from which each is visible.
 class Parameters {
  public:
-  static constexpr std::uint32_t global = 0;  ///< the scope that every file sees
+  static constexpr std::uint32_t global = 0;  ///< the scope visible to every file
 
   /// Makes a scope inside another (a file inside the file that includes it).
   std::uint32_t add_scope(std::uint32_t parent);
-  /// Definitions of one name in one scope must come by ascending order; of several with the same order the last counts.
+  /// Definitions of one name in one scope must come in ascending order; of several with the same order the last counts.
   void define(std::string_view name, ParameterValue value, std::uint32_t scope, std::uint32_t order);
-  /// The last definition before `order` that the scope sees, innermost scope first; names ignore case.
+  /// The last definition before `order` visible in the scope, innermost scope first; names ignore case.
   [[nodiscard]] const ParameterValue* find(std::string_view name, std::uint32_t scope, std::uint32_t order) const;
   /// The value of an expression as *PARAMETER_EXPRESSION and `<...>` fields hold it. Bounded in depth.
   /// Errors say what is wrong: syntax, unknown name, division by zero, no finite value.

@@ -26,7 +26,7 @@ double factor(const Card& card, std::string_view field) {
 
 }  // namespace
 
-/// The next file name of the block; a line that ends in " +" goes on in the next. Nothing at the end of the block.
+/// The next file name of the block; a line that ends in " +" continues in the next. Nothing at the end of the block.
 std::optional<DeckReader::IncludeName> DeckReader::next_name(CardReader& reader) {
   while (!reader.at_end() && trimmed(reader.peek()).empty()) reader.skip();
   if (reader.at_end()) return std::nullopt;
@@ -165,7 +165,7 @@ bool DeckReader::may_include(const FileContext& context, const std::string& cano
   return true;
 }
 
-/// An included file that can be read as one; null: it has been said why not.
+/// An included file that is readable; null: the reason is already reported.
 std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, const std::string& canonical,
                                                         const Block& block, std::uint32_t line) {
   auto file = open_file(path, canonical);
@@ -188,7 +188,7 @@ std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, co
 void DeckReader::open_include(const FileContext& context, const Block& block, const IncludeName& include,
                               TransformIndex transform) {
   if (stopped_) return;
-  // The main file is one of the files. Missing ones count as well: looking for each takes time.
+  // The main file is one of the files. Missing ones count as well: searching for each takes time.
   if (++includes_ >= options_.max_files) {
     diagnostics_.error(
         path_of(block.file), include.line,

@@ -42,7 +42,7 @@ class ParameterBlock {
   }
 
  private:
-  /// Type letter and name; an empty name where there is none.
+  /// Type letter and name; an empty name if there is none.
   std::pair<char, std::string_view> split(const Card& card, std::size_t field) {
     const auto text = card.text(field);
     if (text.empty()) return {'\0', {}};
@@ -69,7 +69,7 @@ class ParameterBlock {
   void define_number(const Card& card, char type, std::string_view name, double value) {
     if (type == 'R') return define(name, value);
     if (std::abs(value) > 9.0e15) return report(card, "the value of an integer parameter is too large");
-    // Sums of decimals miss whole numbers by rounding; everything else is cut off as in an assignment to an integer.
+    // Sums of decimals miss whole numbers by rounding; everything else is truncated as in an assignment to an integer.
     const double nearest = std::round(value);
     const bool is_whole = std::abs(value - nearest) <= 1e-9 * std::max(1.0, std::abs(value));
     define(name, static_cast<std::int64_t>(is_whole ? nearest : std::trunc(value)));

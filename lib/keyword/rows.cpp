@@ -27,11 +27,11 @@ struct Column {
 };
 
 bool is_blank(std::string_view line) {
-  // Most lines end in a number: one look tells.
+  // Most lines end in a number: one check is enough.
   return line.empty() || (line.back() <= ' ' && line.find_first_not_of(" \t\r") == std::string_view::npos);
 }
 
-/// The line that starts at `at`, without its end; `next` becomes the start of the one behind it.
+/// The line that starts at `at`, without its end; `next` becomes the start of the following one.
 std::string_view line_from(std::string_view body, std::size_t at, std::size_t& next) {
   const char* start = body.data() + at;
   const void* newline = std::memchr(start, '\n', body.size() - at);
@@ -45,13 +45,13 @@ bool is_row(std::string_view line) { return !line.starts_with('$') && !is_blank(
 
 #ifdef __SSE2__
 
-/// Counts lines and rows of whole lines at a time by what stands before and behind the line ends. False: some line might
-/// be blank, which this way cannot tell.
+/// Counts lines and rows of whole lines at once from the characters before and after the line ends. False: some line
+/// might be blank, which this method cannot detect.
 bool count_fast(std::string_view text, std::uint32_t& lines, std::size_t& rows) {
   const __m128i newline = _mm_set1_epi8('\n'), blank = _mm_set1_epi8(' '), dollar = _mm_set1_epi8('$');
   const auto bits = [](__m128i match) { return static_cast<std::uint32_t>(_mm_movemask_epi8(match)); };
   if (text.empty() || text.back() != '\n') return false;
-  std::uint32_t before_start = 1, before_solid = 0;  // what the byte in front of the next ones is
+  std::uint32_t before_start = 1, before_solid = 0;  // the byte before the next ones
   std::size_t at = 0, ends = 0, comments = 0;
   while (at + 16 <= text.size()) {
     __m128i sums = _mm_setzero_si128();  // of 16 columns, each of which holds up to 255
@@ -134,7 +134,7 @@ bool plain_real(const char* at, const char* end, double& value) {
   while (at != end && *at == ' ') ++at;
   if (at == end) return true;
   const auto [behind, error] = std::from_chars(at, end, value);
-  // The comparison is also false for inf and nan, which from_chars takes and decks do not mean.
+  // The comparison is also false for inf and nan, which from_chars accepts but decks do not use.
   if (error != std::errc{} || !(std::abs(value) <= Card::max_real)) return false;
   for (at = behind; at != end; ++at)
     if (*at != ' ') return false;
@@ -165,7 +165,7 @@ class RowReader {
   [[nodiscard]] std::size_t integer_columns() const { return integer_columns_.size(); }
   [[nodiscard]] std::size_t real_columns() const { return real_columns_.size(); }
 
-  /// Reads the rows of one piece; `rows` has room for them and one more, since a line may turn out to be none.
+  /// Reads the rows of one piece; `rows` has room for them and one more, since a line may turn out not to be one.
   void read(const BodyPiece& piece, Rows& rows, Diagnostics& diagnostics) const {
     const std::string_view body = block_.body;
     std::int64_t* integers = rows.integers.data();
@@ -195,14 +195,14 @@ class RowReader {
   }
 
  private:
-  /// Offsets up to this size cannot overflow where a plain number takes them.
+  /// Offsets up to this size cannot overflow a plain number.
   static constexpr auto max_safe_offset = std::int64_t{1} << 61;
   static std::int64_t with_offset(const Column& column, std::int64_t id) {
     return id == 0 ? 0 : id > 0 ? id + column.offset : id - column.offset;
   }
 
-  /// The fastest way: all fields are there in full width, each a plain number; then the line's end cannot be before
-  /// theirs. False where that does not hold, or where the body ends too near.
+  /// The fastest way: all fields have full width, each a plain number; then the line cannot end before them. False if
+  /// that does not hold, or if the body ends too close.
   bool read_aligned(std::size_t at, std::size_t& next, std::int64_t* integers, double* reals) const {
     const std::string_view body = block_.body;
     if (!aligned_ || at < reach || body.size() - at < end_ + reach) return false;
@@ -258,11 +258,12 @@ class RowReader {
   const CardLayout& layout_;
   std::vector<Column> integer_columns_, real_columns_;
   std::vector<std::size_t> integer_fields_, real_fields_;
-  std::size_t end_ = 0;  ///< column behind the last field
+  std::size_t end_ = 0;  ///< column after the last field
   bool gapless_ = true, safe_offsets_ = true, aligned_ = false;
 };
 
-/// Hands on what one piece reported. The list keeps only the first reports, so they must come in the order of the file.
+/// Passes on the reports of one piece. The list keeps only the first reports, so they must come in the order of the
+/// file.
 void hand_on(const Diagnostics& from, Diagnostics& to) {
   const auto list = from.sorted();
   for (const Diagnostic& diagnostic : list) to.add(diagnostic);

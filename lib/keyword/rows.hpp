@@ -7,7 +7,7 @@
 
 namespace gapcheck::keyword {
 
-/// The rows of a block that holds one card again and again, as columns of numbers.
+/// The rows of a block that repeats one card, as columns of numbers.
 struct Rows {
   std::size_t count = 0;
   std::size_t integer_columns = 0, real_columns = 0;
@@ -16,18 +16,18 @@ struct Rows {
   std::vector<std::uint32_t> lines;    ///< count
 };
 
-/// Told the number of rows before any is read.
+/// Called with the number of rows before any is read.
 using MakeRoom = std::function<void(std::size_t count)>;
-/// Given some rows, of which the first is row `first` of the block. The arrays may be longer than `count` says.
+/// Called with some rows, starting at row `first` of the block. The arrays may be longer than `count`.
 using TakeRows = std::function<void(std::size_t first, const Rows& rows)>;
 
-/// Reads all rows of a block without ever holding them all: `make_room` is called once, then `take` for every piece, in
-/// any order and from several threads at a time. Otherwise like read_rows().
+/// Reads all rows of a block without holding them all at once: `make_room` is called once, then `take` for every piece,
+/// in any order and from several threads at a time. Otherwise like read_rows().
 void read_rows_in_pieces(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics,
                          const MakeRoom& make_room, const TakeRows& take);
 
 /// Reads all rows of a block in parallel: its integer fields in layout order, then its real fields; text fields are not
-/// allowed. Handles all formats, comments, parameters and id offsets; blank lines are passed over. The result does not
+/// allowed. Handles all formats, comments, parameters and id offsets; blank lines are skipped. The result does not
 /// depend on the number of threads.
 Rows read_rows(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics);
 

@@ -15,7 +15,7 @@ struct FilePiece {
   std::uint32_t lines = 0;
 };
 
-/// Most comments are not worth a closer look: blanks, then no letter that could begin the name.
+/// Most comments need no closer check: blanks, then no letter that could begin the name.
 bool may_be_directive(std::string_view bytes, std::size_t dollar) {
   std::size_t at = dollar + 1;
   while (at < bytes.size() && (bytes[at] == ' ' || bytes[at] == '\t')) ++at;
@@ -31,7 +31,7 @@ std::optional<Mark::Kind> kind_of(std::string_view from_line_start) {
   return std::nullopt;
 }
 
-/// The first line start at or behind `offset`.
+/// The first line start at or after `offset`.
 std::size_t line_start(std::string_view bytes, std::size_t offset) {
   if (offset == 0) return 0;
   const auto end = bytes.find('\n', offset - 1);

@@ -8,7 +8,7 @@
 namespace gapcheck::keyword {
 
 /// A line that structures a file: one that starts with `*`, or the first or last line of an encrypted block; or a
-/// comment that speaks to gapcheck.
+/// comment for gapcheck.
 struct Mark {
   enum class Kind : std::uint8_t { keyword, encrypted_begin, encrypted_end, directive } kind = Kind::keyword;
   std::uint32_t line = 0;  ///< from 1
@@ -18,10 +18,10 @@ struct Mark {
 /// All marks of a file in order, found in parallel; the result does not depend on the number of threads.
 std::vector<Mark> find_marks(std::string_view bytes);
 
-/// What stands behind `$ gapcheck:` in a line; blanks before the name and its case do not matter. Nothing in others.
+/// The text after `$ gapcheck:` in a line; blanks before the name and its case do not matter. Nothing in other lines.
 std::optional<std::string_view> directive_text(std::string_view line);
 
-/// The line that starts at `offset`, without its line end; `next` is where the line behind it starts.
+/// The line that starts at `offset`, without its line end; `next` is where the following line starts.
 std::string_view line_at(std::string_view bytes, std::size_t offset, std::size_t& next);
 
 }  // namespace gapcheck::keyword

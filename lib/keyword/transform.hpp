@@ -20,7 +20,7 @@ struct Transform {
   bool places = false;  ///< false: matrix and shift are the identity
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   Vector shift = Vector::Zero();
-  /// Where a point of the included file lies in the model.
+  /// The position in the model of a point of the included file.
   [[nodiscard]] Vector apply(const Vector& x) const { return places ? matrix * x + shift : x; }
 };
 

@@ -7,7 +7,7 @@
 
 namespace gapcheck::keyword {
 
-/// Where points go: matrix * x + shift.
+/// Maps points: matrix * x + shift.
 struct Placement {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   Vector shift = Vector::Zero();
@@ -16,10 +16,10 @@ struct Placement {
 /// The id of a *DEFINE_TRANSFORMATION block, with its include's offset; 0 if it has none.
 std::int64_t transformation_id(const Deck& deck, const Block& block, Diagnostics& diagnostics);
 
-/// The placement that a *DEFINE_TRANSFORMATION block describes. Its rows act one after the other, from the first to the
-/// last: SCALE, ROTATE, TRANSL in this order scale first and move last. Rows: TRANSL, TRANSL2ND, SCALE, ROTATE, MIRROR,
-/// MATRIX, POINT. Points of ROTATE and TRANSL2ND must be given by POINT rows of the same block; rows that refer to
-/// nodes and rows of any other kind are reported, and then there is no placement.
+/// The placement that a *DEFINE_TRANSFORMATION block describes. Its rows act in order, from first to last: SCALE,
+/// ROTATE, TRANSL in this order scale first and move last. Rows: TRANSL, TRANSL2ND, SCALE, ROTATE, MIRROR, MATRIX,
+/// POINT. Points of ROTATE and TRANSL2ND must be given by POINT rows of the same block; rows that refer to nodes and
+/// rows of any other kind are reported, and the result is no placement.
 std::optional<Placement> read_transformation(const Deck& deck, const Block& block, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::keyword

@@ -4,7 +4,7 @@
 
 namespace gapcheck::keyword {
 
-/// The text with its letters a to z as capitals; keywords and options count the same in either case.
+/// The text with letters a to z as capitals; keywords and options are case-insensitive.
 [[nodiscard]] inline std::string upper_case(std::string_view text) {
   std::string upper(text);
   for (char& c : upper)

@@ -11,10 +11,10 @@
 namespace gapcheck::keyword {
 namespace {
 
-/// Digits that tell every double from its neighbours.
+/// Digits that distinguish every double from its neighbours.
 constexpr int all_digits = 17;
 
-/// `1.5e-05` as `1.5e-5`, `12` as `12.`: what readers of decks take, with no character to spare.
+/// `1.5e-05` as `1.5e-5`, `12` as `12.`: forms that deck readers accept, as short as possible.
 std::string tidied(std::string text) {
   const std::size_t exponent = text.find('e');
   if (exponent == std::string::npos) {
@@ -45,7 +45,7 @@ std::string between_commas(const Card& card, std::string_view line, std::size_t 
     result.replace(static_cast<std::size_t>(written.data() - line.data()), written.size(), number);
     return result;
   }
-  // A blank field: behind the comma in front of it, or behind commas that are still missing.
+  // A blank field: after the comma before it, or after commas that are still missing.
   std::size_t at = 0;
   for (std::size_t slot = 0; slot < card.cell(field).slot; ++slot) {
     const std::size_t comma = result.find(',', at);
@@ -78,7 +78,7 @@ std::string number_text(double value, std::size_t width) {
   };
   consider(fmt::format("{}", value));
   if (!best.empty() && best_error == 0) return best;
-  // The more digits the nearer: the first of either form that fits is its best.
+  // More digits are nearer: the first of each form that fits is its best.
   const auto consider_form = [&](const auto& form) {
     for (int digits = all_digits; digits >= 0; --digits) {
       std::string text = form(digits);
@@ -92,21 +92,21 @@ std::string number_text(double value, std::size_t width) {
   return best;
 }
 
-std::string why_not_replaceable(const Card& card, std::size_t field) {
+Status check_replaceable(const Card& card, std::size_t field) {
   const std::string_view written = card.written(field);
-  if (is_parameter_reference(written)) return fmt::format("{} is a parameter", written.substr(0, 80));
+  if (is_parameter_reference(written)) return plain_error(fmt::format("{} is a parameter", written.substr(0, 80)));
   if (!card.free_format() && card.raw_line().find('\t') != std::string_view::npos)
-    return "the line has tabs in fixed columns";
+    return plain_error("the line has tabs in fixed columns");
   if (card.free_format() && written.empty() && card.raw_line().find_first_of("([") != std::string_view::npos)
-    return "the line has commas that do not part fields";
-  if (card.raw_line().size() >= Card::max_line) return "the line is too long";
-  return "";
+    return plain_error("the line has commas that do not part fields");
+  if (card.raw_line().size() >= Card::max_line) return plain_error("the line is too long");
+  return {};
 }
 
 std::string with_number(const Card& card, std::size_t field, double value) {
   const std::string_view line = card.raw_line();
   const Cell cell = card.cell(field);
-  // A blank in front of the number is worth a digit to readers that are less strict.
+  // A blank before the number is worth a digit, for less strict readers.
   std::string number = number_text(value, card.free_format() ? 0 : cell.width - 1);
   if (number.empty()) number = number_text(value, cell.width);
   if (number.empty()) return std::string(line);

@@ -6,25 +6,26 @@
 #include <string_view>
 #include <vector>
 
+#include "base/result.hpp"
 #include "keyword/card.hpp"
 
 namespace gapcheck::keyword {
 
 /// A finite number as text of at most `width` characters (0: as many as it needs) that reads back as the nearest number
-/// which so many characters can tell. Empty: not even one digit fits, or the number is not finite.
+/// expressible in that many characters. Empty: not even one digit fits, or the number is not finite.
 [[nodiscard]] std::string number_text(double value, std::size_t width);
 
-/// Why the number in a field of a line cannot be replaced by another one (a parameter, tabs in fixed columns, a line
-/// that was cut off); empty: it can. A blank field can.
-[[nodiscard]] std::string why_not_replaceable(const Card& card, std::size_t field);
+/// An error if the number in a field of a line cannot be replaced by another one: a parameter, tabs in fixed columns, a
+/// line that was cut off. A blank field can.
+[[nodiscard]] Status check_replaceable(const Card& card, std::size_t field);
 
 /// The card's line with another number in one of its fields; all other characters stay. Fixed columns: right-aligned in
-/// the field, with as many digits as it holds behind one blank; free format: all digits, between the same commas and blanks. Lines that
-/// end before the field are made longer. Only where why_not_replaceable() is empty; a number that does not fit at all
-/// leaves the line as it is.
+/// the field, with as many digits as fit after one blank; free format: all digits, between the same commas and blanks.
+/// Lines that end before the field are extended. Only if check_replaceable() succeeds; a number that does not fit at
+/// all leaves the line unchanged.
 [[nodiscard]] std::string with_number(const Card& card, std::size_t field, double value);
 
-/// Finds the lines of a file by their number. The bytes must outlive it. 8 bytes per line.
+/// Finds the lines of a file by number. The bytes must outlive it. 8 bytes per line.
 class LineIndex {
  public:
   explicit LineIndex(std::string_view bytes);
@@ -44,7 +45,7 @@ struct LineEdit {
 };
 
 /// The file's bytes with some lines replaced; line ends and everything else stay byte for byte. `edits`: ascending by
-/// line, at most one for each; lines that the file does not have are passed over.
+/// line, at most one for each; lines that the file does not have are skipped.
 [[nodiscard]] std::string with_lines(std::string_view bytes, const LineIndex& index, std::span<const LineEdit> edits);
 
 }  // namespace gapcheck::keyword

@@ -22,7 +22,7 @@
 
 namespace gapcheck::model {
 
-/// Something in the deck that contradicts itself; the audit makes findings of it and goes on with the rest.
+/// A contradiction in the deck; the audit reports it as a finding and continues with the rest.
 struct Fault {
   enum class Kind : std::uint8_t { duplicate_id, unknown_reference } kind;
   std::string message;  ///< "element 12 is defined again (first in line 40 of a.k)"
@@ -69,19 +69,20 @@ struct Model {
   Output output;
   std::vector<std::string> files;                         ///< paths, by FileIndex
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
-  std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that nobody asked for
+  std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that were not used
   std::uint64_t skipped_bytes = 0;
 
   [[nodiscard]] const Part& part(PartIndex index) const { return parts[index.value]; }
+  [[nodiscard]] const Contact& contact(ContactIndex index) const { return contacts[index.value]; }
   [[nodiscard]] bool rigid(PartIndex index) const;
   /// "line 40 of a.k"
   [[nodiscard]] std::string where(Place place) const;
-  /// The path of a place's file; empty where there is none.
+  /// The path of a place's file; empty if there is none.
   [[nodiscard]] std::string file(Place place) const;
 };
 
-/// Builds the model from a deck's blocks. What cannot be read goes to `diagnostics` (an error there means exit code 2),
-/// what contradicts itself to Model::faults. The result is an error only when nothing can be said at all.
+/// Builds the model from a deck's blocks. Unreadable input goes to `diagnostics` (an error there means exit code 2),
+/// contradictions to Model::faults. The result is an error only if nothing can be read at all.
 Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::model

@@ -74,7 +74,7 @@ Members Selection::range(SetKind kind, std::int64_t first, std::int64_t last, st
   Members result;
   const auto add = [&](std::int64_t id, std::uint32_t position) {
     if (!budget_.spend(1)) return false;
-    // Unsigned, because the way from the first id need not fit into a signed number.
+    // Unsigned, because the distance from the first id may not fit into a signed number.
     const auto way = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(first);
     if (step <= 1 || way % static_cast<std::uint64_t>(step) == 0) result.positions.push_back(position);
     return true;

@@ -9,8 +9,8 @@
 
 namespace gapcheck::model {
 
-/// Finds nodes, elements, parts and segments that belong to one another. Every call spends one step of the budget per
-/// entity that it looks at, and gives nothing where the budget does not reach.
+/// Finds nodes, elements, parts and segments that belong together. Every call spends one step of the budget per entity
+/// visited, and returns nothing if the budget is exhausted.
 class Selection {
  public:
   /// Both must outlive the selection.
@@ -20,11 +20,11 @@ class Selection {
   /// Those of the ids first, first + step, … last that exist, ascending.
   [[nodiscard]] Members range(SetKind kind, std::int64_t first, std::int64_t last, std::int64_t step) const;
   [[nodiscard]] Members all(SetKind kind) const;
-  /// What lies in the box with all its nodes; parts with all their elements.
+  /// Entities with all their nodes in the box; parts with all their elements.
   [[nodiscard]] Members in_box(SetKind kind, const Box& box) const;
-  /// Things of one kind as those of another: elements as their nodes or faces, parts as their elements, faces or nodes,
-  /// segments as nodes. Faces of solids and thick shells are those that no second one of the elements has. Nothing
-  /// where one kind is not made of the other.
+  /// Converts things of one kind to another: elements as their nodes or faces, parts as their elements, faces or nodes,
+  /// segments as nodes. Faces of solids and thick shells are those that only one of the elements has. Nothing if one
+  /// kind does not consist of the other.
   [[nodiscard]] std::optional<Members> convert(Members members, SetKind from, SetKind to) const;
 
  private:

@@ -12,13 +12,13 @@
 
 namespace gapcheck {
 
-/// What has become of a finding since the baseline was written.
+/// What happened to a finding since the baseline was written.
 enum class BaselineState : std::uint8_t { fresh, worse, unchanged };
 
 /// "new", "worse", "unchanged".
 [[nodiscard]] std::string_view name(BaselineState state);
 
-/// One finding as a baseline keeps it: nothing that renumbering changes, unless there is nothing else to know it by.
+/// One finding as a baseline keeps it: nothing that renumbering changes, unless nothing else identifies it.
 struct KnownFinding {
   std::string id, rule;  ///< "GC101", "initial-penetration"
   Severity severity = Severity::warning;
@@ -26,11 +26,11 @@ struct KnownFinding {
   std::optional<Vector> position;  ///< finite, rounded to six digits of the largest coordinate
   double penetration = -1, contact_distance = -1;  ///< six digits; negative: unknown
   double segment_size = -1;        ///< the same, of ties
-  std::uint64_t count = 1;         ///< things that the finding stands for
-  std::string message;             ///< only where a position does not tell what is meant
+  std::uint64_t count = 1;         ///< number of things that the finding represents
+  std::string message;             ///< only if a position does not identify it
 };
 
-/// A report against a baseline.
+/// A report compared with a baseline.
 struct BaselineComparison {
   std::vector<BaselineState> states;  ///< of the penetrations, ties and other findings of the report, in that order
   std::vector<BaselineState> ignored_states;  ///< of those in Report::ignored, in its order

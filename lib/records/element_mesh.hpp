@@ -8,7 +8,7 @@
 
 namespace gapcheck {
 
-/// The elements of a deck and their nodes, for post-processors. Arrays beside each other; everything is finite.
+/// The elements of a deck and their nodes, for post-processors. Parallel arrays; everything is finite.
 struct ElementMesh {
   std::vector<std::int64_t> node_ids;
   std::vector<Vector> x;                            ///< beside node_ids

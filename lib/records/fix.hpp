@@ -16,8 +16,8 @@ enum class HoldReason : std::uint8_t {
   constrained, ///< a boundary condition holds it
   unwritable,  ///< its line in the deck cannot be rewritten: a parameter, defined twice, …
   shape,       ///< an element would be turned inside out, warped or stretched too much
-  conflict,    ///< what frees it from one segment pushes it into another
-  crossing,    ///< elements that did not cross before would do so
+  conflict,    ///< freeing it from one segment pushes it into another
+  crossing,    ///< elements that did not cross before would cross
 };
 [[nodiscard]] std::string_view name(HoldReason reason);
 /// "its part or the node itself is locked"
@@ -37,17 +37,17 @@ struct UnfixedNode {
   std::uint32_t contact = 0;  ///< position in FixReport::contacts
   std::int64_t node = 0, part = 0, element = 0, element_part = 0;
   double depth = 0, contact_distance = 0;
-  bool released = false;      ///< too deep: the solver drops it
+  bool released = false;      ///< too deep: the solver releases it
   HoldReason reason = HoldReason::none;
   std::uint32_t file = 0, line = 0;
 };
 
-/// Something else that would end the penetrations between two parts: what it is, and the keyword lines.
+/// An alternative that would remove the penetrations between two parts: what it is, and the keyword lines.
 struct FixAlternative {
   std::string text, card;
 };
 
-/// What could be done about two parts instead of moving nodes.
+/// Alternatives to moving nodes for two parts.
 struct FixProposal {
   std::int64_t contact = 0, part = 0, other_part = 0;  ///< ids; part 0: nodes without part
   std::uint64_t penetrations = 0;
@@ -75,7 +75,7 @@ struct FixedFile {
   std::uint64_t lines = 0;
 };
 
-/// Everything that a correction of penetrations has to say.
+/// Everything that a correction of penetrations reports.
 struct FixReport {
   std::string input;
   std::vector<std::string> files;  ///< of the deck; what `file` members point into
@@ -84,13 +84,13 @@ struct FixReport {
   std::vector<UnfixedNode> unfixed;      ///< by contact, deepest first
   std::vector<FixProposal> proposals;    ///< by contact and parts
   std::vector<FixedFile> changed;        ///< in the order of the deck
-  std::vector<std::string> notes;        ///< what could not be honoured
+  std::vector<std::string> notes;        ///< input that is not supported
   double largest_move = 0, total_move = 0;
   std::uint64_t elements_touched = 0, elements_worsened = 0;  ///< with a moved node; of these with a worse shape
   std::uint64_t crossings_before = 0, crossings_after = 0;    ///< elements that cross another one
   std::uint64_t separated_ties_before = 0, separated_ties_after = 0;
   std::uint64_t rounds = 0;
-  bool cut_short = false;  ///< the search has ended because it took too long; more might be possible
+  bool cut_short = false;  ///< the search ended because it took too long; more might be possible
   bool dry_run = false;
   [[nodiscard]] double mean_move() const { return moved.empty() ? 0 : total_move / static_cast<double>(moved.size()); }
 };

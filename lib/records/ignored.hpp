@@ -15,12 +15,12 @@ struct Finding;
 struct IgnoreSource {
   std::string file;
   std::uint32_t line = 0;
-  std::string reason;         ///< what stands behind "because"; empty: nothing
+  std::string reason;         ///< the text after "because"; empty: nothing
   bool in_deck = true;        ///< a comment of the deck; false: a settings file
   std::uint64_t matched = 0;  ///< findings that it leaves out, above 0; of several sources the first one counts
 };
 
-/// Findings that were left out on purpose. They count nowhere, but are not forgotten. Each list in the report's order.
+/// Findings that were left out on purpose. They count nowhere but stay visible. Each list in the report's order.
 struct Ignored {
   std::vector<Penetration> penetrations;
   std::vector<TieFailure> tie_failures;

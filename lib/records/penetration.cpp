@@ -2,18 +2,6 @@
 
 namespace gapcheck {
 
-std::string_view rule_id(PenetrationKind kind) {
-  switch (kind) {
-    case PenetrationKind::initial: return "GC101";
-    case PenetrationKind::released: return "GC102";
-    case PenetrationKind::edge_zone: return "GC106";
-    case PenetrationKind::segment: return "GC107";
-    case PenetrationKind::mortar: return "GC108";
-    case PenetrationKind::edge: return "GC109";
-  }
-  return "?";
-}
-
 std::string_view name(Feature feature) {
   switch (feature) {
     case Feature::face: return "face";

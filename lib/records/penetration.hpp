@@ -12,14 +12,14 @@ namespace gapcheck {
 /// The part of a segment that is closest to a node.
 enum class Feature : std::uint8_t { face, edge, corner };
 
-/// What the solver does with a node that it finds penetrating (contact rules, section 7).
+/// What the solver does with a penetrating node (contact rules, section 7).
 enum class Outcome : std::uint8_t { moved, kept, forced, released, reported };
 
-/// Which finding a record is.
+/// Which finding a record is; rule_of() in records/record_rules.hpp is the rule.
 enum class PenetrationKind : std::uint8_t {
   initial,    ///< GC101: a node in a segment
   released,   ///< GC102: the same, too deep
-  edge_zone,  ///< GC106: beside every segment's band
+  edge_zone,  ///< GC106: outside every segment's band
   segment,    ///< GC107: a corner of a segment in another one, SOFT = 2
   mortar,     ///< GC108: the same, mortar contact
   edge,       ///< GC109: two edges or beams
@@ -43,8 +43,6 @@ enum class ThicknessRule : std::uint8_t {
   beam_section,   ///< radius of a beam's section
 };
 
-/// "GC101".
-[[nodiscard]] std::string_view rule_id(PenetrationKind kind);
 [[nodiscard]] std::string_view name(Feature feature);
 [[nodiscard]] std::string_view name(Outcome outcome);
 [[nodiscard]] std::string_view name(ThicknessRule rule);
@@ -53,7 +51,8 @@ enum class ThicknessRule : std::uint8_t {
 /// that is nearer to another edge.
 /// Lengths in deck units. The same record whether predicted, computed or read from the solver's files.
 struct Penetration {
-  std::uint32_t contact = 0;           ///< position in Report::contacts
+  /// Position in Report::contacts. Reports on a deck list all contacts of its model: there it is the ContactIndex.
+  std::uint32_t contact = 0;
   std::uint32_t segment_number = 0;    ///< position in the contact's reference surface, from 1
   std::int64_t node = 0;               ///< id of the tracked node; edges: of the end nearest to the other edge
   std::int64_t part = 0;               ///< id of the node's part; 0: unknown

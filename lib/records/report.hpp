@@ -19,7 +19,7 @@
 
 namespace gapcheck {
 
-/// Ids of all nodes and segments that one finding stands for; triangles, beams and edges repeat their last node.
+/// Ids of all nodes and segments that one finding represents; triangles, beams and edges repeat their last node.
 struct FindingMembers {
   std::vector<std::int64_t> nodes;
   std::vector<std::array<std::int64_t, 4>> segments;
@@ -37,10 +37,10 @@ struct Finding {
   std::int64_t element = 0, element_part = 0;
   double penetration = -1, contact_distance = -1;
   std::optional<Vector> point;    ///< where to look
-  std::uint64_t count = 1;        ///< more than 1: a line that stands for so many things found
+  std::uint64_t count = 1;        ///< more than 1: a line that represents that many things
   std::string file;               ///< empty: none
   std::uint32_t line = 0;
-  FindingMembers members = {};    ///< only where they were asked for; what a rule does not list may be missing
+  FindingMembers members = {};    ///< only on request; what a rule does not list may be missing
 };
 
 /// One contact definition and what was found in it.
@@ -56,17 +56,18 @@ struct ContactSummary {
   std::uint64_t segment_penetrations = 0, mortar_penetrations = 0, edge_penetrations = 0;
   std::uint64_t ties = 0, untied = 0;
   std::uint64_t out_of_reach = 0;  ///< tracked nodes of parts and segments that are too far away to be meant to tie
-  std::uint64_t reported_penetrations = 0;  ///< a count that the files give without listing the nodes (MPP); 0: none
-  double contact_time_s = -1;               ///< CPU seconds spent in it; negative: not said
-  std::string not_checked;  ///< why no penetrations were decided; empty: they were
+  std::uint64_t reported_penetrations = 0;  ///< a count given in the files without a list of nodes (MPP); 0: none
+  double contact_time_s = -1;               ///< CPU seconds spent in it; negative: unknown
+  std::string not_checked;  ///< why neither penetrations nor ties were decided; empty: they were
+  bool ties_judged = false;  ///< of a deck: its nodes were judged as ties, not as penetrations
   bool by_segments = false;  ///< judged segment against segment: the solver lists no nodes of it
   std::string file;
   std::uint32_t line = 0;
 };
 
-/// Takes one record into the contact's numbers.
+/// Adds one record to the contact's numbers.
 void count(const Penetration& record, ContactSummary& contact);
-/// Sets those numbers back to none.
+/// Resets those numbers.
 void clear_counts(ContactSummary& contact);
 
 struct ModelCounts {
@@ -81,12 +82,12 @@ struct Timing {
 /// Severities that replace those of the rules, by rule id.
 using Severities = std::map<std::string, Severity, std::less<>>;
 
-/// Everything that one source (deck, messag, run) has to say; all views and writers work on it.
+/// Everything that one source (deck, messag, run) reports; all views and writers work on it.
 struct Report {
   std::string source;  ///< "deck"
   std::string input;   ///< as given by the user
   std::string settings;    ///< path of the settings file that was used; empty: none
-  Severities severities;   ///< of the records; `findings` have theirs already
+  Severities severities;   ///< of the records; `findings` already have theirs
   std::vector<std::string> files;  ///< what Penetration::file points into
   ModelCounts model;
   std::vector<ContactSummary> contacts;    ///< in deck order
@@ -94,9 +95,9 @@ struct Report {
   std::vector<TieFailure> tie_failures;    ///< by contact, reason, node id
   std::vector<Finding> findings;           ///< by id; of one rule as it found them
   Ignored ignored;                         ///< what was found and left out on purpose
-  std::optional<BaselineComparison> baseline;  ///< only where the findings were held against one
+  std::optional<BaselineComparison> baseline;  ///< only if the findings were compared with one
   std::optional<SolverRun> run;            ///< only where solver files were read
-  std::optional<Timesteps> predicted;      ///< time steps computed from a deck, where a rule asked for them
+  std::optional<Timesteps> predicted;      ///< time steps computed from a deck, if a rule asked for them
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
   Timing timing;
   std::optional<SceneMesh> scene;   ///< only where it was asked for

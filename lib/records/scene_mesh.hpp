@@ -9,11 +9,11 @@
 
 namespace gapcheck {
 
-/// What a picture of findings needs of a mesh: the faces around the findings and a coarse outline of the whole, in
-/// single precision, bounded in size whatever the mesh.
+/// What a picture of findings needs from a mesh: the faces around the findings and a coarse outline of the whole, in
+/// single precision, with a bounded size for any mesh.
 struct SceneMesh {
   using Point = std::array<float, 3>;  ///< relative to `origin`, finite
-  /// Faces of one part, one behind the other.
+  /// Faces of one part, consecutively.
   struct Part {
     std::int64_t id = 0;
     std::string title;

@@ -8,7 +8,7 @@
 
 namespace gapcheck {
 
-/// One `*** Warning` or `*** Error` block of the solver, kept whether it is understood or not.
+/// One `*** Warning` or `*** Error` block of the solver, kept whether understood or not.
 struct SolverMessage {
   Severity severity = Severity::warning;
   std::int64_t code = 0;      ///< 40565
@@ -26,14 +26,14 @@ struct RigidwallPenetration {
   std::uint32_t file = 0, line = 0;
 };
 
-/// What the files say of the run as a whole. Empty or zero: not said.
+/// What the files say about the whole run. Empty or zero: unknown.
 struct SolverRun : Timesteps {
   std::string version, revision, precision, platform, title;
   bool mpp = false;
   std::uint32_t ranks = 0;
   enum class Termination : std::uint8_t { unknown, normal, error } termination = Termination::unknown;
   double problem_time = 0;
-  double end_time = 0;  ///< that the deck asks for
+  double end_time = 0;  ///< requested by the deck
   std::int64_t cycles = 0;
   std::vector<RigidwallPenetration> rigidwalls;
   std::vector<SolverMessage> messages;  ///< by code, then file and line

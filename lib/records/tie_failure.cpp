@@ -16,11 +16,6 @@ std::string_view name(TieReason reason) {
   return "?";
 }
 
-std::string_view rule_id(TieReason reason) {
-  if (untied(reason)) return "GC201";
-  return reason == TieReason::sep ? "GC204" : "GC202";
-}
-
 bool untied(TieReason reason) { return reason != TieReason::sep && reason != TieReason::offset; }
 
 }  // namespace gapcheck

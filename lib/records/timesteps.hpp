@@ -5,17 +5,17 @@
 
 namespace gapcheck {
 
-/// What a side prints that limits nothing.
+/// Printed for a side that limits nothing.
 inline constexpr double no_timestep_limit = 1e16;
 
 /// One "surface timestep": the largest stable step of the springs on one side of a contact.
 struct SurfaceTimestep {
-  std::uint32_t contact = 0;  ///< position in Report::contacts
+  std::uint32_t contact = 0;  ///< position in Report::contacts, as in Penetration
   char side = 'A';            ///< 'A', 'B'
   std::string type;           ///< as printed, blanks out: "a3"
   double timestep = 0;        ///< 1e16: no limit
   std::int64_t node = 0, part = 0;  ///< controlling; 0: none known
-  bool rough = false;         ///< computed, and the solver is known to print somewhat different values in such cases
+  bool rough = false;         ///< computed; the solver is known to print somewhat different values in such cases
 };
 
 /// Time steps that contact and elements allow, whether printed by the solver or computed from a deck. Zero: not known.

@@ -11,7 +11,7 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Why a side has nothing to offer; empty: it has something.
+/// Why a side is empty; empty text: it is not.
 std::string nothing_on(const contact::ContactSide& side, std::string_view name, bool as_reference) {
   const contact::Selection& selection = side.selection;
   if (!selection.segments.nodes.empty() || (!as_reference && !selection.nodes.empty())) return "";
@@ -20,44 +20,47 @@ std::string nothing_on(const contact::ContactSide& side, std::string_view name, 
 }
 
 std::string why_idle(const contact::ContactSurfaces& surfaces) {
-  const bool one_side = surfaces.type.treatment == contact::Treatment::single_surface || surfaces.type.code == "22";
+  const bool one_side = surfaces.type.treatment == contact::Treatment::single_surface ||
+                        surfaces.type.code == contact::ContactCode::single_edge;
   std::string why = nothing_on(surfaces.a, "SURFA", one_side);
   if (why.empty() && !one_side) why = nothing_on(surfaces.b, "SURFB", true);
   return why;
 }
 
-/// Constraint contacts move nodes that follow nothing else.
-std::optional<Failure> no_rigid_nodes(const model::Model& model, const model::Contact& contact,
-                                      const contact::ContactSurfaces& surfaces) {
+/// Constraint contacts move only nodes that follow nothing else.
+SolverStatus no_rigid_nodes(const model::Model& model, const model::Contact& contact,
+                            const contact::ContactSurfaces& surfaces) {
   const contact::RigidNodes rigid(model);
-  const auto refusal = [&](NodeIndex node) -> std::optional<Failure> {
+  const auto movable = [&](NodeIndex node) -> SolverStatus {
     const contact::RigidOwner owner = rigid.owner(node);
-    if (!owner) return std::nullopt;
+    if (!owner) return {};
     const std::string who = owner.kind == contact::RigidOwner::Kind::part
                                 ? fmt::format("rigid part {}", model.parts[owner.index].id.value)
                                 : "a nodal rigid body";
     return Failure{Failure::Kind::not_calculated,
                    fmt::format("contact {} (*{}) has node {} of {}, which its constraints cannot move; use a penalty "
-                               "type, for instance *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE",
-                               contact.id.value, contact.written, model.mesh.nodes.id[node.value], who)};
+                               "type, for instance {}",
+                               contact.id.value, contact.written, model.mesh.nodes.id[node.value], who,
+                               model::recommended_keyword(model::ContactCode::automatic_surface))};
   };
   for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
     for (const NodeIndex node : side->nodes.node)
-      if (auto failure = refusal(node)) return failure;
+      if (SolverStatus status = movable(node); !status.ok()) return status;
     for (const auto& corners : side->selection.segments.nodes)
       for (const NodeIndex node : corners)
-        if (auto failure = refusal(node)) return failure;
+        if (SolverStatus status = movable(node); !status.ok()) return status;
   }
-  return std::nullopt;
+  return {};
 }
 
-/// What a contact asks for and is calculated otherwise.
+/// Settings of a contact that are calculated differently.
 void name_differences(const model::Contact& contact, const contact::ContactSurfaces& surfaces,
                       Diagnostics& diagnostics) {
   const auto warn = [&](const std::string& text) {
     diagnostics.warning("", 0, fmt::format("contact {}: {}", contact.id.value, text));
   };
-  if (contact.keyword.ends_with("_EDGEONLY")) warn("EDGEONLY: nodes are held off segments as well");
+  if (surfaces.type.can(contact::Ability::edges_only)) warn("EDGEONLY: nodes are held off segments as well");
+  if (contact.options.thermal) warn("THERMAL: heat does not flow through the contact");
   if (!surfaces.type.by_segments()) return;
   if (surfaces.settings.shlthk == 0)
     warn("SOFT = 2 holds shells apart by their thickness, which is left out here; set THKOPT = SHLTHK = 1 on card B");
@@ -75,19 +78,18 @@ void name_differences(const model::Contact& contact, const contact::ContactSurfa
 
 }  // namespace
 
-std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceStore& surfaces,
-                                  Diagnostics& diagnostics) {
+SolverStatus check_deck(const model::Model& model, contact::SurfaceStore& surfaces, Diagnostics& diagnostics) {
   const model::Controls& controls = model.controls;
   if (controls.tssfac < 0)
     return Failure{
         Failure::Kind::zero_time_step,
         fmt::format("TSSFAC of *CONTROL_TIMESTEP is {:g}; set a number above 0, at most 0.9", controls.tssfac)};
-  for (std::uint32_t c = 0; c < model.contacts.size(); ++c) {
-    const model::Contact& contact = model.contacts[c];
+  for (const ContactIndex c : positions<ContactIndex>(model.contacts.size())) {
+    const model::Contact& contact = model.contact(c);
     const ContactMethod method = choose_method(contact).method;
     if (method == ContactMethod::none || method == ContactMethod::transducer) continue;
     if (method == ContactMethod::constraint)
-      if (auto failure = no_rigid_nodes(model, contact, surfaces.at(c))) return failure;
+      if (SolverStatus status = no_rigid_nodes(model, contact, surfaces.at(c)); !status.ok()) return status;
     if (controls.slsfac < 0)
       return Failure{Failure::Kind::contradiction,
                      fmt::format("SLSFAC of *CONTROL_CONTACT is {:g}, with which contacts pull; set a number above 0",
@@ -100,7 +102,7 @@ std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceSto
     if (const std::string why = why_idle(surfaces.at(c)); !why.empty())
       diagnostics.warning("", 0, fmt::format("contact {} does nothing ({}); correct its sides", contact.id.value, why));
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace gapcheck::solver

@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-
 #include "base/diagnostic.hpp"
 #include "contact/surface/contact_surfaces.hpp"
 #include "model/model.hpp"
@@ -8,10 +6,10 @@
 
 namespace gapcheck::solver {
 
-/// Numbers of a deck with which no run makes sense: TSSFAC, SLSFAC, SFS or SFM below zero (springs that pull) are a
-/// failure. Contacts that do nothing, as one side has no nodes or no segments, are named in `diagnostics`.
+/// Numbers of a deck that make a run meaningless: TSSFAC, SLSFAC, SFS or SFM below zero (springs that pull) are a
+/// failure. Contacts that do nothing, because one side has no nodes or no segments, are reported in `diagnostics`.
 /// `surfaces`: of this model.
-[[nodiscard]] std::optional<Failure> check_deck(const model::Model& model, contact::SurfaceStore& surfaces,
-                                                Diagnostics& diagnostics);
+[[nodiscard]] SolverStatus check_deck(const model::Model& model, contact::SurfaceStore& surfaces,
+                                      Diagnostics& diagnostics);
 
 }  // namespace gapcheck::solver

@@ -18,15 +18,15 @@
 namespace gapcheck::solver {
 namespace {
 
-/// The end of the run as caller or deck have it.
-std::variant<double, Failure> end_of_run(const model::Model& model, const RunSettings& settings) {
+/// The end of the run as given by caller or deck.
+SolverResult<double> end_of_run(const model::Model& model, const RunSettings& settings) {
   const double time = settings.until > 0 ? settings.until : model.controls.endtim;
   if (time > 0 && std::isfinite(time)) return time;
   if (settings.cycles > 0) return std::numeric_limits<double>::infinity();
   return Failure{Failure::Kind::no_end, "the deck gives no end time; set ENDTIM of *CONTROL_TERMINATION, or --until"};
 }
 
-/// By node: nothing keeps it where it is, so that the shooting-node logic may move it.
+/// By node: nothing holds it, so the shooting-node logic may move it.
 std::vector<bool> movable_nodes(const Structure& structure) {
   constexpr unsigned translations = 7;
   std::vector<bool> movable(structure.state.x.size());
@@ -35,12 +35,12 @@ std::vector<bool> movable_nodes(const Structure& structure) {
   return movable;
 }
 
-/// Ties by constraints answer after rigid walls, and may move on what a wall has stopped.
+/// Constraint ties act after rigid walls, and may move on what a wall has stopped.
 void name_tied_nodes_at_walls(const model::Model& model, const contact::InitialState& initial,
                               Diagnostics& diagnostics) {
   if (model.rigid_walls.empty()) return;
   const auto nodes = std::count_if(initial.judged.begin(), initial.judged.end(), [&](const contact::JudgedNode& node) {
-    return node.tied() && !node.penalty && contact::ties_by_constraint(contact::classify(model.contacts[node.contact]));
+    return node.tied() && !node.penalty && contact::ties_by_constraint(contact::classify(model.contact(node.contact)));
   });
   if (nodes > 0)
     diagnostics.warning("", 0,
@@ -58,17 +58,17 @@ void Run::add_contacts(std::unique_ptr<Contacts> contacts) {
   stepper_->add(std::move(contacts));
 }
 
-std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::SurfaceStore& surfaces,
-                                        const RunSettings& settings, Diagnostics& diagnostics) {
+SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore& surfaces, const RunSettings& settings,
+                               Diagnostics& diagnostics) {
   Run run;
   run.model_ = &model;
   run.settings_ = settings;
   if (settings.cycles == 0 && model.controls.endcyc > 0)
     run.settings_.cycles = static_cast<std::uint64_t>(model.controls.endcyc);
   const auto end = end_of_run(model, run.settings_);
-  if (const auto* failure = std::get_if<Failure>(&end)) return *failure;
-  run.end_time_ = std::get<double>(end);
-  if (auto failure = check_deck(model, surfaces, diagnostics)) return std::move(*failure);
+  if (!end) return end.error();
+  run.end_time_ = end.value();
+  if (const SolverStatus checked = check_deck(model, surfaces, diagnostics); !checked.ok()) return checked.error();
   contact::InitialCounters counters;
   run.initial_ = std::make_unique<contact::InitialState>(
       contact::initialise_contacts(model, surfaces, contact::InitialOptions{}, counters));
@@ -76,14 +76,16 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   BuildSettings build = settings.build;
   if (build.x == nullptr) build.x = &run.initial_->x;
   auto structure = build_structure(model, build, diagnostics);
-  if (auto* failure = std::get_if<Failure>(&structure)) return std::move(*failure);
+  if (!structure) return structure.error();
   StepSettings step = settings.step;
   step.time_step_factor = model.controls.tssfac;
   step.first_step = model.controls.dtinit;
-  Structure& built = std::get<Structure>(structure);
+  Structure& built = structure.value();
   std::vector<std::unique_ptr<Force>> forces;
-  if (auto failure = apply_conditions(model, built, forces, diagnostics)) return std::move(*failure);
-  if (auto failure = add_walls_and_springs(model, built, forces, diagnostics)) return std::move(*failure);
+  if (const SolverStatus applied = apply_conditions(model, built, forces, diagnostics); !applied.ok())
+    return applied.error();
+  if (const SolverStatus added = add_walls_and_springs(model, built, forces, diagnostics); !added.ok())
+    return added.error();
   // A side effect of eroding contacts in the solver.
   if (std::any_of(model.contacts.begin(), model.contacts.end(),
                   [](const model::Contact& c) { return contact::is_eroding(contact::classify(c)); }))
@@ -107,7 +109,7 @@ std::variant<Run, Failure> Run::prepare(const model::Model& model, contact::Surf
   run.add_contacts(std::move(springs));
   run.add_contacts(std::move(std::get<std::unique_ptr<ConstraintContact>>(constraints)));
   for (auto& force : forces) run.stepper_->add(std::move(force));
-  // Last: they hold whatever else acts.
+  // Last: they hold regardless of all other forces.
   auto ties = std::make_unique<TieConstraints>(model, surfaces, *run.initial_, stepped, diagnostics);
   ties->on_failure(release);
   run.add_contacts(std::move(ties));
@@ -134,10 +136,10 @@ std::optional<RunEnd> Run::end_reached() const {
   return std::nullopt;
 }
 
-std::optional<Failure> Run::check_length() const {
+SolverStatus Run::check_length() const {
   constexpr double most_cycles = 1e12;  // years, of the smallest model
   const double left = end_time_ - stepper_->state().time, step = stepper_->next_step();
-  if (settings_.cycles > 0 || left < most_cycles * step) return std::nullopt;
+  if (settings_.cycles > 0 || left < most_cycles * step) return {};
   return Failure{Failure::Kind::zero_time_step,
                  fmt::format("with the time step {:g} the run would not come to its end at {:g}; look at the smallest "
                              "element, its material and TSSFAC",
@@ -147,15 +149,15 @@ std::optional<Failure> Run::check_length() const {
 RunEnd Run::go(Observer& observer) {
   start_ = std::chrono::steady_clock::now();
   while (true) {
-    failure_ = stepper_->begin_step();
+    status_ = stepper_->begin_step();
     events_.clear();
     for (ContactSource* source : sources_)
       for (ContactEvent& event : source->take_events()) events_.push_back(std::move(event));
     if (stepper_->state().cycle == 0) first_step_ = stepper_->next_step();
-    if (!failure_) failure_ = check_length();
-    const std::optional<RunEnd> end = failure_ ? RunEnd::failed : end_reached();
-    if (auto problem = observer.observe(*this, end)) {
-      failure_ = std::move(problem);
+    if (status_.ok()) status_ = check_length();
+    const std::optional<RunEnd> end = status_.ok() ? end_reached() : RunEnd::failed;
+    if (SolverStatus observed = observer.observe(*this, end); !observed.ok()) {
+      status_ = std::move(observed);
       return RunEnd::failed;
     }
     if (end) return *end;

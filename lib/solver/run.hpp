@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "contact/initial.hpp"
@@ -18,17 +17,17 @@ namespace gapcheck::solver {
 
 struct RunSettings {
   double until = 0;          ///< end time; 0: ENDTIM of *CONTROL_TERMINATION
-  std::uint64_t cycles = 0;  ///< greatest number of steps; 0: no limit
+  std::uint64_t cycles = 0;  ///< largest number of steps; 0: no limit
   BuildSettings build;
   StepSettings step;
-  std::function<bool()> stop;  ///< asked before every step; true ends the run
+  std::function<bool()> stop;  ///< called before every step; true ends the run
 };
 
 enum class RunEnd : std::uint8_t {
   time,
   cycles,
-  energy,   ///< ENDENG: the energy ratio has changed by as many percent
-  step,     ///< DTMIN: the step has fallen to this share of the first one
+  energy,   ///< ENDENG: the energy ratio has changed by this many percent
+  step,     ///< DTMIN: the step has fallen to this fraction of the first one
   stopped,  ///< on request
   failed,
 };
@@ -36,20 +35,21 @@ enum class RunEnd : std::uint8_t {
 /// A calculation from a model to its end. The model must outlive it.
 class Run {
  public:
-  /// Initialises the contacts, whose moved nodes start where that leaves them, and builds the structure with all that
-  /// acts on it. `surfaces`: of this model. What is calculated otherwise than the deck says goes to `diagnostics`.
-  static std::variant<Run, Failure> prepare(const model::Model& model, contact::SurfaceStore& surfaces,
-                                            const RunSettings& settings, Diagnostics& diagnostics);
+  /// Initialises the contacts, whose moved nodes start from there, and builds the structure with everything that acts
+  /// on it. `surfaces`: of this model. Deviations from the deck go to `diagnostics`.
+  static SolverResult<Run> prepare(const model::Model& model, contact::SurfaceStore& surfaces,
+                                   const RunSettings& settings, Diagnostics& diagnostics);
 
-  /// What result files are told of: every step, before the positions move on.
+  /// The interface for result files: called at every step, before the positions change.
   class Observer {
    public:
     virtual ~Observer() = default;
     /// `end`: no further step follows, and why. A failure ends the run.
-    [[nodiscard]] virtual std::optional<Failure> observe(const Run& run, std::optional<RunEnd> end) = 0;
+    [[nodiscard]] virtual SolverStatus observe(const Run& run, std::optional<RunEnd> end) = 0;
   };
 
-  /// Steps until the end; the state then is that of the last observation. An observer's failure comes before the run's.
+  /// Steps until the end; the state is then that of the last observation. An observer's failure takes precedence over
+  /// the run's.
   RunEnd go(Observer& observer);
 
   [[nodiscard]] const model::Model& model() const { return *model_; }
@@ -61,22 +61,23 @@ class Run {
   [[nodiscard]] std::vector<ContactState> transducers() const {
     return transducers_->measure(contacts(), stepper_->state());
   }
-  /// What contacts have done once in the last force evaluation.
+  /// Single events of contacts in the last force evaluation.
   [[nodiscard]] const std::vector<ContactEvent>& events() const { return events_; }
   [[nodiscard]] const ContactCounters& contact_counters() const { return contacts_->counters(); }
   [[nodiscard]] double end_time() const { return end_time_; }
-  [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
+  /// Not ok() once it has failed.
+  [[nodiscard]] const SolverStatus& status() const { return status_; }
   /// Seconds of wall clock since go() began.
   [[nodiscard]] double seconds() const;
 
  private:
   Run() = default;
-  /// Takes a force that is a source of contacts too; nullptr: nothing.
+  /// Adds a force that is also a source of contacts; nullptr: nothing.
   template <class Contacts>
   void add_contacts(std::unique_ptr<Contacts> contacts);
   [[nodiscard]] std::optional<RunEnd> end_reached() const;
-  /// A failure where the time left is more steps than can be made.
-  [[nodiscard]] std::optional<Failure> check_length() const;
+  /// A failure if the remaining time needs more steps than allowed.
+  [[nodiscard]] SolverStatus check_length() const;
 
   const model::Model* model_ = nullptr;
   RunSettings settings_;
@@ -87,7 +88,7 @@ class Run {
   std::unique_ptr<Transducers> transducers_;
   std::vector<ContactSource*> sources_;  ///< of contacts; all owned by the stepper
   std::vector<ContactEvent> events_;
-  std::optional<Failure> failure_;
+  SolverStatus status_;
   std::chrono::steady_clock::time_point start_;
 };
 

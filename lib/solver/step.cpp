@@ -9,12 +9,10 @@
 namespace gapcheck::solver {
 namespace {
 
-constexpr std::uint32_t nobody = Summary::nobody;
-
-/// What one pass over the nodes gives.
+/// Result of one pass over the nodes.
 struct NodeSums {
   double kinetic = 0, work = 0;
-  std::uint32_t without_mass = nobody, not_a_number = nobody;
+  std::uint32_t without_mass = no_position, not_a_number = no_position;
   void add(const NodeSums& other) {
     kinetic += other.kinetic;
     work += other.work;
@@ -63,7 +61,7 @@ Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::m
   structure_.beams.finish(nodes);
   structure_.constraints.finish();
   for (Forces* forces : {&external_, &before_, &net_}) forces->resize(nodes, structure_.rigid.size());
-  // What is moved moves from the start.
+  // Moved degrees of freedom move from the start.
   State& state = structure_.state;
   for (std::size_t i = 0; i < nodes; ++i)
     for (std::size_t freedom = 0; freedom < 6; ++freedom)
@@ -73,22 +71,21 @@ Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::m
   structure_.rigid.start(state);
 }
 
-std::optional<Failure> Stepper::check_elements(const Summary& shells, const Summary& solids,
-                                               const Summary& beams) const {
+SolverStatus Stepper::check_elements(const Summary& shells, const Summary& solids, const Summary& beams) const {
   const double time = structure_.state.time;
-  if (shells.bad != nobody)
+  if (shells.bad != no_position)
     return Failure{Failure::Kind::bad_element,
                    fmt::format("shell {} has lost its area at time {:g}; look at what pulls on it",
                                structure_.shell_id[structure_.shells.origin(shells.bad)], time)};
-  if (solids.bad != nobody)
+  if (solids.bad != no_position)
     return Failure{Failure::Kind::bad_element,
                    fmt::format("solid {} has no positive volume at time {:g}; look at what presses on it",
                                structure_.solid_id[structure_.solids.origin(solids.bad)], time)};
-  if (beams.bad != nobody)
+  if (beams.bad != no_position)
     return Failure{Failure::Kind::bad_element,
                    fmt::format("beam {} has lost its length at time {:g}; look at what presses on it",
                                structure_.beam_id[structure_.beams.origin(beams.bad)], time)};
-  return std::nullopt;
+  return {};
 }
 
 /// The step that the elements allow; notes which of them is the shortest.
@@ -102,8 +99,8 @@ double Stepper::element_step(const Summary& shells, const Summary& solids, const
   };
   const double factor = settings_.time_step_factor;
   const auto consider = [&](const Summary& part, const auto& elements, StepControl::Kind kind) {
-    if (part.manual_at != nobody) take(factor * part.manual_step, kind, elements.origin(part.manual_at));
-    if (part.stable_at != nobody && settings_.bounded_step)
+    if (part.manual_at != no_position) take(factor * part.manual_step, kind, elements.origin(part.manual_at));
+    if (part.stable_at != no_position && settings_.bounded_step)
       take(part.stable_step, kind, elements.origin(part.stable_at));
   };
   consider(shells, structure_.shells, StepControl::Kind::shell);
@@ -129,12 +126,12 @@ void Stepper::note_failures() {
   state.failed.count = failures_.size();
 }
 
-std::optional<Failure> Stepper::evaluate(double& next) {
+SolverStatus Stepper::evaluate(double& next) {
   State& state = structure_.state;
   const Summary shells = structure_.shells.update(state), solids = structure_.solids.update(state),
                 beams = structure_.beams.update(state);
   if (shells.failed + solids.failed > 0) note_failures();
-  if (auto failure = check_elements(shells, solids, beams)) return failure;
+  if (SolverStatus checked = check_elements(shells, solids, beams); !checked.ok()) return checked;
   for (const Summary& part : {shells, solids, beams}) {
     energies_.internal += part.work - part.hourglass_work;
     energies_.hourglass += part.hourglass_work;
@@ -145,7 +142,7 @@ std::optional<Failure> Stepper::evaluate(double& next) {
   next = element_step(shells, solids, beams);
   double limit = settings_.greatest_step > 0 ? settings_.greatest_step : std::numeric_limits<double>::infinity();
   if (settings_.first_step > 0 && state.cycle == 0) limit = std::min(limit, settings_.first_step);
-  // Where all elements have failed the last step goes on.
+  // If all elements have failed, the last step stays.
   if (state.failed.count > 0 && !std::isfinite(next)) limit = std::min(limit, state.dt);
   state.coming = std::min(next, limit);
   for (const auto& other : others_) {
@@ -171,10 +168,10 @@ std::optional<Failure> Stepper::evaluate(double& next) {
       structure_.beams.gather(i, net_.force[i], net_.moment[i]);
     }
   });
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> Stepper::accelerate(double next) {
+SolverStatus Stepper::accelerate(double next) {
   State& state = structure_.state;
   const bool first = state.cycle == 0;
   const double mean = (state.dt + next) / 2;
@@ -183,7 +180,7 @@ std::optional<Failure> Stepper::accelerate(double next) {
   const auto sums = sum_over_blocks<NodeSums>(state.x.size(), [&](std::size_t begin, std::size_t end) {
     NodeSums sum;
     for (std::size_t i = begin; i < end; ++i) {
-      const bool rigid = structure_.rigid.holds(i);  // moved by its body; other forces work on it all the same
+      const bool rigid = structure_.rigid.holds(i);  // moved by its body; other forces still do work on it
       const unsigned mask = rigid ? 0 : structure_.constraints.mask(i, state.time, next);
       const double mass = rigid ? 0 : state.mass[i], inertia = rigid ? 0 : state.inertia[i];
       const auto imposed = [&](std::size_t offset) {
@@ -209,23 +206,22 @@ std::optional<Failure> Stepper::accelerate(double next) {
   for (const auto& other : others_) other->absorbed(energies_.absorbed);
   energies_.external = work_ + energies_.absorbed.sum();
   if (first) energies_.initial = energies_.kinetic;
-  if (sums.not_a_number != nobody)
+  if (sums.not_a_number != no_position)
     return Failure{Failure::Kind::not_a_number, fmt::format("the velocity of node {} is not a number at time {:g}",
                                                             structure_.node_id[sums.not_a_number], state.time)};
-  if (sums.without_mass != nobody)
+  if (sums.without_mass != no_position)
     return Failure{Failure::Kind::zero_mass,
                    fmt::format("a force acts on node {}, which has no mass; give it one or hold it",
                                structure_.node_id[sums.without_mass])};
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> Stepper::check_energy() {
+SolverStatus Stepper::check_energy() {
   const Energies& e = energies_;
   largest_energy_ = std::max(largest_energy_,
                              std::abs(e.kinetic) + std::abs(e.internal) + std::abs(e.hourglass) + std::abs(e.external));
   const double excess = e.total() - e.initial - e.external;
-  if (settings_.energy_tolerance <= 0 || std::abs(excess) <= settings_.energy_tolerance * largest_energy_)
-    return std::nullopt;
+  if (settings_.energy_tolerance <= 0 || std::abs(excess) <= settings_.energy_tolerance * largest_energy_) return {};
   return Failure{Failure::Kind::energy_ratio,
                  fmt::format("the energies at time {:g} are out of balance by {:g} (energy ratio {:g}); try a smaller "
                              "time step factor",
@@ -243,22 +239,16 @@ void Stepper::move(double next) {
   ++state.cycle;
 }
 
-std::optional<Failure> Stepper::begin_step() {
-  if (auto failure = evaluate(next_)) return failure;
-  if (auto failure = accelerate(next_)) return failure;
+SolverStatus Stepper::begin_step() {
+  if (SolverStatus evaluated = evaluate(next_); !evaluated.ok()) return evaluated;
+  if (SolverStatus accelerated = accelerate(next_); !accelerated.ok()) return accelerated;
   return check_energy();
 }
 
-std::optional<Failure> Stepper::step() {
-  if (auto failure = begin_step()) return failure;
+SolverStatus Stepper::step() {
+  if (SolverStatus begun = begin_step(); !begun.ok()) return begun;
   end_step();
-  return std::nullopt;
-}
-
-std::optional<Failure> Stepper::run_until(double time) {
-  while (structure_.state.time < time)
-    if (auto failure = step()) return failure;
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace gapcheck::solver

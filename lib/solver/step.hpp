@@ -1,6 +1,5 @@
 #pragma once
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "solver/state/failure.hpp"
@@ -13,8 +12,8 @@ struct StepSettings {
   double time_step_factor = 0.9;  ///< TSSFAC, on the manual's element steps
   double greatest_step = 0;       ///< 0 = no limit
   double first_step = 0;          ///< DTINIT: limit of the first step; 0 = none
-  /// Also stay below the bound of every element's highest frequency. The manual's lengths alone are not safe for
-  /// lone bricks and tetrahedra.
+  /// Also stay below the bound of every element's highest frequency. The manual's lengths alone are not safe for single
+  /// bricks and tetrahedra.
   bool bounded_step = true;
   double least_step = 0;  ///< a step at or below it ends the run
   /// How far the energies may be out of balance, relative to the largest sum of energies so far. 0 = not checked.
@@ -23,7 +22,7 @@ struct StepSettings {
 
 /// What sets the time step.
 struct StepControl {
-  /// other: a force or the greatest step
+  /// other: a force or the step limit
   enum class Kind : std::uint8_t { shell, solid, beam, other } kind = Kind::other;
   std::uint32_t element = 0;  ///< position in the model
 };
@@ -37,43 +36,40 @@ struct ElementFailure {
 
 /// Explicit time integration by central differences (Belytschko, Liu, Moran, 6.2): forces at tₙ, accelerations,
 /// velocities at tₙ + ½, positions at tₙ₊₁. Rotations are advanced by angular velocities; the elements need nothing
-/// else of them. The result is the same, bit for bit, for any number of threads.
+/// else from them. The result is the same, bit for bit, for any number of threads.
 class Stepper {
  public:
   Stepper(Structure structure, StepSettings settings);
   /// Forces act in the order in which they are added.
   void add(std::unique_ptr<Force> force) { others_.push_back(std::move(force)); }
 
-  /// One step; nothing is returned when it went well. After a failure the positions are those at which it was seen,
-  /// and no further step should be made.
-  [[nodiscard]] std::optional<Failure> step();
-  /// A step in two halves. begin_step() finds forces, energies and the velocities of the middle of the coming step; in
-  /// between everything else belongs to state().time. end_step() moves on.
-  [[nodiscard]] std::optional<Failure> begin_step();
+  /// One step; after a failure the positions are those at which it occurred, and no further
+  /// step should be made.
+  [[nodiscard]] SolverStatus step();
+  /// A step in two halves. begin_step() computes forces, energies and the velocities in the middle of the next step; in
+  /// between everything else belongs to state().time. end_step() advances.
+  [[nodiscard]] SolverStatus begin_step();
   void end_step() { move(next_); }
-  /// Between the halves: the coming step, and what sets it.
+  /// Between the halves: the next step, and what sets it.
   [[nodiscard]] double next_step() const { return next_; }
   [[nodiscard]] const StepControl& control() const { return control_; }
-  /// Steps until state().time has reached `time`.
-  [[nodiscard]] std::optional<Failure> run_until(double time);
 
   [[nodiscard]] const State& state() const { return structure_.state; }
   [[nodiscard]] const Structure& structure() const { return structure_; }
-  /// All that have failed so far, in the order in which they did; of one cycle shells before solids, each by position.
+  /// All that have failed so far, in that order; within one cycle shells before solids, each by position.
   [[nodiscard]] const std::vector<ElementFailure>& failures() const { return failures_; }
   /// At the time of the last force evaluation: that at which the last step began.
   [[nodiscard]] const Energies& energies() const { return energies_; }
-  /// Sum of internal and other forces at that time, and what constraints added to them.
+  /// Sum of internal and other forces at that time, and the forces added by constraints.
   [[nodiscard]] const Forces& net() const { return net_; }
   [[nodiscard]] const Forces& external() const { return external_; }
 
  private:
-  [[nodiscard]] std::optional<Failure> evaluate(double& next);
+  [[nodiscard]] SolverStatus evaluate(double& next);
   [[nodiscard]] double element_step(const Summary& shells, const Summary& solids, const Summary& beams);
-  [[nodiscard]] std::optional<Failure> check_elements(const Summary& shells, const Summary& solids,
-                                                      const Summary& beams) const;
-  [[nodiscard]] std::optional<Failure> accelerate(double next);
-  [[nodiscard]] std::optional<Failure> check_energy();
+  [[nodiscard]] SolverStatus check_elements(const Summary& shells, const Summary& solids, const Summary& beams) const;
+  [[nodiscard]] SolverStatus accelerate(double next);
+  [[nodiscard]] SolverStatus check_energy();
   void note_failures();
   void move(double next);
 
@@ -85,7 +81,7 @@ class Stepper {
   double next_ = 0;
   StepControl control_;
   std::vector<ElementFailure> failures_;
-  double work_ = 0;  ///< of all forces that are not the elements'
+  double work_ = 0;  ///< of all forces other than the elements'
   double largest_energy_ = 0;
 };
 

@@ -71,7 +71,7 @@ const std::vector<Entry>& table() {
   return entries;
 }
 
-/// Without the words ID and TITLE behind the first one.
+/// Without the words ID and TITLE after the first one.
 std::string bare(std::string_view name) {
   std::string result;
   for (std::size_t at = 0; at <= name.size();) {
@@ -90,7 +90,7 @@ const Entry* find(std::string_view name) {
   return best;
 }
 
-/// Collects what is found with its place.
+/// Collects findings with their location.
 class Finder {
  public:
   Finder(const keyword::Deck& deck, const model::Model& model) : deck_(deck), model_(model) {}

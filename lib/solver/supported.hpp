@@ -8,7 +8,7 @@
 
 namespace gapcheck::solver {
 
-/// A part of the deck that influences a calculation and that the solver does not calculate.
+/// Something in the deck that affects a run but that the solver does not calculate.
 struct Unsupported {
   std::string keyword;  ///< as written, without `*`
   std::string file;
@@ -16,10 +16,10 @@ struct Unsupported {
   std::string why;
 };
 
-/// All of them by file (in the order of reading) and line: keywords that supported_keywords.txt does not name as
-/// calculated or harmless, materials of parts with elements, contacts, rigid walls and settings that are not
-/// calculated. Empty: the deck is calculated as it is, as far as formulations of elements go, of which
-/// build_structure() speaks.
+/// All of them by file (in the order of reading) and line: keywords that supported_keywords.txt does not list as
+/// calculated or harmless, and materials of parts with elements, contacts, rigid walls and settings that are not
+/// calculated. Empty: the deck is calculated as given, except for element formulations, which build_structure()
+/// reports.
 [[nodiscard]] std::vector<Unsupported> unsupported(const keyword::Deck& deck, const model::Model& model);
 
 }  // namespace gapcheck::solver

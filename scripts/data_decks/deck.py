@@ -24,7 +24,7 @@ def card(*fields):
 
 
 class Deck:
-    """A deck under construction: nodes, parts and contacts, and beside them the expected findings."""
+    """A deck under construction: nodes, parts and contacts, and the expected findings."""
 
     def __init__(self, name, text):
         self.name, self.text = name, text

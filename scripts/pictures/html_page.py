@@ -13,7 +13,7 @@ root = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(root / "tests" / "apps"))
 from chromium import Browser, program  # noqa: E402
 
-# Name of the picture, deck, whether it is dark, number of the row that is pressed, magnification of the vectors.
+# Name of the picture, deck, whether it is dark, number of the row to click, magnification of the vectors.
 PICTURES = [("html_light", "two_plates_tilted.k", False, 2, 1), ("html_dark", "solid_on_solid.k", True, 2, 2)]
 
 

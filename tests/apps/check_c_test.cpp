@@ -42,7 +42,11 @@ TEST_F(CheckC, EveryOptionHasItsText) {
     EXPECT_EQ(run.err, "") << name;
     expect_golden("check_c_" + name, run.out);
   }
-  EXPECT_EQ(check_c("-typkey messag").out, check_c("-type messag").out);
+  for (const char* other : {"-typkey", "-typ -typ", "-typ -title -typ -typ"}) {
+    const std::string title = std::string(other).find("-title") == std::string::npos ? "" : "-title ";
+    EXPECT_EQ(check_c(std::string(other) + " messag").out, check_c(title + "-type messag").out) << other;
+  }
+  EXPECT_NE(check_c("-typ -type messag").out, check_c("-type messag").out) << "code and keyword";
 }
 
 TEST_F(CheckC, EverySelectionHasItsText) {

@@ -68,5 +68,31 @@ TEST_F(RunCommand, WhatGoesWrongIsExitCode2) {
   EXPECT_NE(open.err.find("ENDTIM"), std::string::npos) << open.err;
 }
 
+TEST_F(RunCommand, NeverWritesOverItsInput) {
+  const std::string plates = content(project / "data" / "two_plates.k");
+  fs::create_directories(folder_ / "out");
+  const auto refuses = [&](const std::string& arguments, const std::string& why, const std::string& input) {
+    const std::string before = content(folder_ / input);
+    const Ended run = gapcheck("run " + arguments);
+    EXPECT_EQ(run.code, 2) << arguments;
+    EXPECT_NE(run.err.find(why), std::string::npos) << arguments << ": " << run.err;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_EQ(content(folder_ / input), before) << arguments;
+    EXPECT_FALSE(fs::exists(folder_ / "out/glstat")) << arguments;
+  };
+  for (const char* name : {"messag", "d3plot", "d3plot01", "ncforc"}) {
+    const std::string path = std::string("out/") + name;
+    file(path, plates);
+    refuses(path + " -o out", "-o " + path + " is the deck itself; give another directory", path);
+    file("main.k", "*KEYWORD\n*INCLUDE\n" + path + "\n*END\n");
+    refuses("main.k -o ./out", "is a file that the deck includes", path);
+    fs::remove(folder_ / path);
+  }
+  file("out/state_0001.vtu", plates);
+  refuses("out/state_0001.vtu -o out --vtu", "is the deck itself", "out/state_0001.vtu");
+  EXPECT_EQ(gapcheck("run out/state_0001.vtu -o out --cycles 1 --quiet").code, 0) << "no grids are written";
+  EXPECT_EQ(gapcheck("run out/state_0001.vtu -o out --cycles 1 --quiet").code, 0) << "its own old files are replaced";
+}
+
 }  // namespace
 }  // namespace gapcheck::run_test

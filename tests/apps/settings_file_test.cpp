@@ -1,5 +1,5 @@
 // What a settings file may say, and what is said of one that is wrong.
-#include "settings_file.hpp"
+#include "settings/settings_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // gapcheck.toml as users see it: where it is looked for, what it does, what the command line takes from it.
-#include "settings.hpp"
+#include "settings/settings.hpp"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -92,7 +92,9 @@ TEST_F(SettingsProgram, OptionsAreGivenToTheCommand) {
   std::string missing = "error";
   app::add_jobs(command, jobs);
   app::add_includes(command, read, missing);
-  ASSERT_TRUE(app::use_settings({}, deck, false, command));
+  app::Failures failures([](const Diagnostic& error) { ADD_FAILURE() << error.message; });
+  static_cast<void>(app::use_settings({}, deck, false, command, failures));
+  ASSERT_FALSE(failures.any());
   EXPECT_EQ(jobs, 3u);
   EXPECT_EQ(missing, "skip");
   EXPECT_EQ(read.include_directories, (std::vector{(folder_ / "a").string(), (folder_ / "b").string()}));

@@ -47,7 +47,7 @@ TEST(Judge, ADeckIsNotJudgedByRulesOnRuns) {
 }
 
 TEST(Judge, TheRegistryKnowsWhichIsWhich) {
-  for (const audit::RuleInfo& rule : audit::rules()) EXPECT_EQ(rule.of_runs, rule.id.starts_with("GC6")) << rule.id;
+  for (const RuleIdentity& rule : audit::rules()) EXPECT_EQ(rule.of_runs(), rule.id.starts_with("GC6")) << rule.id;
 }
 
 TEST(Judge, NothingIsJudgedByNothing) {

@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "audit/audit.hpp"
+#include "audit/registry.hpp"
 #include "audit/run.hpp"
 #include "audit/scene.hpp"
 
@@ -178,6 +181,42 @@ TEST(SkippedWork, RulesOnCardsAskForNoSurface) {
   EXPECT_EQ(c["rules that asked for no surface and no search"], 3u);
   EXPECT_EQ(c["contact surfaces built"], 0u);
   EXPECT_EQ(c["searches"], 0u);
+}
+
+/// Rules on decks for whose needs `holds` is true.
+AuditOptions rules_with(const std::function<bool(const RuleNeeds&)>& holds) {
+  AuditOptions options;
+  for (const RuleIdentity& rule : audit::rules())
+    if (!rule.of_runs() && !rule.of_ignores() && holds(rule.needs)) options.select.emplace_back(rule.id);
+  return options;
+}
+
+TEST(SkippedWork, RulesAskForNothingThatTheyDoNotDeclare) {
+  const AuditOptions model_alone = rules_with([](const RuleNeeds& needs) { return needs == Need::model; });
+  const AuditOptions no_search = rules_with([](const RuleNeeds& needs) {
+    return !needs.has(Need::node_penetrations) && !needs.has(Need::segment_penetrations) &&
+           !needs.has(Need::mortar_penetrations) && !needs.has(Need::edge_penetrations) && !needs.has(Need::ties);
+  });
+  const AuditOptions no_crossings = rules_with([](const RuleNeeds& needs) { return !needs.has(Need::crossings); });
+  ASSERT_GT(model_alone.select.size(), 10u);
+  ASSERT_GT(no_search.select.size(), model_alone.select.size());
+  std::size_t decks = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(GAPCHECK_ROOT "/data")) {
+    if (entry.path().extension() != ".k") continue;
+    ++decks;
+    const std::string deck = entry.path().string();
+    SCOPED_TRACE(deck);
+    const Counters cards(run_file(deck, model_alone));
+    EXPECT_EQ(cards["rules run"], model_alone.select.size());
+    EXPECT_EQ(cards["rules that asked for no surface and no search"], model_alone.select.size());
+    EXPECT_EQ(cards["contact surfaces built"], 0u);
+    const Counters surfaces(run_file(deck, no_search));
+    EXPECT_EQ(surfaces["rules run"], no_search.select.size());
+    EXPECT_EQ(surfaces["searches"], 0u);
+    EXPECT_EQ(surfaces["surfaces built with another thickness"], 0u);
+    EXPECT_EQ(Counters(run_file(deck, no_crossings))["element pairs with boxes that meet"], 0u);
+  }
+  EXPECT_GT(decks, 20u);
 }
 
 TEST(SkippedWork, UnknownKeywordsAreSkippedByTheByte) {

@@ -4,6 +4,7 @@
 
 #include <type_traits>
 #include <unordered_set>
+#include <vector>
 
 namespace gapcheck::ids_test {
 namespace {
@@ -26,6 +27,18 @@ TEST(Ids, OrderAndHash) {
   EXPECT_LT(NodeId(1), NodeId(2));
   std::unordered_set<PartId> set{PartId(1), PartId(2), PartId(1)};
   EXPECT_EQ(set.size(), 2u);
+}
+
+TEST(Ids, PositionsCountUp) {
+  std::vector<std::uint32_t> seen;
+  for (const SegmentIndex s : positions<SegmentIndex>(3)) seen.push_back(s.value);
+  for (const SegmentIndex s : positions<SegmentIndex>(7, 9)) seen.push_back(s.value);
+  EXPECT_EQ(seen, (std::vector<std::uint32_t>{0, 1, 2, 7, 8}));
+  for (const SlotIndex none_at_all : positions<SlotIndex>(0)) ADD_FAILURE() << none_at_all.value;
+  for (const SlotIndex none_at_all : positions<SlotIndex>(4, 4)) ADD_FAILURE() << none_at_all.value;
+  EXPECT_EQ(positions<PartIndex>(2).list(), (std::vector{PartIndex{0}, PartIndex{1}}));
+  static_assert(!std::is_convertible_v<SegmentIndex, SlotIndex>);
+  static_assert(to_index<ContactIndex>(std::size_t{5}) == ContactIndex{5});
 }
 
 TEST(Ids, NoneIsNoOrdinaryIndex) {

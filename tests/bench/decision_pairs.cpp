@@ -24,25 +24,25 @@ void add_pairs(const contact::PairScene& scene, const contact::CandidateSearch& 
   contact::SweepCounters counters;
   contact::for_each_candidate(
       scene, search,
-      [&](std::uint32_t s) {
+      [&](SegmentIndex s) {
         return scene.reach(s, largest_half) + (margin > 0 ? margin * contact::min_diagonal(scene.facet(s)) : 0);
       },
       counters,
-      [&](std::uint32_t s, std::span<const std::uint32_t> slots) {
+      [&](SegmentIndex s, std::span<const SlotIndex> slots) {
         if (scene.line(s)) return;
         const geometry::Facet facet = scene.facet(s);
-        for (const std::uint32_t slot : slots) {
+        for (const SlotIndex slot : slots) {
           const Vector query = scene.position(slot);
-          const double h = scene.nodes.half[slot] + scene.segments.half[s];
+          const double h = scene.nodes.half[slot.value] + scene.segments.half[s.value];
           const double bound = h - contact::default_tolerance(h, contact::largest_coordinate(facet, query));
           pairs.push_back({facet, query, std::abs(bound)});
         }
       });
 }
 
-void add_contact(const model::Model& model, contact::SurfaceStore& store, std::uint32_t c, double margin,
+void add_contact(const model::Model& model, contact::SurfaceStore& store, ContactIndex c, double margin,
                  std::vector<DecisionPair>& pairs) {
-  const contact::ContactType type = contact::classify(model.contacts[c]);
+  const contact::ContactType type = contact::classify(model.contact(c));
   if (!type.checked()) return;
   const contact::ContactSurfaces& sides = store.at(c);
   const auto search = contact::make_bucket_grid();
@@ -90,7 +90,7 @@ PairSet pairs_of_deck(const std::string& path, double margin) {
   auto model = model::read_model(deck.value(), diagnostics);
   if (!model) return set;
   contact::SurfaceStore store(model.value());
-  for (std::uint32_t c = 0; c < model.value().contacts.size(); ++c)
+  for (const ContactIndex c : positions<ContactIndex>(model.value().contacts.size()))
     add_contact(model.value(), store, c, margin, set.pairs);
   return set;
 }

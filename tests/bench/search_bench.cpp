@@ -59,14 +59,14 @@ std::vector<Input> inputs_of(SceneKind kind, std::uint64_t shells, SceneFacts& f
   std::vector<Input> inputs;
   const Recorder recorder(inputs);
   contact::SurfaceStore store(model.value());
-  for (std::uint32_t c = 0; c < model.value().contacts.size(); ++c) {
+  for (const ContactIndex c : positions<ContactIndex>(model.value().contacts.size())) {
     const contact::ContactSurfaces& sides = store.at(c);
     for (const bool exchanged : {false, true}) {
       if (exchanged && sides.type.treatment != contact::Treatment::two_way) continue;
       const contact::SideScene side(model.value(), c, sides, exchanged, model.value().mesh.nodes.x);
       contact::SweepCounters counters;
       geometry::DecisionCounters decisions;
-      const auto all = [](std::uint32_t, std::uint32_t, bool) { return true; };
+      const auto all = [](SlotIndex, SegmentIndex, bool) { return true; };
       (void)contact::closest_segments(side.scene(), recorder, all, counters, decisions);
     }
   }

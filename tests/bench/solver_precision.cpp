@@ -94,13 +94,13 @@ struct Outcome {
 
 class Watch : public solver::Run::Observer {
  public:
-  std::optional<solver::Failure> observe(const solver::Run& run, std::optional<solver::RunEnd>) override {
+  solver::SolverStatus observe(const solver::Run& run, std::optional<solver::RunEnd>) override {
     const auto contacts = run.contacts();
-    if (contacts.empty() || !(contacts[0].state().force_a.norm() > 0)) return std::nullopt;
+    if (contacts.empty() || !(contacts[0].state().force_a.norm() > 0)) return {};
     const double time = run.stepper().state().time;
     if (first_ < 0) first_ = time;
     last_ = time;
-    return std::nullopt;
+    return {};
   }
   [[nodiscard]] double contact_time() const { return last_ - first_; }
 
@@ -114,11 +114,11 @@ Outcome calculate(const std::string& text) {
   auto model = model::read_model(deck.value(), diagnostics);
   contact::SurfaceStore surfaces(model.value());
   auto prepared = solver::Run::prepare(model.value(), surfaces, {}, diagnostics);
-  if (const auto* failure = std::get_if<solver::Failure>(&prepared)) {
-    fmt::print(stderr, "{}\n", failure->message);
+  if (!prepared) {
+    fmt::print(stderr, "{}\n", prepared.error().message);
     std::exit(1);
   }
-  auto& run = std::get<solver::Run>(prepared);
+  solver::Run& run = prepared.value();
   Watch watch;
   const bool ended = run.go(watch) == solver::RunEnd::time;
   const solver::State& state = run.stepper().state();

@@ -11,6 +11,7 @@
 #include "keyword/deck.hpp"
 #include "solver/build/build.hpp"
 #include "solver/contact/contact_forces.hpp"
+#include "solver/step.hpp"
 
 namespace {
 
@@ -67,7 +68,7 @@ Speed run(const std::string& text, int n, int cycles, bool with_contact) {
   contact::InitialCounters counters;
   const auto initial = contact::initialise_contacts(model.value(), surfaces, {}, counters);
   auto built = solver::build_structure(model.value(), {}, diagnostics);
-  auto& structure = std::get<solver::Structure>(built);
+  solver::Structure& structure = built.value();
   structure.state.x = initial.x;
   const std::size_t shells = structure.shells.size();
   const auto plate_nodes = static_cast<std::size_t>((n + 1) * (n + 1));
@@ -82,12 +83,12 @@ Speed run(const std::string& text, int n, int cycles, bool with_contact) {
     stepper.add(std::move(forces));
   }
   for (int i = 0; i < 200; ++i)
-    if (stepper.step()) std::exit(1);
+    if (!stepper.step().ok()) std::exit(1);
   const auto before = contacts != nullptr ? contacts->counters() : solver::ContactCounters{};
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < cycles; ++i)
-    if (const auto failure = stepper.step()) {
-      fmt::print("{}\n", failure->message);
+    if (const SolverStatus status = stepper.step(); !status.ok()) {
+      fmt::print("{}\n", status.error().message);
       std::exit(1);
     }
   Speed result;

@@ -88,7 +88,7 @@ struct Scene {
 
   model::Contact& contact(const std::string& keyword) {
     model::Contact c;
-    c.keyword = c.written = "CONTACT_" + keyword;
+    set_name("CONTACT_" + keyword, c);
     c.order = static_cast<std::uint32_t>(model.contacts.size()) + 1;
     c.id = ContactId{c.order};
     c.a = {0, 2, 0, true};

@@ -67,13 +67,13 @@ TEST(Certificate, NothingDropsBelowTheLargestDrop) {
     const Pair pair = maker.make(i % 2 == 0 ? Family::warped : Family::skew);
     const Corners e = seen_from(pair.facet, pair.query);
     const Location near = locate_on_patch(e, Patch(e), i % 3 == 0);
-    const Vector w = blend(e, weights(near.s, near.t));
+    const Vector w = blend(e, quad_weights(near.s, near.t));
     const double drop = largest_drop(Patch(e), near.s, near.t, w, size_of(e));
     if (std::isinf(drop)) continue;
     ++bounded;
     for (int j = 0; j <= 50; ++j) {
       for (int k = 0; k <= 50; ++k) {
-        const double value = blend(e, weights(-1 + 0.04 * j, -1 + 0.04 * k)).squaredNorm();
+        const double value = blend(e, quad_weights(-1 + 0.04 * j, -1 + 0.04 * k)).squaredNorm();
         ASSERT_GE(value, w.squaredNorm() - drop - 1e-14) << describe(pair);
       }
     }
@@ -89,7 +89,7 @@ TEST(Certificate, NearestMeansNearest) {
     const Location at = locate_on_patch(e, Patch(e));
     if (!is_nearest(e, Patch(e), at.s, at.t)) continue;
     const double distance = mpf_class(sqrt(squared_distance(pair.facet, pair.query))).get_d();
-    EXPECT_NEAR(blend(e, weights(at.s, at.t)).norm(), distance, 1e-12 * (1 + distance)) << describe(pair);
+    EXPECT_NEAR(blend(e, quad_weights(at.s, at.t)).norm(), distance, 1e-12 * (1 + distance)) << describe(pair);
   }
 }
 

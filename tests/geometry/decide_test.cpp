@@ -248,7 +248,6 @@ TEST(DecideLine, AgreesWithTheReference) {
 
 TEST(SideOfPlane, SignOfTheDeterminant) {
   Maker maker(53);
-  DecisionCounters counters;
   for (int i = 0; i < 20000; ++i) {
     const Vector a = maker.point(1), b = maker.point(1), c = maker.point(1);
     const double l = maker.uniform(-1, 1), m = maker.uniform(-1, 1);
@@ -261,13 +260,13 @@ TEST(SideOfPlane, SignOfTheDeterminant) {
     const mpq_class det = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
                           d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
                           d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
-    ASSERT_EQ(side_of_plane(a, b, c, query, Mode::filtered, counters), -sgn(det));
-    ASSERT_EQ(side_of_plane(a, b, c, query, Mode::exact, counters), -sgn(det));
-    ASSERT_EQ(side_of_plane(b, a, c, query, Mode::filtered, counters), sgn(det));
+    ASSERT_EQ(decide_side(a, b, c, query, Mode::filtered).sign, -sgn(det));
+    ASSERT_EQ(decide_side(a, b, c, query, Mode::exact).sign, -sgn(det));
+    ASSERT_EQ(decide_side(b, a, c, query, Mode::filtered).sign, sgn(det));
   }
-  EXPECT_EQ(side_of_plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 1e-300}, Mode::filtered, counters), 1);
-  EXPECT_EQ(side_of_plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 0}, Mode::filtered, counters), 0);
-  EXPECT_EQ(side_of_plane({0, 0, 0}, {1, 0, 0}, {0, nan, 0}, {5, 5, 0}, Mode::filtered, counters), 0);
+  EXPECT_EQ(decide_side({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 1e-300}, Mode::filtered).sign, 1);
+  EXPECT_EQ(decide_side({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 0}, Mode::filtered).sign, 0);
+  EXPECT_EQ(decide_side({0, 0, 0}, {1, 0, 0}, {0, nan, 0}, {5, 5, 0}, Mode::filtered).sign, 0);
 }
 
 }  // namespace

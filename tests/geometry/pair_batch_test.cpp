@@ -128,7 +128,7 @@ TEST_P(BatchFamilies, LocatedPointsAreTheClosest) {
       EXPECT_EQ(closest.feature, Feature::face) << describe(pair, bound);
       EXPECT_NEAR(square, closest.squared_distance, 1e-12 * square + 1e-15 * size * size) << describe(pair, bound);
       const double s = std::bit_cast<double>(answers[i].numbers[0]), t = std::bit_cast<double>(answers[i].numbers[1]);
-      const Vector point = blend(pair.facet.x, weights(s, t));
+      const Vector point = blend(pair.facet.x, quad_weights(s, t));
       // The coordinates of the point are rounded at the size of the model.
       const double rounding = size * size + size * pair.query.lpNorm<Eigen::Infinity>();
       EXPECT_NEAR((pair.query - point).squaredNorm(), square, 1e-14 * rounding) << describe(pair, bound);

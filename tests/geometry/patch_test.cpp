@@ -18,15 +18,8 @@ TEST(Patch, BothFormsGiveTheSamePoints) {
     const Patch patch(e);
     const double s = maker.uniform(-1, 1), t = maker.uniform(-1, 1);
     const Vector from_form = patch.m + t * patch.b + s * patch.along_s(t);
-    EXPECT_LT((from_form - blend(e, weights(s, t))).norm(), 1e-14);
+    EXPECT_LT((from_form - blend(e, quad_weights(s, t))).norm(), 1e-14);
   }
-}
-
-TEST(Patch, WeightsAreOneAtTheirCorner) {
-  EXPECT_EQ(weights(-1, -1), (Weights{1, 0, 0, 0}));
-  EXPECT_EQ(weights(1, -1), (Weights{0, 1, 0, 0}));
-  EXPECT_EQ(weights(1, 1), (Weights{0, 0, 1, 0}));
-  EXPECT_EQ(weights(-1, 1), (Weights{0, 0, 0, 1}));
 }
 
 /// The search finds what the quick way finds, and on folded quads never less than a dense grid does.
@@ -36,7 +29,7 @@ TEST(Patch, SearchIsNoWorseThanTheQuickWayOrAGrid) {
     const Pair pair = maker.make(i % 2 == 0 ? Family::warped : Family::skew);
     const Corners e = seen_from(pair.facet, pair.query);
     const Patch patch(e);
-    const auto value = [&](double s, double t) { return blend(e, weights(s, t)).norm(); };
+    const auto value = [&](double s, double t) { return blend(e, quad_weights(s, t)).norm(); };
     const Location quick = locate_on_patch(e, patch), searched = search_patch(e, patch);
     const double found = value(searched.s, searched.t);
     EXPECT_LE(found, value(quick.s, quick.t) + 1e-12) << describe(pair);

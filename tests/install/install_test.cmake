@@ -8,7 +8,7 @@ function(step)
 endfunction()
 
 set(prefix ${WORK}/prefix)
-file(REMOVE_RECURSE ${prefix} ${WORK}/consumer)
+file(REMOVE_RECURSE ${prefix} ${WORK}/consumer ${WORK}/examples)
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 foreach(file bin/gapcheck bin/check-c share/man/man1/gapcheck.1 share/man/man1/check-c.1
         share/bash-completion/completions/gapcheck share/zsh/vendor-completions/_check-c)
@@ -37,10 +37,33 @@ foreach(text "\n.SH gapcheck audit\n" "\n\\fB\\-\\-fail\\-on\\fR " "\n\\fB\\-\\-
   endif()
 endforeach()
 
-step(${CMAKE_COMMAND} -S ${SOURCE}/tests/install/consumer -B ${WORK}/consumer -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${prefix}
-     -DCMAKE_BUILD_TYPE=Release)
-step(${CMAKE_COMMAND} --build ${WORK}/consumer)
+# The public headers are all that there is to include.
+file(GLOB public RELATIVE ${SOURCE}/lib/api ${SOURCE}/lib/api/gapcheck/*.hpp)
+file(GLOB_RECURSE installed RELATIVE ${prefix}/include ${prefix}/include/*)
+if(NOT "${installed}" STREQUAL "${public}" OR public STREQUAL "")
+  message(FATAL_ERROR "installed headers: ${installed}\nexpected: ${public}")
+endif()
+
+# What only the rooms include need not be there for those who use the library.
+set(absent "")
+foreach(library Eigen3 CGAL nlohmann_json)
+  list(APPEND absent -DCMAKE_DISABLE_FIND_PACKAGE_${library}=ON)
+endforeach()
+function(build_project folder name)
+  step(${CMAKE_COMMAND} -S ${folder} -B ${WORK}/${name} -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${prefix}
+       -DCMAKE_BUILD_TYPE=Release ${absent})
+  step(${CMAKE_COMMAND} --build ${WORK}/${name})
+endfunction()
+
+build_project(${SOURCE}/tests/install/consumer consumer)
 step(${WORK}/consumer/consumer ${SOURCE}/data/two_plates.k)
-if(NOT output STREQUAL "18 1006 0.3 18\n")
+if(NOT output STREQUAL "18 1006 0.3 18 0\n")
   message(FATAL_ERROR "the consumer prints: ${output}")
+endif()
+
+# The examples need no more than that either.
+build_project(${SOURCE}/examples examples)
+step(${WORK}/examples/audit_deck ${SOURCE}/data/two_plates.k 1)
+if(NOT output MATCHES "^penetrations: 18, contacts: 1\ncontact 1 node 1006 depth 0.3 ")
+  message(FATAL_ERROR "the example prints: ${output}")
 endif()

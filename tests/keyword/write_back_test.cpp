@@ -19,7 +19,7 @@ std::string replaced(const std::string& suffix, const std::string& line, double 
   TextDeck text("*KEYWORD\n*NODE" + suffix + "\n" + line + "\n*END\n");
   const CardLayout layout = node_layout();
   const Card card(text.deck, text.block("NODE"), layout, line, 3, text.diagnostics);
-  EXPECT_EQ(why_not_replaceable(card, 2), "");
+  EXPECT_TRUE(check_replaceable(card, 2).ok());
   const std::string result = with_number(card, 2, y);
   const Card again(text.deck, text.block("NODE"), layout, result, 3, text.diagnostics);
   EXPECT_NEAR(again.real(2), y, 1e-12 * std::abs(y)) << result;
@@ -51,7 +51,9 @@ TEST(WriteBack, RefusesWhatIsNoNumber) {
   TextDeck text("*KEYWORD\n*PARAMETER\nR y             1.0\n*NODE\n    1001              0.              &y\n*END\n");
   const CardLayout layout = node_layout();
   const auto why = [&](const std::string& line) {
-    return why_not_replaceable(Card(text.deck, text.block("NODE"), layout, line, 5, text.diagnostics), 2);
+    const Card card(text.deck, text.block("NODE"), layout, line, 5, text.diagnostics);
+    const Status status = check_replaceable(card, 2);
+    return status.ok() ? "" : status.error().message;
   };
   EXPECT_EQ(why("    1001              0.              &y"), "&y is a parameter");
   EXPECT_EQ(why("1001,0.,-&y"), "-&y is a parameter");

@@ -81,20 +81,20 @@ TEST(Registry, SelectAndIgnore) {
 
 TEST(Registry, AgreesWithTheWriters) {
   for (std::size_t kind = 0; kind < penetration_kinds; ++kind) {
-    const report::RecordRule rule = report::rule_of(static_cast<PenetrationKind>(kind));
-    const audit::RuleInfo* info = audit::find_rule(rule.id);
-    ASSERT_NE(info, nullptr) << rule.id;
-    EXPECT_EQ(info->name, rule.name);
-    EXPECT_EQ(info->severity, rule.severity);
-    EXPECT_EQ(rule_id(static_cast<PenetrationKind>(kind)), rule.id);
+    const RuleIdentity& rule = rule_of(static_cast<PenetrationKind>(kind));
+    const RuleIdentity* listed = audit::find_rule(rule.id);
+    ASSERT_NE(listed, nullptr) << rule.id;
+    EXPECT_EQ(listed->name, rule.name);
+    EXPECT_EQ(listed->severity, rule.severity);
+    EXPECT_EQ(report::rule_of(Report(), static_cast<PenetrationKind>(kind)).severity, rule.severity);
   }
-  for (const TieReason reason : report::tie_reasons) {
-    const report::RecordRule rule = report::rule_of(TieFailure{.reason = reason});
-    const audit::RuleInfo* info = audit::find_rule(rule.id);
-    ASSERT_NE(info, nullptr) << rule.id;
-    EXPECT_EQ(info->name, rule.name);
-    EXPECT_EQ(info->severity, rule.severity);
-    EXPECT_EQ(rule_id(reason), rule.id);
+  for (const TieReason reason : tie_reasons) {
+    const RuleIdentity rule = rule_of(TieFailure{.reason = reason});
+    const RuleIdentity* listed = audit::find_rule(rule.id);
+    ASSERT_NE(listed, nullptr) << rule.id;
+    EXPECT_EQ(listed->name, rule.name);
+    EXPECT_EQ(listed->severity, rule.severity);
+    EXPECT_EQ(rule_of(reason).id, rule.id);
   }
 }
 

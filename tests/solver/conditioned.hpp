@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "solver/condition/conditions.hpp"
-#include "solver/structure/structure.hpp"
+#include "solver/structure_of.hpp"
 
 namespace gapcheck::solver {
 
@@ -11,7 +11,7 @@ namespace gapcheck::solver {
 struct Conditioned {
   Structure structure;
   std::vector<std::unique_ptr<Force>> forces;
-  std::optional<Failure> failure;
+  SolverStatus status;
   std::string warnings;  ///< one per line
 
   /// The stepper that runs it.
@@ -28,12 +28,12 @@ inline Conditioned conditioned(const std::string& deck) {
   Diagnostics diagnostics;
   auto built = build_structure(read.model, {}, diagnostics);
   Conditioned result;
-  if (auto* failure = std::get_if<Failure>(&built)) {
-    ADD_FAILURE() << failure->message;
+  if (!built) {
+    ADD_FAILURE() << built.error().message;
     return result;
   }
-  result.structure = std::get<Structure>(std::move(built));
-  result.failure = apply_conditions(read.model, result.structure, result.forces, diagnostics);
+  result.structure = std::move(built).value();
+  result.status = apply_conditions(read.model, result.structure, result.forces, diagnostics);
   for (const Diagnostic& d : diagnostics.sorted())
     result.warnings += fmt::format("{}:{}: {}\n", d.file, d.line, d.message);
   return result;
@@ -42,7 +42,7 @@ inline Conditioned conditioned(const std::string& deck) {
 /// A structure whose conditions must be good.
 inline Conditioned good(const std::string& deck) {
   Conditioned result = conditioned(deck);
-  EXPECT_FALSE(result.failure.has_value()) << (result.failure ? result.failure->message : "");
+  EXPECT_TRUE(result.status.ok()) << result.status.error().message;
   return result;
 }
 
@@ -56,8 +56,8 @@ inline StepSettings fixed_step(double step) {
 /// Runs a number of steps; the test fails where one does.
 inline void run(Stepper& stepper, int steps) {
   for (int i = 0; i < steps; ++i) {
-    const auto failure = stepper.step();
-    ASSERT_FALSE(failure.has_value()) << failure->message;
+    const SolverStatus status = stepper.step();
+    ASSERT_TRUE(status.ok()) << status.error().message;
   }
 }
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "../model/read.hpp"
+#include "model/read.hpp"
 #include "solver/contact/contact_forces.hpp"
-#include "solver/structure/structure.hpp"
+#include "solver/structure_of.hpp"
 
 namespace gapcheck::solver {
 
@@ -23,11 +23,11 @@ struct ContactScene {
     initial = contact::initialise_contacts(read.model, surfaces, {}, counters);
     Diagnostics diagnostics;
     auto built = build_structure(read.model, {}, diagnostics);
-    if (const auto* failure = std::get_if<Failure>(&built)) {
-      why_not = failure->message;
+    if (!built) {
+      why_not = built.error().message;
       return;
     }
-    Structure structure = std::get<Structure>(std::move(built));
+    Structure structure = std::move(built).value();
     structure.state.x = initial.x;
     if (prepare) prepare(structure);
     std::vector<bool> movable(structure.state.x.size());
@@ -40,7 +40,7 @@ struct ContactScene {
   }
   void step(int times = 1) {
     for (int i = 0; i < times; ++i)
-      if (const auto failure = stepper->step()) FAIL() << failure->message;
+      if (const SolverStatus status = stepper->step(); !status.ok()) FAIL() << status.error().message;
   }
   [[nodiscard]] const State& state() const { return stepper->state(); }
   [[nodiscard]] const ContactState& result(std::size_t i = 0) const { return contacts->states()[i]; }

@@ -86,7 +86,7 @@ List audit_list(const CycleZero& run) {
 List solver_list(const CycleZero& run) {
   List list;
   for (std::size_t i = 0; i < run.contacts->states().size(); ++i) {
-    const std::uint32_t contact = run.contacts->states()[i].contact;
+    const std::uint32_t contact = run.contacts->states()[i].contact.value;
     for (const ContactNode& node : run.contacts->nodes(i)) {
       const Outcome outcome = node.kind == ContactNode::Kind::released ? Outcome::released
                               : node.kind == ContactNode::Kind::kept   ? Outcome::kept
@@ -135,7 +135,7 @@ std::set<Key> tied_nodes(const CycleZero& run, const ContactSource& source) {
   for (std::size_t i = 0; i < source.states().size(); ++i)
     for (const ContactNode& node : source.nodes(i))
       if (node.kind == ContactNode::Kind::tied)
-        list.insert({source.states()[i].contact, run.model.mesh.nodes.id[node.node.value]});
+        list.insert({source.states()[i].contact.value, run.model.mesh.nodes.id[node.node.value]});
   return list;
 }
 
@@ -146,13 +146,13 @@ void expect_same_ties(const CycleZero& run, contact::SurfaceStore& surfaces) {
   Report report;
   report.contacts = run.audit.contacts;
   for (const contact::JudgedNode& judged : run.audit.judged) {
-    const model::Contact& contact = run.model.contacts[judged.contact];
+    const model::Contact& contact = run.model.contacts[judged.contact.value];
     const ContactMethod method = choose_method(contact).method;
     const std::int64_t node = run.model.mesh.nodes.id[judged.node.value];
     if (!judged.tied()) report.tie_failures.push_back(contact::record_tie(judged, run.model));
     if (!judged.tied() || (method != ContactMethod::tie && method != ContactMethod::tiebreak)) continue;
     const bool constraint = contact::ties_by_constraint(contact::classify(contact)) && !judged.penalty;
-    (constraint ? by_constraint : by_spring).insert({judged.contact, node});
+    (constraint ? by_constraint : by_spring).insert({judged.contact.value, node});
   }
   const Structure structure = loose_nodes(run);
   State state = structure.state;

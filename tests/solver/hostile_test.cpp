@@ -166,7 +166,7 @@ TEST(HostileEnd, ZeroNegativeOrNoNumber) {
   for (const char* end : {"0.", "-1.", "nan"}) {
     RunScene scene(with(&Cards::end, fmt::format("*CONTROL_TERMINATION\n{}\n", end)).deck());
     ASSERT_FALSE(scene.prepared()) << end;
-    EXPECT_EQ(scene.failure()->kind, Failure::Kind::no_end) << end;
+    EXPECT_EQ(scene.status().error().kind, Failure::Kind::no_end) << end;
     EXPECT_NE(scene.message().find("ENDTIM"), std::string::npos);
   }
 }

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "../model/read.hpp"
+#include "model/read.hpp"
 #include "solver/run.hpp"
-#include "solver/structure/structure.hpp"
+#include "solver/structure_of.hpp"
 
 namespace gapcheck::solver {
 
@@ -17,10 +17,10 @@ class RunScene : private Run::Observer {
   explicit RunScene(const std::string& deck, const RunSettings& settings = {})
       : read_(model::read_text(deck)), surfaces_(read_.model) {
     auto prepared = Run::prepare(read_.model, surfaces_, settings, diagnostics_);
-    if (auto* failure = std::get_if<Failure>(&prepared))
-      failure_ = std::move(*failure);
+    if (!prepared)
+      status_ = prepared.error();
     else
-      run_.emplace(std::move(std::get<Run>(prepared)));
+      run_.emplace(std::move(prepared).value());
   }
 
   /// To the end; `watch` sees every step. The test fails where the run does.
@@ -34,7 +34,7 @@ class RunScene : private Run::Observer {
     if (!run_) return std::nullopt;
     watch_ = watch;
     const RunEnd end = run_->go(*this);
-    if (run_->failure()) failure_ = run_->failure();
+    status_ = run_->status();
     return end;
   }
 
@@ -42,8 +42,8 @@ class RunScene : private Run::Observer {
   [[nodiscard]] bool prepared() const { return run_.has_value(); }
   [[nodiscard]] const State& state() const { return run_->stepper().state(); }
   [[nodiscard]] const Energies& energies() const { return run_->stepper().energies(); }
-  [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
-  [[nodiscard]] std::string message() const { return failure_ ? failure_->message : ""; }
+  [[nodiscard]] const SolverStatus& status() const { return status_; }
+  [[nodiscard]] std::string message() const { return status_.ok() ? "" : status_.error().message; }
   [[nodiscard]] const model::Read& read() const { return read_; }
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
   [[nodiscard]] Vector momentum() const {
@@ -53,16 +53,16 @@ class RunScene : private Run::Observer {
   }
 
  private:
-  std::optional<Failure> observe(const Run& run, std::optional<RunEnd>) override {
+  SolverStatus observe(const Run& run, std::optional<RunEnd>) override {
     if (watch_) watch_(run);
-    return std::nullopt;
+    return {};
   }
 
   model::Read read_;
   contact::SurfaceStore surfaces_;
   Diagnostics diagnostics_;
   std::optional<Run> run_;
-  std::optional<Failure> failure_;
+  SolverStatus status_;
   Watch watch_;
 };
 

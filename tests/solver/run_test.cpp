@@ -14,12 +14,12 @@
 #include <string>
 
 #include "base/parallel.hpp"
-#include "results/d3plot/d3plot_states.hpp"
 #include "results/curves/glstat.hpp"
+#include "results/d3plot/d3plot_states.hpp"
 #include "results/log/solver_log.hpp"
 #include "solver/output/plot.hpp"
 #include "solver/output/run_files.hpp"
-#include "solver/structure/structure.hpp"
+#include "solver/structure_of.hpp"
 
 namespace gapcheck::solver::run_test {
 namespace {
@@ -61,25 +61,25 @@ class RunTest : public testing::Test {
     Diagnostics diagnostics;
     auto prepared = solver::Run::prepare(model_, surfaces, settings, diagnostics);
     Ended ended;
-    if (const auto* failure = std::get_if<Failure>(&prepared)) {
-      ended.failure = failure->message;
+    if (!prepared) {
+      ended.failure = prepared.error().message;
       return ended;
     }
-    solver::Run& run = std::get<solver::Run>(prepared);
+    solver::Run& run = prepared.value();
     if (files.directory.empty()) files.directory = (folder_ / "out").string();
     files.program = "gapcheck 0.0.0";
     auto created = RunFiles::create(run, surfaces, files);
-    if (const auto* failure = std::get_if<Failure>(&created)) {
-      ended.failure = failure->message;
+    if (!created) {
+      ended.failure = created.error().message;
       return ended;
     }
-    RunFiles& all = std::get<RunFiles>(created);
+    RunFiles& all = created.value();
     ended.end = run.go(all);
     ended.cycles = run.stepper().state().cycle;
     ended.time = run.stepper().state().time;
     ended.names = all.names();
     ended.energies = run.stepper().energies();
-    if (run.failure()) ended.failure = run.failure()->message;
+    if (!run.status().ok()) ended.failure = run.status().error().message;
     return ended;
   }
   [[nodiscard]] std::string file(const std::string& name) const { return contents(folder_ / "out" / name); }
@@ -123,7 +123,7 @@ TEST_F(RunTest, PlotHoldsTheState) {
     EXPECT_EQ(state.time, run.stepper().state().time);
     EXPECT_GE(number, 1u);
     last = state;
-    return std::nullopt;
+    return SolverStatus();
   };
   const Ended ended = calculate(strip("*DATABASE_BINARY_D3PLOT\n0.1\n"), {}, files);
   ASSERT_EQ(ended.failure, "");

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../model/read.hpp"
+#include "model/read.hpp"
 
 namespace gapcheck::solver::supported_test {
 namespace {

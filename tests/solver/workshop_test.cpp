@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "../model/read.hpp"
+#include "model/read.hpp"
 #include "solver/run.hpp"
 
 namespace gapcheck::solver::workshop_test {
@@ -38,7 +38,7 @@ struct Sample {
 
 class Recorder : public Run::Observer {
  public:
-  [[nodiscard]] std::optional<Failure> observe(const Run& run, std::optional<RunEnd>) override {
+  [[nodiscard]] SolverStatus observe(const Run& run, std::optional<RunEnd>) override {
     constexpr std::int64_t first_upper = 2001;
     const State& state = run.stepper().state();
     const auto& ids = run.model().mesh.nodes.id;
@@ -51,7 +51,7 @@ class Recorder : public Run::Observer {
     for (const ContactNode& node : run.contacts()[0].nodes())
       sample.force += ids[node.node.value] >= first_upper ? node.force.z() : -node.force.z();
     samples.push_back(sample);
-    return std::nullopt;
+    return {};
   }
   std::vector<Sample> samples;
 };
@@ -82,11 +82,11 @@ Course calculate(const std::string& name) {
   Diagnostics diagnostics;
   auto prepared = Run::prepare(read.model, surfaces, {}, diagnostics);
   EXPECT_TRUE(diagnostics.sorted().empty()) << name;
-  if (const auto* failure = std::get_if<Failure>(&prepared)) {
-    ADD_FAILURE() << name << ": " << failure->message;
+  if (!prepared) {
+    ADD_FAILURE() << name << ": " << prepared.error().message;
     return {{Sample{}}, {}, 0};
   }
-  Run& run = std::get<Run>(prepared);
+  Run& run = prepared.value();
   Recorder recorder;
   EXPECT_EQ(run.go(recorder), RunEnd::time) << name;
   return {recorder.samples, run.initial(), run.stepper().energies().ratio()};

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <map>
 
-#include "../model/read.hpp"
+#include "model/read.hpp"
 #include "solver/run.hpp"
 
 namespace gapcheck::solver::workshop_ties_test {
@@ -23,16 +23,16 @@ constexpr std::int64_t tip = 2009, joint = 1009;  // corners of the loaded edge 
 /// Motion of a node, and forces, at the end of a run.
 class Last : public Run::Observer {
  public:
-  [[nodiscard]] std::optional<Failure> observe(const Run& run, std::optional<RunEnd> end) override {
+  [[nodiscard]] SolverStatus observe(const Run& run, std::optional<RunEnd> end) override {
     const State& state = run.stepper().state();
     if (start.empty()) start = state.x;
     for (const ContactState& transducer : run.transducers())
       greatest = std::max(greatest, std::abs(transducer.force_a.z()));
     forces.push_back(run.transducers());
-    if (!end) return std::nullopt;
+    if (!end) return {};
     const auto& ids = run.model().mesh.nodes.id;
     for (std::size_t i = 0; i < ids.size(); ++i) way[ids[i]] = state.x[i] - start[i];
-    return std::nullopt;
+    return {};
   }
   std::vector<Vector> start;
   std::map<std::int64_t, Vector> way;  ///< by node id
@@ -55,11 +55,11 @@ Calculated calculate(const std::string& name) {
   auto prepared = Run::prepare(read.model, surfaces, {}, diagnostics);
   EXPECT_TRUE(diagnostics.sorted().empty()) << name;
   Calculated result;
-  if (const auto* failure = std::get_if<Failure>(&prepared)) {
-    ADD_FAILURE() << name << ": " << failure->message;
+  if (!prepared) {
+    ADD_FAILURE() << name << ": " << prepared.error().message;
     return result;
   }
-  Run& run = std::get<Run>(prepared);
+  Run& run = prepared.value();
   EXPECT_EQ(run.go(result.last), RunEnd::time) << name;
   result.initial = run.initial();
   return result;

@@ -1,7 +1,6 @@
 #include "audit/fix/crossing_pairs.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "contact/crossing/crossings.hpp"
@@ -9,15 +8,14 @@
 namespace gapcheck::audit {
 
 std::set<ElementPair> crossing_pairs(const model::Model& model) {
-  std::vector<std::uint32_t> contacts;
-  for (std::uint32_t c = 0; c < model.contacts.size(); ++c)
-    if (contact::classify(model.contacts[c]).checked()) contacts.push_back(c);
+  std::vector<ContactIndex> contacts;
+  for (const ContactIndex c : positions<ContactIndex>(model.contacts.size()))
+    if (contact::classify(model.contact(c)).checked()) contacts.push_back(c);
   contact::SurfaceStore surfaces(model);
   contact::CrossingCounters counters;
-  constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max();
   std::set<ElementPair> pairs;
   for (const contact::Crossing& c : contact::find_crossings(model, contacts, surfaces, {}, counters)) {
-    if (c.a.element == unknown || c.b.element == unknown) continue;
+    if (c.a.element == no_position || c.b.element == no_position) continue;
     const ElementOfKind a{c.a.kind, c.a.element}, b{c.b.kind, c.b.element};
     pairs.insert({std::min(a, b), std::max(a, b)});
   }

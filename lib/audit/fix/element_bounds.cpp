@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/quad.hpp"
 #include "contact/surface/segment_quality.hpp"
 
 namespace gapcheck::audit {
@@ -12,16 +13,12 @@ namespace {
 constexpr double slack = 1e-9;  ///< rounding does not make a shape worse
 constexpr double visible_warp = 1, visible_share = 0.01;
 
-/// What is held against the limits; larger is better but for the warp.
+/// Compared with the limits; larger is better, except for the warp.
 struct Shape {
   double warp = 0;      ///< degrees
   double measure = 1;   ///< slenderness of shells, worst corner of solids
   bool sound = true;    ///< has an area, does not cross itself; right side out
 };
-
-Vector normal(std::span<const NodeIndex> n, const std::vector<Vector>& x) {
-  return (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]);
-}
 
 Shape shell_shape(std::span<const NodeIndex> n, const std::vector<Vector>& x) {
   const contact::SegmentQuality q = contact::segment_quality({n[0], n[1], n[2], n[3]}, x);
@@ -72,7 +69,7 @@ bool keeps_shape(std::span<const NodeIndex> n, const std::vector<Vector>& before
   const Shape old = shape_of(n, before), now = shape_of(n, after);
   if (old.sound && !now.sound) return false;
   if (n.size() == 4) {
-    if (!(normal(n, before).dot(normal(n, after)) > 0) && old.sound) return false;
+    if (!(quad_normal(n.first<4>(), before).dot(quad_normal(n.first<4>(), after)) > 0) && old.sound) return false;
     return now.warp <= std::max(limits.warp, old.warp) + slack &&
            now.measure >= std::min(limits.slenderness, old.measure) - slack;
   }
@@ -86,7 +83,7 @@ bool worse(std::span<const NodeIndex> n, const std::vector<Vector>& before, cons
 
 }  // namespace
 
-/// Each element at a moved node once, with its nodes; those with nodes that are missing are left out.
+/// Each element at a moved node once, with its nodes; those with missing nodes are left out.
 template <class Visit>
 void ElementBounds::for_each_element(std::span<const NodeIndex> moved, const Visit& visit) {
   const auto visit_kind = [&](model::ElementKind kind, const auto& elements, contact::ElementIndex& index) {

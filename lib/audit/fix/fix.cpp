@@ -16,8 +16,8 @@
 namespace gapcheck::audit {
 namespace {
 
-FixContact::State state_of(const Judgement& judgement, std::uint32_t contact) {
-  const ContactSummary& summary = judgement.state.contacts[contact];
+FixContact::State state_of(const Judgement& judgement, ContactIndex contact) {
+  const ContactSummary& summary = judgement.state.contacts[contact.value];
   return {summary.penetrations, summary.released, summary.max_penetration};
 }
 
@@ -33,12 +33,12 @@ class Reporter {
       : model_(model), deck_(deck), mover_(mover), report_(report) {}
 
   void contacts() {
-    for (std::uint32_t c = 0; c < model_.contacts.size(); ++c) {
+    for (const ContactIndex c : positions<ContactIndex>(model_.contacts.size())) {
       FixContact contact;
-      contact.id = model_.contacts[c].id.value;
-      contact.keyword = model_.contacts[c].keyword;
-      contact.title = model_.contacts[c].title;
-      contact.not_checked = mover_.before().state.contacts[c].not_checked;
+      contact.id = model_.contact(c).id.value;
+      contact.keyword = model_.contact(c).keyword;
+      contact.title = model_.contact(c).title;
+      contact.not_checked = mover_.before().state.contacts[c.value].not_checked;
       contact.before = state_of(mover_.before(), c);
       contact.after = state_of(mover_.after(), c);
       report_.contacts.push_back(std::move(contact));
@@ -112,9 +112,8 @@ class Reporter {
   FixReport& report_;
 };
 
-/// A keyword that puts nodes and elements elsewhere, or makes new ones, and is not read: what would be corrected is not
-/// the geometry that runs.
-std::optional<Diagnostic> unread_geometry(const keyword::Deck& deck) {
+/// An unread keyword that moves or creates nodes and elements: the corrected geometry would not be the one that runs.
+Status check_geometry(const keyword::Deck& deck) {
   constexpr std::array moving{"NODE_MERGE",     "NODE_TRANSFORM",        "ELEMENT_GENERATE",   "PART_MOVE",
                               "PART_DUPLICATE", "PART_STACKED_ELEMENTS", "INCLUDE_AUTO_OFFSET", "NODE_REPLICATE"};
   for (const keyword::Block& block : deck.blocks())
@@ -125,24 +124,24 @@ std::optional<Diagnostic> unread_geometry(const keyword::Deck& deck) {
                                       "into the coordinates first", block.name)};
   if (deck.counters().missing_includes > 0)
     return Diagnostic{Severity::error, "", 0, "includes are missing, and with them what nodes could run into"};
-  return std::nullopt;
+  return {};
 }
 
-/// What of --lock and --priority names nothing in the model.
-std::optional<Diagnostic> unknown_choice(const model::Model& model, const FixOptions& options) {
-  const auto unknown = [](const std::string& what) { return Diagnostic{Severity::error, "", 0, what}; };
+/// Entries of --lock and --priority that name nothing in the model.
+Status check_choice(const model::Model& model, const FixOptions& options) {
   for (const Lock& lock : options.locks) {
     const auto part = model.part_of_id.lower_bound(lock.first);
     bool found = !lock.nodes && part != model.part_of_id.end() && part->first <= lock.last;
     if (lock.nodes)
       model.mesh.nodes.lookup.for_each_in(lock.first, lock.last, [&](std::int64_t, std::uint32_t) { return !(found = true); });
     if (!found)
-      return unknown(fmt::format("--lock {}{}: the deck has no such {}", lock.nodes ? "node:" : "", lock.first,
-                                 lock.nodes ? "node" : "part"));
+      return plain_error(fmt::format("--lock {}{}: the deck has no such {}", lock.nodes ? "node:" : "", lock.first,
+                                     lock.nodes ? "node" : "part"));
   }
   for (const auto& [part, factor] : options.priorities)
-    if (!model.part_of_id.contains(part)) return unknown(fmt::format("--priority {}: the deck has no such part", part));
-  return std::nullopt;
+    if (!model.part_of_id.contains(part))
+      return plain_error(fmt::format("--priority {}: the deck has no such part", part));
+  return {};
 }
 
 /// The lines of the moved nodes, file by file.
@@ -160,7 +159,7 @@ std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const 
   return files;
 }
 
-/// What could be done about the deck as it was.
+/// Alternatives for the original deck.
 std::vector<FixProposal> proposals(model::Model& model, std::vector<Vector> deck, const contact::InitialState& before) {
   std::swap(model.mesh.nodes.x, deck);
   std::vector<FixProposal> list = propose(model, before);
@@ -171,11 +170,11 @@ std::vector<FixProposal> proposals(model::Model& model, std::vector<Vector> deck
 }  // namespace
 
 Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& options, Diagnostics& diagnostics) {
-  if (auto unread = unread_geometry(deck)) return std::move(*unread);
+  if (const Status status = check_geometry(deck); !status.ok()) return status.error();
   auto read = model::read_model(deck, diagnostics);
   if (!read) return read.error();
   model::Model& model = read.value();
-  if (auto unknown = unknown_choice(model, options)) return std::move(*unknown);
+  if (const Status status = check_choice(model, options); !status.ok()) return status.error();
   const std::vector<Vector> x = model.mesh.nodes.x;
   NodeLines lines(deck, model, x);
   ElementBounds bounds(model, x, options.limits);

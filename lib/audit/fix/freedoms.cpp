@@ -10,7 +10,7 @@
 namespace gapcheck::audit {
 namespace {
 
-/// Weights outside this range, from elements without size or with coordinates that are no numbers, are not used.
+/// Weights outside this range, from elements without size or with NaN coordinates, are not used.
 constexpr double least_weight = 1e-200, greatest_weight = 1e200;
 
 class Weights {
@@ -108,7 +108,7 @@ class Holder {
       if (held[i] != 0) hold(NodeIndex{i}, 7);
   }
 
-  /// One weight for nodes that are joined; what holds one of them holds all.
+  /// One weight for joined nodes; what holds one of them holds all.
   void join() {
     for (const NodeIndex leader : freedoms_.joined.leaders()) {
       Vector weight = Vector::Zero(), free = Vector::Ones();
@@ -180,7 +180,8 @@ class Holder {
 }  // namespace
 
 void Freedoms::hold(NodeIndex node, HoldReason why) {
-  // What holds a node wholly holds all that are joined to it: each group is walked once, however often it is held.
+  // A node held in all directions holds all that are joined to it: each group is visited once, however often it is
+  // held.
   if (reason[node.value] == HoldReason::none || !(mobility[node.value].array() == 0).all())
     for (const NodeIndex n : joined.followers(joined.leader(node))) {
       mobility[n.value].setZero();

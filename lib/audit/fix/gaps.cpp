@@ -3,24 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quad.hpp"
 #include "contact/definition/outcome.hpp"
 #include "geometry/closest_point.hpp"
 
 namespace gapcheck::audit {
 namespace {
 
-/// A gap that is still found too small after so many corrections is so by the digits of the deck.
+/// A gap still too small after this many corrections is too small because of the deck's digits.
 constexpr int patience = 4;
 /// Parametric band of a beam axis, as of a segment.
 constexpr double band_end = 1.5;
-/// A node nearer to the mid-surface than this share of the contact distance does not tell its side by itself.
+/// A node nearer to the mid-surface than this share of the contact distance does not determine its side alone.
 constexpr double ambiguous = 0.2;
 
 geometry::Facet facet_of(const Gap& gap, const std::vector<Vector>& x) {
   const auto& n = gap.corners;
   geometry::Facet f{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
   if (gap.offset == 0) return f;
-  const Vector shift = gap.offset * (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]).stableNormalized();
+  const Vector shift = gap.offset * quad_normal(f.x).stableNormalized();
   for (Vector& corner : f.x) corner += shift;
   return f;
 }
@@ -53,7 +54,7 @@ GapState measure_gap(const Gap& gap, const std::vector<Vector>& x) {
   const auto c = geometry::closest_point(facet, q);
   GapState state;
   state.counts = c.in_band;
-  state.share = {(1 - c.s) * (1 - c.t) / 4, (1 + c.s) * (1 - c.t) / 4, (1 + c.s) * (1 + c.t) / 4, (1 - c.s) * (1 + c.t) / 4};
+  state.share = quad_weights(c.s, c.t);
   const Vector free = gap.side * c.normal;
   if (c.feature == Feature::face) {
     state.direction = free;
@@ -84,17 +85,17 @@ void Gaps::take_side(Gap& gap, const model::Mesh& mesh, const contact::ContactSu
                      const contact::RecordPair& pair, const Penetration& record, const std::vector<Vector>& x) {
   const auto& nodes = (pair.node_on_b ? surfaces.b : surfaces.a).nodes;
   const auto& segments = (pair.segment_on_b ? surfaces.b : surfaces.a).selection.segments;
-  gap.line = segments.kind[pair.segment] == contact::SegmentKind::line;
+  gap.line = segments.kind[pair.segment.value] == contact::SegmentKind::line;
   gap.distance = record.contact_distance;
-  if (!nodes.shift.empty()) gap.shift = nodes.shift[pair.slot];
-  if (!segments.offset.empty()) gap.offset = segments.offset[pair.segment];
+  if (!nodes.shift.empty()) gap.shift = nodes.shift[pair.slot.value];
+  if (!segments.offset.empty()) gap.offset = segments.offset[pair.segment.value];
   if (gap.line) return;
   const Vector q = x[gap.node.value] + gap.shift;
   const auto closest = geometry::closest_point(facet_of(gap, x), q);
-  // The record's distance is negative behind a segment that has a front: the way out is the other way then.
+  // The record's distance is negative behind a segment that has a front: then the way out is the opposite one.
   const double distance = record.remaining();
   double height = closest.normal.dot(q - closest.point);
-  const bool two_sided = segments.kind[pair.segment] == contact::SegmentKind::shell &&
+  const bool two_sided = segments.kind[pair.segment.value] == contact::SegmentKind::shell &&
                          surfaces.type.family != contact::Family::old && surfaces.type.family != contact::Family::forming;
   if (two_sided && distance < ambiguous * gap.distance)
     height = neighbours_height(mesh, gap.node, closest.point, closest.normal, x);
@@ -111,13 +112,14 @@ void Gaps::add(const model::Model& model, contact::SurfaceStore& surfaces, const
       known->clearance = std::max(known->clearance, (contact::shooting_move - 1) * known->deepest);
       continue;
     }
-    const auto pair = contact::find_pair(surfaces.at(record.contact), model.mesh, record);
+    const ContactIndex of{record.contact};
+    const contact::ContactSurfaces& sides = surfaces.at(of);
+    const auto pair = contact::find_pair(sides, model.mesh, record);
     if (!pair) continue;
     Gap gap;
-    gap.contact = record.contact;
+    gap.contact = of;
     gap.node = NodeIndex{*model.mesh.nodes.lookup.find(record.node)};
-    const contact::ContactSurfaces& sides = surfaces.at(record.contact);
-    gap.corners = (pair->segment_on_b ? sides.b : sides.a).selection.segments.nodes[pair->segment];
+    gap.corners = (pair->segment_on_b ? sides.b : sides.a).selection.segments.nodes[pair->segment.value];
     take_side(gap, model.mesh, sides, *pair, record, x);
     gap.deepest = record.depth;
     gap.clearance = (contact::shooting_move - 1) * record.depth;

@@ -18,7 +18,7 @@ namespace gapcheck::audit {
 /// A tracked node that must keep its contact distance from a segment, on the side on which it was found. A node next to
 /// the segment of a two-sided surface is on the side of the nodes of its elements.
 struct Gap {
-  std::uint32_t contact = 0;  ///< position in Model::contacts
+  ContactIndex contact;
   NodeIndex node;
   model::SegmentNodes corners{};
   bool line = false;        ///< a beam axis: corners[0], corners[1]
@@ -55,7 +55,7 @@ class Gaps {
   void give_up(const JoinedNodes& joined);
   [[nodiscard]] std::vector<Gap>& list() { return gaps_; }
   [[nodiscard]] const std::vector<Gap>& list() const { return gaps_; }
-  /// The gap of a record; nullptr where there is none.
+  /// The gap of a record; nullptr if there is none.
   [[nodiscard]] Gap* find(const model::Model& model, const Penetration& record);
 
  private:

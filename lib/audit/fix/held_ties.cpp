@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/quad.hpp"
 #include "geometry/closest_point.hpp"
 
 namespace gapcheck::audit {
@@ -10,16 +11,15 @@ std::vector<HeldTie> held_ties(std::span<const contact::JudgedNode> judged, cont
                                const std::vector<Vector>& x) {
   std::vector<HeldTie> ties;
   for (const contact::JudgedNode& node : judged) {
-    if (!node.tied() || node.segment == contact::TieCandidate::no_segment) continue;
+    if (!node.tied() || node.segment == none<SegmentIndex>) continue;
     const contact::ContactSurfaces& sides = surfaces.at(node.contact);
     const auto& segments = (sides.two_sided() ? sides.b : sides.a).selection.segments;
-    if (node.segment >= segments.size()) continue;
-    HeldTie tie{node.node, segments.nodes[node.segment], {}};
+    if (node.segment.value >= segments.size()) continue;
+    HeldTie tie{node.node, segments.nodes[node.segment.value], {}};
     const auto& n = tie.corners;
     const geometry::Facet facet{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
     const auto c = geometry::closest_point(facet, x[node.node.value]);
-    tie.share = {(1 - c.s) * (1 - c.t) / 4, (1 + c.s) * (1 - c.t) / 4, (1 + c.s) * (1 + c.t) / 4,
-                 (1 - c.s) * (1 + c.t) / 4};
+    tie.share = quad_weights(c.s, c.t);
     ties.push_back(tie);
   }
   return ties;
@@ -35,7 +35,7 @@ std::vector<HeldTie> ties_of(std::vector<HeldTie> ties, std::vector<std::uint8_t
     return moving[tie.node.value] != 0 ||
            std::any_of(tie.corners.begin(), tie.corners.end(), [&](NodeIndex n) { return moving[n.value] != 0; });
   };
-  // Each pass takes at least one tie, or is the last; chains of ties are short.
+  // Each pass adds at least one tie, or is the last; chains of ties are short.
   auto open = ties.begin();
   for (bool found = true; found;) {
     const auto next = std::stable_partition(open, ties.end(), concerned);

@@ -2,37 +2,33 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "base/union_find.hpp"
 #include "model/read/node_references.hpp"
 
 namespace gapcheck::audit {
 namespace {
 
-/// Sets of nodes that grow together.
+/// Sets of nodes that merge.
 class Groups {
  public:
-  explicit Groups(std::size_t nodes) : parent_(nodes), named_(nodes) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  explicit Groups(std::size_t nodes) : sets_(nodes), named_(nodes) {}
 
   void join(std::span<const NodeIndex> nodes, bool by_keyword) {
     for (const NodeIndex n : nodes) {
-      if (n == none<NodeIndex> || n.value >= parent_.size()) continue;
+      if (n == none<NodeIndex> || n.value >= sets_.size()) continue;
       any_ = true;
       if (by_keyword) named_[n.value] = 1;
-      const std::uint32_t a = root(nodes.front().value), b = root(n.value);
-      parent_[std::max(a, b)] = std::min(a, b);
+      sets_.unite(nodes.front().value, n.value);
     }
   }
   [[nodiscard]] bool any() const { return any_; }
   /// The smallest node of its set.
-  [[nodiscard]] std::uint32_t root(std::uint32_t n) {
-    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-    return n;
-  }
+  [[nodiscard]] std::uint32_t root(std::uint32_t n) { return sets_.root(n); }
   [[nodiscard]] std::vector<std::uint8_t> take_named() { return std::move(named_); }
 
  private:
-  std::vector<std::uint32_t> parent_;
+  UnionFind sets_;
   std::vector<std::uint8_t> named_;
   bool any_ = false;
 };

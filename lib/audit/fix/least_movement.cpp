@@ -65,7 +65,7 @@ MovementResult least_movement(std::span<MoveCondition> conditions, std::span<con
       const double multiplier = c.equal ? wanted : std::max(0.0, wanted);
       const double step = multiplier - c.multiplier;
       result.worst = std::max(result.worst, c.equal ? std::abs(missing) : missing);
-      // A multiplier that falls takes movement back: as long as that happens the least movement is not reached.
+      // A falling multiplier takes movement back: as long as that happens the least movement is not reached.
       largest_step = std::max(largest_step, std::abs(step) * compliances[i]);
       if (step == 0) continue;
       c.multiplier = multiplier;

@@ -66,7 +66,7 @@ const keyword::LineIndex& NodeLines::lines(FileIndex file) {
   return found != lines_.end() ? found->second : lines_.emplace(file.value, deck_.file(file).bytes).first->second;
 }
 
-/// The block of *NODE that has the line; nullptr where there is none.
+/// The block of *NODE that has the line; nullptr if there is none.
 const keyword::Block* NodeLines::block_at(FileIndex file, std::uint32_t line) const {
   const auto& list = blocks_[file.value];
   const auto behind = std::upper_bound(list.begin(), list.end(), line,
@@ -87,16 +87,17 @@ NodeLines::Place NodeLines::place(NodeIndex node) {
   return {block_at(file, number), lines(file).line(number), number};
 }
 
-std::string NodeLines::why_fixed(NodeIndex node) {
+Status NodeLines::check(NodeIndex node) {
   const Place at = place(node);
-  if (at.block == nullptr) return "its line was not found";
-  if (read_twice_[at.block->file.value]) return "its file is included more than once";
-  if (again_.contains(model_.mesh.nodes.id[node.value])) return "it is defined more than once";
-  if (!invertible(deck_.transform(at.block->transform))) return "the transformation of its include cannot be undone";
+  if (at.block == nullptr) return plain_error("its line was not found");
+  if (read_twice_[at.block->file.value]) return plain_error("its file is included more than once");
+  if (again_.contains(model_.mesh.nodes.id[node.value])) return plain_error("it is defined more than once");
+  if (!invertible(deck_.transform(at.block->transform)))
+    return plain_error("the transformation of its include cannot be undone");
   const keyword::Card line = card(at, at.line);
   for (std::size_t field = 1; field < 4; ++field)
-    if (std::string why = keyword::why_not_replaceable(line, field); !why.empty()) return why;
-  return "";
+    if (Status status = keyword::check_replaceable(line, field); !status.ok()) return status;
+  return {};
 }
 
 keyword::LineEdit NodeLines::edit(NodeIndex node, const Vector& to) {

@@ -16,8 +16,8 @@ class NodeLines {
  public:
   /// `x`: the deck's coordinates by node, whatever the model holds by now.
   NodeLines(const keyword::Deck& deck, const model::Model& model, const std::vector<Vector>& x);
-  /// Why a node's coordinates cannot be rewritten; empty: they can.
-  [[nodiscard]] std::string why_fixed(NodeIndex node);
+  /// Whether a node's coordinates can be rewritten.
+  [[nodiscard]] Status check(NodeIndex node);
   /// Where the node lies when `to` (in the model's system) is written into its line: the nearest position that the
   /// line's format can express, through the placement of its include. Directions in which it does not move, except for
   /// rounding, keep their digits. As in the deck if the line cannot be rewritten.

@@ -9,18 +9,18 @@
 
 #include "audit/fix/gaps.hpp"
 #include "audit/fix/thickness_trial.hpp"
-#include "audit/free_thickness.hpp"
-#include "audit/records_of.hpp"
+#include "audit/shared/free_thickness.hpp"
+#include "audit/shared/records_of.hpp"
 #include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit {
 namespace {
 
-/// What is left of the distance must be more than this share of it: a thickness of next to nothing is none.
+/// The remaining distance must exceed this share of it: a thickness near zero is useless.
 constexpr double least_share = 0.05;
 
-/// Contact (position) and the ids of the parts, the smaller one first.
-using PairKey = std::tuple<std::uint32_t, std::int64_t, std::int64_t>;
+/// Contact and the ids of the parts, the smaller one first.
+using PairKey = std::tuple<ContactIndex, std::int64_t, std::int64_t>;
 
 FixAlternative by_optt(double thickness) {
   return {fmt::format("OPTT = {:.4g} for both parts", thickness),
@@ -55,12 +55,12 @@ FixAlternative by_sections(const ThinnerSections& thinner) {
 
 FixAlternative by_exclusion(std::int64_t contact, std::int64_t a, std::int64_t b) {
   return {"no contact between the two, if they are meant to be joined",
-          fmt::format("*CONTACT_EXCLUDE_INTERACTION\n"
+          fmt::format("*{}\n"
                       "$     CEID       CID\n"
                       "         1{:>10}\n"
                       "$     SIDA      SIDB     TYPEA     TYPEB\n"
                       "{:>10}{:>10}         3         3\n",
-                      contact, a, b)};
+                      model::exclusion_keyword, contact, a, b)};
 }
 
 FixAlternative by_ignore(std::int64_t contact) {
@@ -78,7 +78,8 @@ class Proposer {
   std::vector<FixProposal> run() {
     for (const Penetration& p : state_.penetrations)
       if (to_be_fixed(p.kind))
-        pairs_[{p.contact, std::min(p.part, p.element_part), std::max(p.part, p.element_part)}].push_back(p);
+        pairs_[{ContactIndex{p.contact}, std::min(p.part, p.element_part), std::max(p.part, p.element_part)}]
+            .push_back(p);
     for (const auto& [key, records] : pairs_) ++pairs_of_contact_[std::get<0>(key)];
     find_cards();
     std::vector<FixProposal> list;
@@ -87,9 +88,9 @@ class Proposer {
   }
 
  private:
-  /// SST of the contacts in which one pair of parts penetrates, as GC308 has it.
+  /// SST of the contacts in which one pair of parts penetrates, as in GC308.
   void find_cards() {
-    std::vector<std::uint32_t> alone;
+    std::vector<ContactIndex> alone;
     for (const auto& [contact, count] : pairs_of_contact_)
       if (count == 1) alone.push_back(contact);
     for (const FreeCard& card : trial_.cards(alone, state_))
@@ -98,7 +99,7 @@ class Proposer {
 
   FixProposal proposal(const PairKey& key, const std::vector<Penetration>& records) {
     const auto& [position, a, b] = key;
-    const model::Contact& contact = model_.contacts[position];
+    const model::Contact& contact = model_.contact(position);
     FixProposal proposal;
     proposal.contact = contact.id.value;
     proposal.part = a;
@@ -120,7 +121,7 @@ class Proposer {
     return proposal;
   }
 
-  /// True if every node keeps enough of its distance for a thickness to be worth its name.
+  /// True if every node keeps enough of its distance for a useful thickness.
   static bool clear(const std::vector<Penetration>& records) {
     return std::all_of(records.begin(), records.end(),
                        [](const Penetration& p) { return p.remaining() > least_share * p.contact_distance; });
@@ -145,8 +146,8 @@ class Proposer {
   const contact::InitialState& state_;
   ThicknessTrial trial_;
   std::map<PairKey, std::vector<Penetration>> pairs_;
-  std::map<std::uint32_t, std::size_t> pairs_of_contact_;
-  std::map<std::uint32_t, double> card_;
+  std::map<ContactIndex, std::size_t> pairs_of_contact_;
+  std::map<ContactIndex, double> card_;
   std::size_t trials_ = 0;
 };
 

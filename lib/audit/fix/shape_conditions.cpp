@@ -7,7 +7,7 @@
 namespace gapcheck::audit {
 namespace {
 
-/// What the linear conditions leave of the limits, for what is not linear.
+/// The share of the limits that the linear conditions use; the rest is for nonlinear effects.
 constexpr double linear_share = 0.8;
 
 void add_warp(std::span<const NodeIndex> n, const std::vector<Vector>& x, double degrees, std::vector<ShapeCondition>& list) {

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "audit/fix/gaps.hpp"
-#include "audit/records_of.hpp"
+#include "audit/shared/records_of.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -16,12 +16,12 @@ bool between(const Penetration& p, std::int64_t a, std::int64_t b) {
   return std::minmax(p.part, p.element_part) == std::minmax(a, b);
 }
 
-/// A half from each side that is no solid.
+/// A half from each side that is not a solid.
 double halves_of_optt(const model::Model& model, const Penetration& p) {
   return (solid_part(model, p.part) ? 0 : 0.5) + (solid_part(model, p.element_part) ? 0 : 0.5);
 }
 
-/// OPTT of two parts for as long as it lives.
+/// Sets OPTT of two parts as long as it lives.
 class WithOptt {
  public:
   WithOptt(model::Model& model, PartIndex a, PartIndex b, double value)
@@ -45,21 +45,22 @@ class WithOptt {
 
 }  // namespace
 
-std::vector<FreeCard> ThicknessTrial::cards(std::span<const std::uint32_t> contacts, const contact::InitialState& state) {
+std::vector<FreeCard> ThicknessTrial::cards(std::span<const ContactIndex> contacts,
+                                            const contact::InitialState& state) {
   const FreeCardScene scene{
-      model_, [&](std::uint32_t contact) -> const contact::ContactSurfaces& { return present_.at(contact); },
-      [&](std::vector<contact::ThicknessChange> changes, const std::vector<std::uint32_t>& chosen) {
+      model_, [&](ContactIndex contact) -> const contact::ContactSurfaces& { return present_.at(contact); },
+      [&](std::vector<contact::ThicknessChange> changes, const std::vector<ContactIndex>& chosen) {
         return search(std::move(changes), chosen);
       }};
   return free_cards(scene, contacts, state).list;
 }
 
 contact::InitialState ThicknessTrial::search(std::vector<contact::ThicknessChange> changes,
-                                             const std::vector<std::uint32_t>& chosen) {
+                                             const std::vector<ContactIndex>& chosen) {
   contact::InitialOptions options;
   options.nodes_stay = true;
-  for (const std::uint32_t i : chosen) options.contacts.push_back(model_.contacts[i].id.value);
-  // Tied nodes are not reported against what they are tied to, so the ties must be made.
+  for (const ContactIndex i : chosen) options.contacts.push_back(model_.contact(i).id.value);
+  // Tied nodes are not reported against the parts they are tied to, so the ties must be made.
   for (const model::Contact& contact : model_.contacts)
     if (contact::classify(contact).family == contact::Family::tied) options.contacts.push_back(contact.id.value);
   contact::SurfaceStore surfaces(model_, std::move(changes));
@@ -67,7 +68,7 @@ contact::InitialState ThicknessTrial::search(std::vector<contact::ThicknessChang
   return contact::initialise_contacts(model_, surfaces, options, counters);
 }
 
-double ThicknessTrial::free_optt(std::uint32_t contact, std::int64_t a, std::int64_t b,
+double ThicknessTrial::free_optt(ContactIndex contact, std::int64_t a, std::int64_t b,
                                  std::span<const Penetration> records, std::span<const Penetration> all) {
   const auto part_a = model_.part_of_id.find(a), part_b = model_.part_of_id.find(b);
   if (part_a == model_.part_of_id.end() || part_b == model_.part_of_id.end()) return 0;
@@ -94,8 +95,8 @@ double ThicknessTrial::free_optt(std::uint32_t contact, std::int64_t a, std::int
   return 0;
 }
 
-/// What a part's section must have for a contact thickness; nothing where that is not all that decides.
-std::optional<double> ThicknessTrial::section_thickness(std::uint32_t contact, PartIndex index, double thickness) const {
+/// The thickness that a part's section needs for a contact thickness; nothing if other settings decide too.
+std::optional<double> ThicknessTrial::section_thickness(ContactIndex contact, PartIndex index, double thickness) const {
   const model::Part& part = model_.part(index);
   if (!part.section || part.composite_thickness > 0) return std::nullopt;
   const model::Section& section = model_.sections[*part.section];
@@ -106,7 +107,7 @@ std::optional<double> ThicknessTrial::section_thickness(std::uint32_t contact, P
     return std::nullopt;
   for (const model::ShellThickness& own : model_.mesh.shells.own_thickness)
     if (model_.mesh.shells.part[own.shell] == index) return std::nullopt;
-  const model::Contact& card = model_.contacts[contact];
+  const model::Contact& card = model_.contact(contact);
   const auto settings = contact::settings(card, contact::classify(card), model_.controls);
   const auto scale = [&](bool b) {
     return contact::scale_of(part.contact ? &*part.contact : nullptr,
@@ -118,7 +119,7 @@ std::optional<double> ThicknessTrial::section_thickness(std::uint32_t contact, P
   return needed;
 }
 
-std::optional<ThinnerSections> ThicknessTrial::sections(std::uint32_t contact, std::int64_t a, std::int64_t b,
+std::optional<ThinnerSections> ThicknessTrial::sections(ContactIndex contact, std::int64_t a, std::int64_t b,
                                                         std::span<const Penetration> records, double thickness) const {
   const bool by_element = std::all_of(records.begin(), records.end(), [&](const Penetration& p) {
     const auto fits = [&](ThicknessRule rule, std::int64_t part) {

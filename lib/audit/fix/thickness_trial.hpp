@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "audit/free_thickness.hpp"
+#include "audit/shared/free_thickness.hpp"
 #include "contact/surface/contact_surfaces.hpp"
 #include "contact/initial.hpp"
 #include "model/model.hpp"
@@ -23,24 +23,24 @@ class ThicknessTrial {
  public:
   explicit ThicknessTrial(model::Model& model) : model_(model), present_(model) {}
 
-  /// SST = MST of the contacts (positions) without thicknesses that it does not replace.
-  [[nodiscard]] std::vector<FreeCard> cards(std::span<const std::uint32_t> contacts, const contact::InitialState& state);
+  /// SST = MST of the contacts without thicknesses that it does not replace.
+  [[nodiscard]] std::vector<FreeCard> cards(std::span<const ContactIndex> contacts, const contact::InitialState& state);
 
-  /// The largest OPTT, four digits, with which nothing penetrates between two parts (ids) in a contact (position), and
+  /// The largest OPTT, four digits, with which nothing penetrates between two parts (ids) in a contact, and
   /// no more nodes than now elsewhere in it; 0: none, or not found in two searches. `records`: of the pair, `all`: of
   /// the contact.
-  [[nodiscard]] double free_optt(std::uint32_t contact, std::int64_t a, std::int64_t b,
+  [[nodiscard]] double free_optt(ContactIndex contact, std::int64_t a, std::int64_t b,
                                  std::span<const Penetration> records, std::span<const Penetration> all);
 
   /// The thickness of the parts' sections that gives them a contact thickness; nothing if anything other than one
   /// uniform thickness for each part's shells decides, or if a section would become thicker.
-  [[nodiscard]] std::optional<ThinnerSections> sections(std::uint32_t contact, std::int64_t a, std::int64_t b,
+  [[nodiscard]] std::optional<ThinnerSections> sections(ContactIndex contact, std::int64_t a, std::int64_t b,
                                                         std::span<const Penetration> records, double thickness) const;
 
  private:
   [[nodiscard]] contact::InitialState search(std::vector<contact::ThicknessChange> changes,
-                                             const std::vector<std::uint32_t>& chosen);
-  [[nodiscard]] std::optional<double> section_thickness(std::uint32_t contact, PartIndex part, double thickness) const;
+                                             const std::vector<ContactIndex>& chosen);
+  [[nodiscard]] std::optional<double> section_thickness(ContactIndex contact, PartIndex part, double thickness) const;
 
   model::Model& model_;
   contact::SurfaceStore present_;

@@ -9,9 +9,8 @@ namespace {
 
 using model::ElementKind;
 
-constexpr std::uint32_t nowhere = 0xffffffffU;
 
-/// What contacts say of the elements of one kind.
+/// What contacts say about the elements of one kind.
 struct InContact {
   std::vector<std::int64_t> contact;
   std::vector<double> thickness;
@@ -51,7 +50,7 @@ class Contacts {
 class Builder {
  public:
   Builder(const model::Model& model, const Contacts& contacts, ElementMesh& mesh)
-      : model_(model), contacts_(contacts), mesh_(mesh), position_(model.mesh.nodes.size(), nowhere) {}
+      : model_(model), contacts_(contacts), mesh_(mesh), position_(model.mesh.nodes.size(), no_position) {}
 
   template <std::size_t N>
   void add(const model::Elements<N>& elements, ElementKind kind) {
@@ -77,7 +76,7 @@ class Builder {
   }
   std::uint32_t position(NodeIndex node) {
     std::uint32_t& known = position_[node.value];
-    if (known == nowhere) {
+    if (known == no_position) {
       known = static_cast<std::uint32_t>(mesh_.x.size());
       mesh_.node_ids.push_back(model_.mesh.nodes.id[node.value]);
       mesh_.x.push_back(model_.mesh.nodes.x[node.value]);
@@ -94,10 +93,10 @@ class Builder {
 }  // namespace
 
 ElementMesh element_mesh(const model::Model& model, contact::SurfaceStore& surfaces,
-                         std::span<const std::uint32_t> contacts) {
+                         std::span<const ContactIndex> contacts) {
   Contacts in_contact(model.mesh);
-  for (const std::uint32_t i : contacts) {
-    const model::Contact& contact = model.contacts[i];
+  for (const ContactIndex i : contacts) {
+    const model::Contact& contact = model.contact(i);
     if (!contact.known || contact.own_layout || !contact.cards.any) continue;
     const contact::ContactSurfaces& sides = surfaces.at(i);
     in_contact.add(sides.a.selection.segments, contact.id.value);

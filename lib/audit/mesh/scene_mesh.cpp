@@ -10,7 +10,6 @@
 namespace gapcheck::audit {
 namespace {
 
-constexpr std::uint32_t not_in_scene = 0xffffffffU;
 
 SceneFace make_face(const model::SegmentNodes& nodes, PartIndex part) {
   SceneFace face;
@@ -164,7 +163,7 @@ void add_faces(const model::Model& model, const std::vector<SceneFace>& faces, s
     return std::tuple(faces[a].part.value, a) < std::tuple(faces[b].part.value, b);
   });
   const std::vector<Vector>& x = model.mesh.nodes.x;
-  std::vector<std::uint32_t> point(x.size(), not_in_scene);  // of a node; stale where it belongs to an earlier part
+  std::vector<std::uint32_t> point(x.size(), no_position);  // of a node; stale where it belongs to an earlier part
   std::uint32_t first_point = 0;
   PartIndex part;
   for (const std::uint32_t f : chosen) {
@@ -178,7 +177,7 @@ void add_faces(const model::Model& model, const std::vector<SceneFace>& faces, s
     std::array<std::uint32_t, 4> corners{};
     for (std::size_t i = 0; i < 4; ++i) {
       std::uint32_t& known = point[faces[f].nodes[i]];
-      if (known == not_in_scene || known < first_point) {
+      if (known == no_position || known < first_point) {
         known = static_cast<std::uint32_t>(scene.points.size());
         const Vector local = x[faces[f].nodes[i]] - scene.origin;
         scene.points.push_back(

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "audit/mesh/scene_mesh.hpp"
+#include "base/quad.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -17,10 +18,10 @@ using Edge = std::array<std::uint32_t, 2>;
 
 Vector normal(const SceneFace& face, std::span<const Vector> x) {
   const auto& n = face.nodes;
-  return (x[n[2]] - x[n[0]]).cross(x[n[3]] - x[n[1]]);
+  return quad_normal(x[n[0]], x[n[1]], x[n[2]], x[n[3]]);
 }
 
-/// Shells may be numbered either way round, so the sign of the normals says nothing.
+/// Shells may be numbered in either direction, so the sign of the normals is meaningless.
 bool sharp(const SceneFace& a, const SceneFace& b, std::span<const Vector> x) {
   const Vector first = normal(a, x), second = normal(b, x);
   const double dot = first.dot(second);
@@ -120,8 +121,8 @@ void add_outline(const std::vector<SceneFace>& faces, std::span<const Vector> x,
   const double length = (frame.high - frame.low).maxCoeff();
   double cell = edges.size() > limit && length > 0 ? length / 4096 : 0;
   Merged merged(edges, x, frame.low, cell);
-  // Cells of twice the length hold whole cells, so what is merged can be merged on. At the latest the whole frame is
-  // one.
+  // Cells of twice the length hold whole cells, so merged points can be merged further. At the latest the whole frame
+  // is one cell.
   while (merged.list.size() > limit && cell > 0 && cell <= length) {
     cell *= 2;
     edges.clear();

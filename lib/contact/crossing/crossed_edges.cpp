@@ -2,7 +2,7 @@
 
 namespace gapcheck::contact {
 
-std::vector<EdgeCrossing> find_crossed_edges(const model::Model& model, std::uint32_t contact,
+std::vector<EdgeCrossing> find_crossed_edges(const model::Model& model, ContactIndex contact,
                                              const ContactSurfaces& surfaces, const CrossingOptions& options,
                                              CrossingCounters& counters) {
   EdgeScene both(model, contact, surfaces, model.mesh.nodes.x, false);
@@ -14,19 +14,20 @@ std::vector<EdgeCrossing> find_crossed_edges(const model::Model& model, std::uin
   // Lines as thin as the tolerance that penetrate each other.
   for (SurfaceEdge& e : edges) e.half = 0.5 * crossed_edge_tolerance * (e.x[1] - e.x[0]).norm();
 
-  const CrossingPairs pairs(model, model.contacts[contact].id);
+  const CrossingPairs pairs(model, model.contact(contact).id);
   const auto allowed = [&](const SurfaceEdge& e, const SurfaceEdge& f) {
     if (!both.opposite(e, f)) return false;
-    const PartIndex a = part_of(model.mesh, s, e.segment), b = part_of(model.mesh, s, f.segment);
+    const PartIndex a = part_of(model.mesh, s, e.segment.value), b = part_of(model.mesh, s, f.segment.value);
     return pairs.takes_part(a) && pairs.takes_part(b) && pairs.counts(a, b);
   };
-  const auto segment = [&](std::uint32_t i) {
+  const auto element = [&](const SurfaceEdge& edge) {
+    const std::size_t i = edge.segment.value;
     return CrossingSegment{s.nodes[i], s.element_kind[i], s.element[i], part_of(model.mesh, s, i)};
   };
   std::vector<EdgeCrossing> found;
   for (const EdgeHit& hit : penetrating_edges(scene, edges, allowed, options.search, counters.decisions)) {
     const SurfaceEdge &e = edges[hit.tracked], &f = edges[hit.other];
-    found.push_back({segment(e.segment), segment(f.segment), {e.a, e.b}, {f.a, f.b}, hit.closest.first});
+    found.push_back({element(e), element(f), {e.a, e.b}, {f.a, f.b}, hit.closest.first});
   }
   return found;
 }

@@ -15,13 +15,13 @@ struct EdgeCrossing {
   Vector point = Vector::Zero();
 };
 
-/// Lines nearer to each other than this fraction of the mean of their lengths cross: decks are written in decimals.
+/// Lines nearer to each other than this fraction of their mean length cross: decks are written in decimals.
 inline constexpr double crossed_edge_tolerance = 1e-5;
 
-/// All pairs of lines of one contact that cross, to within crossed_edge_tolerance: free shell
-/// edges (type i26: all), in types 26 beam axes. Lines around one element, and pairs that CrossingPairs leaves out, do
-/// not count. In the order of the surface. `contact`: position in Model::contacts.
-[[nodiscard]] std::vector<EdgeCrossing> find_crossed_edges(const model::Model& model, std::uint32_t contact,
+/// All pairs of lines of one contact that cross, to within crossed_edge_tolerance: free shell edges (type i26: all), in
+/// types 26 beam axes. Lines around one element, and pairs that CrossingPairs leaves out, do not count. In the order of
+/// the surface.
+[[nodiscard]] std::vector<EdgeCrossing> find_crossed_edges(const model::Model& model, ContactIndex contact,
                                                            const ContactSurfaces& surfaces,
                                                            const CrossingOptions& options, CrossingCounters& counters);
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/union_find.hpp"
 #include "contact/surface/neighbours.hpp"
 #include "contact/surface/segment_elements.hpp"
 #include "geometry/intersect.hpp"
@@ -19,7 +19,6 @@ namespace gapcheck::contact {
 namespace {
 
 using geometry::Triangle;
-constexpr std::uint32_t no_rigid_body = static_cast<std::uint32_t>(-1);
 
 bool share_a_node(const model::SegmentNodes& a, const model::SegmentNodes& b) {
   bool shared = false;
@@ -68,10 +67,11 @@ struct Side {
       if (!box.empty()) all.add(box.low), all.add(box.high);
     return all;
   }
-  [[nodiscard]] CrossingSegment segment(std::uint32_t i) const {
-    return {segments.nodes[i], segments.element_kind[i], segments.element[i], part_of(mesh, segments, i)};
+  [[nodiscard]] CrossingSegment segment(SegmentIndex i) const {
+    return {segments.nodes[i.value], segments.element_kind[i.value], segments.element[i.value],
+            part_of(mesh, segments, i.value)};
   }
-  /// Segments at each node; built when first asked for, by whichever thread.
+  /// Segments at each node; built on first use, by any thread.
   [[nodiscard]] const Neighbours& neighbours() const {
     std::call_once(once_, [&] { neighbours_ = std::make_unique<const Neighbours>(segments, mesh); });
     return *neighbours_;
@@ -107,7 +107,7 @@ class Plane {
  public:
   explicit Plane(const Triangle& t) : origin_(t[0]), normal_((t[1] - t[0]).cross(t[2] - t[0]).stableNormalized()) {}
   [[nodiscard]] double height(const Vector& x) const { return normal_.dot(x - origin_); }
-  /// How far the points stick out on the side where they do less.
+  /// How far the points stick out on the side where they stick out less.
   [[nodiscard]] double depth(const model::SegmentNodes& nodes, const std::vector<Vector>& x) const {
     double low = 0, high = 0;
     for (const NodeIndex n : nodes) {
@@ -121,7 +121,7 @@ class Plane {
   Vector origin_, normal_;
 };
 
-/// How a triangle lies to a plane, within a tolerance.
+/// Position of a triangle relative to a plane, within a tolerance.
 struct Reach {
   enum class Kind : std::uint8_t {
     none,     ///< at most a corner on it
@@ -129,7 +129,7 @@ struct Reach {
     edge,     ///< two corners on it, the third on one side
   } kind = Kind::none;
   std::size_t third = 0;  ///< edge: the corner that is not on the plane (of the triangle)
-  int side = 0;           ///< edge: where that is
+  int side = 0;           ///< edge: its position
 
   Reach(const Triangle& t, const Plane& plane, double tolerance) {
     std::array<int, 3> sign{};
@@ -153,18 +153,20 @@ class Decider {
       : a_(a), b_(b), options_(options), counters_(counters) {}
 
   /// Fills ends and depth; false if they do not cross.
-  bool cross(std::uint32_t i, std::uint32_t j, Crossing& out) const {
-    const double tolerance = std::max(a_.tolerance(i), b_.tolerance(j));
-    const bool line_a = a_.segments.kind[i] == SegmentKind::line, line_b = b_.segments.kind[j] == SegmentKind::line;
+  bool cross(SegmentIndex i, SegmentIndex j, Crossing& out) const {
+    const double tolerance = std::max(a_.tolerance(i.value), b_.tolerance(j.value));
+    const bool line_a = a_.segments.kind[i.value] == SegmentKind::line;
+    const bool line_b = b_.segments.kind[j.value] == SegmentKind::line;
     if (line_a && line_b) return false;
     if (line_a) return pierce(a_, i, b_, j, tolerance, out);
     if (line_b) return pierce(b_, j, a_, i, tolerance, out);
-    const Pieces of_a(a_.segments.nodes[i], a_.x), of_b(b_.segments.nodes[j], b_.x);
+    const model::SegmentNodes &nodes_a = a_.segments.nodes[i.value], &nodes_b = b_.segments.nodes[j.value];
+    const Pieces of_a(nodes_a, a_.x), of_b(nodes_b, b_.x);
     bool any = false;
     for (const Piece& p : of_a.all())
       for (const Piece& q : of_b.all()) {
         const Plane of_p(p.x), of_q(q.x);
-        const double depth = std::min(of_q.depth(a_.segments.nodes[i], a_.x), of_p.depth(b_.segments.nodes[j], b_.x));
+        const double depth = std::min(of_q.depth(nodes_a, a_.x), of_p.depth(nodes_b, b_.x));
         geometry::Line line;
         double least = 0;
         if (depth > tolerance && geometry::triangles_cross(p.x, q.x, options_.mode, counters_.decisions))
@@ -183,10 +185,11 @@ class Decider {
 
  private:
   /// A beam's axis against a segment.
-  bool pierce(const Side& lines, std::uint32_t line, const Side& faces, std::uint32_t face, double tolerance,
+  bool pierce(const Side& lines, SegmentIndex line, const Side& faces, SegmentIndex face, double tolerance,
               Crossing& out) const {
-    const Vector &p = lines.x[lines.segments.nodes[line][0].value], &q = lines.x[lines.segments.nodes[line][1].value];
-    const Pieces pieces(faces.segments.nodes[face], faces.x);
+    const model::SegmentNodes& ends = lines.segments.nodes[line.value];
+    const Vector &p = lines.x[ends[0].value], &q = lines.x[ends[1].value];
+    const Pieces pieces(faces.segments.nodes[face.value], faces.x);
     for (const Piece& piece : pieces.all()) {
       if (!geometry::segment_crosses(p, q, piece.x, options_.mode, counters_.decisions)) continue;
       const Plane plane(piece.x);
@@ -201,17 +204,18 @@ class Decider {
 
   /// True if the surface at this triangle is on both sides of the plane: the triangle itself, or where an edge of it lies
   /// in the plane, the triangle and its neighbour beyond that edge. Meshes that cross along their mesh lines do so.
-  static bool goes_on(const Side& side, std::uint32_t segment, const Piece& piece, const Plane& plane, double tolerance) {
+  static bool goes_on(const Side& side, SegmentIndex segment, const Piece& piece, const Plane& plane,
+                      double tolerance) {
     const Reach reach(piece.x, plane, tolerance);
     if (reach.kind != Reach::Kind::edge) return reach.kind == Reach::Kind::through;
     const auto beyond = [&](NodeIndex n) { return reach.side * plane.height(side.x[n.value]) < -tolerance; };
-    const auto& nodes = side.segments.nodes[segment];
+    const auto& nodes = side.segments.nodes[segment.value];
     const std::size_t third = piece.corner[reach.third];
     if (nodes[2] != nodes[3] && third % 2 == 1) return beyond(nodes[4 - third]);  // the edge is the quad's diagonal
     const NodeIndex u = nodes[piece.corner[(reach.third + 1) % 3]], v = nodes[piece.corner[(reach.third + 2) % 3]];
     const auto around = side.neighbours().at(u);
-    return std::any_of(around.begin(), around.end(), [&](std::uint32_t other) {
-      const auto& n = side.segments.nodes[other];
+    return std::any_of(around.begin(), around.end(), [&](SegmentIndex other) {
+      const auto& n = side.segments.nodes[other.value];
       return other != segment && std::find(n.begin(), n.end(), v) != n.end() && std::any_of(n.begin(), n.end(), beyond);
     });
   }
@@ -238,17 +242,17 @@ class Decider {
   CrossingCounters& counters_;
 };
 
-/// What names an element: segments without one are named by their nodes.
+/// Identifies an element: segments without one are identified by their nodes.
 using ElementKey = std::tuple<model::ElementKind, std::uint32_t, model::SegmentNodes>;
 ElementKey key(const CrossingSegment& s) {
-  return {s.kind, s.element, s.element == unknown_element ? segment_key(s.nodes) : model::SegmentNodes{}};
+  return {s.kind, s.element, s.element == no_position ? segment_key(s.nodes) : model::SegmentNodes{}};
 }
 
-/// Seven digits: what adding in another order changes does not count.
+/// Seven digits, so that the order of summation does not matter.
 float rough(double value) { return static_cast<float>(std::clamp(value, -1e38, 1e38)); }
 
 /// Puts the two sides of each crossing in order, sorts by them, and leaves the longest of each pair of elements; of
-/// equally long ones the first by its place, whatever the order of the nodes.
+/// equally long ones the first by position, whatever the order of the nodes.
 void tidy(std::vector<Crossing>& crossings) {
   for (Crossing& c : crossings)
     if (key(c.b) < key(c.a)) std::swap(c.a, c.b);
@@ -266,18 +270,13 @@ void tidy(std::vector<Crossing>& crossings) {
 
 /// Rigid parts that are one body: *CONSTRAINED_RIGID_BODIES merges them.
 std::vector<std::uint32_t> rigid_bodies(const model::Model& model) {
-  std::vector<std::uint32_t> body(model.parts.size());
-  std::iota(body.begin(), body.end(), 0U);
-  const auto root = [&](std::uint32_t p) {
-    while (body[p] != p) p = body[p] = body[body[p]];
-    return p;
-  };
+  UnionFind bodies(model.parts.size());
   for (const model::RigidGroup& group : model.rigid_groups)
     if (group.kind == model::RigidGroup::Kind::merged_parts)
-      for (const PartIndex p : group.parts) body[root(p.value)] = root(group.parts[0].value);
-  std::vector<std::uint32_t> out(model.parts.size(), no_rigid_body);
+      for (const PartIndex p : group.parts) bodies.unite(p.value, group.parts[0].value);
+  std::vector<std::uint32_t> out(model.parts.size(), no_position);
   for (std::uint32_t p = 0; p < out.size(); ++p)
-    if (model.rigid(PartIndex{p})) out[p] = root(p);
+    if (model.rigid(PartIndex{p})) out[p] = bodies.root(p);
   return out;
 }
 
@@ -293,17 +292,17 @@ CrossingPairs::CrossingPairs(const model::Model& model, ContactId contact)
 
 bool CrossingPairs::counts(PartIndex a, PartIndex b) const {
   if (a == none<PartIndex> || b == none<PartIndex>) return true;
-  if (rigid_body_[a.value] != no_rigid_body && rigid_body_[a.value] == rigid_body_[b.value]) return false;
+  if (rigid_body_[a.value] != no_position && rigid_body_[a.value] == rigid_body_[b.value]) return false;
   return !exclusions_.excluded(a, b);
 }
 
-std::vector<Crossing> find_crossings(const model::Model& model, std::uint32_t contact, const ContactSurfaces& surfaces,
+std::vector<Crossing> find_crossings(const model::Model& model, ContactIndex contact, const ContactSurfaces& surfaces,
                                      const CrossingOptions& options, CrossingCounters& counters) {
   std::vector<Crossing> found;
   const Segments& segments_a = surfaces.a.selection.segments;
   const Segments& segments_b = surfaces.two_sided() ? surfaces.b.selection.segments : segments_a;
   if (segments_a.size() == 0 || segments_b.size() == 0) return found;
-  const CrossingPairs pairs(model, model.contacts[contact].id);
+  const CrossingPairs pairs(model, model.contact(contact).id);
   Side a(segments_a, model, pairs, surfaces.type.edges, options);
   std::optional<Side> other;
   if (surfaces.two_sided()) {
@@ -314,12 +313,13 @@ std::vector<Crossing> find_crossings(const model::Model& model, std::uint32_t co
   const Side& b = other ? *other : a;
   const Decider decider(a, b, options, counters);
   std::mutex mutex;
-  const auto visit = [&](std::uint32_t i, std::uint32_t j) {
-    if (share_a_node(segments_a.nodes[i], segments_b.nodes[j])) return;
+  const auto visit = [&](std::uint32_t box_a, std::uint32_t box_b) {
+    const SegmentIndex i{box_a}, j{box_b};
+    if (share_a_node(segments_a.nodes[box_a], segments_b.nodes[box_b])) return;
     counters.box_pairs.fetch_add(1, std::memory_order_relaxed);
     Crossing crossing{contact, a.segment(i), b.segment(j)};
     const bool one_element = crossing.a.kind == crossing.b.kind && crossing.a.element == crossing.b.element;
-    if ((one_element && crossing.a.element != unknown_element) || !pairs.counts(crossing.a.part, crossing.b.part))
+    if ((one_element && crossing.a.element != no_position) || !pairs.counts(crossing.a.part, crossing.b.part))
       return;
     if (!decider.cross(i, j, crossing)) return;
     const std::lock_guard lock(mutex);
@@ -333,13 +333,13 @@ std::vector<Crossing> find_crossings(const model::Model& model, std::uint32_t co
   return found;
 }
 
-std::vector<Crossing> find_crossings(const model::Model& model, std::span<const std::uint32_t> contacts,
+std::vector<Crossing> find_crossings(const model::Model& model, std::span<const ContactIndex> contacts,
                                      SurfaceStore& surfaces, const CrossingOptions& options,
                                      CrossingCounters& counters) {
   std::vector<Crossing> all;
   std::set<std::pair<ElementKey, ElementKey>> seen;
-  for (const std::uint32_t i : contacts) {
-    if (classify(model.contacts[i]).pairing == Pairing::none) continue;
+  for (const ContactIndex i : contacts) {
+    if (classify(model.contact(i)).pairing == Pairing::none) continue;
     for (const Crossing& crossing : find_crossings(model, i, surfaces.at(i), options, counters))
       if (seen.emplace(key(crossing.a), key(crossing.b)).second) all.push_back(crossing);
   }

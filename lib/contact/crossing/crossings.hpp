@@ -15,21 +15,21 @@ namespace gapcheck::contact {
 struct CrossingSegment {
   model::SegmentNodes nodes{};
   model::ElementKind kind = model::ElementKind::shell;
-  std::uint32_t element = unknown_element;  ///< position in the array of its kind
+  std::uint32_t element = no_position;  ///< position in the array of its kind
   PartIndex part = none<PartIndex>;
 };
 
 /// Two elements that pass through each other.
 struct Crossing {
-  std::uint32_t contact = 0;       ///< position in Model::contacts: the first that sees it
+  ContactIndex contact;            ///< the first that has it
   CrossingSegment a, b;
-  Vector from = Vector::Zero(), to = Vector::Zero();  ///< ends of what they have in common; equal for a beam's axis
-  double depth = 0;                ///< how far the one that reaches less far sticks out behind the other
+  Vector from = Vector::Zero(), to = Vector::Zero();  ///< ends of their intersection; equal for a beam's axis
+  double depth = 0;                ///< the smaller of the two depths by which they stick out behind each other
   [[nodiscard]] double length() const { return (to - from).norm(); }
 };
 
-/// What elements stick out behind each other by less than this fraction of the larger one's size is touching: faces that
-/// were meshed to lie on each other differ by so much in real decks.
+/// Elements that stick out behind each other by less than this fraction of the larger one's size touch: in real decks,
+/// faces meshed to coincide differ by that much.
 inline constexpr double crossing_tolerance = 1e-3;
 
 struct CrossingOptions {
@@ -48,7 +48,7 @@ struct CrossingCounters {
 class CrossingPairs {
  public:
   CrossingPairs(const model::Model& model, ContactId contact);
-  /// False for spotwelds, which are there to sit in other parts.
+  /// False for spotwelds, which are meant to be inside other parts.
   [[nodiscard]] bool takes_part(PartIndex part) const { return part == none<PartIndex> || !spotweld_[part.value]; }
   [[nodiscard]] bool counts(PartIndex a, PartIndex b) const;
 
@@ -62,13 +62,12 @@ class CrossingPairs {
 /// surface against itself; in types 26 beam axes against segments as well. Quads are two triangles along the diagonal from
 /// their first corner. Not counted are segments with a common node, faces of one solid, and CrossingPairs. Once per pair
 /// of elements, ascending by them.
-[[nodiscard]] std::vector<Crossing> find_crossings(const model::Model& model, std::uint32_t contact,
+[[nodiscard]] std::vector<Crossing> find_crossings(const model::Model& model, ContactIndex contact,
                                                    const ContactSurfaces& surfaces, const CrossingOptions& options,
                                                    CrossingCounters& counters);
 
-/// The same for several contacts (ascending positions in Model::contacts) that keep surfaces apart; a pair that several
-/// of them see belongs to the first.
-[[nodiscard]] std::vector<Crossing> find_crossings(const model::Model& model, std::span<const std::uint32_t> contacts,
+/// The same for several contacts (ascending) that keep surfaces apart; a pair in several of them belongs to the first.
+[[nodiscard]] std::vector<Crossing> find_crossings(const model::Model& model, std::span<const ContactIndex> contacts,
                                                    SurfaceStore& surfaces, const CrossingOptions& options,
                                                    CrossingCounters& counters);
 

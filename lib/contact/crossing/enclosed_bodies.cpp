@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/union_find.hpp"
 #include "geometry/intersect.hpp"
 #include "model/entity/faces.hpp"
 
@@ -15,7 +16,6 @@ namespace gapcheck::contact {
 namespace {
 
 using geometry::Triangle;
-constexpr std::uint32_t no_contact = static_cast<std::uint32_t>(-1);
 
 struct Body {
   PartIndex part;
@@ -43,21 +43,18 @@ std::vector<Bounds> part_boxes(const model::Model& model) {
   return boxes;
 }
 
-/// The bodies of one part. `parent` has an entry for each node, of any value.
+/// The bodies of one part. `connected`: of all nodes, used by part after part.
 void append_bodies(const model::Mesh& mesh, PartIndex part, const std::vector<std::uint32_t>& solids,
-                   std::vector<std::uint32_t>& parent, std::vector<Body>& bodies) {
+                   UnionFind& connected, std::vector<Body>& bodies) {
   const auto& nodes = mesh.solids.nodes;
-  const auto root = [&](std::uint32_t n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
-  };
+  // Parts that share nodes are not one body.
   for (const std::uint32_t e : solids)
-    for (const NodeIndex n : nodes[e]) parent[n.value] = n.value;
+    for (const NodeIndex n : nodes[e]) connected.separate(n.value);
   for (const std::uint32_t e : solids)
-    for (const NodeIndex n : nodes[e]) parent[root(n.value)] = root(nodes[e][0].value);
+    for (const NodeIndex n : nodes[e]) connected.unite(n.value, nodes[e][0].value);
   std::map<std::uint32_t, std::size_t> body_of_root;
   for (const std::uint32_t e : solids) {
-    const auto [entry, is_new] = body_of_root.emplace(root(nodes[e][0].value), bodies.size());
+    const auto [entry, is_new] = body_of_root.emplace(connected.root(nodes[e][0].value), bodies.size());
     if (is_new) bodies.push_back({part, {}, {}, {}});
     Body& body = bodies[entry->second];
     body.solids.push_back(e);
@@ -83,9 +80,9 @@ std::vector<Body> candidate_bodies(const model::Model& model) {
   for (std::uint32_t e = 0; e < all.size(); ++e)
     if (all.part[e] != none<PartIndex> && meets[all.part[e].value]) solids[all.part[e].value].push_back(e);
   std::vector<Body> bodies;
-  std::vector<std::uint32_t> parent(model.mesh.nodes.size());
+  UnionFind connected(model.mesh.nodes.size());
   for (std::uint32_t p = 0; p < solids.size(); ++p)
-    if (!solids[p].empty()) append_bodies(model.mesh, PartIndex{p}, solids[p], parent, bodies);
+    if (!solids[p].empty()) append_bodies(model.mesh, PartIndex{p}, solids[p], connected, bodies);
   return bodies;
 }
 
@@ -101,7 +98,7 @@ std::vector<Triangle> skin(const model::Mesh& mesh, const Body& body) {
   return triangles;
 }
 
-/// Whether a point is inside a closed skin; nothing where it lies on it, or every line tried touches an edge.
+/// Whether a point is inside a closed skin; nothing if it lies on it, or every line tried touches an edge.
 std::optional<bool> inside(const Vector& point, const std::vector<Triangle>& skin, const Bounds& box,
                            const CrossingOptions& options, CrossingCounters& counters) {
   // Directions without any relation to the axes of a mesh.
@@ -148,7 +145,7 @@ std::optional<Vector> enclosed(const model::Mesh& mesh, const Body& inner, const
                         std::back_inserter(shared));
   if (!shared.empty()) return std::nullopt;
   const std::vector<Triangle> outer_skin = skin(mesh, outer);
-  // A node on the other's skin says nothing: the next one is asked, up to a number that keeps this short.
+  // A node on the other's skin decides nothing: the next one is tried, up to a limit.
   constexpr std::size_t enough = 64;
   for (std::size_t i = 0; i < std::min(enough, inner.nodes.size()); ++i) {
     const Vector& x = mesh.nodes.x[inner.nodes[i].value];
@@ -187,8 +184,8 @@ std::vector<EnclosedBody> find_enclosed_bodies(const model::Model& model, const 
   std::sort(nested.begin(), nested.end());
   for (const auto& [i, j] : nested) {
     const Body &inner = bodies[i], &outer = bodies[j];
-    const std::uint32_t contact = acts_on(inner.part, outer.part);
-    if (contact == no_contact) continue;
+    const ContactIndex contact = acts_on(inner.part, outer.part);
+    if (contact == none<ContactIndex>) continue;
     const std::optional<Vector> point = enclosed(model.mesh, inner, outer, options, counters);
     if (!point) continue;
     found.push_back({inner.part, outer.part, inner.solids[0], static_cast<std::uint32_t>(inner.solids.size()), contact, *point});

@@ -7,22 +7,23 @@
 
 namespace gapcheck::contact {
 
-/// A body of solids that lies wholly inside a body of another part. A body is what hangs together by nodes in one part.
+/// A body of solids that lies completely inside a body of another part. A body is a set of elements of one part
+/// connected by nodes.
 struct EnclosedBody {
   PartIndex inner = none<PartIndex>, outer = none<PartIndex>;
   std::uint32_t first_solid = 0;  ///< lowest position in Mesh::solids of the inner body
   std::uint32_t solids = 0;       ///< how many the inner body has
-  std::uint32_t contact = 0;      ///< what `acts_on` gave
+  ContactIndex contact;           ///< what `acts_on` gave
   Vector point = Vector::Zero();  ///< a node of the inner body inside the outer one
 };
 
-/// The first contact that acts on two parts (position in Model::contacts), or max for none. Asked only for parts of which
-/// one has a body in the box of a body of the other.
-using PairContact = std::function<std::uint32_t(PartIndex inner, PartIndex outer)>;
+/// The first contact that acts on two parts, or none<ContactIndex>. Asked only for parts where a body of one is in the
+/// box of a body of the other.
+using PairContact = std::function<ContactIndex(PartIndex inner, PartIndex outer)>;
 
-/// All enclosed bodies of two different parts, ascending by first solid, then by outer part. Bodies that share a node or
-/// whose faces cross are not, nor are parts that are Eulerian or ALE (ELFORM 5, 6, 7, 11, 12). Decided exactly, faces with four
-/// nodes as two triangles. Parts whose boxes meet no other part's cost one look at their nodes.
+/// All enclosed bodies of two different parts, ascending by first solid, then by outer part. Bodies that share a node
+/// or whose faces cross are not enclosed, nor are Eulerian or ALE parts (ELFORM 5, 6, 7, 11, 12). Decided exactly,
+/// faces with four nodes as two triangles. Parts whose box meets no other cost one pass over their nodes.
 [[nodiscard]] std::vector<EnclosedBody> find_enclosed_bodies(const model::Model& model, const PairContact& acts_on,
                                                              const CrossingOptions& options, CrossingCounters& counters);
 

@@ -2,15 +2,16 @@
 #include <cstdint>
 #include <string>
 
+#include "model/contact/contact_kind.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::contact {
 
-/// Which nodes meet which segments (contact rules, section 1.3).
-enum class Treatment : std::uint8_t { one_way, two_way, single_surface, none };
-
-/// What the surfaces mean: `old` types are oriented and may ignore thickness, `automatic` ones are two-sided.
-enum class Family : std::uint8_t { old, automatic, forming, constraint, tied, mortar, other };
+using model::Ability;
+using model::ContactCode;
+using model::Family;
+using model::TieOffset;
+using model::Treatment;
 
 /// What a contact looks for when it starts.
 enum class Pairing : std::uint8_t {
@@ -22,27 +23,44 @@ enum class Pairing : std::uint8_t {
 
 /// How a contact definition is treated at t = 0.
 struct ContactType {
-  std::string code;  ///< the solver's: "13", "a3"; mortar types have that of their base type
+  ContactCode code = ContactCode::unknown;  ///< mortar types have that of their base type
+  TieOffset offset = TieOffset::none;
   Treatment treatment = Treatment::none;
   Family family = Family::other;
-  bool edges = false;           ///< types 26: beams are reference lines too, and edges meet edges
+  std::uint16_t abilities = 0;  ///< of model::Ability
+  bool edges = false;           ///< types 26: beams are reference lines too, and edges contact edges
   bool interior_edges = false;  ///< type i26: also edges between shells
   Pairing pairing = Pairing::none;
   /// Why no penetrations are decided node against segment; empty: they are.
   std::string not_checked;
+  [[nodiscard]] bool can(Ability ability) const { return (abilities & static_cast<std::uint16_t>(ability)) != 0; }
+  /// As the solver prints it: "13", "a3", "o6"; "?" where the kind is not known.
+  [[nodiscard]] std::string printed() const { return model::printed(code, offset); }
   [[nodiscard]] bool checked() const { return not_checked.empty(); }
-  /// Both sides are segments and each is looked for in the other, in one-way types too.
+  /// Both sides are segments and each is searched in the other, even in one-way types.
   [[nodiscard]] bool by_segments() const { return pairing == Pairing::segments || pairing == Pairing::mortar; }
 };
 
-/// Type of a contact definition. SOFT = 2 counts only for types that have it; the solver switches others to SOFT = 1.
+/// Type of a contact definition. SOFT = 2 counts only for types that support it; the solver switches others to SOFT
+/// = 1.
 [[nodiscard]] ContactType classify(const model::Contact& contact);
 
-/// The contact that a tiebreak is where its ties have failed: of the same surfaces, types 5 and 3 and their automatic
-/// forms; tie thicknesses count with their amount.
+/// Types that tie by constraint equations: 2, 6, 7 and their c forms. They take no rigid bodies and no node that is
+/// constrained already.
+[[nodiscard]] bool ties_by_constraint(const ContactType& type);
+
+/// Types that move a tied node onto its segment: 2, 6 and 7 without any offset form.
+[[nodiscard]] bool moves_tied_nodes(const ContactType& type);
+
+/// Types that tie only translations and ignore the moments of an offset: 2, 6 and their o forms. The b and c forms
+/// carry moments over the offset; 7 and its forms tie rotations.
+[[nodiscard]] bool leaves_rotations_free(const ContactType& type);
+
+/// The contact that a tiebreak becomes once its ties have failed: of the same surfaces, types 5 and 3 and their
+/// automatic forms; tie thicknesses count by absolute value.
 [[nodiscard]] model::Contact after_failure(const model::Contact& tiebreak);
 
-/// True for the types that have the segment-based contact of SOFT = 2; for others the solver takes SOFT = 1.
+/// True for the types that support the segment-based contact of SOFT = 2; for others the solver uses SOFT = 1.
 [[nodiscard]] bool has_soft_2(const ContactType& type);
 
 /// True for the types that read IGNORE: automatic and mortar ones (contact rules, section 1.5). Type 4 does not, though
@@ -51,7 +69,7 @@ struct ContactType {
 
 /// The values that decide, after contact card, MPP card and *CONTROL_CONTACT have been merged.
 struct ContactSettings {
-  std::int64_t ignore = 0;  ///< first that is not zero: MPP card, card C, *CONTROL_CONTACT; 0 but for automatic types
+  std::int64_t ignore = 0;  ///< first nonzero: MPP card, card C, *CONTROL_CONTACT; 0 except for automatic types
   std::int64_t snlog = 0;
   std::int64_t shlthk = 0;  ///< 0 none, 1 deformable only, 2 all; automatic, single-surface and constraint types: 2
   bool thickness_limit = false;  ///< single-surface types with SSTHK = 0

@@ -15,7 +15,7 @@ class Exclusions {
   [[nodiscard]] bool empty() const { return pairs_.empty(); }
   /// In either order; unknown parts are never excluded.
   [[nodiscard]] bool excluded(PartIndex a, PartIndex b) const;
-  /// Why a definition could not be honoured (sides that are neither part nor part set); empty: all were.
+  /// Why a definition is not supported (sides that are neither part nor part set); empty: all are.
   [[nodiscard]] const std::string& not_honoured() const { return not_honoured_; }
 
  private:

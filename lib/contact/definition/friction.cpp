@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::contact {
 namespace {
-
-/// a5, a10, a3, 13, 26 with its interior form, 4, 15.
-constexpr std::string_view with_table[] = {"a5", "a10", "a3", "13", "26", "i26", "4", "15"};
 
 /// A row of sets of thousands of parts would be millions of pairs.
 constexpr std::size_t most_pairs = 1'000'000;
@@ -41,12 +37,11 @@ bool has_friction(const model::Contact& contact) {
 }
 
 bool takes_friction_table(const model::Contact& contact) {
-  const std::string code = classify(contact).code;
-  return std::find(std::begin(with_table), std::end(with_table), code) != std::end(with_table);
+  return classify(contact).can(Ability::friction_table);
 }
 
 bool takes_part_friction(const model::Contact& contact) {
-  return takes_friction_table(contact) || classify(contact).code == "a13";
+  return classify(contact).can(Ability::part_friction);
 }
 
 Friction::Friction(const model::Model& model, const model::Contact& contact) : model_(model), contact_(contact) {
@@ -68,7 +63,7 @@ Friction::Friction(const model::Model& model, const model::Contact& contact) : m
     if (i.size() * j.size() > most_pairs) continue;
     any_ = any_ || acts(row.law);
     for (const PartIndex a : i)
-      for (const PartIndex b : j) rows_[{std::min(a, b).value, std::max(a, b).value}] = row.law;
+      for (const PartIndex b : j) rows_[{std::min(a, b), std::max(a, b)}] = row.law;
   }
 }
 
@@ -86,7 +81,7 @@ model::FrictionLaw Friction::between(PartIndex node_part, PartIndex segment_part
   if (contact_.fs == friction_of_parts) law = of_parts(node_part, segment_part);
   if (contact_.fs == friction_by_table) {
     law = table_ == nullptr ? model::FrictionLaw{} : table_->others;
-    const auto row = rows_.find({std::min(node_part, segment_part).value, std::max(node_part, segment_part).value});
+    const auto row = rows_.find({std::min(node_part, segment_part), std::max(node_part, segment_part)});
     if (row != rows_.end()) law = row->second;
   }
   law.fs *= contact_.fsf;

@@ -14,16 +14,16 @@ inline constexpr double friction_by_table = -2;  ///< *DEFINE_FRICTION, the one 
 /// True for contacts that slide: not for tied ones (TIEBREAK is one until it fails) and transducers.
 [[nodiscard]] bool has_friction(const model::Contact& contact);
 
-/// Types for which FS = -1 holds (contact rules, section 1.5); their MORTAR and SMOOTH forms count as they do.
+/// Types that support FS = -1 (contact rules, section 1.5), including their MORTAR and SMOOTH forms.
 [[nodiscard]] bool takes_part_friction(const model::Contact& contact);
 
-/// Types for which FS = -2 holds: the same without airbags (contact rules, section 1.5).
+/// Types that support FS = -2: the same without airbags (contact rules, section 1.5).
 [[nodiscard]] bool takes_friction_table(const model::Contact& contact);
 
-/// The friction of one contact between any two parts. Scales FSF and VSF are in it.
-/// FS = -1: *PART_CONTACT of the segment's part, of the node's where that has none, else SFRIC, DFRIC and VFC of
-/// *CONTROL_CONTACT. FS = -2: *DEFINE_FRICTION; the last row that names the pair counts. The model must outlive it.
-/// Source: contact rules, section 8.2.
+/// The friction of one contact between any two parts, including the scales FSF and VSF. FS = -1: *PART_CONTACT of the
+/// segment's part, or of the node's if that has none, else SFRIC, DFRIC and VFC of *CONTROL_CONTACT. FS = -2:
+/// *DEFINE_FRICTION; the last row that names the pair counts. The model must outlive it. Source: contact rules, section
+/// 8.2.
 class Friction {
  public:
   Friction(const model::Model& model, const model::Contact& contact);
@@ -37,7 +37,7 @@ class Friction {
   const model::Model& model_;
   const model::Contact& contact_;
   const model::FrictionTable* table_ = nullptr;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, model::FrictionLaw> rows_;  ///< lower part first
+  std::map<std::pair<PartIndex, PartIndex>, model::FrictionLaw> rows_;  ///< lower part first
   bool any_ = false;
 };
 

@@ -4,10 +4,11 @@
 
 namespace gapcheck::contact {
 
-/// How far the shooting-node logic moves a node, in penetrations (read off real runs; contact rules, section 12.1).
+/// How far the shooting-node logic moves a node, in penetrations (from real runs; contact rules, section 12.1).
 inline constexpr double shooting_move = 1.002;
 
-/// What happens to a node that penetrates and is not too deep; IGNORE goes before SNLOG (contact rules, section 7.1).
+/// What happens to a node that penetrates and is not too deep; IGNORE takes precedence over SNLOG (contact rules,
+/// section 7.1).
 [[nodiscard]] inline Outcome outcome(const ContactSettings& settings) {
   if (settings.ignore != 0) return Outcome::kept;
   return settings.snlog == 1 ? Outcome::forced : Outcome::moved;

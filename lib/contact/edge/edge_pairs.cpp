@@ -13,7 +13,7 @@
 namespace gapcheck::contact {
 namespace {
 
-/// An end that penetrates, and by this share of h less than the edges do, tells as much as they.
+/// An end that penetrates by at most this share of h less than the edges do says as much as they.
 constexpr double nearly_as_deep = 0.05;
 
 bool seen_by_nodes(const geometry::EdgesClosest& closest, double h) {
@@ -21,41 +21,41 @@ bool seen_by_nodes(const geometry::EdgesClosest& closest, double h) {
   return end < h && end - std::sqrt(closest.squared_distance) < nearly_as_deep * h;
 }
 
-/// What lies on the other side of a shell's edge.
+/// What is on the other side of a shell's edge.
 struct Beyond {
   bool free = true;    ///< no facet
   bool first = true;   ///< no shell that comes earlier
   double half = 0;     ///< largest of the shells
 };
 
-Beyond beyond(const PairScene& scene, std::uint32_t segment, NodeIndex a, NodeIndex b) {
+Beyond beyond(const PairScene& scene, SegmentIndex segment, NodeIndex a, NodeIndex b) {
   const Segments& s = scene.segments;
   Beyond result;
-  for (const std::uint32_t other : scene.neighbours.at(a)) {
-    if (other == segment || s.kind[other] == SegmentKind::line || !is_corner(s.nodes[other], b)) continue;
+  for (const SegmentIndex other : scene.neighbours.at(a)) {
+    if (other == segment || s.kind[other.value] == SegmentKind::line || !is_corner(s.nodes[other.value], b)) continue;
     result.free = false;
-    if (s.kind[other] != SegmentKind::shell) continue;
+    if (s.kind[other.value] != SegmentKind::shell) continue;
     result.first = result.first && other > segment;
-    result.half = std::max(result.half, s.half[other]);
+    result.half = std::max(result.half, s.half[other.value]);
   }
   return result;
 }
 
-void append_edges(const PairScene& scene, std::uint32_t segment, bool interior, std::vector<SurfaceEdge>& edges) {
+void append_edges(const PairScene& scene, SegmentIndex segment, bool interior, std::vector<SurfaceEdge>& edges) {
   const Segments& s = scene.segments;
-  const auto& n = s.nodes[segment];
-  if (s.kind[segment] == SegmentKind::line) {
-    edges.push_back({segment, n[0], n[1], {scene.x[n[0].value], scene.x[n[1].value]}, s.half[segment]});
+  const auto& n = s.nodes[segment.value];
+  if (s.kind[segment.value] == SegmentKind::line) {
+    edges.push_back({segment, n[0], n[1], {scene.x[n[0].value], scene.x[n[1].value]}, s.half[segment.value]});
     return;
   }
-  if (s.kind[segment] != SegmentKind::shell) return;
+  if (s.kind[segment.value] != SegmentKind::shell) return;
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t next = (i + 1) % 4;
     if (n[i] == n[next]) continue;
     const Beyond other = beyond(scene, segment, n[i], n[next]);
     if (interior ? !other.first : !other.free) continue;
     const geometry::Facet facet = scene.facet(segment);
-    edges.push_back({segment, n[i], n[next], {facet.x[i], facet.x[next]}, std::max(s.half[segment], other.half)});
+    edges.push_back({segment, n[i], n[next], {facet.x[i], facet.x[next]}, std::max(s.half[segment.value], other.half)});
   }
 }
 
@@ -75,7 +75,7 @@ double largest_end_coordinate(const geometry::Edge& e) {
 }  // namespace
 
 geometry::Edge ends_of(const PairScene& scene, const SurfaceEdge& edge) {
-  const auto& n = scene.segments.nodes[edge.segment];
+  const auto& n = scene.segments.nodes[edge.segment.value];
   const geometry::Facet facet = scene.facet(edge.segment);
   const auto corner = [&](NodeIndex node) -> const Vector& {
     return facet.x[static_cast<std::size_t>(std::find(n.begin(), n.end() - 1, node) - n.begin())];
@@ -105,8 +105,8 @@ bool edges_are_joined(const PairScene& scene, const SurfaceEdge& e, const Surfac
 }
 
 bool EdgeRules::operator()(const SurfaceEdge& e, const SurfaceEdge& f) const {
-  const PartIndex part_e = part_of(scene_.model.mesh, scene_.segments, e.segment);
-  const PartIndex part_f = part_of(scene_.model.mesh, scene_.segments, f.segment);
+  const PartIndex part_e = part_of(scene_.model.mesh, scene_.segments, e.segment.value);
+  const PartIndex part_f = part_of(scene_.model.mesh, scene_.segments, f.segment.value);
   if (!exclusions_.empty() && exclusions_.excluded(part_e, part_f)) return false;
   return !ties_.tied(e.a, part_f) && !ties_.tied(e.b, part_f) && !ties_.tied(f.a, part_e) && !ties_.tied(f.b, part_e);
 }
@@ -118,7 +118,7 @@ std::vector<SurfaceEdge> surface_edges(const PairScene& scene, bool interior) {
   parallel_for(pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
       for (std::size_t s = p * grain; s < std::min(size, (p + 1) * grain); ++s)
-        append_edges(scene, static_cast<std::uint32_t>(s), interior, pieces[p]);
+        append_edges(scene, to_index<SegmentIndex>(s), interior, pieces[p]);
   });
   std::vector<SurfaceEdge> edges;
   for (const auto& piece : pieces) edges.insert(edges.end(), piece.begin(), piece.end());
@@ -164,7 +164,7 @@ std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector
   return all;
 }
 
-std::vector<Penetration> edge_records(const PairScene& scene, std::uint32_t contact,
+std::vector<Penetration> edge_records(const PairScene& scene, ContactIndex contact,
                                       const std::vector<SurfaceEdge>& edges, const std::vector<EdgeHit>& hits) {
   const model::Nodes& all = scene.model.mesh.nodes;
   const Segments& s = scene.segments;
@@ -176,8 +176,8 @@ std::vector<Penetration> edge_records(const PairScene& scene, std::uint32_t cont
     const EdgeHit*& best = deepest[nearest_end(edges[hit.tracked], hit.closest.s)];
     if (best == nullptr || depth(hit) > depth(*best)) best = &hit;
   }
-  const auto part_id = [&](std::uint32_t segment) {
-    const PartIndex part = part_of(scene.model.mesh, s, segment);
+  const auto part_id = [&](SegmentIndex segment) {
+    const PartIndex part = part_of(scene.model.mesh, s, segment.value);
     return part == none<PartIndex> ? 0 : scene.model.part(part).id.value;
   };
   std::vector<Penetration> records;
@@ -186,13 +186,13 @@ std::vector<Penetration> edge_records(const PairScene& scene, std::uint32_t cont
     const SurfaceEdge &tracked = edges[hit->tracked], &other = edges[hit->other];
     Penetration p;
     p.kind = PenetrationKind::edge;
-    p.contact = contact;
-    p.segment_number = other.segment + 1;
+    p.contact = contact.value;
+    p.segment_number = other.segment.value + 1;
     p.node = all.id[node.value];
     p.part = part_id(tracked.segment);
     const std::int64_t last = all.id[other.b.value];
     p.segment = {all.id[other.a.value], last, last, last};
-    p.element = element_id(scene.model.mesh, s, other.segment);
+    p.element = element_id(scene.model.mesh, s, other.segment.value);
     p.element_part = part_id(other.segment);
     p.depth = depth(*hit);
     p.contact_distance = tracked.half + other.half;
@@ -201,8 +201,8 @@ std::vector<Penetration> edge_records(const PairScene& scene, std::uint32_t cont
     p.original = p.moved_to = hit->closest.first;
     p.point = hit->closest.second;
     p.feature = Feature::edge;
-    p.node_rule = s.rule[tracked.segment];
-    p.segment_rule = s.rule[other.segment];
+    p.node_rule = s.rule[tracked.segment.value];
+    p.segment_rule = s.rule[other.segment.value];
     p.file = all.origins.file(node.value).value;
     p.line = all.line[node.value];
     records.push_back(p);

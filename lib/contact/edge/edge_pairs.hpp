@@ -14,23 +14,24 @@ namespace gapcheck::contact {
 
 /// An edge of a contact surface: a beam axis, or a side of a shell segment.
 struct SurfaceEdge {
-  std::uint32_t segment = 0;  ///< position in Segments; of edges between shells the first one
+  SegmentIndex segment;  ///< of edges between shells the first one
   NodeIndex a, b;
   geometry::Edge x;           ///< its ends, mid-surface offsets included
   double half = 0;            ///< half the contact thickness; between shells the larger one
 };
 
-/// The edges that types 26 look at, in the order of the segments: free edges of shells, with `interior` (type i26) also
+/// The edges that types 26 check, in the order of the segments: free edges of shells, with `interior` (type i26) also
 /// those between shells, and beam axes. An edge is free if no other shell or solid facet of the surface has it.
 [[nodiscard]] std::vector<SurfaceEdge> surface_edges(const PairScene& scene, bool interior);
 
 /// The ends of an edge on the scene's present coordinates.
 [[nodiscard]] geometry::Edge ends_of(const PairScene& scene, const SurfaceEdge& edge);
 
-/// How two edges lie to one another.
+/// The relative position of two edges.
 struct EdgeMeeting {
   geometry::EdgesClosest closest;
-  /// Nearest between the ends of both, and no end penetrates nearly as deep: not a matter of nodes and segments.
+  /// The nearest points lie between the ends of both, and no end penetrates nearly as deep: not a case for nodes and
+  /// segments.
   bool between = false;
   bool penetrates = false;  ///< between, and nearer than the contact distance; decided exactly
   geometry::Stage stage = geometry::Stage::filter;  ///< which stage decided; only where `between`
@@ -42,8 +43,8 @@ struct EdgeMeeting {
 /// Edges with a common node, or in the ring around each other's segment, never meet.
 [[nodiscard]] bool edges_are_joined(const PairScene& scene, const SurfaceEdge& e, const SurfaceEdge& f);
 
-/// False for edges of parts between which there is no contact, and where an end is tied to the other's part. May be asked
-/// from any thread while nothing is added to the ties.
+/// False for edges of parts without contact between them, and if an end is tied to the other's part. May be called from
+/// any thread while nothing is added to the ties.
 class EdgeRules {
  public:
   EdgeRules(const PairScene& scene, const Exclusions& exclusions, const TiedPairs& ties)
@@ -56,7 +57,7 @@ class EdgeRules {
   const TiedPairs& ties_;
 };
 
-/// Of the two ends of the edge the one that a point at this place (-1 to 1) lies nearer to.
+/// The end of the edge that is nearer to a point at this position (-1 to 1).
 [[nodiscard]] inline NodeIndex nearest_end(const SurfaceEdge& edge, double place) { return place <= 0 ? edge.a : edge.b; }
 
 /// Two edges that penetrate each other between their ends.
@@ -69,15 +70,15 @@ struct EdgeHit {
 using EdgePairFilter = std::function<bool(const SurfaceEdge&, const SurfaceEdge&)>;
 
 /// Pairs of edges that are nearer to each other than h = half + half, decided exactly, with their nearest points between the
-/// ends of both. Where an end is nearest, or penetrates nearly as deep, it is a matter of nodes and segments. Edges with a common node, or in the ring
-/// around each other's segment, are left out. Of a beam and a shell edge the beam is the tracked one, else the first.
-/// Ascending by tracked, then other edge.
+/// ends of both. Where an end is nearest, or penetrates nearly as deep, it is a case for nodes and segments. Edges with
+/// a common node, or in the ring around each other's segment, are left out. Of a beam and a shell edge the beam is
+/// tracked, otherwise the first. Ascending by tracked, then other edge.
 [[nodiscard]] std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector<SurfaceEdge>& edges,
                                                      const EdgePairFilter& allowed, BoxSearch search,
                                                      geometry::DecisionCounters& decisions);
 
 /// The hits as records of contact number `contact`, one for each node: the deepest of the edges whose nearest end it is.
-[[nodiscard]] std::vector<Penetration> edge_records(const PairScene& scene, std::uint32_t contact,
+[[nodiscard]] std::vector<Penetration> edge_records(const PairScene& scene, ContactIndex contact,
                                                     const std::vector<SurfaceEdge>& edges,
                                                     const std::vector<EdgeHit>& hits);
 

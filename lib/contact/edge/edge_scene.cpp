@@ -37,7 +37,7 @@ bool looks_at_edges(const model::Contact& contact, const ContactType& type) {
   return type.edges || (type.pairing == Pairing::segments && contact.depth > 0 && contact.depth % 10 == edge_to_edge);
 }
 
-EdgeScene::EdgeScene(const model::Model& model, std::uint32_t contact, const ContactSurfaces& surfaces,
+EdgeScene::EdgeScene(const model::Model& model, ContactIndex contact, const ContactSurfaces& surfaces,
                      const std::vector<Vector>& x, bool whole_solids)
     : of_a_(surfaces.a.selection.segments.size()),
       two_sided_(surfaces.two_sided()),
@@ -45,25 +45,25 @@ EdgeScene::EdgeScene(const model::Model& model, std::uint32_t contact, const Con
       segments_(two_sided_ ? both_ : surfaces.a.selection.segments),
       neighbours_(segments_, model.mesh, whole_solids),
       scene_{model,
-             model.contacts[contact],
+             model.contact(contact),
              surfaces.type,
              surfaces.settings,
              x,
              segments_,
              surfaces.a.nodes,
              neighbours_,
-             model.contacts[contact].a.type,
+             model.contact(contact).a.type,
              {},
              {}} {}
 
 std::vector<SurfaceEdge> EdgeScene::edges() const {
   std::vector<SurfaceEdge> edges = surface_edges(scene_, scene_.type.interior_edges);
   if (!scene_.type.edges)
-    std::erase_if(edges, [&](const SurfaceEdge& e) { return segments_.kind[e.segment] == SegmentKind::line; });
+    std::erase_if(edges, [&](const SurfaceEdge& e) { return segments_.kind[e.segment.value] == SegmentKind::line; });
   return edges;
 }
 
-ContactSurfaces free_edge_surface(const model::Model& model, std::uint32_t contact, const ContactSurfaces& surfaces,
+ContactSurfaces free_edge_surface(const model::Model& model, ContactIndex contact, const ContactSurfaces& surfaces,
                                   const std::vector<Vector>& x) {
   constexpr double limit = 0.2;  // of the shortest edge, for half a thickness
   ContactSurfaces lines{surfaces.type, surfaces.settings, {}, {}};
@@ -79,7 +79,7 @@ ContactSurfaces free_edge_surface(const model::Model& model, std::uint32_t conta
   Segments& s = lines.a.selection.segments;
   std::map<NodeIndex, std::uint32_t> ends;  // by node: the thickest line
   for (const SurfaceEdge& edge : scene.edges()) {
-    const std::uint32_t i = edge.segment;
+    const std::size_t i = edge.segment.value;
     const double most = model.controls.ssthk == 0 ? limit * shortest_edge(of.nodes[i], x) : edge.half;
     s.nodes.push_back({edge.a, edge.b, edge.b, edge.b});
     s.element.push_back(of.element[i]);

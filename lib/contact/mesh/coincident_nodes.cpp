@@ -31,7 +31,7 @@ std::uint64_t mix(std::uint64_t hash, double cell) {
   return hash ^ (hash >> 32);
 }
 
-/// The cells that a node lies in or is within the tolerance of: one, two, four or eight.
+/// The cells that contain a node or are within the tolerance: one, two, four or eight.
 template <class Visit>
 void for_each_cell(const Vector& x, double cell, double tolerance, const Visit& visit) {
   std::array<std::array<double, 2>, 3> range{};
@@ -47,7 +47,7 @@ void for_each_cell(const Vector& x, double cell, double tolerance, const Visit& 
       for (std::size_t k = 0; k < count[2]; ++k) visit(mix(mix(mix(0, range[0][i]), range[1][j]), range[2][k]));
 }
 
-/// Entries of all nodes, those of further cells behind the first ones.
+/// Entries of all nodes, those of further cells after the first ones.
 std::vector<CellEntry> enter(std::span<const NodeIndex> nodes, const std::vector<Vector>& x, double cell,
                              double tolerance) {
   std::vector<CellEntry> entries(nodes.size(), {0, none<NodeIndex>}), all_further;

@@ -6,7 +6,7 @@
 
 namespace gapcheck::contact {
 
-/// Beside Nodes: 1 for every node that an element has, point masses, springs and particles included.
+/// Parallel to Nodes: 1 for every node that belongs to an element, including point masses, springs and particles.
 [[nodiscard]] std::vector<std::uint8_t> element_nodes(const model::Mesh& mesh);
 
 }  // namespace gapcheck::contact

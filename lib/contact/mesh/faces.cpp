@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quad.hpp"
+
 namespace gapcheck::contact {
 namespace {
 
@@ -12,9 +14,7 @@ Vector mean(std::span<const NodeIndex> nodes, const std::vector<Vector>& x) {
   return sum / static_cast<double>(nodes.size());
 }
 
-Vector area_vector(const model::SegmentNodes& n, const std::vector<Vector>& x) {
-  return 0.5 * (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]);
-}
+Vector area_vector(const model::SegmentNodes& n, const std::vector<Vector>& x) { return 0.5 * quad_normal(n, x); }
 
 void turn_away(Face& face, const Vector& inside, const std::vector<Vector>& x) {
   const Vector centre = mean(face.nodes, x);

@@ -7,8 +7,8 @@
 
 namespace gapcheck::contact {
 
-/// Which elements of one kind have a node, and which belong to a part. Each table is built when it is first asked for,
-/// linear in the number of elements. The elements must outlive it. Not for use from several threads.
+/// Which elements of one kind have a node, and which belong to a part. Each table is built on first use, linear in the
+/// number of elements. The elements must outlive it. Not for use from several threads.
 class ElementIndex {
  public:
   template <std::size_t N>
@@ -18,7 +18,7 @@ class ElementIndex {
         part_(elements.part),
         mesh_nodes_(model.mesh.nodes.size()),
         parts_(model.parts.size()) {}
-  /// Positions of the elements at the node, ascending; one that repeats the node stands there several times.
+  /// Positions of the elements at the node, ascending; one that repeats the node occurs several times.
   [[nodiscard]] std::span<const std::uint32_t> at(NodeIndex node);
   /// Positions of the elements of the part, ascending.
   [[nodiscard]] std::span<const std::uint32_t> of(PartIndex part);
@@ -39,8 +39,8 @@ class ElementIndex {
   Rows by_node_, by_part_;  // no starts: not asked for
 };
 
-/// The elements of a mesh by node and part, so that the surfaces of thousands of contacts need not look through the
-/// whole mesh each. The model must outlive it and not change.
+/// The elements of a mesh by node and part, so that thousands of contacts need not each scan the whole mesh for their
+/// surfaces. The model must outlive it and not change.
 struct MeshIndex {
   explicit MeshIndex(const model::Model& model)
       : shells(model.mesh.shells, model),

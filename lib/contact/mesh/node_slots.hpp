@@ -7,13 +7,11 @@
 
 namespace gapcheck::contact {
 
-/// Numbers the nodes of a surface for arrays beside them: small surfaces get numbers of their own, so that thousands of
-/// them in one large mesh cost what they are themselves; for large ones the number is the node's own position.
+/// Numbers the nodes of a surface for parallel arrays: small surfaces get their own numbering, so thousands of them in
+/// one large mesh cost only their own size; for large ones the number is the node's own position.
 class NodeSlots {
  public:
-  static constexpr std::uint32_t missing = none<NodeIndex>.value;
-
-  /// True if a surface that names so many nodes (repeated ones included) is small beside the mesh.
+  /// True if a surface with this many nodes (repeated ones included) is small compared with the mesh.
   [[nodiscard]] static bool few(std::size_t named, std::size_t mesh_nodes) { return named < mesh_nodes / 16; }
 
   /// All nodes of the mesh.
@@ -28,11 +26,11 @@ class NodeSlots {
   [[nodiscard]] std::size_t size() const { return size_; }
   /// Slots ascend with the nodes.
   [[nodiscard]] NodeIndex node(std::uint32_t slot) const { return sparse_ ? nodes_[slot] : NodeIndex{slot}; }
-  /// `missing` for nodes that have none.
+  /// no_position for nodes without one.
   [[nodiscard]] std::uint32_t slot(NodeIndex node) const {
-    if (!sparse_) return node.value < size_ ? node.value : missing;
+    if (!sparse_) return node.value < size_ ? node.value : no_position;
     const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), node);
-    return found != nodes_.end() && *found == node ? static_cast<std::uint32_t>(found - nodes_.begin()) : missing;
+    return found != nodes_.end() && *found == node ? static_cast<std::uint32_t>(found - nodes_.begin()) : no_position;
   }
 
  private:

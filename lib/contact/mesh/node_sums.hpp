@@ -10,9 +10,9 @@
 
 namespace gapcheck::contact {
 
-/// Adds what `each(item, add)` hands to add(node, value) for all items to sums[node]. With many items every thread walks
-/// over all of them and keeps to its own range of nodes: no locks, and each sum is formed in the order of the items,
-/// however many threads there are. `each` must therefore be cheap and free of side effects.
+/// Adds the values that `each(item, add)` passes to add(node, value), for all items, to sums[node]. With many items
+/// every thread visits all of them and keeps to its own range of nodes: no locks, and each sum is formed in the order
+/// of the items, for any number of threads. So `each` must be cheap and free of side effects.
 template <class Sum, class Each>
 void sum_at_nodes(std::vector<Sum>& sums, std::size_t items, const Each& each) {
   constexpr std::size_t worth_threads = 50'000, most_ranges = 16;

@@ -11,23 +11,23 @@ namespace gapcheck::contact {
 
 /// A segment that a tracked node may come to penetrate.
 struct Candidate {
-  std::uint32_t segment = 0;
-  /// Until nodes and segments have moved this far towards each other since the search, the pair needs no look.
+  SegmentIndex segment;
+  /// Until nodes and segments have moved this far towards each other since the search, the pair need not be checked.
   double wake = 0;
-  /// From the node to the segment when the pair was decided, of unit length or zero: all that lies beyond the plane
-  /// across it is farther away than that plane.
+  /// From the node to the segment when the pair was decided, of unit length or zero: everything beyond the plane across
+  /// it is farther away than that plane.
   Vector towards = Vector::Zero();
 };
 
-/// Result of a global search that stays good until tracked nodes and segments have come closer by `margin`: for each
-/// tracked node the segments that it may penetrate by then. Nodes far from everything have no entry and cost nothing.
+/// Result of a global search, valid until tracked nodes and segments have come closer by `margin`: for each tracked
+/// node the segments that it may penetrate by then. Nodes far from everything have no entry and cost nothing.
 class CandidateTable {
  public:
-  /// Searches on the scene's present coordinates; replaces what was there.
+  /// Searches on the scene's present coordinates; replaces earlier results.
   void search(const PairScene& scene, const PairRules& rules, const CandidateSearch& search, double margin,
               SweepCounters& counters);
   /// Tracked nodes with candidates, ascending.
-  [[nodiscard]] std::span<const std::uint32_t> slots() const { return slots_; }
+  [[nodiscard]] std::span<const SlotIndex> slots() const { return slots_; }
   /// Candidates of slots()[i], by segment ascending.
   [[nodiscard]] std::span<Candidate> of(std::size_t i) {
     return {candidates_.data() + start_[i], candidates_.data() + start_[i + 1]};
@@ -35,7 +35,8 @@ class CandidateTable {
   [[nodiscard]] std::size_t size() const { return candidates_.size(); }
 
  private:
-  std::vector<std::uint32_t> slots_, start_{0};
+  std::vector<SlotIndex> slots_;
+  std::vector<std::uint32_t> start_{0};
   std::vector<Candidate> candidates_;
 };
 

@@ -17,41 +17,41 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Hits by slot: those of slot i stand in [start[i], start[i + 1]).
+/// Hits by slot: those of slot i are in [start[i], start[i + 1]).
 struct BySlot {
   std::vector<std::uint32_t> start;
   std::vector<Hit> hits;
   BySlot(const std::vector<Hit>& all, std::size_t slots) : start(slots + 1, 0), hits(all.size()) {
-    for (const Hit& hit : all) ++start[hit.slot + 1];
+    for (const Hit& hit : all) ++start[hit.slot.value + 1];
     for (std::size_t i = 0; i < slots; ++i) start[i + 1] += start[i];
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-    for (const Hit& hit : all) hits[next[hit.slot]++] = hit;
+    for (const Hit& hit : all) hits[next[hit.slot.value]++] = hit;
   }
   [[nodiscard]] std::span<const Hit> of(std::size_t slot) const {
     return {hits.data() + start[slot], hits.data() + start[slot + 1]};
   }
 };
 
-/// Decides pairs and keeps those that count; one for each thread. Segments that see both sides go through batches: all
-/// they want to know of a pair that is apart is just that.
+/// Decides pairs and keeps those that count; one for each thread. Two-sided segments go through batches: for a pair
+/// that is apart, they need to know nothing more.
 class PairSweep {
  public:
   PairSweep(const PairScene& scene, const PairFilter& pair_allowed) : scene_(scene), allowed_(pair_allowed) {}
 
-  void visit(std::uint32_t segment, std::span<const std::uint32_t> slots) {
+  void visit(SegmentIndex segment, std::span<const SlotIndex> slots) {
     if (scene_.mode == geometry::Mode::exact || scene_.line(segment) || scene_.oriented(segment)) {
-      for (const std::uint32_t slot : slots) decide_alone(slot, segment);
+      for (const SlotIndex slot : slots) decide_alone(slot, segment);
       return;
     }
     const geometry::Facet facet = scene_.facet(segment);
-    for (const std::uint32_t slot : slots) add(slot, segment, facet);
+    for (const SlotIndex slot : slots) add(slot, segment, facet);
   }
   /// What still waits in the batches.
   void finish() {
     for (Waiting& waiting : waiting_) flush(waiting);
   }
   [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
-  /// Pairs with oriented segments that are no hits.
+  /// Pairs with oriented segments that are not hits.
   [[nodiscard]] const std::vector<Hit>& measured() const { return measured_; }
   [[nodiscard]] std::uint64_t decided_by(geometry::Stage stage) const {
     return stages_[static_cast<std::size_t>(stage)];
@@ -59,7 +59,8 @@ class PairSweep {
 
  private:
   struct Pair {
-    std::uint32_t slot = 0, segment = 0;
+    SlotIndex slot;
+    SegmentIndex segment;
   };
   struct Waiting {
     geometry::PairBatch batch;
@@ -68,7 +69,7 @@ class PairSweep {
 
   void count(geometry::Stage stage, std::size_t times) { stages_[static_cast<std::size_t>(stage)] += times; }
 
-  void add(std::uint32_t slot, std::uint32_t segment, const geometry::Facet& facet) {
+  void add(SlotIndex slot, SegmentIndex segment, const geometry::Facet& facet) {
     const Vector query = scene_.position(slot);
     const geometry::Corners corners = geometry::seen_from(facet, query);
     const double bound = penetration_bound(scene_, slot, segment, facet, query);
@@ -96,7 +97,7 @@ class PairSweep {
     waiting.batch.clear();
   }
 
-  void decide_alone(std::uint32_t slot, std::uint32_t segment) {
+  void decide_alone(SlotIndex slot, SegmentIndex segment) {
     const PairResult pair = decide_pair(scene_, slot, segment);
     count(pair.stage, 1);
     if (pair.penetrates || scene_.oriented(segment))
@@ -116,7 +117,7 @@ class PairSweep {
 
 /// The hit of every tracked node that counts.
 std::vector<Hit> chosen_hits(const PairScene& scene, const std::vector<Hit>& all, std::vector<Hit> measured) {
-  // What is in front of every facet needs no comparison with others.
+  // Hits in front of every facet need no comparison with others.
   if (std::none_of(all.begin(), all.end(), [](const Hit& hit) { return std::signbit(hit.distance); })) measured.clear();
   const std::size_t slots = scene.nodes.size();
   const BySlot hits(all, slots), others(measured, slots);
@@ -130,15 +131,15 @@ std::vector<Hit> chosen_hits(const PairScene& scene, const std::vector<Hit>& all
 }  // namespace
 
 void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
-                        const std::function<double(std::uint32_t)>& reach, SweepCounters& counters,
-                        const std::function<void(std::uint32_t, std::span<const std::uint32_t>)>& visit) {
+                        const std::function<double(SegmentIndex)>& reach, SweepCounters& counters,
+                        const std::function<void(SegmentIndex, std::span<const SlotIndex>)>& visit) {
   const Segments& s = scene.segments;
   ++counters.searches;
   std::vector<Bounds> boxes(s.size());
   constexpr std::size_t grain = 4096;
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const auto segment = static_cast<std::uint32_t>(i);
+      const auto segment = to_index<SegmentIndex>(i);
       Bounds box;
       for (const NodeIndex n : s.nodes[i]) box.add(scene.x[n.value]);
       if (scene.passive(segment)) continue;
@@ -152,14 +153,14 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
     all_boxes.high = all_boxes.high.cwiseMax(b.high);
   }
   std::vector<Vector> points;
-  std::vector<std::uint32_t> slots;
+  std::vector<SlotIndex> slots;
   points.reserve(scene.nodes.size());
   slots.reserve(scene.nodes.size());
-  for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-    const Vector p = scene.position(i);
+  for (const SlotIndex slot : positions<SlotIndex>(scene.nodes.size())) {
+    const Vector p = scene.position(slot);
     if (!(p.array() >= all_boxes.low.array()).all() || !(p.array() <= all_boxes.high.array()).all()) continue;
     points.push_back(p);
-    slots.push_back(i);
+    slots.push_back(slot);
     all_points.add(p);
   }
   counters.points_culled += scene.nodes.size() - points.size();
@@ -176,14 +177,14 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
     return;
   }
   std::atomic<std::uint64_t> pairs{0};
-  search.run(points, boxes, [&](std::uint32_t segment, std::span<const std::uint32_t> inside) {
-    static thread_local std::vector<std::uint32_t> local;
+  search.run(points, boxes, [&](std::uint32_t box, std::span<const std::uint32_t> inside) {
+    static thread_local std::vector<SlotIndex> local;
     local.clear();
-    const auto& corners = s.nodes[segment];
+    const auto& corners = s.nodes[box];
     for (const std::uint32_t p : inside)
-      if (!is_corner(corners, scene.nodes.node[slots[p]])) local.push_back(slots[p]);
+      if (!is_corner(corners, scene.nodes.node[slots[p].value])) local.push_back(slots[p]);
     pairs.fetch_add(local.size(), std::memory_order_relaxed);
-    if (!local.empty()) visit(segment, local);
+    if (!local.empty()) visit(SegmentIndex{box}, local);
   });
   counters.candidate_pairs += pairs;
 }
@@ -192,11 +193,11 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
                                   SweepCounters& counters, geometry::DecisionCounters& decisions) {
   double largest_half = 0;
   for (const double half : scene.nodes.half) largest_half = std::max(largest_half, half);
-  // Each thread has a tally of its own: shared counters would cost more than the decisions.
+  // Each thread has its own tally: shared counters would cost more than the decisions.
   tbb::enumerable_thread_specific<PairSweep> sweeps([&] { return PairSweep(scene, pair_allowed); });
   for_each_candidate(
-      scene, search, [&](std::uint32_t s) { return scene.reach(s, largest_half); }, counters,
-      [&](std::uint32_t segment, std::span<const std::uint32_t> slots) { sweeps.local().visit(segment, slots); });
+      scene, search, [&](SegmentIndex s) { return scene.reach(s, largest_half); }, counters,
+      [&](SegmentIndex segment, std::span<const SlotIndex> slots) { sweeps.local().visit(segment, slots); });
   std::vector<Hit> all, measured;
   for (PairSweep& sweep : sweeps) {
     sweep.finish();

@@ -8,14 +8,14 @@
 
 namespace gapcheck::contact {
 
-/// What a sweep left out and how much it looked at.
+/// What a sweep left out and how much it checked.
 struct SweepCounters {
   std::uint64_t candidate_pairs = 0, points_culled = 0, segments_culled = 0;
-  std::uint64_t searches = 0, searches_culled = 0;  ///< culled: ended by the boxes of the two sides
+  std::uint64_t searches = 0, searches_culled = 0;  ///< culled by the boxes of the two sides
 };
 
-/// Whether a pair counts: slot, segment, whether it penetrates. Called from any thread.
-using PairFilter = std::function<bool(std::uint32_t, std::uint32_t, bool)>;
+/// Whether a pair counts, given whether it penetrates. Called from any thread.
+using PairFilter = std::function<bool(SlotIndex, SegmentIndex, bool penetrates)>;
 
 /// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node (choose_hit),
 /// ascending by slot. `pair_allowed` is asked only for pairs that penetrate or have an oriented segment.
@@ -23,9 +23,10 @@ using PairFilter = std::function<bool(std::uint32_t, std::uint32_t, bool)>;
                                                 const PairFilter& pair_allowed,
                                                 SweepCounters& counters, geometry::DecisionCounters& decisions);
 
-/// Calls visit(slot, segment) for all pairs whose node lies within `reach(segment)` of the segment's box; concurrently.
+/// Calls visit(segment, slots) for all pairs whose node lies within `reach(segment)` of the segment's box;
+/// concurrently.
 void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
-                        const std::function<double(std::uint32_t)>& reach, SweepCounters& counters,
-                        const std::function<void(std::uint32_t, std::span<const std::uint32_t>)>& visit);
+                        const std::function<double(SegmentIndex)>& reach, SweepCounters& counters,
+                        const std::function<void(SegmentIndex, std::span<const SlotIndex>)>& visit);
 
 }  // namespace gapcheck::contact

@@ -4,28 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <tuple>
 #include <unordered_set>
 
+#include "base/quad.hpp"
+#include "base/union_find.hpp"
 #include "contact/mesh/faces.hpp"
 #include "contact/surface/segment_elements.hpp"
 
 namespace gapcheck::contact {
 namespace {
 
-constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 bool behind_solid(const PairScene& scene, const Hit& hit) {
-  return std::signbit(hit.distance) && scene.segments.kind[hit.segment] == SegmentKind::solid;
+  return std::signbit(hit.distance) && scene.segments.kind[hit.segment.value] == SegmentKind::solid;
 }
 
-/// Outer faces of the solids in a contact that are none of its segments, with the body that each bounds.
+/// Outer faces of the solids in a contact that are not among its segments, with the body that each bounds.
 class HiddenFaces {
  public:
-  explicit HiddenFaces(const PairScene& scene) : scene_(scene), parent_(scene.x.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
+  explicit HiddenFaces(const PairScene& scene) : scene_(scene), connected_(scene.x.size()) {
     const model::Mesh& mesh = scene.model.mesh;
     std::vector<bool> parts(scene.model.parts.size(), false);
     std::unordered_set<SegmentKey, SegmentKeyHash> segments;
@@ -40,11 +38,7 @@ class HiddenFaces {
 
   [[nodiscard]] const std::vector<model::SegmentNodes>& list() const { return faces_; }
   /// The connected body of a node's elements.
-  [[nodiscard]] std::uint32_t body(NodeIndex node) {
-    std::uint32_t n = node.value;
-    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-    return n;
-  }
+  [[nodiscard]] std::uint32_t body(NodeIndex node) { return connected_.root(node.value); }
 
  private:
   void add(const model::Elements<8>& elements, const std::vector<bool>& parts,
@@ -53,7 +47,7 @@ class HiddenFaces {
     for (std::uint32_t e = 0; e < elements.size(); ++e) {
       if (elements.part[e] == none<PartIndex> || !parts[elements.part[e].value]) continue;
       chosen.push_back(e);
-      for (const NodeIndex n : elements.nodes[e]) parent_[body(n)] = body(elements.nodes[e][0]);
+      for (const NodeIndex n : elements.nodes[e]) connected_.unite(n.value, elements.nodes[e][0].value);
     }
     if (chosen.empty()) return;
     for (const Face& face : free_faces(elements, chosen, scene_.x))
@@ -61,11 +55,11 @@ class HiddenFaces {
   }
 
   const PairScene& scene_;
-  std::vector<std::uint32_t> parent_;
+  UnionFind connected_;
   std::vector<model::SegmentNodes> faces_;
 };
 
-/// How a node lies to a hidden face.
+/// Position of a node relative to a hidden face.
 struct Seen {
   std::uint32_t point = 0, body = 0;
   double distance = 0;
@@ -89,7 +83,7 @@ struct Points {
   std::vector<NodeIndex> node;
 };
 
-/// Everything that stands near them, by node.
+/// Everything near them, by node.
 std::vector<Seen> look_around(const PairScene& scene, const CandidateSearch& search, HiddenFaces& faces,
                               const Points& points, double reach) {
   std::vector<Bounds> boxes;
@@ -121,16 +115,16 @@ std::vector<Seen> look_around(const PairScene& scene, const CandidateSearch& sea
 }
 
 /// True if a point is behind all faces of the solid that has a segment.
-bool in_element(const PairScene& scene, std::uint32_t segment, const Vector& q) {
+bool in_element(const PairScene& scene, SegmentIndex segment, const Vector& q) {
   const model::Mesh& mesh = scene.model.mesh;
-  const bool solid = scene.segments.element_kind[segment] == model::ElementKind::solid;
-  const std::uint32_t element = scene.segments.element[segment];
+  const bool solid = scene.segments.element_kind[segment.value] == model::ElementKind::solid;
+  const std::uint32_t element = scene.segments.element[segment.value];
   const std::vector<Vector>& x = scene.x;
   const std::vector<Face> faces = faces_of((solid ? mesh.solids : mesh.thick_shells).nodes[element], element, x);
   return std::all_of(faces.begin(), faces.end(), [&](const Face& face) {
     const auto& n = face.nodes;
     const Vector centre = (x[n[0].value] + x[n[1].value] + x[n[2].value] + x[n[3].value]) / 4;
-    return (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]).dot(q - centre) < 0;
+    return quad_normal(n, x).dot(q - centre) < 0;
   });
 }
 
@@ -155,15 +149,15 @@ bool outside(const PairScene& scene, std::span<const Seen> around, std::uint32_t
 
 void drop_outside(const PairScene& scene, const CandidateSearch& search, std::vector<Hit>& hits) {
   Points points;
-  std::vector<std::uint32_t> point_of(scene.nodes.size(), nowhere);
+  std::vector<std::uint32_t> point_of(scene.nodes.size(), no_position);
   double reach = 0;
   for (const Hit& hit : hits) {
     if (!behind_solid(scene, hit)) continue;
     reach = std::max(reach, -hit.distance);
-    if (point_of[hit.slot] != nowhere) continue;
-    point_of[hit.slot] = static_cast<std::uint32_t>(points.x.size());
+    if (point_of[hit.slot.value] != no_position) continue;
+    point_of[hit.slot.value] = static_cast<std::uint32_t>(points.x.size());
     points.x.push_back(scene.position(hit.slot));
-    points.node.push_back(scene.nodes.node[hit.slot]);
+    points.node.push_back(scene.nodes.node[hit.slot.value]);
   }
   if (points.x.empty()) return;
   HiddenFaces faces(scene);
@@ -175,8 +169,9 @@ void drop_outside(const PairScene& scene, const CandidateSearch& search, std::ve
     return std::span<const Seen>(first, last);
   };
   std::erase_if(hits, [&](const Hit& hit) {
-    return behind_solid(scene, hit) &&
-           outside(scene, around(point_of[hit.slot]), faces.body(scene.segments.nodes[hit.segment][0]), hit);
+    if (!behind_solid(scene, hit)) return false;
+    const std::uint32_t body = faces.body(scene.segments.nodes[hit.segment.value][0]);
+    return outside(scene, around(point_of[hit.slot.value]), body, hit);
   });
 }
 

@@ -6,9 +6,9 @@
 
 namespace gapcheck::contact {
 
-/// Drops hits behind solid facets whose node lies outside the body: in front of a nearer outer face that has no segment
-/// of its own, because shells stand in its place or the contact does not name it. `search`: finds the faces near the
-/// nodes. Nothing is done, and costs nothing, where no hit lies behind a solid facet.
+/// Drops hits behind solid facets whose node lies outside the body: in front of a nearer outer face that has no
+/// segment, because shells cover it or the contact does not name it. `search`: finds the faces near the nodes. Costs
+/// nothing if no hit lies behind a solid facet.
 void drop_outside(const PairScene& scene, const CandidateSearch& search, std::vector<Hit>& hits);
 
 }  // namespace gapcheck::contact

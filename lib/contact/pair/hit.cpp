@@ -10,7 +10,7 @@ namespace {
 /// True if the hit lies behind a facet that is not the nearest of its body.
 bool behind_another(const PairScene& scene, const Hit& hit, std::span<const Hit> hits, std::span<const Hit> measured) {
   if (!std::signbit(hit.distance)) return false;
-  const auto body = [&](const Hit& of) { return scene.solids.empty() ? 0 : scene.solids.body[of.segment]; };
+  const auto body = [&](const Hit& of) { return scene.solids.empty() ? 0 : scene.solids.body[of.segment.value]; };
   const auto nearer = [&](const Hit& other) {
     return body(other) == body(hit) && std::abs(hit.distance) > std::abs(other.distance) * (1 + equally_near);
   };
@@ -21,7 +21,7 @@ bool behind_another(const PairScene& scene, const Hit& hit, std::span<const Hit>
 }  // namespace
 
 std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits, std::span<const Hit> measured) {
-  // What is in front needs no comparison with others.
+  // Hits in front need no comparison with others.
   if (hits.size() == 1 && !std::signbit(hits[0].distance)) return hits[0];
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double in_band = infinity, outside = infinity;

@@ -6,17 +6,17 @@
 
 namespace gapcheck::contact {
 
-/// What a contact remembers of one tracked node from cycle to cycle.
+/// What a contact remembers about one tracked node from cycle to cycle.
 struct NodeContact {
   enum class State : std::uint8_t {
-    apart,     ///< outside: the next penetration found is its first one
+    apart,     ///< outside: the next penetration is its first
     touching,  ///< found before: penetration gives force
     released,  ///< was too deep: no force until it has left the whole contact zone
   } state = State::apart;
   double forgiven = 0;  ///< IGNORE: penetration without force
 };
 
-/// How a tracked node lies to the segments of its contact in one cycle.
+/// The position of a tracked node relative to the segments of its contact in one cycle.
 struct NodeEncounter {
   bool penetrates = false;    ///< it is in a segment's band and penetrates it
   bool in_zone = false;       ///< it is nearer to some segment than the contact distance, in its band or not
@@ -31,19 +31,19 @@ enum class NodeAction : std::uint8_t {
   move,   ///< to the free side of the contact surface, by `shooting_move` penetrations
 };
 
-/// What happens to a tracked node in a cycle, and what is remembered. "First" penetrations may come at any time: with
-/// IGNORE = 0 the node is moved (SNLOG = 1: forced), with IGNORE = 1 or 2 the depth at which it was found is forgiven,
-/// which follows the penetration downwards only; thickness is full again once the node has left. A node that cannot be
-/// moved gets its force at once. Source: contact rules, sections 5 and 7.
+/// What happens to a tracked node in a cycle, and what is remembered. "First" penetrations may occur at any time: with
+/// IGNORE = 0 the node is moved (SNLOG = 1: forced), with IGNORE = 1 or 2 its initial depth is forgiven; the forgiven
+/// depth only decreases with the penetration, and the thickness is full again once the node has left. A node that
+/// cannot be moved gets its force at once. Source: contact rules, sections 5 and 7.
 [[nodiscard]] NodeAction advance(NodeContact& node, const ContactSettings& settings, const NodeEncounter& encounter);
 
-/// The same for SOFT = 2: the depth found in the `first` cycle is the baseline without force. It follows the penetration
-/// downwards only and loses the share `reduction` in every cycle. What penetrates later is forced from its first cycle
-/// on; nothing is moved or released. Source: contact rules, section 7.4.
+/// The same for SOFT = 2: the depth found in the `first` cycle is the force-free baseline. It only decreases with the
+/// penetration and loses the share `reduction` in every cycle. Later penetrations are forced from their first cycle on;
+/// nothing is moved or released. Source: contact rules, section 7.4.
 [[nodiscard]] NodeAction advance_from_baseline(NodeContact& node, const NodeEncounter& encounter, bool first,
                                                double reduction);
 
-/// DPRFAC at a time: the share of the baseline that goes in each cycle, 0 to 1. Negative: number of a curve over time.
+/// DPRFAC at a time: the share of the baseline lost in each cycle, 0 to 1. Negative: number of a curve over time.
 /// Source: contact rules, section 7.4.
 [[nodiscard]] double baseline_reduction(const model::Model& model, const model::Contact& contact, double time);
 

@@ -19,35 +19,39 @@ bool may_turn(const PairScene& scene) {
 
 std::vector<bool> flipped_segments(const PairScene& scene, const CandidateSearch& search) {
   const Segments& s = scene.segments;
-  const auto turns = [&](std::uint32_t i) { return s.element_kind[i] == model::ElementKind::shell && scene.oriented(i); };
+  const auto turns = [&](SegmentIndex i) {
+    return s.element_kind[i.value] == model::ElementKind::shell && scene.oriented(i);
+  };
+  const Positions all = positions<SegmentIndex>(s.size());
   bool any = false;
-  for (std::uint32_t i = 0; i < s.size() && !any; ++i) any = turns(i);
+  for (const SegmentIndex i : all)
+    if ((any = turns(i))) break;
   if (!any || !may_turn(scene)) return {};
-  // One ballot per part; the last one is for segments of no known part.
+  // One vote count per part; the last one is for segments without a known part.
   std::vector<std::atomic<std::int64_t>> votes(scene.model.parts.size() + 1);
-  const auto ballot = [&](std::uint32_t i) -> std::atomic<std::int64_t>& {
-    const PartIndex part = part_of(scene.model.mesh, s, i);
+  const auto ballot = [&](SegmentIndex i) -> std::atomic<std::int64_t>& {
+    const PartIndex part = part_of(scene.model.mesh, s, i.value);
     return votes[part == none<PartIndex> ? votes.size() - 1 : part.value];
   };
   SweepCounters unused;
   for_each_candidate(
       scene, search,
-      [&](std::uint32_t i) {
+      [&](SegmentIndex i) {
         if (!turns(i)) return 0.0;
         const geometry::Facet f = scene.facet(i);
         return std::sqrt(std::max((f.x[2] - f.x[0]).squaredNorm(), (f.x[3] - f.x[1]).squaredNorm()));
       },
       unused,
-      [&](std::uint32_t segment, std::span<const std::uint32_t> slots) {
+      [&](SegmentIndex segment, std::span<const SlotIndex> slots) {
         if (!turns(segment)) return;
         const geometry::Facet facet = scene.facet(segment);
-        for (const std::uint32_t slot : slots) {
+        for (const SlotIndex slot : slots) {
           const auto closest = geometry::closest_point(facet, scene.position(slot));
           if (closest.feature == Feature::face && closest.gap != 0) ballot(segment) += closest.gap > 0 ? 1 : -1;
         }
       });
   std::vector<bool> flipped(s.size(), false);
-  for (std::uint32_t i = 0; i < s.size(); ++i) flipped[i] = turns(i) && ballot(i) < 0;
+  for (const SegmentIndex i : all) flipped[i.value] = turns(i) && ballot(i) < 0;
   return flipped;
 }
 

@@ -6,10 +6,10 @@
 
 namespace gapcheck::contact {
 
-/// Which oriented shell segments face the wrong way: by segment, true = against its node order. Empty where none is
+/// Which oriented shell segments face the wrong way: by segment, true = against its node order. Empty if none is
 /// flipped. The solver turns the segments of surfaces given by parts towards the other side (ORIEN of *CONTROL_CONTACT,
-/// on by default; 2 also turns segment sets). gapcheck turns a part as a whole: to the side on which the majority of the
-/// tracked nodes near it lie (near = within a segment's longer diagonal, projection on the face).
+/// on by default; 2 also turns segment sets). gapcheck turns a part as a whole: to the side on which the majority of
+/// the tracked nodes near it lie (near = within a segment's longer diagonal, projection on the face).
 [[nodiscard]] std::vector<bool> flipped_segments(const PairScene& scene, const CandidateSearch& search);
 
 }  // namespace gapcheck::contact

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/quad.hpp"
+
 namespace gapcheck::contact {
 namespace {
 
@@ -11,10 +13,8 @@ constexpr double relative_tolerance = 1e-9;
 constexpr double tolerance_in_ulps = 4;
 /// Parametric band of a beam axis, as of a segment.
 constexpr double band_end = 1.5 * (1 + relative_tolerance);
-/// Share of the shorter diagonal that an oriented shell segment looks behind itself.
+/// Share of the shorter diagonal up to which an oriented shell segment sees nodes behind it.
 constexpr double shell_behind = 0.5;
-
-Vector facet_normal(const geometry::Facet& f) { return (f.x[2] - f.x[0]).cross(f.x[3] - f.x[1]); }
 
 PairResult measure_line(const geometry::Facet& f, const Vector& q) {
   PairResult result;
@@ -32,7 +32,7 @@ PairResult measure_line(const geometry::Facet& f, const Vector& q) {
   return result;
 }
 
-PairResult measure(const PairScene& scene, std::uint32_t s, const geometry::Facet& facet, const Vector& q) {
+PairResult measure(const PairScene& scene, SegmentIndex s, const geometry::Facet& facet, const Vector& q) {
   if (scene.line(s)) return measure_line(facet, q);
   PairResult result;
   result.closest = geometry::closest_point(facet, q);
@@ -60,28 +60,29 @@ double default_tolerance(double contact_distance, double largest) {
   return relative_tolerance * contact_distance + tolerance_in_ulps * ulp;
 }
 
-geometry::Facet PairScene::facet(std::uint32_t s) const {
-  const auto& n = segments.nodes[s];
+geometry::Facet PairScene::facet(SegmentIndex s) const {
+  const auto& n = segments.nodes[s.value];
   geometry::Facet f{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
-  if (segments.offset.empty() || segments.offset[s] == 0) return f;
-  const Vector shift = segments.offset[s] * facet_normal(f).stableNormalized();
+  if (segments.offset.empty() || segments.offset[s.value] == 0) return f;
+  const Vector shift = segments.offset[s.value] * quad_normal(f.x).stableNormalized();
   for (Vector& corner : f.x) corner += shift;
   return f;
 }
 
-double PairScene::behind(std::uint32_t s) const {
+double PairScene::behind(SegmentIndex s) const {
   if (!oriented(s)) return 0;
-  if (segments.kind[s] == SegmentKind::solid) return solids.empty() ? 0 : solids.extent[s];
+  if (segments.kind[s.value] == SegmentKind::solid) return solids.empty() ? 0 : solids.extent[s.value];
   return shell_behind * min_diagonal(facet(s));
 }
 
-double PairScene::reach(std::uint32_t s, double largest_node_half) const {
-  return std::max(largest_node_half + segments.half[s], behind(s));
+double PairScene::reach(SegmentIndex s, double largest_node_half) const {
+  return std::max(largest_node_half + segments.half[s.value], behind(s));
 }
 
-bool PairScene::beyond_square_edge(std::uint32_t s, const geometry::ClosestPoint& closest) const {
-  if (!settings.square_edges || segments.kind[s] != SegmentKind::shell || closest.feature == Feature::face) return false;
-  const auto& n = segments.nodes[s];
+bool PairScene::beyond_square_edge(SegmentIndex s, const geometry::ClosestPoint& closest) const {
+  if (!settings.square_edges || segments.kind[s.value] != SegmentKind::shell) return false;
+  if (closest.feature == Feature::face) return false;
+  const auto& n = segments.nodes[s.value];
   // Exactly on the edge is still on the surface.
   if (closest.free_s == closest.s && closest.free_t == closest.t) return false;
   const std::size_t i = closest.feature_index;
@@ -92,19 +93,19 @@ bool PairScene::beyond_square_edge(std::uint32_t s, const geometry::ClosestPoint
   return free(i, next) || free((i + 3) % 4, i);
 }
 
-bool PairScene::in_front(std::uint32_t s, const geometry::ClosestPoint& closest, const Vector& query) const {
-  const auto sign = [&](std::uint32_t i) { return !flipped.empty() && flipped[i] ? -1.0 : 1.0; };
+bool PairScene::in_front(SegmentIndex s, const geometry::ClosestPoint& closest, const Vector& query) const {
+  const auto sign = [&](SegmentIndex i) { return !flipped.empty() && flipped[i.value] ? -1.0 : 1.0; };
   if (closest.feature == Feature::face) return sign(s) * closest.gap >= 0;
   // On an edge or corner one facet's normal misleads: beside a convex edge a node is behind one facet and in front of the
   // other. It is inside only where it is behind all that meet there (a concave edge).
-  const auto& corners = segments.nodes[s];
+  const auto& corners = segments.nodes[s.value];
   const std::size_t i = closest.feature_index;
   const NodeIndex a = corners[i], b = corners[(i + 1) % 4];
-  for (const std::uint32_t other : neighbours.at(a)) {
-    const auto& n = segments.nodes[other];
+  for (const SegmentIndex other : neighbours.at(a)) {
+    const auto& n = segments.nodes[other.value];
     if (!oriented(other)) continue;
     if (closest.feature == Feature::edge && std::find(n.begin(), n.end(), b) == n.end()) continue;
-    if (sign(other) * facet_normal(facet(other)).dot(query - closest.point) >= 0) return true;
+    if (sign(other) * quad_normal(facet(other).x).dot(query - closest.point) >= 0) return true;
   }
   return false;
 }
@@ -118,27 +119,27 @@ double tolerance_of(const PairScene& scene, double contact_distance, const geome
 
 }  // namespace
 
-double penetration_bound(const PairScene& scene, std::uint32_t slot, std::uint32_t s, const geometry::Facet& facet,
+double penetration_bound(const PairScene& scene, SlotIndex slot, SegmentIndex s, const geometry::Facet& facet,
                          const Vector& query) {
-  const double h = scene.nodes.half[slot] + scene.segments.half[s];
+  const double h = scene.nodes.half[slot.value] + scene.segments.half[s.value];
   return h - tolerance_of(scene, h, facet, query);
 }
 
-PairResult measure_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
+PairResult measure_pair(const PairScene& scene, SlotIndex slot, SegmentIndex s) {
   return measure(scene, s, scene.facet(s), scene.position(slot));
 }
 
-Vector free_direction(const PairScene& scene, std::uint32_t slot, std::uint32_t segment, const PairResult& pair) {
+Vector free_direction(const PairScene& scene, SlotIndex slot, SegmentIndex segment, const PairResult& pair) {
   // The distance is negative behind the segment.
   if (pair.distance != 0) return (scene.position(slot) - pair.closest.point) / pair.distance;
-  const bool flipped = !scene.flipped.empty() && scene.flipped[segment];
+  const bool flipped = !scene.flipped.empty() && scene.flipped[segment.value];
   return flipped ? Vector(-pair.closest.normal) : pair.closest.normal;
 }
 
-PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t s) {
+PairResult decide_pair(const PairScene& scene, SlotIndex slot, SegmentIndex s) {
   const geometry::Facet facet = scene.facet(s);
   const Vector q = scene.position(slot);
-  const double h = scene.nodes.half[slot] + scene.segments.half[s];
+  const double h = scene.nodes.half[slot.value] + scene.segments.half[s.value];
   const double tolerance = tolerance_of(scene, h, facet, q);
   PairResult result = measure(scene, s, facet, q);
   if (scene.line(s)) {

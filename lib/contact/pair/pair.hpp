@@ -9,7 +9,7 @@
 
 namespace gapcheck::contact {
 
-/// What single facets need to know of the solids behind them. Arrays beside Segments, or empty where no segment is solid.
+/// What facets need to know about the solids behind them. Arrays parallel to Segments, or empty if no segment is solid.
 struct SolidExtents {
   std::vector<double> depth;         ///< V / A: the thickness that release rules mean
   std::vector<double> extent;        ///< how far the facet's own element reaches behind its plane
@@ -22,7 +22,7 @@ struct SolidExtents {
 [[nodiscard]] double solid_depth(const Segments& segments, const model::Mesh& mesh, std::size_t segment,
                                  const std::vector<Vector>& x);
 
-/// Everything that deciding one tracked node against one segment needs; built once per contact and side. All references
+/// Everything needed to decide one tracked node against one segment; built once per contact and side. All references
 /// must outlive it.
 struct PairScene {
   const model::Model& model;
@@ -40,41 +40,42 @@ struct PairScene {
   geometry::Mode mode = geometry::Mode::filtered;
 
   /// Corners of the reference surface, mid-surface offsets included.
-  [[nodiscard]] geometry::Facet facet(std::uint32_t segment) const;
-  /// Where a tracked node counts: its coordinates, or its mid-surface where that is offset.
-  [[nodiscard]] Vector position(std::uint32_t slot) const {
-    const Vector& at = x[nodes.node[slot].value];
-    return nodes.shift.empty() ? at : Vector(at + nodes.shift[slot]);
+  [[nodiscard]] geometry::Facet facet(SegmentIndex segment) const;
+  /// The position of a tracked node in contact: its coordinates, or its mid-surface if that is offset.
+  [[nodiscard]] Vector position(SlotIndex slot) const {
+    const Vector& at = x[nodes.node[slot.value].value];
+    return nodes.shift.empty() ? at : Vector(at + nodes.shift[slot.value]);
   }
-  [[nodiscard]] bool line(std::uint32_t s) const { return segments.kind[s] == SegmentKind::line; }
+  [[nodiscard]] bool line(SegmentIndex s) const { return segments.kind[s.value] == SegmentKind::line; }
   /// Automatic types see both sides of a shell; solid facets and segments of old types have a front.
-  [[nodiscard]] bool oriented(std::uint32_t s) const {
-    if (segments.kind[s] == SegmentKind::solid) return true;
+  [[nodiscard]] bool oriented(SegmentIndex s) const {
+    const SegmentKind kind = segments.kind[s.value];
+    if (kind == SegmentKind::solid) return true;
     if (type.by_segments()) return false;
-    return segments.kind[s] == SegmentKind::shell && (type.family == Family::old || type.family == Family::forming);
+    return kind == SegmentKind::shell && (type.family == Family::old || type.family == Family::forming);
   }
-  /// A beam axis in a contact that does not look for beams: there for its neighbours only.
-  [[nodiscard]] bool passive(std::uint32_t s) const { return line(s) && !type.edges; }
+  /// A beam axis in a contact that does not search beams: present only for its neighbours.
+  [[nodiscard]] bool passive(SegmentIndex s) const { return line(s) && !type.edges; }
   /// How far behind an oriented segment a node still counts: as far as the facet's own solid reaches; for shells half the
   /// segment's shorter diagonal. 0 for two-sided segments.
-  [[nodiscard]] double behind(std::uint32_t segment) const;
+  [[nodiscard]] double behind(SegmentIndex segment) const;
   /// Largest distance at which a node can penetrate the segment, given the largest half thickness of the nodes.
-  [[nodiscard]] double reach(std::uint32_t segment, double largest_node_half) const;
+  [[nodiscard]] double reach(SegmentIndex segment, double largest_node_half) const;
   /// True if the closest point lies on a free edge of a shell surface that ends there (SHLEDG, SRNDE).
-  [[nodiscard]] bool beyond_square_edge(std::uint32_t segment, const geometry::ClosestPoint& closest) const;
+  [[nodiscard]] bool beyond_square_edge(SegmentIndex segment, const geometry::ClosestPoint& closest) const;
   /// False if the query lies behind the segment, given its closest point.
-  [[nodiscard]] bool in_front(std::uint32_t segment, const geometry::ClosestPoint& closest, const Vector& query) const;
+  [[nodiscard]] bool in_front(SegmentIndex segment, const geometry::ClosestPoint& closest, const Vector& query) const;
 };
 
-/// The shorter diagonal of a facet; of a triangle the shorter of the sides from its third corner.
+/// The shorter diagonal of a facet; for a triangle the shorter of the sides at its third corner.
 [[nodiscard]] double min_diagonal(const geometry::Facet& facet);
 
 /// The distance below which a node at `query` penetrates a segment in front of it: contact distance less tolerance. May
 /// be negative. `facet`: the segment's.
-[[nodiscard]] double penetration_bound(const PairScene& scene, std::uint32_t slot, std::uint32_t segment,
+[[nodiscard]] double penetration_bound(const PairScene& scene, SlotIndex slot, SegmentIndex segment,
                                        const geometry::Facet& facet, const Vector& query);
 
-/// How one tracked node lies to one segment.
+/// The position of one tracked node relative to one segment.
 struct PairResult {
   bool penetrates = false;  ///< p > tolerance; decided exactly
   bool in_band = false;     ///< the projection counts for this segment
@@ -83,18 +84,18 @@ struct PairResult {
   geometry::Stage stage = geometry::Stage::filter;  ///< which stage decided
 };
 
-/// Where a tracked node lies to a segment, in double precision; `penetrates` is left open.
-[[nodiscard]] PairResult measure_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t segment);
+/// The position of a tracked node relative to a segment, in double precision; `penetrates` is not set.
+[[nodiscard]] PairResult measure_pair(const PairScene& scene, SlotIndex slot, SegmentIndex segment);
 
-/// Unit vector from the segment to its free side at the node, given how they lie.
-[[nodiscard]] Vector free_direction(const PairScene& scene, std::uint32_t slot, std::uint32_t segment,
+/// Unit vector from the segment to its free side at the node, given their relative position.
+[[nodiscard]] Vector free_direction(const PairScene& scene, SlotIndex slot, SegmentIndex segment,
                                     const PairResult& pair);
 
 /// Decides tracked node number `slot` against a segment: penetration p = h - distance > tolerance.
 /// Source: contact rules, sections 3 and 4.
-[[nodiscard]] PairResult decide_pair(const PairScene& scene, std::uint32_t slot, std::uint32_t segment);
+[[nodiscard]] PairResult decide_pair(const PairScene& scene, SlotIndex slot, SegmentIndex segment);
 
-/// The largest coordinate (by amount) of a facet and a point.
+/// The largest absolute coordinate of a facet and a point.
 [[nodiscard]] double largest_coordinate(const geometry::Facet& facet, const Vector& query);
 
 /// Default tolerance of a finding: 1e-9 of the contact distance plus 4 units in the last place of the largest

@@ -3,7 +3,7 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Nodes that are a corner of a shell or solid facet: segment-based contact looks at no others, if it has such.
+/// Nodes that are a corner of a shell or solid facet: segment-based contact checks only these, if there are any.
 std::vector<bool> corners_of(const Segments& segments, std::size_t nodes) {
   std::vector<bool> corner(nodes, false);
   for (std::size_t s = 0; s < segments.size(); ++s)
@@ -24,13 +24,13 @@ PairRules::PairRules(const PairScene& scene, const ContactSide& tracked, const E
     corners_ = corners_of(tracked.selection.segments, scene.model.mesh.nodes.size());
 }
 
-PairRule PairRules::operator()(std::uint32_t slot, std::uint32_t segment) const {
-  const NodeIndex node = scene_.nodes.node[slot];
+PairRule PairRules::operator()(SlotIndex slot, SegmentIndex segment) const {
+  const NodeIndex node = scene_.nodes.node[slot.value];
   if (single_ && scene_.neighbours.in_ring(node, segment)) return PairRule::neighbour;
   if (!corners_.empty() && !corners_[node.value]) return PairRule::no_corner;
-  const PartIndex part = part_of(scene_.model.mesh, scene_.segments, segment);
-  if (!own_part_ && part == scene_.nodes.part[slot]) return PairRule::own_part;
-  if (!exclusions_.empty() && exclusions_.excluded(scene_.nodes.part[slot], part)) return PairRule::excluded;
+  const PartIndex part = part_of(scene_.model.mesh, scene_.segments, segment.value);
+  if (!own_part_ && part == scene_.nodes.part[slot.value]) return PairRule::own_part;
+  if (!exclusions_.empty() && exclusions_.excluded(scene_.nodes.part[slot.value], part)) return PairRule::excluded;
   if (ties_.size() > 0 && ties_.tied(node, part)) return PairRule::tied;
   return PairRule::counts;
 }

@@ -9,22 +9,22 @@
 
 namespace gapcheck::contact {
 
-/// Why a tracked node and a segment of one contact never meet.
+/// Why a tracked node and a segment of one contact are never in contact.
 enum class PairRule : std::uint8_t {
   counts,     ///< they may
   neighbour,  ///< single surface: an element of the node touches the segment
-  no_corner,  ///< segment-based: the node is no corner of a facet
-  own_part,   ///< mortar with a negative IGNORE: both are of one part
+  no_corner,  ///< segment-based: the node is not a corner of a facet
+  own_part,   ///< mortar with a negative IGNORE: both belong to one part
   excluded,   ///< *CONTACT_EXCLUDE_INTERACTION
   tied,       ///< the node is tied to the segment's part
 };
 
-/// Answers for the pairs of one side's nodes and the other side's segments. All references must outlive it. May be asked
-/// from any thread while nothing is added to the ties.
+/// Answers for the pairs of one side's nodes and the other side's segments. All references must outlive it. May be
+/// called from any thread while nothing is added to the ties.
 class PairRules {
  public:
   PairRules(const PairScene& scene, const ContactSide& tracked, const Exclusions& exclusions, const TiedPairs& ties);
-  [[nodiscard]] PairRule operator()(std::uint32_t slot, std::uint32_t segment) const;
+  [[nodiscard]] PairRule operator()(SlotIndex slot, SegmentIndex segment) const;
 
  private:
   const PairScene& scene_;

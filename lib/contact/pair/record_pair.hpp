@@ -7,14 +7,15 @@
 
 namespace gapcheck::contact {
 
-/// Where a record's node and segment stand in the surfaces of its contact.
+/// The positions of a record's node and segment in the surfaces of its contact.
 struct RecordPair {
   bool node_on_b = false, segment_on_b = false;  ///< the sides that they are on; single-surface contacts: A both
-  std::uint32_t slot = 0;                        ///< in TrackedNodes
-  std::uint32_t segment = 0;                     ///< in Segments
+  SlotIndex slot;
+  SegmentIndex segment;
 };
 
-/// Finds a record in surfaces of the same contact, whatever their thickness. Nothing if it is not of these surfaces.
+/// Finds a record in surfaces of the same contact, whatever their thickness. Nothing if it does not belong to these
+/// surfaces.
 [[nodiscard]] std::optional<RecordPair> find_pair(const ContactSurfaces& surfaces, const model::Mesh& mesh,
                                                   const Penetration& record);
 

@@ -15,7 +15,7 @@ constexpr double penmax_general = 200;
 /// PENCHK = 2: share of the shorter diagonal (contact rules, section 5).
 constexpr double penchk_diagonal_share = 0.05;
 
-/// XPENE · t with t of the segment: in the contact, or of its element where the contact does not count it (rigid tools).
+/// XPENE · t with t of the segment: in the contact, or of its element if the contact ignores it (rigid tools).
 double xpene_depth(const model::Controls& controls, const ReleasePair& pair, double solid_t) {
   const double shell_t = pair.segment_thickness > 0 ? pair.segment_thickness : pair.element_thickness;
   const double t = pair.solid_segment ? solid_t : shell_t;
@@ -31,13 +31,13 @@ double release_depth(const model::Contact& contact, const ContactType& type, con
   const double t = pair.solid_segment ? solid_t : pair.node_thickness + pair.segment_thickness;
   switch (type.family) {
     case Family::automatic: {
-      if (type.code == "4") return (pair.solid_segment ? penmax_solid : penmax_shell) * t;
+      if (type.code == ContactCode::single_surface) return (pair.solid_segment ? penmax_solid : penmax_shell) * t;
       double penmax = contact.penmax;
       if (penmax <= 0) penmax = type.edges ? penmax_general : pair.solid_segment ? penmax_solid : penmax_shell;
       return penmax * t;
     }
     case Family::old:
-      if (type.code == "1") return never;
+      if (type.code == ContactCode::sliding) return never;
       if (settings.shlthk > 0) return xpene_depth(controls, pair, solid_t);
       if (contact.penchk == 1) return xpene_depth(controls, pair, solid_t);
       if (contact.penchk == 2) return penchk_diagonal_share * pair.min_diagonal;
@@ -48,15 +48,15 @@ double release_depth(const model::Contact& contact, const ContactType& type, con
   }
 }
 
-double release_depth(const PairScene& scene, std::uint32_t slot, std::uint32_t segment) {
+double release_depth(const PairScene& scene, SlotIndex slot, SegmentIndex segment) {
   const Segments& s = scene.segments;
   ReleasePair pair;
-  pair.solid_segment = s.kind[segment] == SegmentKind::solid;
-  pair.node_thickness = 2 * scene.nodes.half[slot];
-  pair.segment_thickness = 2 * s.half[segment];
-  if (!scene.solids.empty()) pair.solid_depth = scene.solids.depth[segment];
-  if (s.element_kind[segment] == model::ElementKind::shell && element_id(scene.model.mesh, s, segment) != 0)
-    pair.element_thickness = element_thickness(scene.model, s.element[segment]);
+  pair.solid_segment = s.kind[segment.value] == SegmentKind::solid;
+  pair.node_thickness = 2 * scene.nodes.half[slot.value];
+  pair.segment_thickness = 2 * s.half[segment.value];
+  if (!scene.solids.empty()) pair.solid_depth = scene.solids.depth[segment.value];
+  if (s.element_kind[segment.value] == model::ElementKind::shell && element_id(scene.model.mesh, s, segment.value) != 0)
+    pair.element_thickness = element_thickness(scene.model, s.element[segment.value]);
   pair.min_diagonal = min_diagonal(scene.facet(segment));
   return release_depth(scene.contact, scene.type, scene.settings, scene.model.controls, pair);
 }

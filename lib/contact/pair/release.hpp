@@ -5,7 +5,7 @@
 
 namespace gapcheck::contact {
 
-/// What the release rule needs to know of one pair.
+/// What the release rule needs to know about one pair.
 struct ReleasePair {
   bool solid_segment = false;
   double node_thickness = 0;     ///< t of the node
@@ -15,13 +15,12 @@ struct ReleasePair {
   double min_diagonal = 0;       ///< shorter diagonal of the segment
 };
 
-/// Penetration beyond which the solver gives up on a node ("released"); infinity where it never does.
-/// Source: contact rules, section 5.
+/// Penetration beyond which the solver releases a node; infinity if it never does. Source: contact rules, section 5.
 [[nodiscard]] double release_depth(const model::Contact& contact, const ContactType& type,
                                    const ContactSettings& settings, const model::Controls& controls,
                                    const ReleasePair& pair);
 
 /// The same for a tracked node and a segment of a scene.
-[[nodiscard]] double release_depth(const PairScene& scene, std::uint32_t slot, std::uint32_t segment);
+[[nodiscard]] double release_depth(const PairScene& scene, SlotIndex slot, SegmentIndex segment);
 
 }  // namespace gapcheck::contact

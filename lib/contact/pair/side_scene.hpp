@@ -8,13 +8,13 @@
 
 namespace gapcheck::contact {
 
-/// One side's nodes against the other side's segments, with what the scene of their pairs refers to. Which oriented
-/// shells face the wrong way is left open (PairScene::flipped). All references must outlive it.
+/// One side's nodes against the other side's segments, with the data that the scene of their pairs refers to. Which
+/// oriented shells face the wrong way is not set (PairScene::flipped). All references must outlive it.
 class SideScene {
  public:
-  /// `contact`: position in Model::contacts. `exchanged`: side B's nodes against side A's segments; single-surface
-  /// contacts have side A alone. `x`: coordinates by node, read whenever a pair is decided.
-  SideScene(const model::Model& model, std::uint32_t contact, const ContactSurfaces& surfaces, bool exchanged,
+  /// `exchanged`: side B's nodes against side A's segments; single-surface contacts have side A alone. `x`: coordinates
+  /// by node, read whenever a pair is decided.
+  SideScene(const model::Model& model, ContactIndex contact, const ContactSurfaces& surfaces, bool exchanged,
             const std::vector<Vector>& x);
   SideScene(const SideScene&) = delete;
   SideScene& operator=(const SideScene&) = delete;

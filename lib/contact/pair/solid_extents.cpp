@@ -1,6 +1,7 @@
 #include <algorithm>
-#include <numeric>
 
+#include "base/quad.hpp"
+#include "base/union_find.hpp"
 #include "contact/mesh/faces.hpp"
 #include "contact/pair/pair.hpp"
 
@@ -13,8 +14,9 @@ const std::array<NodeIndex, 8>& nodes_of_solid(const Segments& s, const model::M
 }
 
 /// Largest distance of the element's nodes behind the facet's plane.
-double reach_behind(const model::SegmentNodes& n, const std::array<NodeIndex, 8>& element, const std::vector<Vector>& x) {
-  const Vector normal = (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]).stableNormalized();
+double reach_behind(const model::SegmentNodes& n, const std::array<NodeIndex, 8>& element,
+                    const std::vector<Vector>& x) {
+  const Vector normal = quad_normal(n, x).stableNormalized();
   const Vector centre = (x[n[0].value] + x[n[1].value] + x[n[2].value] + x[n[3].value]) / 4;
   double reach = 0;
   for (const NodeIndex node : element) reach = std::max(reach, normal.dot(centre - x[node.value]));
@@ -23,17 +25,12 @@ double reach_behind(const model::SegmentNodes& n, const std::array<NodeIndex, 8>
 
 /// Numbers the connected bodies of the solid facets: facets that share a node belong together.
 std::vector<std::uint32_t> bodies(const Segments& s, std::size_t nodes) {
-  std::vector<std::uint32_t> parent(nodes);
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t n) {
-    while (parent[n] != n) n = parent[n] = parent[parent[n]];
-    return n;
-  };
+  UnionFind connected(nodes);
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == SegmentKind::solid)
-      for (const NodeIndex n : s.nodes[i]) parent[root(n.value)] = root(s.nodes[i][0].value);
+      for (const NodeIndex n : s.nodes[i]) connected.unite(n.value, s.nodes[i][0].value);
   std::vector<std::uint32_t> body(s.size());
-  for (std::size_t i = 0; i < s.size(); ++i) body[i] = root(s.nodes[i][0].value);
+  for (std::size_t i = 0; i < s.size(); ++i) body[i] = connected.root(s.nodes[i][0].value);
   return body;
 }
 

@@ -9,13 +9,13 @@ void TiedPairs::remove(NodeIndex node, PartIndex part) {
   if (found != pairs_.end() && --found->second == 0) pairs_.erase(found);
 }
 
-void TiedPairs::constrain(NodeIndex node, std::uint32_t contact) {
-  if (holder_.empty()) holder_.assign(model_.mesh.nodes.size(), free);
-  if (holder_[node.value] == free) holder_[node.value] = contact;
+void TiedPairs::constrain(NodeIndex node, ContactIndex contact) {
+  if (holder_.empty()) holder_.assign(model_.mesh.nodes.size(), none<ContactIndex>);
+  if (holder_[node.value] == none<ContactIndex>) holder_[node.value] = contact;
 }
 
-std::optional<std::uint32_t> TiedPairs::constrained_by(NodeIndex node) const {
-  if (holder_.empty() || holder_[node.value] == free) return std::nullopt;
+std::optional<ContactIndex> TiedPairs::constrained_by(NodeIndex node) const {
+  if (holder_.empty() || holder_[node.value] == none<ContactIndex>) return std::nullopt;
   return holder_[node.value];
 }
 

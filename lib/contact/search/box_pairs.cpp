@@ -1,5 +1,5 @@
-// Every leaf of a tree of boxes asks a tree for the leaves that it meets, and two leaves compare their boxes. The trees
-// hold single-precision numbers; pairs that meet only there are told apart at the end by the boxes themselves.
+// Every leaf of a tree of boxes queries a tree for the leaves that it meets, and two leaves compare their boxes. The
+// trees hold single-precision numbers; at the end the boxes themselves remove pairs that meet only there.
 #include "contact/search/box_pairs.hpp"
 
 #include <algorithm>

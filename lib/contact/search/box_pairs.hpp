@@ -17,8 +17,8 @@ enum class BoxSearch : std::uint8_t {
 };
 
 /// Visits every pair of a box of `a` and a box of `b` that have a point in common: closed boxes, decided exactly. Empty
-/// boxes and those with numbers that are none (NaN) meet nothing. Sorting is O(n log n); the rest is proportional to the
-/// pairs of boxes that nearly meet. Whoever needs boxes grown by a distance rounds them outward before.
+/// boxes and those with NaN meet nothing. Sorting is O(n log n); the rest is proportional to the pairs of boxes that
+/// nearly meet. Callers that grow boxes by a distance must round them outward first.
 void for_each_box_pair(std::span<const Bounds> a, std::span<const Bounds> b, const BoxPairVisit& visit,
                        BoxSearch search = BoxSearch::tree);
 

@@ -33,7 +33,7 @@ struct PointItems {
   [[nodiscard]] Bounds bounds(std::size_t i) const { return {points[i], points[i]}; }
 };
 
-/// Up to about 1024 middles of the items along one axis, unsorted; those that are no numbers are left out.
+/// Up to about 1024 middles of the items along one axis, unsorted, without NaN.
 template <class Items>
 void sample_middles(const Items& items, int axis, std::vector<double>& sample) {
   constexpr std::size_t samples = 1024;
@@ -66,7 +66,7 @@ class Curve {
     return curve;
   }
 
-  /// Over all items given. Nothing to tell apart: no cells.
+  /// Over all items given. Nothing to distinguish: no cells.
   template <class Items, class Positions>
   static Curve over_all(const Items& items, const Positions& positions) {
     constexpr double limit = 1e300;

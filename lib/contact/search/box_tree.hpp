@@ -11,7 +11,7 @@
 
 namespace gapcheck::contact {
 
-/// Eight boxes beside one another, so that one comparison can take several.
+/// Eight boxes side by side, so that one comparison handles several.
 struct BoxPack {
   static constexpr std::uint32_t width = float_width;
   std::array<std::array<float, width>, 3> low, high;
@@ -45,8 +45,8 @@ struct BoxPack {
 
 /// Boxes (or points) sorted along a Z-order curve and packed eight to a leaf; eight leaves make a node, eight nodes the
 /// next one, up to a root. Cells of the curve that hold many boxes have curves of their own, so a dense corner of a
-/// wide model is resolved as well as the rest. Empty boxes and those with numbers that are none (NaN) are left out.
-/// Memory: about 33 bytes for each box. Build time is O(n) but for nested dense corners.
+/// wide model is resolved as well as the rest. Empty boxes and those with NaN are left out. Memory: about 33 bytes for
+/// each box. Build time is O(n) except for nested dense corners.
 class BoxTree {
  public:
   BoxTree(std::span<const Bounds> boxes, const FloatMap& map);

@@ -1,4 +1,5 @@
-// Points and boxes each go into a tree; every leaf of eight boxes asks the points' tree for the leaves that it meets.
+// Points and boxes each go into a tree; every leaf of eight boxes queries the points' tree for the leaves that it
+// meets.
 #include <array>
 #include <vector>
 

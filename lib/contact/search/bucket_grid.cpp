@@ -1,7 +1,7 @@
 // Hierarchical bucket grid. Points are sorted once along a Z-order curve over a fine grid; a bucket of any power-of-two
-// size is then a contiguous range of that order. A box asks the few buckets of about its own size; a crowded bucket is
-// split into its eight children on the way. Element sizes may therefore differ by any factor, and empty space (a stray
-// part far away) costs nothing.
+// size is then a contiguous range of that order. A box queries the few buckets of about its own size; a crowded bucket
+// is split into its eight children on the way. So element sizes may differ by any factor, and empty space (a stray part
+// far away) costs nothing.
 //
 // Both points and boxes go through the same monotone map from coordinates to integer cells, so rounding can put a point
 // into a neighbouring cell but never outside the cells of a box that contains it.
@@ -21,7 +21,7 @@ namespace gapcheck::contact {
 namespace {
 
 constexpr int bits_per_axis = 21;  // 3 × 21 fit one key
-/// Buckets with more points are split on the way: a look at so many costs less than finding the halves.
+/// Buckets with more points are split on the way: checking fewer costs less than finding the halves.
 constexpr std::uint32_t crowded_bucket = 256;
 using Cell = std::array<std::uint32_t, 3>;
 
@@ -69,7 +69,7 @@ class Level {
     std::uint64_t key = 0;
     Range range;  // end 0: free
   };
-  /// The eight children of one bucket lie side by side: a box asks for several of them.
+  /// The eight children of one bucket lie side by side: a box queries several of them.
   [[nodiscard]] std::size_t hash(std::uint64_t key) const {
     return (((key >> 3) * 0x9E3779B97F4A7C15ULL >> 20) << 3 | (key & 7)) & mask_;
   }
@@ -126,8 +126,8 @@ class Grid {
     Cell low, high;
   };
 
-  /// The box that the cells cover: nearly all points with room around them. What lies outside (a node at 1e20 in a car)
-  /// falls into the cells at the rim instead of making all cells huge.
+  /// The box that the cells cover: nearly all points with a margin. Points outside (a node at 1e20 in a car) fall into
+  /// the cells at the rim instead of making all cells huge.
   [[nodiscard]] Bounds core_of(std::span<const Vector> points) const {
     constexpr std::size_t samples = 1024, margin = 20;  // 2 % on either side
     constexpr double limit = 1e300;
@@ -188,7 +188,7 @@ class Grid {
     });
   }
 
-  /// Bit l: some box asks for buckets of level l.
+  /// Bit l: some box queries buckets of level l.
   [[nodiscard]] std::uint32_t levels_asked(std::span<const Bounds> boxes) const {
     std::atomic<std::uint32_t> asked{0};
     parallel_for(boxes.size(), 8192, [&](std::size_t begin, std::size_t end) {

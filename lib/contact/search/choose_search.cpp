@@ -27,11 +27,11 @@ class TalliedSearch final : public CandidateSearch {
 }  // namespace
 
 SearchKind choose_search(std::span<const Vector> points, std::span<const Bounds> boxes) {
-  // What a grid or tree costs to build, a sweep saves where there is little to sweep over.
+  // A sweep saves the cost of building a grid or tree if there is little to sweep over.
   constexpr std::size_t few = 3000;
   if (points.size() <= few) return SearchKind::sorted_sweep;
-  // The grid has 2²¹ cells along the longest extent with its room (bucket_grid.cpp). Boxes as small as a cell or so
-  // would share it with all that is near them.
+  // The grid has 2²¹ cells along the longest extent with its room (bucket_grid.cpp). Boxes about as small as a cell
+  // would share it with everything near them.
   constexpr double cells = 1 << 21, room = 5, cells_per_box = 4;
   const SearchSample sample(points, boxes);
   const double extent = std::max({sample.extent(0), sample.extent(1), sample.extent(2)});

@@ -8,7 +8,7 @@
 
 namespace gapcheck::contact {
 
-/// The search that is likely the fastest for a scene, from a sample of it; the same one on every machine. Reasons and
+/// The search that is probably fastest for a scene, from a sample of it; the same on every machine. Reasons and
 /// measurements: docs/theory/search.md.
 [[nodiscard]] SearchKind choose_search(std::span<const Vector> points, std::span<const Bounds> boxes);
 
@@ -19,7 +19,7 @@ struct SearchTally {
   [[nodiscard]] std::uint64_t of(SearchKind kind) const { return runs[static_cast<std::size_t>(kind)]; }
 };
 
-/// A search that chooses anew for every run. The tally must outlive it; runs must not overlap.
+/// A search that chooses again for every run. The tally must outlive it; runs must not overlap.
 [[nodiscard]] std::unique_ptr<CandidateSearch> make_chosen_search(SearchTally& tally);
 
 /// A search that always takes the same one, and counts its runs.

@@ -48,8 +48,8 @@ inline constexpr std::uint32_t float_width = 8;
 #endif
 }
 
-/// A monotone map of coordinates to single precision: less an origin amid the scene, rounded to double, rounded to
-/// float. Points inside a box and boxes that meet stay so after it; what meets only there is told apart in double
+/// A monotone map of coordinates to single precision: minus an origin in the middle of the scene, rounded to double,
+/// rounded to float. Points inside a box and boxes that meet stay so after it; false hits are removed in double
 /// precision.
 class FloatMap {
  public:
@@ -75,7 +75,7 @@ class FloatMap {
   Vector origin_ = Vector::Zero();
 };
 
-/// Points after a FloatMap, one array for each axis, so that one comparison can take several.
+/// Points after a FloatMap, one array for each axis, so that one comparison handles several.
 class FloatPoints {
  public:
   /// Places for `count` points, to be set one by one, from any thread.
@@ -92,7 +92,7 @@ class FloatPoints {
   /// Calls visit(i) for the points of [begin, end) inside the closed box.
   template <class Visit>
   void inside(std::size_t begin, std::size_t end, const FloatBox& box, const Visit& visit) const {
-    // The rows are as much longer than the points as the last step may reach beyond them.
+    // The rows are longer than the points by as much as the last step may reach beyond them.
     for (std::size_t i = begin; i < end; i += float_width) {
       const std::array rows{rows_[0].data() + i, rows_[1].data() + i, rows_[2].data() + i};
       std::uint32_t bits = meeting(rows, rows, box);

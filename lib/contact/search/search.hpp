@@ -28,7 +28,7 @@ struct Bounds {
   }
 };
 
-/// Grows by `reach` and one more rounding step on either side, so that no rounding can lose a pair.
+/// Grows by `reach` and one more rounding step on either side, so no rounding can lose a pair.
 [[nodiscard]] inline Bounds grown(Bounds box, double reach) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
@@ -42,10 +42,10 @@ struct Bounds {
 /// segments; possibly several times for one segment, but never twice with the same node. The span dies with the call.
 using CandidateSink = std::function<void(std::uint32_t segment, std::span<const std::uint32_t> nodes)>;
 
-/// Finds, for every segment box, all points inside it (closed box, no rounding inward). Boxes come already grown by the
-/// contact distance and rounded outward; an empty box gets nothing, nor does one with numbers that are none (NaN), and
-/// such points are in no box; infinite ones are where they say. More candidates than the true ones are allowed, a
-/// missing one is a bug. At most 2³² - 1 points and boxes.
+/// Finds, for every segment box, all points inside it (closed box, no rounding inward). Boxes are already grown by the
+/// contact distance and rounded outward; an empty box or one with NaN gets nothing, and points with NaN are in no box;
+/// infinite coordinates are taken as such. Extra candidates are allowed, a missing one is a bug. At most 2³² - 1 points
+/// and boxes.
 class CandidateSearch {
  public:
   virtual ~CandidateSearch() = default;

@@ -1,8 +1,8 @@
-// Points are sorted along one axis; a box finds its interval there by bisection and looks through it. The axis is the
-// one along which the boxes' intervals hold the fewest points, on a sample.
+// Points are sorted along one axis; a box finds its interval there by bisection and scans it. The axis is the one along
+// which the boxes' intervals hold the fewest points, on a sample.
 //
-// Coordinates are compared in single precision after a monotone map, so no pair is lost; what passes is decided by the
-// boxes themselves.
+// Coordinates are compared in single precision after a monotone map, so no pair is lost; the boxes themselves decide
+// the survivors.
 #include <algorithm>
 #include <bit>
 #include <vector>

@@ -63,7 +63,7 @@ SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLim
   corners_.resize(s.size());
   parallel_for(s.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      // Beams have springs of their own in types 26 alone, of which no estimate is known.
+      // Beams have their own springs only in types 26, for which no estimate is known.
       const SegmentSpring spring = s.element_kind[i] == model::ElementKind::beam
                                        ? SegmentSpring{}
                                        : springs_(s, i, scale, limit == TimestepLimit::printed);
@@ -99,13 +99,19 @@ SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLim
 }
 
 bool has_timestep(const ContactType& type) {
-  if (type.code == "?" || type.family == Family::mortar || type.family == Family::constraint) return false;
-  constexpr std::array<std::string_view, 11> without{"2", "6", "7", "c2", "c6", "c7", "20", "21", "22", "23", "?"};
-  return std::find(without.begin(), without.end(), type.code) == without.end();
+  if (type.family == Family::mortar || type.family == Family::constraint || ties_by_constraint(type)) return false;
+  switch (type.code) {
+    case ContactCode::unknown:
+    case ContactCode::rigid_nodes:
+    case ContactCode::rigid_bodies:
+    case ContactCode::single_edge:
+    case ContactCode::draw_bead: return false;
+    default: return true;
+  }
 }
 
 PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& surfaces,
-                                     std::span<const std::uint32_t> contacts) {
+                                     std::span<const ContactIndex> contacts) {
   PredictedTimesteps all;
   const ElementSizes sizes = element_sizes(model);
   all.element = smallest_element_timestep(model, sizes);
@@ -114,17 +120,17 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
   TimestepEstimate estimate(model, sizes);
   auto& list = all.timesteps.surface_timesteps;
   double& least = all.timesteps.contact_timestep;
-  for (const std::uint32_t c : contacts) {
-    const model::Contact& contact = model.contacts[c];
+  for (const ContactIndex c : contacts) {
+    const model::Contact& contact = model.contact(c);
     if (!contact.known || contact.own_layout || !has_timestep(classify(contact))) continue;
     const ContactSurfaces& s = surfaces.at(c);
-    const bool springs = s.type.code != "25" && contact.soft != 2;
+    const bool springs = s.type.code != ContactCode::transducer && contact.soft != 2;
     const auto add = [&](char letter, const ContactSide& side, double factor) {
       const double scale = model.controls.slsfac * factor;
       SideTimestep found = estimate.side(side.selection.segments, scale);
       if (found.node == none<NodeIndex>) found.node = lowest_node(side);
       if (found.node == none<NodeIndex>) return;
-      list.push_back({c, letter, s.type.code, found.timestep, model.mesh.nodes.id[found.node.value],
+      list.push_back({c.value, letter, s.type.printed(), found.timestep, model.mesh.nodes.id[found.node.value],
                       found.part == none<PartIndex> ? 0 : model.part(found.part).id.value, found.triangles});
       if (found.timestep >= no_timestep_limit) return;
       if (least == 0 || found.timestep < least) least = found.timestep;

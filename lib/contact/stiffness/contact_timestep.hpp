@@ -22,7 +22,7 @@ struct SideTimestep {
 
 /// Which limit is meant. `printed`: the one that the solver prints when it initialises, √(m / (2 k)) with K A / t for
 /// shells (contact rules, section 12.3). `spring`: 2 √(m / k) with the stiffness of the springs themselves (contact
-/// rules, section 6.1), the step at which a node oscillates without bound against a surface that does not give way.
+/// rules, section 6.1), the step at which a node oscillates without bound against a rigid surface.
 enum class TimestepLimit : std::uint8_t { printed, spring };
 
 /// Estimates the stable time step of contact springs: for each side the smallest limit of its nodes, with m the node's
@@ -38,7 +38,7 @@ class TimestepEstimate {
 
  private:
   [[nodiscard]] NodeIndex smallest(const Segments& segments);
-  /// Then all nodes are visited rather than the corners of the segments.
+  /// Then all nodes are visited, not the corners of the segments.
   [[nodiscard]] bool most_of_the_mesh(const Segments& segments) const { return segments.size() > sums_.size() / 8; }
 
   const model::Model& model_;
@@ -65,11 +65,11 @@ struct PredictedTimesteps {
   double run = 0;                      ///< run_timestep
   std::vector<UnstableSide> unstable;  ///< ascending; transducers have no springs, those of SOFT = 2 follow the step
 };
-/// `contacts`: positions in Model::contacts.
+/// Of the elements and of the sides of these contacts.
 [[nodiscard]] PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& surfaces,
-                                                   std::span<const std::uint32_t> contacts);
+                                                   std::span<const ContactIndex> contacts);
 
-/// The step that the elements and *CONTROL_TIMESTEP set: TSSFAC times the elements' step, or |DT2MS| where mass scaling
+/// The step that the elements and *CONTROL_TIMESTEP set: TSSFAC times the elements' step, or |DT2MS| if mass scaling
 /// raises it. 0: not known.
 [[nodiscard]] double run_timestep(const model::Controls& controls, double element_timestep);
 

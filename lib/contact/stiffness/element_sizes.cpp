@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "base/quad.hpp"
 #include "contact/surface/thickness.hpp"
 #include "model/entity/faces.hpp"
 
@@ -26,9 +27,7 @@ std::vector<double> volumes(const model::Elements<8>& elements, const std::vecto
 
 }  // namespace
 
-double shell_area(const model::SegmentNodes& n, const std::vector<Vector>& x) {
-  return 0.5 * (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]).norm();
-}
+double shell_area(const model::SegmentNodes& n, const std::vector<Vector>& x) { return 0.5 * quad_normal(n, x).norm(); }
 
 double brick_volume(const std::array<NodeIndex, 8>& nodes, const std::vector<Vector>& x) {
   // Divergence theorem; the flux through a bilinear face is the mean of those through its two triangulations.

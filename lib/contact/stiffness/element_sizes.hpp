@@ -5,7 +5,7 @@
 
 namespace gapcheck::contact {
 
-/// Sizes of all elements that masses, stiffness and time steps are made of. Arrays beside those of Mesh.
+/// Sizes of all elements, for masses, stiffness and time steps. Arrays parallel to those of Mesh.
 struct ElementSizes {
   std::vector<double> shell_area, shell_thickness;
   std::vector<double> shell_length;  ///< characteristic length, ISDO of *CONTROL_TIMESTEP

@@ -13,8 +13,8 @@ struct ElementTimestep {
   std::uint32_t element = 0;  ///< position in the array of its kind
 };
 
-/// Speed of sound: shells √(E / (ρ (1 - ν²))), solids √(E (1 - ν) / ((1 + ν) (1 - 2 ν) ρ)) or √(K / ρ) where only K is
-/// known, beams √(E / ρ). 0 where the material does not say.
+/// Speed of sound: shells √(E / (ρ (1 - ν²))), solids √(E (1 - ν) / ((1 + ν) (1 - 2 ν) ρ)) or √(K / ρ) if only K is
+/// known, beams √(E / ρ). 0 if the material does not say.
 [[nodiscard]] double shell_sound_speed(const model::Material& material, double density, std::int64_t isdo);
 [[nodiscard]] double solid_sound_speed(const model::Material& material, double density);
 [[nodiscard]] double beam_sound_speed(const model::Material& material, double density);
@@ -23,8 +23,8 @@ struct ElementTimestep {
 [[nodiscard]] double solid_length(const std::array<NodeIndex, 8>& nodes, double volume, const std::vector<Vector>& x);
 
 /// The smallest step, characteristic length / speed of sound, of all deformable shells, solids, thick shells and beams;
-/// of equal ones the first (shells, solids, thick shells, beams). Rigid parts and materials whose constants are not
-/// read have none. Source: LS-DYNA Theory Manual, time step control; no mass scaling.
+/// of equal ones the first (shells, solids, thick shells, beams). Rigid parts, and materials whose constants are not
+/// read, have none. Source: LS-DYNA Theory Manual, time step control; no mass scaling.
 [[nodiscard]] ElementTimestep smallest_element_timestep(const model::Model& model, const ElementSizes& sizes);
 
 /// The `count` smallest of these steps, ascending; of equal ones the first.

@@ -16,7 +16,7 @@ double beam_volume(const model::Model& model, PartIndex part, const model::Segme
 
 double segment_volume(const model::Model& model, const ElementSizes& sizes, const Segments& s, std::size_t i) {
   const std::uint32_t e = s.element[i];
-  if (e == unknown_element) return 0;
+  if (e == no_position) return 0;
   switch (s.element_kind[i]) {
     case model::ElementKind::shell: return sizes.shell_area[e] * sizes.shell_thickness[e];
     case model::ElementKind::solid: return sizes.solid_volume[e] / 2;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/stiffness/stiffness.hpp"
 
@@ -39,7 +38,7 @@ SegmentSpring SegmentSprings::beam(const model::SegmentNodes& nodes, PartIndex p
 SegmentSpring SegmentSprings::operator()(const Segments& s, std::size_t i, double scale, bool printed,
                                          double solid_modulus) const {
   const bool of_beam = s.element_kind[i] == model::ElementKind::beam;
-  if (s.element[i] == unknown_element || (of_beam && printed)) return {};
+  if (s.element[i] == no_position || (of_beam && printed)) return {};
   const PartIndex part = part_of(model_.mesh, s, i);
   if (part == none<PartIndex>) return {};
   if (of_beam) return beam(s.nodes[i], part, scale);

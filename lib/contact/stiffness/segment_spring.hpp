@@ -14,14 +14,14 @@ struct SegmentSpring {
   double weight = 0;  ///< area / number of corners; 0: the segment gives no stiffness
 };
 
-/// What the stiffness of all segments of a model is made of. Model and sizes must outlive it.
+/// The input for the stiffness of all segments of a model. Model and sizes must outlive it.
 class SegmentSprings {
  public:
   SegmentSprings(const model::Model& model, const ElementSizes& sizes);
   /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top. `printed`: K A / t for shells, as in the solver's
   /// estimate of the time step, instead of K A / longest diagonal. `solid_modulus`: SLDSTF, replaces the modulus of
   /// solids where it is positive. A beam counts as a shell strip as wide as its section is thick, which the printed
-  /// estimate leaves out. Source: contact rules, sections 6.1 and 12.3; of beams our own choice.
+  /// estimate leaves out. Source: contact rules, sections 6.1 and 12.3; for beams our own choice.
   [[nodiscard]] SegmentSpring operator()(const Segments& segments, std::size_t segment, double scale,
                                          bool printed = false, double solid_modulus = 0) const;
 
@@ -32,7 +32,7 @@ class SegmentSprings {
   std::vector<double> moduli_;  // by part, SSF included
 };
 
-/// Corners of a segment that are different nodes: 4, of a triangle 3, of a line 2.
+/// Number of different nodes of a segment: 4, of a triangle 3, of a line 2.
 [[nodiscard]] inline std::size_t corner_count(const model::SegmentNodes& n) {
   return n[2] != n[3] ? 4 : n[1] != n[2] ? 3 : 2;
 }

@@ -47,10 +47,6 @@ double spring_stiffness(std::int64_t penopt, const PairStiffness& pair) {
   }
 }
 
-double courant_timestep(double mass1, double mass2, double stiffness) {
-  return 2 * std::sqrt(quotient(reduced_mass(mass1, mass2), stiffness));
-}
-
 double soft_1_stiffness(double node_mass, double segment_mass, double timestep) {
   return quotient(soft_share * std::min(node_mass, segment_mass), timestep * timestep);
 }

@@ -6,10 +6,10 @@
 namespace gapcheck::contact {
 
 // Penalty stiffness of contact, one function per formula. Units: those of the deck. A quotient whose divisor is not
-// positive is 0: nothing can be said, and no stiffness is better than an infinite one. Source: contact rules, section 6;
-// for the estimates of the printed time step: contact rules, section 12.3.
+// positive is 0: the value is unknown, and no stiffness is better than an infinite one. Source: contact rules, section
+// 6; for the estimates of the printed time step: contact rules, section 12.3.
 
-/// Bulk modulus that contact takes for a material: K, or E / (3 (1 - 2 ν)); *MAT_FABRIC: Ea / (1 - ν²). 0 = unknown.
+/// Bulk modulus that contact uses for a material: K, or E / (3 (1 - 2 ν)); *MAT_FABRIC: Ea / (1 - ν²). 0 = unknown.
 [[nodiscard]] double contact_modulus(const model::Material& material);
 /// The same for a part; 0 without a material.
 [[nodiscard]] double contact_modulus(const model::Model& model, PartIndex part);
@@ -42,9 +42,6 @@ struct PairStiffness {
 /// Stiffness of one contact spring, SOFT = 0. PENOPT 1: the smaller of both; 2: segment; 3: node; 4: node, weighted;
 /// 5: as 4, divided by the thickness. Others count as 1.
 [[nodiscard]] double spring_stiffness(std::int64_t penopt, const PairStiffness& pair);
-
-/// Largest stable time step of a spring between two masses: 2 √(m1 m2 / ((m1 + m2) k)).
-[[nodiscard]] double courant_timestep(double mass1, double mass2, double stiffness);
 
 /// SOFT = 1 before SOFSCL: 0.5 m* / Δt², m* the smaller of the node's mass and that of the segment's nodes.
 [[nodiscard]] double soft_1_stiffness(double node_mass, double segment_mass, double timestep);

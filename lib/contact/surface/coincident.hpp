@@ -13,8 +13,8 @@ struct Coincidence {
   std::uint32_t again = 0;  ///< position of a later one
 };
 
-/// Every segment that has the corners of an earlier one, ascending by `again`. `nodes`: how many nodes the mesh has;
-/// corners beyond them match nothing. Linear in segments and nodes.
+/// Every segment with the same corners as an earlier one, ascending by `again`. `nodes`: number of nodes in the mesh;
+/// corners beyond it match nothing. Linear in segments and nodes.
 [[nodiscard]] std::vector<Coincidence> coincident_segments(std::span<const model::SegmentNodes> segments,
                                                            std::size_t nodes);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <unordered_set>
 
 #include "base/parallel.hpp"
@@ -11,8 +10,8 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Remembers the segments that were met before: shells by element, faces of solids by element and corners, others by
-/// their nodes.
+/// Remembers the segments seen before: shells by element, faces of solids by element and corners, others by their
+/// nodes.
 class SeenSegments {
  public:
   explicit SeenSegments(const model::Mesh& mesh) : mesh_(mesh) {}
@@ -20,7 +19,7 @@ class SeenSegments {
   /// True the first time that a segment is shown.
   bool first(const Segments& s, std::size_t i) {
     const std::uint32_t e = s.element[i];
-    if (e == std::numeric_limits<std::uint32_t>::max()) return others_.insert(segment_key(s.nodes[i])).second;
+    if (e == no_position) return others_.insert(segment_key(s.nodes[i])).second;
     switch (s.element_kind[i]) {
       case model::ElementKind::shell: {
         if (shells_.empty()) shells_.resize(mesh_.shells.size());
@@ -74,10 +73,10 @@ void for_each_edge(const model::SegmentNodes& n, const Visit& visit) {
 
 }  // namespace
 
-ContactMesh::ContactMesh(const model::Model& model, SurfaceStore& surfaces, std::span<const std::uint32_t> contacts)
+ContactMesh::ContactMesh(const model::Model& model, SurfaceStore& surfaces, std::span<const ContactIndex> contacts)
     : model_(model) {
   SeenSegments seen(model.mesh);
-  const auto add = [&](const ContactSide& side, std::uint32_t contact) {
+  const auto add = [&](const ContactSide& side, ContactIndex contact) {
     const Segments& s = side.selection.segments;
     if (s.size() == 0) return;
     const auto source = static_cast<std::uint32_t>(sources_.size());
@@ -86,8 +85,8 @@ ContactMesh::ContactMesh(const model::Model& model, SurfaceStore& surfaces, std:
     for (std::uint32_t i = 0; i < s.size(); ++i)
       if (s.kind[i] != SegmentKind::line && seen.first(s, i)) segments_.push_back({source, i});
   };
-  for (const std::uint32_t c : contacts) {
-    const model::Contact& contact = model.contacts[c];
+  for (const ContactIndex c : contacts) {
+    const model::Contact& contact = model.contact(c);
     if (!contact.known || contact.own_layout || classify(contact).treatment == Treatment::none) continue;
     const ContactSurfaces& s = surfaces.at(c);
     add(s.a, c);
@@ -118,7 +117,7 @@ const std::vector<NodeIndex>& ContactMesh::corners() {
 void ContactMesh::build_edges() {
   if (!edge_start_.empty()) return;
   edge_start_.assign(model_.mesh.nodes.size() + 2, 0);
-  // Counts two places ahead, so that filling leaves every start where it belongs.
+  // Counts two entries ahead, so that filling leaves every start correct.
   for (std::size_t i = 0; i < size(); ++i)
     for_each_edge(nodes(i), [&](NodeIndex a, NodeIndex) { ++edge_start_[a.value + 2]; });
   for (std::size_t n = 2; n < edge_start_.size(); ++n) edge_start_[n] += edge_start_[n - 1];

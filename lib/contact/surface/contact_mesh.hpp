@@ -14,16 +14,16 @@ struct EdgeUse {
   std::uint32_t segment = 0;  ///< position in the ContactMesh
 };
 
-/// Uses of edges at one node that are compared with one another; a sound mesh has a tenth of it.
+/// Most uses of edges at one node that are compared with one another; a sound mesh has a tenth of it.
 inline constexpr std::size_t most_uses = 64;
 
-/// The mesh as contact sees it: the segments of all contacts, tied ones included, each once however many contacts have
-/// it. In the order of the contacts, their sides and segments. Beam axes are left out. What is costly is computed when
-/// it is first asked for; not for use from several threads while that may happen.
+/// The mesh as contact sees it: the segments of all contacts, tied ones included, each only once. In the order of the
+/// contacts, their sides and segments. Beam axes are left out. Costly data is computed on first use; not for use from
+/// several threads while that may happen.
 class ContactMesh {
  public:
-  /// `contacts`: positions in Model::contacts. Model and surfaces must outlive it.
-  ContactMesh(const model::Model& model, SurfaceStore& surfaces, std::span<const std::uint32_t> contacts);
+  /// Model and surfaces must outlive it.
+  ContactMesh(const model::Model& model, SurfaceStore& surfaces, std::span<const ContactIndex> contacts);
 
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
   [[nodiscard]] const model::SegmentNodes& nodes(std::size_t i) const {
@@ -33,10 +33,10 @@ class ContactMesh {
   [[nodiscard]] std::uint32_t element(std::size_t i) const { return surface(i).element[segments_[i].position]; }
   [[nodiscard]] model::ElementKind kind(std::size_t i) const { return surface(i).element_kind[segments_[i].position]; }
   [[nodiscard]] PartIndex part(std::size_t i) const { return part_of(model_.mesh, surface(i), segments_[i].position); }
-  /// The first contact that has the segment: position in Model::contacts.
-  [[nodiscard]] std::uint32_t contact(std::size_t i) const { return sources_[segments_[i].source].contact; }
+  /// The first contact that has the segment.
+  [[nodiscard]] ContactIndex contact(std::size_t i) const { return sources_[segments_[i].source].contact; }
 
-  /// Shapes of the segments, beside them.
+  /// Shapes of the segments, in the same order.
   [[nodiscard]] const std::vector<SegmentQuality>& quality();
   /// Nodes that some segment has, ascending.
   [[nodiscard]] const std::vector<NodeIndex>& corners();
@@ -50,7 +50,7 @@ class ContactMesh {
  private:
   struct Source {
     const Segments* segments;
-    std::uint32_t contact;
+    ContactIndex contact;
   };
   struct Segment {
     std::uint32_t source, position;

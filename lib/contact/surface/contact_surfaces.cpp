@@ -12,7 +12,7 @@ std::size_t count_lines(const Segments& s) {
   return static_cast<std::size_t>(std::count(s.kind.begin(), s.kind.end(), SegmentKind::line));
 }
 
-/// Beams are tracked by their nodes in all types, but only types 26 see them as reference lines.
+/// Beams are tracked by their nodes in all types, but only types 26 treat them as reference lines.
 void drop_lines(ContactSide& side) {
   Segments& s = side.selection.segments;
   const std::size_t keep = s.size() - side.lines;
@@ -26,7 +26,7 @@ void drop_lines(ContactSide& side) {
   side.lines = 0;
 }
 
-/// A reference side of nodes or beams alone has nothing that a node could penetrate.
+/// A reference side of only nodes or beams has nothing that a node could penetrate.
 void need_segments(ContactSide& side, std::size_t lines) {
   if (side.selection.segments.size() > lines || !side.selection.empty_reason.empty()) return;
   side.selection.empty_reason = "what it names has no segments";
@@ -59,7 +59,7 @@ ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& 
     if (!b || s.type.treatment == Treatment::two_way || s.type.by_segments())
       side.nodes = tracked_nodes(side.selection, model, thickness, x, index);
     side.lines = count_lines(side.selection.segments);
-    if (s.two_sided() && s.type.code != "25") drop_lines(side);  // transducers measure at beams too
+    if (s.two_sided() && s.type.code != ContactCode::transducer) drop_lines(side);  // transducers measure at beams too
     if (tied) take_negative(side, b ? contact.mst : contact.sst);
   };
   build(s.a, false);
@@ -71,8 +71,8 @@ ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& 
   return s;
 }
 
-const ContactSurfaces& SurfaceStore::at(std::uint32_t contact) {
-  auto& surfaces = built_[contact];
+const ContactSurfaces& SurfaceStore::at(ContactIndex contact) {
+  auto& surfaces = built_[contact.value];
   ++asked_;
   if (!surfaces) {
     const Stopwatch watch(seconds_);
@@ -82,14 +82,14 @@ const ContactSurfaces& SurfaceStore::at(std::uint32_t contact) {
   return *surfaces;
 }
 
-ContactSurfaces SurfaceStore::build(std::uint32_t contact, const std::vector<Vector>& x) {
-  const ThicknessChange change = changes_.empty() ? ThicknessChange{} : changes_[contact];
-  return build_surfaces(model_, model_.contacts[contact], x, index_, change);
+ContactSurfaces SurfaceStore::build(ContactIndex contact, const std::vector<Vector>& x) {
+  const ThicknessChange change = changes_.empty() ? ThicknessChange{} : changes_[contact.value];
+  return build_surfaces(model_, model_.contact(contact), x, index_, change);
 }
 
-ContactSurfaces SurfaceStore::erode(std::uint32_t contact, const ContactSurfaces& now, const GoneElements& gone,
+ContactSurfaces SurfaceStore::erode(ContactIndex contact, const ContactSurfaces& now, const GoneElements& gone,
                                     const std::vector<Vector>& x) {
-  return erode_surfaces(model_, model_.contacts[contact], at(contact), now, gone, x, index_);
+  return erode_surfaces(model_, model_.contact(contact), at(contact), now, gone, x, index_);
 }
 
 }  // namespace gapcheck::contact

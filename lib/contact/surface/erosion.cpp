@@ -35,7 +35,7 @@ void keep_segments(Segments& s, const std::vector<bool>& kept) {
   keep(s.offset, kept);
 }
 
-/// A face that solids have in common, as one of them has it.
+/// A face shared by solids, as one of them has it.
 struct NewFace {
   Face face;
   SegmentKey key;
@@ -66,7 +66,7 @@ std::vector<NewFace> opened_faces(const model::Model& model, const std::vector<b
   return opened;
 }
 
-/// Elements of a node: whether there are any, and what is left of them.
+/// Elements of a node: whether there are any, and whether any remain.
 struct NodeElements {
   bool any = false, left = false, solids = false;
 };
@@ -105,7 +105,7 @@ class SideErosion {
   }
 
  private:
-  /// Puts opened faces in front of the beams' lines; returns their number.
+  /// Inserts opened faces before the beams' lines; returns their number.
   std::size_t add_faces(ContactSide& side, std::size_t place) const {
     Segments& s = side.selection.segments;
     std::vector<bool> parts(model_.parts.size(), false);
@@ -176,7 +176,10 @@ class SideErosion {
 
 }  // namespace
 
-bool is_eroding(const ContactType& type) { return type.code == "14" || type.code == "15" || type.code == "16"; }
+bool is_eroding(const ContactType& type) {
+  return type.code == ContactCode::eroding_surface || type.code == ContactCode::eroding_single ||
+         type.code == ContactCode::eroding_nodes;
+}
 
 ContactSurfaces erode_surfaces(const model::Model& model, const model::Contact& contact, const ContactSurfaces& start,
                                const ContactSurfaces& now, const GoneElements& gone, const std::vector<Vector>& x,

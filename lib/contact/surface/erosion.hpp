@@ -18,9 +18,9 @@ struct GoneElements {
 
 /// What is left of a contact's surfaces when elements have failed. Segments of failed elements leave; nodes leave once
 /// all their elements have failed, unless ENMASS keeps them. Eroding types with EROSOP = 1 or IADJ = 1 get the faces
-/// that remaining solids had in common with failed ones, on sides given by whole parts. What stays keeps its thickness;
-/// what comes has that of the side's other solids, without the parts' own settings. `start`: the surfaces before
-/// anything failed; `now`: those that count now; `x`: present coordinates. `index`: of this model. Linear in the
+/// that remaining solids shared with failed ones, on sides given by whole parts. Remaining segments keep their
+/// thickness; new ones have that of the side's other solids, without the parts' own settings. `start`: the surfaces
+/// before anything failed; `now`: the current ones; `x`: present coordinates. `index`: of this model. Linear in the
 /// surfaces and the number of solids.
 [[nodiscard]] ContactSurfaces erode_surfaces(const model::Model& model, const model::Contact& contact,
                                              const ContactSurfaces& start, const ContactSurfaces& now,

@@ -8,13 +8,13 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Finds pairs again by the nodes of an element or group.
+/// Finds pairs by the nodes of an element or group.
 class Joiner {
  public:
   Joiner(std::size_t nodes, std::span<const CoincidentNodes> pairs)
-      : pairs_(pairs), joined_(pairs.size()), group_(nodes, no_group) {
+      : pairs_(pairs), joined_(pairs.size()), group_(nodes, no_position) {
     for (const CoincidentNodes& pair : pairs) {
-      if (group_[pair.first.value] == no_group) group_[pair.first.value] = pair.first.value;
+      if (group_[pair.first.value] == no_position) group_[pair.first.value] = pair.first.value;
       group_[pair.second.value] = group_[pair.first.value];
     }
   }
@@ -24,7 +24,7 @@ class Joiner {
   void join(const Nodes& nodes) {
     here_.clear();
     for (const NodeIndex n : nodes)
-      if (n != none<NodeIndex> && group_[n.value] != no_group) here_.emplace_back(group_[n.value], n);
+      if (n != none<NodeIndex> && group_[n.value] != no_position) here_.emplace_back(group_[n.value], n);
     if (here_.size() < 2) return;
     std::sort(here_.begin(), here_.end());
     for (const auto& [group, node] : here_) {
@@ -35,11 +35,10 @@ class Joiner {
     }
   }
   void join_pair(std::size_t i) { joined_[i] = 1; }
-  [[nodiscard]] bool concerns(NodeIndex node) const { return group_[node.value] != no_group; }
+  [[nodiscard]] bool concerns(NodeIndex node) const { return group_[node.value] != no_position; }
   [[nodiscard]] std::vector<std::uint8_t> take() { return std::move(joined_); }
 
  private:
-  static constexpr std::uint32_t no_group = none<NodeIndex>.value;
 
   /// The pair with this second node.
   [[nodiscard]] std::size_t position(NodeIndex second) const {
@@ -58,19 +57,19 @@ class Joiner {
 /// A node on one side of a tied contact.
 struct Membership {
   NodeIndex node;
-  std::uint32_t contact;
+  ContactIndex contact;
   bool tracked;
   friend bool operator<(const Membership& p, const Membership& q) {
     return std::tie(p.node, p.contact, p.tracked) < std::tie(q.node, q.contact, q.tracked);
   }
 };
 
-/// Who of the nodes of the pairs is tracked by, or a reference node of, which tied contacts.
+/// Which tied contacts track the nodes of the pairs or have them as reference nodes.
 std::vector<Membership> tied_memberships(const model::Model& model, SurfaceStore& surfaces,
-                                         std::span<const std::uint32_t> contacts, const Joiner& joiner) {
+                                         std::span<const ContactIndex> contacts, const Joiner& joiner) {
   std::vector<Membership> list;
-  for (const std::uint32_t c : contacts) {
-    if (!model.contacts[c].known || classify(model.contacts[c]).family != Family::tied) continue;
+  for (const ContactIndex c : contacts) {
+    if (!model.contact(c).known || classify(model.contact(c)).family != Family::tied) continue;
     const ContactSurfaces& s = surfaces.at(c);
     for (const NodeIndex n : s.a.nodes.node)
       if (joiner.concerns(n)) list.push_back({n, c, true});
@@ -83,7 +82,7 @@ std::vector<Membership> tied_memberships(const model::Model& model, SurfaceStore
 }
 
 bool tied(const std::vector<Membership>& list, NodeIndex tracked, NodeIndex reference) {
-  for (auto m = std::lower_bound(list.begin(), list.end(), Membership{tracked, 0, false});
+  for (auto m = std::lower_bound(list.begin(), list.end(), Membership{tracked, ContactIndex{}, false});
        m != list.end() && m->node == tracked; ++m)
     if (m->tracked && std::binary_search(list.begin(), list.end(), Membership{reference, m->contact, false}))
       return true;
@@ -93,7 +92,7 @@ bool tied(const std::vector<Membership>& list, NodeIndex tracked, NodeIndex refe
 }  // namespace
 
 std::vector<std::uint8_t> joined(const model::Model& model, SurfaceStore& surfaces,
-                                 std::span<const std::uint32_t> contacts, std::span<const CoincidentNodes> pairs) {
+                                 std::span<const ContactIndex> contacts, std::span<const CoincidentNodes> pairs) {
   Joiner joiner(model.mesh.nodes.size(), pairs);
   const auto join_elements = [&](const auto& elements) {
     for (const auto& nodes : elements.nodes) joiner.join(nodes);

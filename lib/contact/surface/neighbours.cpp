@@ -5,7 +5,7 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Distinct corners: a triangle names its last one twice, a line its second one three times.
+/// Distinct corners: a triangle repeats its last one, a line its second one twice.
 template <class Visit>
 void each_corner(const model::SegmentNodes& n, const Visit& visit) {
   for (std::size_t c = 0; c < 4; ++c)
@@ -27,8 +27,8 @@ Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh, bool w
   for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
   list_.resize(start_.back());
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  for (std::uint32_t s = 0; s < segments.size(); ++s)
-    each_corner(segments.nodes[s], [&](NodeIndex n) { list_[next[slots_.slot(n)]++] = s; });
+  for (const SegmentIndex s : positions<SegmentIndex>(segments.size()))
+    each_corner(segments.nodes[s.value], [&](NodeIndex n) { list_[next[slots_.slot(n)]++] = s; });
   if (cut != nullptr) {
     for (const auto& corners : cut->nodes) each_corner(corners, [&](NodeIndex n) { cut_.emplace_back(n, corners); });
     std::stable_sort(cut_.begin(), cut_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -52,15 +52,15 @@ bool Neighbours::meets_cut(NodeIndex node, const model::SegmentNodes& corners) c
   return false;
 }
 
-bool Neighbours::in_ring(NodeIndex node, std::uint32_t segment) const {
-  const auto& corners = segments_->nodes[segment];
+bool Neighbours::in_ring(NodeIndex node, SegmentIndex segment) const {
+  const auto& corners = segments_->nodes[segment.value];
   if (!cut_.empty() && meets_cut(node, corners)) return true;
-  for (const std::uint32_t own : at(node)) {
-    for (const NodeIndex n : segments_->nodes[own])
+  for (const SegmentIndex own : at(node)) {
+    for (const NodeIndex n : segments_->nodes[own.value])
       if (is_corner(corners, n)) return true;
-    const auto kind = segments_->element_kind[own];
-    const std::uint32_t e = segments_->element[own];
-    if (e == static_cast<std::uint32_t>(-1)) continue;
+    const auto kind = segments_->element_kind[own.value];
+    const std::uint32_t e = segments_->element[own.value];
+    if (e == no_position) continue;
     if (kind != model::ElementKind::solid && kind != model::ElementKind::thick_shell) continue;
     const auto& solid = (kind == model::ElementKind::solid ? mesh_->solids : mesh_->thick_shells).nodes[e];
     if (std::any_of(solid.begin(), solid.end(), [&](NodeIndex n) { return is_corner(corners, n); })) return true;
@@ -73,10 +73,11 @@ bool Neighbours::in_ring(NodeIndex node, std::uint32_t segment) const {
   return false;
 }
 
-bool Neighbours::free_edge(std::uint32_t segment, NodeIndex a, NodeIndex b) const {
+bool Neighbours::free_edge(SegmentIndex segment, NodeIndex a, NodeIndex b) const {
   const auto around = at(a);
-  return std::none_of(around.begin(), around.end(),
-                      [&](std::uint32_t other) { return other != segment && is_corner(segments_->nodes[other], b); });
+  return std::none_of(around.begin(), around.end(), [&](SegmentIndex other) {
+    return other != segment && is_corner(segments_->nodes[other.value], b);
+  });
 }
 
 }  // namespace gapcheck::contact

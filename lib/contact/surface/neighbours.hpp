@@ -9,8 +9,8 @@
 
 namespace gapcheck::contact {
 
-/// Which segments of a surface meet at each node. Built once per surface, linear in its size
-/// (of large surfaces and with `whole_solids`: in that of the mesh).
+/// Which segments of a surface meet at each node. Built once per surface, linear in its size (for large surfaces and
+/// with `whole_solids`: in that of the mesh).
 class Neighbours {
  public:
   /// `whole_solids`: also knows the solids that have a face without segment (covered by shells) at each node. `cut`: of
@@ -18,17 +18,17 @@ class Neighbours {
   Neighbours(const Segments& segments, const model::Mesh& mesh, bool whole_solids = false,
              const Segments* cut = nullptr);
   /// Positions of the segments at a node, ascending.
-  [[nodiscard]] std::span<const std::uint32_t> at(NodeIndex node) const {
+  [[nodiscard]] std::span<const SegmentIndex> at(NodeIndex node) const {
     const std::uint32_t slot = slots_.slot(node);
-    if (slot == NodeSlots::missing) return {};
+    if (slot == no_position) return {};
     return {list_.data() + start_[slot], list_.data() + start_[slot + 1]};
   }
-  /// True if an element of the node has a node in common with the segment: the ring around a segment in which a
-  /// single-surface contact looks for no penetration. Elements are the segments of this surface, those that a box cuts,
-  /// and solids with all their nodes.
-  [[nodiscard]] bool in_ring(NodeIndex node, std::uint32_t segment) const;
+  /// True if an element of the node shares a node with the segment: the ring around a segment in which a single-surface
+  /// contact checks no penetration. Elements are the segments of this surface, those that a box cuts, and solids with
+  /// all their nodes.
+  [[nodiscard]] bool in_ring(NodeIndex node, SegmentIndex segment) const;
   /// True if no other segment has the edge.
-  [[nodiscard]] bool free_edge(std::uint32_t segment, NodeIndex a, NodeIndex b) const;
+  [[nodiscard]] bool free_edge(SegmentIndex segment, NodeIndex a, NodeIndex b) const;
 
  private:
   [[nodiscard]] bool meets_cut(NodeIndex node, const model::SegmentNodes& corners) const;
@@ -37,7 +37,8 @@ class Neighbours {
   const model::Mesh* mesh_;
   std::vector<std::pair<NodeIndex, model::SegmentNodes>> cut_;  ///< ascending by node
   NodeSlots slots_;
-  std::vector<std::uint32_t> start_, list_;
+  std::vector<std::uint32_t> start_;  ///< by slot of the node
+  std::vector<SegmentIndex> list_;
   std::vector<std::uint32_t> solid_start_, solid_list_;  // as above, of mesh.solids; empty: not asked for
 };
 

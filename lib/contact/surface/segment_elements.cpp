@@ -70,7 +70,7 @@ std::vector<SegmentElement> find_segment_elements(const model::Mesh& mesh,
   const auto offer = [&](const model::SegmentNodes& nodes, std::uint32_t element, model::ElementKind kind) {
     if (!all_used(nodes)) return;
     const auto found = wanted.find(segment_key(nodes));
-    if (found != wanted.end() && found->second.element == static_cast<std::uint32_t>(-1)) found->second = {element, kind};
+    if (found != wanted.end() && found->second.element == no_position) found->second = {element, kind};
   };
   for (const std::uint32_t e : possible_elements(mesh.shells, index.shells, segments, mesh.nodes.size()))
     offer(mesh.shells.nodes[e], e, model::ElementKind::shell);

@@ -23,12 +23,12 @@ struct SegmentKeyHash {
 
 /// The element that a segment of a segment set belongs to.
 struct SegmentElement {
-  std::uint32_t element = static_cast<std::uint32_t>(-1);  ///< max = none found
+  std::uint32_t element = no_position;  ///< no_position: none found
   model::ElementKind kind = model::ElementKind::shell;
 };
 
-/// For each segment the shell, solid or thick shell with these nodes; a shell goes before a solid, the first in the deck
-/// before later ones.
+/// For each segment the shell, solid or thick shell with these nodes; shells take precedence over solids, the first in
+/// the deck over later ones.
 [[nodiscard]] std::vector<SegmentElement> find_segment_elements(const model::Mesh& mesh,
                                                                 std::span<const model::SegmentNodes> segments,
                                                                 MeshIndex& index);

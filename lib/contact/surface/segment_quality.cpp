@@ -7,12 +7,12 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Areas below this fraction of the squared longest edge are zero but for rounding.
+/// Areas below this fraction of the squared longest edge are zero up to rounding.
 constexpr double no_area = 1e-10;
 /// How far a corner must turn the other way, as a fraction of the whole, to count as turned.
 constexpr double turned_fraction = 1e-6;
 
-/// Different nodes among the four, and whether they are written as a triangle or quad should be.
+/// Different nodes among the four, and whether they are written as a proper triangle or quad.
 SegmentFault numbering(const model::SegmentNodes& n) {
   int different = 1;
   for (std::size_t i = 1; i < 4; ++i)
@@ -60,7 +60,7 @@ SegmentQuality segment_quality(const model::SegmentNodes& n, const std::vector<V
     quality.fault = SegmentFault::not_finite;
     return quality;
   }
-  // A triangle's last corner is no corner.
+  // A triangle's last corner does not count.
   const double twice = triangle ? doubled_area : doubled_area / 2;
   quality.size = static_cast<float>(std::sqrt(twice));
   quality.slenderness = squared_longest > 0 ? static_cast<float>(twice / squared_longest) : 0;

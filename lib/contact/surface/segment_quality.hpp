@@ -7,10 +7,10 @@
 
 namespace gapcheck::contact {
 
-/// What makes a segment useless as a piece of a surface, worst first.
+/// What makes a segment unusable as a piece of a surface, worst first.
 enum class SegmentFault : std::uint8_t {
   none,
-  not_finite,     ///< a coordinate is no finite number
+  not_finite,     ///< a coordinate is not finite
   few_nodes,      ///< fewer than three different nodes
   zero_area,      ///< all corners on one line, or all at one point
   crossed,        ///< two opposite edges cross: a bow-tie
@@ -18,12 +18,12 @@ enum class SegmentFault : std::uint8_t {
   repeated_node,  ///< three different nodes, but not written as a triangle (n3 = n4)
 };
 
-/// The shape of one segment in numbers without unit but `size`.
+/// The shape of one segment in dimensionless numbers, except `size`.
 struct SegmentQuality {
   float warp_cosine = 1;  ///< of the largest angle between the two triangles that either diagonal cuts it into
   float slenderness = 1;  ///< altitude over longest edge: area / edge² of a quad, 2 area / edge² of a triangle
   float size = 0;         ///< edge of the square with the same area; a triangle counts as half a square. Deck units
-  SegmentFault fault = SegmentFault::none;  ///< if any, `warp_cosine` says nothing
+  SegmentFault fault = SegmentFault::none;  ///< if any, `warp_cosine` is meaningless
 };
 
 /// Judges a segment by its corners. Any coordinates are allowed.

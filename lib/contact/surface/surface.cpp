@@ -99,8 +99,8 @@ void select_parts(Selection& selection, const model::Model& model, std::vector<b
     append_faces(s, mesh.thick_shells, index.thick_shells, ElementKind::thick_shell, parts, x);
   for (const std::uint32_t e : elements_of(mesh.beams, index.beams, parts)) {
     const PartIndex part = mesh.beams.part[e];
-    // A spotweld is there to be tied, not to be kept apart.
-    if (type.family != Family::tied && type.code != "25" && !beam_has_contact(model, part)) continue;
+    // Spotwelds are meant to be tied, not kept apart.
+    if (type.family != Family::tied && type.code != ContactCode::transducer && !beam_has_contact(model, part)) continue;
     const auto& n = mesh.beams.nodes[e];
     append(s, {n[0], n[1], n[1], n[1]}, e, ElementKind::beam, SegmentKind::line);
   }
@@ -133,7 +133,7 @@ void select_segments(Selection& selection, const model::Model& model, std::int64
   const std::vector<SegmentElement> owners = find_segment_elements(model.mesh, segments, index);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     Face face{distinct_corners(segments[i]), owners[i].element};
-    const bool found = owners[i].element != unknown_element;
+    const bool found = owners[i].element != no_position;
     const bool solid = found && owners[i].kind == ElementKind::solid;
     const bool thick = found && owners[i].kind == ElementKind::thick_shell;
     if (solid || thick)
@@ -250,7 +250,7 @@ void fill_thickness(Segments& s, const model::Model& model, const ThicknessSide&
         if (part != none<PartIndex> && model.part(part).section) radius = model.sections[*model.part(part).section].beam_radius;
         t = beam_thickness(radius, own, side);
       } else {
-        const double element = s.element[i] == unknown_element ? 0 : element_thickness(model, s.element[i]);
+        const double element = s.element[i] == no_position ? 0 : element_thickness(model, s.element[i]);
         const double edge = side.edge_limit ? shortest_edge(s.nodes[i], x) : 0;
         t = shell_thickness(element, edge, own, part != none<PartIndex> && model.rigid(part), side);
       }
@@ -262,7 +262,7 @@ void fill_thickness(Segments& s, const model::Model& model, const ThicknessSide&
 
 namespace {
 
-/// True if a segment's corners run round in the same sense as its shell's.
+/// True if a segment's corners run in the same direction as its shell's.
 bool same_side(const model::SegmentNodes& segment, const model::SegmentNodes& shell) {
   const std::size_t corners = shell[2] == shell[3] ? 3 : 4;
   for (std::size_t i = 0; i < corners; ++i)
@@ -274,7 +274,7 @@ bool same_side(const model::SegmentNodes& segment, const model::SegmentNodes& sh
 
 void fill_offsets(Segments& s, const model::Model& model) {
   for (std::size_t i = 0; i < s.size(); ++i) {
-    if (s.element_kind[i] != ElementKind::shell || s.element[i] == unknown_element) continue;
+    if (s.element_kind[i] != ElementKind::shell || s.element[i] == no_position) continue;
     const double offset = mid_surface_offset(model, s.element[i]);
     if (offset == 0) continue;
     s.offset.resize(s.size(), 0);
@@ -283,7 +283,7 @@ void fill_offsets(Segments& s, const model::Model& model) {
 }
 
 PartIndex part_of(const model::Mesh& mesh, const Segments& s, std::size_t i) {
-  if (s.element[i] == unknown_element) return none<PartIndex>;
+  if (s.element[i] == no_position) return none<PartIndex>;
   switch (s.element_kind[i]) {
     case ElementKind::shell: return mesh.shells.part[s.element[i]];
     case ElementKind::solid: return mesh.solids.part[s.element[i]];
@@ -294,7 +294,7 @@ PartIndex part_of(const model::Mesh& mesh, const Segments& s, std::size_t i) {
 }
 
 std::int64_t element_id(const model::Mesh& mesh, const Segments& s, std::size_t i) {
-  if (s.element[i] == unknown_element) return 0;
+  if (s.element[i] == no_position) return 0;
   switch (s.element_kind[i]) {
     case ElementKind::shell: return mesh.shells.id[s.element[i]];
     case ElementKind::solid: return mesh.solids.id[s.element[i]];

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,19 +18,16 @@ enum class SegmentKind : std::uint8_t {
   line,   ///< beam axis: nodes[0], nodes[1]
 };
 
-/// In place of an element's position: it is not known, or there is none.
-inline constexpr std::uint32_t unknown_element = std::numeric_limits<std::uint32_t>::max();
-
-/// The reference side of a contact: segments with their contact thickness. Arrays of equal length, in the order in
-/// which the deck lists them (shells, solids, thick shells, beams part by part; sets as written).
+/// The reference side of a contact: segments with their contact thickness. Arrays of equal length, in the order of the
+/// deck (shells, solids, thick shells, beams part by part; sets as written).
 struct Segments {
   std::vector<model::SegmentNodes> nodes;
-  std::vector<std::uint32_t> element;           ///< position in the array of its kind, or unknown_element
+  std::vector<std::uint32_t> element;           ///< position in the array of its kind, or no_position
   std::vector<model::ElementKind> element_kind;
   std::vector<SegmentKind> kind;
   std::vector<double> half;                     ///< half the contact thickness
   std::vector<ThicknessRule> rule;
-  std::vector<double> offset;                   ///< of the mid-surface along the normal; empty: none is offset
+  std::vector<double> offset;                   ///< offset of the mid-surface along the normal; empty: none is offset
   [[nodiscard]] std::size_t size() const { return nodes.size(); }
 };
 
@@ -45,18 +41,18 @@ struct TrackedNodes {
   [[nodiscard]] std::size_t size() const { return node.size(); }
 };
 
-/// What a side's input names, before thickness: segments in deck order, or nodes alone.
+/// What a side's input names, before thickness: segments in deck order, or only nodes.
 struct Selection {
   Segments segments;             ///< half and rule not filled
   std::vector<NodeIndex> nodes;  ///< node sets and particles: nodes without segments; those inside a box, of `cut`
-  Segments cut;                  ///< reach out of the box: no references, but their nodes inside have their thickness
+  Segments cut;                  ///< reach out of the box: no reference segments, but their nodes inside have thickness
   std::string empty_reason;      ///< why nothing was found; empty otherwise
   bool unknown_id = false;       ///< it names a set or part that does not exist
-  bool unsupported = false;      ///< what it names is not resolved by this program
-  std::string note;              ///< what could not be honoured; empty: nothing
+  bool unsupported = false;      ///< this program does not resolve what it names
+  std::string note;              ///< input that is not supported; empty: none
 };
 
-/// Resolves one side of a contact. `single_surface`: id 0 means all parts; beams join where the type has them. `index`: of
+/// Resolves one side of a contact. `single_surface`: id 0 means all parts; beams join if the type has them. `index`: of
 /// this model, to find small surfaces fast.
 [[nodiscard]] Selection select(const model::Model& model, const model::SurfaceInput& input, const ContactType& type,
                                const std::vector<Vector>& x, MeshIndex& index);
@@ -68,8 +64,8 @@ void fill_thickness(Segments& segments, const model::Model& model, const Thickne
 /// Mid-surface offsets of the shells (NLOC, *ELEMENT_SHELL_OFFSET): fills `offset` if any shell has one.
 void fill_offsets(Segments& segments, const model::Model& model);
 
-/// The nodes of a selection whose segments have their thickness; each takes the largest thickness of its segments, nodes
-/// without segments that of all elements at them.
+/// The nodes of a selection whose segments have their thickness; each takes the largest thickness of its segments,
+/// nodes without segments take that of all elements at them.
 [[nodiscard]] TrackedNodes tracked_nodes(const Selection& selection, const model::Model& model,
                                          const ThicknessSide& side, const std::vector<Vector>& x, MeshIndex& index);
 

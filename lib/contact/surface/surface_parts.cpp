@@ -1,10 +1,10 @@
 #include "contact/surface/surface_parts.hpp"
 
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <tuple>
 
+#include "base/parallel.hpp"
 #include "model/entity/faces.hpp"
 
 namespace gapcheck::contact {
@@ -34,21 +34,22 @@ struct Edges {
 /// An edge with its nodes in ascending order, and the direction in which the segment runs along it.
 struct HalfEdge {
   NodeIndex low, high;
-  std::uint32_t segment = 0;
+  SegmentIndex segment;
   bool forward = true;
 };
 
 std::vector<HalfEdge> half_edges(const Segments& s) {
   std::vector<HalfEdge> edges;
   edges.reserve(4 * s.size());
-  for (std::uint32_t i = 0; i < s.size(); ++i) {
-    if (s.kind[i] == SegmentKind::line) continue;
+  for (const SegmentIndex i : positions<SegmentIndex>(s.size())) {
+    const model::SegmentNodes& n = s.nodes[i.value];
+    if (s.kind[i.value] == SegmentKind::line) continue;
     for (std::size_t c = 0; c < 4; ++c) {
-      const NodeIndex a = s.nodes[i][c], b = s.nodes[i][(c + 1) % 4];
+      const NodeIndex a = n[c], b = n[(c + 1) % 4];
       if (a != b) edges.push_back({std::min(a, b), std::max(a, b), i, a < b});
     }
   }
-  tbb::parallel_sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+  parallel_sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
     return std::tie(a.low, a.high, a.segment) < std::tie(b.low, b.high, b.segment);
   });
   return edges;
@@ -56,7 +57,7 @@ std::vector<HalfEdge> half_edges(const Segments& s) {
 
 /// Two segments with an edge in common.
 struct Link {
-  std::uint32_t other = 0;
+  SegmentIndex other;
   bool turned = false;
 };
 
@@ -68,8 +69,8 @@ std::vector<std::vector<Link>> links_between(const Segments& s) {
     while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
     if (end == i + 2) {
       const bool turned = edges[i].forward == edges[i + 1].forward;
-      links[edges[i].segment].push_back({edges[i + 1].segment, turned});
-      links[edges[i + 1].segment].push_back({edges[i].segment, turned});
+      links[edges[i].segment.value].push_back({edges[i + 1].segment, turned});
+      links[edges[i + 1].segment.value].push_back({edges[i].segment, turned});
     }
     i = end;
   }
@@ -124,25 +125,25 @@ std::vector<Misoriented> misoriented_segments(const model::Mesh& mesh, const Seg
   enum class Sense : std::uint8_t { unseen, same, turned };
   std::vector<Sense> sense(s.size(), Sense::unseen);
   std::vector<Misoriented> found;
-  std::vector<std::uint32_t> surface;
-  for (std::uint32_t first = 0; first < s.size(); ++first) {
-    if (sense[first] != Sense::unseen) continue;
-    sense[first] = Sense::same;
+  std::vector<SegmentIndex> surface;
+  for (const SegmentIndex first : positions<SegmentIndex>(s.size())) {
+    if (sense[first.value] != Sense::unseen) continue;
+    sense[first.value] = Sense::same;
     surface.assign(1, first);
     std::size_t turned = 0;
     for (std::size_t next = 0; next < surface.size(); ++next) {
-      const bool own = sense[surface[next]] == Sense::turned;
-      for (const Link& link : links[surface[next]]) {
-        if (sense[link.other] != Sense::unseen) continue;
+      const bool own = sense[surface[next].value] == Sense::turned;
+      for (const Link& link : links[surface[next].value]) {
+        if (sense[link.other.value] != Sense::unseen) continue;
         const bool other = own != link.turned;
-        sense[link.other] = other ? Sense::turned : Sense::same;
+        sense[link.other.value] = other ? Sense::turned : Sense::same;
         turned += other ? 1 : 0;
         surface.push_back(link.other);
       }
     }
     const Sense fewer = 2 * turned <= surface.size() ? Sense::turned : Sense::same;
-    for (const std::uint32_t i : surface)
-      if (sense[i] == fewer) found.push_back({i, part_of(mesh, s, i)});
+    for (const SegmentIndex i : surface)
+      if (sense[i.value] == fewer) found.push_back({i, part_of(mesh, s, i.value)});
   }
   std::sort(found.begin(), found.end(),
             [](const Misoriented& a, const Misoriented& b) { return a.segment < b.segment; });

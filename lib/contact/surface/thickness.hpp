@@ -27,7 +27,7 @@ struct ThicknessSide {
   bool optt = true;           ///< OPTT counts
 };
 
-/// What the surfaces of a contact take instead of its cards, to see what a change of them would do.
+/// What the surfaces of a contact use instead of its cards, to see the effect of a change.
 struct ThicknessChange {
   bool own = false;  ///< OPTT, SST, MST and TH are left out: what remains is the elements' own thickness
   double card = 0;   ///< replaces SST and MST; 0: they stay
@@ -39,8 +39,8 @@ struct ThicknessChange {
 
 [[nodiscard]] ThicknessSide changed(ThicknessSide side, const ThicknessChange& change);
 
-/// What an element's own thickness is multiplied with: SFT of the part, which stands in for SFST and SFMT of the
-/// contact (dynasupport.com, "Contact thickness"), and TH_SF.
+/// Factor on an element's own thickness: SFT of the part, which replaces SFST and SFMT of the contact (dynasupport.com,
+/// "Contact thickness"), and TH_SF.
 [[nodiscard]] double scale_of(const model::PartContact* part, const ThicknessSide& side);
 
 /// Thickness of a shell in a contact: OPTT, then SST/MST, then TH, then the element's own × SFT or SFST (limited by
@@ -56,7 +56,7 @@ struct ThicknessChange {
 [[nodiscard]] Thickness beam_thickness(double radius, const model::PartContact* part, const ThicknessSide& side);
 
 /// Mean thickness of a shell element: own values of *ELEMENT_SHELL_THICKNESS before the section's; plies of
-/// *PART_COMPOSITE before both. 0 where the deck gives none.
+/// *PART_COMPOSITE before both. 0 if the deck gives none.
 [[nodiscard]] double element_thickness(const model::Model& model, std::uint32_t shell);
 
 /// Where the mid-surface of a shell lies along its normal, seen from its nodes: the offset of *ELEMENT_SHELL_OFFSET, else

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/quad.hpp"
 #include "contact/mesh/node_slots.hpp"
 #include "contact/surface/surface.hpp"
 
@@ -11,7 +12,7 @@ class NodeThickness {
  public:
   explicit NodeThickness(NodeSlots slots) : slots_(std::move(slots)), entry_(slots_.size()) {}
 
-  /// The node takes part, with nothing known of its thickness.
+  /// The node takes part, with unknown thickness.
   void track(NodeIndex node) { entry_[slots_.slot(node)].tracked = true; }
   void offer(NodeIndex node, double half, ThicknessRule rule, PartIndex part) {
     Entry& e = entry_[slots_.slot(node)];
@@ -20,7 +21,7 @@ class NodeThickness {
   }
   [[nodiscard]] bool tracked(NodeIndex node) const {
     const std::uint32_t slot = slots_.slot(node);
-    return slot != NodeSlots::missing && entry_[slot].tracked;
+    return slot != no_position && entry_[slot].tracked;
   }
   [[nodiscard]] const NodeSlots& slots() const { return slots_; }
 
@@ -77,7 +78,7 @@ std::vector<std::uint32_t> elements_at(const ElementArray& elements, ElementInde
   return found;
 }
 
-/// Thickness for nodes that came without segments: all elements of the mesh that have one of them.
+/// Thickness for nodes without segments: from all elements of the mesh that have one of them.
 void offer_all_elements(NodeThickness& nodes, const model::Model& model, const ThicknessSide& side,
                         const std::vector<Vector>& x, MeshIndex& index, bool few) {
   const model::Mesh& mesh = model.mesh;
@@ -121,10 +122,10 @@ std::vector<Vector> mean_shifts(const Selection& selection, const TrackedNodes& 
   const auto add = [&](const Segments& s) {
     for (std::size_t i = 0; i < s.size(); ++i) {
       const auto& n = s.nodes[i];
-      const Vector normal = (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]).stableNormalized();
+      const Vector normal = quad_normal(n, x).stableNormalized();
       for (std::size_t c = 0; c < 4; ++c) {
         const std::uint32_t slot = slots.slot(n[c]);
-        if ((c > 0 && n[c] == n[c - 1]) || slot == NodeSlots::missing) continue;
+        if ((c > 0 && n[c] == n[c - 1]) || slot == no_position) continue;
         if (!s.offset.empty()) sum[slot] += s.offset[i] * normal;
         ++count[slot];
       }

@@ -5,11 +5,11 @@ namespace gapcheck::contact {
 TieFailure record_tie(const JudgedNode& judged, const model::Model& model) {
   const model::Nodes& nodes = model.mesh.nodes;
   TieFailure failure;
-  failure.contact = judged.contact;
+  failure.contact = judged.contact.value;
   failure.node = nodes.id[judged.node.value];
   if (judged.part != none<PartIndex>) failure.part = model.part(judged.part).id.value;
-  if (judged.segment != TieCandidate::no_segment) {
-    failure.segment_number = judged.segment + 1;
+  if (judged.segment != none<SegmentIndex>) {
+    failure.segment_number = judged.segment.value + 1;
     failure.distance = judged.distance;
     failure.allowed = judged.allowed;
     failure.segment_size = judged.diagonal;

@@ -11,7 +11,7 @@ namespace {
 
 /// Share of the segment's shorter diagonal within which a node ties (contact rules, section 9.1).
 constexpr double tie_diagonal_share = 0.05;
-/// Nodes that no node set names are taken as meant to tie within this multiple of the tie distance.
+/// Nodes that no node set names count as meant to tie within this multiple of the tie distance.
 constexpr double meant_to_tie = 2;
 /// Segments count as equally near within this share of the tie distance.
 constexpr double equally_near_to_tie = 1e-9;
@@ -25,13 +25,14 @@ Diagonals diagonals(const geometry::Facet& f) {
   return {std::sqrt(std::min(a, b)), std::sqrt(std::max(a, b))};
 }
 
-bool solid(const Segments& s, std::uint32_t i) {
-  return s.element_kind[i] == model::ElementKind::solid || s.element_kind[i] == model::ElementKind::thick_shell;
+bool solid(const Segments& s, SegmentIndex i) {
+  const model::ElementKind kind = s.element_kind[i.value];
+  return kind == model::ElementKind::solid || kind == model::ElementKind::thick_shell;
 }
 
-/// A candidate pair with the tie distance that holds for it.
+/// A candidate pair with its tie distance.
 struct Pair {
-  std::uint32_t slot;
+  SlotIndex slot;
   TieCandidate candidate;
   double allowed;
 };
@@ -45,18 +46,18 @@ std::vector<TieCandidate> best_candidates(const std::vector<std::vector<Pair>>& 
   std::vector<std::array<double, 3>> nearest(slots, {infinity, infinity, infinity});
   for (const auto& list : lists)
     for (const Pair& pair : list) {
-      double& distance = nearest[pair.slot][rank(pair.candidate)];
+      double& distance = nearest[pair.slot.value][rank(pair.candidate)];
       distance = std::min(distance, pair.candidate.distance);
     }
   std::vector<TieCandidate> best(slots);
   for (const auto& list : lists)
     for (const Pair& pair : list) {
-      const auto& by_rank = nearest[pair.slot];
+      const auto& by_rank = nearest[pair.slot.value];
       const std::size_t first = by_rank[0] < infinity ? 0 : by_rank[1] < infinity ? 1 : 2;
       const TieCandidate& candidate = pair.candidate;
       if (rank(candidate) != first || candidate.distance > by_rank[first] + equally_near_to_tie * pair.allowed)
         continue;
-      if (candidate.segment < best[pair.slot].segment) best[pair.slot] = candidate;
+      if (candidate.segment < best[pair.slot.value].segment) best[pair.slot.value] = candidate;
     }
   return best;
 }
@@ -76,10 +77,10 @@ std::vector<TieCandidate> tie_candidates(const PairScene& scene, const Candidate
   const Segments& segments = scene.segments;
   const TrackedNodes& nodes = scene.nodes;
   const double largest_half = nodes.half.empty() ? 0 : *std::max_element(nodes.half.begin(), nodes.half.end());
-  const auto limit = [&](double node_half, std::uint32_t s, double diagonal) {
-    return tie_distance(2 * node_half, 2 * segments.half[s], diagonal, solid(segments, s), how.negative);
+  const auto limit = [&](double node_half, SegmentIndex s, double diagonal) {
+    return tie_distance(2 * node_half, 2 * segments.half[s.value], diagonal, solid(segments, s), how.negative);
   };
-  const auto reach = [&](std::uint32_t s) {
+  const auto reach = [&](SegmentIndex s) {
     const geometry::Facet facet = scene.facet(s);
     const Diagonals d = diagonals(facet);
     const double near = meant_to_tie * limit(largest_half, s, d.shorter);
@@ -92,17 +93,17 @@ std::vector<TieCandidate> tie_candidates(const PairScene& scene, const Candidate
     std::array<std::uint64_t, 4> stages{};
   };
   tbb::enumerable_thread_specific<Mine> found;
-  for_each_candidate(scene, search, reach, counters, [&](std::uint32_t s, std::span<const std::uint32_t> slots) {
+  for_each_candidate(scene, search, reach, counters, [&](SegmentIndex s, std::span<const SlotIndex> slots) {
     if (scene.line(s)) return;
     Mine& mine = found.local();
     const geometry::Facet facet = scene.facet(s);
     const double diagonal = diagonals(facet).shorter;
-    for (const std::uint32_t slot : slots) {
-      if (how.single && scene.neighbours.in_ring(nodes.node[slot], s)) continue;
+    for (const SlotIndex slot : slots) {
+      if (how.single && scene.neighbours.in_ring(nodes.node[slot.value], s)) continue;
       const Vector at = scene.position(slot);
       const auto closest = geometry::closest_point(facet, at, how.parmax - 1);
       TieCandidate candidate{s, closest.in_band, false, std::sqrt(closest.squared_distance), diagonal};
-      const double allowed = limit(nodes.half[slot], s, diagonal);
+      const double allowed = limit(nodes.half[slot.value], s, diagonal);
       const double tolerance = default_tolerance(allowed, largest_coordinate(facet, at));
       if (!std::isfinite(candidate.distance)) continue;
       if (!how.node_set && candidate.distance > meant_to_tie * allowed + tolerance) continue;

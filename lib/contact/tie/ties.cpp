@@ -2,31 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace gapcheck::contact {
 namespace {
 
-/// How far projections may lie beyond a segment where the contact does not say: MAXPAR as R14 (SMP) prints it for type 2
+/// How far projections may lie beyond a segment if the contact does not say: MAXPAR as R14 (SMP) prints it for type 2
 /// without card A, PARMAX of the manual where the keyword has the MPP card (contact rules, section 9.1).
 constexpr double default_maxpar = 1.07, default_parmax = 1.035;
 
 double parmax(const model::Contact& contact) {
   const double given = contact.parmax > 0 ? contact.parmax : contact.maxpar;
   if (given > 0) return std::max(1.0, given);
-  const bool mpp = contact.written.ends_with("_MPP") || contact.written.find("_MPP_") != std::string::npos;
-  return mpp ? default_parmax : default_maxpar;
+  return contact.options.mpp ? default_parmax : default_maxpar;
 }
 
-/// One tied contact on its way.
+/// One tied contact being processed.
 class Tying {
  public:
-  Tying(const TieScene& scene, std::uint32_t contact, const ContactSurfaces& surfaces, std::vector<Vector>& x,
+  Tying(const TieScene& scene, ContactIndex contact, const ContactSurfaces& surfaces, std::vector<Vector>& x,
         TiedPairs& ties)
       : scene_(scene),
         model_(scene.model),
         contact_(contact),
-        card_(model_.contacts[contact]),
+        card_(model_.contact(contact)),
         surfaces_(surfaces),
         type_(surfaces.type),
         segments_((surfaces.two_sided() ? surfaces.b : surfaces.a).selection.segments),
@@ -55,10 +53,10 @@ class Tying {
                                            scene_.sweep, scene_.decisions);
     result_.nodes = nodes_.size();
     result_.segments = segments_.size();
-    for (std::uint32_t slot = 0; slot < nodes_.size(); ++slot) {
-      const TieCandidate& candidate = candidates[slot];
-      if (single ? !candidate.ties : !neighbours.at(nodes_.node[slot]).empty()) continue;
-      if (candidate.segment == TieCandidate::no_segment && !by_node_set) {
+    for (const SlotIndex slot : positions<SlotIndex>(nodes_.size())) {
+      const TieCandidate& candidate = candidates[slot.value];
+      if (single ? !candidate.ties : !neighbours.at(nodes_.node[slot.value]).empty()) continue;
+      if (candidate.segment == none<SegmentIndex> && !by_node_set) {
         ++result_.out_of_reach;
         continue;
       }
@@ -66,24 +64,24 @@ class Tying {
     }
   }
 
-  [[nodiscard]] JudgedNode judged(std::uint32_t slot, const TieCandidate& candidate, bool negative) {
+  [[nodiscard]] JudgedNode judged(SlotIndex slot, const TieCandidate& candidate, bool negative) {
     JudgedNode node;
     node.contact = contact_;
-    node.node = nodes_.node[slot];
-    node.part = nodes_.part[slot];
+    node.node = nodes_.node[slot.value];
+    node.part = nodes_.part[slot.value];
     node.by_node_set = surfaces_.a.nodes_only;
-    node.node_thickness = 2 * nodes_.half[slot];
+    node.node_thickness = 2 * nodes_.half[slot.value];
     if (!candidate.on_segment) {
       node.reason = TieReason::not_found;
       return node;
     }
-    const std::uint32_t s = candidate.segment;
-    const auto kind = segments_.element_kind[s];
+    const SegmentIndex s = candidate.segment;
+    const auto kind = segments_.element_kind[s.value];
     node.segment = s;
-    node.segment_part = part_of(model_.mesh, segments_, s);
+    node.segment_part = part_of(model_.mesh, segments_, s.value);
     node.distance = candidate.distance;
     node.diagonal = candidate.diagonal;
-    node.segment_thickness = 2 * segments_.half[s];
+    node.segment_thickness = 2 * segments_.half[s.value];
     node.allowed = tie_distance(node.node_thickness, node.segment_thickness, node.diagonal,
                                 kind == model::ElementKind::solid || kind == model::ElementKind::thick_shell, negative);
     if (!candidate.ties)
@@ -94,14 +92,14 @@ class Tying {
     return node;
   }
 
-  /// What keeps a constraint from taking the node becomes its reason; IPBACK ties such nodes by penalty.
+  /// The obstacle to a constraint becomes the node's reason; IPBACK ties such nodes by penalty.
   void constrain(JudgedNode& node) {
     const RigidNodes& rigid = ties_.rigid();
     std::optional<TieReason> reason;
     if ((node.rigid = rigid.owner(node.node))) {
       reason = TieReason::rigslav;
     } else {
-      for (const NodeIndex corner : segments_.nodes[node.segment])
+      for (const NodeIndex corner : segments_.nodes[node.segment.value])
         if (!node.rigid) node.rigid = rigid.owner(corner);
       if (node.rigid) reason = TieReason::rigmast;
     }
@@ -116,7 +114,7 @@ class Tying {
   /// Separations that are closed or make the tie wrong. The b and c forms carry them; tiebreaks keep the surfaces
   /// apart.
   void separate(JudgedNode& node) const {
-    const bool told = type_.code.front() == 'o' || moves_tied_nodes(type_) || node.penalty;
+    const bool told = type_.offset == TieOffset::penalty || moves_tied_nodes(type_) || node.penalty;
     if (told && node.distance > visible_separation * node.diagonal)
       node.reason = moves(node) ? TieReason::sep : TieReason::offset;
   }
@@ -130,14 +128,14 @@ class Tying {
     return at != all.end() && at->node == node ? &*at : nullptr;
   }
 
-  /// Where the node is when this contact has tied it.
+  /// The node's position after this contact has tied it.
   [[nodiscard]] Vector target(const JudgedNode& node) const {
-    const auto& n = segments_.nodes[node.segment];
+    const auto& n = segments_.nodes[node.segment.value];
     const geometry::Facet facet{{x_[n[0].value], x_[n[1].value], x_[n[2].value], x_[n[3].value]}, n[2] == n[3]};
     return geometry::closest_point(facet, x_[node.node.value]).point;
   }
 
-  /// Of a beam that tying would shorten too much the end that moves farther stays untied.
+  /// If tying would shorten a beam too much, the end that moves farther stays untied.
   void keep_beams_long() {
     if (model_.mesh.beams.size() == 0) return;
     for (JudgedNode& node : result_.judged) {
@@ -170,7 +168,7 @@ class Tying {
 
   const TieScene& scene_;
   const model::Model& model_;
-  const std::uint32_t contact_;
+  const ContactIndex contact_;
   const model::Contact& card_;
   const ContactSurfaces& surfaces_;
   const ContactType& type_;
@@ -182,26 +180,9 @@ class Tying {
   TieResult result_;
 };
 
-bool one_of(const std::string& code, std::string_view numbers) {
-  return !code.empty() && numbers.find(code.back()) != numbers.npos;
-}
-
 }  // namespace
 
-bool ties_by_constraint(const ContactType& type) {
-  return moves_tied_nodes(type) || (type.family == Family::tied && type.code.front() == 'c');
-}
-
-bool moves_tied_nodes(const ContactType& type) {
-  return type.family == Family::tied && type.code.size() == 1 && one_of(type.code, "267");
-}
-
-bool leaves_rotations_free(const ContactType& type) {
-  const bool form = type.code.size() == 1 || type.code.front() == 'o';
-  return type.family == Family::tied && form && one_of(type.code, "26");
-}
-
-TieResult apply_ties(const TieScene& scene, std::uint32_t contact, const ContactSurfaces& surfaces,
+TieResult apply_ties(const TieScene& scene, ContactIndex contact, const ContactSurfaces& surfaces,
                      std::vector<Vector>& x, TiedPairs& ties) {
   return Tying(scene, contact, surfaces, x, ties).run();
 }

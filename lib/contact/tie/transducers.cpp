@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
-#include <limits>
 #include <string>
 
 #include "contact/tie/ties.hpp"
@@ -46,7 +45,7 @@ std::vector<Sides> sides_of_elements(const model::Mesh& mesh, const std::vector<
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const Segments& segments = sides[s]->segments;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-      if (segments.element[i] == std::numeric_limits<std::uint32_t>::max()) continue;
+      if (segments.element[i] == no_position) continue;
       std::size_t first = 0;
       if (segments.element_kind[i] == model::ElementKind::solid) first = shells;
       if (segments.element_kind[i] == model::ElementKind::thick_shell) first = solids;
@@ -74,16 +73,22 @@ bool has_second_surface(const model::Contact& transducer) {
   return b.given && (b.id != 0 || b.type == static_cast<std::int64_t>(model::SurfaceType::all));
 }
 
-bool measures_between(const model::Contact& transducer) {
-  return has_second_surface(transducer) && !transducer.keyword.ends_with("_CONSTRAINT");
+bool measures_constraints(const model::Contact& transducer) {
+  return transducer.kind != nullptr && transducer.kind->can(Ability::measures_constraints);
 }
 
-bool tells_surfaces(const model::Contact& contact) { return contact.keyword.find("_AUTOMATIC") != std::string::npos; }
+bool measures_between(const model::Contact& transducer) {
+  return has_second_surface(transducer) && !measures_constraints(transducer);
+}
+
+bool tells_surfaces(const model::Contact& contact) {
+  return contact.kind != nullptr && contact.kind->can(Ability::tells_surfaces);
+}
 
 bool measures(const model::Contact& transducer, const model::Contact& contact) {
   const ContactType type = classify(contact);
   const bool by_constraint = ties_by_constraint(type) || type.family == Family::constraint;
-  return transducer.keyword.ends_with("_CONSTRAINT") == by_constraint;
+  return measures_constraints(transducer) == by_constraint;
 }
 
 std::vector<std::optional<std::uint32_t>> overlapping_transducers(const model::Mesh& mesh,

@@ -2,14 +2,16 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/ids.hpp"
+#include "model/contact/contact_name.hpp"
 #include "model/entity/part.hpp"
 
 namespace gapcheck::model {
 
-/// What one side of a contact is given by.
+/// How one side of a contact is given.
 enum class SurfaceType : std::uint8_t {
   segment_set = 0,
   shell_set = 1,
@@ -31,19 +33,19 @@ struct SurfaceInput {
 /// DT of contacts whose BT is the number of a curve of birth and death times.
 inline constexpr double curve_of_times = -9999;
 
-/// Where the lines of a contact's block do not fit its cards.
+/// Where the lines of a contact's block do not match its cards.
 struct CardLines {
   bool any = true;            ///< false: the block ends before card 1, so that the contact has no surfaces
   std::string missing;        ///< first mandatory card that the block ends before: "card 4 (ISYM, EROSOP, IADJ)"
-  std::uint32_t misread = 0;  ///< line in the place of the type's own card that cannot be this card; 0: none
+  std::uint32_t misread = 0;  ///< line in place of the type's own card that cannot be this card; 0: none
   std::string expected;       ///< then: that card
-  std::uint32_t surplus = 0;  ///< lines behind the last card that hold something
+  std::uint32_t surplus = 0;  ///< non-blank lines after the last card
   std::uint32_t first_surplus = 0;  ///< line of the first of them
 };
 
 /// Card 4 of tiebreak types: when a tie fails, by (tension / normal)^normal_power + (shear / shear)^shear_power >= 1.
 struct TiebreakStrength {
-  /// NFLF and SFLF, forces on a node, of TIEBREAK_NODES; else NFLS and SFLS, stresses. 0: never by it.
+  /// NFLF and SFLF, forces on a node, of TIEBREAK_NODES; else NFLS and SFLS, stresses. 0: no such limit.
   double normal = 0, shear = 0;
   double normal_power = 2, shear_power = 2;  ///< NEN, MES
   double param = 0;                          ///< PARAM; of OPTION 6 the critical opening CCRIT
@@ -54,13 +56,15 @@ struct TiebreakStrength {
 /// optional. Old and new field names (contact rules, section 1.1): A = slave = tracked, B = master = reference.
 struct Contact {
   ContactId id;
-  /// Place in the deck among all contacts, from 1; 0 for what only modifies others (CONTACT_INTERIOR, AUTO_MOVE,
-  /// ADD_WEAR), which then has id 0 too unless one is given.
+  /// Position in the deck among all contacts, from 1; 0 for keywords that only modify others (CONTACT_INTERIOR,
+  /// AUTO_MOVE, ADD_WEAR), which then has id 0 too unless one is given.
   std::uint32_t order = 0;
-  bool default_id = false;  ///< no ID in the deck: the id is the order, or a free number where that is taken
+  bool default_id = false;  ///< no ID in the deck: the id is the order, or a free number if that is taken
   std::string title;
-  std::string keyword;      ///< without option suffixes: "CONTACT_AUTOMATIC_SINGLE_SURFACE"
-  std::string written;      ///< as in the deck, upper case, without `*`
+  std::string keyword;  ///< without option words: "CONTACT_AUTOMATIC_SINGLE_SURFACE"; set_name() fills it and the next
+  std::string written;  ///< as in the deck, upper case, without `*`
+  const ContactKind* kind = nullptr;  ///< the row of the table; nullptr: unknown or of a layout of its own
+  ContactOptions options;   ///< option words of the keyword
   bool known = true;        ///< false: no such keyword is known; only id, title and place are filled
   bool own_layout = false;  ///< 2D, ENTITY, INTERIOR, …: the cards are not those of a 3D contact and were not read
   Place place;
@@ -78,7 +82,7 @@ struct Contact {
   std::int64_t tiebreak_option = 0;
   TiebreakStrength tiebreak;
   // Card 4 of eroding types
-  std::int64_t erosop = 0;  ///< EROSOP: 1 = surfaces follow the elements that are left
+  std::int64_t erosop = 0;  ///< EROSOP: 1 = surfaces follow the remaining elements
   std::int64_t iadj = 0;    ///< IADJ: 1 = also inside a body
   std::int64_t symmetry_faces = 0;  ///< ISYM: 1 = faces on planes of symmetry are left out
   // MPP card
@@ -87,7 +91,7 @@ struct Contact {
   // A
   std::int64_t soft = 0;
   double sofscl = 0.1;
-  std::int64_t lcidab = 0;        ///< curve of the thickness over time, *CONTACT_AIRBAG_SINGLE_SURFACE alone
+  std::int64_t lcidab = 0;        ///< curve of the thickness over time, only *CONTACT_AIRBAG_SINGLE_SURFACE
   double airbag_thickness = 0;    ///< that curve at time 0; 0 = not given
   double maxpar = 0;  ///< 0 = not given
   std::int64_t sbopt = 2, depth = 2, bsort = 0;
@@ -109,6 +113,9 @@ struct Contact {
   double shloff = 0;
   std::uint32_t optional_cards = 0;  ///< how many of A … G are in the deck
 };
+
+/// Fills what a contact has from its keyword (upper case, without `*`).
+void set_name(std::string_view written, Contact& contact);
 
 /// *CONTACT_EXCLUDE_INTERACTION: no contact between the two sides, in one contact (0 = in all).
 struct ContactExclusion {
@@ -143,14 +150,14 @@ struct FrictionTable {
 struct Controls {
   // *CONTROL_CONTACT card 1
   double slsfac = 0.1;
-  double rwpnal = 0;  ///< 0: rigid walls do not see the nodes of rigid bodies
+  double rwpnal = 0;  ///< 0: rigid walls ignore the nodes of rigid bodies
   std::int64_t shlthk = 0, penopt = 1, orien = 1;
   std::int64_t enmass = 0;  ///< nodes of failed elements stay in contact: 1 = of solids, 2 = of solids and shells
   // card 2
   double xpene = 4;
   std::int64_t ssthk = 0, ecdt = 0, tiedprj = 0;
   // card 3; zero = not given
-  double sfric = 0, dfric = 0, vfc = 0;  ///< friction of parts that give none, in contacts with FS = -1
+  double sfric = 0, dfric = 0, vfc = 0;  ///< friction of parts without their own, in contacts with FS = -1
   double th = 0, th_sf = 0;
   // card 4
   std::int64_t ignore = 0;
@@ -168,7 +175,7 @@ struct Controls {
   // *CONTROL_TERMINATION; 0 = not given
   double endtim = 0;
   std::int64_t endcyc = 0;
-  double dtmin = 0;   ///< the run ends when the step falls below this times the first one
+  double dtmin = 0;   ///< the run ends when the step falls below this factor of the first one
   double endeng = 0;  ///< change of the energy ratio, in percent, at which the run ends
   // *CONTROL_HOURGLASS: for parts that name none; 0 = not given
   std::int64_t ihq = 0;

@@ -11,24 +11,6 @@ namespace {
 using keyword::CardLayout;
 using keyword::FieldType;
 
-/// The types with one card of their own; the first entry that the name holds counts.
-struct OwnCard {
-  std::string_view token, card;
-};
-constexpr OwnCard own_cards[] = {
-    {"CONTACT_TIEBREAK_NODES", "TIEBREAK_NODES"},
-    {"CONTACT_TIEBREAK_SURFACE", "TIEBREAK_SURFACE"},
-    {"_TIEBREAK", "TIEBREAK"},
-    {"CONTACT_ERODING", "ERODING"},
-    {"_INTERFERENCE", "INTERFERENCE"},
-    {"CONTACT_CONSTRAINT", "CONSTRAINT"},
-    {"CONTACT_RIGID", "RIGID"},
-    {"_COMPOSITE", "COMPOSITE"},
-    {"_LUBRICATION", "COMPOSITE"},
-    {"_CONTRACTION_JOINT", "CONTRACTION_JOINT"},
-    {"_TIED", "TIED"},
-};
-
 /// Eight fields of ten columns, none of them read as a number.
 const CardLayout& texts() {
   static const CardLayout built = [] {
@@ -41,7 +23,7 @@ const CardLayout& texts() {
 }
 
 bool fits(std::string_view text, const keyword::Field* field) {
-  // What a parameter or an expression stands for is found when the field is read.
+  // Parameters and expressions are resolved when the field is read.
   if (text.empty() || keyword::is_parameter_reference(text)) return true;
   if (field == nullptr) return parse_real(text) == 0.0;
   if (field->type == FieldType::integer) return parse_integer(text).has_value();
@@ -52,27 +34,26 @@ bool fits(std::string_view text, const keyword::Field* field) {
 
 const CardLayout& contact_card_layout(std::string_view card) { return keyword::card_layout("CONTACT", card); }
 
-const CardLayout* type_card(const ContactName& name) {
-  switch (name.extra) {
-    case ExtraCards::none:
-    case ExtraCards::own:
-      return nullptr;
-    case ExtraCards::tiebreak:
-    case ExtraCards::tiebreak_damping:
-      return &contact_card_layout("TIEBREAK");
-    case ExtraCards::tiebreak_user:
-      return &contact_card_layout("TIEBREAK_USER");
-    case ExtraCards::tied_weld:
-      return &contact_card_layout("TIED_WELD1");
-    case ExtraCards::drawbead:
-    case ExtraCards::drawbead_initialize:
-      return &contact_card_layout("DRAWBEAD1");
-    case ExtraCards::one:
-      break;
+const CardLayout* type_card(TypeCards cards) {
+  switch (cards) {
+    case TypeCards::none: return nullptr;
+    case TypeCards::eroding: return &contact_card_layout("ERODING");
+    case TypeCards::interference_card: return &contact_card_layout("INTERFERENCE");
+    case TypeCards::constraint: return &contact_card_layout("CONSTRAINT");
+    case TypeCards::rigid: return &contact_card_layout("RIGID");
+    case TypeCards::composite: return &contact_card_layout("COMPOSITE");
+    case TypeCards::contraction_joint: return &contact_card_layout("CONTRACTION_JOINT");
+    case TypeCards::tied: return &contact_card_layout("TIED");
+    case TypeCards::tiebreak:
+    case TypeCards::tiebreak_damping: return &contact_card_layout("TIEBREAK");
+    case TypeCards::tiebreak_user: return &contact_card_layout("TIEBREAK_USER");
+    case TypeCards::tiebreak_nodes: return &contact_card_layout("TIEBREAK_NODES");
+    case TypeCards::tiebreak_surface: return &contact_card_layout("TIEBREAK_SURFACE");
+    case TypeCards::tied_weld: return &contact_card_layout("TIED_WELD1");
+    case TypeCards::draw_bead:
+    case TypeCards::draw_bead_initialize: return &contact_card_layout("DRAWBEAD1");
   }
-  const auto own = std::find_if(std::begin(own_cards), std::end(own_cards),
-                                [&](const OwnCard& entry) { return name.bare.find(entry.token) != std::string::npos; });
-  return own == std::end(own_cards) ? nullptr : &contact_card_layout(own->card);
+  return nullptr;
 }
 
 std::string card_words(const CardLayout& layout) {

@@ -12,7 +12,7 @@ namespace {
 using Words = std::vector<std::string_view>;
 
 constexpr std::size_t longest_name = 100;
-/// Names that differ by as much as a word and a half have nothing in common.
+/// Names that differ by a word and a half or more have nothing in common.
 constexpr double too_far = 1.5;
 /// A wrong letter against a wrong word, and a wrong order of words.
 constexpr double letter_cost = 0.25, order_cost = 0.5;
@@ -27,7 +27,7 @@ double word_cost(std::string_view a, std::string_view b) {
   return 2 * letters_apart(a, b) / static_cast<double>(std::max<std::size_t>(1, std::max(a.size(), b.size())));
 }
 
-/// Names that share less than half of their letters are only compared by words.
+/// Names that share less than half of their letters are compared only by words.
 double spelling_apart(std::string_view a, std::string_view b) {
   const double letters = letters_apart(a, b);
   return 2 * letters > static_cast<double>(std::max(a.size(), b.size())) ? too_far : letter_cost * letters;
@@ -46,7 +46,7 @@ double names_apart(std::string_view a, std::string_view b) {
 
 std::string nearest_contact_name(std::string_view written) {
   if (written.size() > longest_name) return {};
-  constexpr std::string_view family = "CONTACT_", mortar = "_MORTAR";
+  constexpr std::string_view family = contact_prefix, mortar = mortar_suffix;
   const std::string bare = parse_contact_name(written).bare;
   std::string_view name = bare;
   name.remove_prefix(std::min(family.size(), name.size()));
@@ -55,6 +55,8 @@ std::string nearest_contact_name(std::string_view written) {
   double least = too_far;
   std::string nearest;
   for (const std::string_view known : known_contact_names()) {
+    const ContactKind* kind = find_contact_kind(known);
+    if (is_mortar && (kind == nullptr || !has_mortar_form(*kind))) continue;
     const double apart = names_apart(name, known);
     if (apart >= least) continue;
     least = apart;

@@ -8,20 +8,20 @@
 
 namespace gapcheck::model {
 
-/// Nodes that a condition is for, as written: one node or a set of them.
+/// Nodes of a condition, as written: one node or a set of them.
 struct NodeChoice {
   std::int64_t id = 0;
   bool set = false;
 };
 
-/// Times between which a condition holds, in the model's unit. LS-DYNA takes a death of zero for never.
+/// Times between which a condition applies, in the model's unit. LS-DYNA treats a death of zero as never.
 struct Lifetime {
   static constexpr double forever = 1e20;
   double birth = 0, death = forever;
   [[nodiscard]] bool always() const { return birth <= 0 && death >= forever; }
 };
 
-/// *BOUNDARY_SPC_NODE and _SET: freedoms that stay at rest.
+/// *BOUNDARY_SPC_NODE and _SET: degrees of freedom that stay at rest.
 struct SinglePointConstraint {
   NodeChoice nodes;
   std::uint8_t freedoms = 0;  ///< bits 0 … 2: x y z, bits 3 … 5: rotations about them

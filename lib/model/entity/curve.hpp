@@ -8,8 +8,8 @@
 
 namespace gapcheck::model {
 
-/// *DEFINE_CURVE with its offsets and scales applied: (a + OFFA) SFA, (o + OFFO) SFO. What the numbers are (times,
-/// strains, stresses) is known to their user only, so they stay in the unit of the file.
+/// *DEFINE_CURVE with its offsets and scales applied: (a + OFFA) SFA, (o + OFFO) SFO. Only the user of a curve knows
+/// what its numbers are (times, strains, stresses), so they stay in the unit of the file.
 struct Curve {
   std::vector<std::array<double, 2>> points;  ///< abscissa, ordinate, as written; abscissas should rise
   double abscissa_time = 1;                   ///< time factor of the curve's file, for curves over time

@@ -6,7 +6,7 @@
 
 namespace gapcheck::model {
 
-/// Takes the entries at the given positions (ascending) out of a column; the others keep their order.
+/// Removes the entries at the given positions (ascending) from a column; the others keep their order.
 template <class Value>
 void erase_column(const std::vector<std::uint32_t>& positions, std::vector<Value>& column) {
   std::size_t next = 0, kept = 0;
@@ -43,7 +43,7 @@ void erase_positions(const std::vector<std::uint32_t>& positions, Origins& origi
   (erase_column(positions, columns), ...);
 }
 
-/// Where the entry at `position` stands after the given positions (ascending) were taken out.
+/// The new position of the entry at `position` after the given positions (ascending) were removed.
 [[nodiscard]] inline std::uint32_t position_after(const std::vector<std::uint32_t>& erased, std::uint32_t position) {
   const auto before = std::lower_bound(erased.begin(), erased.end(), position) - erased.begin();
   return position - static_cast<std::uint32_t>(before);

@@ -24,7 +24,7 @@ bool tidy(SegmentNodes& face) {
   return true;
 }
 
-/// The same for a face however its nodes are turned.
+/// The same key for a face in any rotation of its nodes.
 SegmentNodes key(SegmentNodes face) {
   std::sort(face.begin(), face.end());
   return face;
@@ -63,7 +63,7 @@ std::vector<Face> exterior_faces(const Elements<8>& elements, const std::vector<
     std::uint32_t face;
   };
   std::vector<Face> faces;
-  std::uint32_t lowest = none<NodeIndex>.value, highest = 0;
+  std::uint32_t lowest = no_position, highest = 0;
   for (const std::uint32_t member : members) {
     for (const SegmentNodes& nodes : SolidFaces(elements.nodes[member])) {
       faces.push_back({nodes, member});

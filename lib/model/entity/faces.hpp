@@ -25,7 +25,7 @@ class SolidFaces {
 /// True if the element is a tetrahedron (n4 = … = n8).
 [[nodiscard]] bool is_tetrahedron(const std::array<NodeIndex, 8>& nodes);
 
-/// A face and the element it was made from.
+/// A face and the element it belongs to.
 struct Face {
   SegmentNodes nodes;
   std::uint32_t element = 0;  ///< position in the element array

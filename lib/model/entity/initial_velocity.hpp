@@ -27,7 +27,7 @@ struct InitialVelocity {
   std::int64_t id = 0;      ///< node set, set or part by `target`, part; 0: all
   std::int64_t target = 0;  ///< STYP of generation: 1 part set, 2 part, 3 node set
   std::int64_t exempted_set = 0, box = 0;
-  std::int64_t irigid = 0;              ///< 1: also over the velocities of *PART_INERTIA
+  std::int64_t irigid = 0;              ///< 1: also overrides the velocities of *PART_INERTIA
   std::int64_t system = 0;              ///< ICID; 0: global
   std::int64_t phase = 0;               ///< of generation: 1 after dynamic relaxation
   std::int64_t axis_nodes[2] = {0, 0};  ///< of generation with NX = -999: the axis runs from the first to the second

@@ -47,7 +47,7 @@ struct BodyLoad {
   Place place;
 };
 
-/// *LOAD_BODY_PARTS: the parts that body loads are for.
+/// *LOAD_BODY_PARTS: the parts to which body loads apply.
 struct BodyLoadParts {
   std::int64_t part_set = 0;
   Place place;

@@ -19,14 +19,14 @@ std::vector<std::uint32_t> IdLookup::build(const std::vector<std::int64_t>& ids)
   if (ids.empty()) return {};
   const auto [lowest, highest] = std::minmax_element(ids.begin(), ids.end());
   lowest_ = *lowest;
-  // Unsigned, because the difference of two ids need not fit into a signed number.
+  // Unsigned, because the difference of two ids may not fit into a signed number.
   const std::uint64_t span = static_cast<std::uint64_t>(*highest) - static_cast<std::uint64_t>(lowest_);
   std::vector<std::uint32_t> duplicates;
   if (span < 4 * static_cast<std::uint64_t>(ids.size()) + 1024) {
-    table_.assign(static_cast<std::size_t>(span) + 1, missing);
+    table_.assign(static_cast<std::size_t>(span) + 1, no_position);
     for (std::uint32_t i = 0; i < ids.size(); ++i) {
       std::uint32_t& entry = table_[static_cast<std::size_t>(ids[i] - lowest_)];
-      if (entry == missing)
+      if (entry == no_position)
         entry = i;
       else
         duplicates.push_back(i);

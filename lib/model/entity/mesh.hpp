@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,7 +31,7 @@ class IdLookup {
   [[nodiscard]] std::optional<std::uint32_t> find(std::int64_t id) const {
     if (!table_.empty()) {
       const std::uint64_t place = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(lowest_);
-      if (place >= table_.size() || table_[place] == missing) return std::nullopt;
+      if (place >= table_.size() || table_[place] == no_position) return std::nullopt;
       return table_[place];
     }
     const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{id, std::uint32_t{0}});
@@ -49,7 +48,7 @@ class IdLookup {
       const auto begin = static_cast<std::size_t>(std::max(first, lowest_) - lowest_);
       const auto end = static_cast<std::size_t>(std::min(last, highest) - lowest_);
       for (std::size_t i = begin; i <= end; ++i)
-        if (table_[i] != missing && !visit(lowest_ + static_cast<std::int64_t>(i), table_[i])) return;
+        if (table_[i] != no_position && !visit(lowest_ + static_cast<std::int64_t>(i), table_[i])) return;
       return;
     }
     auto entry = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{first, std::uint32_t{0}});
@@ -58,9 +57,8 @@ class IdLookup {
   }
 
  private:
-  static constexpr std::uint32_t missing = std::numeric_limits<std::uint32_t>::max();
   std::int64_t lowest_ = 0;
-  std::vector<std::uint32_t> table_;  ///< by id - lowest_; max = none
+  std::vector<std::uint32_t> table_;  ///< by id - lowest_; or no_position
   std::vector<std::pair<std::int64_t, std::uint32_t>> sorted_;
 };
 
@@ -106,14 +104,14 @@ struct Shells : Elements<4> {
   std::vector<ShellOffset> own_offset;        ///< ascending by shell
 };
 
-/// What *ELEMENT_BEAM says beside part and end nodes.
+/// What *ELEMENT_BEAM says besides part and end nodes.
 struct BeamValues {
   NodeIndex third = none<NodeIndex>;      ///< N3, in the plane of the axes r and s
   Vector orientation = Vector::Zero();    ///< _ORIENTATION: from the first node to a third one; zero: not given
   bool released = false, shifted = false;  ///< pin releases RT1 … RR2; _OFFSET
 };
 
-/// What *ELEMENT_DISCRETE says beside part and nodes.
+/// What *ELEMENT_DISCRETE says besides part and nodes.
 struct DiscreteValues {
   std::int64_t orientation = 0;  ///< VID; 0: along the line between the nodes
   double scale = 1;              ///< S, on forces

@@ -7,18 +7,18 @@
 
 namespace gapcheck::model {
 
-/// A node whose motion the deck asks for.
+/// A node whose motion the deck requests.
 struct HistoryNode {
   NodeIndex node;
   std::string title;
 };
 
-/// Intervals of the result files in the model's time; zero: not asked for. A DT that is not above zero counts as none.
+/// Intervals of the result files in the model's time; zero: not requested. A DT not above zero counts as none.
 struct Output {
   double d3plot = 0;
   double glstat = 0, matsum = 0, nodout = 0, rcforc = 0, sleout = 0, ncforc = 0;
   std::vector<HistoryNode> history_nodes;  ///< in the order of the deck, each once
-  /// What the deck asks for and will not get: curves of intervals, nodes that do not exist. Only a run needs to tell.
+  /// Requests of the deck that are not met: curves of intervals, nodes that do not exist. Only a run reports them.
   struct Note {
     Place place;
     std::string text;

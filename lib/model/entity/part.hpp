@@ -10,7 +10,7 @@
 
 namespace gapcheck::model {
 
-/// Where an entity stands in the deck. Line 0: unknown.
+/// Where an entity is defined in the deck. Line 0: unknown.
 struct Place {
   FileIndex file = none<FileIndex>;
   std::uint32_t line = 0;
@@ -45,7 +45,7 @@ struct BodyInertia {
   double mass = 0;
   Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();  ///< about the centre
   Vector velocity = Vector::Zero(), spin = Vector::Zero();
-  std::int64_t system = 0;  ///< local system of the tensor that was not applied; 0: none
+  std::int64_t system = 0;  ///< local system of the tensor, not applied; 0: none
 };
 
 struct Part {
@@ -110,8 +110,8 @@ struct Plasticity {
   double anisotropy = 1;                          ///< of 037: R as written, the Lankford parameter
 };
 
-/// Material of springs and dampers. Constants are those of translation, in the model's units; those of torsion are
-/// times the square of `length_factor`.
+/// Material of springs and dampers. Constants are for translation, in the model's units; for torsion multiply by the
+/// square of `length_factor`.
 struct DiscreteMaterial {
   enum class Kind : std::uint8_t {
     spring,           ///< S01: force = constant x elongation

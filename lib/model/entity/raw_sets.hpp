@@ -15,14 +15,14 @@ enum class SetKind : std::uint8_t { node, part, segment, shell, solid, thick_she
 inline constexpr std::size_t set_kinds = 8;
 [[nodiscard]] std::string_view name(SetKind kind);
 
-/// One step of a set's definition: which things join it (or leave it).
+/// One step of a set's definition: which things are added (or removed).
 struct SetClause {
   enum class Source : std::uint8_t {
     members,     ///< ids of kind `of` (segments: four node ids each)
     ranges,      ///< pairs first, last
     increments,  ///< triples first, last, step
     sets,        ///< ids of sets of kind `of`
-    intersect,   ///< ids of sets of the own kind; what all of them have
+    intersect,   ///< ids of sets of the same kind; their common members
     boxes,       ///< *DEFINE_BOX ids
     all,
   };
@@ -32,7 +32,7 @@ struct SetClause {
   std::vector<std::int64_t> ids;
 };
 
-/// A set as written, before its members are looked up.
+/// A set as written, before its members are resolved.
 struct RawSet {
   std::int64_t id = 0;
   std::string title;

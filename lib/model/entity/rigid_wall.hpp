@@ -18,7 +18,7 @@ struct RigidWall {
   };
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  std::int64_t id = 0;  ///< given, or the wall's place among the walls of the deck, from 1
+  std::int64_t id = 0;  ///< given, or the wall's position among the walls of the deck, from 1
   std::string title;    ///< empty: none
   Shape shape = Shape::plane;
   bool interior = false;  ///< cylinder, sphere: keeps its nodes inside
@@ -27,8 +27,8 @@ struct RigidWall {
   Vector edge_l = Vector::UnitX(), edge_m = Vector::UnitY();  ///< unit length; only where a length is finite
   double length_l = infinite, length_m = infinite, length_p = infinite;
   double radius = 0;
-  std::int64_t node_set = 0;      ///< its nodes; 0: all of the model
-  std::int64_t exempted_set = 0;  ///< nodes taken out again; 0: none
+  std::int64_t node_set = 0;      ///< its nodes; 0: all nodes of the model
+  std::int64_t exempted_set = 0;  ///< exempted nodes; 0: none
   std::int64_t box = 0;           ///< only nodes inside; 0: no box
   double offset = 0;              ///< planar walls: only nodes within this distance; 0: any distance
   double birth = 0, death = 0;    ///< active in between; death 0: for ever

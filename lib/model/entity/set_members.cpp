@@ -46,7 +46,7 @@ void Members::intersect(const Members& other) {
 }
 
 void Members::keep_unique(const Members& removed) {
-  // Positions that rise all the way, as most do, have no equals.
+  // Strictly ascending positions, the usual case, have no duplicates.
   const bool rising = std::adjacent_find(positions.begin(), positions.end(), std::greater_equal<>()) == positions.end();
   if (!rising || !removed.positions.empty()) keep_first<Positions>(positions, removed.positions);
   if (!segments.empty()) keep_first<Segments>(segments, removed.segments);

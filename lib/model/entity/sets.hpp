@@ -11,7 +11,7 @@
 namespace gapcheck::model {
 
 /// A set with its members resolved to array positions; members that do not exist are left out (and are a Fault).
-/// Members stand in the order of the deck, each once.
+/// Members are in the order of the deck, each once.
 template <class Member>
 struct Set {
   std::int64_t id = 0;

@@ -11,7 +11,7 @@ using keyword::CardLayout;
 using keyword::FieldType;
 using keyword::IdKind;
 
-/// Cards that many keywords share, so that none of them owns the layout. Fields are read by position.
+/// Cards shared by many keywords. Fields are read by position.
 
 /// One line of text, 80 wide.
 [[nodiscard]] const CardLayout& text_line();

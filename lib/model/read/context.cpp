@@ -41,7 +41,7 @@ void Context::unknown(std::string message, Place place) {
 std::int64_t Context::with_offset(const keyword::Block& block, keyword::IdKind kind, std::int64_t id) const {
   if (id == 0) return 0;
   const std::int64_t offset = transform(block).offset[static_cast<std::size_t>(kind)];
-  // Some keywords give an id a meaning of its own by a minus sign; its number moves all the same.
+  // Some keywords give an id a special meaning by a minus sign; its number is still shifted.
   std::int64_t moved = 0;
   const bool overflow =
       id > 0 ? __builtin_add_overflow(id, offset, &moved) : __builtin_sub_overflow(id, offset, &moved);

@@ -12,7 +12,7 @@
 
 namespace gapcheck::model {
 
-/// The words of a keyword's name behind the family: "THICKNESS", "OFFSET" of *ELEMENT_SHELL_THICKNESS_OFFSET.
+/// The words of a keyword's name after the family: "THICKNESS", "OFFSET" of *ELEMENT_SHELL_THICKNESS_OFFSET.
 struct Options {
   std::vector<std::string_view> words;
   [[nodiscard]] bool has(std::string_view word) const;
@@ -21,7 +21,7 @@ struct Options {
   [[nodiscard]] std::size_t count(std::initializer_list<std::string_view> some) const;
 };
 
-/// What all readers of one deck share while the model grows. Lives as long as read_model().
+/// What all readers of one deck share while the model is built. Lives as long as read_model().
 struct Context {
   const keyword::Deck& deck;
   Diagnostics& diagnostics;
@@ -29,7 +29,7 @@ struct Context {
   RawSets sets;
   std::map<std::int64_t, std::uint32_t> section_of_id, material_of_id;
   std::uint32_t interfaces = 0;  ///< contacts so far that count
-  /// Rows of a *DEFINE_TABLE that wait for their curves, which follow it; last first.
+  /// Rows of a *DEFINE_TABLE that wait for the curves that follow it; last first.
   std::vector<std::pair<std::int64_t, std::size_t>> waiting_rows = {};
 
   [[nodiscard]] static Place place(const keyword::Block& block, std::uint32_t line) { return {block.file, line}; }
@@ -53,9 +53,9 @@ struct Context {
   [[nodiscard]] PartIndex part(std::int64_t id) const;
 };
 
-/// True (and the line is passed over) where the next line is blank; for keywords whose rows may not be.
+/// True (and the line is skipped) if the next line is blank; for keywords whose rows must not be blank.
 [[nodiscard]] bool skip_blank(keyword::CardReader& reader);
-/// Passes over at most `count` lines; a hostile count costs no more than the lines that are there.
+/// Skips at most `count` lines; a hostile count costs no more than the existing lines.
 void skip_lines(keyword::CardReader& reader, std::int64_t count);
 
 using keyword::Block;
@@ -120,15 +120,15 @@ void read_friction_table(Context& context, const Block& block, const Options& op
 /// The three or four cards of mass, centre, inertia and initial velocity of a rigid body.
 [[nodiscard]] BodyInertia read_body_inertia(Context& context, CardReader& reader);
 
-/// Yield data of one material behind its first card (`card`, fields of ten columns by position); nothing where the
-/// material has none that is read. `name`: "PLASTIC_KINEMATIC".
+/// Yield data of one material after its first card (`card`, fields of ten columns by position); nothing if the material
+/// has none that is read. `name`: "PLASTIC_KINEMATIC".
 [[nodiscard]] std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
                                                         std::string_view name);
 
 /// The constraint codes of a block of nodes, once the nodes can be found by their ids.
 void read_node_constraints(Context& context, const Block& block);
 
-// What is left to do when all blocks of a kind are read.
+// What remains to be done once all blocks of a kind are read.
 void finish_nodes(Context& context);
 void finish_parts(Context& context);
 void finish_elements(Context& context);

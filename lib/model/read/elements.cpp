@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t grain = 8192;
 
-/// Looks parts up; elements of one part mostly stand together, so the last answer is kept.
+/// Looks up parts; elements of one part are mostly consecutive, so the last answer is kept.
 class PartFinder {
  public:
   explicit PartFinder(const Context& context) : context_(context) {}
@@ -31,7 +31,7 @@ class PartFinder {
   PartIndex part_ = none<PartIndex>;
 };
 
-/// The nodes of one row; false with the id in `bad` where one is not known.
+/// The nodes of one row; false with the id in `bad` if one is unknown.
 template <std::size_t N>
 bool find_nodes(const Nodes& nodes, const ElementTraits& traits, const std::int64_t* ids, std::size_t given,
                 std::array<NodeIndex, N>& out, std::int64_t& bad) {
@@ -52,7 +52,7 @@ bool find_nodes(const Nodes& nodes, const ElementTraits& traits, const std::int6
   return true;
 }
 
-/// Puts rows behind the elements that are there, in pieces that may come in any order and from several threads.
+/// Appends rows to the existing elements, in pieces that may come in any order and from several threads.
 template <std::size_t N>
 class Appender {
  public:
@@ -75,7 +75,7 @@ class Appender {
         });
   }
 
-  /// Reports what is wrong and takes the rows left out away; returns them, ascending.
+  /// Reports faults and removes the rows left out; returns them, ascending.
   std::vector<std::uint32_t> finish() {
     std::sort(faults_.left_out.begin(), faults_.left_out.end(),
               [](const LeftOut& a, const LeftOut& b) { return a.row < b.row; });
@@ -129,7 +129,7 @@ class Appender {
     elements_.origins.add(static_cast<std::uint32_t>(first_), block_.file);
   }
 
-  /// Row `first_row` and those behind it; `nodes` ids behind the element's and the part's in each.
+  /// Row `first_row` and the following ones; each has `nodes` ids after the element's and the part's.
   void take(std::size_t first_row, std::size_t count, std::size_t nodes, const std::int64_t* values,
             const std::uint32_t* lines) {
     PartFinder parts(context_);

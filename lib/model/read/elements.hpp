@@ -17,19 +17,19 @@ struct ElementRows {
   [[nodiscard]] const std::int64_t* row(std::size_t i) const { return &values[i * (2 + nodes)]; }
 };
 
-/// The words for one kind of element, and how many of its nodes must be there.
+/// The words for one kind of element, and how many nodes it must have.
 struct ElementTraits {
   std::string_view what;       ///< "shell"
   std::size_t required_nodes;  ///< blank nodes after these are fine
   bool needs_part = true;
 };
 
-/// Puts one element's line behind the rows.
+/// Appends one element's line to the rows.
 void append_row(ElementRows& rows, const Card& card, std::size_t nodes);
 
-/// Looks nodes and parts up and puts the elements behind those that are there. Blank nodes behind the required ones
-/// repeat the last node given (with N = 2: stay none). Elements with unknown nodes or without a positive id are
-/// reported and left out. Returns the rows left out, ascending.
+/// Looks up nodes and parts and appends the elements to the existing ones. Blank nodes after the required ones repeat
+/// the last node given (with N = 2: stay none). Elements with unknown nodes or without a positive id are reported and
+/// left out. Returns the rows left out, ascending.
 template <std::size_t N>
 std::vector<std::uint32_t> append_elements(Context& context, const Block& block, const ElementTraits& traits,
                                            const ElementRows& rows, Elements<N>& elements);

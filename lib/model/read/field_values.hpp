@@ -7,9 +7,9 @@
 
 namespace gapcheck::model {
 
-// How readers of many keywords take the values of a card's fields.
+// How the readers of many keywords interpret the values of a card's fields.
 
-/// The solver takes zero and blank for its default.
+/// The solver treats zero and blank as its default.
 [[nodiscard]] inline double or_default(double value, double default_value) {
   return value == 0 ? default_value : value;
 }
@@ -17,7 +17,7 @@ namespace gapcheck::model {
   return value == 0 ? default_value : value;
 }
 
-/// A vector in three fields that stand one behind the other.
+/// A vector in three consecutive fields.
 [[nodiscard]] inline Vector vector_at(const keyword::Card& card, std::size_t field) {
   return {card.real(field), card.real(field + 1), card.real(field + 2)};
 }

@@ -8,7 +8,7 @@
 namespace gapcheck::model {
 namespace {
 
-/// Reports ids that two contacts have, and numbers those that have none as the solver does.
+/// Reports ids that two contacts share, and numbers contacts without an id as the solver does.
 void number_contacts(Context& context) {
   std::vector<Contact>& contacts = context.model.contacts;
   std::map<std::int64_t, const Contact*> taken;
@@ -34,7 +34,7 @@ void number_contacts(Context& context) {
   }
 }
 
-/// What a side refers to, in words; empty where it is there or refers to nothing.
+/// The missing reference of a side, in words; empty if it exists or there is none.
 std::string missing_reference(const Model& model, const SurfaceInput& side) {
   const auto say = [&](std::string_view what, bool there) {
     return there ? std::string() : fmt::format("{} {}", what, side.id);
@@ -69,7 +69,7 @@ void check_side(Context& context, const Contact& contact, const SurfaceInput& si
     if (const std::string missing = missing_reference(context.model, side); !missing.empty())
       context.unknown(fmt::format("contact {}: {} of {} is not defined", contact.id.value, missing, name),
                       contact.place);
-  // A negative number stands for a contact volume, not for a box.
+  // A negative number means a contact volume, not a box.
   if (side.box > 0 && !context.model.boxes.contains(side.box))
     context.unknown(fmt::format("contact {}: box {} of {} is not defined", contact.id.value, side.box, name),
                     contact.place);
@@ -77,7 +77,7 @@ void check_side(Context& context, const Contact& contact, const SurfaceInput& si
 
 /// Airbags: the thickness that LCIDAB gives at the start.
 void resolve_thickness_curve(Context& context, Contact& contact) {
-  if (contact.lcidab <= 0 || contact.keyword != "CONTACT_AIRBAG_SINGLE_SURFACE") return;
+  if (contact.lcidab <= 0 || !contact.kind->can(Ability::thickness_curve) || contact.options.mortar) return;
   const auto curve = context.model.curves.find(contact.lcidab);
   if (curve == context.model.curves.end())
     context.unknown(fmt::format("contact {}: curve {} of LCIDAB is not defined", contact.id.value, contact.lcidab),
@@ -91,7 +91,7 @@ void resolve_thickness_curve(Context& context, Contact& contact) {
 void finish_contacts(Context& context) {
   number_contacts(context);
   for (Contact& contact : context.model.contacts) {
-    if (contact.own_layout || !contact.known) continue;
+    if (contact.kind == nullptr) continue;
     resolve_thickness_curve(context, contact);
     check_side(context, contact, contact.a, "SURFA");
     check_side(context, contact, contact.b, "SURFB");

@@ -73,7 +73,7 @@ class Reader {
     });
   }
 
-  /// Visits the rows of a block; blank lines between them are passed over.
+  /// Visits the rows of a block; blank lines between them are skipped.
   template <class Visit>
   void for_each_row(const Block& block, const Visit& visit) {
     CardReader reader(deck_, block, diagnostics_);
@@ -81,7 +81,7 @@ class Reader {
       if (!skip_blank(reader)) visit(reader);
   }
 
-  /// The number on the card in front of each link of the form with an id.
+  /// The number on the card before each link of the form with an id.
   static std::int64_t read_id(const Block& block, CardReader& reader, const keyword::CardLayout& layout) {
     return block.name.ends_with(id_option) ? reader.next(layout).integer(0) : 0;
   }

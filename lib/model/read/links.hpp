@@ -10,7 +10,7 @@
 
 namespace gapcheck::model {
 
-/// Nodes that a keyword joins without any element between them: *CONSTRAINED_NODE_SET, *CONSTRAINED_RIVET.
+/// Nodes that a keyword joins without an element between them: *CONSTRAINED_NODE_SET, *CONSTRAINED_RIVET.
 struct NodeLink {
   enum class Kind : std::uint8_t { node_set, rivet } kind;
   std::int64_t id = 0;           ///< given, or 0
@@ -33,8 +33,8 @@ struct Links {
   std::vector<HangingNode> hanging;
 };
 
-/// Reads the links of a deck for those who move its nodes; the model itself does without. `model`: read from `deck`.
-/// Nodes and sets that are not defined are warnings, and what names them is left out.
+/// Reads the links of a deck for code that moves its nodes; the model itself does not need them. `model`: read from
+/// `deck`. Undefined nodes and sets are warnings, and links that name them are left out.
 [[nodiscard]] Links read_links(const keyword::Deck& deck, const Model& model, Diagnostics& diagnostics);
 
 /// True for the keywords that read_links() reads.

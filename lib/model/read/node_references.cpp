@@ -10,7 +10,7 @@
 namespace gapcheck::model {
 namespace {
 
-/// Keywords that only say where things are, or that the model holds in another form.
+/// Keywords that only define positions, or that the model holds in another form.
 bool is_mesh(std::string_view name) {
   constexpr std::array<std::string_view, 9> mesh{"NODE",           "ELEMENT_SHELL",  "ELEMENT_SOLID",
                                                  "ELEMENT_TSHELL", "ELEMENT_SPH",    "SET_",
@@ -20,8 +20,8 @@ bool is_mesh(std::string_view name) {
 
 bool holds_nodes(IdKind kind) { return kind == IdKind::node || kind == IdKind::set; }
 
-/// The cards of a keyword that can hold nodes or node sets. Constraints and elements whose cards are not known are
-/// taken for rows of ids.
+/// The cards of a keyword that can hold nodes or node sets. Constraints and elements with unknown cards are read as
+/// rows of ids.
 std::vector<const CardLayout*> cards_with_nodes(std::string_view name) {
   static const CardLayout nodes = id_line(8, 10, IdKind::node), sets = id_line(8, 10, IdKind::set),
                           element = element_line(8);

@@ -9,15 +9,15 @@
 
 namespace gapcheck::model {
 
-/// Nodes that keywords refer to which build no mesh: beside Nodes, 1 for every node whose id stands in a node field, or
-/// whose node set stands in a set field, of a block whose name begins with `family` (empty: any). Elements, nodes, sets
-/// and contacts are not looked at. A line is read as each of the keyword's cards, so that rather a node too many is
-/// marked than one too few; keywords whose cards are not known are passed over. Meant for the few decks where it
-/// matters: the cost is that of reading the blocks.
+/// Nodes that keywords other than mesh keywords refer to: parallel to Nodes, 1 for every node whose id is in a node
+/// field, or whose node set is in a set field, of a block whose name begins with `family` (empty: any). Elements,
+/// nodes, sets and contacts are skipped. A line is read as each of the keyword's cards, so that too many nodes are
+/// marked rather than too few; keywords with unknown cards are skipped. Meant for the few decks where it matters: the
+/// cost is that of reading the blocks.
 [[nodiscard]] std::vector<std::uint8_t> referenced_nodes(const keyword::Deck& deck, const Model& model,
                                                          std::string_view family);
 
-/// The same for blocks whose name `chosen` takes.
+/// The same for blocks whose name `chosen` accepts.
 [[nodiscard]] std::vector<std::uint8_t> referenced_nodes(const keyword::Deck& deck, const Model& model,
                                                          const std::function<bool(std::string_view)>& chosen);
 

@@ -5,7 +5,7 @@
 namespace gapcheck::model {
 namespace {
 
-/// Whether a text may stand in an integer field of an element's line.
+/// Whether a text may be in an integer field of an element's line.
 bool names_something(std::string_view text) {
   if (text.starts_with('&') || text.starts_with('<')) return true;
   const auto number = parse_integer(text);

@@ -7,7 +7,7 @@
 namespace gapcheck::model {
 namespace {
 
-/// The ID card that stands before each condition; blank lines between conditions are passed over.
+/// The ID card before each condition; blank lines between conditions are skipped.
 bool start_condition(CardReader& reader, const Options& options) {
   while (!reader.at_end() && skip_blank(reader)) {
   }
@@ -23,7 +23,7 @@ Lifetime read_lifetime(const Context& context, const Block& block, const Card& c
   return lifetime;
 }
 
-/// Columns of TC and RC in a line of *NODE that say something: nothing for most lines of most decks.
+/// Nonblank columns of TC and RC in a line of *NODE: nothing for most lines of most decks.
 bool has_codes(std::string_view line, std::size_t column) {
   if (line.starts_with('$')) return false;
   if (line.find(',') != std::string_view::npos) return std::count(line.begin(), line.end(), ',') >= 4;

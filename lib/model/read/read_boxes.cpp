@@ -10,8 +10,8 @@
 namespace gapcheck::model {
 namespace {
 
-/// Axes from a point on the local x axis and one in the local xy plane, both seen from the origin. False where they
-/// are on one line.
+/// Axes from a point on the local x axis and one in the local xy plane, both seen from the origin. False if they are on
+/// one line.
 bool set_axes(const Vector& along_x, const Vector& in_plane, Eigen::Matrix3d& axes) {
   const Vector z = along_x.cross(in_plane);
   if (!(z.norm() > 1e-12 * along_x.norm() * in_plane.norm())) return false;
@@ -31,7 +31,7 @@ void read_local_axes(Context& context, CardReader& reader, Box& box) {
                                          box.id));
 }
 
-/// The included box goes where the include goes: it keeps its own coordinates and gets new axes.
+/// An included box moves with its include: it keeps its own coordinates and gets new axes.
 void place_box(Context& context, const keyword::Transform& transform, Box& box) {
   box.low *= transform.length_factor;
   box.high *= transform.length_factor;

@@ -13,7 +13,7 @@ std::vector<NodeIndex> nodes_of_set(Context& context, std::int64_t set, const st
   return {};
 }
 
-/// A part that must be there.
+/// A part that must exist.
 bool find_part(Context& context, std::int64_t id, std::string_view user, Place place, std::vector<PartIndex>& parts) {
   const PartIndex part = context.part(id);
   if (part == none<PartIndex>) {
@@ -24,7 +24,7 @@ bool find_part(Context& context, std::int64_t id, std::string_view user, Place p
   return true;
 }
 
-/// Cards behind the first one of a nodal rigid body.
+/// Cards after the first one of a nodal rigid body.
 void read_body_options(Context& context, CardReader& reader, const Options& options, RigidGroup& group) {
   if (options.has("SPC")) {
     const Card card = reader.next(keyword::card_layout("CONSTRAINED_NODAL_RIGID_BODY_SPC", "card2"));
@@ -46,7 +46,7 @@ void read_nodal_rigid_body(Context& context, const Block& block, const Options& 
     const Card card = reader.next(layout);
     RigidGroup group{RigidGroup::Kind::nodal_rigid_body, card.integer("pid"), {}, {}, {}, {}, {}};
     group.place = Context::place(block, card.line());
-    // Without a set of its own the body takes the node set of its number.
+    // Without its own set the body takes the node set of the same number.
     const std::int64_t set = card.integer("nsid") != 0 ? card.integer("nsid") : group.id;
     group.nodes = nodes_of_set(context, set, fmt::format("nodal rigid body {}", group.id), group.place);
     read_body_options(context, reader, options, group);

@@ -35,7 +35,7 @@ SurfaceInput read_surface(Context& context, const Block& block, const Card& card
   return surface;
 }
 
-/// True where the block goes on; otherwise notes the first mandatory card that it ends before.
+/// True if the block continues; otherwise notes the first mandatory card that it ends before.
 bool has_card(const CardReader& reader, Contact& contact, std::string_view card) {
   if (!reader.at_end()) return true;
   if (contact.cards.missing.empty()) contact.cards.missing = card;
@@ -55,16 +55,17 @@ void read_mpp(CardReader& reader, Contact& contact) {
 }
 
 void read_times(const Card& card2, double time_factor, Contact& contact) {
-  // DT = -9999 is no time, and makes BT the number of a curve.
+  // DT = -9999 is not a time and makes BT the number of a curve.
   const double death = card2.real("dt");
   const double factor = death == curve_of_times ? 1 : time_factor;
   contact.birth = card2.real("bt") * factor;
   contact.death = or_default(death * factor, contact.death);
 }
 
-/// Cards 1 to 3. Card 1 must be there; without the others the solver's defaults hold.
-bool read_mandatory(Context& context, CardReader& reader, const ContactName& name, Contact& contact) {
+/// Cards 1 to 3. Card 1 is required; without the others the solver's defaults apply.
+bool read_mandatory(Context& context, CardReader& reader, Contact& contact) {
   const Block& block = reader.block();
+  const bool transducer = contact.kind->code == ContactCode::transducer;
   contact.cards.any = has_card(reader, contact, "card 1 (SURFA, SURFB)");
   if (!contact.cards.any) {
     context.error(contact.place,
@@ -77,9 +78,9 @@ bool read_mandatory(Context& context, CardReader& reader, const ContactName& nam
   contact.print_a = card1.integer("sapr") != 0;
   contact.print_b = card1.integer("sbpr") != 0;
   // A transducer needs neither friction nor stiffness.
-  if (!name.transducer) has_card(reader, contact, "card 2 (friction, birth and death)");
+  if (!transducer) has_card(reader, contact, "card 2 (friction, birth and death)");
   const Card card2 = reader.next(contact_card_layout("card2"));
-  if (!name.transducer) has_card(reader, contact, "card 3 (stiffness and thickness)");
+  if (!transducer) has_card(reader, contact, "card 3 (stiffness and thickness)");
   const Card card3 = reader.next(contact_card_layout("card3"));
   contact.fs = card2.real("fs");
   contact.fd = card2.real("fd");
@@ -99,9 +100,9 @@ bool read_mandatory(Context& context, CardReader& reader, const ContactName& nam
   return true;
 }
 
-/// The type's first own card must be there, and must look like one.
-void check_type_card(const CardReader& reader, const ContactName& name, Contact& contact) {
-  const keyword::CardLayout* card = type_card(name);
+/// The type's first own card is required, and must look like one.
+void check_type_card(const CardReader& reader, Contact& contact) {
+  const keyword::CardLayout* card = type_card(contact.kind->cards);
   if (card == nullptr || !has_card(reader, contact, card_words(*card)) || has_form(reader, *card)) return;
   contact.cards.misread = reader.peek_line();
   contact.cards.expected = card_words(*card);
@@ -118,7 +119,7 @@ void read_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   const auto& units = context.transform(reader.block());
   const double stress = units.mass_factor / (units.length_factor * units.time_factor * units.time_factor);
   constexpr std::int64_t linear_damage = 6;
-  const Card card = reader.next(contact_card_layout("TIEBREAK"));
+  const Card card = reader.next(*type_card(TypeCards::tiebreak));
   contact.tiebreak_option = card.integer("option");
   contact.tiebreak.normal = card.real("nfls") * stress;
   contact.tiebreak.shear = card.real("sfls") * stress;
@@ -130,8 +131,8 @@ void read_tiebreak(Context& context, CardReader& reader, Contact& contact) {
 void read_old_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   const auto& units = context.transform(reader.block());
   const double force = units.mass_factor * units.length_factor / (units.time_factor * units.time_factor);
-  const bool nodes = contact.keyword.starts_with("CONTACT_TIEBREAK_NODES");
-  const Card card = reader.next(contact_card_layout(nodes ? "TIEBREAK_NODES" : "TIEBREAK_SURFACE"));
+  const bool nodes = contact.kind->cards == TypeCards::tiebreak_nodes;
+  const Card card = reader.next(*type_card(contact.kind->cards));
   TiebreakStrength& strength = contact.tiebreak;
   if (nodes) {
     strength.normal = card.real("nflf") * force;
@@ -146,54 +147,64 @@ void read_old_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   strength.curve = card.integer("tblcid");
 }
 
-/// Cards of the type, thermal and frictional ones. The filter card (RFILTF) that new versions allow behind the cards
-/// of a tiebreak cannot be told from card A, and is taken for card A.
-void read_type_cards(Context& context, CardReader& reader, const ContactName& name, Contact& contact) {
-  const auto has_cohesive_law = [&] {
-    return contact.tiebreak_option == 13 || contact.tiebreak_option == 14 || contact.tiebreak_option == -13 ||
-           contact.tiebreak_option == -14;
-  };
-  check_type_card(reader, name, contact);
-  switch (name.extra) {
-    case ExtraCards::none:
-    case ExtraCards::own:
-      break;
-    case ExtraCards::one:
-      if (contact.keyword.find("_TIEBREAK_") != std::string::npos && contact.keyword.starts_with("CONTACT_AUTOMATIC_"))
-        read_tiebreak(context, reader, contact);
-      else if (contact.keyword.starts_with("CONTACT_ERODING") && contact.cards.misread == 0)
-        read_eroding(reader.next(contact_card_layout("ERODING")), contact);
-      else if (contact.keyword.starts_with("CONTACT_TIEBREAK_"))
-        read_old_tiebreak(context, reader, contact);
+bool has_cohesive_law(const Contact& contact) {
+  const std::int64_t option = contact.tiebreak_option;
+  return option == 13 || option == 14 || option == -13 || option == -14;
+}
+
+/// The cards that the type alone has. The filter card (RFILTF) that new versions allow after the cards of a tiebreak
+/// cannot be told from card A, and is taken for card A.
+void read_type_cards(Context& context, CardReader& reader, Contact& contact) {
+  const TypeCards cards = contact.kind->cards;
+  check_type_card(reader, contact);
+  switch (cards) {
+    case TypeCards::none: break;
+    case TypeCards::eroding:
+      if (contact.cards.misread == 0)
+        read_eroding(reader.next(*type_card(cards)), contact);
       else
         reader.skip();
       break;
-    case ExtraCards::tiebreak:
-    case ExtraCards::tiebreak_damping:
+    case TypeCards::interference_card:
+    case TypeCards::constraint:
+    case TypeCards::rigid:
+    case TypeCards::composite:
+    case TypeCards::contraction_joint:
+    case TypeCards::tied: reader.skip(); break;
+    case TypeCards::tiebreak_nodes:
+    case TypeCards::tiebreak_surface: read_old_tiebreak(context, reader, contact); break;
+    case TypeCards::tiebreak:
+    case TypeCards::tiebreak_damping:
       read_tiebreak(context, reader, contact);
-      if (name.extra == ExtraCards::tiebreak_damping) skip_cards(reader, contact, "the damping card (DMP_1)", 1);
-      if (has_cohesive_law()) skip_cards(reader, contact, "the cards of the cohesive law (G1C_0, G2C_0)", 2);
+      if (cards == TypeCards::tiebreak_damping) skip_cards(reader, contact, "the damping card (DMP_1)", 1);
+      // The tiebreak of mortar contacts has only its option card.
+      if (has_cohesive_law(contact) && !(contact.options.mortar && cards == TypeCards::tiebreak))
+        skip_cards(reader, contact, "the cards of the cohesive law (G1C_0, G2C_0)", 2);
       break;
-    case ExtraCards::tiebreak_user:
-      contact.tiebreak_option = reader.next(contact_card_layout("TIEBREAK_USER")).integer("option");
+    case TypeCards::tiebreak_user:
+      contact.tiebreak_option = reader.next(*type_card(cards)).integer("option");
       skip_cards(reader, contact, "the user's cards (UP1 to UP16)", 2);
       break;
-    case ExtraCards::tied_weld: {
-      const std::int64_t parameters = reader.next(contact_card_layout("TIED_WELD1")).integer("ntprm");
+    case TypeCards::tied_weld: {
+      const std::int64_t parameters = reader.next(*type_card(cards)).integer("ntprm");
       skip_cards(reader, contact, "the weld's parameters (TPRM1)", parameters <= 0 ? 1 : (parameters - 1) / 8 + 1);
       break;
     }
-    case ExtraCards::drawbead:
-    case ExtraCards::drawbead_initialize:
+    case TypeCards::draw_bead:
+    case TypeCards::draw_bead_initialize:
       skip_cards(reader, contact, "the beads' points (POINT1, POINT2)",
-                 reader.next(contact_card_layout("DRAWBEAD1")).integer("nbead"));
-      if (name.extra == ExtraCards::drawbead_initialize)
+                 reader.next(*type_card(cards)).integer("nbead"));
+      if (cards == TypeCards::draw_bead_initialize)
         skip_cards(reader, contact, "the last card of the draw bead", 1);
       break;
   }
-  if (name.thermal) skip_cards(reader, contact, "the THERMAL card", 1);
-  if (name.thermal_friction) skip_cards(reader, contact, "the THERMAL_FRICTION card", 1);
-  if (name.ortho_friction) skip_cards(reader, contact, "the cards of ORTHO_FRICTION", 4);
+}
+
+/// The cards of the keyword's option words.
+void read_option_cards(CardReader& reader, Contact& contact) {
+  if (contact.options.thermal) skip_cards(reader, contact, "the THERMAL card", 1);
+  if (contact.options.thermal_friction) skip_cards(reader, contact, "the THERMAL_FRICTION card", 1);
+  if (contact.options.ortho_friction) skip_cards(reader, contact, "the cards of ORTHO_FRICTION", 4);
 }
 
 void read_a(const Card& card, Contact& contact) {
@@ -208,10 +219,7 @@ void read_a(const Card& card, Contact& contact) {
 
 void read_b(const Card& card, double length_factor, Contact& contact) {
   // A length in the old types 3, 5, 10 and in mortar contacts, a multiple of the thickness in the others.
-  const bool length = contact.keyword.find("_MORTAR") != std::string::npos ||
-                      (contact.keyword.find("AUTOMATIC") == std::string::npos &&
-                       contact.keyword.find("SINGLE_SURFACE") == std::string::npos &&
-                       contact.keyword.find("ERODING") == std::string::npos);
+  const bool length = contact.options.mortar || contact.kind->family != Family::automatic;
   contact.penmax = card.real("penmax") * (length ? length_factor : 1);
   contact.thkopt = card.integer("thkopt");
   contact.shlthk = card.integer("shlthk");
@@ -276,7 +284,7 @@ void read_optional(Context& context, CardReader& reader, Contact& contact) {
   }
 }
 
-/// Lines behind the last card; blank ones do no harm.
+/// Lines after the last card; blank ones do no harm.
 void count_surplus(CardReader& reader, Contact& contact) {
   CardLines& cards = contact.cards;
   for (; !reader.at_end(); reader.skip()) {
@@ -286,8 +294,8 @@ void count_surplus(CardReader& reader, Contact& contact) {
 }
 
 void read_exclusion(Context& context, const Block& block) {
-  const auto& first = keyword::card_layout("CONTACT_EXCLUDE_INTERACTION", "card1");
-  const auto& row = keyword::card_layout("CONTACT_EXCLUDE_INTERACTION", "card2");
+  const auto& first = keyword::card_layout(exclusion_keyword, "card1");
+  const auto& row = keyword::card_layout(exclusion_keyword, "card2");
   CardReader reader(context.deck, block, context.diagnostics);
   const Card card = reader.next(first);
   ContactExclusion exclusion;
@@ -309,25 +317,22 @@ void read_exclusion(Context& context, const Block& block) {
 }  // namespace
 
 void read_contact(Context& context, const Block& block, const Options&) {
-  if (block.name.starts_with("CONTACT_EXCLUDE_INTERACTION")) return read_exclusion(context, block);
-  const ContactName name = parse_contact_name(block.name);
+  if (block.name.starts_with(exclusion_keyword)) return read_exclusion(context, block);
   Contact contact;
-  contact.written = block.name;
-  contact.keyword = name.bare;
-  contact.known = name.known;
-  contact.own_layout = name.extra == ExtraCards::own;
+  set_name(block.name, contact);
   contact.place = Context::place(block, block.line);
-  if (!name.modifier) contact.order = ++context.interfaces;
+  if (!parse_contact_name(block.name).modifier) contact.order = ++context.interfaces;
   CardReader reader(context.deck, block, context.diagnostics);
-  if (name.id) {
+  if (contact.options.id) {
     const Card card = reader.next(contact_card_layout("ID"));
     contact.id = ContactId(card.integer("cid"));
     contact.title = card.text("heading");
   }
-  if (name.known && !contact.own_layout) {
-    if (name.mpp) read_mpp(reader, contact);
-    if (read_mandatory(context, reader, name, contact)) {
-      read_type_cards(context, reader, name, contact);
+  if (contact.kind != nullptr) {
+    if (contact.options.mpp) read_mpp(reader, contact);
+    if (read_mandatory(context, reader, contact)) {
+      read_type_cards(context, reader, contact);
+      read_option_cards(reader, contact);
       read_optional(context, reader, contact);
       count_surplus(reader, contact);
     }

@@ -4,7 +4,7 @@
 namespace gapcheck::model {
 namespace {
 
-/// The next card, or one of blanks where the block has ended.
+/// The next card, or a blank one if the block has ended.
 Card next_card(CardReader& reader, std::string_view keyword, std::string_view card) {
   return reader.next(keyword::card_layout(keyword, card));
 }

@@ -9,7 +9,7 @@
 namespace gapcheck::model {
 namespace {
 
-/// Thick shells with `extra` lines behind each.
+/// Thick shells with `extra` lines after each.
 ElementRows read_rows_with(Context& context, const Block& block, std::size_t extra) {
   static const CardLayout line = element_line(8);
   ElementRows rows;
@@ -22,7 +22,7 @@ ElementRows read_rows_with(Context& context, const Block& block, std::size_t ext
   return rows;
 }
 
-/// Thick shells with their plies, whose thickness does not matter: the nodes say it.
+/// Thick shells with their plies, whose thickness does not matter: the nodes define it.
 ElementRows read_layered(Context& context, const Block& block, bool angle_line) {
   static const CardLayout line = element_line(8);
   ElementRows rows;
@@ -36,7 +36,7 @@ ElementRows read_layered(Context& context, const Block& block, bool angle_line) 
   return rows;
 }
 
-/// Beams as written, with what stands beside the end nodes.
+/// Beams as written, with the data besides the end nodes.
 struct BeamRows {
   ElementRows rows;
   std::vector<BeamValues> values;
@@ -70,7 +70,7 @@ BeamRows read_beam_rows(Context& context, const Block& block, const Options& opt
   return beams;
 }
 
-/// Puts point masses behind those that are there; rows have one node each.
+/// Appends point masses to the existing ones; rows have one node each.
 void append_masses(Context& context, const Block& block, const ElementRows& rows, std::vector<double> values) {
   Mesh& mesh = context.model.mesh;
   const auto dropped = append_elements(context, block, {"mass", 1, false}, rows, mesh.masses);
@@ -78,7 +78,7 @@ void append_masses(Context& context, const Block& block, const ElementRows& rows
   mesh.mass_values.insert(mesh.mass_values.end(), values.begin(), values.end());
 }
 
-/// Finds repeated ids, reports them and takes them out. Returns the positions taken out.
+/// Finds repeated ids, reports and removes them. Returns the removed positions.
 template <std::size_t N, class... Columns>
 std::vector<std::uint32_t> finish_kind(Context& context, std::string_view what, Elements<N>& elements,
                                        Columns&... columns) {
@@ -92,7 +92,7 @@ std::vector<std::uint32_t> finish_kind(Context& context, std::string_view what, 
   return again;
 }
 
-/// Side tables of shells follow when shells are taken out.
+/// Side tables of shells follow when shells are removed.
 template <class Value>
 void follow(const std::vector<std::uint32_t>& erased, std::vector<Value>& table) {
   std::erase_if(table, [&](const Value& v) { return std::binary_search(erased.begin(), erased.end(), v.shell); });

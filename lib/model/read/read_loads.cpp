@@ -9,7 +9,7 @@ using keyword::card_layout;
 
 double scale_of(const Card& card) { return card.real("sf") == 0 ? 1 : card.real("sf"); }
 
-/// Visits each card of a block's only layout; blank lines between them are passed over.
+/// Visits each card of a block's only layout; blank lines between them are skipped.
 template <class Visit>
 void for_each_card(Context& context, const Block& block, const keyword::CardLayout& layout, bool with_id,
                    const Visit& visit) {
@@ -72,7 +72,7 @@ void read_segment_load(Context& context, const Block& block, const Options& opti
     load.scale = scale_of(card) * pressure_unit(units);
     load.arrival = card.real("at") * units.time_factor;
     load.place = Context::place(block, card.line());
-    // Further nodes of segments of higher order stand on a line of their own.
+    // Further nodes of higher-order segments are on a separate line.
     if (!set && card.integer("n5") != 0) reader.skip();
     context.model.loads.pressures.push_back(std::move(load));
   });

@@ -9,7 +9,7 @@
 namespace gapcheck::model {
 namespace {
 
-/// Where a material's first card holds its elastic constants: fields of ten columns from 0 (the id); 0 = not there.
+/// Where a material's first card holds its elastic constants: fields of ten columns from 0 (the id); 0 = absent.
 struct ElasticFields {
   std::string_view name;    ///< without MAT_
   std::string_view number;  ///< empty: none
@@ -102,13 +102,13 @@ constexpr ElasticFields materials[] = {
     {"SPRING_MUSCLE", "S15", 0, 0, 0},
 };
 
-/// `name` is `prefix`, or goes on with an option behind it.
+/// `name` is `prefix`, possibly followed by an option.
 bool is_or_extends(std::string_view name, std::string_view prefix) {
   return !prefix.empty() && name.starts_with(prefix) &&
          (name.size() == prefix.size() || name[prefix.size()] == '_' || name[prefix.size()] == '/');
 }
 
-/// The entry with the longest match by name or number; nullptr where the material is not in the table.
+/// The entry with the longest match by name or number; nullptr if the material is not in the table.
 const ElasticFields* find_material(std::string_view name) {
   const ElasticFields* best = nullptr;
   std::size_t length = 0;
@@ -121,7 +121,7 @@ const ElasticFields* find_material(std::string_view name) {
   return best;
 }
 
-/// CON1 and CON2 stand in fields of reals. In a local system the second has six digits.
+/// CON1 and CON2 are in fields of reals. In a local system the second has six digits.
 std::int64_t constraint_code(double value) {
   return value > 0 && value < 1e6 ? static_cast<std::int64_t>(value) : 0;
 }
@@ -140,7 +140,7 @@ std::string padded_number(std::string_view name) {
   return std::string(3 - digits, '0') + std::string(name);
 }
 
-/// Springs and dampers have no density: their constants stand in its place.
+/// Springs and dampers have no density: their constants are in its field.
 bool is_discrete(const ElasticFields* known) { return known != nullptr && known->number.starts_with('S'); }
 
 std::optional<DiscreteMaterial> discrete_material(const Context& context, const Block& block, const Card& card,

@@ -11,29 +11,28 @@ namespace {
 
 using Read = void (*)(Context&, const Block&, const Options&);
 
-/// Things that refer to others are read after them, wherever they stand in the deck.
+/// Things that refer to others are read after them, wherever they are in the deck.
 enum class Phase : std::uint8_t { nodes, properties, parts, elements, boxes, sets, rest };
 constexpr std::size_t phases = 7;
 
-/// Keywords that change the geometry or the sets, but that nobody reads yet: to pass over them in silence would give
-/// wrong answers.
+/// Keywords that change the geometry or the sets but are not read yet: skipping them silently would give wrong answers.
 void warn_unread(Context& context, const Block& block, const Options&) {
   context.warning(Context::place(block, block.line),
                   fmt::format("*{} is not read; what it defines or changes takes no part in the checks", block.name));
 }
 
-struct Family {
+struct KeywordFamily {
   std::string_view name;
   Phase phase;
   Read read;
   std::string_view options = "";   ///< words that may follow the name; "*": any
-  bool warn_about_others = false;  ///< whether the name with any other word is worth a warning
+  bool warn_about_others = false;  ///< whether the name with any other word deserves a warning
 };
 
 constexpr std::string_view set_options =
     "TITLE LIST GENERATE INCREMENT GENERAL COLUMN ADD ADVANCED INTERSECT COLLECT SMOOTH";
 
-constexpr Family keyword_families[] = {
+constexpr KeywordFamily keyword_families[] = {
     {"NODE", Phase::nodes, read_nodes},
     {"NODE_MERGE", Phase::rest, warn_unread, "*"},
     {"NODE_THICKNESS", Phase::rest, warn_unread, "*"},
@@ -147,10 +146,10 @@ bool contains_word(std::string_view words, std::string_view word) {
   return false;
 }
 
-/// The family with the longest name that the keyword begins with, and the words behind it.
+/// The family with the longest name that the keyword begins with, and the words after it.
 Plan plan_for(std::string_view name) {
-  const Family* family = nullptr;
-  for (const Family& candidate : keyword_families) {
+  const KeywordFamily* family = nullptr;
+  for (const KeywordFamily& candidate : keyword_families) {
     const bool matches = name.starts_with(candidate.name) &&
                          (name.size() == candidate.name.size() || name[candidate.name.size()] == '_');
     if (matches && (family == nullptr || candidate.name.size() > family->name.size())) family = &candidate;

@@ -10,7 +10,7 @@
 namespace gapcheck::model {
 namespace {
 
-/// `nid x y z` of *NODE; what follows them on the line is of no concern here.
+/// `nid x y z` of *NODE; the rest of the line does not matter here.
 CardLayout node_line() {
   CardLayout layout = keyword::card_layout("NODE", "card1");
   layout.fields.resize(4);

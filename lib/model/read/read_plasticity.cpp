@@ -14,7 +14,8 @@ std::vector<std::array<double, 2>> read_points(CardReader& reader, double stress
   return points;
 }
 
-/// HLCID, the last field of the first card of material 037. The card was cut into real numbers, which know no offsets.
+/// HLCID, the last field of the first card of material 037. The card was split into real numbers, which have no
+/// offsets.
 std::int64_t curve_at(const Context& context, const Block& block, const Card& card) {
   const double id = card.real(7);
   if (!(id >= 1 && id < 1e9)) return 0;

@@ -14,7 +14,7 @@ Vector point_at(const Card& card, std::string_view x, std::string_view y, std::s
   return {card.real(x), card.real(y), card.real(z)};
 }
 
-/// The solver takes a length of zero for an infinite one.
+/// The solver treats a length of zero as infinite.
 double length_or_infinite(double value) { return value > 0 ? value : RigidWall::infinite; }
 
 Shape shape_of(const Options& options) {
@@ -23,7 +23,7 @@ Shape shape_of(const Options& options) {
   return options.has("SPHERE") ? Shape::sphere : Shape::plane;
 }
 
-/// Edges of a rectangle: l as given, but in the plane of the wall; m is n x l. False where l is along the normal.
+/// Edges of a rectangle: l as given, but in the plane of the wall; m is n x l. False if l is along the normal.
 bool set_edges(const Card& card, RigidWall& wall) {
   wall.length_l = length_or_infinite(card.real("lenl"));
   wall.length_m = length_or_infinite(card.real("lenm"));
@@ -36,7 +36,7 @@ bool set_edges(const Card& card, RigidWall& wall) {
   return true;
 }
 
-/// Reads the cards behind the first two. False: what they say makes no shape.
+/// Reads the cards after the first two. False: they do not define a shape.
 bool read_shape(CardReader& reader, const Options& options, bool planar, RigidWall& wall) {
   const auto& edges = keyword::card_layout("RIGIDWALL_GEOMETRIC", "edges");
   if (planar) {
@@ -65,7 +65,7 @@ bool read_shape(CardReader& reader, const Options& options, bool planar, RigidWa
   return good;
 }
 
-/// The wall goes where its include goes.
+/// The wall moves with its include.
 void place_wall(const keyword::Transform& transform, RigidWall& wall) {
   const auto turn = [&](Vector& direction, double& length) {
     const Vector turned = transform.places ? Vector(transform.matrix * direction) : direction;
@@ -82,7 +82,7 @@ void place_wall(const keyword::Transform& transform, RigidWall& wall) {
   wall.offset *= transform.length_factor;
 }
 
-/// One wall; false where it makes no shape.
+/// One wall; false if it has no shape.
 bool read_wall(Context& context, const Block& block, CardReader& reader, const Options& options, RigidWall& wall) {
   const bool planar = block.name.starts_with("RIGIDWALL_PLANAR");
   wall.place = Context::place(block, block.line);
@@ -140,7 +140,7 @@ void read_rigid_wall(Context& context, const Block& block, const Options& option
     const bool good = read_wall(context, block, reader, options, wall);
     place_wall(context.transform(block), wall);
     if (good) context.model.rigid_walls.push_back(std::move(wall));
-    // How many lines there are for the picture of a wall differs from version to version.
+    // The number of lines for displaying a wall differs between versions.
     if (options.has("DISPLAY")) break;
   }
 }

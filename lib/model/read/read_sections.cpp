@@ -15,7 +15,7 @@ constexpr std::int64_t first_user_form = 101, last_user_form = 105;
 
 bool user_defined(std::int64_t elform) { return elform >= first_user_form && elform <= last_user_form; }
 
-/// How many lines a list of `count` numbers takes, eight in each; safe for any count.
+/// Number of lines for a list of `count` numbers, eight in each; safe for any count.
 std::int64_t lines_of_eight(std::int64_t count) { return count <= 0 ? 0 : (count - 1) / 8 + 1; }
 
 void add_section(Context& context, Section section) {
@@ -41,7 +41,7 @@ Section begin_section(const Block& block, const Card& card, SectionKind kind) {
   return section;
 }
 
-/// The card looks like numbers only, so it is none of the titles that may stand before the second section on.
+/// The card contains only numbers, so it is not one of the titles allowed from the second section on.
 bool is_section_card(const CardReader& reader, const CardLayout& layout) {
   const Card card = reader.peek(layout);
   for (std::size_t i = 0; i < card.size(); ++i) {
@@ -51,7 +51,7 @@ bool is_section_card(const CardReader& reader, const CardLayout& layout) {
   return !card.text(std::size_t{0}).empty();
 }
 
-/// Calls read(reader) for every section of a block and passes over titles and blank lines between them.
+/// Calls read(reader) for every section of a block and skips titles and blank lines between them.
 template <class Read>
 void for_each_section(Context& context, const Block& block, const Options& options, const CardLayout& card1,
                       const Read& read) {
@@ -265,7 +265,7 @@ void read_section_other(Context& context, const Block& block, const Options& opt
     layout.fields[0].name = "secid";
     return layout;
   }();
-  // Only the id is of use: parts refer to it. Just the seatbelts' section is known to be one line that repeats.
+  // Only the id is used: parts refer to it. Only the seatbelts' section is known to be a single repeated line.
   const bool repeats = options.has("SEATBELT");
   for_each_section(context, block, options, card1, [&](CardReader& reader) {
     add_section(context, begin_section(block, reader.next(card1), SectionKind::other));

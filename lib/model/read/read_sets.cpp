@@ -17,7 +17,7 @@ struct KindTraits {
   std::string_view keyword;  ///< "SET_NODE"
   std::string_view words;    ///< in messages
   IdKind member;
-  bool has_defaults;  ///< DA1 … DA4 behind the id
+  bool has_defaults;  ///< DA1 … DA4 after the id
 };
 
 constexpr std::array<KindTraits, set_kinds> kinds{{
@@ -53,7 +53,7 @@ std::vector<std::int64_t> read_ids(CardReader& reader, IdKind kind, std::size_t 
   return ids;
 }
 
-/// The same with zeros kept, for rows in which the place of a number matters.
+/// The same with zeros kept, for rows in which the position of a number matters.
 std::vector<std::int64_t> read_rows_of_ids(CardReader& reader, const CardLayout& layout) {
   std::vector<std::int64_t> ids;
   while (!reader.at_end()) {
@@ -118,7 +118,7 @@ constexpr GeneralOption general_options[] = {
     {"SET_SPRING", Source::sets, SetKind::discrete},
 };
 
-/// What a word asks for; a `D` before it means: take away. `ELEM` is an element of the set's own kind.
+/// What a word requests; a `D` before it means removal. `ELEM` is an element of the set's own kind.
 std::optional<SetClause> clause_of(std::string_view word, SetKind own) {
   for (const bool remove : {false, true}) {
     if (remove) {
@@ -149,7 +149,7 @@ void read_general(Context& context, CardReader& reader, SetKind own, RawSet& set
     line.fields[0].type = FieldType::text;
     return line;
   }();
-  std::optional<SetClause> open;  // a line without a word goes on with the one before
+  std::optional<SetClause> open;  // a line without a word continues the one before
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
     const Card card = reader.next(layout);

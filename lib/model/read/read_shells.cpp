@@ -9,7 +9,7 @@ namespace {
 
 constexpr ElementTraits shell{"shell", 3};
 
-/// Rows of shells with what stands in their extra lines.
+/// Rows of shells with the data of their extra lines.
 struct ShellRows {
   ElementRows rows;
   std::vector<ShellThickness> thickness;  ///< `shell` counts rows
@@ -50,7 +50,7 @@ ShellRows read_with_extra_lines(Context& context, const Block& block, const Opti
   return shells;
 }
 
-/// Moves what belongs to rows to the shells that were made of them.
+/// Moves the data of rows to the shells made from them.
 template <class Value>
 void append_side_table(const std::vector<Value>& of_rows, const std::vector<std::uint32_t>& dropped,
                        std::uint32_t first, std::vector<Value>& of_shells) {

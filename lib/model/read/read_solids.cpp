@@ -25,8 +25,8 @@ const SolidForm& form_of(const Options& options) {
   return plain_form;
 }
 
-/// Collects solids from lines of ten ids. One line `eid pid n1 … n8`, or one line `eid pid` and then lines of nodes:
-/// every element may choose.
+/// Collects solids from lines of ten ids. One line `eid pid n1 … n8`, or one line `eid pid` and then lines of nodes,
+/// possibly different for each element.
 class SolidRows {
  public:
   SolidRows(const Context& context, const Block& block, const SolidForm& form)

@@ -23,7 +23,7 @@ struct Unknown {
   }
 };
 
-/// One set on its way from clauses to members.
+/// One set while its clauses are resolved to members.
 struct Job {
   SetKind kind;
   const RawSet& raw;
@@ -50,7 +50,7 @@ class Resolver {
   }
 
  private:
-  /// A set whose members are known; while they are looked for, `open`.
+  /// A set whose members are known; `open` while they are being resolved.
   struct Entry {
     bool open = true;
     Members members;
@@ -72,7 +72,7 @@ class Resolver {
     }
   }
 
-  /// The members of a set; nullptr where it is not defined.
+  /// The members of a set; nullptr if it is not defined.
   const Members* resolve(SetKind kind, std::int64_t id, int depth) {
     static const Members nothing;
     const auto raw = context_.sets.of(kind).find(id);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view schema = "gapcheck-baseline/1";
 
-/// Six significant digits; what is no number or negative is unknown.
+/// Six significant digits; NaN or negative values are unknown.
 double six_digits(double value) {
   if (!(value >= 0) || !std::isfinite(value)) return -1;
   return std::strtod(fmt::format("{:.5e}", value).c_str(), nullptr);
@@ -41,7 +41,7 @@ std::optional<Vector> rounded(const Vector& x) {
   return result;
 }
 
-/// Lines of files say nothing of what is meant: "line 12" becomes "line".
+/// Line numbers do not identify a finding: "line 12" becomes "line".
 std::string without_lines(std::string_view text) {
   constexpr std::string_view mark = "line ";
   std::string out;
@@ -64,16 +64,17 @@ KnownFinding known_finding(const Item& item) {
   known.contact_distance = six_digits(item.contact_distance);
   known.segment_size = six_digits(item.segment_size);
   known.count = item.count;
-  // As the file will have it: bytes that are no UTF-8 do not come back.
+  // As in the file: bytes that are not UTF-8 are not preserved.
   if (!known.position || known.count > 1)
     known.message = nlohmann::json::parse(json_string(without_lines(without_place(item.message)))).get<std::string>();
   return known;
 }
 
-/// Reads one line; says what is wrong with it, or nothing.
-std::string read_line(std::string_view line, KnownFinding& finding) {
+/// One line. The error says what is wrong with it.
+Result<KnownFinding> read_line(std::string_view line) {
+  KnownFinding finding;
   const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
-  if (!json.is_object()) return "this is no JSON object";
+  if (!json.is_object()) return plain_error("this is no JSON object");
   std::string wrong;
   const auto member = [&](const char* key, bool needed, const auto& read) {
     const auto found = json.find(key);
@@ -120,10 +121,11 @@ std::string read_line(std::string_view line, KnownFinding& finding) {
   finding.message = without_place(finding.message);
   if (wrong.empty() && !finding.position && finding.message.empty())
     wrong = "there is neither \"position\" nor \"message\"";
-  return wrong;
+  if (!wrong.empty()) return plain_error(std::move(wrong));
+  return finding;
 }
 
-/// Worse than the baseline has it.
+/// Worse than in the baseline.
 bool worse(const KnownFinding& before, const KnownFinding& now) {
   if (degree_of(now.id).degree != degree_of(before.id).degree)
     return degree_of(now.id).degree > degree_of(before.id).degree;
@@ -200,9 +202,9 @@ Result<std::vector<KnownFinding>> read_baseline(std::string_view text, const std
       continue;
     }
     if (line.find_first_not_of(" \t\r") == line.npos) continue;
-    KnownFinding finding;
-    if (std::string wrong = read_line(line, finding); !wrong.empty()) return error(std::move(wrong));
-    findings.push_back(std::move(finding));
+    auto finding = read_line(line);
+    if (!finding) return error(finding.error().message);
+    findings.push_back(std::move(finding).value());
   }
   if (number == 0) return error("the file is empty");
   return findings;
@@ -212,7 +214,7 @@ BaselineComparison compare_with_baseline(const Report& report, const std::vector
                                          const LookedFor& looked_for) {
   std::vector<KnownFinding> now = known_findings(report);
   const std::size_t shown = now.size();
-  // What is ignored now is not gone.
+  // What is now ignored is not gone.
   for_each_ignored(report, [&](const Item& item) {
     now.push_back(known_finding(item));
     return true;

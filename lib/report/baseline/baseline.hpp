@@ -18,29 +18,27 @@ namespace gapcheck::report {
 /// The findings of a report as a baseline keeps them, in the report's order; without those that are left out on purpose.
 [[nodiscard]] std::vector<KnownFinding> known_findings(const Report& report);
 
-/// A baseline file: JSON lines, the schema first, then one line per finding, sorted, so that a version control shows
-/// what has changed. The same for any order and numbering of the deck, as far as findings have a position.
+/// A baseline file: JSON lines, the schema first, then one line per finding, sorted, so that version control shows what
+/// has changed. The same for any order and numbering of the deck, if findings have a position.
 [[nodiscard]] std::string baseline_text(std::vector<KnownFinding> findings);
 
-/// One finding as a JSON object, as it stands in the file.
+/// One finding as a JSON object, as in the file.
 void append_known(const KnownFinding& finding, fmt::memory_buffer& out);
 
-/// Reads it back. `name` stands in the error, which names the first line that is no finding.
+/// Reads it back. The error contains `name` and the first line that is not a finding.
 [[nodiscard]] Result<std::vector<KnownFinding>> read_baseline(std::string_view text, const std::string& name);
 
 /// True if the audit looked for such findings at all, so that a missing one is gone.
 using LookedFor = std::function<bool(const KnownFinding&)>;
 
-/// Holds the findings of a report against a baseline. A finding is known by contact, rule and position; of those left
-/// over, the nearest ones within half the contact distance belong together (of ties: within a tenth of the segment's
-/// shorter diagonal; where neither is known: within a thousandth of the diagonal of all positions), and findings without a position by their words without numbers. Each
-/// finding of the baseline answers for one of the report. Rules that are degrees of one thing count as one (GC106,
-/// GC101, GC102; GC204, GC202, GC201).
-/// Worse is: a graver degree or severity, more things in one line, or deeper by more than 1 % of the contact distance
-/// (unknown: of the depth before).
-/// Findings that are left out on purpose (Report::ignored) are compared too, so that they are not gone, but after the
-/// others: those take what both could have.
-/// Where a rule lists the first findings and counts the rest, which ones are listed is left to the totals: only what
+/// Compares the findings of a report with a baseline. A finding is identified by contact, rule and position; among the
+/// rest, the nearest ones within half the contact distance match (for ties: within a tenth of the segment's shorter
+/// diagonal; if neither is known: within a thousandth of the diagonal of all positions), and findings without a
+/// position match by their text without numbers. Each finding of the baseline matches one of the report. Rules that are
+/// degrees of the same problem count as one (GC106, GC101, GC102; GC204, GC202, GC201). Worse means: a higher degree or
+/// severity, more things in one line, or deeper by more than 1 % of the contact distance (unknown: of the previous
+/// depth). Findings left out on purpose (Report::ignored) are compared too, so they are not gone, but after the others,
+/// which take precedence. Where a rule lists the first findings and counts the rest, only the totals matter: what
 /// exceeds the baseline's total is new.
 [[nodiscard]] BaselineComparison compare_with_baseline(const Report& report, const std::vector<KnownFinding>& baseline,
                                                        const LookedFor& looked_for);
@@ -48,12 +46,12 @@ using LookedFor = std::function<bool(const KnownFinding&)>;
 /// One sentence on a finding that is gone: "GC101 initial-penetration: contact 1 at 5 5 0, penetration 0.3".
 [[nodiscard]] std::string describe(const KnownFinding& finding);
 
-/// How many findings of each kind there are.
+/// Number of findings of each kind.
 struct BaselineCounts {
   std::size_t fresh = 0, worse = 0, unchanged = 0, gone = 0;
 };
 [[nodiscard]] BaselineCounts counts(const BaselineComparison& comparison);
-/// Of all that have a baseline; none without any.
+/// Of all that have a baseline; nothing if none has.
 [[nodiscard]] std::optional<BaselineCounts> baseline_counts(const Reports& reports);
 
 /// "3 new, 1 worse, 40 unchanged, 2 gone".

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "records/record_rules.hpp"
 #include "report/item/nearest_points.hpp"
 
 namespace gapcheck::report {
@@ -14,7 +15,7 @@ namespace {
 using List = std::vector<KnownFinding>;
 using Places = std::vector<std::uint32_t>;  // positions in a list
 
-/// The words tell what is meant: there is no position, or it is one of many.
+/// The text identifies it: there is no position, or it is one of many.
 bool by_words(const KnownFinding& f) { return !f.position || f.count > 1; }
 
 auto group_key(const KnownFinding& f) { return std::tuple(f.contact, degree_of(f.id).family); }
@@ -47,13 +48,13 @@ double diagonal(const List& before, const List& now) {
   return std::isfinite(length) ? length : 0;
 }
 
-/// The findings of one contact and family, as far as they have found nothing yet.
+/// The findings of one contact and family without a match so far.
 class Group {
  public:
   Group(const List& before, const List& now, double unknown_reach, Places& match)
       : before_(before), now_(now), widest_reach_(unknown_reach), match_(match), taken_(before.size()) {}
 
-  /// `shown` come before `ignored`: only an entry in the very place of an ignored one is kept for that.
+  /// `shown` come before `ignored`: only an entry in exactly the place of an ignored one is kept for it.
   void run(Places old, Places shown, Places ignored) {
     old_total_ = total(before_, old);
     const std::uint64_t all = total(now_, shown) + total(now_, ignored);
@@ -76,18 +77,18 @@ class Group {
     return std::any_of(places.begin(), places.end(), [&](std::uint32_t i) { return list[i].count > 1; });
   }
 
-  /// Pairs what is in one place, or has the same words; `fresh` becomes what is left.
+  /// Pairs findings in the same place or with the same text; `fresh` becomes the rest.
   void in_one_place(Places& fresh) {
     fresh_ = std::move(fresh);
     in_order([](const KnownFinding& f) { return std::tuple(place_key(f), by_words(f) ? f.message : std::string()); });
     fresh = std::move(fresh_);
   }
 
-  /// `fresh_total`: things that the findings up to these stand for.
+  /// `fresh_total`: number of things that the findings up to these represent.
   void match_rest(Places fresh, std::uint64_t fresh_total) {
     fresh_ = std::move(fresh);
     for (const double part : {1.0 / 16, 1.0 / 4, 1.0}) nearest(part);
-    // Lines that count as many as before belong together first; of the others the largest ones.
+    // Lines with the same count as before match first; then the largest ones.
     in_order([](const KnownFinding& f) { return std::tuple(without_numbers(f.message), f.count); }, true);
     for (auto& [list, places] : {std::pair(&before_, &old_), std::pair(&now_, &fresh_)})
       std::stable_sort(places->begin(), places->end(),
@@ -101,7 +102,7 @@ class Group {
     taken_[old] = true;
   }
 
-  /// Pairs findings of equal key one by one; `words_only`: of those that are known by their words.
+  /// Pairs findings of equal key one by one; `words_only`: those identified by their text.
   template <class Key>
   void in_order(const Key& key, bool words_only = false) {
     using Entry = std::pair<decltype(key(before_[0])), std::uint32_t>;
@@ -133,13 +134,13 @@ class Group {
     fresh_ = std::move(fresh_left);
   }
 
-  /// How far the place of a finding may have moved.
+  /// How far a finding may have moved.
   [[nodiscard]] double reach(const KnownFinding& f) const {
     if (f.contact_distance > 0) return f.contact_distance / 2;
     return f.segment_size > 0 ? share_of_segment * f.segment_size : unknown_reach_;
   }
 
-  /// What is not known of a tie is what is known of the others of its contact.
+  /// Unknown values of a tie are taken from the others of its contact.
   void set_unknown_reach(std::initializer_list<std::pair<const List*, const Places*>> all) {
     double widest = 0;
     for (const auto& [list, places] : all)
@@ -160,7 +161,7 @@ class Group {
     return NearestPoints(std::move(points));
   }
 
-  /// Pairs findings that are nearest to one another within `part` of the reach of either, the closest pairs first.
+  /// Pairs findings nearest to each other within `part` of the reach of either, the closest pairs first.
   void nearest(double part) {
     constexpr std::size_t few = 8;
     const Places old = placed(before_, old_), fresh = placed(now_, fresh_);
@@ -184,7 +185,7 @@ class Group {
     std::erase_if(old_, [&](std::uint32_t i) { return taken_[i]; });
   }
 
-  /// Only the first of many are listed and the rest are counted, so which ones they are says nothing.
+  /// Only the first of many are listed and the rest are counted, so it does not matter which ones are listed.
   void as_totals_allow(std::uint64_t fresh_total) {
     const std::size_t more = fresh_total > old_total_ ? fresh_total - old_total_ : 0;
     while (!old_.empty() && fresh_.size() > more) {
@@ -215,13 +216,8 @@ std::size_t group_end(const List& list, const Places& order, std::size_t first) 
 }  // namespace
 
 Degree degree_of(std::string_view id) {
-  if (id == "GC106") return {"GC101", 0};
-  if (id == "GC101") return {"GC101", 1};
-  if (id == "GC102") return {"GC101", 2};
-  if (id == "GC204") return {"GC201", 0};
-  if (id == "GC202") return {"GC201", 1};
-  if (id == "GC201") return {"GC201", 2};
-  return {id, 0};
+  const RecordRule* rule = find_record_rule(id);
+  return rule == nullptr ? Degree{id, 0} : Degree{rule->family, rule->degree};
 }
 
 std::string without_numbers(std::string_view text) {

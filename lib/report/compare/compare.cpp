@@ -14,19 +14,19 @@ namespace {
 
 struct Node {
   std::int64_t id;
-  bool edge;  ///< it stands for an edge that ends there
+  bool edge;  ///< it represents an edge that ends there
   double depth;
   bool released;
   [[nodiscard]] std::pair<std::int64_t, bool> key() const { return {id, edge}; }
 };
 
-/// A contact of one source: where it stands, and its nodes by key, one each (the deepest record).
+/// A contact of one source: its position, and its nodes by key, one record each (the deepest).
 struct ContactSide {
   const ContactSummary* contact = nullptr;
   std::vector<Node> nodes;
 };
 
-/// `listed_only`: leaves out what the solver does not list, where its list is what the deck is held against.
+/// `listed_only`: leaves out what the solver does not list, if the deck is compared with its list.
 std::vector<Node> nodes_of(const Report& report, std::uint32_t position, bool listed_only) {
   std::vector<Node> nodes;
   for (const Penetration& record : records_of(report, position)) {
@@ -54,7 +54,7 @@ std::optional<std::uint32_t> place_of(const std::map<std::int64_t, std::uint32_t
   return found == positions.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Half a unit in the fifth digit of `value`, a little more than the printing can take away.
+/// Half a unit in the fifth digit of `value`, a little more than the loss by printing.
 double printing_error(double value) {
   if (!(value > 0) || !std::isfinite(value)) return 0;
   return 0.5 * std::pow(10.0, std::floor(std::log10(value)) - 4) * (1 + 1e-6);
@@ -80,7 +80,7 @@ void both(const Node& a, const Node& b, double tolerance, std::int64_t contact, 
   }
 }
 
-/// Walks both lists side by side.
+/// Iterates over both lists in parallel.
 void compare_nodes(std::span<const Node> a, std::span<const Node> b, double tolerance, ContactComparison& sum,
                    std::vector<Difference>& differences) {
   std::size_t i = 0, k = 0;
@@ -95,7 +95,7 @@ void compare_nodes(std::span<const Node> a, std::span<const Node> b, double tole
   }
 }
 
-/// Where nodes are counted but not listed, the numbers are all there is to compare.
+/// If nodes are counted but not listed, only the numbers can be compared.
 void compare_counts(const ContactSide& first, const ContactSide& second, ContactComparison& sum) {
   const auto count = [](const ContactSide& side) {
     const std::uint64_t listed = static_cast<std::uint64_t>(
@@ -122,9 +122,10 @@ ContactComparison compare_contact(const ContactSide& first, const ContactSide& s
     if (side->contact == nullptr) continue;
     sum.not_checked = sum.not_checked || !side->contact->not_checked.empty() ||
                       (listed_only && side->contact->by_segments);
+    sum.tied = sum.tied || side->contact->ties_judged;
     sum.counts_only = sum.counts_only || unlisted_penetrations(*side->contact) > 0;
   }
-  if (sum.not_checked) return sum;
+  if (sum.not_checked || sum.tied) return sum;
   const std::size_t before = differences.size();
   if (sum.counts_only)
     compare_counts(first, second, sum);

@@ -16,7 +16,8 @@ struct ContactComparison {
   std::uint64_t agree = 0, depth_differs = 0, only_first = 0, only_second = 0;
   double largest_difference = 0;                             ///< of depth
   bool missing_in_first = false, missing_in_second = false;  ///< the whole contact
-  bool not_checked = false;  ///< one source did not decide it: its records are not held against the other's
+  bool not_checked = false;  ///< one source did not decide it: its records are not compared
+  bool tied = false;         ///< a deck's tied contact: its ties are compared instead of penetrations
   bool counts_only = false;  ///< one source gives the number of nodes without listing them: numbers are compared
   bool ties_compared = false;  ///< both sources say which nodes stay untied, and there are ties or such nodes
   std::uint64_t ties_agree = 0, ties_other_reason = 0, ties_only_first = 0, ties_only_second = 0;  ///< untied nodes
@@ -42,18 +43,17 @@ struct Comparison {
   [[nodiscard]] bool equal() const;
 };
 
-/// Holds the initial-penetration records of two reports against each other, contact by contact (by id), node by node;
-/// depths agree within `tolerance` (absolute; on top of it half a unit in the fifth digit, which is what messag
-/// prints). A node that one source calls released agrees with a record of the other, and is no difference where there
-/// is none: whether the solver lists such a node is not settled. Nodes of the edge zone are left out: the solver never
-/// lists them. A contact that only one source has is a difference only if it has records. Untied nodes are compared as
-/// compare_ties() does.
+/// Compares the initial-penetration records of two reports, contact by contact (by id), node by node; depths agree
+/// within `tolerance` (absolute; plus half a unit in the fifth digit, which is what messag prints). A node that one
+/// source calls released agrees with a record of the other, and is not a difference without one: it is not known
+/// whether the solver lists such a node. Nodes of the edge zone are left out: the solver never lists them. A contact
+/// that only one source has is a difference only if it has records. Untied nodes are compared as compare_ties() does.
 [[nodiscard]] Comparison compare(const Report& first, const Report& second, double tolerance);
 
-/// Holds the untied nodes of one contact against each other, by node and reason; positions in Report::contacts, nothing:
-/// the report has no such contact. Of several records of a node the first counts. A deck whose contact was not judged
-/// says nothing. Nodes that are too far or on no segment are no difference where the other side counts nodes out of reach,
-/// which it does not list.
+/// Compares the untied nodes of one contact, by node and reason; positions in Report::contacts, nothing: the report has
+/// no such contact. Of several records of a node the first counts. A deck whose contact was not judged is not compared.
+/// Nodes that are too far or on no segment are not a difference if the other side counts nodes out of reach without
+/// listing them.
 void compare_ties(const Report& first, std::optional<std::uint32_t> in_first, const Report& second,
                   std::optional<std::uint32_t> in_second, ContactComparison& sum,
                   std::vector<TieDifference>& differences);
@@ -61,7 +61,7 @@ void compare_ties(const Report& first, std::optional<std::uint32_t> in_first, co
 /// Two depths are the same: `tolerance` apart, plus half a unit in the fifth digit of the larger one.
 [[nodiscard]] bool same_depth(double first, double second, double tolerance);
 
-/// `curves`: nullptr where none were compared. `top`: largest differences to show, of each contact and of the curves.
+/// `curves`: nullptr if none were compared. `top`: largest differences to show, per contact and for the curves.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison, const Report& first, const Report& second,
                                           std::size_t top, const CurveComparison* curves = nullptr);
 [[nodiscard]] std::string comparison_json(const Comparison& comparison, const Report& first, const Report& second,

@@ -11,7 +11,7 @@
 namespace gapcheck::report {
 namespace {
 
-/// A curve at any time of its range, asked for in ascending order.
+/// Value of a curve at any time in its range; times must ascend.
 class Sampler {
  public:
   explicit Sampler(const Curve& curve) : curve_(curve) {}
@@ -30,7 +30,7 @@ class Sampler {
   std::size_t next_ = 0;
 };
 
-/// The times of both curves within the range that they share.
+/// The times of both curves within their common range.
 std::vector<double> common_times(const Curve& a, const Curve& b) {
   if (a.times.empty() || b.times.empty()) return {};
   const double begin = std::max(a.times.front(), b.times.front()), end = std::min(a.times.back(), b.times.back());
@@ -56,7 +56,7 @@ struct Sample {
   double a = 0, b = 0;
 };
 
-/// Square roots of integrals over time; of sums over the samples where there is but one time.
+/// Square roots of integrals over time; of sums over the samples if there is only one time.
 double l2_difference(const std::vector<double>& times, const std::vector<Sample>& samples) {
   double difference = 0, first = 0, second = 0;
   const double length = times.back() - times.front();
@@ -144,7 +144,7 @@ bool chosen(const Curve& curve, const std::vector<std::string>& names) {
          });
 }
 
-/// Names of the chosen curves that `other` does not have; a file's name alone where it has none of that file.
+/// Names of the chosen curves that `other` lacks; only the file's name if it has none from that file.
 std::vector<std::string> only_in(const std::vector<Curve>& list, const std::vector<Curve>& others,
                                  const Positions& other, const CurveOptions& options) {
   std::set<std::string_view> files;

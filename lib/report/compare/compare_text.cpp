@@ -15,6 +15,7 @@ namespace {
 
 std::string note(const ContactComparison& contact) {
   if (contact.not_checked) return contact.ties_compared ? "tied" : "not checked in one of them";
+  if (contact.tied) return "tied";
   std::string text = contact.counts_only ? "only numbers of nodes are known" : "";
   const auto add = [&](std::string_view part) { text += (text.empty() ? "" : ", ") + std::string(part); };
   if (contact.missing_in_first) add("not in A");
@@ -46,7 +47,7 @@ void append_contacts(const Comparison& comparison, std::string& out) {
       "  ", out);
 }
 
-/// The largest differences of one contact, which stand together.
+/// The largest differences of one contact, which are consecutive.
 void append_differences(std::span<const Difference> differences, std::size_t top, std::string& out) {
   constexpr std::array columns{Column{"node"}, Column{"A"}, Column{"B"}};
   const std::size_t rows = std::min(top, differences.size());
@@ -104,7 +105,7 @@ void append_tie_differences(std::span<const TieDifference> differences, std::siz
       "  ", out);
 }
 
-/// Calls `append` with what stands together of one contact.
+/// Calls `append` with the consecutive entries of one contact.
 template <class Difference, class Append>
 void by_contact(std::span<const Difference> rest, const Append& append) {
   while (!rest.empty()) {

@@ -9,7 +9,7 @@ namespace {
 
 using UntiedNodes = std::map<std::int64_t, TieReason>;
 
-/// What one source says of a contact's ties.
+/// What one source says about a contact's ties.
 struct TieSide {
   bool judged = true;
   bool ties = false;  ///< there are nodes that tie, or do not
@@ -31,7 +31,7 @@ TieSide side_of(const Report& report, std::optional<std::uint32_t> position) {
 
 bool beyond_reach(TieReason reason) { return reason == TieReason::too_far || reason == TieReason::not_found; }
 
-/// The nodes of `from` that `other` does not have; `other` counts those out of reach that it does not list.
+/// The nodes of `from` that `other` lacks; `other` counts nodes out of reach without listing them.
 void untied_only_in(const TieSide& from, const TieSide& other, bool is_first, ContactComparison& sum,
                     std::vector<TieDifference>& differences) {
   std::uint64_t counted = 0;

@@ -36,7 +36,7 @@ void add_global(const std::vector<GlobalState>& states, std::vector<Curve>& list
   }
 }
 
-/// Finds the curves of a contact or node, and makes them when it first appears.
+/// Finds the curves of a contact or node, and creates them when it first appears.
 class CurvesById {
  public:
   explicit CurvesById(std::vector<Curve>& list) : list_(list) {}

@@ -23,7 +23,7 @@ struct Frame {
   static constexpr double left = 84, right = 700, top = 40, bottom = 372;
 };
 
-/// Values between two pixels, with round values in between. Works on halves, so that no range overflows.
+/// Values between two pixels, with round values in between. Works on halves, so no range overflows.
 class Axis {
  public:
   Axis(double from, double to) : from_(from), to_(to) {}

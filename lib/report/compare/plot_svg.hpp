@@ -17,7 +17,8 @@ struct Plot {
 };
 
 /// The plot as an SVG of 720 by 420: frame, grid at round values, lines (the first one wide and grey, so that a second
-/// one on top of it shows), legend. Lines of many points are thinned to what can be seen: the extremes of each column.
+/// one on top of it is visible), legend. Lines with many points are thinned to what is visible: the extremes of each
+/// column.
 [[nodiscard]] std::string plot_svg(const Plot& plot);
 
 }  // namespace gapcheck::report

@@ -10,21 +10,21 @@
 
 namespace gapcheck::report {
 
-/// Coordinates of a node, where a record itself has none (tie failures, MPP lines). May be empty: none are known.
+/// Coordinates of a node for records without their own (tie failures, MPP lines). May be empty: none are known.
 using NodePosition = std::function<std::optional<Vector>(std::int64_t node)>;
 
 /// Keyword file with one beam per penetration: first node where the tracked node is, second one on the contact surface,
-/// so that its length is the penetration. One *PART per interface and warning type, with a speaking title, and one set
-/// of the tracked nodes themselves, which only the model defines. New ids start above every id of the report; with more
-/// than 8 digits they make it a file in long format. Records that cannot be drawn are in the sets, with a comment.
+/// so its length is the penetration. One *PART per interface and warning type, with a descriptive title, and one set of
+/// the tracked nodes themselves, which only the model defines. New ids start above every id of the report; with more
+/// than 8 digits the file is in long format. Records that cannot be drawn are in the sets, with a comment.
 [[nodiscard]] std::string keyword_beams(const Report& report, const NodePosition& position);
 
-/// Keyword file with one *SET_NODE_LIST_TITLE and one *SET_SEGMENT_TITLE per rule and contact, as far as its findings
-/// name nodes or segments; both have the same id. Nodes: tracked nodes of penetrations, nodes of ties, nodes that other
-/// findings name or list, and where they name none the corners of their segments. Segments: those that penetrations are
-/// in, and those that other findings list (Finding::members). What has less than three corners is in the node set. Ids
+/// Keyword file with one *SET_NODE_LIST_TITLE and one *SET_SEGMENT_TITLE per rule and contact, if its findings name
+/// nodes or segments; both have the same id. Nodes: tracked nodes of penetrations, nodes of ties, nodes that other
+/// findings name or list, or if they name none the corners of their segments. Segments: those with penetrations, and
+/// those that other findings list (Finding::members). Anything with fewer than three corners is in the node set. Ids
 /// count up from `first_id`, or where that is 0 from above the deck's sets (without a deck: above every id of the
-/// report). Ids of more than ten digits make it a file in long format. What is in no set is counted in comments.
+/// report). With ids of more than ten digits the file is in long format. Findings in no set are counted in comments.
 [[nodiscard]] std::string keyword_sets(const Report& report, std::int64_t first_id);
 
 /// Session file for Animator 3 (`ide nod …`) or Animator 4 (`sel nod …` with groups `id<sid> <warn-type>`).

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "base/quad.hpp"
 #include "report/item/describe.hpp"
 
 namespace gapcheck::report {
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::size_t longest_group_title = 70;
 
-/// Place of a warning type among those of one contact.
+/// Position of a warning type among those of one contact.
 using TypeOrder = int;
 
 struct WarningType {
@@ -64,12 +65,12 @@ std::optional<Vector> unit(const Vector& v) {
   return v / length;
 }
 
-/// True where a record without any coordinate means that its source has none.
+/// True if a record without any coordinate means that its source has none.
 bool without_coordinates(const Report& report, const Penetration& record) {
   return report.source != "deck" && record.original.isZero(0) && record.point.isZero(0) && record.moved_to.isZero(0);
 }
 
-/// The nodes of the segment, where all are known.
+/// The nodes of the segment, if all are known.
 std::optional<std::array<Vector, 4>> segment_of(const Penetration& record, const NodePosition& position) {
   if (!position) return std::nullopt;
   std::array<Vector, 4> corners;
@@ -81,12 +82,7 @@ std::optional<std::array<Vector, 4>> segment_of(const Penetration& record, const
   return corners;
 }
 
-Vector point_at(const std::array<Vector, 4>& corners, double s, double t) {
-  return (1 - s) * (1 - t) / 4 * corners[0] + (1 + s) * (1 - t) / 4 * corners[1] + (1 + s) * (1 + t) / 4 * corners[2] +
-         (1 - s) * (1 + t) / 4 * corners[3];
-}
-
-/// Towards the contact surface, from what is known of the segment.
+/// Towards the contact surface, from what is known about the segment.
 std::optional<Vector> out_of_segment(const Report& report, const Penetration& record, const Vector& node,
                                      const NodePosition& position) {
   const bool exact = report.source == "deck";
@@ -94,8 +90,8 @@ std::optional<Vector> out_of_segment(const Report& report, const Penetration& re
   // Solver files do not print the closest point, but where on the segment it is.
   const bool point_known = exact || (!record.point.isZero(0) && record.point != record.original);
   if (!point_known && !(corners && std::isfinite(record.s) && std::isfinite(record.t))) return std::nullopt;
-  const Vector point = point_known ? record.point : point_at(*corners, record.s, record.t);
-  // Nearer than the digits can tell, the difference is no direction.
+  const Vector point = point_known ? record.point : quad_point(*corners, record.s, record.t);
+  // Below the resolution of the digits the difference gives no direction.
   const double digits = point_known ? 1e-12 : 1e-4;
   const Vector away = node - point;
   if (away.stableNorm() > digits * (node.cwiseAbs().maxCoeff() + point.cwiseAbs().maxCoeff())) {
@@ -103,7 +99,7 @@ std::optional<Vector> out_of_segment(const Report& report, const Penetration& re
     return unit(behind ? Vector(-away) : away);
   }
   if (!corners) return std::nullopt;
-  return unit(((*corners)[2] - (*corners)[0]).cross((*corners)[3] - (*corners)[1]));
+  return unit(quad_normal(*corners));
 }
 
 std::optional<Vector> direction_of(const Report& report, const Penetration& record, const Vector& node,

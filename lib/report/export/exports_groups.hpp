@@ -27,13 +27,13 @@ struct PenetrationLine {
   Vector node, surface;
 };
 
-/// Where the tracked node is: as the record says, or as `position` knows.
+/// Position of the tracked node: from the record, or from `position`.
 [[nodiscard]] std::optional<Vector> node_of(const Report& report, const Penetration& record,
                                             const NodePosition& position);
 
 /// Nothing if the position, the direction or the depth is not known. The direction is that in which the solver moved
-/// the node; otherwise away from the closest point (towards it where the node is behind the segment); otherwise, where
-/// the node is on the segment, the segment's normal.
+/// the node; otherwise away from the closest point (towards it if the node is behind the segment); otherwise, where the
+/// node is on the segment, the segment's normal.
 [[nodiscard]] std::optional<PenetrationLine> penetration_line(const Report& report, const Penetration& record,
                                                               const NodePosition& position);
 
@@ -41,7 +41,7 @@ struct PenetrationLine {
 inline constexpr std::size_t ids_per_card = 8;
 
 /// Above every id of nodes, elements, segments, parts and contacts in the report; ids of more than 18 digits, which no
-/// deck has, do not count.
+/// deck has, are ignored.
 [[nodiscard]] std::int64_t first_free_id(const Report& report);
 
 }  // namespace gapcheck::report

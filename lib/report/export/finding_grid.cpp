@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/ids.hpp"
 #include "base/number.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/describe_tie.hpp"
@@ -17,10 +18,9 @@
 namespace gapcheck::report {
 namespace {
 
-constexpr std::uint32_t nowhere = 0xffffffffU;
 constexpr int first_outcome = 1, first_tie_reason = 11;
 
-/// 101 for "GC101"; 0 for what is no id of a rule.
+/// 101 for "GC101"; 0 for anything that is not a rule id.
 std::int64_t rule_number(std::string_view id) { return id.size() > 2 ? parse_integer(id.substr(2)).value_or(0) : 0; }
 
 std::int64_t contact_id(const Report& report, std::uint32_t position) {
@@ -36,7 +36,7 @@ std::vector<std::string> outcome_words() {
   return words;
 }
 
-/// Arrays beside the points.
+/// Arrays parallel to the points.
 struct PointArrays {
   std::vector<double> depth, remaining, way_out;
   std::vector<std::int64_t> node, contact, outcome, rule;
@@ -50,7 +50,7 @@ struct PointArrays {
   }
 };
 
-/// Arrays beside the cells.
+/// Arrays parallel to the cells.
 struct CellArrays {
   std::vector<double> thickness, depth;
   std::vector<std::int64_t> element, part, contact, rule;
@@ -96,13 +96,13 @@ class FindingGrid {
   /// Only nodes and elements that findings name are looked up later.
   void find_named() {
     for (const Penetration& record : report_.penetrations) {
-      point_of_.emplace(record.node, nowhere);
-      for (const std::int64_t node : record.segment) point_of_.emplace(node, nowhere);
+      point_of_.emplace(record.node, no_position);
+      for (const std::int64_t node : record.segment) point_of_.emplace(node, no_position);
       if (record.element != 0) cells_of_[record.element];
     }
-    for (const TieFailure& failure : report_.tie_failures) point_of_.emplace(failure.node, nowhere);
+    for (const TieFailure& failure : report_.tie_failures) point_of_.emplace(failure.node, no_position);
     for (const Finding& finding : report_.findings) {
-      if (finding.node != 0) point_of_.emplace(finding.node, nowhere);
+      if (finding.node != 0) point_of_.emplace(finding.node, no_position);
       if (finding.element != 0) cells_of_[finding.element];
     }
   }
@@ -121,27 +121,27 @@ class FindingGrid {
 
   /// Of two nodes with one id the first is looked up.
   void add_point(std::int64_t id, const Vector& x) {
-    if (const auto named = point_of_.find(id); named != point_of_.end() && named->second == nowhere)
+    if (const auto named = point_of_.find(id); named != point_of_.end() && named->second == no_position)
       named->second = static_cast<std::uint32_t>(grid_.points.size());
     grid_.points.push_back({x[0], x[1], x[2]});
     points_.add(id);
   }
 
   [[nodiscard]] std::optional<Vector> position(std::int64_t node) const {
-    if (const auto named = point_of_.find(node); named != point_of_.end() && named->second != nowhere) {
+    if (const auto named = point_of_.find(node); named != point_of_.end() && named->second != no_position) {
       const auto& x = grid_.points[named->second];
       return Vector(x[0], x[1], x[2]);
     }
     return given_ ? given_(node) : std::nullopt;
   }
 
-  /// The point of a node, which becomes a vertex where no element has it; `nowhere` if its position is not known.
+  /// The point of a node, which becomes a vertex where no element has it; no_position if its position is not known.
   std::uint32_t point(std::int64_t node, std::int64_t part, const std::optional<Vector>& x) {
     const auto known = point_of_.find(node)->second;
-    if (known != nowhere) return known;
+    if (known != no_position) return known;
     if (!x || !x->allFinite()) {
       ++nodes_left_out_;
-      return nowhere;
+      return no_position;
     }
     const auto added = static_cast<std::uint32_t>(grid_.points.size());
     add_point(node, *x);
@@ -160,12 +160,12 @@ class FindingGrid {
       cells_.depth[cell] = std::max(cells_.depth[cell], depth);
     });
     const std::uint32_t p = point(record.node, record.part, node_of(report_, record, known));
-    if (p == nowhere) return;
+    if (p == no_position) return;
     const bool first = points_.rule[p] == 0;
     mark(points_.rule[p], rule);
     if (!first && !(depth > points_.depth[p])) return;
     points_.depth[p] = depth;
-    // Solids have no thickness; in solver files it is the distance that is missing.
+    // Solids have no thickness; in solver files the distance is missing.
     const bool distance_known = report_.source == "deck" || record.contact_distance > 0;
     points_.remaining[p] = distance_known ? record.remaining() : std::numeric_limits<double>::quiet_NaN();
     points_.contact[p] = contact;
@@ -178,7 +178,7 @@ class FindingGrid {
   void add(const TieFailure& failure) {
     const std::uint32_t p =
         point(failure.node, failure.part, failure.position ? failure.position : position(failure.node));
-    if (p == nowhere || points_.rule[p] != 0) return;
+    if (p == no_position || points_.rule[p] != 0) return;
     points_.rule[p] = rule_number(rule_of(failure).id);
     points_.contact[p] = contact_id(report_, failure.contact);
     points_.outcome[p] = first_tie_reason + static_cast<int>(failure.reason);
@@ -194,7 +194,7 @@ class FindingGrid {
     if (finding.node == 0) return;
     const auto x = position(finding.node);
     const std::uint32_t p = point(finding.node, finding.part, x ? x : finding.point);
-    if (p == nowhere || points_.rule[p] != 0) return;
+    if (p == no_position || points_.rule[p] != 0) return;
     points_.rule[p] = rule;
     points_.contact[p] = finding.contact;
   }

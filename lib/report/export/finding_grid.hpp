@@ -4,8 +4,8 @@
 
 namespace gapcheck::report {
 
-/// The elements of Report::mesh with what was found at them and at their nodes; nodes of findings that no element has
-/// become vertices where their position is known (without a mesh: all of them).
+/// The elements of Report::mesh with the findings at them and at their nodes; nodes of findings that belong to no
+/// element become vertices if their position is known (without a mesh: all of them).
 ///
 /// Points: depth (0: none) and remaining (NaN: no penetration) of the deepest penetration, way_out (from the node to
 /// the contact surface), node, contact, outcome (0: none, 1 + Outcome, 11 + TieReason), rule (101 for GC101, 0: none).

@@ -29,7 +29,7 @@ std::string fitted(double value, int width) {
   return text;
 }
 
-/// Leaves a blank before the number where that does not shift it noticeably.
+/// Leaves a blank before the number if that does not change it noticeably.
 void append_coordinate(double value, int width, fmt::memory_buffer& out) {
   constexpr double noticeable = 1e-9;
   std::string text = fitted(value, width - 1);
@@ -133,7 +133,7 @@ class BeamFile {
 
   void write_parts() {
     std::int64_t last = 0;
-    for (const Beam& beam : beams_) {  // groups stand one behind the other
+    for (const Beam& beam : beams_) {  // groups are consecutive
       if (beam.part == last) continue;
       last = beam.part;
       line("*PART");

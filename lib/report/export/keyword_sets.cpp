@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ids.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/describe_tie.hpp"
 #include "report/export/exports.hpp"
@@ -24,7 +25,6 @@ using Segment = std::array<std::int64_t, 4>;
 constexpr std::int64_t most_short_id = 9'999'999'999;
 constexpr std::int64_t most_set_id = 999'999'999'999'999'999;
 constexpr std::size_t longest_set_title = 80;
-constexpr std::uint32_t no_contact = 0xffffffffU;
 
 /// What the findings of one rule in one contact name.
 struct SetMembers {
@@ -32,8 +32,8 @@ struct SetMembers {
   std::vector<std::int64_t> nodes;  ///< ascending, each once, once `finish` has run
   std::vector<Segment> segments;    ///< so are these
   double deepest = 0;
-  std::uint64_t not_listed = 0;  ///< things that findings count and do not list
-  std::uint64_t without_id = 0;  ///< nodes and segments with numbers that are no ids
+  std::uint64_t not_listed = 0;  ///< things that findings count but do not list
+  std::uint64_t without_id = 0;  ///< nodes and segments with invalid ids
 };
 
 std::size_t corners(const Segment& segment) { return std::set<std::int64_t>(segment.begin(), segment.end()).size(); }
@@ -75,14 +75,14 @@ class FindingGroups {
 
  private:
   SetMembers& group(std::uint32_t contact, std::string_view id, std::string_view rule) {
-    SetMembers& members = groups_[{contact < report_.contacts.size() ? contact : no_contact, id}];
+    SetMembers& members = groups_[{contact < report_.contacts.size() ? contact : no_position, id}];
     members.id = id;
     members.rule = rule;
     return members;
   }
 
   void add(const Penetration& record) {
-    const RecordRule rule = rule_of(record.kind);
+    const RuleIdentity& rule = rule_of(record.kind);
     SetMembers& members = group(record.contact, rule.id, rule.name);
     members.nodes.push_back(record.node);
     // Solver files do not always say which segment it is.
@@ -91,7 +91,7 @@ class FindingGroups {
   }
 
   void add(const TieFailure& failure) {
-    const RecordRule rule = rule_of(failure);
+    const RuleIdentity rule = rule_of(failure);
     group(failure.contact, rule.id, rule.name).nodes.push_back(failure.node);
   }
 
@@ -102,7 +102,7 @@ class FindingGroups {
       return;
     }
     const auto contact = position_.find(finding.contact);
-    SetMembers& members = group(finding.contact != 0 && contact != position_.end() ? contact->second : no_contact,
+    SetMembers& members = group(finding.contact != 0 && contact != position_.end() ? contact->second : no_position,
                                 finding.id, finding.rule);
     const std::size_t before = members.nodes.size();
     if (finding.node != 0) members.nodes.push_back(finding.node);
@@ -124,7 +124,7 @@ class FindingGroups {
   std::uint64_t without_place_ = 0;
 };
 
-/// Without the characters that begin parameters and expressions, cut so that no UTF-8 character is left in pieces.
+/// Without the characters that begin parameters and expressions, cut without splitting a UTF-8 character.
 std::string title_text(std::string_view text) {
   std::string title = printable(text);
   for (char& c : title)

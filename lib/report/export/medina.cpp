@@ -10,7 +10,7 @@
 namespace gapcheck::report {
 namespace {
 
-/// `NODE id x y z`, or the id alone where the position is not known.
+/// `NODE id x y z`, or only the id if the position is not known.
 void append_node(std::string_view word, std::int64_t id, const std::optional<Vector>& x, fmt::memory_buffer& out) {
   fmt::format_to(fmt::appender(out), "{} {}", word, id);
   if (x && x->allFinite()) fmt::format_to(fmt::appender(out), " {} {} {}", (*x)[0], (*x)[1], (*x)[2]);

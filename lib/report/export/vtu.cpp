@@ -14,7 +14,7 @@
 namespace gapcheck::report {
 namespace {
 
-/// Length in bytes and the bytes behind it, encoded as one.
+/// Length in bytes followed by the bytes, encoded as one.
 template <class Value>
 std::string encoded(const std::vector<Value>& values) {
   const std::uint64_t length = values.size() * sizeof(Value);
@@ -70,7 +70,7 @@ std::string data_arrays(const std::vector<VtuArray>& list, const std::vector<Vtu
   return text;
 }
 
-/// Strings stand in these files as the numbers of their bytes, each string with a zero behind it.
+/// These files contain strings as the numbers of their bytes, each string followed by a zero.
 std::string field_data(const std::vector<VtuWords>& list) {
   if (list.empty()) return "";
   std::string text = "<FieldData>\n";

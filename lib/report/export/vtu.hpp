@@ -20,7 +20,7 @@ struct VtuArray {
   bool gaps = false;                ///< NaN stays NaN: "not known"
 };
 
-/// The same for integers that no double holds.
+/// The same for integers that a double cannot hold.
 struct VtuIds {
   std::string name;
   std::vector<std::int64_t> values;
@@ -48,8 +48,8 @@ struct VtuGrid {
 };
 
 /// The grid as a .vtu file (VTK XML, version 1.0, binary data in base64 with 64-bit lengths): numbers in single
-/// precision, ids and places of points as integers of 32 bits where all of an array fit, of 64 otherwise. Numbers
-/// beyond the range are its ends, what is no number is 0. Control characters of words become '?'.
+/// precision, ids and positions of points as 32-bit integers if a whole array fits, otherwise 64-bit. Numbers beyond
+/// the range are clipped, NaN is 0. Control characters of words become '?'.
 [[nodiscard]] std::string vtu(const VtuGrid& grid);
 
 /// One file of a series.

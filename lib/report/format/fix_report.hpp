@@ -11,7 +11,7 @@ struct FixTextOptions {
   bool quiet = false;    ///< only the last line
 };
 
-/// The report of a correction for people: contacts before and after, moves, what remains and what else could be done.
+/// The text report of a correction: contacts before and after, moves, what remains and what else could be done.
 [[nodiscard]] std::string fix_text(const FixReport& report, const FixTextOptions& options);
 
 /// The same as JSON, schema `gapcheck-fix/1`, complete.

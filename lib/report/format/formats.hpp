@@ -8,11 +8,11 @@
 
 namespace gapcheck::report {
 
-// Formats that other programs read; the contents are those of json(). All of them are deterministic but for times, end
-// early when the sink gives false, and need memory for one finding at a time unless they say otherwise. Several decks
-// come one after the other; those that were not audited are no findings, and only json() and junit() name them.
+// Formats that other programs read; the contents are those of json(). All are deterministic except for times, end early
+// when the sink returns false, and need memory for one finding at a time unless stated otherwise. Several decks come
+// one after the other; decks that were not audited are not findings, and only json() and junit() name them.
 
-/// What a format may say of a rule.
+/// What a format may say about a rule.
 struct RuleText {
   std::string_view id, name;
   Severity severity = Severity::warning;
@@ -26,19 +26,19 @@ void sarif(const Reports& reports, std::string_view version, std::span<const Rul
 
 /// JUnit: one suite per contact and one for the rest, a case per rule that found something there. A case fails if one of
 /// its findings is at least as severe as `limit`; without a limit none fails. A suite without findings has one case
-/// that passes. Each case shows the first `top` findings and counts the others. Of several decks the suites' names begin
-/// with the deck; one that was not audited is a suite with an error that says why.
+/// that passes. Each case shows the first `top` findings and counts the others. With several decks the suites' names
+/// begin with the deck; one that was not audited is a suite with an error that says why.
 void junit(const Reports& reports, const Severity* limit, std::size_t top, const Sink& sink);
 
 /// Annotations as GitHub's runners read them from standard output. At most `top` per rule and contact, then one that
 /// counts the rest: a run shows only the first few. Errors come first.
 void github(const Reports& reports, std::size_t top, const Sink& sink);
 
-/// GitLab's code quality report. Fingerprints that would occur twice get a number behind them, since GitLab shows each
-/// only once. Keeps the fingerprints in memory.
+/// GitLab's code quality report. Duplicate fingerprints get a number appended, since GitLab shows each only once. Keeps
+/// the fingerprints in memory.
 void gitlab(const Reports& reports, const Sink& sink);
 
-/// A table (RFC 4180) with one line per finding under a line of names; of several decks with a last column `deck`.
+/// A table (RFC 4180) with one line per finding under a line of names; for several decks with a last column `deck`.
 void csv(const Reports& reports, const Sink& sink);
 
 }  // namespace gapcheck::report

@@ -13,7 +13,7 @@
 namespace gapcheck::report {
 namespace {
 
-/// As the runner's commands want it; properties must do without colons and commas as well.
+/// As the runner's commands require; properties must also avoid colons and commas.
 std::string escaped(std::string_view text, bool property) {
   std::string out;
   for (const char c : plain_text(text)) {
@@ -39,7 +39,7 @@ void annotate(const Report& report, const ItemGroup& group, Stream& stream) {
     annotate(item.severity, item.file.empty() ? report.input : item.file, item.line, title, item.message, stream);
   const std::size_t more = group.items - group.shown.size();
   if (more == 0) return;
-  const bool of_contact = group.contact_position != Item::no_contact;
+  const bool of_contact = group.contact_position != no_position;
   const ContactSummary none, &contact = of_contact ? report.contacts[group.contact_position] : none;
   const std::string where = of_contact ? fmt::format(" in contact {}", contact.id) : "";
   annotate(group.severity, contact.file.empty() ? report.input : contact.file, contact.line, title,

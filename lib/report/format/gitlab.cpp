@@ -9,7 +9,7 @@
 namespace gapcheck::report {
 namespace {
 
-/// GitLab's five degrees; what a deck check finds is neither a blocker of its own nor critical beyond an error.
+/// GitLab's five levels; findings of a deck check are neither blockers nor more critical than an error.
 std::string_view degree(Severity severity) {
   switch (severity) {
     case Severity::note:
@@ -26,7 +26,7 @@ std::string_view degree(Severity severity) {
 
 namespace {
 
-/// `seen`: how often each fingerprint has come.
+/// `seen`: how often each fingerprint has occurred.
 void append_items(const Report& report, std::unordered_map<std::uint64_t, std::size_t>& seen, Stream& stream) {
   for_each_item(report, [&](const Item& item) {
     if (!item.counts()) return true;
@@ -38,9 +38,10 @@ void append_items(const Report& report, std::unordered_map<std::uint64_t, std::s
     object.plain("fingerprint", before == 0 ? fmt::format("{:016x}", item.fingerprint)
                                             : fmt::format("{:016x}-{}", item.fingerprint, before));
     object.plain("severity", degree(item.severity));
-    object.raw("location", fmt::format("{{\"path\":{},\"lines\":{{\"begin\":{}}}}}",
-                                       json_string(normal_path(item.file.empty() ? report.input : item.file)),
-                                       item.line == 0 ? 1 : item.line));
+    object.object("location", [&](Members& location) {
+      location.string("path", normal_path(item.file.empty() ? report.input : item.file));
+      location.object("lines", [&](Members& lines) { lines.integer("begin", item.line == 0 ? 1 : item.line); });
+    });
     object.close();
     return stream.open();
   });

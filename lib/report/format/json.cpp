@@ -43,7 +43,7 @@ void append_model(const ModelCounts& model, Buffer& out) {
 
 void append_contact(const Report& report, std::uint32_t position, Buffer& out) {
   const ContactSummary& contact = report.contacts[position];
-  const bool deck = report.source == "deck";  // solver files do not know everything of a contact
+  const bool deck = report.source == "deck";  // solver files do not know everything about a contact
   Members object(out);
   object.integer("id", contact.id);
   if (deck || contact.order != 0) object.integer("order", contact.order);
@@ -77,7 +77,7 @@ void append_contact(const Report& report, std::uint32_t position, Buffer& out) {
 /// `files`: the report's file names, quoted.
 void append_penetration(const Report& report, const Penetration& record, const std::vector<std::string>& files,
                         std::optional<BaselineState> state, Buffer& out) {
-  const RecordRule rule = rule_of(report, record.kind);
+  const RuleIdentity rule = rule_of(report, record.kind);
   const bool contact_known = record.contact < report.contacts.size();
   const std::int64_t contact = contact_known ? report.contacts[record.contact].id : 0;
   Members object(out);
@@ -253,7 +253,7 @@ void append_ignored_by_source(const Report& report, const std::vector<std::strin
   stream.text("],\n");
 }
 
-/// Findings of the baseline that are not there any more.
+/// Findings of the baseline that are gone.
 void append_gone(const BaselineComparison& comparison, Stream& stream) {
   stream.text("\"gone\":[");
   bool first = true;
@@ -311,7 +311,7 @@ void append_report(const Report& report, bool statistics, Stream& stream) {
   stream.text("}");
 }
 
-/// What follows the decks: those that are missing, and all findings together.
+/// The part after the decks: missing ones, and all findings together.
 void append_sum(const Reports& reports, Stream& stream) {
   stream.text("],\n\"unread\":[");
   for (std::size_t i = 0; i < reports.unread.size(); ++i) {

@@ -123,7 +123,7 @@ void append_predicted_limits(const Report& report, Buffer& out) {
 
 void append_tie_failure(const Report& report, const TieFailure& failure, const std::vector<std::string>& files,
                         std::optional<BaselineState> state, Buffer& out) {
-  const RecordRule rule = rule_of(report, failure);
+  const RuleIdentity rule = rule_of(report, failure);
   const bool contact_known = failure.contact < report.contacts.size();
   const std::int64_t contact = contact_known ? report.contacts[failure.contact].id : 0;
   const std::string text = gapcheck::report::message(failure);

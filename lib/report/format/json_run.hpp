@@ -7,11 +7,11 @@
 
 namespace gapcheck::report {
 
-/// What solver files say of the run; only where there is one.
+/// What solver files say about the run, if there is one.
 void append_run(const Report& report, Buffer& out);
 
 /// Time steps that were computed from a deck: of one contact (position in Report::contacts), each side with its
-/// controlling node, and of the whole model. Nothing where none were computed.
+/// controlling node, and of the whole model. Nothing if none were computed.
 void append_predicted_timesteps(const Report& report, std::uint32_t contact, Members& object, Buffer& out);
 void append_predicted_limits(const Report& report, Buffer& out);
 

@@ -16,7 +16,7 @@ namespace {
 
 struct Suite {
   std::string name;
-  std::uint32_t contact_position = Item::no_contact;
+  std::uint32_t contact_position = no_position;
   std::vector<const ItemGroup*> groups;
 };
 
@@ -25,13 +25,13 @@ std::string suite_name(const ContactSummary& contact) {
   return xml_text(fmt::format("contact {}{}", contact.id, title));
 }
 
-/// One per contact in deck order, then one for what belongs to none.
+/// One per contact in deck order, then one for findings without a contact.
 std::vector<Suite> suites_of(const Report& report, bool with_deck, const std::vector<ItemGroup>& groups) {
   std::vector<Suite> suites(report.contacts.size() + 1);
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) suites[i] = {suite_name(report.contacts[i]), i, {}};
   suites.back().name = report.source == "deck" ? "model" : "run";
   for (const ItemGroup& group : groups)
-    suites[group.contact_position == Item::no_contact ? report.contacts.size() : group.contact_position]
+    suites[group.contact_position == no_position ? report.contacts.size() : group.contact_position]
         .groups.push_back(&group);
   if (with_deck)
     for (Suite& suite : suites) suite.name = xml_text(report.input + ": ") + suite.name;
@@ -59,7 +59,7 @@ std::string body(const ItemGroup& group) {
 
 bool has_case(const ItemGroup& group) { return group.items + group.known > 0; }
 
-/// A case for what was found, and one for what is left out on purpose.
+/// A case for findings, and one for those left out on purpose.
 std::size_t cases(const Suite& suite) {
   std::size_t count = 0;
   for (const ItemGroup* group : suite.groups) count += (has_case(*group) ? 1 : 0) + (group->ignored > 0 ? 1 : 0);
@@ -97,7 +97,7 @@ void append_suite(const Report& report, const Suite& suite, const Severity* limi
   stream.text(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"0\">\n",
                           suite.name, cases(suite), failures(suite, limit), skipped(suite)));
   if (suite.groups.empty()) {
-    const bool contact = suite.contact_position != Item::no_contact;
+    const bool contact = suite.contact_position != no_position;
     const std::string& why = contact ? report.contacts[suite.contact_position].not_checked : std::string();
     stream.text(fmt::format("    <testcase classname=\"{}\" name=\"no findings\" time=\"0\"", suite.name));
     stream.text(why.empty() ? "/>\n"

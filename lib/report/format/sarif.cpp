@@ -33,7 +33,20 @@ std::string uri(std::string_view name) {
 }
 
 void append_text(std::string_view key, std::string_view text, Members& object) {
-  object.raw(key, fmt::format("{{\"text\":{}}}", json_string(text)));
+  object.object(key, [&](Members& message) { message.string("text", text); });
+}
+
+/// `line` 0: the whole file.
+void append_place(std::string_view file, std::uint32_t line, Members& location) {
+  location.object("physicalLocation", [&](Members& physical) {
+    physical.object("artifactLocation", [&](Members& artifact) { artifact.string("uri", uri(file)); });
+    if (line != 0) physical.object("region", [&](Members& region) { region.integer("startLine", line); });
+  });
+}
+
+void append_fingerprint(std::uint64_t value, Members& result) {
+  result.object("partialFingerprints",
+                [&](Members& prints) { prints.plain("gapcheck/v1", fmt::format("{:016x}", value)); });
 }
 
 void append_rule(const RuleText& rule, Buffer& out) {
@@ -42,12 +55,16 @@ void append_rule(const RuleText& rule, Buffer& out) {
   object.string("name", rule.name);
   append_text("shortDescription", rule.summary, object);
   if (!rule.page.empty())
-    object.raw("help", fmt::format("{{\"text\":{0},\"markdown\":{0}}}", json_string(rule.page)));
-  object.raw("defaultConfiguration", fmt::format("{{\"level\":\"{}\"}}", name(rule.severity)));
+    object.object("help", [&](Members& help) {
+      help.string("text", rule.page);
+      help.string("markdown", rule.page);
+    });
+  object.object("defaultConfiguration",
+                [&](Members& configuration) { configuration.plain("level", name(rule.severity)); });
   object.close();
 }
 
-/// The deck's entities that the finding speaks of, as logical locations.
+/// The deck's entities that the finding names, as logical locations.
 void append_entities(const Item& item, Members& location, Buffer& out) {
   const std::pair<std::string_view, std::int64_t> entities[] = {
       {"contact", item.contact}, {"node", item.node}, {"element", item.element}};
@@ -82,16 +99,14 @@ std::string_view baseline_state(BaselineState state) {
   return state == BaselineState::worse ? "updated" : name(state);
 }
 
-/// Says why the finding does not count, and where that stands.
+/// Says why the finding does not count, and where that is written.
 void append_suppression(const IgnoreSource& source, Members& result, Buffer& out) {
   result.key("suppressions");
   out.push_back('[');
   Members suppression(out);
   suppression.plain("kind", source.in_deck ? "inSource" : "external");
   if (!source.reason.empty()) suppression.string("justification", source.reason);
-  const std::string region = source.line == 0 ? "" : fmt::format(",\"region\":{{\"startLine\":{}}}", source.line);
-  suppression.raw("location", fmt::format("{{\"physicalLocation\":{{\"artifactLocation\":{{\"uri\":{}}}{}}}}}",
-                                          json_string(uri(source.file)), region));
+  suppression.object("location", [&](Members& location) { append_place(source.file, source.line, location); });
   suppression.close();
   out.push_back(']');
 }
@@ -105,34 +120,31 @@ void append_result(const Item& item, std::size_t rule, std::string_view input, B
   result.key("locations");
   out.push_back('[');
   Members location(out);
-  location.key("physicalLocation");
-  {
-    Members physical(out);
-    const std::string_view file = item.file.empty() ? input : item.file;
-    physical.raw("artifactLocation", fmt::format("{{\"uri\":{}}}", json_string(uri(file))));
-    if (item.line != 0) physical.raw("region", fmt::format("{{\"startLine\":{}}}", item.line));
-    physical.close();
-  }
+  append_place(item.file.empty() ? input : item.file, item.line, location);
   append_entities(item, location, out);
   location.close();
   out.push_back(']');
   if (item.count > 1) result.integer("occurrenceCount", item.count);
-  result.raw("partialFingerprints", fmt::format("{{\"gapcheck/v1\":\"{:016x}\"}}", item.fingerprint));
+  append_fingerprint(item.fingerprint, result);
   if (item.state) result.plain("baselineState", baseline_state(*item.state));
   if (item.ignored != nullptr) append_suppression(*item.ignored, result, out);
   append_properties(item, result, out);
   result.close();
 }
 
-/// A finding of the baseline that is not there any more; nothing says where it was in the files.
+/// A finding of the baseline that is gone; its place in the files is not known.
 void append_absent(const KnownFinding& finding, std::string_view input, Buffer& out) {
   Members result(out);
   result.string("ruleId", finding.id);
   result.plain("level", name(finding.severity));
   append_text("message", describe(finding), result);
-  result.raw("locations", fmt::format("[{{\"physicalLocation\":{{\"artifactLocation\":{{\"uri\":{}}}}}}}]",
-                                      json_string(uri(input))));
-  result.raw("partialFingerprints", fmt::format("{{\"gapcheck/v1\":\"{:016x}\"}}", fingerprint(finding)));
+  result.key("locations");
+  out.push_back('[');
+  Members location(out);
+  append_place(input, 0, location);
+  location.close();
+  out.push_back(']');
+  append_fingerprint(fingerprint(finding), result);
   result.plain("baselineState", "absent");
   result.close();
 }

@@ -1,7 +1,7 @@
 // The table of contacts. A row that is pressed filters the findings by its contact.
 
 function contactCells(contact) {
-  const found = contact.not_checked ? "not checked" : String(contact.penetrations);
+  const found = contact.not_checked ? "not checked" : contact.tied ? "tied" : String(contact.penetrations);
   return [
     [idText(contact.id) || `no. ${contact.order}`, "number"],
     [contact.title || contact.keyword, ""],

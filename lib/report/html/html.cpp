@@ -19,7 +19,7 @@ std::string_view file(std::string_view name) {
   return {};
 }
 
-/// The page's own scripts in the order in which they need each other.
+/// The page's own scripts in order of dependency.
 std::string scripts() {
   std::string text = "\"use strict\";\n(() => {\n";
   for (const std::string_view name : {"data", "dom", "chart", "matrix", "contacts", "filters", "findings", "camera",

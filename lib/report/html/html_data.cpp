@@ -48,7 +48,7 @@ class Texts {
   std::vector<std::string> list_;
 };
 
-/// An array with what `text` makes of each element.
+/// An array with the result of `text` for each element.
 template <class Range, class Text>
 std::string json_array(const Range& range, const Text& text) {
   std::string out = "[";
@@ -78,19 +78,29 @@ void add_head(const Report& report, const HtmlOptions& options, std::size_t show
   data.string("version", options.version);
   data.string("source", report.source);
   data.string("input", report.input);
-  data.raw("totals",
-           fmt::format("{{\"errors\":{},\"warnings\":{},\"notes\":{}}}", total.errors, total.warnings, total.notes));
+  data.object("totals", [&](Members& object) {
+    object.integer("errors", total.errors);
+    object.integer("warnings", total.warnings);
+    object.integer("notes", total.notes);
+  });
   data.integer("shown", shown);
   data.integer("found", report.penetrations.size() + report.tie_failures.size() + report.findings.size() +
                             report.ignored.size());
   data.integer("ignored", report.ignored.size());
   data.string("baseline", report.baseline ? summary(*report.baseline) : "");
   const ModelCounts& m = report.model;
-  data.raw("model",
-           fmt::format("{{\"nodes\":{},\"shells\":{},\"solids\":{},\"thick shells\":{},\"beams\":{},"
-                       "\"discrete elements\":{},\"mass elements\":{},\"particles\":{},\"parts\":{},\"contacts\":{}}}",
-                       m.nodes, m.shells, m.solids, m.thick_shells, m.beams, m.discrete, m.masses, m.particles, m.parts,
-                       m.contacts));
+  data.object("model", [&](Members& object) {
+    object.integer("nodes", m.nodes);
+    object.integer("shells", m.shells);
+    object.integer("solids", m.solids);
+    object.integer("thick shells", m.thick_shells);
+    object.integer("beams", m.beams);
+    object.integer("discrete elements", m.discrete);
+    object.integer("mass elements", m.masses);
+    object.integer("particles", m.particles);
+    object.integer("parts", m.parts);
+    object.integer("contacts", m.contacts);
+  });
   if (report.run) {
     using enum SolverRun::Termination;
     data.string("solver", report.run->version);
@@ -119,6 +129,7 @@ std::string contact_summary_json(const ContactSummary& contact) {
   object.integer("ties", contact.ties);
   object.integer("untied", contact.untied);
   object.string("not_checked", contact.not_checked);
+  if (contact.ties_judged) object.raw("tied", "true");
   object.string("file", contact.file);
   object.integer("line", contact.line);
   object.close();
@@ -179,14 +190,19 @@ std::string pairs_json(const Report& report) {
                     [](const PartPair& a, const PartPair& b) { return a.deepest->depth > b.deepest->depth; });
   const std::size_t more = pairs.size() - count;
   pairs.resize(count);
-  return fmt::format("{{\"more\":{},\"list\":{}}}", more, json_array(pairs, [](const PartPair& pair) {
-                       const double depth = pair.deepest->depth;
-                       return fmt::format("[{},{},{},{}]", id_text(pair.part), id_text(pair.element_part), pair.nodes,
-                                          std::isfinite(depth) ? depth : 0);
-                     }));
+  Buffer out;
+  Members object(out);
+  object.integer("more", more);
+  object.raw("list", json_array(pairs, [](const PartPair& pair) {
+               const double depth = pair.deepest->depth;
+               return fmt::format("[{},{},{},{}]", id_text(pair.part), id_text(pair.element_part), pair.nodes,
+                                  std::isfinite(depth) ? depth : 0);
+             }));
+  object.close();
+  return fmt::to_string(out);
 }
 
-/// How many records there are by depth, and by depth over contact distance; nodes of the edge zone do not count.
+/// Number of records by depth, and by depth over contact distance; nodes of the edge zone do not count.
 std::string depths_json(const Report& report) {
   double deepest = 0;
   std::vector<std::uint64_t> depths(depth_bins), ratios(ratio_bins + 1);
@@ -202,12 +218,16 @@ std::string depths_json(const Report& report) {
     if (record.contact_distance > 0)
       ++ratios[ratio > 1 ? ratio_bins : std::min(static_cast<std::size_t>(ratio * ratio_bins), ratio_bins - 1)];
   }
-  const auto number = [](std::uint64_t value) { return fmt::format("{}", value); };
-  return fmt::format("{{\"deepest\":{},\"depths\":{},\"ratios\":{}}}", deepest, json_array(depths, number),
-                     json_array(ratios, number));
+  Buffer out;
+  Members object(out);
+  object.number("deepest", deepest);
+  object.array("depths", depths);
+  object.array("ratios", ratios);
+  object.close();
+  return fmt::to_string(out);
 }
 
-/// A point in single precision; NaN where there is none, or none that could be drawn.
+/// A point in single precision; NaN if there is none, or it cannot be drawn.
 std::array<float, 3> local(const std::optional<Vector>& point, const Vector& origin) {
   constexpr double farthest = 1e18;
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -218,8 +238,14 @@ std::array<float, 3> local(const std::optional<Vector>& point, const Vector& ori
 }
 
 std::string part_json(const SceneMesh::Part& part) {
-  return fmt::format("{{\"id\":{},\"title\":{},\"first\":{},\"faces\":{}}}", id_text(part.id), json_string(part.title),
-                     part.first_face, part.faces);
+  Buffer out;
+  Members object(out);
+  object.raw("id", id_text(part.id));
+  object.string("title", part.title);
+  object.integer("first", part.first_face);
+  object.integer("faces", part.faces);
+  object.close();
+  return fmt::to_string(out);
 }
 
 std::string picture_json(const Report& report, const std::vector<HtmlFinding>& findings) {
@@ -255,7 +281,7 @@ std::string picture_json(const Report& report, const std::vector<HtmlFinding>& f
   return fmt::to_string(out);
 }
 
-/// Positions of nodes as the caller knows them, else as the scene does.
+/// Positions of nodes from the caller, otherwise from the scene.
 NodePosition with_scene(const Report& report, const NodePosition& position) {
   return [&report, &position](std::int64_t node) -> std::optional<Vector> {
     if (position)

@@ -8,13 +8,13 @@
 
 namespace gapcheck::report {
 
-/// What the page of html() shows, as JSON without any '<', so that it may stand in a script element. Arrays of numbers
-/// for the picture are little-endian and in base64.
+/// What the page of html() shows, as JSON without any '<', so that it can be in a script element. Arrays of numbers for
+/// the picture are little-endian and in base64.
 [[nodiscard]] std::string html_data(const Report& report, const NodePosition& position, const HtmlOptions& options);
 
 // Parts of the above, for tests.
 
-/// A finding with what the picture needs.
+/// A finding with the data that the picture needs.
 struct HtmlFinding {
   Item item;
   std::vector<std::int64_t> segment;  ///< node ids; empty: none
@@ -22,8 +22,8 @@ struct HtmlFinding {
   std::optional<Vector> vector;       ///< from there to the contact surface
 };
 
-/// The first `options.group` findings of each rule in each contact, then the gravest and deepest, at most
-/// `options.findings`; in the report's order, those that are left out on purpose last.
+/// The first `options.group` findings of each rule in each contact, then the most severe and deepest, at most
+/// `options.findings`; in the report's order, those left out on purpose last.
 [[nodiscard]] std::vector<HtmlFinding> html_findings(const Report& report, const NodePosition& position,
                                                      const HtmlOptions& options);
 

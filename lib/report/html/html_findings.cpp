@@ -13,7 +13,7 @@
 namespace gapcheck::report {
 namespace {
 
-/// One finding by its place: penetrations, ties, the others; then the same of those that are left out on purpose.
+/// One finding by position: penetrations, ties, the others; then the same for those left out on purpose.
 struct Candidate {
   bool among_first = false;  ///< of its rule and contact
   Severity severity = Severity::note;
@@ -30,14 +30,20 @@ std::vector<Candidate> candidates(const Report& report, std::size_t group) {
   list.reserve(report.penetrations.size() + report.tie_failures.size() + report.findings.size() + report.ignored.size());
   const auto add_all = [&](const auto& lists, bool ignored) {
     std::map<std::pair<std::int64_t, std::string_view>, std::size_t> found;
-    const auto add = [&](std::int64_t contact, const RecordRule& rule, double depth) {
-      const bool first = found[{contact, rule.id}]++ < group;
-      list.push_back({first, rule.severity, std::isfinite(depth) ? depth : 0, list.size(), ignored});
+    const auto add = [&](std::int64_t contact, std::string_view rule, Severity severity, double depth) {
+      const bool first = found[{contact, rule}]++ < group;
+      list.push_back({first, severity, std::isfinite(depth) ? depth : 0, list.size(), ignored});
     };
-    for (const Penetration& record : lists.penetrations) add(record.contact, rule_of(report, record.kind), record.depth);
-    for (const TieFailure& failure : lists.tie_failures) add(failure.contact, rule_of(report, failure), 0);
+    for (const Penetration& record : lists.penetrations) {
+      const RuleIdentity rule = rule_of(report, record.kind);
+      add(record.contact, rule.id, rule.severity, record.depth);
+    }
+    for (const TieFailure& failure : lists.tie_failures) {
+      const RuleIdentity rule = rule_of(report, failure);
+      add(failure.contact, rule.id, rule.severity, 0);
+    }
     for (const Finding& finding : lists.findings)
-      add(finding.contact, {finding.id, finding.rule, finding.severity}, finding.penetration);
+      add(finding.contact, finding.id, finding.severity, finding.penetration);
   };
   add_all(report, false);
   add_all(report.ignored, true);

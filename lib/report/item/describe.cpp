@@ -11,7 +11,7 @@ using Out = fmt::memory_buffer;
 
 void append(std::string_view text, Out& out) { out.append(text); }
 
-/// "element 500 (part 2)", or the nodes of the segment where the element is not known.
+/// "element 500 (part 2)", or the nodes of the segment if the element is not known.
 void append_segment(const Penetration& record, Out& out) {
   auto end = fmt::appender(out);
   if (record.element != 0)
@@ -24,31 +24,13 @@ void append_segment(const Penetration& record, Out& out) {
 
 }  // namespace
 
-RecordRule rule_of(PenetrationKind kind) {
-  switch (kind) {
-    case PenetrationKind::initial:
-      return {"GC101", "initial-penetration", Severity::warning};
-    case PenetrationKind::released:
-      return {"GC102", "released-node", Severity::error};
-    case PenetrationKind::edge_zone:
-      return {"GC106", "edge-zone-penetration", Severity::note};
-    case PenetrationKind::segment:
-      return {"GC107", "segment-penetration", Severity::warning};
-    case PenetrationKind::mortar:
-      return {"GC108", "mortar-penetration", Severity::warning};
-    case PenetrationKind::edge:
-      return {"GC109", "edge-penetration", Severity::warning};
-  }
-  return {"GC101", "initial-penetration", Severity::warning};
-}
-
-RecordRule with_severity(const Report& report, RecordRule rule) {
+RuleIdentity with_severity(const Report& report, RuleIdentity rule) {
   if (const auto changed = report.severities.find(rule.id); changed != report.severities.end())
     rule.severity = changed->second;
   return rule;
 }
 
-RecordRule rule_of(const Report& report, PenetrationKind kind) { return with_severity(report, rule_of(kind)); }
+RuleIdentity rule_of(const Report& report, PenetrationKind kind) { return with_severity(report, rule_of(kind)); }
 
 std::string_view name(Severity severity) {
   switch (severity) {

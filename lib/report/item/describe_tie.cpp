@@ -4,14 +4,9 @@
 
 namespace gapcheck::report {
 
-RecordRule rule_of(const TieFailure& failure) {
-  if (untied(failure.reason))
-    return {"GC201", "untied-node", failure.by_node_set ? Severity::error : Severity::warning};
-  if (failure.reason == TieReason::sep) return {"GC204", "tie-moved", Severity::note};
-  return {"GC202", "tie-offset", Severity::warning};
+RuleIdentity rule_of(const Report& report, const TieFailure& failure) {
+  return with_severity(report, rule_of(failure));
 }
-
-RecordRule rule_of(const Report& report, const TieFailure& failure) { return with_severity(report, rule_of(failure)); }
 
 std::string_view what_happened(TieReason reason) {
   switch (reason) {

@@ -27,7 +27,7 @@ class Hash {
   std::uint64_t state_ = 0xcbf29ce484222325ULL;
 };
 
-/// Decimal exponent of a positive finite number: 10^e <= x < 10^(e+1), but for rounding in the last place.
+/// Decimal exponent of a positive finite number: 10^e <= x < 10^(e+1), except for rounding in the last place.
 int decimal_exponent(double x) { return static_cast<int>(std::floor(std::log10(x))); }
 
 void add_position(const Vector& x, Hash& hash) {

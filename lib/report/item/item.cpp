@@ -12,7 +12,7 @@
 namespace gapcheck::report {
 namespace {
 
-void set_rule(const RecordRule& rule, Item& item) {
+void set_rule(const RuleIdentity& rule, Item& item) {
   item.id = rule.id;
   item.rule = rule.name;
   item.severity = rule.severity;
@@ -30,7 +30,7 @@ void set_place(const Report& report, std::uint32_t file, std::uint32_t line, Ite
   item.line = line;
 }
 
-/// Hands over what is in the three lists, until `visit` gives false.
+/// Visits the entries of the three lists until `visit` returns false.
 template <class Lists, class Visit>
 void hand_over(const Report& report, const Lists& lists, const Visit& visit) {
   for (const Penetration& record : lists.penetrations)
@@ -89,7 +89,9 @@ Item item_of(const Report& report, const TieFailure& failure) {
 
 Item item_of(const Finding& finding) {
   Item item;
-  set_rule({finding.id, finding.rule, finding.severity}, item);
+  item.id = finding.id;
+  item.rule = finding.rule;
+  item.severity = finding.severity;
   item.message = finding.message;
   item.contact = finding.contact;
   item.node = finding.node;

@@ -6,62 +6,62 @@
 #include <string_view>
 #include <vector>
 
+#include "base/ids.hpp"
 #include "records/report.hpp"
 
 namespace gapcheck::report {
 
-/// One finding as lists show it, whatever record it comes from. Ids of 0, lengths below zero, an empty file: not known
-/// or without a meaning. The views live as long as the report.
+/// One finding as lists show it, from any kind of record. Ids of 0, lengths below zero, an empty file: not known or
+/// meaningless. The views live as long as the report.
 struct Item {
   std::string_view id, rule;  ///< "GC101", "initial-penetration"
   Severity severity = Severity::warning;
   std::string message;
-  std::uint32_t contact_position = no_contact;  ///< in Report::contacts
+  std::uint32_t contact_position = no_position;  ///< in Report::contacts
   std::int64_t contact = 0, node = 0, part = 0, element = 0, element_part = 0;
   double penetration = -1, contact_distance = -1;
-  double segment_size = -1;        ///< of ties: the shorter diagonal of the segment
+  double segment_size = -1;        ///< for ties: the shorter diagonal of the segment
   std::optional<Vector> position;  ///< where to look
   std::string_view outcome;        ///< what the solver does with the node
   std::string_view file;
   std::uint32_t line = 0;
-  std::uint64_t count = 1;         ///< things that the line stands for
+  std::uint64_t count = 1;         ///< number of things that the line represents
   std::uint64_t fingerprint = 0;
   std::optional<BaselineState> state;  ///< only where there is a baseline
   const IgnoreSource* ignored = nullptr;  ///< what leaves it out; nullptr: nothing
 
-  static constexpr std::uint32_t no_contact = 0xffffffffU;
-  /// Not left out, and not in the baseline as bad as this: what counts for exit codes and failures.
+  /// Not left out, and not equally bad in the baseline: what counts for exit codes and failures.
   [[nodiscard]] bool counts() const { return ignored == nullptr && state != BaselineState::unchanged; }
-  [[nodiscard]] bool of_contact() const { return contact_position != no_contact; }
+  [[nodiscard]] bool of_contact() const { return contact_position != no_position; }
 };
 
 [[nodiscard]] Item item_of(const Report& report, const Penetration& record);
 [[nodiscard]] Item item_of(const Report& report, const TieFailure& failure);
-/// Does not look its contact's position up.
+/// Does not look up its contact's position.
 [[nodiscard]] Item item_of(const Finding& finding);
 
-/// Of the finding with this number, counted as for_each_item() hands them over; none without a baseline.
+/// For the finding with this number, in the order of for_each_item(); none without a baseline.
 [[nodiscard]] std::optional<BaselineState> state_of(const Report& report, std::size_t number);
 
-/// Hands over every finding: penetrations, ties, then the others, each in the report's order. Ends when `visit` gives
+/// Visits every finding: penetrations, ties, then the others, each in the report's order. Stops when `visit` returns
 /// false.
 void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit);
 
 /// The same for the findings that were left out on purpose; Item::ignored says by what.
 void for_each_ignored(const Report& report, const std::function<bool(const Item&)>& visit);
 
-/// How much of a reason is shown where not all of it has to be.
+/// How much of a reason is shown where it may be shortened.
 inline constexpr std::size_t reason_shown = 200;
 
-/// "deck.k:14", and the reason where there is one: "deck.k:14: welded on purpose"; a long one only begins.
+/// "deck.k:14", and the reason if there is one: "deck.k:14: welded on purpose"; a long one is cut.
 [[nodiscard]] std::string describe(const IgnoreSource& source);
 
 /// The findings of one rule in one contact (or in none).
 struct ItemGroup {
-  std::uint32_t contact_position = Item::no_contact;
+  std::uint32_t contact_position = no_position;
   std::string_view id, rule;
-  Severity severity = Severity::note;  ///< the gravest of `items`
-  std::size_t items = 0;    ///< those that the baseline does not know as they are
+  Severity severity = Severity::note;  ///< the most severe of `items`
+  std::size_t items = 0;    ///< those that are new or worse than the baseline
   std::size_t known = 0;    ///< the others
   std::size_t ignored = 0;  ///< left out on purpose, in neither of the two
   std::vector<Item> shown;  ///< the first of `items`
@@ -70,8 +70,8 @@ struct ItemGroup {
 
 inline constexpr std::size_t ignore_sources_shown = 10;
 
-/// All findings in groups, those left out on purpose too, contacts in deck order and what belongs to none last, rules in the order of their ids; of each
-/// group the first `top` findings.
+/// All findings in groups, including those left out on purpose: contacts in deck order, findings without a contact
+/// last, rules in the order of their ids; the first `top` findings of each group.
 [[nodiscard]] std::vector<ItemGroup> item_groups(const Report& report, std::size_t top);
 
 }  // namespace gapcheck::report

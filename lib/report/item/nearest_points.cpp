@@ -10,7 +10,7 @@ struct NearestPoints::Query {
   double radius;
   std::size_t most;
   std::vector<std::pair<double, std::uint32_t>>& found;  // a heap, the farthest in front
-  /// Nothing farther than this is of use; nor as far, once there are enough.
+  /// Nothing farther than this is useful; once there are enough, not even at this distance.
   [[nodiscard]] bool reaches(double distance) const {
     return found.size() < most ? distance <= radius : distance < found.front().first;
   }

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "base/ids.hpp"
 #include "report/text/check_c_view.hpp"
 
 namespace gapcheck::report {
@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 20> selections{
     "soft2",    "inter",   "war",     "first",    "last",    // SOFT = 2
 };
 
-/// What the table of message kinds calls the element intersections of contacts with SOFT = 2.
+/// The name of element intersections in contacts with SOFT = 2 in the table of message kinds.
 constexpr std::string_view intersection = "soft2-intersection";
 
 /// Nodes too deep for contact are one kind of record; the words mid, del and below all pick it.
@@ -49,11 +49,10 @@ bool picks(const CheckCOptions& options, const TieFailure& failure) {
   return options.ptol <= 0 || failure.distance < 0 || failure.distance > options.ptol;
 }
 
-constexpr std::uint32_t dropped = std::numeric_limits<std::uint32_t>::max();
 
 /// Leaves only the contacts of -sid; returns the new position of each old one.
 std::vector<std::uint32_t> keep_contacts(Report& report, const CheckCOptions& options) {
-  std::vector<std::uint32_t> place(report.contacts.size(), dropped);
+  std::vector<std::uint32_t> place(report.contacts.size(), no_position);
   std::vector<ContactSummary> kept;
   for (std::size_t i = 0; i < report.contacts.size(); ++i) {
     const auto& sid = options.sid;
@@ -68,7 +67,7 @@ std::vector<std::uint32_t> keep_contacts(Report& report, const CheckCOptions& op
 /// Erases the records of dropped contacts, and of contacts that do not exist, and renumbers the rest.
 template <class Records>
 void renumber(Records& records, const std::vector<std::uint32_t>& place) {
-  const auto gone = [&](const auto& r) { return r.contact >= place.size() || place[r.contact] == dropped; };
+  const auto gone = [&](const auto& r) { return r.contact >= place.size() || place[r.contact] == no_position; };
   std::erase_if(records, gone);
   for (auto& record : records) record.contact = place[record.contact];
 }
@@ -113,7 +112,7 @@ Report pick(Report picked, const CheckCOptions& options) {
   const std::vector<std::uint32_t> place = keep_contacts(picked, options);
   renumber(picked.penetrations, place);
   renumber(picked.tie_failures, place);
-  // What is not in the list can be picked by no tolerance: the counts beyond the lists are kept whole.
+  // No tolerance can pick unlisted records: the counts beyond the lists are kept unchanged.
   for (ContactSummary& contact : picked.contacts) {
     const bool counted = options.sel.empty() || options.sel == "typ13" || options.sel == "pen";
     contact.reported_penetrations = counted ? unlisted_penetrations(contact) : 0;

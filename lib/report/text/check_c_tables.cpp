@@ -34,7 +34,7 @@ std::array<typename Cells::value_type, N - 1> without(const Cells& cells, std::s
   return rest;
 }
 
-/// A table whose second column holds parts, which is left out if they are not asked for.
+/// A table whose second column holds parts; it is left out if not requested.
 template <std::size_t N, class Cells>
 void append_with_part(const std::array<Column, N>& columns, bool pid, std::size_t rows, const Cells& cells,
                       std::string& out) {

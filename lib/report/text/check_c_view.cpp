@@ -26,7 +26,7 @@ std::string heading(const ContactSummary& contact, const CheckCOptions& options)
   return line + '\n';
 }
 
-/// ", top 5" where a table does not hold all of the nodes.
+/// ", top 5" if a table does not hold all of the nodes.
 std::string shown(std::size_t count, std::size_t limit) {
   return limit < count ? fmt::format(", top {}", limit) : std::string();
 }

@@ -21,17 +21,18 @@ struct CheckCOptions {
   std::string sel;  ///< -sel; empty: all
 };
 
-/// True if `sel` is one of the words that -sel takes.
+/// True if `sel` is one of the words that -sel accepts.
 [[nodiscard]] bool known_selection(const std::string& sel);
 
-/// The records that the options pick (-sid, -sel, -ptol, -rtol); views and exports work on them. What a file does not
-/// say cannot be judged by -ptol or -rtol and is kept. Counts of the contacts are those of the picked records.
+/// The records that the options pick (-sid, -sel, -ptol, -rtol); views and exports work on them. Values that a file
+/// does not give cannot be judged by -ptol or -rtol and are kept. The contacts' counts are those of the picked records.
 [[nodiscard]] Report pick(Report report, const CheckCOptions& options);
 
 /// Only the first `top` records of each interface, as the view shows them (-rsort).
 [[nodiscard]] Report top_only(const Report& picked, const CheckCOptions& options);
 
-/// How many nodes the report warns of, those included that a file counts without listing them, and run_warnings.
+/// Number of nodes that the report warns about, including those that a file counts without listing them, and
+/// run_warnings.
 [[nodiscard]] std::uint64_t warning_count(const Report& report);
 
 /// Nodes inside rigid walls, and intersections of elements in contacts with SOFT = 2.
@@ -40,7 +41,7 @@ struct CheckCOptions {
 /// Initial penetrations that the files count beyond those they list.
 [[nodiscard]] std::uint64_t unlisted_penetrations(const ContactSummary& contact);
 
-/// False where the file does not say how far the node still is from the surface.
+/// False if the file does not say how far the node still is from the surface.
 [[nodiscard]] bool knows_remaining(const Report& report, const Penetration& record);
 
 /// The text that check-c prints.

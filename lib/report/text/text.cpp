@@ -40,7 +40,7 @@ std::string count(std::uint64_t number, std::string_view noun) {
   return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
 }
 
-/// "12 nodes, 3 shells": kinds that the model has none of are left out, but for nodes and contacts.
+/// "12 nodes, 3 shells": kinds that the model lacks are left out, except nodes and contacts.
 std::string model_line(const ModelCounts& model) {
   std::string line = count(model.nodes, "node");
   const auto add = [&](std::uint64_t number, std::string_view noun) {
@@ -116,7 +116,7 @@ Table table_of(PenetrationKind kind) {
   return kind == PenetrationKind::edge ? Table::edges : Table::nodes;
 }
 
-/// The first `limit` records of one table, deepest first as they stand.
+/// The first `limit` records of one table, already deepest first.
 std::vector<const Penetration*> deepest(std::span<const Penetration> records, Table table, std::size_t limit) {
   std::vector<const Penetration*> picked;
   for (const Penetration& record : records) {
@@ -189,7 +189,7 @@ std::string result_line(const Report& report, const Sums& sum, std::uint64_t unl
   return line;
 }
 
-/// "50 tracked nodes, 32 segments: "; what solver files do not say is left out.
+/// "50 tracked nodes, 32 segments: "; unknown values of solver files are left out.
 std::string size_of(const Report& report, const ContactSummary& contact) {
   const bool deck = report.source == "deck";
   std::string text;
@@ -198,12 +198,12 @@ std::string size_of(const Report& report, const ContactSummary& contact) {
   return text.empty() ? text : text + ": ";
 }
 
-/// Nobody knows which parts these are.
+/// These parts are unknown.
 bool unknown(const std::vector<PartPair>& pairs) {
   return std::all_of(pairs.begin(), pairs.end(), [](const PartPair& p) { return p.part == 0 && p.element_part == 0; });
 }
 
-/// One table per reason for which nodes of a tied contact need a look.
+/// One table per reason why nodes of a tied contact need attention.
 void append_tie_sections(const Report& report, std::span<const TieFailure> failures, const TextOptions& options,
                          const Paint& paint, std::string& out) {
   for (const TieReason reason : tie_reasons) {
@@ -217,7 +217,7 @@ void append_tie_sections(const Report& report, std::span<const TieFailure> failu
   }
 }
 
-/// Returns what the records of the contact amount to.
+/// Returns the sums of the contact's records.
 Sums append_contact_block(const Report& report, std::uint32_t position, const TextOptions& options, const Paint& paint,
                           std::string& out) {
   const ContactSummary& contact = report.contacts[position];
@@ -226,10 +226,10 @@ Sums append_contact_block(const Report& report, std::uint32_t position, const Te
   out += '\n' + contact_title(contact, paint);
   const auto ties = ties_of(report, position);
   const std::uint64_t unlisted = unlisted_penetrations(contact);
-  if (!records.empty() || unlisted > 0 || (contact.not_checked.empty() && ties.empty()))
+  if (!records.empty() || unlisted > 0 || (contact.not_checked.empty() && !contact.ties_judged && ties.empty()))
     out += "  " + size_of(report, contact) + result_line(report, sum, unlisted, paint) + '\n';
   if (const Timesteps* steps = timesteps(report)) append_surface_timesteps(*steps, position, out);
-  if (contact.ties > 0) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
+  if (contact.ties > 0 || contact.ties_judged) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
   if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));
   if (contact.out_of_reach > 0)
     out += fmt::format("  {} out of reach, not meant to tie\n", count(contact.out_of_reach, "node"));
@@ -257,7 +257,7 @@ void append_finding_line(const Finding& finding, std::string& out) {
   out += printable(finding.message) + '\n';
 }
 
-/// The findings of one rule, which stand together. Lines that stand for many do not give way to single ones.
+/// The findings of one rule, which are consecutive. Lines that represent many do not give way to single ones.
 void append_findings_of_rule(std::span<const Finding> findings, const TextOptions& options, const Paint& paint,
                              std::string& out) {
   const Finding& first = findings.front();
@@ -289,7 +289,7 @@ void append_findings_by_rule(std::span<const Finding> findings, const TextOption
   }
 }
 
-/// "1 error, 2 warnings, 0 notes" in the colour of the gravest.
+/// "1 error, 2 warnings, 0 notes" in the colour of the most severe.
 std::string numbers_of(const Totals& sum, const Paint& paint) {
   if (sum.errors + sum.warnings + sum.notes == 0) return paint("32", "nothing found");
   const Severity gravest = sum.errors > 0 ? Severity::error : sum.warnings > 0 ? Severity::warning : Severity::note;
@@ -297,7 +297,7 @@ std::string numbers_of(const Totals& sum, const Paint& paint) {
                                              count(sum.notes, "note")));
 }
 
-/// The line that --quiet leaves.
+/// The line that --quiet keeps.
 std::string verdict(const Report& report, const Paint& paint) {
   std::string line = printable(report.input) + ": " + numbers_of(totals(report), paint);
   line += " in " + count(report.contacts.size(), "contact");

@@ -6,7 +6,7 @@
 
 namespace gapcheck::report {
 
-/// What is new, worse or gone against the baseline, the first `top` of each; nothing where there is no baseline.
+/// What is new, worse or gone compared with the baseline, the first `top` of each; nothing without a baseline.
 void append_baseline(const Report& report, std::size_t top, std::string& out);
 
 }  // namespace gapcheck::report

@@ -6,7 +6,7 @@
 
 namespace gapcheck::report {
 
-/// A finding in one line that says everything, for lists that mix rules and contacts.
+/// A complete finding in one line, for lists that mix rules and contacts.
 [[nodiscard]] std::string line_of(const Item& item, std::size_t indent);
 
 }  // namespace gapcheck::report

@@ -15,10 +15,10 @@ namespace gapcheck::report {
 
 using Buffer = fmt::memory_buffer;
 
-/// A JSON string with its quotes; bytes that are no UTF-8 become U+FFFD.
+/// A JSON string with its quotes; bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_string(std::string_view text);
 
-/// Appends members of objects to a buffer; every call but the first of an object writes the comma before.
+/// Appends members of objects to a buffer; every call except the first of an object writes a comma first.
 class Members {
  public:
   explicit Members(Buffer& out) : out_(out) { out_.push_back('{'); }
@@ -42,6 +42,14 @@ class Members {
   void raw(std::string_view name, std::string_view json) {
     key(name);
     out_.append(json);
+  }
+  /// An object, whose members `fill` appends.
+  template <class Fill>
+  void object(std::string_view name, const Fill& fill) {
+    key(name);
+    Members members(out_);
+    fill(members);
+    members.close();
   }
   template <class Integer>
   void integer(std::string_view name, Integer value) {
@@ -85,7 +93,7 @@ class Members {
   bool first_ = true;
 };
 
-/// "baseline": "new", where there is one.
+/// "baseline": "new", if there is one.
 inline void append_state(std::optional<BaselineState> state, Members& object) {
   if (state) object.plain("baseline", name(*state));
 }

@@ -4,7 +4,7 @@
 
 namespace gapcheck::report {
 
-/// The path as programs know it that hold it against the files of a repository: "models/../common/./mesh.inc" is
+/// The path as used by programs that compare it with the files of a repository: "models/../common/./mesh.inc" is
 /// "common/mesh.inc". Links are not followed.
 [[nodiscard]] std::string normal_path(std::string_view path);
 

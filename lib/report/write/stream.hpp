@@ -7,17 +7,17 @@
 
 namespace gapcheck::report {
 
-/// One piece of output on its way; hands it on when it is large enough.
+/// A buffered piece of output; passes it on when it is large enough.
 class Stream {
  public:
   explicit Stream(const Sink& sink) : sink_(sink) { buffer.reserve(limit + limit / 16); }
   void text(std::string_view text) { buffer.append(text); }
-  /// Between the lines of a list in JSON; also the moment to hand on what is there.
+  /// Between the lines of a list in JSON; also passes on the buffer.
   void separator(bool first) {
     text(first ? "\n  " : ",\n  ");
     pause();
   }
-  /// Hands on what is there if it is much.
+  /// Passes on the buffer if it is large.
   void pause() {
     if (buffer.size() >= limit) flush();
   }

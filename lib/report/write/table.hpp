@@ -20,10 +20,10 @@ struct Column {
 template <std::size_t N>
 using Row = std::array<std::string, N>;
 
-/// An id as it stands in tables; 0 is none.
+/// An id as shown in tables; 0 is none.
 inline std::string id_or_dash(std::int64_t id) { return id == 0 ? "-" : fmt::format("{}", id); }
 
-/// Appends one line of cells, two blanks between them, nothing behind the last.
+/// Appends one line of cells, two blanks between them, nothing after the last.
 template <std::size_t N, class Cells>
 void append_line(const std::array<Column, N>& columns, const std::array<std::size_t, N>& widths, const Cells& cells,
                  std::string_view indent, std::string& out) {
@@ -41,7 +41,7 @@ void append_line(const std::array<Column, N>& columns, const std::array<std::siz
 }
 
 /// Appends a table with a title line and `count` rows; fill(i, row) writes the ASCII cells of row i and is called twice
-/// for each row, so that a million rows need no memory beside the output.
+/// for each row, so a million rows need no memory besides the output.
 template <std::size_t N, class Fill>
 void append_table(const std::array<Column, N>& columns, std::size_t count, const Fill& fill, std::string_view indent,
                   std::string& out) {

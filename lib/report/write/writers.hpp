@@ -9,16 +9,16 @@
 
 namespace gapcheck::report {
 
-/// A deck that was not audited, and why: it cannot be read, or the baseline to hold it against cannot.
+/// A deck that was not audited, and why: it or its baseline cannot be read.
 struct Unread {
   std::string deck, reason;
 };
 
-/// What one call has to tell: one report, or those of several decks.
+/// The output of one call: one report, or those of several decks.
 struct Reports {
   Reports(const Report& report) : all(&report, 1) {}  // NOLINT: one report is the usual case
   Reports(std::span<const Report> reports, std::span<const Unread> not_read) : all(reports), unread(not_read) {}
-  /// Decides the form of the output, not how many could be read.
+  /// Decides the form of the output, regardless of how many could be read.
   [[nodiscard]] bool several() const { return all.size() + unread.size() > 1; }
   std::span<const Report> all;
   std::span<const Unread> unread = {};
@@ -32,7 +32,7 @@ struct TextOptions {
   bool quiet = false;   ///< only the last line
 };
 
-/// The report for a person: one block per contact, deepest nodes, part-pair sums, totals. Deterministic.
+/// The text report: one block per contact, deepest nodes, part-pair sums, totals. Deterministic.
 [[nodiscard]] std::string text(const Report& report, const TextOptions& options);
 
 /// The last line for several decks: "3 decks: 1 error, 12 warnings, 0 notes; against the baselines: 3 new, 1 worse, 40
@@ -42,16 +42,15 @@ struct TextOptions {
 /// The counters and times alone, as `text` prints them with `stats`.
 [[nodiscard]] std::string statistics(const Report& report);
 
-/// Schema gapcheck/1. Appends to no stream, throws nothing. Deterministic but for "timing".
+/// Schema gapcheck/1. Appends to no stream, throws nothing. Deterministic except for "timing".
 [[nodiscard]] std::string json(const Report& report);
 
 /// Takes the output piece by piece; false ends the writing.
 using Sink = std::function<bool(std::string_view piece)>;
 
-/// The same in pieces of about a megabyte, for reports of which the whole text should not stand in memory. `statistics`:
-/// with the counters too, as a list "statistics" of {"name", "value"} in the order of printing. Several decks are a list
-/// "decks" of such objects, the "unread" ones by name with their
-/// "reasons", and the "summary" of all.
+/// The same in pieces of about a megabyte, for reports whose whole text should not be in memory. `statistics`: with the
+/// counters too, as a list "statistics" of {"name", "value"} in the order of printing. Several decks are a list "decks"
+/// of such objects, the "unread" ones by name with their "reasons", and the "summary" of all.
 void json(const Reports& reports, const Sink& sink, bool statistics = false);
 
 /// Number of findings by severity, penetration records included.
@@ -63,7 +62,7 @@ struct Totals {
   }
 };
 [[nodiscard]] Totals totals(const Report& report);
-/// The same without those that a baseline knows as they are.
+/// The same without those that are unchanged since the baseline.
 [[nodiscard]] Totals counting_totals(const Report& report);
 
 }  // namespace gapcheck::report

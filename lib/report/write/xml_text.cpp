@@ -8,7 +8,7 @@ namespace {
 
 bool follows(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-/// Bytes of the character that the text starts with, not ASCII; 0 if it is no UTF-8 or nothing that XML takes.
+/// Bytes of the character that the text starts with, not ASCII; 0 if it is not UTF-8 or not allowed in XML.
 std::size_t wide_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::size_t length = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;

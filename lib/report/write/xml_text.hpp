@@ -5,10 +5,10 @@
 namespace gapcheck::report {
 
 /// Text for XML and HTML, between tags or in quotes: the five special characters escaped, control characters and bytes
-/// that are no UTF-8 replaced by '?'.
+/// that are not UTF-8 replaced by '?'.
 [[nodiscard]] std::string xml_text(std::string_view text);
 
-/// The same without the escapes: text that any reader takes for UTF-8, with newlines and tabs, and no other control
+/// The same without the escapes: text that any reader accepts as UTF-8, with newlines and tabs, and no other control
 /// characters.
 [[nodiscard]] std::string plain_text(std::string_view text);
 

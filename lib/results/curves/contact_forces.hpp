@@ -28,7 +28,7 @@ struct InterfaceState {
 /// All contacts at one time.
 struct InterfaceStates {
   double time = 0;
-  std::uint64_t cycle = 0;  ///< from 1; 0: the file does not say
+  std::uint64_t cycle = 0;  ///< from 1; 0: not in the file
   std::vector<InterfaceState> contacts;
 };
 
@@ -52,14 +52,14 @@ struct NodeForce {
 [[nodiscard]] std::string rcforc_text(double time, std::span<const InterfaceState> contacts);
 [[nodiscard]] std::string sleout_text(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts);
 
-/// The states of rcforc (forces, moments) and sleout (energies, friction) files, old and new words. A state is all that
-/// has one time and names no side twice. Rows that cannot be read, and a last state with fewer rows than the one before
-/// it, are left out; `diagnostics` say so. A number that the run calls none is NaN.
+/// The states of rcforc (forces, moments) and sleout (energies, friction) files, old and new words. A state is
+/// everything with the same time that names no side twice. Rows that cannot be read, and a last state with fewer rows
+/// than the one before it, are left out; `diagnostics` say so. NaN printed by the run stays NaN.
 [[nodiscard]] InterfaceHistory read_rcforc(std::string_view text, const std::string& name, Diagnostics& diagnostics);
 [[nodiscard]] InterfaceHistory read_sleout(std::string_view text, const std::string& name, Diagnostics& diagnostics);
 
-/// Nodes of one contact. No file of the solver with such data is public; this layout is our own: a heading
-/// with contact and time, then per node id, force, pressure and position, (i10, 7e13.5).
+/// Nodes of one contact. No solver file with such data is public; this layout is our own: a heading with contact and
+/// time, then per node id, force, pressure and position, (i10, 7e13.5).
 [[nodiscard]] std::string ncforc_text(double time, std::int64_t contact, std::span<const NodeForce> nodes);
 
 }  // namespace gapcheck::results

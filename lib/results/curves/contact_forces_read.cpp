@@ -53,7 +53,7 @@ std::optional<SideRow> take_side_row(std::size_t side, std::string_view rest, Re
   return row;
 }
 
-/// Puts rows together to states.
+/// Assembles rows into states.
 class Gathered {
  public:
   explicit Gathered(InterfaceHistory& history) : history_(history) {}
@@ -96,7 +96,7 @@ class Gathered {
   std::size_t rows_ = 0, rows_before_ = 0;
 };
 
-/// The text behind `prefix`, which the line begins with; nothing where it does not.
+/// The text after `prefix` if the line begins with it; otherwise nothing.
 std::optional<std::string_view> after_prefix(std::string_view line, std::string_view prefix) {
   return line.starts_with(prefix) ? std::optional(line.substr(prefix.size())) : std::nullopt;
 }

@@ -16,7 +16,7 @@
 namespace gapcheck::results {
 namespace {
 
-/// A row's label, filled up with dots as far as the numbers, and where its value is kept; no place: zero is printed.
+/// A row's label, padded with dots up to the numbers, and where its value is kept; no place: zero is printed.
 struct Row {
   std::string_view label;
   double GlobalState::*value = nullptr;
@@ -50,14 +50,14 @@ std::string labelled_row(std::string_view label, double value) {
   return fmt::format(" {}{}\n", label, scientific(value, 14, 5));
 }
 
-/// Where the dots behind a label begin; a label that fills its columns has but one.
+/// Where the dots after a label begin; a label that fills its columns has only one.
 std::size_t dots_of(std::string_view line) { return std::min(line.find(".."), line.find(". ")); }
 
 std::string_view before_dots(std::string_view label) {
   return trimmed(label.substr(0, label.find_last_not_of('.') + 1));
 }
 
-/// Where a row's value is kept; nullptr where it is not.
+/// Where a row's value is kept; nullptr if it is not.
 double* global_value(std::string_view label, GlobalState& state) {
   for (const auto& rows : {std::span<const Row>(rows_before_walls), std::span<const Row>(rows_behind_walls)})
     for (const Row& entry : rows)
@@ -67,7 +67,7 @@ double* global_value(std::string_view label, GlobalState& state) {
   return nullptr;
 }
 
-/// False where the row is not kept.
+/// False if the row is not kept.
 bool take_labelled_row(std::string_view label, std::string_view rest, ResultText& file, GlobalState& state) {
   if (double* place = global_value(label, state)) {
     *place = file.take(rest);
@@ -84,7 +84,7 @@ bool take_labelled_row(std::string_view label, std::string_view rest, ResultText
   return false;
 }
 
-/// The number behind "dt of cycle".
+/// The number after "dt of cycle".
 std::optional<std::uint64_t> cycle_of(std::string_view line) {
   constexpr std::string_view words = "dt of cycle";
   if (!line.starts_with(words)) return std::nullopt;

@@ -20,7 +20,7 @@ struct GlobalState {
   double kinetic = 0, internal = 0, springs = 0, hourglass = 0, damping = 0, sliding = 0;
   double external = 0;  ///< work
   double total = 0;
-  double ratio = 1;                  ///< total / initial energy, external work counted as there from the start
+  double ratio = 1;                  ///< total / initial energy, external work counted as initial
   double eroded_internal = 0, eroded_hourglass = 0;  ///< of deleted elements; in internal and hourglass too
   double ratio_without_eroded = 1;                   ///< the same without these
   Vector velocity = Vector::Zero();  ///< of the centre of mass
@@ -35,13 +35,13 @@ struct GlobalState {
 [[nodiscard]] std::string glstat_header(const FileHeader& header);
 [[nodiscard]] std::string glstat_text(const GlobalState& state);
 
-/// The states of a glstat file, but for what controls the step. Rows that are not known are passed over; a state begins
-/// at its "time" row and is left out where it does not get as far as its total energy, the last one also where it has
-/// fewer rows than the one before. A number that the run calls none, one that cannot be read, and a ratio that is not
-/// there are NaN; `diagnostics` name what cannot be read, and what was left out.
+/// The states of a glstat file, except what controls the step. Unknown rows are skipped; a state begins at its "time"
+/// row and is left out if it lacks its total energy, the last one also if it has fewer rows than the one before. NaN of
+/// the run, unreadable numbers and missing ratios are NaN; `diagnostics` name what cannot be read, and what was left
+/// out.
 [[nodiscard]] std::vector<GlobalState> read_glstat(std::string_view text, const std::string& name,
                                                    Diagnostics& diagnostics);
-/// For files that are known to be whole.
+/// For files known to be complete.
 [[nodiscard]] std::vector<GlobalState> read_glstat(std::string_view text);
 
 }  // namespace gapcheck::results

@@ -17,7 +17,7 @@ std::string vector_row(std::string_view what, const Vector& v) {
                      scientific(v.y(), 13, 4), scientific(v.z(), 13, 4));
 }
 
-/// The word that ends at `end`; only its last letters where it is longer than any label.
+/// The word that ends at `end`; only its last letters if it is longer than any label.
 std::string_view label_before(std::string_view line, std::size_t end) {
   constexpr std::size_t longest = 16;
   const std::string_view near = line.substr(end > longest ? end - longest : 0, std::min(end, longest));

@@ -35,9 +35,9 @@ struct PartHistory {
 [[nodiscard]] std::string matsum_header(const FileHeader& header, std::vector<LegendEntry> parts);
 [[nodiscard]] std::string matsum_text(double time, std::span<const PartState> parts);
 
-/// The states of a matsum file, without eroded kinetic energy and added mass. A last state with fewer parts or rows than
-/// the one before it is left out; `diagnostics` say so, and name numbers that cannot be read. Those, and what the run
-/// calls no number, are NaN.
+/// The states of a matsum file, without eroded kinetic energy and added mass. A last state with fewer parts or rows
+/// than the one before it is left out; `diagnostics` say so, and name numbers that cannot be read. Those, and NaN of
+/// the run, are NaN.
 [[nodiscard]] PartHistory read_matsum(std::string_view text, const std::string& name, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::results

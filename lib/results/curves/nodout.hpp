@@ -21,7 +21,7 @@ struct NodeState {
 
 /// All nodes of the file at one time.
 struct NodeStates {
-  std::uint64_t cycle = 0;  ///< from 1; 0: the file does not say
+  std::uint64_t cycle = 0;  ///< from 1; 0: not in the file
   double time = 0;
   std::vector<NodeState> nodes;
 };
@@ -32,14 +32,14 @@ struct NodeHistory {
   std::vector<NodeStates> states;  ///< in order of the file
 };
 
-/// Nodes have titles only where the deck gives them.
+/// Nodes have titles only if the deck gives them.
 [[nodiscard]] std::string nodout_header(const FileHeader& header, std::vector<LegendEntry> nodes);
 /// Two blocks: translations, rotations. `cycle`: from 1.
 [[nodiscard]] std::string nodout_text(std::uint64_t cycle, double time, std::span<const NodeState> nodes);
 
-/// The states of a nodout file; columns have a width of 12, so that values may touch. A last state with fewer rows than
-/// the one before it is left out; `diagnostics` say so, and name rows and numbers that cannot be read. The latter, and
-/// what the run calls no number, are NaN.
+/// The states of a nodout file; columns have a width of 12, so values may touch. A last state with fewer rows than the
+/// one before it is left out; `diagnostics` say so, and name rows and numbers that cannot be read. The latter, and NaN
+/// of the run, are NaN.
 [[nodiscard]] NodeHistory read_nodout(std::string_view text, const std::string& name, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::results

@@ -43,7 +43,7 @@ class NodoutReader {
     if (!text.empty()) row(without_blanks_behind(line));
   }
 
-  /// What follows is no row up to the next heading of columns.
+  /// No rows follow until the next heading of columns.
   void end_block() { quantities_ = {}; }
 
   void finish() {
@@ -75,7 +75,7 @@ class NodoutReader {
   void row(std::string_view line) {
     const std::size_t values = 3 * quantities_.size(), width = column * values;
     if (line.size() <= width) return file_.unreadable();
-    // Right-aligned: the last value ends the line, and what stands before the first one is the node.
+    // Right-aligned: the last value ends the line, and the text before the first one is the node.
     const auto node = parse_integer(trimmed(line.substr(0, line.size() - width)));
     if (!node) return file_.unreadable();
     NodeState& state = node_at(*node);
@@ -104,7 +104,7 @@ class NodoutReader {
   bool in_state_ = false;
   std::size_t position_ = 0;  ///< of the next row among the state's nodes
   std::size_t rows_ = 0, rows_before_ = 0, block_rows_ = 0;
-  std::string_view title_;  ///< the file's first line; it stands again where files were put together
+  std::string_view title_;  ///< the file's first line; it recurs where files were concatenated
 };
 
 }  // namespace

@@ -11,20 +11,20 @@
 
 namespace gapcheck::results {
 
-/// The text files in the directory of a run; empty: not there, or without a state.
+/// The text files in the directory of a run; empty: missing, or without a state.
 struct RunResults {
   std::string directory;
   std::vector<GlobalState> glstat;
   InterfaceHistory rcforc, sleout;
   PartHistory matsum;
   NodeHistory nodout;
-  std::vector<std::string> missing;  ///< names of files that are not there
+  std::vector<std::string> missing;  ///< names of missing files
 
   /// Path of one of them.
   [[nodiscard]] std::string path(std::string_view name) const;
 };
 
-/// Reads what is there. `nodes`: nodout as well. An empty directory name is the current one.
+/// Reads the existing files. `nodes`: nodout as well. An empty directory name is the current one.
 [[nodiscard]] RunResults read_run_results(const std::string& directory, bool nodes, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::results

@@ -18,9 +18,9 @@ namespace gapcheck::results {
 namespace {
 
 constexpr std::uint64_t beam_words = 6;  ///< both ends, three words for its orientation, part
-constexpr std::size_t list_width = 2;    ///< words per entry of the lists behind the numbering
+constexpr std::size_t list_width = 2;    ///< words per entry of the lists after the numbering
 
-/// Walks through the sections in front of the states. The first thing that is wrong ends it: `problem` says what.
+/// Reads the sections before the states. The first fault ends it: `problem` says what.
 class GeometryReader {
  public:
   GeometryReader(const D3plotHeader& header, D3plotWords& words) : header_(header), words_(words) {}
@@ -51,7 +51,7 @@ class GeometryReader {
     return N + 1;
   }
 
-  /// Moves past `count` entries; all of them are there when it gives true, so memory for them may be taken.
+  /// Moves past `count` entries; if it returns true all of them exist, so memory for them may be allocated.
   bool take(std::int64_t count, std::uint64_t width, std::string_view what, Section& section) {
     if (count < 0) return fail(fmt::format("damaged: its header gives {} {}", count, what));
     // Positions are kept in 32 bits.
@@ -69,7 +69,7 @@ class GeometryReader {
     Section section;
     return take(count, width, what, section);
   }
-  /// Takes one word and gives its value.
+  /// Consumes one word and returns its value.
   bool next(std::string_view what, std::int64_t& value) {
     Section section;
     if (!take(1, 1, what, section)) return false;
@@ -89,7 +89,7 @@ class GeometryReader {
     }
   }
 
-  /// What stands between the control words and the coordinates.
+  /// The data between the control words and the coordinates.
   bool pass_front() {
     if (!pass(D3plotHeader::words, 1, "control words") || !pass(header_.extra_words, 1, "further control words"))
       return false;
@@ -123,8 +123,8 @@ class GeometryReader {
            pass(state, 1 + name_words, variables);
   }
 
-  /// Finds the sections from the coordinates to the numbering. The two extra nodes of ten-node solids stand behind the
-  /// solids or at the end, and no control word says where; the numbering repeats the counts, so it shows.
+  /// Finds the sections from the coordinates to the numbering. The two extra nodes of ten-node solids are after the
+  /// solids or at the end, and no control word says where; the numbering repeats the counts, which shows it.
   bool locate() {
     const std::uint64_t start = position_;
     if (!header_.ten_node_solids || header_.numbering_words == 0) return locate_with(header_.ten_node_solids);
@@ -175,7 +175,7 @@ class GeometryReader {
     return take_part_ids(end) && check_node_ids(plot.node_ids);
   }
 
-  /// The ids of the parts come three times: in the order of the elements' part numbers, sorted, and as positions. Where
+  /// The ids of the parts come three times: in the order of the elements' part numbers, sorted, and as positions. If
   /// the numbering ends before them, the numbers are the ids.
   bool take_part_ids(std::uint64_t end) {
     const std::uint64_t rest = end - std::min(position_, end);
@@ -269,7 +269,7 @@ class GeometryReader {
     return true;
   }
 
-  /// The id of the part whose number stands at `at`.
+  /// The id of the part whose number is at `at`.
   bool read_part(std::uint64_t at, std::int64_t& part) {
     const std::int64_t number = words_.integer(at);
     if (number <= 0 || (material_count() > 0 && static_cast<std::uint64_t>(number) > material_count()))
@@ -278,7 +278,7 @@ class GeometryReader {
     return true;
   }
 
-  /// Behind the numbering: rigid bodies, parents of adapted elements, then the particles.
+  /// After the numbering: rigid bodies, parents of adapted elements, then the particles.
   bool read_particles(D3plot& plot) {
     const bool more = header_.has_rigid_bodies() || header_.adapted > 0 || header_.extra_words > 0 ||
                       header_.ten_node_solids || header_.particles > 0;
@@ -318,8 +318,8 @@ class GeometryReader {
 
 bool has_gzip_mark(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
-/// FEMZIP leaves the control words in place, but uses words that are reserved and puts another number where the count
-/// of materials stood; the zlib streams begin soon behind.
+/// FEMZIP leaves the control words in place, but uses reserved words and replaces the count of materials; the zlib
+/// streams begin soon after.
 bool looks_like_femzip(std::string_view bytes, const D3plotHeader& header) {
   constexpr std::size_t front = 8192;
   if (!header.reserved_words_used && header.materials == header.sum_of_materials) return false;

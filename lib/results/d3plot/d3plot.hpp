@@ -10,12 +10,12 @@
 
 namespace gapcheck::results {
 
-/// Geometry of a d3plot database: the undeformed mesh in front of its states. Arrays in file order; every position and
-/// part is checked, node ids are positive and unique, coordinates finite.
+/// Geometry of a d3plot database: the undeformed mesh before its states. Arrays in file order; every position and part
+/// is checked, node ids are positive and unique, coordinates finite.
 struct D3plot {
   std::string title;
   int word_bytes = 4;  ///< 4 or 8
-  /// Where the numbering ends, in words from the start of the family; 0: other sections follow that are not read.
+  /// Where the numbering ends, in words from the start of the family; 0: unread sections follow.
   std::uint64_t geometry_words = 0;
   std::vector<std::int64_t> node_ids;
   std::vector<std::array<double, 3>> coordinates;  ///< beside node_ids
@@ -33,10 +33,10 @@ struct D3plot {
 };
 
 /// Reads the geometry of a d3plot (single or double precision, either byte order; a file family is found from its first
-/// file). No count of the header is trusted before it was held against the file's size; memory stays within a small
-/// multiple of it. Errors name what is wrong: truncated, damaged, compressed (FEMZIP, gzip), not a d3plot.
-/// Limits: two-dimensional models get z = 0, a node number 0 in an element repeats the node before it, extra nodes of
-/// elements of higher order and rigid road surfaces are passed over.
+/// file). No count of the header is trusted before it is compared with the file's size; memory stays within a small
+/// multiple of it. Errors name what is wrong: truncated, damaged, compressed (FEMZIP, gzip), not a d3plot. Limits:
+/// two-dimensional models get z = 0, a node number 0 in an element repeats the node before it, extra nodes of
+/// higher-order elements and rigid road surfaces are skipped.
 Result<D3plot> read_d3plot(const std::string& path);
 
 /// The same for bytes in memory.

@@ -25,7 +25,7 @@ class WordBuffer {
   void integers(std::initializer_list<std::int64_t> values) {
     for (const std::int64_t value : values) integer(value);
   }
-  /// In words of 4 bytes numbers beyond the range are its ends.
+  /// In words of 4 bytes, numbers beyond the range are clipped.
   void real(double value) {
     constexpr double most = std::numeric_limits<float>::max();
     if (bytes_ == 8)
@@ -44,7 +44,7 @@ class WordBuffer {
     filled.resize(bytes, ' ');
     text_ += filled;
   }
-  /// Zeros up to whole blocks of `block` words.
+  /// Pads with zeros to whole blocks of `block` words.
   void pad(std::uint64_t block) {
     if (const std::uint64_t rest = words() % block; rest != 0) zeros(block - rest);
   }

@@ -16,7 +16,7 @@ struct D3plotHeader {
   WordForm form;
   std::string title;
   std::int64_t file_type = 0;  ///< 1: d3plot; + 1000: ids of 64 bits
-  std::int64_t ndim = 0;       ///< dimensions, and above 3 what sections there are
+  std::int64_t ndim = 0;       ///< dimensions, and above 3 which sections exist
   std::int64_t nodes = 0, solids = 0, beams = 0, shells = 0, thick_shells = 0, particles = 0;
   bool ten_node_solids = false;  ///< NEL8 was negative
   std::int64_t numbering_words = 0, materials = 0, sum_of_materials = 0;
@@ -72,7 +72,7 @@ enum Place : std::size_t {
   first_reserved = 58,
 };
 
-/// What no word size or byte order but the right one is likely to show. Counts are left to the reader, so that it can
+/// A check that only the right word size and byte order are likely to pass. Counts are left to the reader, which can
 /// say what is wrong with them.
 inline bool plausible(std::string_view bytes, WordForm form) {
   if (bytes.size() < D3plotHeader::words * form.bytes) return false;
@@ -104,7 +104,7 @@ inline D3plotHeader decode(std::string_view bytes, WordForm form) {
   header.numbering_words = word(narbs);
   header.materials = word(nmmat);
   for (const std::size_t at : {nummat8, nummat2, nummat4, nummatt, ngpsph}) {
-    // More than any file can hold is as good as the sum itself, and cannot overflow.
+    // A value larger than any file can hold replaces the sum, so nothing overflows.
     constexpr std::int64_t enough = std::int64_t{1} << 40;
     if (word(at) > 0 && word(at) < enough) header.sum_of_materials += word(at);
   }
@@ -121,7 +121,7 @@ inline D3plotHeader decode(std::string_view bytes, WordForm form) {
 
 /// Takes the word size and byte order under which the control words make sense; nothing if none does.
 inline std::optional<D3plotHeader> read_d3plot_header(std::string_view bytes) {
-  // Single precision first: its words in pairs can look like small numbers, words cut in two hardly ever do.
+  // Single precision first: pairs of its words can look like small numbers, halved words hardly ever do.
   for (const std::size_t size : {4, 8})
     for (const bool swapped : {false, true}) {
       const WordForm form{size, swapped};

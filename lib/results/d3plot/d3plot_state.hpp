@@ -11,20 +11,20 @@ struct StressPoint {
   double plastic_strain = 0;
 };
 
-/// What a d3plot says of one shell beside its layers.
+/// What a d3plot says about one shell besides its layers.
 struct ShellValues {
   std::array<double, 8> resultants{};  ///< mxx myy mxy qxz qyz nxx nyy nxy, per length, axes of the element
   double thickness = 0;
   double internal_energy = 0;  ///< per volume
 };
 
-/// What a d3plot says of one part.
+/// What a d3plot says about one part.
 struct PartValues {
   double internal = 0, kinetic = 0, mass = 0, hourglass = 0;
   std::array<double, 3> velocity{};
 };
 
-/// One state of a d3plot; arrays beside those of D3plot. An empty array: the database does not have these values.
+/// One state of a d3plot; arrays parallel to those of D3plot. An empty array: the database lacks these values.
 struct D3plotState {
   double time = 0;
   double kinetic = 0, internal = 0, total = 0;  ///< energies of the model

@@ -18,7 +18,7 @@ using control_words::Place;
 constexpr std::int64_t most_values = 1'000'000;  ///< per node, element or state
 constexpr std::uint64_t point_values = 7;        ///< six stresses and a plastic strain
 constexpr std::int64_t rigid_material = 20;
-/// Kinds of titles behind the geometry.
+/// Kinds of titles after the geometry.
 constexpr std::int64_t first_titles = 90000, last_titles = 90100;
 
 /// The words of one file.
@@ -37,7 +37,7 @@ class FileWords {
   WordForm form_;
 };
 
-/// Works out a state's layout from the control words. `problem`: why there is none.
+/// Derives a state's layout from the control words. `problem`: why there is none.
 class LayoutReader {
  public:
   LayoutReader(const FileWords& words, const D3plot& mesh, D3plotStateLayout& layout, std::string& problem)
@@ -80,7 +80,7 @@ class LayoutReader {
   [[nodiscard]] std::int64_t word(std::size_t at) const { return at < words_.size() ? words_.integer(at) : 0; }
   void take(std::uint64_t words) { position_ += words; }
 
-  /// A number of values that can be true.
+  /// A plausible number of values.
   std::uint64_t width(std::size_t at) {
     const std::int64_t value = word(at);
     if (value >= 0 && value <= most_values) return static_cast<std::uint64_t>(value);
@@ -168,7 +168,7 @@ class LayoutReader {
   std::uint64_t position_ = 0;
 };
 
-/// Where states may begin in the file of the geometry: behind the geometry and its titles. They cannot be zeros.
+/// Where states may begin in the file of the geometry: after the geometry and its titles. They cannot be zeros.
 std::uint64_t behind_titles(const FileWords& words, std::uint64_t at) {
   while (words.is_end(at)) {
     ++at;
@@ -203,7 +203,7 @@ Result<D3plotStates> D3plotStates::open(const std::string& path) {
   std::string problem;
   if (!LayoutReader(words, states.mesh_, states.layout_, problem).read())
     return Diagnostic{Severity::error, path, 0, problem};
-  // The geometry itself may go on in further files, which then hold the states behind it too.
+  // The geometry itself may continue in further files, which then also hold the states after it.
   std::uint64_t start = states.mesh_.geometry_words;
   for (std::uint32_t member = 0;; ++member) {
     if (member > 0) {
@@ -226,13 +226,9 @@ Result<D3plotStates> D3plotStates::open(const std::string& path) {
 
 void D3plotStates::find_states(std::uint32_t file, std::uint64_t word) {
   const FileWords words(files_[file].bytes(), {word_bytes_, swapped_});
-  cut_off_ = false;
   while (word < words.size() && !words.is_end(word)) {
-    const std::uint64_t left = words.size() - word;
-    if (left < layout_.words || all_zero(words, word, word + layout_.words)) {
-      cut_off_ = !all_zero(words, word, word + std::min(left, layout_.words));
-      return;
-    }
+    // What follows are zeros, or a state that is cut off.
+    if (words.size() - word < layout_.words || all_zero(words, word, word + layout_.words)) return;
     places_.push_back({file, word});
     times_.push_back(words.real(word));
     word += layout_.words;

@@ -12,13 +12,13 @@
 
 namespace gapcheck::results {
 
-/// Where the values of a state lie, in words from its beginning; counts are those of the header, held against the
+/// Where the values of a state lie, in words from its beginning; counts are those of the header, checked against the
 /// geometry that was read.
 struct D3plotStateLayout {
   std::uint64_t words = 0;  ///< of a whole state
   std::uint64_t globals = 0, parts = 0;
   std::uint64_t coordinates = 0, velocities = 0, solids = 0, beams = 0, shells = 0;  ///< 0: not there
-  std::uint64_t deletion = 0;  ///< a word for each solid, thick shell, shell and beam, 0 where it is deleted; 0: not there
+  std::uint64_t deletion = 0;  ///< a word for each solid, thick shell, shell and beam, 0 if it is deleted; 0: absent
   std::uint64_t solid_words = 0, beam_words = 0, shell_words = 0;                    ///< of one element
   std::uint64_t layers = 0, layer_words = 0;                                         ///< of a shell
   bool layer_stress = false, layer_strain = false, shell_resultants = false, shell_thickness = false;
@@ -26,10 +26,10 @@ struct D3plotStateLayout {
   unsigned dimensions = 3;
 };
 
-/// The states of a d3plot and its file family: found when it is opened, read one by one. States follow the geometry
-/// in its own file or begin with the next one; each lies in one file.
-/// Limits: models with particles, fluids, airbags or road surfaces are an error; values of thick shells,
-/// accelerations, temperatures, strains, history variables and layers beyond the three surfaces are passed over.
+/// The states of a d3plot and its file family: located on opening, read one by one. States follow the geometry in its
+/// own file or begin with the next one; each lies in one file. Limits: models with particles, fluids, airbags or road
+/// surfaces are an error; values of thick shells, accelerations, temperatures, strains, history variables and layers
+/// beyond the three surfaces are skipped.
 class D3plotStates {
  public:
   static Result<D3plotStates> open(const std::string& path);
@@ -39,8 +39,6 @@ class D3plotStates {
   [[nodiscard]] std::size_t size() const { return times_.size(); }
   /// State i < size().
   [[nodiscard]] D3plotState read(std::size_t i) const;
-  /// Words at the end of the last file that are a state cut off.
-  [[nodiscard]] bool cut_off() const { return cut_off_; }
 
  private:
   struct Place {
@@ -53,7 +51,7 @@ class D3plotStates {
   D3plot mesh_;
   D3plotStateLayout layout_;
   std::size_t word_bytes_ = 4;
-  bool swapped_ = false, cut_off_ = false;
+  bool swapped_ = false;
   std::vector<MappedFile> files_;
   std::vector<Place> places_;
   std::vector<double> times_;

@@ -45,7 +45,7 @@ inline double real(const char* at, WordForm form) {
 }  // namespace words
 
 /// A database as one row of words. Files of the family after the first are opened when `reach` asks for more than is
-/// there: only behind a file that ends with a whole block, since only such a one can be continued.
+/// loaded: only after a file that ends with a whole block, since only such a file can be continued.
 class D3plotWords {
  public:
   static constexpr std::size_t block_words = 512;
@@ -55,9 +55,9 @@ class D3plotWords {
       : form_(form), family_(std::move(family)), members_{{0, first}}, size_(first.size() / form.bytes) {}
 
   [[nodiscard]] WordForm form() const { return form_; }
-  /// Words there are so far.
+  /// Number of words so far.
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  /// True if words [0, count) are there; opens further files where they are not.
+  /// True if words [0, count) exist; opens further files if necessary.
   bool reach(std::uint64_t count) {
     while (size_ < count)
       if (!open_next()) return false;

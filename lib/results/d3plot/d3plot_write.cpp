@@ -21,7 +21,7 @@ constexpr std::uint64_t block_words = D3plotWords::block_words;
 constexpr std::int64_t solid_values = 7, shell_values = 7 * D3plotState::surfaces + 8 + 4;
 constexpr std::int64_t thick_shell_values = 7 * D3plotState::surfaces;
 constexpr std::int64_t global_values = 6, part_values = 7;
-/// MAXINT is -(this + layers) where states end in a table of the elements that are there (MDLOPT = 2).
+/// MAXINT is -(this + layers) if states end in a table of the existing elements (MDLOPT = 2).
 constexpr std::int64_t element_deletion = 10000;
 constexpr std::int64_t part_titles = 90001;
 constexpr std::size_t part_title_bytes = 72;
@@ -37,7 +37,7 @@ std::string member_path(const std::string& path, std::uint32_t member) { return 
 
 std::int64_t count(std::size_t size) { return static_cast<std::int64_t>(size); }
 
-/// Writes the sections in front of the states.
+/// Writes the sections before the states.
 class GeometryWriter {
  public:
   GeometryWriter(const D3plot& mesh, const std::vector<LegendEntry>& parts, const D3plotWriteSettings& settings)
@@ -91,7 +91,7 @@ class GeometryWriter {
     words[control_words::narbs] = numbering_words();
     words[control_words::nelt] = count(mesh_.thick_shells.ids.size());
     words[control_words::nv3dt] = thick_shell_values;
-    // Stress, plastic strain, resultants, thickness and energies of shells are there.
+    // Stress, plastic strain, resultants, thickness and energies of shells are present.
     for (std::size_t i = 0; i < 4; ++i) words[control_words::ioshl + i] = 1000;
     count_materials(words);
     words[control_words::nmmat] = count(parts_.size());
@@ -128,8 +128,8 @@ class GeometryWriter {
     for (const std::int64_t id : values) out_.integer(id);
   }
 
-  /// Positions and lengths of the lists, then the lists: nodes, solids, beams, shells, thick shells, and the parts'
-  /// ids as they are numbered, sorted, and the places of the sorted ones.
+  /// Positions and lengths of the lists, then the lists: nodes, solids, beams, shells, thick shells, and the parts' ids
+  /// in numbering order, sorted, and the positions of the sorted ones.
   void numbering() {
     const std::array<std::int64_t, 5> lengths{count(mesh_.node_ids.size()), count(mesh_.solids.ids.size()),
                                               count(mesh_.beams.ids.size()), count(mesh_.shells.ids.size()),
@@ -177,17 +177,17 @@ bool all_parts_known(const Elements& elements, const std::vector<std::int64_t>& 
   });
 }
 
-/// What the caller must see to, or the file could not be read again.
-std::string problem_of(const D3plot& mesh, const std::vector<LegendEntry>& parts) {
-  if (mesh.node_ids.empty()) return "a d3plot needs nodes";
+/// What the caller must ensure, or the file could not be read again.
+Status check(const std::string& path, const D3plot& mesh, const std::vector<LegendEntry>& parts) {
+  if (mesh.node_ids.empty()) return failure(path, "a d3plot needs nodes");
   std::vector<std::int64_t> ids;
   for (const LegendEntry& part : parts) ids.push_back(part.id);
   std::sort(ids.begin(), ids.end());
-  if (std::adjacent_find(ids.begin(), ids.end()) != ids.end()) return "two parts have the same id";
+  if (std::adjacent_find(ids.begin(), ids.end()) != ids.end()) return failure(path, "two parts have the same id");
   if (!all_parts_known(mesh.solids, ids) || !all_parts_known(mesh.thick_shells, ids) ||
       !all_parts_known(mesh.beams, ids) || !all_parts_known(mesh.shells, ids))
-    return "an element is in no part";
-  return "";
+    return failure(path, "an element is in no part");
+  return {};
 }
 
 bool needs_wide_words(const D3plot& mesh, const std::vector<LegendEntry>& parts) {
@@ -212,7 +212,7 @@ void remove_members(const std::string& path) {
 
 Result<D3plotWriter> D3plotWriter::create(const std::string& path, const D3plot& mesh,
                                           const std::vector<LegendEntry>& parts, const D3plotWriteSettings& settings) {
-  if (std::string problem = problem_of(mesh, parts); !problem.empty()) return failure(path, std::move(problem));
+  if (const Status status = check(path, mesh, parts); !status.ok()) return status.error();
   D3plotWriter writer;
   writer.path_ = path;
   writer.settings_ = settings;
@@ -232,16 +232,16 @@ Result<D3plotWriter> D3plotWriter::create(const std::string& path, const D3plot&
   return Result<D3plotWriter>(std::move(writer));
 }
 
-std::optional<Diagnostic> D3plotWriter::open_member() {
+Status D3plotWriter::open_member() {
   member_path_ = member_path(path_, ++member_);
   position_ = 0;
   errno = 0;
   file_.reset(std::fopen(member_path_.c_str(), "wb"));
   if (!file_) return not_written(member_path_);
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Diagnostic> D3plotWriter::append(const D3plotState& state) {
+Status D3plotWriter::append(const D3plotState& state) {
   if (state.parts.size() != parts_ || state.coordinates.size() != nodes_ || state.velocities.size() != nodes_ ||
       state.solids.size() != solids_ || state.shells.size() != shells_ || state.beams.size() != beams_ ||
       state.layers != D3plotState::surfaces || state.shell_points.size() != shells_ * D3plotState::surfaces)
@@ -282,7 +282,7 @@ std::optional<Diagnostic> D3plotWriter::append(const D3plotState& state) {
   }
   const std::uint64_t words = out.words();
   if (!file_ || position_ + words + 1 > settings_.member_words)
-    if (auto problem = open_member()) return problem;
+    if (Status opened = open_member(); !opened.ok()) return opened;
   out.real(d3plot_end);
   const std::uint64_t end = position_ + out.words();
   if (end % block_words != 0) out.zeros(block_words - end % block_words);
@@ -291,7 +291,7 @@ std::optional<Diagnostic> D3plotWriter::append(const D3plotState& state) {
   if (std::fseek(file_.get(), offset, SEEK_SET) != 0 || !write_bytes(file_.get(), out.bytes()))
     return not_written(member_path_);
   position_ += words;
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace gapcheck::results

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,15 +13,15 @@
 namespace gapcheck::results {
 
 struct D3plotWriteSettings {
-  int word_bytes = 4;  ///< 4 or 8; ids beyond 32 bits are written in words of 8 whatever is asked for
-  /// Words of a file of the family; a state that does not fit begins the next one, also where it is alone too large.
+  int word_bytes = 4;  ///< 4 or 8; ids beyond 32 bits always need words of 8
+  /// Words of a file of the family; a state that does not fit begins the next one, even if it alone is too large.
   std::uint64_t member_words = 7 * 512 * 512;
   bool deletion = false;  ///< states say which elements are deleted; otherwise none may be
 };
 
-/// Writes a d3plot database: the first file holds the mesh and the parts' titles, files with 01, 02, … behind their
-/// name the states. Layout: LS-DYNA database manual, NDIM = 4, coordinates and velocities of nodes, seven values per
-/// solid, three layers, resultants, thickness and energy per shell, six per beam; thick shells have zeros.
+/// Writes a d3plot database: the first file holds the mesh and the parts' titles, files with the suffixes 01, 02, … the
+/// states. Layout: LS-DYNA database manual, NDIM = 4, coordinates and velocities of nodes, seven values per solid,
+/// three layers, resultants, thickness and energy per shell, six per beam; thick shells have zeros.
 class D3plotWriter {
  public:
   /// Creates the files' first and removes further ones of an older family. `mesh`: element parts are ids of `parts`;
@@ -30,17 +29,17 @@ class D3plotWriter {
   static Result<D3plotWriter> create(const std::string& path, const D3plot& mesh, const std::vector<LegendEntry>& parts,
                                      const D3plotWriteSettings& settings = {});
   /// Arrays of other sizes than the mesh's are an error, as are files that cannot be written.
-  [[nodiscard]] std::optional<Diagnostic> append(const D3plotState& state);
+  [[nodiscard]] Status append(const D3plotState& state);
 
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  [[nodiscard]] std::optional<Diagnostic> open_member();
+  [[nodiscard]] Status open_member();
 
   std::string path_, member_path_;
   D3plotWriteSettings settings_;
-  /// For each solid, thick shell, shell and beam its part's number, 0 where it is deleted.
+  /// For each solid, thick shell, shell and beam its part's number, 0 if it is deleted.
   std::vector<std::int64_t> part_numbers_;
   std::size_t nodes_ = 0, solids_ = 0, thick_shells_ = 0, beams_ = 0, shells_ = 0, parts_ = 0;
   std::uint32_t member_ = 0;

@@ -1,5 +1,8 @@
 #include "results/d3plot/mesh_source.hpp"
 
+#include <filesystem>
+#include <system_error>
+
 #include "results/d3plot/d3plot.hpp"
 
 namespace gapcheck::results {
@@ -27,6 +30,27 @@ MeshSource mesh_source(const D3plot& plot) {
   add_parts(plot, plot.beams, source);
   add_parts(plot, plot.particles, source);
   return source;
+}
+
+Result<MeshSource> find_mesh(const std::string& named, const std::string& beside, Diagnostics& diagnostics) {
+  const auto guess = std::filesystem::path(beside).replace_filename("d3plot");
+  std::error_code ignored;
+  if (named.empty() && !std::filesystem::is_regular_file(guess, ignored)) return MeshSource{};
+  const auto plot = read_d3plot(named.empty() ? guess.string() : named);
+  if (plot) return mesh_source(plot.value());
+  if (!named.empty()) return plot.error();
+  // This file was not requested: what it cannot supply is treated as missing.
+  diagnostics.warning(plot.error().file, plot.error().line, plot.error().message);
+  return MeshSource{};
+}
+
+void add_parts(const MeshSource& mesh, Report& report) {
+  const auto fill = [&](auto& record) {
+    if (record.part != 0) return;
+    if (const auto found = mesh.parts.find(record.node); found != mesh.parts.end()) record.part = found->second;
+  };
+  for (Penetration& record : report.penetrations) fill(record);
+  for (TieFailure& failure : report.tie_failures) fill(failure);
 }
 
 }  // namespace gapcheck::results

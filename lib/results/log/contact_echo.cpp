@@ -11,7 +11,7 @@
 namespace gapcheck::results {
 namespace {
 
-/// Value of an echo line "label ......   12"; the label is what stands before the dots. Empty: no such line.
+/// Value of an echo line "label ...... 12"; the label is the text before the dots. Empty: no such line.
 std::string_view echo_value(std::string_view text, std::string_view label) {
   if (!text.starts_with(label)) return {};
   const std::size_t dots = text.find("..", label.size());

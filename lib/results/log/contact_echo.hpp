@@ -8,16 +8,16 @@
 
 namespace gapcheck::results {
 
-/// What d3hsp (and messag) say of the contact definitions: the echo of each, the "Contact summary" table, the surface
-/// time steps, the rows of the timing table. A function that takes lines leaves them at the first one behind; the
-/// others look at one line. All of them get the line's text without blanks at its ends.
+/// What d3hsp (and messag) say about the contact definitions: the echo of each, the "Contact summary" table, the
+/// surface time steps, the rows of the timing table. A function that takes lines leaves them at the first line after
+/// its text; the others read one line. All get the line's text without leading and trailing blanks.
 class ContactEcho {
  public:
   explicit ContactEcho(LogCollector& collector) : collector_(collector) {}
 
   /// "Contact Interface  80085", a blank line, the title or a blank line.
   bool interface_heading(Lines& lines, std::string_view text);
-  /// "contact type......     2" and its like, of the last heading.
+  /// "contact type...... 2" and the like, of the last heading.
   bool echo_line(std::string_view text);
   /// "Contact summary" and the table below it.
   bool summary(Lines& lines, std::string_view text);

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "base/ids.hpp"
+
 namespace gapcheck::results {
 namespace {
 
-constexpr std::uint32_t dropped = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint64_t default_message_limit = 50;
 
 /// Brings the items into the order of `order` (positions of the items) without a second copy of them.
@@ -32,7 +32,7 @@ void permute(std::vector<Item>& items, std::vector<std::uint32_t>& order) {
   }
 }
 
-/// Sorts big items by moving small keys; `full` decides where the keys are equal.
+/// Sorts large items by moving small keys; `full` decides if the keys are equal.
 template <class Item, class Key, class Full>
 void sort_by(std::vector<Item>& items, const Key& key, const Full& full) {
   std::vector<std::pair<decltype(key(items[0])), std::uint32_t>> keys;
@@ -73,7 +73,7 @@ void LogCollector::end_file() {
       contact.in_message_files += contact.in_file;
     contact.in_file = 0;
   }
-  // A negative limit holds for the files, any limit for the screen.
+  // A negative limit applies to the files, any limit to the screen.
   const auto limit = static_cast<std::uint64_t>(message_limit_ < 0 ? -message_limit_ : message_limit_);
   if (message_limit_ < 0 && messages_.any_block_counted(limit)) run_.counts_may_be_cut = true;
   if (stdout_ && messages_.any_block_counted(limit == 0 ? default_message_limit : limit)) run_.counts_may_be_cut = true;
@@ -110,7 +110,7 @@ void LogCollector::count_bytes(std::uint64_t bytes, std::uint64_t lines) {
   lines_ += lines;
 }
 
-/// Deck order where it is known, then by id; of LogOptions::contacts only these. Renumbers what refers to slots.
+/// Deck order if known, then by id; only those of LogOptions::contacts. Renumbers references to slots.
 void LogCollector::sort_contacts(const LogOptions& options) {
   std::vector<std::uint32_t> order(contacts_.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -118,7 +118,7 @@ void LogCollector::sort_contacts(const LogOptions& options) {
     const auto key = [&](const ContactSummary& c) { return std::tuple(c.order == 0, c.order, c.id); };
     return key(contacts_[a].summary) < key(contacts_[b].summary);
   });
-  std::vector<std::uint32_t> place(contacts_.size(), dropped);
+  std::vector<std::uint32_t> place(contacts_.size(), no_position);
   std::deque<Contact> sorted;
   for (const std::uint32_t at : order) {
     const auto& wanted = options.contacts;
@@ -129,14 +129,14 @@ void LogCollector::sort_contacts(const LogOptions& options) {
   contacts_ = std::move(sorted);
   const auto renumber = [&](auto& records) {
     for (auto& record : records) record.contact = place[record.contact];
-    std::erase_if(records, [](const auto& record) { return record.contact == dropped; });
+    std::erase_if(records, [](const auto& record) { return record.contact == no_position; });
   };
   renumber(penetrations_);
   renumber(tie_failures_);
   renumber(run_.surface_timesteps);
 }
 
-/// Into the order that Report promises; the same record from several files becomes one.
+/// Sorts into the order promised by Report; the same record from several files becomes one.
 void LogCollector::sort_records() {
   sort_by(
       penetrations_, [](const Penetration& p) { return std::tuple(p.contact, -p.depth, p.node); },
@@ -145,7 +145,7 @@ void LogCollector::sort_records() {
     return a.contact == b.contact && a.node == b.node && a.depth == b.depth && a.segment_number == b.segment_number &&
            a.segment == b.segment && a.kind == b.kind;
   });
-  // Of records of the same node the one that says more comes first and stays.
+  // Of records of the same node the most complete one comes first and stays.
   sort_by(
       tie_failures_, [](const TieFailure& t) { return std::tuple(t.contact, t.reason, t.node); },
       [](const TieFailure& t) { return std::tuple(t.segment_number == 0, t.distance < 0, t.file, t.line); });

@@ -14,13 +14,13 @@ namespace gapcheck::results {
 /// Where a contact's type code was read; a later kind replaces an earlier one.
 enum class TypeSource : std::uint8_t { none, timestep, echo, summary };
 
-/// Gathers what the files of one run say and makes one report of it. Records refer to contacts by slot until then.
-/// What several files say alike counts once.
+/// Gathers what the files of one run say and makes one report of it. Records refer to contacts by slot until then. What
+/// several files repeat counts once.
 class LogCollector {
  public:
   explicit LogCollector(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-  /// Of a companion file only contacts, time steps and facts are taken, no messages and records.
+  /// From a companion file only contacts, time steps and facts are taken, no messages or records.
   void begin_file(const std::string& name, bool companion);
   void end_file();
   [[nodiscard]] bool companion() const { return companion_; }
@@ -29,7 +29,7 @@ class LogCollector {
   void error(std::uint32_t line, std::string message) { diagnostics_.error(file_name(), line, std::move(message)); }
   void warning(std::uint32_t line, std::string message) { diagnostics_.warning(file_name(), line, std::move(message)); }
 
-  /// What the current file is; decides which counts add up and which repeat others.
+  /// The kind of the current file; decides which counts add up and which repeat others.
   void mark_d3hsp() { d3hsp_ = true; }
   void mark_stdout() { stdout_ = true; }
   [[nodiscard]] bool is_d3hsp() const { return d3hsp_; }
@@ -58,7 +58,7 @@ class LogCollector {
     ContactSummary summary;
     TypeSource type_source = TypeSource::none;
     bool timestep_a = false, timestep_b = false;
-    // A d3hsp repeats what the message files say; those of several ranks add up.
+    // A d3hsp repeats what the message files say; message files of several ranks add up.
     std::uint64_t in_file = 0, in_message_files = 0, in_d3hsp = 0;
   };
 

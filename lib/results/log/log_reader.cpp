@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t release_step = std::size_t{64} << 20;
 
-/// A d3plot, an archive, UTF-16: many bytes that no text has.
+/// A d3plot, an archive, UTF-16: many bytes that do not occur in text.
 bool is_binary(std::string_view text) {
   const std::string_view head = text.substr(0, std::size_t{1} << 16);
   const auto controls = std::count_if(head.begin(), head.end(), [](char c) {
@@ -62,7 +62,7 @@ class FileReader {
  private:
   static bool is_candidate(std::string_view line) { return line.find_first_not_of(" \t") != std::string_view::npos; }
 
-  /// Line numbers of what was read are kept, its pages are not: memory grows with what is found only.
+  /// Line numbers are kept, pages already read are not: memory grows only with what is found.
   void release_pages() {
     if (!file_.mapped || lines_.offset() < released_ + release_step) return;
     const std::size_t end = lines_.offset() / release_step * release_step;
@@ -83,7 +83,7 @@ class FileReader {
     collector_.count_bytes(text_.size(), last);
   }
 
-  /// Takes the line, and those that belong to it; false: it says nothing, and is still the current one.
+  /// Consumes the line and those that belong to it; false: it has no meaning, and is still the current one.
   bool dispatch(std::string_view line, std::string_view before) {
     const std::string_view text = trimmed(line);
     if (text.empty()) return false;
@@ -159,7 +159,7 @@ class FileReader {
     return nodes_.node_line(lines_, text);
   }
 
-  /// Lines without a fact that only the solver prints.
+  /// Lines that only the solver prints, but without a fact.
   bool is_solver_line(std::string_view text) {
     if (text.starts_with("total # of *") || text.starts_with("c o n t ")) {
       collector_.mark_d3hsp();
@@ -224,7 +224,7 @@ class FileReader {
 
   template <class Found>
   bool keep(const MessageKind& kind, Found& found) {
-    // A kind known by its words alone may be no more than a remark; one known by its number has all of its fields.
+    // A kind recognised only by its words may be just a remark; one recognised by its number has all of its fields.
     if (!found.fault.what.empty() && (found.complete || !kind.codes.empty()))
       collector_.error(found.fault.line, found.fault.what);
     if (!found.complete) return false;

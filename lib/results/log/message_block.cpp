@@ -43,7 +43,7 @@ std::string_view severity_word(std::string_view line) {
   return {};
 }
 
-/// "       9 t 1.0000E-01 dt ...": the solver goes on, whatever stands before.
+/// " 9 t 1.0000E-01 dt ...": the solver continues, whatever comes before.
 bool is_cycle(std::string_view trimmed_line) {
   const std::size_t at = trimmed_line.find_first_not_of("0123456789");
   return at != std::string_view::npos && at > 0 && trimmed_line.substr(at).starts_with(" t ");
@@ -65,8 +65,8 @@ Quote after(Quote quote, std::string_view line) {
   return quote == Quote::card && !rule ? Quote::card : Quote::none;
 }
 
-/// The indent that lines of the block have at least: the solver's own, or less where lost blanks made it so (texts that
-/// went through mails and tickets). A header that says something itself needs no such lines.
+/// The minimum indent of the block's lines: the solver's own, or less if blanks were lost (texts copied through mails
+/// and tickets). A header with its own text needs no such lines.
 std::size_t least_indent(std::string_view first_line, const MessageBlock& block) {
   return block.header_text ? indent_of_text : std::min(indent_of_text, indent(first_line));
 }
@@ -129,7 +129,7 @@ void read_message_block(Lines& lines, MessageBlock& block) {
       break;
     }
     quote = after(quote, text);
-    // A rule that is never closed must not take the rest of the file.
+    // A rule that is never closed must not consume the rest of the file.
     if (quote == Quote::card && ++quoted > longest_quote) quote = Quote::none;
     if (block.lines.size() < kept_lines)
       block.lines.push_back(text);

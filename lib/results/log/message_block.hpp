@@ -10,12 +10,12 @@
 
 namespace gapcheck::results {
 
-/// One `*** Warning` or `*** Error` block. Views into the text that the lines walk over.
+/// One `*** Warning` or `*** Error` block. Views into the text behind the lines.
 struct MessageBlock {
   Severity severity = Severity::warning;
   std::int64_t code = 0;                ///< 0: the header has none
   std::string_view group;               ///< "SOL" of (SOL+565)
-  std::vector<std::string_view> lines;  ///< text, blanks at the ends out; what the header says beyond the number first
+  std::vector<std::string_view> lines;  ///< trimmed text; first what the header says beyond the number
   std::size_t left_out = 0;             ///< lines beyond those kept
   std::uint32_t line = 0;               ///< of the header
   bool header_text = false;             ///< lines[0] is of the header's line
@@ -25,28 +25,28 @@ struct MessageBlock {
   [[nodiscard]] std::uint32_t line_of(std::size_t i) const;
 };
 
-/// "label = value" of a text line, blanks at the ends out.
+/// "label = value" of a text line, without leading and trailing blanks.
 struct Field {
   std::string_view label, value;
 };
 
 [[nodiscard]] bool is_message_header(std::string_view line);
 
-/// Reads the block whose header is the current line; leaves the lines at the first one behind it. The block's memory
-/// is used again.
+/// Reads the block whose header is the current line; leaves the lines at the first one after it. The block's memory is
+/// reused.
 void read_message_block(Lines& lines, MessageBlock& block);
 
 /// Nothing for a line without `=`.
 [[nodiscard]] std::optional<Field> field(std::string_view line);
 
-/// The fields of a line, of which joined texts have several: "tied interface # = 92 tracked node # = 1". Whatever stands
-/// between a field's numbers and the next `=` is the next label.
+/// The fields of a line; joined texts have several: "tied interface # = 92 tracked node # = 1". The text between a
+/// field's numbers and the next `=` is the next label.
 [[nodiscard]] std::vector<Field> fields(std::string_view line);
 
-/// The block's lines with one blank between words; cut after `limit` bytes, saying so.
+/// The block's lines with one blank between words; cut after `limit` bytes, with a mark.
 [[nodiscard]] std::string joined_text(const MessageBlock& block, std::size_t limit);
 
-/// Equal texts have equal values, however blanks and line breaks are placed around the lines.
+/// Equal texts have equal values, regardless of blanks and line breaks.
 [[nodiscard]] std::uint64_t text_hash(const MessageBlock& block);
 
 }  // namespace gapcheck::results

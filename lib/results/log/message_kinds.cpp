@@ -81,7 +81,7 @@ bool read_labels(std::string_view value, std::vector<std::string>& labels) {
   return !labels.empty();
 }
 
-/// Reads one line into the last kind, or into the labels of all kinds where there is none yet.
+/// Reads one line into the last kind, or into the labels of all kinds if there is none yet.
 bool read_line(std::string_view line, std::vector<MessageKind>& kinds, Labels& common) {
   const std::string_view key = line.substr(0, line.find_first_of(" \t"));
   const std::string_view value = trimmed(line.substr(key.size()));
@@ -167,7 +167,7 @@ void MessageKinds::add(std::string_view text, const std::string& file, Diagnosti
 }
 
 const std::vector<const MessageKind*>& MessageKinds::candidates(std::int64_t code) const {
-  constexpr std::size_t most_codes = 10'000;  // more are only met in hostile files
+  constexpr std::size_t most_codes = 10'000;  // more occur only in hostile files
   if (const auto known = by_code_.find(code); known != by_code_.end()) return known->second;
   if (by_code_.size() >= most_codes) by_code_.clear();
   auto& list = by_code_[code];

@@ -13,10 +13,10 @@
 
 namespace gapcheck::results {
 
-/// What a block is turned into.
+/// What a block is converted to.
 enum class BlockRecord : std::uint8_t { none, penetration, released, tie, rigidwall, cut };
 
-/// One entry of the table of message kinds (message_kinds.txt, where the syntax stands).
+/// One entry of the table of message kinds (message_kinds.txt describes the syntax).
 struct MessageKind {
   enum Label : std::uint8_t { contact, node, segment, distance, remaining, label_count };
   std::string name;
@@ -25,8 +25,8 @@ struct MessageKind {
   BlockRecord record = BlockRecord::none;
   TieReason reason = TieReason::not_found;
   std::array<std::vector<std::string>, label_count> labels;
-  /// What the field with this label holds. Where no label fits to the letter, one fits whatever its case and blanks, and
-  /// one that ends in "#" also behind other words, as they come before it in joined texts.
+  /// The value of the field with this label. If no label matches exactly, case and blanks are ignored, and a label that
+  /// ends in "#" also matches after other words, as in joined texts.
   [[nodiscard]] std::optional<Label> label_of(std::string_view label) const;
 };
 
@@ -37,7 +37,7 @@ class MessageKinds {
   MessageKinds();
   MessageKinds(const MessageKinds&) = delete;
   MessageKinds& operator=(const MessageKinds&) = delete;
-  /// Puts the entries of a text before those already there. What cannot be read is said (error) and passed over.
+  /// Puts the entries of a text before the existing ones. Unreadable entries are reported (error) and skipped.
   void add(std::string_view text, const std::string& file, Diagnostics& diagnostics);
   /// The entry of a block; nullptr: not understood. The pointer is valid until the next add().
   [[nodiscard]] const MessageKind* find(const MessageBlock& block) const;

@@ -8,7 +8,7 @@
 namespace gapcheck::results {
 namespace {
 
-/// Memory is bounded: texts beyond these many are not told apart any more.
+/// Memory is bounded: texts beyond this number are no longer distinguished.
 constexpr std::size_t most_texts = 1'000'000;
 constexpr std::size_t most_groups = 2'000;
 constexpr std::size_t most_codes = 100'000;

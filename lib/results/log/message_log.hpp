@@ -10,23 +10,24 @@
 
 namespace gapcheck::results {
 
-/// The messages that are no records. Of each number and kind the first texts are kept, the rest is counted. The same
-/// text in several files (ranks, messag and d3hsp) is one message, as often as the file that has it most often.
+/// The messages that are not records. For each number and kind the first texts are kept, the rest are counted. The same
+/// text in several files (ranks, messag and d3hsp) is one message, counted as often as in the file that has it most
+/// often.
 class MessageLog {
  public:
   static constexpr std::size_t kept_texts = 20;
-  /// Bytes that are kept of one text; the caller cuts it.
+  /// Bytes kept of one text; the caller cuts it.
   static constexpr std::size_t longest_text = 2000;
 
-  /// True if the text of a message with this hash is to be handed over with keep(); it is counted in any case.
+  /// True if the text of a message with this hash should be passed to keep(); it is counted in any case.
   bool count(Severity severity, std::int64_t code, const std::string& kind, std::uint64_t hash, std::uint32_t file);
-  /// Only after count() has said so.
+  /// Only if count() returned true.
   void keep(SolverMessage message);
 
-  /// How often the file at hand has printed the number, for finding out whether a limit cut them.
+  /// How often the current file has printed the number, to detect whether a limit cut them.
   void count_block(std::int64_t code);
   void begin_file() { blocks_.clear(); }
-  /// True if a number was printed exactly `limit` times in the file at hand.
+  /// True if a number was printed exactly `limit` times in the current file.
   [[nodiscard]] bool any_block_counted(std::uint64_t limit) const;
 
   /// By code, then file and line; ends the log.
@@ -45,7 +46,7 @@ class MessageLog {
   struct Group {
     std::vector<SolverMessage> kept;
     std::unordered_map<std::uint64_t, Tally> texts;
-    Tally overflow;  ///< texts beyond those told apart
+    Tally overflow;  ///< texts beyond those distinguished
     std::uint32_t file = 0, line = 0;
   };
   using Key = std::tuple<std::int64_t, Severity, std::string>;

@@ -13,7 +13,7 @@
 namespace gapcheck::results {
 namespace {
 
-/// Reads the values of one block and remembers the first that is none.
+/// Reads the values of one block and remembers the first invalid one.
 class Values {
  public:
   Values(const MessageBlock& block, BlockFault& fault) : block_(block), fault_(fault) {}
@@ -75,7 +75,7 @@ int axis(std::string_view label) {
                                                                                                       : -1;
 }
 
-/// The ids of a line, four at most. Ids that fill their columns touch each other: columns of 8 or 10, at the right.
+/// The ids of a line, at most four. Ids that fill their columns touch each other: columns of 8 or 10, right-aligned.
 std::vector<std::string_view> ids_in(std::string_view line) {
   constexpr std::size_t longest_id = 10;
   std::vector<std::string_view> ids;
@@ -90,7 +90,7 @@ std::vector<std::string_view> ids_in(std::string_view line) {
     std::vector<std::string_view> columns;
     for (std::size_t end = line.size() - 3 * width, begin = 0; begin < line.size(); begin = end, end += width)
       columns.push_back(trimmed(line.substr(begin, end - begin)));
-    // A blank between digits of one column: these are no columns, but longer ids.
+    // A blank between digits of one column: these are not columns but longer ids.
     const bool whole = std::all_of(columns.begin(), columns.end(), [](std::string_view id) {
       return !id.empty() && id.find_first_of(" \t") == std::string_view::npos;
     });
@@ -107,7 +107,7 @@ struct PenetrationReader {
   Vector target = Vector::Zero();
   double remaining = 0;
   std::size_t segment_ids = 0, coordinates_on_segment = 0;
-  std::string_view unfinished = {};  ///< label of a field whose numbers stand in the next line
+  std::string_view unfinished = {};  ///< label of a field whose numbers are on the next line
   bool depth = false, remaining_known = false, segment = false, original = false, modified = false, recommended = false;
 
   void number(const Field& entry) {
@@ -136,7 +136,7 @@ struct PenetrationReader {
     }
   }
 
-  /// s and t, as far as the line has them.
+  /// s and t, if the line has them.
   void on_segment(std::string_view value) {
     for (double* target_value : {&result.record.s, &result.record.t}) {
       if (target_value == &result.record.s && coordinates_on_segment > 0) continue;
@@ -232,7 +232,7 @@ struct PenetrationReader {
   }
 };
 
-/// The whole number that stands behind a word of the text; 0: none.
+/// The whole number after a word of the text; 0: none.
 std::int64_t number_behind(std::string_view text, std::string_view word) {
   const std::size_t at = text.find(word);
   if (at == std::string_view::npos) return 0;

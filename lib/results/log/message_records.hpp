@@ -9,23 +9,23 @@
 
 namespace gapcheck::results {
 
-/// What was wrong with a block: the first thing only.
+/// The first fault of a block.
 struct BlockFault {
   std::uint32_t line = 0;
   std::string what;
 };
 
-/// A record that a block was turned into; `contact` is the interface's id, the record's own contact is not set.
+/// A record made from a block; `contact` is the interface's id, the record's own contact is not set.
 template <class Record>
 struct FromBlock {
   std::int64_t contact = 0;
   Record record;
-  bool complete = false;  ///< the fields without which it is no record are there
+  bool complete = false;  ///< the fields required for a record are present
   BlockFault fault;       ///< empty: none
 };
 
 /// The node's record of a penetration block: layout of 40565, any order of its fields. Depth and remaining distance 0:
-/// not said. `awaits_more`: the block's last line promises more.
+/// not given. `awaits_more`: the block's last line announces more.
 struct PenetrationBlock : FromBlock<Penetration> {
   bool awaits_more = false;
 };

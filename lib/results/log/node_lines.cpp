@@ -16,7 +16,7 @@ namespace {
 
 bool has(std::string_view text, std::string_view words) { return text.find(words) != std::string_view::npos; }
 
-/// What comes behind the word and signs such as "#", "ID", "=", ":"; empty if the word is not there.
+/// The text after the word and signs such as "#", "ID", "=", ":"; empty if the word is missing.
 std::string_view behind(std::string_view text, std::string_view word) {
   const std::size_t at = text.find(word);
   if (at == std::string_view::npos) return {};
@@ -55,7 +55,7 @@ bool is_echo(std::string_view text) {
          text.starts_with("Input file") || text.starts_with("Command line");
 }
 
-/// The run's title stands above the version stamp, and may have any words.
+/// The run's title is above the version stamp and may contain any words.
 bool is_title(Lines lines) {
   lines.advance();
   return !lines.done() && trimmed(lines.line()).starts_with("ls-dyna ");

@@ -20,7 +20,7 @@ class NodeLines {
   /// "Contact sliding interface 1010" and the lines of a mortar contact below it.
   bool mortar(Lines& lines, std::string_view text);
   /// Anything with "Moved node", "has penetration" or, outside of a d3hsp's echo, "penetrat": ids and numbers are taken
-  /// where they stand, a line without them is listed.
+  /// from the line; a line without them is listed.
   bool node_line(const Lines& lines, std::string_view text);
 
  private:

@@ -14,14 +14,14 @@ void set_once(std::string& target, std::string_view value) {
   if (target.empty()) target = value;
 }
 
-/// "gapcheck 0.1.0": what the files of our own solver have in this place.
+/// "gapcheck 0.1.0": in this place in the files of our own solver.
 bool is_own_stamp(std::string_view text) {
   constexpr std::string_view words = "gapcheck ";
   return text.starts_with(words) && text.size() > words.size() &&
          text.find_first_not_of("0123456789.", words.size()) == std::string_view::npos;
 }
 
-/// The text without any blanks, as spaced-out headings are compared.
+/// The text without any blanks, to compare spaced-out headings.
 std::string squeezed(std::string_view text) {
   std::string result(text);
   std::erase(result, ' ');
@@ -60,7 +60,7 @@ bool RunFacts::version_stamp(std::string_view text, std::string_view line_before
   std::string_view rest = trimmed(text.substr(8, date - 8));
   run_.mpp = run_.mpp || rest.starts_with("mpp");
   const std::size_t last = rest.rfind(' ');
-  // "smp d R14 R14.0_515_8a12796" of today, "smp.78769 d" of old.
+  // "smp d R14 R14.0_515_8a12796" today, "smp.78769 d" formerly.
   const std::size_t point = rest.substr(0, last).find('.');
   if (point != std::string_view::npos && point == 3) {
     set_once(run_.revision, rest.substr(4, rest.find(' ') - 4));
@@ -81,7 +81,7 @@ bool RunFacts::termination(std::string_view text) {
     return true;
   }
   if (!letters.starts_with("Normaltermination")) return false;
-  // One rank's error is the run's.
+  // An error of one rank is an error of the run.
   if (!collector_.companion() && run_.termination == SolverRun::Termination::unknown)
     run_.termination = SolverRun::Termination::normal;
   return true;

@@ -7,8 +7,8 @@
 
 namespace gapcheck::results {
 
-/// Reads what the files say of the run as a whole: banner, version stamp and title, precision, ranks, termination,
-/// time and cycles, the smallest element time steps. Lines as in ContactEcho.
+/// Reads what the files say about the whole run: banner, version stamp and title, precision, ranks, termination, time
+/// and cycles, the smallest element time steps. Lines as in ContactEcho.
 class RunFacts {
  public:
   explicit RunFacts(LogCollector& collector) : collector_(collector), run_(collector.run()) {}

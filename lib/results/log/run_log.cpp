@@ -11,7 +11,7 @@ namespace {
 
 const std::string star_line = " " + std::string(71, '*') + "\n";
 
-/// "a3" as the solver prints it: the number in two columns, the letter in front of them.
+/// "a3" as the solver prints it: the number in two columns, the letter before them.
 std::string spaced_type(const std::string& type, int width) {
   const std::size_t digits = std::min(type.find_first_of("0123456789"), type.size());
   return fmt::format("{:>{}}", fmt::format("{}{:>2}", type.substr(0, digits), type.substr(digits)), width);

@@ -8,7 +8,7 @@
 
 namespace gapcheck::results {
 
-// What the messag and d3hsp of a run of our own consist of besides message_blocks(); our readers read it back.
+// The parts of the messag and d3hsp of our own runs besides message_blocks(); our readers read them back.
 
 /// What d3hsp echoes of one contact definition.
 struct ContactDefinition {
@@ -34,7 +34,7 @@ struct ElementStep {
 [[nodiscard]] std::string log_banner(const FileHeader& header);
 /// Contact interfaces one by one and the summary table; empty without contacts.
 [[nodiscard]] std::string contact_definitions(std::span<const ContactDefinition> contacts);
-/// Surface time steps, and the least of them as the step that should not be exceeded. `contacts`: ids by position.
+/// Surface time steps, and the smallest of them as the step that should not be exceeded. `contacts`: ids by position.
 [[nodiscard]] std::string surface_timesteps(const Timesteps& timesteps, std::span<const ContactSummary> contacts);
 /// Table of at most 100 rows.
 [[nodiscard]] std::string smallest_timesteps(std::span<const ElementStep> steps);
@@ -44,9 +44,9 @@ struct ElementStep {
 [[nodiscard]] std::string failed_element(const std::string& kind, std::int64_t element, double time);
 /// Why the run ended, its time and cycle (from 1), and the last line: normal or error termination.
 [[nodiscard]] std::string log_end(bool normal, const std::string& reason, double time, std::uint64_t cycle);
-/// A warning without a number about a contact; `text`: lines, the first without its blanks.
+/// A warning without a number about a contact; `text`: lines, the first without leading blanks.
 [[nodiscard]] std::string contact_warning(std::int64_t contact, double time, const std::string& text);
-/// The warning that a contact's SOFT = 2 is taken as 1.
+/// The warning that a contact's SOFT = 2 is treated as 1.
 [[nodiscard]] std::string soft_switch_block(std::int64_t contact);
 /// An error without a number.
 [[nodiscard]] std::string error_block(const std::string& text);

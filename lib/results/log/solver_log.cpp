@@ -31,7 +31,7 @@ void add_kinds(const LogOptions& options, MessageKinds& kinds, Diagnostics& diag
   }
 }
 
-/// The path that a file is known by, however it was written.
+/// The canonical path of a file, however it was given.
 std::string identity(const std::string& path) {
   std::error_code failed;
   const fs::path canonical = fs::weakly_canonical(path, failed);
@@ -60,17 +60,17 @@ class LogFilesReader {
       strangers_.push_back(file.name);
   }
 
-  /// An error of a file that cannot be opened; nothing otherwise.
-  std::optional<Diagnostic> path(const std::string& path, bool companion) {
+  /// Fails if the file cannot be opened.
+  Status path(const std::string& path, bool companion) {
     if (!seen_.insert(identity(path)).second) {
       if (!companion) diagnostics_.warning(path, 0, "was given before; it is read once");
-      return std::nullopt;
+      return {};
     }
     auto mapped = MappedFile::open(path);
     if (!mapped) return mapped.error();
     opened_ = true;
     text(mapped.value().bytes(), {path, companion, true});
-    return std::nullopt;
+    return {};
   }
 
   [[nodiscard]] bool opened() const { return opened_; }
@@ -103,7 +103,7 @@ Result<Report> read_solver_logs(const std::vector<std::string>& paths, const Log
   LogFilesReader reader(options, diagnostics);
   std::vector<Diagnostic> failures;
   for (const std::string& path : paths)
-    if (auto failure = reader.path(path, false)) failures.push_back(std::move(*failure));
+    if (const Status read = reader.path(path, false); !read.ok()) failures.push_back(read.error());
   if (!reader.opened()) {
     if (failures.empty()) return Diagnostic{Severity::error, "", 0, "no messag, mesNNNN or d3hsp file was given"};
     for (std::size_t i = 1; i < failures.size(); ++i) diagnostics.add(std::move(failures[i]));
@@ -112,7 +112,7 @@ Result<Report> read_solver_logs(const std::vector<std::string>& paths, const Log
   for (Diagnostic& failure : failures) diagnostics.add(std::move(failure));
   const std::string companion = options.d3hsp.empty() ? d3hsp_beside(paths) : options.d3hsp;
   if (!companion.empty())
-    if (auto failure = reader.path(companion, true)) diagnostics.add(std::move(*failure));
+    if (const Status read = reader.path(companion, true); !read.ok()) diagnostics.add(read.error());
   Report report = reader.finish(options);
   for (const std::string& path : paths) report.input += (report.input.empty() ? "" : " ") + path;
   report.timing.read_s = report.timing.total_s = seconds_since(start);

@@ -16,9 +16,9 @@ struct LogOptions {
 
 /// Reads messag, mesNNNN, d3hsp, status.out and stdout logs of one run, in any mix, SMP or MPP, old and new words, and
 /// makes a report (source "messag") of them. Records that several ranks print are merged. Streaming: memory grows with
-/// what is found. A block that became a record is not among SolverRun::messages; all others are. Depth or contact
-/// distance 0: not said. What could be read of a damaged file is in the report, what is wrong with it in `diagnostics`
-/// (error). The result is an error only when no file could be opened.
+/// what is found. Blocks that became records are not among SolverRun::messages; all others are. Depth or contact
+/// distance 0: not given. The readable part of a damaged file is in the report, its faults are in `diagnostics`
+/// (error). The result is an error only if no file could be opened.
 Result<Report> read_solver_logs(const std::vector<std::string>& paths, const LogOptions& options,
                                 Diagnostics& diagnostics);
 

@@ -36,7 +36,7 @@ void penetration(const Penetration& p, std::int64_t contact, Buffer& out) {
   if (p.outcome == Outcome::moved) coordinates("modified", p.node, p.moved_to, out);
 }
 
-/// Header and sentence of a tie message. Of the reasons without a known number the words tell.
+/// Header and sentence of a tie message. Reasons without a known number are recognised by their words.
 const char* sentence(TieReason reason) {
   switch (reason) {
     case TieReason::not_found:

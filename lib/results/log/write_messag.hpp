@@ -9,7 +9,7 @@ namespace gapcheck::results {
 /// and 40552 blocks: four decimals, slave/master words. Reading it back gives the same records to the printed digits.
 [[nodiscard]] std::string write_messag(const Report& report);
 
-/// The blocks alone, as they stand in the messag and d3hsp of a run.
+/// Only the blocks, as in the messag and d3hsp of a run.
 [[nodiscard]] std::string message_blocks(const Report& report);
 
 }  // namespace gapcheck::results

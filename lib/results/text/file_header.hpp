@@ -6,7 +6,7 @@
 
 namespace gapcheck::results {
 
-/// What every result file of a run begins with.
+/// The beginning of every result file of a run.
 struct FileHeader {
   std::string title;    ///< of the model
   std::string program;  ///< "gapcheck 0.1.0"

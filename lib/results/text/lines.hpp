@@ -5,8 +5,9 @@
 
 namespace gapcheck::results {
 
-/// Walks over the lines of a text in memory without copying. LF, CR LF, CR CR LF and CR all end a line; NUL bytes at
-/// either end of a line are left out. The text must outlive the views. Work is linear in the size for any input.
+/// Iterates over the lines of a text in memory without copying. LF, CR LF, CR CR LF and CR all end a line; leading and
+/// trailing NUL bytes of a line are left out. The text must outlive the views. Work is linear in the size for any
+/// input.
 class Lines {
  public:
   /// Longer lines are cut to this many bytes (see `cut_lines`).
@@ -30,12 +31,12 @@ class Lines {
   void advance();
 
  private:
-  /// Looks for one character in steps just ahead of the reading: rare ones cost next to nothing, no byte is searched
+  /// Searches one character in steps just ahead of the reader: rare ones cost next to nothing, no byte is searched
   /// twice, and pages far ahead stay untouched.
   class Ahead {
    public:
     Ahead(std::string_view text, char wanted, std::size_t step) : text_(text), wanted_(wanted), step_(step) {}
-    /// Position of the first one in [begin, end), or `end`. `begin` must not fall.
+    /// Position of the first one in [begin, end), or `end`. `begin` must not decrease.
     std::size_t find(std::size_t begin, std::size_t end);
 
    private:

@@ -17,7 +17,7 @@ std::size_t digits(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Where the exponent that may start at `at` ends; `at` where there is none.
+/// Where the exponent that may start at `at` ends; `at` if there is none.
 std::size_t exponent_end(std::string_view text, std::size_t at, bool has_point) {
   if (at >= text.size()) return at;
   const char c = text[at];
@@ -34,7 +34,7 @@ std::size_t exponent_end(std::string_view text, std::size_t at, bool has_point) 
   return end == at + 4 && !next_number ? end : at;
 }
 
-/// Where the number at the front of the text ends; 0 where there is none.
+/// Where the number at the front of the text ends; 0 if there is none.
 std::size_t number_end(std::string_view text) {
   const std::size_t begin = !text.empty() && is_sign(text[0]) ? 1 : 0;
   std::size_t at = digits(text, begin);

@@ -13,7 +13,7 @@
 namespace gapcheck::results {
 namespace {
 
-/// What Fortran prints for a value that is none.
+/// What Fortran prints for NaN and infinity.
 bool says_no_number(std::string_view token) {
   if (!token.empty() && (token.front() == '+' || token.front() == '-')) token.remove_prefix(1);
   constexpr std::array<std::string_view, 3> words{"nan", "infinity", "inf"};
@@ -29,7 +29,7 @@ std::string others(std::uint64_t count) {
 
 bool begins_legend(std::string_view line) { return trimmed(line).starts_with("{BEGIN LEGEND}"); }
 
-/// What a legend has besides its entries: blank lines, the heading, numbers too long for their column.
+/// Other lines of a legend besides its entries: blank lines, the heading, numbers too long for their column.
 bool may_stand_in_legend(std::string_view text) {
   return text.empty() || text.starts_with("Entity #") || text.starts_with('*');
 }

@@ -10,9 +10,9 @@
 
 namespace gapcheck::results {
 
-/// Walks over the lines of a result file and keeps what is wrong with them: one diagnostic for each kind of fault, with
-/// its first line, however many there are. A last line without line end is left out: its numbers may be cut. Text, name
-/// and diagnostics must outlive it.
+/// Iterates over the lines of a result file and records their faults: one diagnostic for each kind of fault, with its
+/// first line. A last line without line end is left out: its numbers may be cut. Text, name and diagnostics must
+/// outlive it.
 class ResultText {
  public:
   ResultText(std::string_view text, const std::string& name, Diagnostics& diagnostics)
@@ -24,15 +24,15 @@ class ResultText {
   [[nodiscard]] std::string_view line() const { return lines_.line(); }
   void advance();
 
-  /// Takes a number off the front of `rest`. NaN where the run has written that it has none (NaN, Infinity), and where
-  /// it cannot be read (`********`, nothing), which is a fault.
+  /// Takes a number off the front of `rest`. NaN if the run wrote NaN or Infinity, and if it cannot be read
+  /// (`********`, nothing), which is a fault.
   double take(std::string_view& rest);
   /// A row that cannot be read as a whole.
   void unreadable();
   /// The state before the current line, or at the end of the file the last one, lacks rows and is left out.
   void incomplete();
-  /// Where the current line begins a legend: reads its entries up to its last line. False where no legend begins, and
-  /// where one has no end, which is a fault: the current line is then the first one behind it.
+  /// If the current line begins a legend, reads its entries up to its last line. False if no legend begins, and if one
+  /// has no end, which is a fault: the current line is then the first one after it.
   bool take_legend(std::vector<LegendEntry>& entries);
   /// Reports the faults. Once, at the end.
   void finish();

@@ -17,7 +17,7 @@ namespace {
 
 using model::SectionKind;
 
-/// Builds part by part what elements ask for; remembers the first failure.
+/// Builds, part by part, what elements need.
 class Builder {
  public:
   Builder(const model::Model& model, const BuildSettings& settings, Diagnostics& diagnostics)
@@ -28,7 +28,7 @@ class Builder {
         positions_(model.parts.size()),
         rigid_(model.parts.size()) {}
 
-  std::variant<Structure, Failure> build() {
+  SolverResult<Structure> build() {
     State& state = structure_.state;
     const model::Mesh& mesh = model_.mesh;
     const std::size_t nodes = mesh.nodes.size();
@@ -42,81 +42,69 @@ class Builder {
     structure_.shell_id = mesh.shells.id;
     structure_.solid_id = mesh.solids.id;
     structure_.beam_id = mesh.beams.id;
-    add_shells();
-    if (!failure_) add_solids();
-    if (!failure_) add_beams();
-    add_masses();
-    if (!failure_) build_rigid_bodies(model_, std::move(rigid_), structure_);
-    if (!failure_) build_welds(model_, structure_, diagnostics_);
+    SolverStatus added = add_shells();
+    if (added.ok()) added = add_solids();
+    if (added.ok()) added = add_beams();
+    if (added.ok()) added = add_masses();
+    if (added.ok()) build_rigid_bodies(model_, std::move(rigid_), structure_);
+    if (added.ok()) build_welds(model_, structure_, diagnostics_);
     name_what_is_left_out();
-    if (failure_) return *failure_;
+    if (!added.ok()) return added.error();
     return std::move(structure_);
   }
 
  private:
-  void fail(Failure::Kind kind, std::string message) {
-    if (!failure_) failure_ = Failure{kind, std::move(message)};
-  }
-
-  /// The part's section and material where both are there and of the right kind.
+  /// The part's section and material if both exist and are of the right kind.
   struct Properties {
     const model::Section* section = nullptr;
     Material material;
   };
-  std::optional<Properties> properties(std::string_view what, std::int64_t id, PartIndex index, SectionKind kind) {
+  SolverResult<Properties> properties(std::string_view what, std::int64_t id, PartIndex index, SectionKind kind) {
     const model::Part* part = index == none<PartIndex> ? nullptr : &model_.part(index);
-    if (part == nullptr || !part->section || !part->material) {
-      fail(Failure::Kind::missing_material,
-           fmt::format("{} {} has no part, section or material; define them or leave it out", what, id));
-      return std::nullopt;
-    }
+    if (part == nullptr || !part->section || !part->material)
+      return Failure{Failure::Kind::missing_material,
+                     fmt::format("{} {} has no part, section or material; define them or leave it out", what, id)};
     const model::Section& section = model_.sections[*part->section];
-    if (section.kind != kind) {
-      fail(Failure::Kind::missing_material, fmt::format("{} {} is in part {}, whose section {} is for other elements",
-                                                        what, id, part->id.value, section.id));
-      return std::nullopt;
-    }
+    if (section.kind != kind)
+      return Failure{Failure::Kind::missing_material,
+                     fmt::format("{} {} is in part {}, whose section {} is for other elements", what, id,
+                                 part->id.value, section.id)};
     auto material = build_material(model_, model_.materials[*part->material]);
-    if (auto* failure = std::get_if<Failure>(&material)) {
-      fail(failure->kind, failure->message);
-      return std::nullopt;
-    }
-    if (kind != SectionKind::shell && std::get<Material>(material).kind == MaterialKind::anisotropic) {
-      fail(Failure::Kind::bad_material, fmt::format("material {} is for shells only, but {} {} is of it",
-                                                    model_.materials[*part->material].id, what, id));
-      return std::nullopt;
-    }
+    if (!material) return material.error();
+    if (kind != SectionKind::shell && material.value().kind == MaterialKind::anisotropic)
+      return Failure{Failure::Kind::bad_material, fmt::format("material {} is for shells only, but {} {} is of it",
+                                                              model_.materials[*part->material].id, what, id)};
     if (named_.insert(*part->material).second)
       name_what_is_not_calculated(model_, model_.materials[*part->material], diagnostics_);
-    if (kind == SectionKind::beam && std::get<Material>(material).failure_strain > 0)
+    if (kind == SectionKind::beam && material.value().failure_strain > 0)
       diagnostics_.warning("", 0, fmt::format("{} {} and others of material {} do not fail (FS, FAIL)", what, id,
                                               model_.materials[*part->material].id));
-    if (kind == SectionKind::beam) return Properties{&section, std::get<Material>(std::move(material))};
+    if (kind == SectionKind::beam) return Properties{&section, std::move(material).value()};
     const bool one_point = kind == SectionKind::shell ? section.elform == 0 || section.elform == 2
                                                       : section.elform <= 1 || section.elform == 10;
     if (!one_point)
       diagnostics_.warning(
           "", 0,
           fmt::format("section {}: ELFORM {} is calculated as the one-point {}", section.id, section.elform, what));
-    return Properties{&section, std::get<Material>(std::move(material))};
+    return Properties{&section, std::move(material).value()};
   }
 
-  void add_shells() {
+  SolverStatus add_shells() {
     const model::Shells& shells = model_.mesh.shells;
     auto own = shells.own_thickness.begin();
-    for (std::uint32_t i = 0; i < shells.size() && !failure_; ++i) {
+    for (std::uint32_t i = 0; i < shells.size(); ++i) {
       const PartIndex part = shells.part[i];
-      if (!complete("shell", shells.id[i], shells.nodes[i])) return;
+      if (SolverStatus known = complete("shell", shells.id[i], shells.nodes[i]); !known.ok()) return known;
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("shell", shells.id[i], part, SectionKind::shell);
-        if (!found) return;
-        const std::int64_t asked = found->section->nip, layers = std::clamp<std::int64_t>(asked, 1, 10);
+        if (!found) return found.error();
+        const auto& [section, material] = found.value();
+        const std::int64_t asked = section->nip, layers = std::clamp<std::int64_t>(asked, 1, 10);
         if (asked != layers)
           diagnostics_.warning("", 0, fmt::format("part {}: NIP of its section is {}; {} points are calculated",
                                                   model_.part(part).id.value, asked, layers));
         ShellProperties all{
-            found->material, gauss_rule(static_cast<int>(layers)),
-            found->section->shrf, model_.controls.istupd != 0,
+            material, gauss_rule(static_cast<int>(layers)), section->shrf, model_.controls.istupd != 0,
             element_control(model_, model_.part(part), settings_.shell_hourglass, diagnostics_).hourglass};
         positions_[part.value] = structure_.shells.add_properties(std::move(all));
       }
@@ -125,8 +113,8 @@ class Builder {
       const bool has_own = own != shells.own_thickness.end() && own->shell == i;
       const double thickness = mean_thickness(section, has_own ? &own->thickness : nullptr);
       if (!(thickness > 0) || !std::isfinite(thickness))
-        return fail(Failure::Kind::bad_element,
-                    fmt::format("shell {} has the thickness {:g}; give its section one", shells.id[i], thickness));
+        return Failure{Failure::Kind::bad_element,
+                       fmt::format("shell {} has the thickness {:g}; give its section one", shells.id[i], thickness)};
       if (model_.rigid(part)) {
         const double density = model_.materials[*model_.part(part).material].density;
         add_rigid(part, shells.nodes[i], shell_mass_points(places(shells.nodes[i]), thickness, density));
@@ -135,23 +123,25 @@ class Builder {
             structure_.shells.add(shells.nodes[i], *positions_[part.value], thickness, i, structure_.state, scaling_);
       }
     }
+    return {};
   }
 
-  void add_solids() {
+  SolverStatus add_solids() {
     const model::Elements<8>& solids = model_.mesh.solids;
-    positions_.assign(model_.parts.size(), std::nullopt);  // a part of shells is none of solids
-    for (std::uint32_t i = 0; i < solids.size() && !failure_; ++i) {
+    positions_.assign(model_.parts.size(), std::nullopt);  // a part of shells cannot contain solids
+    for (std::uint32_t i = 0; i < solids.size(); ++i) {
       const PartIndex part = solids.part[i];
-      if (!complete("solid", solids.id[i], solids.nodes[i])) return;
+      if (SolverStatus known = complete("solid", solids.id[i], solids.nodes[i]); !known.ok()) return known;
       if (part == none<PartIndex> || !positions_[part.value]) {
         auto found = properties("solid", solids.id[i], part, SectionKind::solid);
-        if (!found) return;
+        if (!found) return found.error();
         const ElementControl control =
             element_control(model_, model_.part(part), settings_.solid_hourglass, diagnostics_);
-        positions_[part.value] = structure_.solids.add_properties(
-            {std::move(found->material), control.hourglass, control.quadratic_viscosity, control.linear_viscosity});
+        positions_[part.value] =
+            structure_.solids.add_properties({std::move(found.value().material), control.hourglass,
+                                              control.quadratic_viscosity, control.linear_viscosity});
       }
-      double volume = 0;  // of rigid ones the mass, which is of the same sign
+      double volume = 0;  // for rigid ones the mass, which has the same sign
       if (model_.rigid(part)) {
         const std::vector<PointMass> points =
             solid_mass_points(places(solids.nodes[i]), model_.materials[*model_.part(part).material].density);
@@ -162,25 +152,26 @@ class Builder {
                                        &structure_.added_mass);
       }
       if (!(volume > 0))
-        fail(Failure::Kind::bad_element,
-             fmt::format("solid {} has the volume {:g}; mend the order of its nodes", solids.id[i], volume));
+        return Failure{Failure::Kind::bad_element,
+                       fmt::format("solid {} has the volume {:g}; mend the order of its nodes", solids.id[i], volume)};
     }
+    return {};
   }
 
-  void add_beams() {
+  SolverStatus add_beams() {
     const model::Elements<2>& beams = model_.mesh.beams;
     positions_.assign(model_.parts.size(), std::nullopt);
     BeamLimits limits(model_, diagnostics_);
-    for (std::uint32_t i = 0; i < beams.size() && !failure_; ++i) {
+    for (std::uint32_t i = 0; i < beams.size(); ++i) {
       const PartIndex part = beams.part[i];
-      if (!complete("beam", beams.id[i], beams.nodes[i])) return;
+      if (SolverStatus known = complete("beam", beams.id[i], beams.nodes[i]); !known.ok()) return known;
       if (part != none<PartIndex> && limits.leaves_out(part)) continue;
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("beam", beams.id[i], part, SectionKind::beam);
-        if (!found) return;
-        auto built = beam_properties(*found->section, found->material);
-        if (const auto* failure = std::get_if<Failure>(&built)) return fail(failure->kind, failure->message);
-        positions_[part.value] = structure_.beams.add_properties(std::get<BeamProperties>(std::move(built)));
+        if (!found) return found.error();
+        auto built = beam_properties(*found.value().section, found.value().material);
+        if (!built) return built.error();
+        positions_[part.value] = structure_.beams.add_properties(std::move(built).value());
       }
       double length = 0;
       if (model_.rigid(part)) {
@@ -193,18 +184,21 @@ class Builder {
         const Vector third = limits.third_point(i, structure_.state);
         length = structure_.beams.add(beams.nodes[i], *positions_[part.value], third, i, structure_.state);
       }
-      if (!(length > 0))
-        fail(Failure::Kind::bad_element, fmt::format("beam {} has no length or mass; mend it", beams.id[i]));
+      if (!(length > 0)) {
+        limits.tell();
+        return Failure{Failure::Kind::bad_element, fmt::format("beam {} has no length or mass; mend it", beams.id[i])};
+      }
     }
     limits.tell();
+    return {};
   }
 
   template <std::size_t N>
-  bool complete(std::string_view what, std::int64_t id, const std::array<NodeIndex, N>& nodes) {
+  SolverStatus complete(std::string_view what, std::int64_t id, const std::array<NodeIndex, N>& nodes) {
     const bool all =
         std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex node) { return node.value < model_.mesh.nodes.size(); });
-    if (!all) fail(Failure::Kind::bad_element, fmt::format("{} {} has a node that is not there", what, id));
-    return all;
+    if (!all) return Failure{Failure::Kind::bad_element, fmt::format("{} {} has a node that is not there", what, id)};
+    return {};
   }
 
   template <std::size_t N>
@@ -221,16 +215,17 @@ class Builder {
     rigid.points.insert(rigid.points.end(), points.begin(), points.end());
   }
 
-  void add_masses() {
+  SolverStatus add_masses() {
     const model::Mesh& mesh = model_.mesh;
     for (std::size_t i = 0; i < mesh.masses.size(); ++i) {
       const double mass = mesh.mass_values[i];
       if (const NodeIndex node = mesh.masses.nodes[i][0]; node.value < mesh.nodes.size() && mass > 0)
         structure_.state.mass[node.value] += mass;
       if (mass < 0)
-        fail(Failure::Kind::contradiction,
-             fmt::format("mass {} is {:g}; set a number that is not below zero", mesh.masses.id[i], mass));
+        return Failure{Failure::Kind::contradiction,
+                       fmt::format("mass {} is {:g}; set a number that is not below zero", mesh.masses.id[i], mass)};
     }
+    return {};
   }
 
   void name_what_is_left_out() {
@@ -246,17 +241,16 @@ class Builder {
   const BuildSettings& settings_;
   Diagnostics& diagnostics_;
   MassScaling scaling_;
-  std::vector<std::optional<std::uint32_t>> positions_;  ///< by part: its place among the properties
+  std::vector<std::optional<std::uint32_t>> positions_;  ///< by part: its position among the properties
   std::vector<RigidPart> rigid_;                         ///< by part
-  std::set<std::uint32_t> named_;                        ///< materials whose limits were named
+  std::set<std::uint32_t> named_;                        ///< materials whose limits were reported
   Structure structure_;
-  std::optional<Failure> failure_;
 };
 
 }  // namespace
 
-std::variant<Structure, Failure> build_structure(const model::Model& model, const BuildSettings& settings,
-                                                 Diagnostics& diagnostics) {
+SolverResult<Structure> build_structure(const model::Model& model, const BuildSettings& settings,
+                                        Diagnostics& diagnostics) {
   return Builder(model, settings, diagnostics).build();
 }
 

@@ -17,7 +17,7 @@ bool is_calculated(const model::Section& section) {
 
 }  // namespace
 
-std::variant<BeamProperties, Failure> beam_properties(const model::Section& section, const Material& material) {
+SolverResult<BeamProperties> beam_properties(const model::Section& section, const Material& material) {
   BeamProperties properties{material, section.beam.value_or(model::BeamSection{}), section.elform == truss};
   const model::BeamSection& values = properties.section;
   if (material.kind == MaterialKind::anisotropic || (material.kind == MaterialKind::plastic && !properties.truss))

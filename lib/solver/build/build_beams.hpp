@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <set>
-#include <variant>
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
@@ -12,21 +11,20 @@
 namespace gapcheck::solver {
 
 /// The solver's properties of a beam section with constants. ELFORM 3 is a truss (001, 003, 009, 024), all others are
-/// the resultant beam (001, 009); a failure names the section or material that does not fit, or an area of zero.
-[[nodiscard]] std::variant<BeamProperties, Failure> beam_properties(const model::Section& section,
-                                                                    const Material& material);
+/// the resultant beam (001, 009); a failure names the unsuitable section or material, or an area of zero.
+[[nodiscard]] SolverResult<BeamProperties> beam_properties(const model::Section& section, const Material& material);
 
-/// What is not calculated of a deck's beams, and what is calculated as something else; named once each.
+/// What is not calculated for a deck's beams, and what is calculated as something else; each reported once.
 class BeamLimits {
  public:
   BeamLimits(const model::Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
 
-  /// True for parts of sections that are not calculated: ELFORM other than 1 to 5 and 13, or without constants. Names
-  /// them, and those that are calculated as the resultant beam.
+  /// True for parts with sections that are not calculated: ELFORM other than 1 to 5 and 13, or without constants.
+  /// Reports them, and those that are calculated as the resultant beam.
   bool leaves_out(PartIndex part);
-  /// From the first node to a point in the plane of the axes r and s; zero where the deck gives none.
+  /// From the first node to a point in the plane of the axes r and s; zero if the deck gives none.
   [[nodiscard]] Vector third_point(std::uint32_t beam, const State& state);
-  /// Names what was counted meanwhile: pin releases, offsets, beams without axes.
+  /// Reports what was counted: pin releases, offsets, beams without axes.
   void tell();
 
  private:

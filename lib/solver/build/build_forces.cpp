@@ -5,13 +5,13 @@
 
 namespace gapcheck::solver {
 
-std::optional<Failure> add_walls_and_springs(const model::Model& model, const Structure& structure,
-                                             std::vector<std::unique_ptr<Force>>& forces, Diagnostics& diagnostics) {
+SolverStatus add_walls_and_springs(const model::Model& model, const Structure& structure,
+                                   std::vector<std::unique_ptr<Force>>& forces, Diagnostics& diagnostics) {
   if (!model.rigid_walls.empty()) forces.push_back(std::make_unique<RigidWalls>(model, structure, diagnostics));
   auto springs = build_springs(model, structure, diagnostics);
-  if (const auto* failure = std::get_if<Failure>(&springs)) return *failure;
-  if (auto& built = std::get<std::unique_ptr<Springs>>(springs)) forces.push_back(std::move(built));
-  return std::nullopt;
+  if (!springs) return springs.error();
+  if (springs.value() != nullptr) forces.push_back(std::move(springs).value());
+  return {};
 }
 
 }  // namespace gapcheck::solver

@@ -1,6 +1,5 @@
 #pragma once
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "base/diagnostic.hpp"
@@ -11,11 +10,10 @@
 
 namespace gapcheck::solver {
 
-/// Adds the rigid walls, springs and dampers of a deck to the forces. To be called when the structure has all its masses
-/// and constraints. What is not calculated is named in `diagnostics`; springs without a material that is calculated are
-/// a failure.
-[[nodiscard]] std::optional<Failure> add_walls_and_springs(const model::Model& model, const Structure& structure,
-                                                           std::vector<std::unique_ptr<Force>>& forces,
-                                                           Diagnostics& diagnostics);
+/// Adds the rigid walls, springs and dampers of a deck to the forces. Call it when the structure has all its masses and
+/// constraints. What is not calculated is reported in `diagnostics`; springs without a supported material are a
+/// failure.
+[[nodiscard]] SolverStatus add_walls_and_springs(const model::Model& model, const Structure& structure,
+                                                 std::vector<std::unique_ptr<Force>>& forces, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::solver

@@ -7,7 +7,7 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Zero and what is no number is not given.
+/// Zero and NaN count as not given.
 double given_or(double value, double otherwise) { return std::isfinite(value) && value > 0 ? value : otherwise; }
 
 }  // namespace

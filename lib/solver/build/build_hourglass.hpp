@@ -13,8 +13,7 @@ struct ElementControl {
 
 /// What *HOURGLASS says for the part (HGID), otherwise *CONTROL_HOURGLASS, otherwise `otherwise`. IHQ 1 to 3 are
 /// viscous, 4 and 5 stiffness, 6 and above are calculated as stiffness, with a
-/// warning. Zero is the solver's default, viscous with a coefficient of 0.1. A HGID that
-/// is not defined is a warning.
+/// warning. Zero is the solver's default, viscous with a coefficient of 0.1. An undefined HGID is a warning.
 [[nodiscard]] ElementControl element_control(const model::Model& model, const model::Part& part, Hourglass otherwise,
                                              Diagnostics& diagnostics);
 

@@ -13,7 +13,7 @@ std::vector<YieldCurve::Point> points_of(const std::vector<std::array<double, 2>
   return points;
 }
 
-/// The curves of a table; nothing where one is not there.
+/// The curves of a table; nothing if one is missing.
 std::optional<RateTable> rate_table(const model::Model& model, const model::Table& table) {
   RateTable result;
   result.logarithmic = !table.rows.empty() && table.rows[0].value < 0;
@@ -36,7 +36,7 @@ YieldCurve anisotropic_yield(const model::Model& model, const model::Plasticity&
   return curve == model.curves.end() ? YieldCurve() : YieldCurve(points_of(curve->second.points));
 }
 
-/// Material 024: a curve goes before points, points before SIGY and ETAN.
+/// Material 024: a curve takes precedence over points, points over SIGY and ETAN.
 YieldCurve piecewise_linear(const model::Model& model, const model::Material& material) {
   const model::Plasticity& data = *material.plasticity;
   if (data.lcss != 0) {
@@ -55,7 +55,7 @@ bool fails(const model::Plasticity& data) {
 
 }  // namespace
 
-std::variant<Material, Failure> build_material(const model::Model& model, const model::Material& material) {
+SolverResult<Material> build_material(const model::Model& model, const model::Material& material) {
   const auto refused = [&](std::string_view why) {
     return Failure{Failure::Kind::bad_material,
                    fmt::format("material {} (*{}) {}", material.id, material.keyword, why)};

@@ -1,6 +1,6 @@
 #include "solver/build/build_rigid.hpp"
 
-#include <numeric>
+#include "base/union_find.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -9,20 +9,12 @@ using GroupKind = model::RigidGroup::Kind;
 
 /// For every part the first part of those that it is merged with.
 std::vector<std::uint32_t> merged_parts(const model::Model& model) {
+  UnionFind merged(model.parts.size());
+  for (const model::RigidGroup& group : model.rigid_groups)
+    if (group.kind == GroupKind::merged_parts)
+      for (const PartIndex part : group.parts) merged.unite(group.parts[0].value, part.value);
   std::vector<std::uint32_t> lead(model.parts.size());
-  std::iota(lead.begin(), lead.end(), 0u);
-  const auto find = [&](std::uint32_t part) {
-    while (lead[part] != part) part = lead[part] = lead[lead[part]];
-    return part;
-  };
-  for (const model::RigidGroup& group : model.rigid_groups) {
-    if (group.kind != GroupKind::merged_parts) continue;
-    for (std::size_t i = 1; i < group.parts.size(); ++i) {
-      const std::uint32_t a = find(group.parts[0].value), b = find(group.parts[i].value);
-      lead[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  for (std::uint32_t part = 0; part < lead.size(); ++part) lead[part] = find(part);
+  for (std::uint32_t part = 0; part < lead.size(); ++part) lead[part] = merged.root(part);
   return lead;
 }
 

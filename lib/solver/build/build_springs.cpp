@@ -41,11 +41,11 @@ class Collector {
 
   std::vector<SpringLaw> laws;
   std::vector<SpringInput> springs;
-  std::optional<Failure> failure;
+  SolverStatus status;
 
  private:
   void fail(Failure::Kind kind, std::string message) {
-    if (!failure) failure = Failure{kind, std::move(message)};
+    if (status.ok()) status = Failure{kind, std::move(message)};
   }
 
   [[nodiscard]] std::string_view left_out(const model::Section& section, const model::DiscreteValues& own, NodeIndex a,
@@ -104,11 +104,11 @@ class Collector {
 
 }  // namespace
 
-std::variant<std::unique_ptr<Springs>, Failure> build_springs(const model::Model& model, const Structure& structure,
-                                                              Diagnostics& diagnostics) {
+SolverResult<std::unique_ptr<Springs>> build_springs(const model::Model& model, const Structure& structure,
+                                                     Diagnostics& diagnostics) {
   Collector collector(model, diagnostics);
-  for (std::uint32_t i = 0; i < model.mesh.discrete.size() && !collector.failure; ++i) collector.add(i);
-  if (collector.failure) return *collector.failure;
+  for (std::uint32_t i = 0; i < model.mesh.discrete.size() && collector.status.ok(); ++i) collector.add(i);
+  if (!collector.status.ok()) return collector.status.error();
   if (collector.springs.empty()) return std::unique_ptr<Springs>();
   return std::make_unique<Springs>(std::move(collector.laws), std::move(collector.springs), structure.state,
                                    structure.rigid);

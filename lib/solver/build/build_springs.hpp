@@ -1,6 +1,5 @@
 #pragma once
 #include <memory>
-#include <variant>
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
@@ -10,11 +9,11 @@
 
 namespace gapcheck::solver {
 
-/// The discrete elements of a deck with the materials S01, S02 and S04, once all masses are there. A missing part,
-/// section, material or curve and any other material is a failure; what a section or material asks for beyond them, and
-/// elements with an orientation vector, are named in `diagnostics` and not calculated. Null where there are none.
-[[nodiscard]] std::variant<std::unique_ptr<Springs>, Failure> build_springs(const model::Model& model,
-                                                                            const Structure& structure,
-                                                                            Diagnostics& diagnostics);
+/// The discrete elements of a deck with the materials S01, S02 and S04, once all masses are complete. A missing part,
+/// section, material or curve and any other material is a failure; further settings of a section or material, and
+/// elements with an orientation vector, are reported in `diagnostics` and not calculated. Null if there are none.
+[[nodiscard]] SolverResult<std::unique_ptr<Springs>> build_springs(const model::Model& model,
+                                                                   const Structure& structure,
+                                                                   Diagnostics& diagnostics);
 
 }  // namespace gapcheck::solver

@@ -7,7 +7,7 @@
 namespace gapcheck::solver {
 namespace {
 
-/// An exponent that is not given is 1.
+/// A missing exponent is 1.
 double power(double written) { return written > 0 ? written : 1; }
 
 LinkStrength strength_of(const model::Weld& weld) {
@@ -18,7 +18,7 @@ LinkStrength strength_of(const model::Weld& weld) {
     strength.normal_power = power(weld.normal_power);
     strength.shear_power = power(weld.shear_power);
   }
-  // 1e20 is the manual's word for never.
+  // In the manual 1e20 means never.
   strength.time = weld.failure_time < 1e20 ? weld.failure_time : 0;
   return strength;
 }

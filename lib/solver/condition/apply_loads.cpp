@@ -9,7 +9,7 @@ namespace {
 
 using PressureKind = model::PressureLoad::Kind;
 
-/// Something must take up the load: a mass, an inertia, a rigid body or a constraint.
+/// Something must carry the load: a mass, an inertia, a rigid body or a constraint.
 void check_target(ConditionBuilder& builder, const model::ConcentratedLoad& load, NodeIndex node, std::size_t freedom) {
   const Structure& structure = builder.structure;
   const bool moment = freedom >= 3;

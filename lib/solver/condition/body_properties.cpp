@@ -9,7 +9,7 @@ namespace {
 
 using GroupKind = model::RigidGroup::Kind;
 
-/// Parts that another one leads, by *CONSTRAINED_RIGID_BODIES.
+/// Parts led by another one, by *CONSTRAINED_RIGID_BODIES.
 std::vector<bool> led_parts(const model::Model& model) {
   std::vector<bool> led(model.parts.size());
   for (const model::RigidGroup& group : model.rigid_groups)
@@ -18,7 +18,7 @@ std::vector<bool> led_parts(const model::Model& model) {
   return led;
 }
 
-/// The masses that deformable neighbours and *ELEMENT_MASS have on a body's nodes count beside the given ones.
+/// The masses of deformable neighbours and *ELEMENT_MASS on a body's nodes are added to the given ones.
 void set_mass(Structure& structure, std::size_t body, const model::BodyInertia& inertia, const Vector& center) {
   const State& state = structure.state;
   double mass = inertia.mass;
@@ -63,7 +63,7 @@ void apply_constraint(ConditionBuilder& builder, std::size_t body, const BodyPro
                                          static_cast<unsigned>(model::freedoms_of_code(constraint.rotations)) << 3);
 }
 
-/// A node goes with one body only.
+/// A node belongs to only one body.
 void check_membership(ConditionBuilder& builder, const std::vector<NodeIndex>& nodes, std::size_t body,
                       std::string_view keyword, model::Place place) {
   const Structure& structure = builder.structure;

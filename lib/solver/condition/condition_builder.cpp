@@ -16,7 +16,7 @@ void mark(const model::Elements<N>& elements, const std::vector<bool>& wanted, s
   }
 }
 
-/// Finite, and no time before the one in front of it.
+/// Finite, with times in ascending order.
 bool is_function_of_time(const std::vector<TimeCurve::Point>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1])) return false;
@@ -29,7 +29,7 @@ bool is_function_of_time(const std::vector<TimeCurve::Point>& points) {
 
 void ConditionBuilder::fail(Failure::Kind kind, std::string_view keyword, model::Place place,
                             std::string_view message) {
-  if (!failure_) failure_ = Failure{kind, fmt::format("*{} in {}: {}", keyword, model.where(place), message)};
+  if (status_.ok()) status_ = Failure{kind, fmt::format("*{} in {}: {}", keyword, model.where(place), message)};
 }
 
 void ConditionBuilder::warn(std::string_view keyword, model::Place place, std::string_view message) {

@@ -15,7 +15,7 @@
 
 namespace gapcheck::solver {
 
-/// What the functions that put a deck's conditions on a structure share: look-ups and the first failure.
+/// Shared by the functions that apply a deck's conditions to a structure: look-ups and the first failure.
 class ConditionBuilder {
  public:
   ConditionBuilder(const model::Model& deck, Structure& target, std::vector<std::unique_ptr<Force>>& list,
@@ -27,8 +27,8 @@ class ConditionBuilder {
   std::vector<std::unique_ptr<Force>>& forces;
   Diagnostics& diagnostics;
 
-  [[nodiscard]] bool failed() const { return failure_.has_value(); }
-  [[nodiscard]] const std::optional<Failure>& failure() const { return failure_; }
+  [[nodiscard]] bool failed() const { return !status_.ok(); }
+  [[nodiscard]] const SolverStatus& status() const { return status_; }
   /// Keeps the first failure only. The message begins with keyword, line and file.
   void fail(Failure::Kind kind, std::string_view keyword, model::Place place, std::string_view message);
   void warn(std::string_view keyword, model::Place place, std::string_view message);
@@ -41,12 +41,12 @@ class ConditionBuilder {
   [[nodiscard]] std::optional<std::size_t> body(std::int64_t id, std::string_view keyword, model::Place place);
   /// A curve over time in the model's unit of time; nullptr after a failure. Ordinates are as written.
   [[nodiscard]] std::shared_ptr<const TimeCurve> curve(std::int64_t id, std::string_view keyword, model::Place place);
-  /// A failure where a local system is named.
+  /// A failure if a local system is named.
   void refuse_system(std::int64_t system, std::string_view keyword, model::Place place);
 
  private:
   std::map<std::int64_t, std::shared_ptr<const TimeCurve>> curves_;
-  std::optional<Failure> failure_;
+  SolverStatus status_;
 };
 
 /// What the deck says about a rigid body besides its elements: constraints of the leading part's material, mass
@@ -62,7 +62,7 @@ struct BodyProperties {
 /// Nodes of elements of all kinds that belong to the parts, each once, ascending; `wanted`: by part.
 [[nodiscard]] std::vector<NodeIndex> nodes_of_parts(const model::Model& model, const std::vector<bool>& wanted);
 
-// Each puts one kind of condition on the structure.
+// Each applies one kind of condition to the structure.
 void apply_body_properties(ConditionBuilder& builder);
 void apply_loads(ConditionBuilder& builder);
 void apply_boundary(ConditionBuilder& builder);

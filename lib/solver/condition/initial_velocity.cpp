@@ -14,7 +14,7 @@ using VelocityKind = InitialVelocity::Kind;
 
 constexpr std::string_view row_keyword = "INITIAL_VELOCITY_NODE";
 
-/// Which nodes were given a velocity; a second mark for what also goes over *PART_INERTIA.
+/// Which nodes have an initial velocity; a second mark if it also overrides *PART_INERTIA.
 struct Given {
   std::vector<bool> node, over_inertia;
 };
@@ -57,7 +57,7 @@ std::vector<NodeIndex> chosen_nodes(ConditionBuilder& builder, const InitialVelo
   return builder.nodes({initial.id, true}, initial.keyword, initial.place);
 }
 
-/// Takes out what lies outside the card's box.
+/// Removes nodes outside the card's box.
 void keep_inside(ConditionBuilder& builder, const InitialVelocity& initial, std::vector<NodeIndex>& nodes) {
   if (initial.box == 0) return;
   const auto box = builder.model.boxes.find(initial.box);
@@ -117,7 +117,7 @@ void apply_card(ConditionBuilder& builder, const InitialVelocity& initial, Given
 }
 
 /// The rigid motion nearest to the velocities of some nodes, weighted with their masses: momentum over mass, angular
-/// momentum over inertia of these nodes. About axes that all of them lie on the mean of their angular velocities.
+/// momentum over inertia of these nodes. About axes on which all of them lie, the mean of their angular velocities.
 struct Fit {
   double mass = 0;
   Vector center = Vector::Zero(), velocity = Vector::Zero(), spin = Vector::Zero();

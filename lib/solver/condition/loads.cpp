@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "base/quad.hpp"
 #include "solver/state/summary.hpp"
 
 namespace gapcheck::solver {
 namespace {
 
-/// The list of values keeps each only once while the same one is given again and again.
+/// The list of values keeps repeated ones only once.
 std::uint32_t position_in(std::vector<TimedValue>& values, const TimedValue& value) {
   const bool same = !values.empty() && values.back().curve == value.curve && values.back().scale == value.scale &&
                     values.back().arrival == value.arrival;
@@ -59,9 +60,8 @@ void Pressures::add(State& state, Forces& forces) {
   const std::vector<double> now = all_at(values_, state.time);
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const model::SegmentNodes& nodes = segments_[i];
-    const auto x = [&](std::size_t k) -> const Vector& { return state.x[nodes[k].value]; };
     const std::size_t corners = nodes[2] == nodes[3] ? 3 : 4;
-    const Vector push = -now[value_of_[i]] / (2 * static_cast<double>(corners)) * (x(2) - x(0)).cross(x(3) - x(1));
+    const Vector push = -now[value_of_[i]] / (2 * static_cast<double>(corners)) * quad_normal(nodes, state.x);
     for (std::size_t k = 0; k < corners; ++k) forces.force[nodes[k].value] += push;
   }
 }

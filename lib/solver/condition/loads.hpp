@@ -23,7 +23,7 @@ struct TimedValue {
 /// Forces and moments of given direction on nodes and on the centres of rigid bodies.
 class ConcentratedLoads : public Force {
  public:
-  /// The direction of one freedom: 0 … 2 force, 3 … 5 moment.
+  /// The direction of one degree of freedom: 0 … 2 force, 3 … 5 moment.
   void add_node(NodeIndex node, std::size_t freedom, const TimedValue& value);
   void add_body(std::size_t body, std::size_t freedom, const TimedValue& value);
   void add(State& state, Forces& forces) override;
@@ -39,9 +39,9 @@ class ConcentratedLoads : public Force {
   std::vector<TimedValue> values_;
 };
 
-/// Pressures on segments where they are now. Positive: against the normal that the order of the nodes gives by the
-/// right-hand rule, into the segment. p A / 4 goes to each corner (p A / 3 of a triangle), A being half the cross
-/// product of the diagonals, so that a closed surface has no resultant.
+/// Pressures on segments in their current position. Positive: against the normal that the order of the nodes gives by
+/// the right-hand rule, into the segment. p A / 4 goes to each corner (p A / 3 of a triangle), where A is half the
+/// cross product of the diagonals, so a closed surface has no resultant.
 class Pressures : public Force {
  public:
   void add_segment(const model::SegmentNodes& nodes, const TimedValue& value);
@@ -53,10 +53,10 @@ class Pressures : public Force {
   std::vector<TimedValue> values_;
 };
 
-/// Body forces of a frame that is accelerated: −a m on every mass.
+/// Body forces of an accelerated frame: −a m on every mass.
 class Gravity : public Force {
  public:
-  /// `masses`: of the nodes, where only some parts feel it; empty: all masses of the state, rigid bodies at their
+  /// `masses`: of the nodes, if it acts only on some parts; empty: all masses of the state, rigid bodies at their
   /// centres.
   explicit Gravity(std::vector<double> masses) : masses_(std::move(masses)) {}
   void add_axis(int axis, const TimedValue& value) { axes_.push_back({axis, value}); }

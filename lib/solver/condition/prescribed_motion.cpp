@@ -10,15 +10,15 @@ namespace {
 
 constexpr std::array names{"x", "y", "z", "rotation about x", "rotation about y", "rotation about z"};
 
-/// The freedoms that a DOF moves, with the share of the motion that each gets.
+/// The degrees of freedom that a DOF moves, with the share of the motion for each.
 struct Directions {
   bool rotation = false;
   Vector share = Vector::Zero();
   unsigned bits = 0;  ///< of the three
 };
 
-/// Along or about a vector. A positive DOF leaves what is across the vector free, which the solver knows for the axes
-/// only; a negative one holds it.
+/// Along or about a vector. A positive DOF leaves the directions across the vector free, which the solver supports only
+/// for the axes; a negative one holds them.
 std::optional<Directions> along_vector(ConditionBuilder& builder, const model::PrescribedMotion& motion) {
   const auto found = builder.model.vectors.find(motion.vector);
   if (found == builder.model.vectors.end()) {
@@ -82,7 +82,7 @@ std::optional<Motion> motion_of(ConditionBuilder& builder, const model::Prescrib
 
 bool overlap(const Motion& a, const Motion& b) { return a.birth < b.death && b.birth < a.death; }
 
-/// Moves one freedom of a body.
+/// Moves one degree of freedom of a body.
 void move_body(ConditionBuilder& builder, const model::PrescribedMotion& motion, std::size_t body, std::size_t freedom,
                Motion given) {
   RigidBodies& rigid = builder.structure.rigid;
@@ -100,7 +100,7 @@ void move_body(ConditionBuilder& builder, const model::PrescribedMotion& motion,
   rigid.move(body, freedom, std::move(given));
 }
 
-/// The motions of nodes so far, to find two on one freedom.
+/// The motions of nodes so far, to find two on one degree of freedom.
 using Present = std::map<std::uint64_t, std::vector<std::array<double, 2>>>;
 
 void move_node(ConditionBuilder& builder, const model::PrescribedMotion& motion, NodeIndex node, std::size_t freedom,

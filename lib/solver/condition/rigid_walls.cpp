@@ -8,7 +8,7 @@
 namespace gapcheck::solver {
 namespace {
 
-/// A node's part in a wall's sums.
+/// A node's contribution to a wall's sums.
 struct WallSums {
   Vector force = Vector::Zero();
   double normal_force = 0, work = 0;
@@ -21,10 +21,10 @@ struct WallSums {
   }
 };
 
-/// A node before the wall answers.
+/// A node before the wall reacts.
 struct Moving {
   double mass;
-  Vector x, velocity;  ///< velocity: over the coming step, if no wall were there
+  Vector x, velocity;  ///< velocity: over the next step, without walls
   std::uint8_t held;
 };
 
@@ -40,13 +40,13 @@ struct Impulse {
   double normal = 0;
 };
 
-/// What the wall gives a node in one step.
+/// The wall's reaction on a node in one step.
 Impulse wall_impulse(const model::RigidWall& wall, const Moving& node, double next) {
   const auto behind = contact::wall_penetration(wall, node.x + next * node.velocity, 0);
   if (!behind) return {};
   const Vector& normal = behind->normal;
   const double approach = -next * normal.dot(node.velocity);
-  const double push = std::min(behind->depth, approach);  // what was behind before stays there
+  const double push = std::min(behind->depth, approach);  // nodes already behind stay there
   const double compliance = freed(normal, node.held).dot(normal);
   constexpr double least_compliance = 1e-6;  // below, constraints hold the node against the wall
   if (!(push > 0) || !(compliance > least_compliance)) return {};

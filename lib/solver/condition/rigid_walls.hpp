@@ -11,7 +11,7 @@
 
 namespace gapcheck::solver {
 
-/// What one rigid wall does at the time of the last force evaluation, and did since the start.
+/// The action of one rigid wall at the time of the last force evaluation, and since the start.
 struct WallState {
   std::uint32_t wall = 0;         ///< position in Model::rigid_walls
   Vector force = Vector::Zero();  ///< sum over its nodes, on them
@@ -23,14 +23,14 @@ struct WallState {
 /// Why a wall is left out of the calculation; empty: it is calculated.
 [[nodiscard]] std::string_view wall_not_calculated(const model::RigidWall& wall);
 
-/// Rigid walls at rest: perfectly plastic stops. A node that would be behind a wall at the end of the coming step is
-/// put on its surface instead, so it loses the velocity into the wall; one that already is behind goes no deeper and is
-/// not moved out. Friction by Coulomb's law on the impulse along the wall (FRIC 1: no sliding). Of several walls at one
-/// node each sees what those before it did.
+/// Fixed rigid walls: perfectly plastic stops. A node that would be behind a wall at the end of the next step is put on
+/// its surface instead, so it loses the velocity into the wall; one that is already behind goes no deeper and is not
+/// moved out. Friction by Coulomb's law on the impulse along the wall (FRIC 1: no sliding). If several walls act on one
+/// node, each sees the effect of those before it.
 class RigidWalls : public Force {
  public:
-  /// Walls that are not calculated, and nodes of rigid bodies that a wall does not see, are named in `diagnostics`.
-  /// Uses the constraints and rigid bodies that the structure has by now.
+  /// Walls that are not calculated, and nodes of rigid bodies that a wall ignores, are reported in `diagnostics`. Uses
+  /// the constraints and rigid bodies that the structure has so far.
   RigidWalls(const model::Model& model, const Structure& structure, Diagnostics& diagnostics);
 
   void add(State&, Forces&) override {}
@@ -45,8 +45,8 @@ class RigidWalls : public Force {
   struct Wall {
     model::RigidWall data;
     std::vector<NodeIndex> nodes;
-    std::vector<std::uint8_t> held;  ///< beside nodes: constrained translations, one bit each
-    std::vector<Vector> force;       ///< beside nodes: on them, at the last evaluation
+    std::vector<std::uint8_t> held;  ///< by node: constrained translations, one bit each
+    std::vector<Vector> force;       ///< by node: on them, at the last evaluation
   };
   void react_one(const State& state, double mean, double next, Wall& wall, WallState& result, Forces& net,
                  Forces& external) const;

@@ -8,7 +8,7 @@
 namespace gapcheck::solver {
 namespace {
 
-/// The velocity of node b against node a.
+/// The velocity of node b relative to node a.
 Vector relative(const std::vector<Vector>& velocity, const SpringInput& spring) {
   const Vector& a = velocity[spring.a.value];
   return spring.b == none<NodeIndex> ? Vector(-a) : Vector(velocity[spring.b.value] - a);
@@ -63,7 +63,7 @@ double Springs::limit_step(const State& state, const RigidBodies& rigid) const {
   struct Sums {
     double squared_frequency = 0, damping = 0;
   };
-  // What is coupled: bodies and single nodes, translations and rotations apart.
+  // Coupled units: bodies and single nodes, translations and rotations separately.
   std::map<std::pair<const void*, bool>, Sums> sums;
   for (const Spring& spring : springs_) {
     const SpringInput& input = spring.input;

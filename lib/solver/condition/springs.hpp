@@ -9,33 +9,33 @@
 
 namespace gapcheck::solver {
 
-/// How the force of a spring or damper follows from its elongation u and its rate. For torsion: angle and moment.
+/// The force of a spring or damper as a function of its elongation u and its rate. For torsion: angle and moment.
 struct SpringLaw {
   double stiffness = 0;  ///< force = stiffness u
   double damping = 0;    ///< + damping du/dt
-  /// + a curve over u, linear between points, with the end slopes going on; points ascending in u.
+  /// + a curve over u, linear between points, continued with the end slopes; points ascending in u.
   std::vector<std::array<double, 2>> curve;
 
   [[nodiscard]] double force(double elongation) const;
-  /// The largest |dF/du| there is.
+  /// The largest |dF/du|.
   [[nodiscard]] double largest_stiffness() const;
 };
 
-/// Two nodes, or one and the ground: the place where the node starts.
+/// Two nodes, or one and the ground: the node's initial position.
 struct SpringInput {
   NodeIndex a, b = none<NodeIndex>;
   std::uint32_t law = 0;
   double scale = 1;   ///< on the force
-  double offset = 0;  ///< elongation at the start; without effect where there is no length
+  double offset = 0;  ///< elongation at the start; without effect if there is no length
   bool torsional = false;
 };
 
-/// Discrete springs and dampers. A force along the line between the nodes, which is positive in tension; where the
-/// nodes start on one another, or there is one only, it follows the way between them in all directions. Torsion turns
-/// about the line between the nodes. Serial, in the order of the elements.
+/// Discrete springs and dampers. A force along the line between the nodes, positive in tension; if the nodes coincide
+/// at the start, or there is only one, it follows the distance vector in all directions. Torsion turns about the line
+/// between the nodes. Serial, in the order of the elements.
 class Springs : public Force {
  public:
-  /// Masses, inertias and rigid bodies give the stable step. Nodes must be there.
+  /// Masses, inertias and rigid bodies give the stable step. Nodes must exist.
   Springs(std::vector<SpringLaw> laws, std::vector<SpringInput> springs, const State& state, const RigidBodies& rigid);
 
   void add(State& state, Forces& forces) override;
@@ -51,7 +51,7 @@ class Springs : public Force {
  private:
   struct Spring {
     SpringInput input;
-    Vector ground = Vector::Zero();  ///< place of node b where there is none
+    Vector ground = Vector::Zero();  ///< position of node b if there is none
     double length = 0;               ///< at the start
     double tension = 0, elongation = 0;
     Vector pull = Vector::Zero();  ///< force or moment on a; b has the opposite

@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "base/parallel.hpp"
+#include "base/quad.hpp"
 #include "contact/mesh/faces.hpp"
 #include "contact/pair/hit.hpp"
 #include "contact/pair/orientation.hpp"
 #include "contact/pair/release.hpp"
-#include "solver/contact/corner_weights.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -16,9 +16,9 @@ namespace {
 using contact::NodeContact;
 using contact::PairResult;
 
-/// Corners of a segment with their weights; of a triangle the third has those of both last ones.
+/// Corners of a segment with their weights; in a triangle the third has those of both last ones.
 ContactPoint point_of(const model::SegmentNodes& nodes, const geometry::ClosestPoint& closest) {
-  ContactPoint point{nodes, corner_weights(false, closest.s, closest.t)};
+  ContactPoint point{nodes, quad_weights(closest.s, closest.t)};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = i + 1; k < 4; ++k)
       if (nodes[k] == nodes[i]) {
@@ -30,23 +30,23 @@ ContactPoint point_of(const model::SegmentNodes& nodes, const geometry::ClosestP
 
 }  // namespace
 
-/// How a tracked node lies to the segments of the other side.
+/// Position of a tracked node relative to the segments of the other side.
 struct ConstraintPass::Meeting {
   std::optional<contact::Hit> hit;
   PairResult pair;       ///< with the hit's segment
   bool in_zone = false;  ///< some segment is nearer than the contact distance
 };
 
-ConstraintPass::ConstraintPass(const model::Model& model, std::uint32_t contact,
+ConstraintPass::ConstraintPass(const model::Model& model, ContactIndex contact,
                                const contact::ContactSurfaces& surfaces, bool exchanged,
                                const contact::CandidateSearch& search, const contact::TiedPairs& ties,
                                const std::vector<bool>& movable, const std::vector<Vector>& x)
     : model_(model),
       side_(model, contact, surfaces, exchanged, x),
       scene_(side_.scene()),
-      exclusions_(model, model.contacts[contact].id),
+      exclusions_(model, model.contact(contact).id),
       rules_(scene_, side_.tracked(), exclusions_, ties),
-      friction_(model, model.contacts[contact]),
+      friction_(model, model.contact(contact)),
       search_(search),
       movable_(movable),
       exchanged_(exchanged),
@@ -55,12 +55,13 @@ ConstraintPass::ConstraintPass(const model::Model& model, std::uint32_t contact,
   default_tolerance_ = scene_.tolerance;
 }
 
-void ConstraintPass::search(double margin) {
+void ConstraintPass::find_candidates(double margin) {
   contact::SweepCounters counters;
   candidates_.search(scene_, rules_, search_, margin, counters);
 }
 
-ConstraintPass::Meeting ConstraintPass::meet(std::uint32_t slot, std::span<const contact::Candidate> candidates) const {
+ConstraintPass::Meeting ConstraintPass::find_meeting(SlotIndex slot,
+                                                     std::span<const contact::Candidate> candidates) const {
   std::vector<contact::Hit> hits, measured;
   std::vector<PairResult> results;
   for (const contact::Candidate& candidate : candidates) {
@@ -83,30 +84,31 @@ ConstraintPass::Meeting ConstraintPass::meet(std::uint32_t slot, std::span<const
   return meeting;
 }
 
-std::vector<ConstraintPass::Move> ConstraintPass::inside() {
+std::vector<ConstraintPass::Move> ConstraintPass::find_moves() {
   side_.scene().tolerance = default_tolerance_;
-  const std::span<const std::uint32_t> slots = candidates_.slots();
+  const std::span<const SlotIndex> slots = candidates_.slots();
   std::vector<Move> moves(slots.size(), Move{none<NodeIndex>, Vector::Zero()});
   std::vector<bool> near(memory_.size(), false);
-  for (const std::uint32_t slot : slots) near[slot] = true;
+  for (const SlotIndex slot : slots) near[slot.value] = true;
   for (std::size_t slot = 0; slot < memory_.size(); ++slot)
     if (!near[slot]) memory_[slot] = {};
   parallel_for(slots.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t slot = slots[i];
-      const Meeting meeting = meet(slot, candidates_.of(i));
+      const SlotIndex slot = slots[i];
+      const Meeting meeting = find_meeting(slot, candidates_.of(i));
       contact::NodeEncounter encounter;
       encounter.in_zone = meeting.in_zone;
-      Memory& memory = memory_[slot];
+      Memory& memory = memory_[slot.value];
       if (meeting.hit) {
         memory.segment = meeting.hit->segment;
         encounter.penetrates = true;
-        encounter.penetration = scene_.nodes.half[slot] + scene_.segments.half[memory.segment] - meeting.pair.distance;
+        encounter.penetration =
+            scene_.nodes.half[slot.value] + scene_.segments.half[memory.segment.value] - meeting.pair.distance;
         encounter.release_depth = contact::release_depth(scene_, slot, memory.segment);
       }
       memory.penetration = encounter.penetration;
       if (contact::advance(memory.contact, scene_.settings, encounter) == contact::NodeAction::none) continue;
-      const NodeIndex node = scene_.nodes.node[slot];
+      const NodeIndex node = scene_.nodes.node[slot.value];
       const double depth = encounter.penetration - memory.contact.forgiven;
       if (!movable_[node.value] || !(depth > 0)) continue;
       moves[i] = {node, depth * contact::free_direction(scene_, slot, memory.segment, meeting.pair)};
@@ -116,31 +118,32 @@ std::vector<ConstraintPass::Move> ConstraintPass::inside() {
   return moves;
 }
 
-ConstraintPass::Hit ConstraintPass::hit(std::uint32_t slot, const Meeting& meeting) const {
-  const std::uint32_t segment = meeting.hit->segment;
+ConstraintPass::Hit ConstraintPass::hit_of(SlotIndex slot, const Meeting& meeting) const {
+  const SegmentIndex segment = meeting.hit->segment;
   Hit hit;
   hit.slot = slot;
-  hit.depth =
-      scene_.nodes.half[slot] + scene_.segments.half[segment] - meeting.pair.distance - memory_[slot].contact.forgiven;
+  hit.depth = scene_.nodes.half[slot.value] + scene_.segments.half[segment.value] - meeting.pair.distance -
+              memory_[slot.value].contact.forgiven;
   SurfaceConstraint& c = hit.constraint;
-  c.node = scene_.nodes.node[slot];
+  c.node = scene_.nodes.node[slot.value];
   c.normal = contact::free_direction(scene_, slot, segment, meeting.pair);
-  c.segment = point_of(scene_.segments.nodes[segment], meeting.pair.closest);
-  hit.area = contact::area(scene_.segments.nodes[segment], scene_.x);
+  c.segment = point_of(scene_.segments.nodes[segment.value], meeting.pair.closest);
+  hit.area = contact::area(scene_.segments.nodes[segment.value], scene_.x);
   if (friction_.any())
-    hit.friction = friction_.between(scene_.nodes.part[slot], contact::part_of(model_.mesh, scene_.segments, segment));
+    hit.friction =
+        friction_.between(scene_.nodes.part[slot.value], contact::part_of(model_.mesh, scene_.segments, segment.value));
   return hit;
 }
 
-std::vector<ConstraintPass::Hit> ConstraintPass::hits() {
-  side_.scene().tolerance = 0;  // what sinks by rounding alone in each step would else come back in leaps
-  const std::span<const std::uint32_t> slots = candidates_.slots();
+std::vector<ConstraintPass::Hit> ConstraintPass::find_hits() {
+  side_.scene().tolerance = 0;  // otherwise nodes that sink only by rounding in each step would come back in jumps
+  const std::span<const SlotIndex> slots = candidates_.slots();
   std::vector<std::optional<Hit>> found(slots.size());
   parallel_for(slots.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (memory_[slots[i]].contact.state == NodeContact::State::released) continue;
-      const Meeting meeting = meet(slots[i], candidates_.of(i));
-      if (meeting.hit) found[i] = hit(slots[i], meeting);
+      if (memory_[slots[i].value].contact.state == NodeContact::State::released) continue;
+      const Meeting meeting = find_meeting(slots[i], candidates_.of(i));
+      if (meeting.hit) found[i] = hit_of(slots[i], meeting);
     }
   });
   std::vector<Hit> hits;
@@ -149,7 +152,7 @@ std::vector<ConstraintPass::Hit> ConstraintPass::hits() {
   return hits;
 }
 
-void ConstraintPass::carry_over(const ConstraintPass& before) {
+void ConstraintPass::continue_from(const ConstraintPass& before) {
   const std::vector<NodeIndex>& nodes = scene_.nodes.node;
   for (std::size_t slot = 0; slot < before.memory_.size(); ++slot) {
     const NodeIndex node = before.scene_.nodes.node[slot];
@@ -161,7 +164,7 @@ void ConstraintPass::carry_over(const ConstraintPass& before) {
   }
 }
 
-void ConstraintPass::rest() { memory_.assign(memory_.size(), {}); }
+void ConstraintPass::deactivate() { memory_.assign(memory_.size(), {}); }
 
 std::uint64_t ConstraintPass::released() const {
   return static_cast<std::uint64_t>(std::count_if(memory_.begin(), memory_.end(), [](const Memory& memory) {
@@ -175,7 +178,7 @@ void ConstraintPass::add_released(std::vector<ContactNode>& nodes) const {
     ContactNode& node = nodes.emplace_back();
     node.kind = ContactNode::Kind::released;
     node.node = scene_.nodes.node[slot];
-    node.segment = scene_.segments.nodes[memory_[slot].segment];
+    node.segment = scene_.segments.nodes[memory_[slot].segment.value];
     node.penetration = memory_[slot].penetration;
   }
 }

@@ -6,11 +6,11 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Below this share of what its node and corners would give if they were free, a constraint is taken as held.
+/// Below this share of the response of free node and corners, a constraint counts as held.
 constexpr double least_compliance_share = 1e-9;
 constexpr double largest_open_share = 1e-12;
 
-/// What one unit of force moves the node against the segment: along the normal, and at most in any direction.
+/// Relative displacement of node and segment per unit force: along the normal, and the maximum in any direction.
 struct Compliance {
   double normal = 0, any = 0;
 };
@@ -41,7 +41,7 @@ void push(const SurfaceConstraint& c, const Vector& force, NodeResponse& respons
     if (c.segment.weights[i] != 0) give(c.segment.nodes[i], -c.segment.weights[i]);
 }
 
-/// Brings one constraint's reactions to where they would be if all others stayed; returns the displacement of that.
+/// Updates one constraint's reactions with all others fixed; returns the displacement.
 double relax(SurfaceConstraint& c, const Compliance& k, NodeResponse& response) {
   if (!(k.normal > least_compliance_share * k.any)) return 0;
   const double gap = c.depth - c.normal.dot(relative(c, response.moved));

@@ -5,31 +5,32 @@
 #include <utility>
 #include <vector>
 
-#include "contact/stiffness/contact_timestep.hpp"
 #include "contact/initial.hpp"
+#include "contact/stiffness/contact_timestep.hpp"
+#include "solver/contact/contact_interface.hpp"
 #include "solver/contact/contact_method.hpp"
 #include "solver/contact/contact_setting.hpp"
 #include "solver/contact/contact_source.hpp"
-#include "solver/state/force.hpp"
 #include "solver/contact/interface_pass.hpp"
-#include "solver/contact/segment_crossings.hpp"
+#include "solver/contact/search_margin.hpp"
+#include "solver/state/force.hpp"
 
 namespace gapcheck::solver {
 
-/// The penalty contacts of a model, and what tiebreak contacts are beside their ties: side A's nodes in side B's
-/// segments. In deck order, SURFA's nodes before SURFB's, each on the coordinates that the one
-/// before has left. Others are left out.
+/// The penalty contacts of a model, and the contact part of tiebreaks besides their ties: side A's nodes in side B's
+/// segments. In deck order, SURFA's nodes before SURFB's, each on the coordinates left by the one before. Others are
+/// left out.
 class ContactForces : public Force, public ContactSource {
  public:
   /// `surfaces` and `initial` are of this model and of one initialisation; the calculation must start from initial.x.
-  /// `movable`: by node, whether a shooting node may be moved. Model and surfaces must outlive it, and the state that
-  /// comes first must stay where it is.
+  /// `movable`: by node, whether a shooting node may be moved. Model and surfaces must outlive it, and the first state
+  /// must stay at its address.
   ContactForces(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
                 std::vector<bool> movable);
 
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override;
-  /// That of the springs of eroding types, unless ECDT of *CONTROL_CONTACT says that they do not count.
+  /// For the springs of eroding types, unless ECDT of *CONTROL_CONTACT says that they do not count.
   [[nodiscard]] double stable_step() const override { return stable_step_; }
 
   [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
@@ -41,39 +42,21 @@ class ContactForces : public Force, public ContactSource {
   [[nodiscard]] static bool calculates(const model::Contact& contact) {
     const ContactMethod method = choose_method(contact).method;
     return method == ContactMethod::penalty ||
-           (method == ContactMethod::tiebreak && !contact.keyword.ends_with("_ONLY"));
+           (method == ContactMethod::tiebreak && contact.kind->tie != model::TieForm::tiebreak_only);
   }
-  /// A tie of this node to a segment of this part has failed: from the next cycle on they meet like others.
+  /// A tie of this node to a segment of this part has failed: from the next cycle on they are in contact like others.
   void release(NodeIndex node, PartIndex part);
 
  private:
-  struct Interface {
-    std::uint32_t contact = 0;
-    const contact::ContactSurfaces* surfaces = nullptr;
-    /// Where the initialisation has moved nodes, thickness changes or elements have failed.
-    std::unique_ptr<contact::ContactSurfaces> own;
-    std::vector<std::unique_ptr<InterfacePass>> passes;
-    double start = 0, end = 0;
-    bool active = false;
-    const model::Curve* thickness = nullptr;  ///< over time (LCIDAB); nullptr: constant
-    double present_thickness = 0, searched_thickness = 0;  ///< now, and at the last search
-    double step = 0;  ///< that stiffness reckons with; 0: it stays that of the first cycle, or DTSTIF
-    SegmentCrossings crossings;
-  };
-  /// Sets the thickness of the time; returns by how much both halves together have grown since the last search.
-  static double grow(Interface& interface, double time);
-  void build(State& state);
+  void build(const State& state);
   /// Elements have failed since the last call.
   void erode(const State& state);
   void limit_step();
   void gather_nodes();
-  void add_passes(Interface& interface, const std::vector<Vector>& x);
-  void remember(Interface& interface) const;
-  void search(const State& state);
-  /// SOFT = 2: stiffness follows the step, and what DTPCHK asks for.
-  void follow(Interface& interface, const State& state);
-  /// How far anything has come closer to anything else in the last step, at most.
-  [[nodiscard]] double approach(const State& state) const;
+  [[nodiscard]] bool search_is_due(const State& state) const;
+  void find_candidates(const State& state);
+  /// Calculates one contact in this cycle: forces, energies and events.
+  void advance_interface(ContactInterface& interface, State& state, Forces& forces, ContactState& result);
 
   const model::Model& model_;
   contact::SurfaceStore& store_;
@@ -84,15 +67,12 @@ class ContactForces : public Force, public ContactSource {
   std::unique_ptr<contact::CandidateSearch> search_;
   contact::TiedPairs ties_;
   ContactSetting setting_;
-  std::vector<Interface> interfaces_;
+  std::vector<ContactInterface> interfaces_;
   std::vector<ContactState> states_;
   std::vector<ContactEvent> events_;
-  std::vector<std::uint32_t> nodes_;  ///< of all interfaces
   ContactCounters counters_;
-  Vector drift_ = Vector::Zero();  ///< middle of all velocities at the last search: moving together brings nothing closer
-  double margin_ = 0, used_ = 0;
-  double first_step_ = 0;
-  std::int64_t sort_interval_ = 0;  ///< least BSORT; 0: none is given
+  MarginUse margin_;
+  std::int64_t sort_interval_ = 0;  ///< smallest BSORT; 0: none given
   std::uint64_t searched_ = 0;      ///< cycle of the last search
   std::uint64_t failures_ = 0;      ///< FailedElements::count that the surfaces know
   std::unique_ptr<contact::TimestepEstimate> estimate_;

@@ -6,11 +6,12 @@
 
 namespace gapcheck::solver {
 
-void LinkForce::press(const LinkSpring& spring, double depth, const Vector& velocity, const Vector& before, double dt) {
+void LinkForce::set_forces(const LinkSpring& spring, double depth, const Vector& velocity, const Vector& before,
+                           double dt) {
   push = spring.stiffness * depth;
   damping = 0;
   friction.setZero();
-  // Damping slows both ways but never pulls.
+  // Damping acts in both directions but never pulls.
   if (spring.damping > 0) damping = std::max(-push, -spring.damping * velocity.dot(normal));
   if (spring.rubs) {
     const Vector sliding = velocity - velocity.dot(normal) * normal;
@@ -21,6 +22,14 @@ void LinkForce::press(const LinkSpring& spring, double depth, const Vector& velo
     if (size > limit) friction *= size > 0 ? limit / size : 0;
   }
   push = std::max(0.0, push);
+}
+
+void add_energies(const LinkWork& work, bool exchanged, ContactState& result) {
+  result.friction += work.friction;
+  result.damping += work.damping;
+  const bool all_a = result.single_surface;
+  (exchanged && !all_a ? result.energy_b : result.energy_a) += work.on_tracked;
+  (exchanged || all_a ? result.energy_a : result.energy_b) += work.on_reference;
 }
 
 }  // namespace gapcheck::solver

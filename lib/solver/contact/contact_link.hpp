@@ -1,27 +1,28 @@
 #pragma once
 #include "base/vector.hpp"
 #include "model/contact/contact.hpp"
+#include "solver/contact/contact_state.hpp"
 
 namespace gapcheck::solver {
 
-/// What a spring between two points of a contact is made of.
+/// The parameters of a spring between two points of a contact.
 struct LinkSpring {
   double stiffness = 0;
-  double damping = 0;      ///< damping constant
-  bool rubs = false;       ///< there is friction, by `friction` and `area`
+  double damping = 0;  ///< damping constant
+  bool rubs = false;   ///< there is friction, by `friction` and `area`
   model::FrictionLaw friction;
-  double area = 0;         ///< that VC counts with
+  double area = 0;  ///< used by VC
 };
 
-/// The force of such a spring on the tracked point; on the other one acts the opposite.
+/// The force of such a spring on the tracked point; the opposite acts on the other one.
 struct LinkForce {
   Vector normal = Vector::Zero();  ///< unit vector towards the tracked point's free side
   Vector friction = Vector::Zero();
   double push = 0, damping = 0;  ///< along the normal
   [[nodiscard]] Vector force() const { return (push + damping) * normal + friction; }
   /// Sets push, damping and friction along `normal`. `depth`: penetration that gives force; `velocity`: of the tracked
-  /// point against the other one; `before`: friction of the last step; `dt`: that step.
-  void press(const LinkSpring& spring, double depth, const Vector& velocity, const Vector& before, double dt);
+  /// point relative to the other one; `before`: friction of the last step; `dt`: that step.
+  void set_forces(const LinkSpring& spring, double depth, const Vector& velocity, const Vector& before, double dt);
 };
 
 /// Work of springs in one step, by the trapezoidal rule: of friction and damping, and all of it by side.
@@ -37,5 +38,8 @@ struct LinkWork {
     on_reference += half * force.dot(reference);
   }
 };
+
+/// Adds work to the energies of a contact. `exchanged`: the tracked points are on side B.
+void add_energies(const LinkWork& work, bool exchanged, ContactState& result);
 
 }  // namespace gapcheck::solver

@@ -1,8 +1,5 @@
 #include "solver/contact/contact_method.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "contact/definition/active_time.hpp"
 
 namespace gapcheck::solver {
@@ -10,14 +7,9 @@ namespace {
 
 constexpr std::string_view times_by_curve = "birth and death by a curve (DT = -9999) are not calculated";
 
-using Codes = std::initializer_list<std::string_view>;
-
-bool among(std::string_view code, Codes codes) { return std::find(codes.begin(), codes.end(), code) != codes.end(); }
-
 ContactChoice no(std::string_view why) { return {ContactMethod::none, why}; }
 
 ContactChoice choose_tie(const model::Contact& contact, const contact::ContactType& type) {
-  if (contact.keyword.ends_with("_FAILURE")) return no("the failure of ties is not calculated");
   if (type.treatment == contact::Treatment::single_surface) return no("ties of a single surface are not calculated");
   if (contact::active_time(contact).by_curve) return no(times_by_curve);
   return {ContactMethod::tie, ""};
@@ -27,10 +19,10 @@ ContactChoice choose_tie(const model::Contact& contact, const contact::ContactTy
 ContactChoice choose_tiebreak(const model::Contact& contact, const contact::ContactType& type) {
   if (type.treatment == contact::Treatment::single_surface)
     return no("tiebreaks of a single surface are not calculated");
-  if (contact.keyword.starts_with("CONTACT_AUTOMATIC_")) {
-    if (contact.keyword.find("_USER") != contact.keyword.npos)
+  if (contact.kind->automatic_tiebreak()) {
+    if (contact.kind->tie == model::TieForm::automatic_tiebreak_user)
       return no("tiebreaks by a user's law are not calculated");
-    if (contact.keyword.find("_DAMPING") != contact.keyword.npos)
+    if (contact.kind->tie == model::TieForm::automatic_tiebreak_damping)
       return no("the damping of tiebreaks is not calculated");
     if (contact.tiebreak_option != 2 && contact.tiebreak_option != 6)
       return no("of tiebreaks OPTION 2 and 6 alone are calculated");
@@ -43,24 +35,40 @@ ContactChoice choose_tiebreak(const model::Contact& contact, const contact::Cont
   return {ContactMethod::tiebreak, ""};
 }
 
+ContactChoice choose_penalty(const model::Contact& contact) {
+  if (contact::active_time(contact).by_curve) return no(times_by_curve);
+  if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2) return no("only SOFT = 0, 1 and 2 are calculated");
+  return {ContactMethod::penalty, ""};
+}
+
+/// Option words of the keyword that change what the contact does.
+std::string_view unsupported_option(const model::ContactOptions& options) {
+  if (options.ortho_friction) return "orthotropic friction (ORTHO_FRICTION) is not calculated";
+  if (options.thermal_friction) return "friction by temperature (THERMAL_FRICTION) is not calculated";
+  if (options.smooth) return "smoothed surfaces (SMOOTH) are not calculated";
+  return {};
+}
+
 }  // namespace
 
 ContactChoice choose_method(const model::Contact& contact) {
-  if (!contact.known || contact.own_layout) return no("contacts of this kind are not calculated");
   const contact::ContactType type = contact::classify(contact);
-  if (type.pairing == contact::Pairing::mortar) return no("mortar contacts are not calculated");
-  if (type.code == "25") return {ContactMethod::transducer, ""};
-  if (type.family == contact::Family::tied)
-    return among(type.code, {"8", "9"}) || contact.keyword.find("TIEBREAK") != contact.keyword.npos
-               ? choose_tiebreak(contact, type)
-               : choose_tie(contact, type);
-  if (contact::active_time(contact).by_curve) return no(times_by_curve);
-  if (type.family == contact::Family::constraint) return {ContactMethod::constraint, ""};
-  if (!among(type.code, {"3", "a3", "4", "5", "a5", "10", "a10", "13", "a13", "14", "15", "16", "m3", "m5", "m10", "22",
-                         "26", "i26"}))
-    return no("contacts of this type are not calculated");
-  if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2) return no("only SOFT = 0, 1 and 2 are calculated");
-  return {ContactMethod::penalty, ""};
+  if (contact.kind == nullptr || type.code == contact::ContactCode::unknown)
+    return no("contacts of this kind are not calculated");
+  if (type.pairing == contact::Pairing::mortar || contact.options.mortar) return no("mortar contacts are not calculated");
+  if (!contact.kind->not_run.empty()) return no(contact.kind->not_run);
+  if (const std::string_view why = unsupported_option(contact.options); !why.empty()) return no(why);
+  switch (contact.kind->method) {
+    case model::RunMethod::none: return no("contacts of this type are not calculated");
+    case model::RunMethod::transducer: return {ContactMethod::transducer, ""};
+    case model::RunMethod::tie: return choose_tie(contact, type);
+    case model::RunMethod::tiebreak: return choose_tiebreak(contact, type);
+    case model::RunMethod::constraint:
+      if (contact::active_time(contact).by_curve) return no(times_by_curve);
+      return {ContactMethod::constraint, ""};
+    case model::RunMethod::penalty: return choose_penalty(contact);
+  }
+  return no("contacts of this type are not calculated");
 }
 
 }  // namespace gapcheck::solver

@@ -6,22 +6,22 @@
 
 namespace gapcheck::solver {
 
-/// What calculates a contact.
+/// Which code calculates a contact.
 enum class ContactMethod : std::uint8_t {
   none,        ///< nothing does
   penalty,     ///< ContactForces: nodes in segments, SOFT = 0 and 1
   constraint,  ///< ConstraintContact: types 17 and 18
-  tie,         ///< TieConstraints and TieForces: which of them is said node by node
+  tie,         ///< TieConstraints and TieForces, chosen node by node
   tiebreak,    ///< TieForces until a tie fails, then ContactForces
   transducer,  ///< Transducers: it only measures
 };
 
 struct ContactChoice {
   ContactMethod method = ContactMethod::none;
-  std::string_view why_not;  ///< of none: the reason
+  std::string_view why_not;  ///< for none: the reason
 };
 
-/// The one answer to which contacts are calculated, and by what.
+/// The single place that decides which contacts are calculated, and by what.
 [[nodiscard]] ContactChoice choose_method(const model::Contact& contact);
 
 }  // namespace gapcheck::solver

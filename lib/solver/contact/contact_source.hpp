@@ -10,7 +10,7 @@
 
 namespace gapcheck::solver {
 
-/// A point of a contact surface: nodes and their weights, which sum up to 1. Weight 0: the place is not used.
+/// A point of a contact surface: nodes and their weights, which sum to 1. Weight 0: unused entry.
 struct ContactPoint {
   std::array<NodeIndex, 4> nodes{};
   std::array<double, 4> weights{};
@@ -30,24 +30,24 @@ struct ContactLink {
   Vector force = Vector::Zero();  ///< on the tracked point
 };
 
-/// Something that a contact does once, for the message file: a tie that fails.
+/// A single event of a contact, for the message file: a tie that fails.
 struct ContactEvent {
-  std::uint32_t contact = 0;  ///< position in Model::contacts
+  ContactIndex contact;  ///< position in Model::contacts
   double time = 0;
   std::string text;  ///< lines of a message block, without its heading
 };
 
-/// What calculates contacts, as those see it who report on them or measure their forces.
+/// The interface of code that calculates contacts, for code that reports them or measures their forces.
 class ContactSource {
  public:
   virtual ~ContactSource() = default;
   /// One for each contact that it calculates, in deck order. Complete after the first force evaluation.
   [[nodiscard]] virtual std::span<const ContactState> states() const = 0;
-  /// The nodes that one of them (position among the states) has something to do with.
+  /// The nodes that one of them (position among the states) affects.
   [[nodiscard]] virtual std::vector<ContactNode> nodes(std::size_t position) const = 0;
   /// Adds its forces at the time of the last force evaluation.
   virtual void links(std::size_t position, std::vector<ContactLink>& links) const = 0;
-  /// What has happened since the last call.
+  /// Events since the last call.
   [[nodiscard]] virtual std::vector<ContactEvent> take_events() { return {}; }
 };
 

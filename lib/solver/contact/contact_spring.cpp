@@ -19,7 +19,7 @@ ContactSprings::ContactSprings(const model::Model& model, const contact::SideSce
     : scene_(side.scene()),
       mass_(masses.mass),
       penopt_(model.controls.penopt),
-      // The solver takes SOFT = 1 where a type has no segment-based contact.
+      // The solver uses SOFT = 1 if a type has no segment-based contact.
       soft_(scene_.contact.soft == 2 && !contact::has_soft_2(scene_.type) ? 1 : scene_.contact.soft),
       sofscl_(scene_.contact.sofscl),
       nodes_(scene_.nodes.size()) {
@@ -30,7 +30,7 @@ ContactSprings::ContactSprings(const model::Model& model, const contact::SideSce
   for (std::size_t s = 0; s < segments.size(); ++s)
     segments_.push_back(masses.springs(segments, s, slsfac * segment_scale, false, solid_modulus).stiffness);
 
-  // Thousands of small contacts must not each go through all nodes of the model.
+  // Thousands of small contacts must not each visit all nodes of the model.
   std::vector<NodeIndex> touched;
   for (const auto& corners : side.tracked().selection.segments.nodes)
     touched.insert(touched.end(), corners.begin(), corners.end());
@@ -44,7 +44,7 @@ ContactSprings::ContactSprings(const model::Model& model, const contact::SideSce
   std::vector<contact::NodeStiffness> sums(touched.size());
   const contact::Segments& own = side.tracked().selection.segments;
   for (std::size_t s = 0; s < own.size(); ++s) {
-    // Where beams are no reference, the segment that their nodes meet decides.
+    // If beams are not a reference, the segment that their nodes contact decides.
     if (own.kind[s] == contact::SegmentKind::line && !scene_.type.edges) continue;
     const contact::SegmentSpring spring = masses.springs(own, s, slsfac * node_scale, false, solid_modulus);
     if (!(spring.weight > 0)) continue;
@@ -61,16 +61,16 @@ ContactSprings::ContactSprings(const model::Model& model, const contact::SideSce
   }
 }
 
-ContactSprings::Spring ContactSprings::operator()(std::uint32_t slot, std::uint32_t segment) const {
-  const Node& node = nodes_[slot];
-  const double of_segment = segments_[segment];
-  // Nodes of a set have no segment of their own: what they meet decides.
+ContactSprings::Spring ContactSprings::operator()(SlotIndex slot, SegmentIndex segment) const {
+  const Node& node = nodes_[slot.value];
+  const double of_segment = segments_[segment.value];
+  // Nodes of a set have no segment of their own: the segment that they contact decides.
   const contact::PairStiffness pair{node.least > 0 ? node.least : of_segment, of_segment > 0 ? of_segment : node.least,
                                     node.weighted > 0 ? node.weighted : of_segment, node.thickness};
-  const model::SegmentNodes& corners = scene_.segments.nodes[segment];
+  const model::SegmentNodes& corners = scene_.segments.nodes[segment.value];
   Spring spring;
   spring.stiffness = contact::spring_stiffness(penopt_, pair);
-  spring.node_mass = mass_[scene_.nodes.node[slot].value];
+  spring.node_mass = mass_[scene_.nodes.node[slot.value].value];
   for (std::size_t c = 0; c < corner_count(corners); ++c) spring.segment_mass += mass_[corners[c].value];
   if (soft_ == 1) {
     const double soft = contact::soft_1_stiffness(spring.node_mass, spring.segment_mass, timestep_);

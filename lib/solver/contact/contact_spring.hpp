@@ -15,26 +15,26 @@ struct ContactMasses {
   std::vector<double> mass;  ///< by node; rigid parts count like others
 };
 
-/// Stiffness of the springs between the tracked nodes and the segments of one scene. Everything but SOFT = 1 is known
-/// at the start. The formulas are those of contact/stiffness.hpp.
+/// Stiffness of the springs between the tracked nodes and the segments of one scene. Everything except SOFT = 1 is
+/// known at the start. The formulas are those of contact/stiffness.hpp.
 class ContactSprings {
  public:
   /// `node_scale`, `segment_scale`: SFS or SFM of the tracked and of the reference side.
   ContactSprings(const model::Model& model, const contact::SideScene& side, const ContactMasses& masses,
                  double node_scale, double segment_scale);
-  /// The step that SOFT = 1 reckons with: that of the first cycle, or DTSTIF.
+  /// The step used by SOFT = 1: that of the first cycle, or DTSTIF.
   void set_timestep(double timestep) { timestep_ = timestep; }
 
   struct Spring {
     double stiffness = 0;
     double node_mass = 0, segment_mass = 0;  ///< mass of the node and of all the segment's nodes
   };
-  [[nodiscard]] Spring operator()(std::uint32_t slot, std::uint32_t segment) const;
+  [[nodiscard]] Spring operator()(SlotIndex slot, SegmentIndex segment) const;
   /// Damping constant at VDC percent of the critical one: VDC / 100 · 2 m ω. Source: contact rules, section 8.3.
   [[nodiscard]] static double damping(const Spring& spring, double percent);
 
  private:
-  /// SFS, SFM and SSF in it.
+  /// including SFS, SFM and SSF
   struct Node {
     double least = 0;     ///< of the node's segments
     double weighted = 0;  ///< mean of them, by area

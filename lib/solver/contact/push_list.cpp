@@ -7,12 +7,12 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Nodes that one thread adds up at least, and into how many such ranges the nodes are cut at most.
+/// Minimum number of nodes that one thread sums, and maximum number of such ranges.
 constexpr std::uint32_t least_range = 2048, most_ranges = 64;
-/// Where lists reach into more ranges than this on average, going through them once is faster.
+/// If lists reach into more ranges than this on average, a single pass over them is faster.
 constexpr std::size_t most_visits = 3;
 
-/// Adds to the corners from node `low` to before node `high` what acts on them.
+/// Adds the forces on the corners in the range [`low`, `high`) of nodes.
 void add_to_corners(const PushList& list, const contact::Segments& segments, std::uint32_t low, std::uint32_t high,
                     Forces& forces) {
   const bool all = list.low >= low && list.high < high;
@@ -22,6 +22,24 @@ void add_to_corners(const PushList& list, const contact::Segments& segments, std
       if (all || (corners[c].value >= low && corners[c].value < high))
         forces.force[corners[c].value] -= push.weights[c] * push.force;
   }
+}
+
+/// Force and moment about the origin on the tracked nodes and on the segments of a list.
+struct PushTotals {
+  Vector force = Vector::Zero(), tracked_moment = Vector::Zero(), reference_moment = Vector::Zero();
+};
+
+PushTotals totals(const PushList& list, const contact::Segments& segments, const std::vector<Vector>& x) {
+  PushTotals totals;
+  for (const NodePush& push : list.pushes) {
+    const model::SegmentNodes& corners = segments.nodes[push.segment];
+    Vector foot = Vector::Zero();
+    for (std::size_t c = 0; c < 4; ++c) foot += push.weights[c] * x[corners[c].value];
+    totals.force += push.force;
+    totals.tracked_moment += x[push.node].cross(push.force);
+    totals.reference_moment -= foot.cross(push.force);
+  }
+  return totals;
 }
 
 }  // namespace
@@ -38,19 +56,6 @@ void PushList::add(const NodePush& push, const model::SegmentNodes& corners) {
     low = std::min(low, corner.value);
     high = std::max(high, corner.value);
   }
-}
-
-PushTotals totals(const PushList& list, const contact::Segments& segments, const std::vector<Vector>& x) {
-  PushTotals totals;
-  for (const NodePush& push : list.pushes) {
-    const model::SegmentNodes& corners = segments.nodes[push.segment];
-    Vector foot = Vector::Zero();
-    for (std::size_t c = 0; c < 4; ++c) foot += push.weights[c] * x[corners[c].value];
-    totals.force += push.force;
-    totals.tracked_moment += x[push.node].cross(push.force);
-    totals.reference_moment -= foot.cross(push.force);
-  }
-  return totals;
 }
 
 void add_pushes(std::span<const PushList> lists, const contact::Segments& segments, Forces& forces) {
@@ -76,6 +81,20 @@ void add_pushes(std::span<const PushList> lists, const contact::Segments& segmen
         if (!list.pushes.empty() && list.low < (r + 1) * range && list.high >= r * range)
           add_to_corners(list, segments, r * range, (r + 1) * range, forces);
   });
+}
+
+void add_totals(std::span<const PushList> lists, const contact::Segments& segments, const std::vector<Vector>& x,
+                bool exchanged, ContactState& result) {
+  std::vector<PushTotals> sums(lists.size());
+  parallel_for(lists.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) sums[i] = totals(lists[i], segments, x);
+  });
+  for (const PushTotals& sum : sums) {
+    (exchanged ? result.force_b : result.force_a) += sum.force;
+    (exchanged ? result.force_a : result.force_b) -= sum.force;
+    (exchanged ? result.moment_b : result.moment_a) += sum.tracked_moment;
+    (exchanged ? result.moment_a : result.moment_b) += sum.reference_moment;
+  }
 }
 
 }  // namespace gapcheck::solver

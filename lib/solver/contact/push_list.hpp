@@ -25,14 +25,13 @@ struct PushList {
   void add(const NodePush& push, const model::SegmentNodes& corners);
 };
 
-/// Force and moment about the origin on the tracked nodes and on the segments of a list.
-struct PushTotals {
-  Vector force = Vector::Zero(), tracked_moment = Vector::Zero(), reference_moment = Vector::Zero();
-};
-[[nodiscard]] PushTotals totals(const PushList& list, const contact::Segments& segments, const std::vector<Vector>& x);
-
-/// Adds the forces of all lists, each node tracked once at most: first on the tracked nodes, then on the corners in the
+/// Adds the forces of all lists, each node tracked at most once: first on the tracked nodes, then on the corners in the
 /// order of lists and pushes. The same bits for any number of threads.
 void add_pushes(std::span<const PushList> lists, const contact::Segments& segments, Forces& forces);
+
+/// Adds forces, and their moments about the origin, to the sums of both sides, list by list. `exchanged`: the tracked
+/// nodes are on side B. The same bits for any number of threads.
+void add_totals(std::span<const PushList> lists, const contact::Segments& segments, const std::vector<Vector>& x,
+                bool exchanged, ContactState& result);
 
 }  // namespace gapcheck::solver

@@ -5,7 +5,7 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Below it the diagonals are parallel for all that doubles can tell.
+/// Below it the diagonals are parallel within the accuracy of doubles.
 constexpr double least_sine = 1e-10;
 
 }  // namespace

@@ -12,10 +12,10 @@ namespace gapcheck::solver {
 struct SegmentAxes {
   SegmentAxes() { turn.fill(Matrix::Zero()); }
   SegmentAxes(const model::SegmentNodes& nodes, const std::vector<Vector>& x);
-  /// Where the corners are after `time` with these velocities.
+  /// Positions of the corners after `time` with these velocities.
   SegmentAxes(const model::SegmentNodes& nodes, const std::vector<Vector>& x, const std::vector<Vector>& v,
               double time);
-  bool sound = false;                ///< false: the segment has no area; nothing else is known then
+  bool sound = false;                ///< false: the segment has no area; the rest is undefined
   Matrix axes = Matrix::Identity();  ///< by column
   std::array<Matrix, 4> turn{};      ///< angular velocity = Σ turn[i] · velocity of corner i
   [[nodiscard]] Vector spin(const model::SegmentNodes& nodes, const std::vector<Vector>& v) const;

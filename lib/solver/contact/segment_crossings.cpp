@@ -9,7 +9,7 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Pairs that are named one by one.
+/// Pairs that are listed individually.
 constexpr std::size_t named = 100;
 
 std::string element(const model::Model& model, const contact::CrossingSegment& segment) {
@@ -40,8 +40,8 @@ SegmentCrossings::SegmentCrossings(double interval) : interval_(std::abs(interva
   if (!std::isfinite(interval_)) interval_ = 0;
 }
 
-std::optional<ContactEvent> SegmentCrossings::look(const model::Model& model, std::uint32_t contact,
-                                                   const contact::ContactSurfaces& surfaces, const State& state) {
+std::optional<ContactEvent> SegmentCrossings::check(const model::Model& model, ContactIndex contact,
+                                                    const contact::ContactSurfaces& surfaces, const State& state) {
   if (!(interval_ > 0) || state.time < next_) return std::nullopt;
   next_ = (std::floor(state.time / interval_) + 1) * interval_;
   contact::CrossingOptions options;

@@ -6,16 +6,16 @@
 
 namespace gapcheck::solver {
 
-/// DTPCHK of SOFT = 2: at every such interval the segments that pass through each other are looked for and told. Which
-/// do, contact/crossings.hpp decides.
+/// DTPCHK of SOFT = 2: at this interval, segments that pass through each other are searched and reported.
+/// contact/crossings.hpp decides which do.
 class SegmentCrossings {
  public:
   SegmentCrossings() = default;
-  /// 0: never; of a negative interval its amount counts.
+  /// 0: never; for a negative interval its absolute value counts.
   explicit SegmentCrossings(double interval);
-  /// What is to be told at this time; nothing where no look is due, or where nothing has changed since the last one.
-  [[nodiscard]] std::optional<ContactEvent> look(const model::Model& model, std::uint32_t contact,
-                                                 const contact::ContactSurfaces& surfaces, const State& state);
+  /// The report at this time; nothing if no check is due or nothing has changed since the last one.
+  [[nodiscard]] std::optional<ContactEvent> check(const model::Model& model, ContactIndex contact,
+                                                  const contact::ContactSurfaces& surfaces, const State& state);
 
  private:
   double interval_ = 0, next_ = 0;

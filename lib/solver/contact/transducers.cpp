@@ -22,7 +22,7 @@ bool lies_on(const ContactPoint& point, const std::vector<bool>& marks) {
   return true;
 }
 
-/// Adds what `force` at a point puts on marked nodes.
+/// Adds the share of `force` at a point that acts on marked nodes.
 void add_nodes(const ContactPoint& point, const Vector& force, const std::vector<bool>& marks, const State& state,
                ContactState& sum) {
   for (std::size_t i = 0; i < 4; ++i) {
@@ -38,8 +38,8 @@ void add_nodes(const ContactPoint& point, const Vector& force, const std::vector
 
 Transducers::Transducers(const model::Model& model, contact::SurfaceStore& surfaces) : model_(model) {
   const std::size_t nodes = model.mesh.nodes.size();
-  for (std::uint32_t c = 0; c < model.contacts.size(); ++c) {
-    const model::Contact& contact = model.contacts[c];
+  for (const ContactIndex c : positions<ContactIndex>(model.contacts.size())) {
+    const model::Contact& contact = model.contact(c);
     if (choose_method(contact).method != ContactMethod::transducer) continue;
     const contact::ContactSurfaces& sides = surfaces.at(c);
     Transducer& transducer = transducers_.emplace_back();
@@ -74,14 +74,14 @@ std::vector<ContactState> Transducers::measure(std::span<const ContactView> cont
   if (sums.empty()) return sums;
   std::vector<ContactLink> links;
   for (const ContactView& view : contacts) {
-    const model::Contact& contact = model_.contacts[view.state().contact];
+    const model::Contact& contact = model_.contact(view.state().contact);
     links.clear();
     view.source->links(view.position, links);
     for (const ContactLink& link : links) {
       bool used = false;
       for (std::size_t i = 0; i < sums.size(); ++i) {
         const Transducer& transducer = transducers_[i];
-        if (!contact::measures(model_.contacts[transducer.contact], contact)) continue;
+        if (!contact::measures(model_.contact(transducer.contact), contact)) continue;
         if (transducer.between && ((used && model_.controls.ftall != 1) || !contact::tells_surfaces(contact))) continue;
         used = add(transducer, link, state, sums[i]) || used;
       }

@@ -8,10 +8,10 @@
 
 namespace gapcheck::solver {
 
-/// The force transducers of a model: sums of other contacts' forces. With one surface, all that act on its nodes; with
-/// two, those of automatic contacts between points of the one and of the other, where both points lie on nodes of
-/// their surfaces alone. Of transducers with two surfaces a force goes to the first one only, unless FTALL = 1.
-/// Moments that ties put on rotations are not measured.
+/// The force transducers of a model: sums of other contacts' forces. With one surface, all forces on its nodes; with
+/// two, those of automatic contacts between points of the one and of the other, if both points lie only on nodes of
+/// their surfaces. Among transducers with two surfaces a force goes only to the first one, unless FTALL = 1. Moments
+/// that ties put on rotations are not measured.
 class Transducers {
  public:
   /// The model must outlive it.
@@ -22,7 +22,7 @@ class Transducers {
  private:
   using Marks = std::vector<bool>;  ///< by node
   struct Transducer {
-    std::uint32_t contact = 0;  ///< position in Model::contacts
+    ContactIndex contact;  ///< position in Model::contacts
     bool between = false;       ///< it has two surfaces
     Marks a, b;
   };

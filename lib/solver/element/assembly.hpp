@@ -14,7 +14,7 @@ namespace gapcheck::solver {
 class CornerTable {
  public:
   CornerTable() = default;
-  /// `corners[k]`: node of the k-th place of the force array, or none where the place is not used.
+  /// `corners[k]`: node of the k-th entry of the force array, or none if unused.
   CornerTable(std::size_t nodes, std::span<const NodeIndex> corners);
 
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t node) const {

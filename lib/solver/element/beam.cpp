@@ -9,7 +9,7 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// Stiffness of one bending plane: M = first own turn + second the other end's.
+/// Stiffness of one bending plane: M = first * own rotation + second * that of the other end.
 struct Bending {
   double first, second;
   double shear_ratio;  ///< 12 E I / (G A_s L²)
@@ -59,7 +59,7 @@ void update_axial_stress(const Material& material, double increment, double dt, 
   state.plastic_strain += plastic;
 }
 
-/// Turns the axes with the beam and adds the ends' turns against them.
+/// Turns the axes with the beam and adds the rotations of the ends relative to them.
 void turn_axes(const BeamEnds& ends, const Vector& way, const Vector& along, double dt, BeamState& state) {
   const Vector rate = ends.v[1] - ends.v[0];
   const Vector middle = way - dt / 2 * rate;

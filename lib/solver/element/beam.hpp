@@ -18,12 +18,12 @@ struct BeamEnds {
   std::array<Vector, 2> x, v, w;
 };
 
-/// What one beam remembers.
+/// The history of one beam.
 struct BeamState {
   double length = 0;                                       ///< at the start
   Vector axis = Vector::Zero();                            ///< s, unit length, across the beam; at the end of the step
-  double twist = 0;                                        ///< of end 2 against end 1
-  std::array<double, 2> turn_s{}, turn_t{};                ///< of the ends about s and t, against the line between them
+  double twist = 0;                                        ///< of end 2 relative to end 1
+  std::array<double, 2> turn_s{}, turn_t{};                ///< of the ends about s and t, relative to their line
   double stress = 0, back_stress = 0, plastic_strain = 0;  ///< of trusses
 };
 
@@ -36,22 +36,22 @@ struct BeamForces {
   bool good = false;       ///< false: no length, or not a number
 };
 
-/// Truss: axial stress from the strain increments Δl / l of the middle of each step, on the area of the start. Rate
-/// dependence takes the axial rate.
+/// Truss: axial stress from the strain increments Δl / l of the middle of each step, on the initial area. Rate
+/// dependence uses the axial rate.
 [[nodiscard]] BeamForces truss_forces(const BeamProperties& properties, const BeamEnds& ends, double dt,
                                       BeamState& state);
 
 /// Resultant beam of Belytschko and Schwer (Int. J. Numer. Meth. Engng 11, 1977): axes that turn with the line between
-/// the ends and their mean spin about it; axial force from the length, torsion and bending from the ends' turns against
-/// these axes, with transverse shear where the section has a shear area. Elastic. Turns are taken in the middle of the
-/// step, forces at its end.
+/// the ends and their mean spin about it; axial force from the length, torsion and bending from the rotations of the
+/// ends relative to these axes, with transverse shear if the section has a shear area. Elastic. Rotations are taken in
+/// the middle of the step, forces at its end.
 [[nodiscard]] BeamForces resultant_beam_forces(const BeamProperties& properties, const BeamEnds& ends, double dt,
                                                BeamState& state);
 
 /// Mass of a beam of this length.
 [[nodiscard]] double beam_mass(const BeamProperties& properties, double length);
-/// Rotational inertia of an end per mass there, the same about all axes: max(l²/12, (Iss + Itt)/A), raised over the
-/// physical one so that bending does not rule the time step of slender beams. Trusses have none.
+/// Rotational inertia of an end per mass there, the same about all axes: max(l²/12, (Iss + Itt)/A), raised above the
+/// physical one so that bending does not control the time step of slender beams. Trusses have none.
 [[nodiscard]] double beam_inertia(const BeamProperties& properties, double length);
 
 }  // namespace gapcheck::solver

@@ -17,16 +17,16 @@ class BeamElements {
   /// Adds a part's properties; returns their position.
   std::uint32_t add_properties(BeamProperties properties);
   /// Adds a beam and its share of mass and rotational inertia to the nodes. `third`: a point in the plane of the axes r
-  /// and s, from the first node; any length; across is what counts. `origin`: position in the model, for messages.
-  /// Returns its length; not above zero: it was not added.
+  /// and s, from the first node; any length; only its direction across counts. `origin`: position in the model, for
+  /// messages. Returns its length; if not above zero, the beam was not added.
   double add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third, std::uint32_t origin,
              State& state);
-  /// Once all beams are there.
+  /// Call it once all beams are added.
   void finish(std::size_t nodes);
 
   /// Forces at state.time (dt = 0: those of the present state).
   Summary update(const State& state);
-  /// Takes the beams' pull on a node off its force and moment.
+  /// Subtracts the beams' pull on a node from its force and moment.
   void gather(std::size_t node, Vector& force, Vector& moment) const {
     for (const std::uint32_t place : table_.of(node)) {
       force -= force_[place];
@@ -42,7 +42,7 @@ class BeamElements {
   [[nodiscard]] const BeamState& state(std::size_t beam) const { return state_[beam]; }
   /// Tension at the last evaluation.
   [[nodiscard]] double axial(std::size_t beam) const { return axial_[beam]; }
-  /// Force and moment on the second end at the last evaluation; what the beam pulls with is the opposite.
+  /// Force and moment on the second end at the last evaluation; the beam pulls with the opposite.
   [[nodiscard]] const Vector& end_force(std::size_t beam) const { return force_[2 * beam + 1]; }
   [[nodiscard]] const Vector& end_moment(std::size_t beam) const { return moment_[2 * beam + 1]; }
 
@@ -55,7 +55,7 @@ class BeamElements {
   std::vector<BeamState> state_;
   std::vector<double> axial_;
   std::vector<ElementEnergy> energy_;
-  std::vector<Vector> force_, moment_;  ///< two places per beam
+  std::vector<Vector> force_, moment_;  ///< two entries per beam
   CornerTable table_;
 };
 

@@ -3,7 +3,7 @@
 
 namespace gapcheck::solver {
 
-/// How the modes without strain are held: by their speed or by their size.
+/// How modes without strain are controlled: by their velocity or by their amplitude.
 enum class HourglassKind : std::uint8_t { none, viscous, stiffness };
 
 /// IHQ 1–3 are viscous, 4 and 5 stiffness; QM is the coefficient (default 0.1).

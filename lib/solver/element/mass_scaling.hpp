@@ -6,10 +6,10 @@
 
 namespace gapcheck::solver {
 
-/// Mass scaling of *CONTROL_TIMESTEP: DT2MS below zero makes elements whose step at the start is too small heavier until it
+/// Mass scaling of *CONTROL_TIMESTEP: DT2MS below zero adds mass to elements whose initial step is too small until it
 /// is |DT2MS| TSSFAC; above zero all elements get that step. Later in the run no more mass is added.
 struct MassScaling {
-  double step = 0;         ///< that the elements shall have; 0: no scaling
+  double step = 0;         ///< target for the elements; 0: no scaling
   bool all = false;        ///< also elements with a longer step
   double step_factor = 1;  ///< TSSFAC, on the manual's element step
 
@@ -17,7 +17,7 @@ struct MassScaling {
   explicit MassScaling(const model::Controls& controls)
       : step(std::abs(controls.dt2ms) * controls.tssfac), all(controls.dt2ms > 0), step_factor(controls.tssfac) {}
 
-  /// Mass by which an element's own is to be multiplied, from its steps: the manual's and the bound of its frequency.
+  /// Factor on an element's own mass, from its steps: the manual's and the bound of its frequency.
   [[nodiscard]] double factor(double manual_step, double stable_step) const {
     const double own = std::min(step_factor * manual_step, stable_step);
     if (!(step > 0) || !(own > 0) || (!all && own >= step)) return 1;

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quad.hpp"
 #include "model/entity/faces.hpp"
 #include "solver/element/solid.hpp"
 
 namespace gapcheck::solver {
 namespace {
 
-/// Positions of an element's nodes; nothing where one is not there.
+/// Positions of an element's nodes; nothing if one is missing.
 template <std::size_t N>
 std::optional<std::array<Vector, N>> places(const model::Mesh& mesh, const std::array<NodeIndex, N>& nodes) {
   std::array<Vector, N> x;
@@ -43,7 +44,7 @@ void add_shells(const model::Model& model, const std::vector<bool>& wanted, std:
     const bool has_own = own != shells.own_thickness.end() && own->shell == i;
     const double thickness =
         mean_thickness(model.sections[*model.part(part).section], has_own ? &own->thickness : nullptr);
-    const double area = ((*x)[2] - (*x)[0]).cross((*x)[3] - (*x)[1]).norm() / 2;
+    const double area = quad_normal(*x).norm() / 2;
     share(shells.nodes[i], shells.nodes[i][2] == shells.nodes[i][3] ? 3 : 4, density(model, part) * area * thickness,
           masses);
   }

@@ -7,10 +7,10 @@
 namespace gapcheck::solver {
 
 /// Masses of the shells and solids of some parts (`wanted`: by part), lumped to their nodes in equal shares; by node.
-/// Elements that are not complete or have no mass count nothing.
+/// Incomplete elements and elements without mass do not count.
 [[nodiscard]] std::vector<double> nodal_masses(const model::Model& model, const std::vector<bool>& wanted);
 
-/// The mean thickness of a shell at the start; `own`: at its nodes where it has one, 0 = the section's.
+/// The initial mean thickness of a shell; `own`: at its nodes if it has one, 0 = the section's.
 [[nodiscard]] double mean_thickness(const model::Section& section, const std::array<double, 4>* own);
 
 }  // namespace gapcheck::solver

@@ -26,7 +26,7 @@ struct ShellCorners {
   std::array<Vector, 4> x, v, w;
 };
 
-/// What one shell remembers beside its integration points.
+/// The history of one shell besides its integration points.
 struct ShellState {
   double thickness = 0;
   std::array<double, 5> hourglass{};  ///< generalised stresses: membrane x, y, deflection, rotation x, y
@@ -43,7 +43,7 @@ struct ShellForces {
 
 /// Quadrilateral of Belytschko, Lin and Tsay (Comput. Methods Appl. Mech. Engng 42, 1984): one point in the plane,
 /// velocity strain in axes that turn with the element, hourglass control. Strains are taken in the middle of the step
-/// (x − dt v / 2), forces at its end, so that a rigid motion strains nothing. dt = 0: forces of the present stresses.
+/// (x − dt v / 2), forces at its end, so a rigid motion causes no strain. dt = 0: forces of the present stresses.
 [[nodiscard]] ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                       ShellState& state, std::span<PointState> points);
 
@@ -52,8 +52,8 @@ struct ShellForces {
 [[nodiscard]] ShellForces triangle_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                           ShellState& state, std::span<PointState> points);
 
-/// Rotational inertia of a corner per mass: max(h²/12, A/8), raised over the physical one so that bending does not
-/// rule the time step (Hughes, Cohen and Haroun 1978).
+/// Rotational inertia of a corner per mass: max(h²/12, A/8), raised above the physical one so that bending does not
+/// control the time step (Hughes, Cohen and Haroun 1978).
 [[nodiscard]] inline double rotational_inertia(double area, double thickness) {
   return std::max(thickness * thickness / 12, area / 8);
 }
@@ -72,7 +72,7 @@ struct ShellResultants {
   double yz = 0, zx = 0;
 };
 
-/// Updates the layers' stresses and integrates them through the thickness, which follows where the section says so.
+/// Updates the layers' stresses and integrates them through the thickness, which follows if the section says so.
 [[nodiscard]] ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& strain, double dt,
                                                double& thickness, std::span<PointState> points);
 

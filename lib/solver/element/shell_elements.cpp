@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "base/quad.hpp"
+
 namespace gapcheck::solver {
 
 std::uint32_t ShellElements::add_properties(ShellProperties properties) {
@@ -33,7 +35,7 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
   const std::size_t corners = triangle(size() - 1) ? 3 : 4;
   // With corners 3 and 4 equal this is the triangle's area too.
   const std::vector<Vector>& x = state.x;
-  const double area = (x[nodes[2].value] - x[nodes[0].value]).cross(x[nodes[3].value] - x[nodes[1].value]).norm() / 2;
+  const double area = quad_normal(nodes, x).norm() / 2;
   double factor = 1;
   if (scaling.step > 0) {
     const ShellForces steps = at_rest(size() - 1, x);

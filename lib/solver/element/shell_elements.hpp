@@ -19,15 +19,15 @@ class ShellElements {
   std::uint32_t add_properties(ShellProperties properties);
   /// Adds a shell (a triangle repeats its third corner) at positions `x` of all nodes and its share of mass and
   /// rotational inertia to the nodes. `origin`: its position in the model, for messages.
-  /// Returns the mass that `scaling` has added.
+  /// Returns the mass added by `scaling`.
   double add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness, std::uint32_t origin,
              State& state, const MassScaling& scaling = {});
-  /// Once all shells are there.
+  /// Call it once all shells are added.
   void finish(std::size_t nodes);
 
-  /// Forces at state.time, stresses brought over the last step (dt = 0: the forces of the present stresses).
+  /// Forces at state.time, stresses updated over the last step (dt = 0: the forces of the present stresses).
   Summary update(const State& state);
-  /// Takes the shells' pull on a node off its force and moment.
+  /// Subtracts the shells' pull on a node from its force and moment.
   void gather(std::size_t node, Vector& force, Vector& moment) const {
     for (const std::uint32_t place : table_.of(node)) {
       force -= force_[place];
@@ -65,7 +65,7 @@ class ShellElements {
   std::vector<double> step_factor_;  ///< root of the factor on the mass; empty: no shell is scaled
   std::vector<std::uint64_t> first_point_{0};
   std::vector<PointState> points_;
-  std::vector<Vector> force_, moment_;  ///< four places per shell
+  std::vector<Vector> force_, moment_;  ///< four entries per shell
   std::vector<ElementEnergy> energy_;
   std::vector<char> failed_;  ///< not bits: written by several threads
   CornerTable table_;

@@ -14,7 +14,7 @@ struct QuadFrame {
   double shape_x, shape_y, warp;  ///< x₁ − x₂ + x₃ − x₄ in the three axes
 };
 
-/// Two numbers that the same is done to: roots and divisions of both cost as much as of one.
+/// Two numbers treated alike: roots and divisions of both cost as much as of one.
 using Both = Eigen::Array2d;
 
 struct BothVectors {
@@ -38,10 +38,10 @@ std::array<QuadFrame, 2> make_frames(const std::array<Vector, 4>& middle, const 
   };
   const BothVectors d31 = difference(2, 0), d42 = difference(3, 1), side = difference(1, 0);
   const BothVectors normal = d31.cross(d42);
-  // Roots and divisions that do not wait for one another: this is the slowest part of the element.
+  // Roots and divisions independent of one another: this is the slowest part of the element.
   const Both square = normal.dot(normal), inverse_square = 1 / square, twice_area = square.sqrt();
   BothVectors along = side - Both(side.dot(normal) * inverse_square) * normal;
-  // Corners 1 and 2 on one point give no direction: the diagonal does.
+  // Coincident corners 1 and 2 give no direction: the diagonal does.
   if (!(along.dot(along) > 0).all()) along = d31;
   const Both inverse = twice_area * inverse_square;
   const BothVectors e3 = inverse * normal, e1 = Both(1 / along.dot(along).sqrt()) * along, e2 = e3.cross(e1);
@@ -71,8 +71,8 @@ Field field_of(const QuadFrame& frame, const std::array<Vector, 4>& v) {
   return field;
 }
 
-/// Rates of the five hourglass modes. The corners of a warped quad move out of step in x and y when it just turns
-/// about y and x; that part is no hourglassing.
+/// Rates of the five hourglass modes. The corners of a warped quad move out of step in x and y when it only rotates
+/// about y and x; that part is not hourglassing.
 std::array<double, 5> hourglass_rates(const QuadFrame& frame, const Field& v, const Field& w) {
   return {v.hourglass.x() + frame.warp * v.dx.z(), v.hourglass.y() + frame.warp * v.dy.z(), v.hourglass.z(),
           w.hourglass.x(), w.hourglass.y()};
@@ -97,7 +97,7 @@ std::array<double, 5> hourglass_moduli(const ShellProperties& properties, const 
   return {membrane, membrane, deflection, bending, bending};
 }
 
-/// Brings the hourglass stresses to the end of the step; returns the work.
+/// Updates the hourglass stresses to the end of the step; returns the work.
 double update_hourglass(const ShellProperties& properties, const QuadFrame& middle, const std::array<double, 5>& rates,
                         double dt, ShellState& state) {
   if (properties.hourglass.kind == HourglassKind::none || dt <= 0) return 0;

@@ -20,7 +20,7 @@ struct SolidCorners {
   std::array<Vector, 8> x, v;
 };
 
-/// What one solid remembers beside its integration point.
+/// The history of one solid besides its integration point.
 struct SolidState {
   double mass = 0;  ///< of the element; its density follows from it
   std::array<Vector, 4> hourglass{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
@@ -39,7 +39,7 @@ struct SolidForces {
 /// Brick with one integration point, Flanagan and Belytschko (Int. J. Numer. Meth. Engng 17, 1981): mean gradients,
 /// exact volume, orthogonal hourglass control. Wedges and pyramids are bricks with repeated corners. The velocity
 /// strain is taken in the middle of the step (x − dt v / 2), the stress turns with the spin there (Hughes–Winget form
-/// of the Jaumann rate), forces belong to the end: a rigid motion strains nothing. dt = 0: forces of the present
+/// of the Jaumann rate), forces belong to the end: a rigid motion causes no strain. dt = 0: forces of the present
 /// stresses.
 [[nodiscard]] SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
                                        SolidState& state, PointState& point);
@@ -48,7 +48,7 @@ struct SolidForces {
 [[nodiscard]] SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
                                              SolidState& state, PointState& point);
 
-/// Volume of a brick with straight edges, as the brick's forces see it.
+/// Volume of a brick with straight edges, as used by the brick's forces.
 [[nodiscard]] double brick_volume(const std::array<Vector, 8>& x);
 /// Volume of the tetrahedron of the first four corners; positive when corner 4 lies on the side that the others'
 /// right-hand normal points to.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quad.hpp"
 #include "solver/element/solid.hpp"
 
 namespace gapcheck::solver {
@@ -14,7 +15,7 @@ constexpr double shapes[4][8] = {{1, 1, -1, -1, -1, -1, 1, 1},
 
 using Corners = std::array<Vector, 8>;
 
-/// ∂V/∂x of every corner, V being the volume between the bilinear faces; what Flanagan and Belytschko call B. It is
+/// ∂V/∂x of every corner, where V is the volume between the bilinear faces; called B by Flanagan and Belytschko. It is
 /// ∫ N n dA over the three faces that meet in the corner.
 Corners brick_volume_gradient(const Corners& x) {
   // Corner a, its three neighbours along the edges, and the three corners across the faces, in turning order.
@@ -63,14 +64,15 @@ double largest_face_area(const Corners& x) {
   constexpr std::size_t faces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                        {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   double squared = 0;
-  for (const auto& f : faces) squared = std::max(squared, (x[f[2]] - x[f[0]]).cross(x[f[3]] - x[f[1]]).squaredNorm());
+  for (const auto& f : faces)
+    squared = std::max(squared, quad_normal(x[f[0]], x[f[1]], x[f[2]], x[f[3]]).squaredNorm());
   return std::sqrt(squared) / 2;
 }
 
 /// Largest eigenvalue of a symmetric matrix, from above: the largest row sum.
 double eigenvalue_bound(const Matrix& m) { return m.cwiseAbs().rowwise().sum().maxCoeff(); }
 
-/// Brings the hourglass stresses to the end of the step; returns the work. The stiffness is scaled so that coefficient
+/// Updates the hourglass stresses to the end of the step; returns the work. The stiffness is scaled so that coefficient
 /// 1 lets the modes vibrate at the element's highest axial frequency, as in the shell.
 double update_hourglass(const SolidProperties& properties, const std::array<Vector, 4>& rates, const Matrix& rotation,
                         double squared_gradient, double volume, double dt, SolidState& state) {

@@ -18,16 +18,16 @@ class SolidElements {
   /// Adds a part's properties; returns their position.
   std::uint32_t add_properties(SolidProperties properties);
   /// Adds a solid (a tetrahedron repeats its fourth corner) at positions `x` of all nodes and its share of mass to the
-  /// nodes. `origin`: its position in the model, for messages. Returns its volume; not above zero: it was not added.
-  /// `added`: takes the mass that `scaling` adds.
+  /// nodes. `origin`: its position in the model, for messages. Returns its volume; if not above zero, the solid was not
+  /// added. `added`: receives the mass that `scaling` adds.
   double add(const std::array<NodeIndex, 8>& nodes, std::uint32_t properties, std::uint32_t origin, State& state,
              const MassScaling& scaling = {}, double* added = nullptr);
-  /// Once all solids are there.
+  /// Call it once all solids are added.
   void finish(std::size_t nodes);
 
-  /// Forces at state.time, stresses brought over the last step (dt = 0: the forces of the present stresses).
+  /// Forces at state.time, stresses updated over the last step (dt = 0: the forces of the present stresses).
   Summary update(const State& state);
-  /// Takes the solids' pull on a node off its force.
+  /// Subtracts the solids' pull on a node from its force.
   void gather(std::size_t node, Vector& force) const {
     for (const std::uint32_t place : table_.of(node)) force -= force_[place];
   }
@@ -42,7 +42,7 @@ class SolidElements {
   }
   /// Its point has failed: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }
-  /// A solid that loses its volume fails, too, instead of ending the run.
+  /// A solid that loses its volume also fails, instead of ending the run.
   void let_inverted_fail() { inverted_fail_ = true; }
   [[nodiscard]] const ElementEnergy& energy(std::size_t solid) const { return energy_[solid]; }
   [[nodiscard]] const PointState& point(std::size_t solid) const { return points_[solid]; }
@@ -55,7 +55,7 @@ class SolidElements {
   std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
   std::vector<SolidState> state_;
   std::vector<PointState> points_;
-  std::vector<Vector> force_;  ///< eight places per solid
+  std::vector<Vector> force_;  ///< eight entries per solid
   std::vector<ElementEnergy> energy_;
   std::vector<char> failed_;  ///< not bits: written by several threads
   bool inverted_fail_ = false;

@@ -3,8 +3,8 @@
 
 namespace gapcheck::solver {
 
-/// Yield stress over effective plastic strain, linear between points. Beyond the last point the last slope goes on;
-/// a single point is perfect plasticity. Points have strictly rising strains from 0.
+/// Yield stress over effective plastic strain, linear between points. Beyond the last point the last slope continues; a
+/// single point is perfect plasticity. Points have strictly rising strains from 0.
 class YieldCurve {
  public:
   struct Point {
@@ -21,10 +21,10 @@ class YieldCurve {
   [[nodiscard]] double stress(double plastic_strain) const;
 
   /// Solves trial − resistance · Δ = scale · σ(plastic_strain + Δ) for Δ ≥ 0, exactly, segment by segment.
-  /// `trial` is above scale · σ(plastic_strain). Softening steeper than the resistance is taken as the resistance just
-  /// missed, so that there is always an answer.
+  /// `trial` is above scale · σ(plastic_strain). Softening steeper than the resistance is limited to just below the
+  /// resistance, so there is always a solution.
   struct Return {
-    double increment, slope;  ///< Δ and scale · dσ/dεₚ where it ends
+    double increment, slope;  ///< Δ and scale · dσ/dεₚ at its end
   };
   [[nodiscard]] Return solve(double trial, double resistance, double plastic_strain, double scale) const {
     return solve(trial, resistance, plastic_strain, scale, *this, 0);
@@ -33,7 +33,7 @@ class YieldCurve {
   [[nodiscard]] Return solve(double trial, double resistance, double plastic_strain, double scale,
                              const YieldCurve& other, double weight) const;
 
-  /// Puts points at the strains of all curves into each of them; their shapes stay.
+  /// Adds points at the strains of all curves to each of them; their shapes stay.
   static void align(std::vector<YieldCurve>& curves);
 
  private:

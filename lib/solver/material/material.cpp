@@ -87,12 +87,12 @@ double plastic_plane(const Material& material, Symmetric increment, const YieldL
         step < newton_steps ? std::max(result.tangent_zz, 0.05 * material.wave_modulus()) : material.wave_modulus();
     increment[zz] -= point.stress[zz] / slope;
   }
-  // Exactly zero from here on; what is taken off is below the tolerance.
+  // Exactly zero from here on; the removed part is below the tolerance.
   point.stress[zz] = 0;
   return increment[zz];
 }
 
-/// Takes the stress from a point that has reached the failure strain.
+/// Removes the stress from a point that has reached the failure strain.
 void fail_when_due(const Material& material, PointState& point) {
   if (!(material.failure_strain > 0) || !(point.plastic_strain >= material.failure_strain)) return;
   point.failed = true;

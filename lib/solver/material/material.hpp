@@ -6,12 +6,12 @@
 
 namespace gapcheck::solver {
 
-/// What an integration point remembers. In shells the axes are the element's, in solids the global ones.
+/// The history of an integration point. In shells the axes are the element's, in solids the global ones.
 struct PointState {
   Symmetric stress{};
   Symmetric back_stress{};    ///< centre of the yield surface, deviatoric
   double plastic_strain = 0;  ///< effective
-  bool failed = false;        ///< without stress from then on
+  bool failed = false;        ///< no stress from then on
 };
 
 enum class MaterialKind : std::uint8_t {
@@ -37,7 +37,7 @@ struct Material {
   YieldCurve yield;               ///< of the isotropic part
   double kinematic_slope = 0;     ///< (1 − β) Eₚ of material 003
   double rate_c = 0, rate_p = 0;  ///< Cowper–Symonds on the total strain rate √(ε̇:ε̇); zero = rate independent
-  RateTable table = {};           ///< instead of `yield` where it has curves
+  RateTable table = {};           ///< replaces `yield` if it has curves
   double anisotropy = 1;          ///< R of 037
   double failure_strain = 0;      ///< effective plastic strain at which a point fails; 0: it never does
 
@@ -50,8 +50,8 @@ struct Material {
   [[nodiscard]] bool has_stress() const { return kind != MaterialKind::null && kind != MaterialKind::rigid; }
   /// The yield stress at a strain rate.
   [[nodiscard]] YieldLaw yield_at(double rate) const;
-  /// All constants finite and in the range where the formulas mean something: density > 0; where there is stress also
-  /// E > 0, −1 < ν < 0.5 and a yield stress above 0.
+  /// All constants finite and in the range where the formulas are meaningful: density > 0; for materials with stress
+  /// also E > 0, −1 < ν < 0.5 and a yield stress above 0.
   [[nodiscard]] bool valid() const;
 };
 
@@ -63,14 +63,14 @@ struct Material {
 /// cylinder (Wilkins; Krieg and Key), exact for a piecewise linear curve. Null, rigid and failed: stress stays zero.
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
 
-/// The same with σzz = 0: increment[zz] is not read but found, and returned. Plastic points iterate on it with the
+/// The same with σzz = 0: increment[zz] is not read but solved for, and returned. Plastic points iterate on it with the
 /// consistent tangent (Simo and Taylor 1985) until σzz is below 1e-10 of the yield stress.
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
 
 /// Material 037 in plane stress: transverse isotropy after Hill with the Lankford parameter R,
 /// q² = σxx² + σyy² − 2R/(1+R) σxx σyy + 2(1+2R)/(1+R) σxy² + 3 (σyz² + σzx²) <= σ(ε̄)², associated flow. Pressure,
-/// shear and transverse shear return each by a factor of its own (Simo and Taylor 1986), so one scalar equation is
-/// left, which is bracketed. R = 1 is von Mises. Returns εzz.
+/// shear and transverse shear each return by their own factor (Simo and Taylor 1986), so one scalar equation is left,
+/// which is bracketed. R = 1 is von Mises. Returns εzz.
 double update_anisotropic_plane_stress(const Material& material, const Symmetric& increment, PointState& point);
 
 }  // namespace gapcheck::solver

@@ -16,7 +16,7 @@ struct PartMotion {
 
 /// The masses that shells and solids of each part give to their nodes. A part's kinetic energy is the sum of ½ m v²
 /// over them: parts that share nodes share the nodes' energy by mass, rotational inertia of shells is left out, and a
-/// rigid part counts as its lumped masses. Elements whose mass is not a number count nothing.
+/// rigid part counts as its lumped masses. Elements whose mass is not a number do not count.
 class PartMasses {
  public:
   PartMasses(const model::Model& model, const contact::ElementSizes& sizes);

@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "base/quad.hpp"
 
 namespace gapcheck::solver {
 namespace {
 
 std::array<double, 3> array_of(const Vector& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Its part and nodes are there.
+/// Its part and nodes exist.
 template <std::size_t N>
 bool complete(const model::Elements<N>& elements, std::size_t i, const model::Model& model) {
   return elements.part[i] != none<PartIndex> &&
@@ -37,15 +38,14 @@ results::StressPoint global_point(const PointState& point, const Matrix& to_glob
 /// Axial force, shear s t, moments s t, torsion on the second end, by beam of the plot.
 void beam_values(const model::Model& model, const Structure& structure, results::D3plotState& plot) {
   const model::Elements<2>& beams = model.mesh.beams;
-  constexpr std::uint32_t left_out = 0xffffffffu;
-  std::vector<std::uint32_t> place(beams.size(), left_out);
+  std::vector<std::uint32_t> place(beams.size(), no_position);
   std::uint32_t count = 0;
   for (std::size_t i = 0; i < beams.size(); ++i)
     if (complete(beams, i, model)) place[i] = count++;
   plot.beams.assign(count, {});
   for (std::size_t i = 0; i < structure.beams.size(); ++i) {
     const auto [a, b] = structure.beams.nodes(i);
-    if (place[structure.beams.origin(i)] == left_out) continue;
+    if (place[structure.beams.origin(i)] == no_position) continue;
     const Vector r = (structure.state.x[b.value] - structure.state.x[a.value]).normalized();
     const Vector s = structure.beams.state(i).axis, t = r.cross(s);
     const Vector &force = structure.beams.end_force(i), &moment = structure.beams.end_moment(i);
@@ -54,7 +54,7 @@ void beam_values(const model::Model& model, const Structure& structure, results:
   }
 }
 
-/// Between the two middle layers where there is an even number of them.
+/// Between the two middle layers if their number is even.
 PointState middle(std::span<const PointState> points) {
   PointState mean = points[points.size() / 2];
   if (points.size() % 2 != 0) return mean;
@@ -90,7 +90,7 @@ void shell_values(const Structure& structure, std::size_t shell, results::D3plot
   const std::size_t place = shells.origin(shell);
   std::array<Vector, 4> x;
   for (std::size_t k = 0; k < 4; ++k) x[k] = structure.state.x[shells.nodes(shell)[k].value];
-  const double area = (x[2] - x[0]).cross(x[3] - x[1]).norm() / 2, thickness = shells.state(shell).thickness;
+  const double area = quad_normal(x).norm() / 2, thickness = shells.state(shell).thickness;
   const Matrix to_global = shell_axes(x).transpose();
   const std::span<const PointState> points = shells.points(shell);
   results::StressPoint* layers = &plot.shell_points[place * plot.layers];
@@ -110,7 +110,7 @@ bool failed(const BeamElements& /*beams*/, std::size_t /*i*/) { return false; }
 }  // namespace
 
 Matrix shell_axes(const std::array<Vector, 4>& x) {
-  const Vector normal = (x[2] - x[0]).cross(x[3] - x[1]).normalized();
+  const Vector normal = quad_normal(x).normalized();
   const Vector side = x[1] - x[0];
   Matrix axes;
   axes.row(2) = normal;

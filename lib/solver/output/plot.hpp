@@ -12,22 +12,22 @@
 
 namespace gapcheck::solver {
 
-/// Energies that the elements of one part have taken up: those that are there, and those that have failed.
+/// Energies absorbed by the elements of one part: existing ones and failed ones.
 struct PartEnergy {
   ElementEnergy present, eroded;
 };
 [[nodiscard]] std::vector<PartEnergy> part_energies(const model::Model& model, const Structure& structure);
 
-/// Elements of the structure may fail, so that plots say which are there.
+/// Elements of the structure may fail, so plots say which exist.
 [[nodiscard]] bool can_fail(const Structure& structure);
 
 /// Parts with their titles, in the model's order.
 [[nodiscard]] std::vector<results::LegendEntry> part_titles(const model::Model& model);
 
-/// The model's mesh as a d3plot has it: all elements whose nodes and part are there, nodes at their starting places.
+/// The model's mesh as in a d3plot: all elements whose nodes and part exist, nodes at their initial positions.
 [[nodiscard]] results::D3plot plot_mesh(const model::Model& model, const std::vector<Vector>& x);
 
-/// What a d3plot holds beside energies: positions, velocities (of the middle of the coming step), stresses in global
+/// What a d3plot holds besides energies: positions, velocities (in the middle of the next step), stresses in global
 /// axes, plastic strains, resultants and thickness of all shells and solids of plot_mesh(). Elements of rigid parts
 /// have no stress.
 [[nodiscard]] results::D3plotState plot_state(const model::Model& model, const Structure& structure,

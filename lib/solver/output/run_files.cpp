@@ -20,7 +20,7 @@
 namespace gapcheck::solver {
 namespace {
 
-/// A sum of steps may miss a multiple by this much, relatively.
+/// A sum of steps may miss a multiple by this relative amount.
 constexpr double rounding_of_time = 1e-12;
 
 Failure not_written(const std::string& path, const std::string& why) {
@@ -28,7 +28,7 @@ Failure not_written(const std::string& path, const std::string& why) {
 }
 Failure not_written(const std::string& path) { return not_written(path, std::strerror(errno != 0 ? errno : EIO)); }
 
-/// All of the text, and at once on the disk as far as other programs see it.
+/// All of the text, immediately visible to other programs.
 bool write(std::FILE* file, const std::string& text) {
   errno = 0;
   return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
@@ -85,19 +85,18 @@ model::Output output_intervals(const model::Model& model, double end_time) {
   return output;
 }
 
-std::optional<Failure> RunFiles::open(Text& text, const std::string& header) {
+SolverStatus RunFiles::open(Text& text, const std::string& header) {
   text.path = (std::filesystem::path(settings_.directory) / text.name).string();
   std::error_code ignored;
   std::filesystem::remove(text.path, ignored);
-  if (!text.interval.wanted()) return std::nullopt;
+  if (!text.interval.wanted()) return {};
   errno = 0;
   text.file.reset(std::fopen(text.path.c_str(), "wb"));
   if (!text.file || !write(text.file.get(), header)) return not_written(text.path);
-  return std::nullopt;
+  return {};
 }
 
-std::variant<RunFiles, Failure> RunFiles::create(const Run& run, contact::SurfaceStore& surfaces,
-                                                 RunFilesSettings settings) {
+SolverResult<RunFiles> RunFiles::create(const Run& run, contact::SurfaceStore& surfaces, RunFilesSettings settings) {
   RunFiles files;
   files.settings_ = std::move(settings);
   const std::string& directory = files.settings_.directory;
@@ -107,23 +106,23 @@ std::variant<RunFiles, Failure> RunFiles::create(const Run& run, contact::Surfac
     return Failure{Failure::Kind::output, fmt::format("{}: cannot be created: {}", directory, error.message())};
   files.sizes_ = contact::element_sizes(run.model());
   files.masses_ = std::make_unique<PartMasses>(run.model(), files.sizes_);
-  auto problem = files.open_logs(run, surfaces);
-  if (!problem) problem = files.open_texts(run);
-  if (!problem) problem = files.open_plot(run);
-  if (problem) return std::move(*problem);
+  SolverStatus opened = files.open_logs(run, surfaces);
+  if (opened.ok()) opened = files.open_texts(run);
+  if (opened.ok()) opened = files.open_plot(run);
+  if (!opened.ok()) return opened.error();
   return files;
 }
 
-std::optional<Failure> RunFiles::open_texts(const Run& run) {
+SolverStatus RunFiles::open_texts(const Run& run) {
   const model::Model& model = run.model();
   const model::Output output = output_intervals(model, run.end_time());
   const results::FileHeader header{model.title, settings_.program};
   const auto contacts = contact_titles(model);
-  std::optional<Failure> problem;
+  SolverStatus opened;
   const auto add = [&](const char* name, double interval, const std::string& text) {
-    if (problem) return;
+    if (!opened.ok()) return;
     texts_.push_back({name, {}, Interval(interval), nullptr});
-    problem = open(texts_.back(), text);
+    opened = open(texts_.back(), text);
   };
   add("glstat", output.glstat, results::glstat_header(header));
   add("matsum", output.matsum, results::matsum_header(header, part_titles(model)));
@@ -132,10 +131,10 @@ std::optional<Failure> RunFiles::open_texts(const Run& run) {
   add("sleout", output.sleout, results::contact_header(header, contacts));
   add("ncforc", output.ncforc, results::contact_header(header, contacts));
   plot_interval_ = Interval(output.d3plot);
-  return problem;
+  return opened;
 }
 
-std::optional<Failure> RunFiles::open_logs(const Run& run, contact::SurfaceStore& surfaces) {
+SolverStatus RunFiles::open_logs(const Run& run, contact::SurfaceStore& surfaces) {
   const model::Model& model = run.model();
   const results::FileHeader header{model.title, settings_.program};
   const Report report = run_report(run, surfaces);
@@ -151,12 +150,12 @@ std::optional<Failure> RunFiles::open_logs(const Run& run, contact::SurfaceStore
         std::pair("d3hsp", banner + results::contact_definitions(contact_definitions(model, surfaces)) + found +
                                results::smallest_timesteps(element_steps(model, sizes_)))}) {
     logs_.push_back({name, {}, Interval(1), nullptr});
-    if (auto problem = open(logs_.back(), text)) return problem;
+    if (SolverStatus opened = open(logs_.back(), text); !opened.ok()) return opened;
   }
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> RunFiles::open_plot(const Run& run) {
+SolverStatus RunFiles::open_plot(const Run& run) {
   results::D3plotWriteSettings form;
   form.word_bytes = settings_.double_words ? 8 : 4;
   form.deletion = can_fail(run.stepper().structure());
@@ -164,16 +163,16 @@ std::optional<Failure> RunFiles::open_plot(const Run& run) {
                                             plot_mesh(run.model(), run.initial().x), part_titles(run.model()), form);
   if (!plot) return Failure{Failure::Kind::output, plot.error().file + ": " + plot.error().message};
   plot_ = std::make_unique<results::D3plotWriter>(std::move(plot).value());
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> RunFiles::log(const std::string& text) {
+SolverStatus RunFiles::log(const std::string& text) {
   for (const Text& file : logs_)
     if (!write(file.file.get(), text)) return not_written(file.path);
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> RunFiles::log_failures(const Run& run) {
+SolverStatus RunFiles::log_failures(const Run& run) {
   const std::vector<ElementFailure>& failures = run.stepper().failures();
   const model::Mesh& mesh = run.model().mesh;
   std::string text;
@@ -182,13 +181,13 @@ std::optional<Failure> RunFiles::log_failures(const Run& run) {
     text += kind == StepControl::Kind::solid ? results::failed_element("solid", mesh.solids.id[element], time)
                                              : results::failed_element("shell", mesh.shells.id[element], time);
   }
-  return text.empty() ? std::nullopt : log(text);
+  return text.empty() ? SolverStatus() : log(text);
 }
 
-std::optional<Failure> RunFiles::log_end(const Run& run, RunEnd end) {
+SolverStatus RunFiles::log_end(const Run& run, RunEnd end) {
   const State& state = run.stepper().state();
   std::string text;
-  if (run.failure()) text = results::error_block(run.failure()->message);
+  if (!run.status().ok()) text = results::error_block(run.status().error().message);
   return log(text + results::log_end(end != RunEnd::failed, reason(end), state.time, state.cycle + 1));
 }
 
@@ -209,33 +208,34 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
       break;
   }
   std::string text;
-  for (std::uint32_t contact = 0; contact < run.model().contacts.size(); ++contact) {
+  for (const ContactIndex contact : positions<ContactIndex>(run.model().contacts.size())) {
     if (const auto nodes = node_forces(run, contact))
-      text += results::ncforc_text(state.time, run.model().contacts[contact].id.value, *nodes);
+      text += results::ncforc_text(state.time, run.model().contact(contact).id.value, *nodes);
   }
   return text;
 }
 
-std::optional<Failure> RunFiles::plot(const Run& run) {
+SolverStatus RunFiles::plot(const Run& run) {
   const Stepper& stepper = run.stepper();
   results::D3plotState state = plot_state(run.model(), stepper.structure(), sizes_, masses_->motion(stepper.state()));
   state.kinetic = stepper.energies().kinetic;
   state.internal = stepper.energies().internal;
   state.total = stepper.energies().total();
-  if (auto problem = plot_->append(state))
-    return Failure{Failure::Kind::output, problem->file + ": " + problem->message};
+  if (const Status appended = plot_->append(state); !appended.ok())
+    return Failure{Failure::Kind::output, appended.error().file + ": " + appended.error().message};
   ++plotted_;
   if (settings_.on_plot) return settings_.on_plot(state, run, plotted_);
-  return std::nullopt;
+  return {};
 }
 
-std::optional<Failure> RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
+SolverStatus RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
   const State& state = run.stepper().state();
-  if (auto problem = log_failures(run)) return problem;
+  if (SolverStatus logged = log_failures(run); !logged.ok()) return logged;
   for (const ContactEvent& event : run.events())
-    if (auto problem = log(results::contact_warning(run.model().contacts[event.contact].id.value, event.time,
-                                                    event.text)))
-      return problem;
+    if (SolverStatus logged =
+            log(results::contact_warning(run.model().contact(event.contact).id.value, event.time, event.text));
+        !logged.ok())
+      return logged;
   for (std::size_t i = 0; i < texts_.size(); ++i) {
     Text& text = texts_[i];
     if (!text.file || !(text.interval.due(state.time) || end)) continue;
@@ -244,12 +244,12 @@ std::optional<Failure> RunFiles::observe(const Run& run, std::optional<RunEnd> e
   }
   if (plot_interval_.due(state.time) || end) {
     plot_interval_.written(state.time);
-    if (auto problem =
-            log(results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), "write d3plot file")))
-      return problem;
-    if (auto problem = plot(run)) return problem;
+    const std::string line =
+        results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), "write d3plot file");
+    if (SolverStatus logged = log(line); !logged.ok()) return logged;
+    if (SolverStatus plotted = plot(run); !plotted.ok()) return plotted;
   }
-  return end ? log_end(run, *end) : std::nullopt;
+  return end ? log_end(run, *end) : SolverStatus();
 }
 
 std::vector<std::string> RunFiles::names() const {

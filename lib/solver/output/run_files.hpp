@@ -19,11 +19,11 @@ struct RunFilesSettings {
   std::string directory;
   std::string program;        ///< "gapcheck 0.1.0", below the title of every file
   bool double_words = false;  ///< d3plot in words of eight bytes
-  /// Told of every state that goes to the d3plot, with its number from 1; what it returns ends the run.
-  std::function<std::optional<Failure>(const results::D3plotState&, const Run&, std::size_t)> on_plot;
+  /// Called for every state that goes to the d3plot, with its number from 1; a returned failure ends the run.
+  std::function<SolverStatus(const results::D3plotState&, const Run&, std::size_t)> on_plot;
 };
 
-/// Times at which something is written: the multiples of an interval, each once, at the first step that reaches it.
+/// Output times: the multiples of an interval, each once, at the first step that reaches it.
 class Interval {
  public:
   Interval() = default;
@@ -38,18 +38,18 @@ class Interval {
   double multiple_ = 0;  ///< the next one, a whole number
 };
 
-/// Intervals as they are used: those of the deck; of glstat, sleout and rcforc a thousandth of the end time and of
-/// d3plot a twentieth, where the deck gives none (without an end time: first and last state only). Contact files only
-/// where there are contacts, nodout only where there are nodes to follow.
+/// Effective intervals: those of the deck; if it gives none, a thousandth of the end time for glstat, sleout and rcforc
+/// and a twentieth for d3plot (without an end time: only first and last state). Contact files only if there are
+/// contacts, nodout only if there are nodes to follow.
 [[nodiscard]] model::Output output_intervals(const model::Model& model, double end_time);
 
 /// Writes a run's results into a directory, state by state: messag, d3hsp, glstat, matsum, nodout, rcforc, sleout,
-/// ncforc, d3plot. Existing files of these names are replaced. Without ncforc or so in the deck old ones are removed.
+/// ncforc, d3plot. Existing files of these names are replaced. Old files of optional kinds (such as ncforc) that the
+/// deck does not request are removed.
 class RunFiles : public Run::Observer {
  public:
-  static std::variant<RunFiles, Failure> create(const Run& run, contact::SurfaceStore& surfaces,
-                                                RunFilesSettings settings);
-  [[nodiscard]] std::optional<Failure> observe(const Run& run, std::optional<RunEnd> end) override;
+  static SolverResult<RunFiles> create(const Run& run, contact::SurfaceStore& surfaces, RunFilesSettings settings);
+  [[nodiscard]] SolverStatus observe(const Run& run, std::optional<RunEnd> end) override;
 
   /// Names of the files that are written.
   [[nodiscard]] std::vector<std::string> names() const;
@@ -59,7 +59,7 @@ class RunFiles : public Run::Observer {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  /// One text file and when it is due.
+  /// One text file and its output times.
   struct Text {
     std::string name, path;
     Interval interval;
@@ -68,15 +68,15 @@ class RunFiles : public Run::Observer {
   enum Which : std::size_t { glstat, matsum, nodout, rcforc, sleout, ncforc };
 
   RunFiles() = default;
-  [[nodiscard]] std::optional<Failure> open(Text& text, const std::string& header);
-  [[nodiscard]] std::optional<Failure> open_texts(const Run& run);
-  [[nodiscard]] std::optional<Failure> open_logs(const Run& run, contact::SurfaceStore& surfaces);
-  [[nodiscard]] std::optional<Failure> open_plot(const Run& run);
-  [[nodiscard]] std::optional<Failure> log(const std::string& text);
-  [[nodiscard]] std::optional<Failure> log_failures(const Run& run);
-  [[nodiscard]] std::optional<Failure> log_end(const Run& run, RunEnd end);
+  [[nodiscard]] SolverStatus open(Text& text, const std::string& header);
+  [[nodiscard]] SolverStatus open_texts(const Run& run);
+  [[nodiscard]] SolverStatus open_logs(const Run& run, contact::SurfaceStore& surfaces);
+  [[nodiscard]] SolverStatus open_plot(const Run& run);
+  [[nodiscard]] SolverStatus log(const std::string& text);
+  [[nodiscard]] SolverStatus log_failures(const Run& run);
+  [[nodiscard]] SolverStatus log_end(const Run& run, RunEnd end);
   [[nodiscard]] std::string state_text(std::size_t which, const Run& run) const;
-  [[nodiscard]] std::optional<Failure> plot(const Run& run);
+  [[nodiscard]] SolverStatus plot(const Run& run);
 
   RunFilesSettings settings_;
   std::vector<Text> texts_, logs_;  ///< logs: messag, d3hsp

@@ -1,7 +1,6 @@
 #include "solver/output/run_report.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 #include "contact/stiffness/contact_timestep.hpp"
@@ -21,8 +20,7 @@ Report run_report(const Run& run, contact::SurfaceStore& surfaces) {
                    [](const TieFailure& a, const TieFailure& b) {
                      return std::tie(a.contact, a.reason, a.node) < std::tie(b.contact, b.reason, b.node);
                    });
-  std::vector<std::uint32_t> all(model.contacts.size());
-  std::iota(all.begin(), all.end(), 0u);
+  const std::vector<ContactIndex> all = positions<ContactIndex>(model.contacts.size()).list();
   report.predicted = contact::predict_timesteps(model, surfaces, all).timesteps;
   return report;
 }
@@ -30,14 +28,14 @@ Report run_report(const Run& run, contact::SurfaceStore& surfaces) {
 std::vector<results::ContactDefinition> contact_definitions(const model::Model& model,
                                                             contact::SurfaceStore& surfaces) {
   std::vector<results::ContactDefinition> list;
-  for (std::uint32_t i = 0; i < model.contacts.size(); ++i) {
-    const model::Contact& contact = model.contacts[i];
+  for (const ContactIndex i : positions<ContactIndex>(model.contacts.size())) {
+    const model::Contact& contact = model.contact(i);
     results::ContactDefinition d;
     d.id = contact.id.value;
     d.order = contact.order;
     d.title = contact.title;
     const contact::ContactType type = contact::classify(contact);
-    d.type = type.code;
+    d.type = type.printed();
     if (contact.known && !contact.own_layout) {
       const contact::ContactSurfaces& sides = surfaces.at(i);
       d.segments_a = sides.a.selection.segments.size();

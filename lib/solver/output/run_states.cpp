@@ -9,7 +9,7 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Acceleration of the coming step; of nodes of rigid bodies that of their forces alone, which says nothing: zero.
+/// Acceleration of the next step; for nodes of rigid bodies zero, since their forces alone are meaningless.
 Vector acceleration(const Vector& force, double mass, bool rigid) {
   return rigid || !(mass > 0) ? Vector(Vector::Zero()) : Vector(force / mass);
 }
@@ -141,7 +141,7 @@ std::vector<results::InterfaceState> interface_states(const Run& run, bool trans
     ContactState state = states[i];
     for (; i + 1 < states.size() && states[i + 1].contact == state.contact; ++i) add(states[i + 1], state);
     results::InterfaceState contact;
-    contact.contact = run.model().contacts[state.contact].id.value;
+    contact.contact = run.model().contact(state.contact).id.value;
     contact.single_surface = state.single_surface;
     contact.force = {state.force_a, state.force_b};
     contact.moment = {state.moment_a, state.moment_b};
@@ -152,8 +152,8 @@ std::vector<results::InterfaceState> interface_states(const Run& run, bool trans
   return list;
 }
 
-std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, std::uint32_t contact) {
-  const model::Contact& card = run.model().contacts[contact];
+std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, ContactIndex contact) {
+  const model::Contact& card = run.model().contact(contact);
   const auto& cards = run.model().contacts;
   const bool all =
       std::none_of(cards.begin(), cards.end(), [](const model::Contact& c) { return c.print_a || c.print_b; });

@@ -12,42 +12,43 @@
 
 namespace gapcheck::solver {
 
-/// What accelerating all bodies gives: their kinetic energy, and the work that forces at their centres and imposed
-/// motions did in the last step.
+/// Result of accelerating all bodies: their kinetic energy, and the work of forces at their centres and of imposed
+/// motions in the last step.
 struct BodyEnergies {
   double kinetic = 0, work = 0;
 };
 
 /// When a rigid link of two nodes fails: at (fn / normal)^p + (|fs| / shear)^q >= 1, with the tension fn along the link
-/// and the force fs across it (all of it where the nodes lie on one another), or at a time. Zero: never by that.
+/// and the force fs across it (the whole force if the nodes coincide), or at a time. Zero: no such limit.
 struct LinkStrength {
   double normal = 0, shear = 0, normal_power = 1, shear_power = 1;
   double time = 0;
   [[nodiscard]] bool limited() const { return normal > 0 || shear > 0 || time > 0; }
 };
 
-/// The rigid bodies of a structure and the nodes that go with them.
+/// The rigid bodies of a structure and the nodes that move with them.
 class RigidBodies {
  public:
-  void resize(std::size_t nodes) { of_node_.assign(nodes, nobody); }
+  void resize(std::size_t nodes) { of_node_.assign(nodes, no_position); }
   /// Adds a body of the points' mass; the masses that `state` has at its nodes count too. Nodes that already belong to
   /// a body stay there. Returns its position. Directions with a bit in `held` stay at rest.
   std::size_t add(std::vector<PointMass> points, std::span<const NodeIndex> nodes, unsigned held, const State& state);
   /// Gives a body another mass, centre and inertia (about the centre, at the start).
   void set_mass(std::size_t body, double mass, const Vector& center, const Matrix& inertia, const State& state);
-  /// Holds the freedoms in `mask` (bit 0: x … bit 5: rotation about z).
+  /// Holds the degrees of freedom in `mask` (bit 0: x … bit 5: rotation about z).
   void hold(std::size_t body, unsigned mask) { bodies_[body].held |= mask; }
-  /// Moves a freedom of the centre or of the rotation; of several active motions of the same one the last counts.
+  /// Moves a degree of freedom of the centre or of the rotation; of several active motions of the same one the last
+  /// counts.
   void move(std::size_t body, std::size_t freedom, Motion motion);
   /// Sets a body and its nodes in motion.
   void set_motion(std::size_t body, const Vector& velocity, const Vector& angular_velocity, State& state);
-  /// Gives held and moved freedoms their velocity at state.time and tells the state of the bodies; before the first
-  /// step.
+  /// Gives held and moved degrees of freedom their velocity at state.time and writes the bodies to the state; before
+  /// the first step.
   void start(State& state);
 
   [[nodiscard]] std::size_t size() const { return bodies_.size(); }
   [[nodiscard]] const RigidBody& operator[](std::size_t body) const { return bodies_[body].body; }
-  [[nodiscard]] bool holds(std::size_t node) const { return of_node_[node] != nobody; }
+  [[nodiscard]] bool holds(std::size_t node) const { return of_node_[node] != no_position; }
   /// The body that a node belongs to.
   [[nodiscard]] std::optional<std::size_t> body_of(std::size_t node) const {
     return holds(node) ? std::optional<std::size_t>(of_node_[node]) : std::nullopt;
@@ -58,23 +59,22 @@ class RigidBodies {
   [[nodiscard]] const std::vector<std::pair<std::size_t, Motion>>& motions(std::size_t body) const {
     return bodies_[body].motions;
   }
-  /// The body that holds a node, nullptr where none does.
+  /// The body that holds a node, nullptr if none does.
   [[nodiscard]] const RigidBody* of_node(std::size_t node) const {
     return holds(node) ? &bodies_[of_node_[node]].body : nullptr;
   }
 
-  /// Lets a body of two nodes fail: its nodes then go on by themselves.
+  /// Lets a body of two nodes fail: its nodes then move independently.
   void set_strength(std::size_t body, const LinkStrength& strength) { bodies_[body].strength = strength; }
   [[nodiscard]] bool failed(std::size_t body) const { return bodies_[body].nodes.empty(); }
 
   /// Velocities for the step `next` from the forces over `mean`. `first`: the first cycle.
   BodyEnergies accelerate(const State& state, const Forces& net, double mean, double next, bool first);
   /// Moves the bodies over dt and puts positions and velocities of their nodes into the state. A node's velocity is its
-  /// way over dt, its angular velocity the one that spin_rotation() turns into the body's rotation.
+  /// displacement over dt, its angular velocity the one that spin_rotation() turns into the body's rotation.
   void move(State& state, double dt);
 
  private:
-  static constexpr std::uint32_t nobody = 0xffffffffu;
   struct Body {
     RigidBody body;
     std::vector<NodeIndex> nodes;
@@ -84,7 +84,7 @@ class RigidBodies {
     LinkStrength strength;
     bool failing = false;
     double power = 0;  ///< of forces at the centre and imposed motions at the start of the present step
-    /// What is imposed in the step from `time` over dt.
+    /// The imposed motions in the step from `time` over dt.
     [[nodiscard]] Imposed imposed(double time, double dt) const;
   };
   void tell(State& state) const;

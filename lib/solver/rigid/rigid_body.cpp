@@ -49,7 +49,7 @@ Vector RigidBody::turn(const Vector& torque, double mean, const Imposed& imposed
     if ((imposed.freedoms >> (axis + 3) & 1u) != 0) system.row(axis) = Vector::Unit(axis).transpose();
   const Matrix inverse = system.inverse();
   Vector spin = old;
-  // The gyroscopic torque changes little from round to round: by about the angle of the step.
+  // The gyroscopic torque changes little per iteration: by about the angle of the step.
   constexpr int most_rounds = 30;
   for (int round = 0; round < most_rounds; ++round) {
     const Vector middle = (old + spin) / 2;
@@ -99,7 +99,7 @@ Vector RigidBody::move(double dt) {
   }
   const Vector start = rotation_.transpose() * momentum_;
   Vector end = start, turn = dt * (inverse_ * start);
-  // Contracts by about the angle of the step; a handful of rounds for any step that makes sense.
+  // Contracts by about the angle of the step; a few iterations for any reasonable step.
   constexpr int most_rounds = 60;
   for (int round = 0; round < most_rounds; ++round) {
     const Vector next = spin_rotation(-turn) * start;

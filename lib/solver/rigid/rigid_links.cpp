@@ -9,7 +9,7 @@ bool RigidBodies::link_fails(const Body& entry, const RigidBody& before, const S
   const LinkStrength& strength = entry.strength;
   if (strength.time > 0 && state.time >= strength.time) return true;
   if (entry.nodes.size() != 2) return false;
-  // What the first node is pulled with, beside the forces that act on it: m a − f.
+  // The pull on the first node besides the forces that act on it: m a − f.
   const std::uint32_t node = entry.nodes[0].value;
   const Vector arm = state.x[node] - entry.body.center();
   const Vector spin_before = before.angular_velocity(), spin_after = entry.body.angular_velocity();
@@ -28,7 +28,7 @@ bool RigidBodies::link_fails(const Body& entry, const RigidBody& before, const S
 }
 
 void RigidBodies::release(Body& entry) {
-  for (const NodeIndex node : entry.nodes) of_node_[node.value] = nobody;
+  for (const NodeIndex node : entry.nodes) of_node_[node.value] = no_position;
   entry = Body{};
 }
 

@@ -15,15 +15,15 @@ class Constraints {
   void resize(std::size_t nodes) { held_.assign(nodes, 0), ever_.assign(nodes, 0); }
   /// Holds the degrees of freedom in `mask` (bit 0: x … bit 5: rotation about z).
   void hold(NodeIndex node, std::uint8_t mask);
-  /// A motion for any number of freedoms; returns its position.
+  /// A motion for any number of degrees of freedom; returns its position.
   std::uint32_t add(Motion motion);
   /// Moves one degree of freedom; of several active motions of the same one the last counts.
   void move(NodeIndex node, std::size_t freedom, std::uint32_t motion);
   void move(NodeIndex node, std::size_t freedom, Motion motion) { move(node, freedom, add(std::move(motion))); }
-  /// Once all are there.
+  /// Call it once all are added.
   void finish();
 
-  /// Freedoms that are held or moved at any time.
+  /// Degrees of freedom that are held or moved at any time.
   [[nodiscard]] std::uint8_t mask(std::size_t node) const { return ever_[node]; }
   [[nodiscard]] std::uint8_t held(std::size_t node) const { return held_[node]; }
   /// Those that are held or moved in the step from `time` over dt.

@@ -28,8 +28,8 @@ class TimeCurve {
   std::vector<double> integral_;  ///< up to each point
 };
 
-/// A freedom's motion between birth and death: by a curve of its velocity, acceleration or displacement over time. With
-/// a birth above zero the curve begins at the birth.
+/// Motion of a degree of freedom between birth and death, given by a curve of its velocity, acceleration or
+/// displacement over time. With a birth above zero the curve begins at the birth.
 struct Motion {
   enum class Quantity : std::uint8_t { velocity, acceleration, displacement };
   Quantity quantity = Quantity::velocity;
@@ -43,9 +43,9 @@ struct Motion {
   explicit Motion(std::vector<TimeCurve::Point> velocity)
       : curve(std::make_shared<const TimeCurve>(std::move(velocity))) {}
 
-  /// Whether it rules the step from `time` over dt.
+  /// Whether it controls the step from `time` over dt.
   [[nodiscard]] bool active(double time, double dt) const { return time + dt > birth && time < death; }
-  /// The velocity of that step: of a displacement the mean, so that it is met at the step's end, otherwise that at its
+  /// The velocity of that step: for a displacement the mean, so that it is met at the step's end, otherwise that in its
   /// middle. dt = 0: at `time`.
   [[nodiscard]] double velocity(double time, double dt) const;
 };

@@ -13,7 +13,7 @@ struct BodyState {
   Vector spin = Vector::Zero(), angular_momentum = Vector::Zero();
 };
 
-/// Elements that have failed; by position in the model, as far as the structure has elements there.
+/// Elements that have failed; by position in the model, if the structure has the element.
 struct FailedElements {
   std::vector<bool> shells, solids;
   std::uint64_t count = 0;
@@ -25,11 +25,11 @@ struct State {
   std::vector<Vector> x, v, w;        ///< w: angular velocity
   std::vector<double> mass, inertia;  ///< lumped; inertia is the same about all axes
   std::vector<bool> in_body;          ///< by node: it moves with a rigid body
-  std::vector<BodyState> bodies;      ///< rigid bodies; what acts on them acts on their nodes or their centres
+  std::vector<BodyState> bodies;      ///< rigid bodies; forces act on their nodes or their centres
   double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
-  double coming = 0;  ///< the step that the elements allow next; known when other forces are asked
+  double coming = 0;  ///< the step that the elements allow next; known when other forces are called
   std::uint64_t cycle = 0;
-  FailedElements failed;  ///< these take no more part; their mass stays at their nodes
+  FailedElements failed;  ///< these no longer take part; their mass stays at their nodes
 };
 
 /// Force and moment by node, and by rigid body at its centre.
@@ -44,7 +44,7 @@ struct Forces {
   }
 };
 
-/// Work that forces other than the elements' took from the structure since the start; negative: that they put in.
+/// Work that forces other than the elements' took from the structure since the start; negative: work that they put in.
 struct Absorbed {
   double contact_normal = 0, contact_friction = 0, contact_damping = 0;
   double walls = 0;    ///< rigid walls
@@ -63,7 +63,7 @@ struct Energies {
   double external = 0;  ///< work of loads and prescribed motion since the start
   double initial = 0;   ///< kinetic energy at the start; less by ½ m (a dt/2)² than that of the initial velocity
   [[nodiscard]] double total() const { return kinetic + internal + hourglass + absorbed.sum(); }
-  /// Total energy over what was there or was put in; 1 when in balance or when there is none.
+  /// Total energy over initial energy plus external work; 1 when in balance or without energy.
   [[nodiscard]] double ratio() const {
     const double supplied = initial + external;
     return supplied == 0 ? 1 : total() / supplied;

@@ -4,19 +4,19 @@
 #include <limits>
 #include <vector>
 
+#include "base/ids.hpp"
 #include "base/parallel.hpp"
 
 namespace gapcheck::solver {
 
-/// What one pass over elements of a kind gives besides their forces.
+/// Results of one pass over elements of a kind besides their forces.
 struct Summary {
-  static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
   double manual_step = std::numeric_limits<double>::infinity();
   double stable_step = std::numeric_limits<double>::infinity();
-  double work = 0, hourglass_work = 0;  ///< of the step; work includes the hourglass work
-  std::uint64_t failed = 0;             ///< elements that fail now
-  std::uint32_t bad = nobody;           ///< first element without a usable shape
-  std::uint32_t manual_at = nobody, stable_at = nobody;  ///< the first elements with these steps
+  double work = 0, hourglass_work = 0;                             ///< of the step; work includes the hourglass work
+  std::uint64_t failed = 0;                                        ///< elements that fail now
+  std::uint32_t bad = no_position;                                 ///< first element without a usable shape
+  std::uint32_t manual_at = no_position, stable_at = no_position;  ///< the first elements with these steps
 
   void add(const Summary& other) {
     if (other.manual_step < manual_step) manual_at = other.manual_at;

@@ -24,11 +24,6 @@ inline Symmetric deviator(const Symmetric& a) {
   return {a[xx] - mean, a[yy] - mean, a[zz] - mean, a[xy], a[yz], a[zx]};
 }
 
-inline double mises(const Symmetric& stress) {
-  const Symmetric s = deviator(stress);
-  return std::sqrt(1.5 * contract(s, s));
-}
-
 inline Matrix to_matrix(const Symmetric& a) {
   Matrix m;
   m << a[xx], a[xy], a[zx], a[xy], a[yy], a[yz], a[zx], a[yz], a[zz];
@@ -42,8 +37,8 @@ inline Symmetric to_symmetric(const Matrix& m) {
 /// R a Rᵀ
 inline Symmetric rotated(const Symmetric& a, const Matrix& r) { return to_symmetric(r * to_matrix(a) * r.transpose()); }
 
-/// The rotation that a mid-step spin increment W (skew) stands for: (I − W/2)⁻¹ (I + W/2), exactly orthogonal.
-/// Hughes and Winget, Int. J. Numer. Meth. Engng 15 (1980). Closed form for the axial vector w of W.
+/// The rotation that a mid-step spin increment W (skew) represents: (I − W/2)⁻¹ (I + W/2), exactly orthogonal. Hughes
+/// and Winget, Int. J. Numer. Meth. Engng 15 (1980). Closed form for the axial vector w of W.
 inline Matrix spin_rotation(const Vector& w) {
   const Vector half = w / 2;
   Matrix cross;

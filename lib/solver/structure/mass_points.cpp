@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/quad.hpp"
+
 namespace gapcheck::solver {
 namespace {
 
@@ -44,8 +46,7 @@ std::vector<PointMass> shell_mass_points(const std::array<Vector, 4>& x, double 
     const double s = signs[g][0] * gauss, t = signs[g][1] * gauss;
     const Vector along_s = ((1 - t) * (x[1] - x[0]) + (1 + t) * (x[2] - x[3])) / 4;
     const Vector along_t = ((1 - s) * (x[3] - x[0]) + (1 + s) * (x[2] - x[1])) / 4;
-    const Vector place =
-        ((1 - s) * (1 - t) * x[0] + (1 + s) * (1 - t) * x[1] + (1 + s) * (1 + t) * x[2] + (1 - s) * (1 + t) * x[3]) / 4;
+    const Vector place = quad_point(x, s, t);
     const Vector normal = along_s.cross(along_t);
     const double area = normal.norm();
     if (!(area > 0)) continue;

@@ -20,7 +20,7 @@ struct Structure {
   SolidElements solids;
   BeamElements beams;
   RigidBodies rigid;
-  Constraints constraints;                         ///< of nodes that are in no rigid body
+  Constraints constraints;                         ///< of nodes outside rigid bodies
   std::map<std::int64_t, std::size_t> body_of_id;  ///< rigid bodies by the ids of their parts or nodal rigid bodies
   double added_mass = 0;  ///< by mass scaling
   // Ids as in the deck, for messages.

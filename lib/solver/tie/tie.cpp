@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "base/quad.hpp"
 #include "contact/definition/active_time.hpp"
 #include "geometry/closest_point.hpp"
 #include "solver/contact/contact_method.hpp"
-#include "solver/contact/corner_weights.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -17,7 +17,7 @@ bool tied(const model::Contact& contact) {
   return method == ContactMethod::tie || method == ContactMethod::tiebreak;
 }
 
-/// Rotations that forces can work on.
+/// Rotations on which forces can do work.
 bool turns(const Structure& structure, NodeIndex node) {
   return structure.rigid.holds(node.value) || structure.state.inertia[node.value] > 0;
 }
@@ -31,31 +31,31 @@ bool nodes_turn(const Structure& structure, const ContactPoint& point) {
 ContactPoint point_of(const model::SegmentNodes& n, const Vector& query, const std::vector<Vector>& x) {
   const geometry::Facet facet{{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]}, n[2] == n[3]};
   const geometry::ClosestPoint closest = geometry::closest_point(facet, query);
-  return {n, corner_weights(false, closest.s, closest.t)};
+  return {n, quad_weights(closest.s, closest.t)};
 }
 
 Tie tie_of(const contact::JudgedNode& judged, const contact::ContactSurfaces& surfaces, const std::vector<Vector>& x,
            const Structure& structure) {
   const contact::Segments& segments = (surfaces.two_sided() ? surfaces.b : surfaces.a).selection.segments;
-  const std::string& code = surfaces.type.code;
+  const contact::ContactType& type = surfaces.type;
   const bool constraint = contact::ties_by_constraint(surfaces.type) && !judged.penalty;
   Tie tie;
   tie.contact = judged.contact;
   tie.segment = judged.segment;
   tie.segment_part = judged.segment_part;
-  tie.element_kind = segments.element_kind[judged.segment];
-  tie.element = segments.element[judged.segment];
+  tie.element_kind = segments.element_kind[judged.segment.value];
+  tie.element = segments.element[judged.segment.value];
   tie.node = judged.node;
-  tie.point = point_of(segments.nodes[judged.segment], x[judged.node.value], x);
+  tie.point = point_of(segments.nodes[judged.segment.value], x[judged.node.value], x);
   const bool sound = SegmentAxes(tie.point.nodes, x).sound, nodal = nodes_turn(structure, tie.point);
   const Turning turning = nodal ? Turning::nodes : sound ? Turning::axes : Turning::none;
-  tie.carries = code.front() == 'b' || code.front() == 'c';
+  tie.carries = type.offset == contact::TieOffset::beam || type.offset == contact::TieOffset::constrained;
   if (tie.carries)
     tie.offset = turning;
   else if (!constraint && sound)
     tie.offset = Turning::axes;
   tie.carries = tie.carries && turning != Turning::none;
-  tie.rotations = code.back() == '7' && turning != Turning::none && turns(structure, tie.node);
+  tie.rotations = type.code == contact::ContactCode::tied_shell_edge && turning != Turning::none && turns(structure, tie.node);
   if (tie.rotations) tie.rotation = turning;
   return tie;
 }
@@ -157,8 +157,8 @@ void TieLoads::add_to(const Tie& tie, const State& state, ContactState& result) 
 std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties, bool by_constraint) {
   std::vector<TieRange> ranges;
   std::size_t next = 0;
-  for (std::uint32_t c = 0; c < model.contacts.size(); ++c) {
-    const model::Contact& contact = model.contacts[c];
+  for (const ContactIndex c : positions<ContactIndex>(model.contacts.size())) {
+    const model::Contact& contact = model.contact(c);
     const std::size_t first = next;
     while (next < ties.size() && ties[next].contact == c) ++next;
     const bool own = tied(contact) && contact::ties_by_constraint(contact::classify(contact)) == by_constraint;
@@ -173,7 +173,7 @@ std::vector<Tie> tie_list(const model::Model& model, contact::SurfaceStore& surf
                           const contact::InitialState& initial, const Structure& structure, bool by_constraint) {
   std::vector<Tie> ties;
   for (const contact::JudgedNode& judged : initial.judged) {
-    const model::Contact& contact = model.contacts[judged.contact];
+    const model::Contact& contact = model.contact(judged.contact);
     if (!judged.tied() || !tied(contact)) continue;
     const contact::ContactSurfaces& sides = surfaces.at(judged.contact);
     if ((contact::ties_by_constraint(sides.type) && !judged.penalty) != by_constraint) continue;

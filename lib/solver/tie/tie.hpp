@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,20 +13,20 @@
 
 namespace gapcheck::solver {
 
-/// What carries directions along with a segment.
+/// What turns directions with a segment.
 enum class Turning : std::uint8_t {
-  none,   ///< nothing: they stay as they are in space
+  none,   ///< nothing: they stay fixed in space
   axes,   ///< the segment's axes
   nodes,  ///< the mean angular velocity of the segment's nodes
 };
 
 /// One node that is tied to a point of a segment.
 struct Tie {
-  std::uint32_t contact = 0;  ///< position in Model::contacts
-  std::uint32_t segment = 0;  ///< of the reference side
+  ContactIndex contact;
+  SegmentIndex segment;  ///< of the reference side
   PartIndex segment_part = none<PartIndex>;
   model::ElementKind element_kind = model::ElementKind::shell;
-  std::uint32_t element = std::numeric_limits<std::uint32_t>::max();  ///< of the segment; max: not known
+  std::uint32_t element = no_position;  ///< of the segment; or no_position
   NodeIndex node;
   ContactPoint point;                ///< of the segment
   Turning offset = Turning::none;    ///< what turns the offset from the point to the node
@@ -36,20 +35,20 @@ struct Tie {
   Turning rotation = Turning::none;  ///< to what
 };
 
-/// The element of the segment has failed: nothing is there to be tied to.
+/// The element of the segment has failed: there is nothing left to tie to.
 [[nodiscard]] bool segment_gone(const Tie& tie, const FailedElements& failed);
 
-/// Asked for every tie that has come to its end: the node, and the part of its segment.
+/// Called for every tie that has ended: the node, and the part of its segment.
 using Released = std::function<void(NodeIndex, PartIndex)>;
 
-/// What the message file says of nodes whose ties have failed.
+/// What the message file says about nodes whose ties have failed.
 [[nodiscard]] std::string failed_ties(const std::vector<std::int64_t>& nodes);
 
-/// How the node and the point it is tied to move.
+/// Motion of the node and of the point it is tied to.
 struct TieMotion {
-  Vector velocity = Vector::Zero();  ///< of the node against the point
+  Vector velocity = Vector::Zero();  ///< of the node relative to the point
   Vector spin = Vector::Zero();      ///< of the offset
-  Vector turn = Vector::Zero();      ///< angular velocity of the node against that of the segment
+  Vector turn = Vector::Zero();      ///< angular velocity of the node relative to the segment
 };
 [[nodiscard]] TieMotion motion(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& v,
                                const std::vector<Vector>& w);
@@ -61,14 +60,14 @@ class TieOffset {
   /// At the end of a step over dt in which the segment turned with `spin`.
   void move(const Tie& tie, const SegmentAxes& axes, const Vector& spin, double dt);
   [[nodiscard]] const Vector& value() const { return value_; }
-  /// In the segment's axes, as far as these turn it.
+  /// In the segment's axes, if these turn it.
   [[nodiscard]] const Vector& local() const { return local_; }
 
  private:
   Vector value_ = Vector::Zero(), local_ = Vector::Zero();
 };
 
-/// What a tie does at its node and at the corners of its segment: forces and moments, opposite in sum.
+/// The action of a tie at its node and at the corners of its segment: forces and moments, opposite in sum.
 struct TieLoads {
   Vector force = Vector::Zero(), moment = Vector::Zero();  ///< on the node
   std::array<Vector, 4> forces{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()}, moments = forces;
@@ -84,19 +83,19 @@ struct TieLoads {
 
 /// One contact's ties among those of all, [first, last), and when they act.
 struct TieRange {
-  std::uint32_t contact = 0;  ///< position in Model::contacts
+  ContactIndex contact;
   std::size_t first = 0, last = 0;
   double start = 0, end = 0;
   [[nodiscard]] bool active(double time) const { return time >= start && time < end; }
-  /// They do not act any more, or never.
+  /// They no longer act, or never will.
   [[nodiscard]] bool over(double time) const { return time >= end || end <= start; }
 };
-/// Of the contacts that tie by constraints, or by springs, and of others that have ties in the list.
+/// Of the contacts that tie by constraints, or by springs, and of others with ties in the list.
 [[nodiscard]] std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties,
                                                bool by_constraint);
 
-/// The ties of all calculated contacts, by contact, then node: those by constraints, or those by springs. What is tied
-/// is what the initialisation has found.
+/// The ties of all calculated contacts, by contact, then node: those by constraints, or those by springs. The ties are
+/// those that the initialisation found.
 [[nodiscard]] std::vector<Tie> tie_list(const model::Model& model, contact::SurfaceStore& surfaces,
                                         const contact::InitialState& initial, const Structure& structure,
                                         bool by_constraint);

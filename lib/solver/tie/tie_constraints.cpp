@@ -12,13 +12,13 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Turning the arms over the step converges by the angle per step; this many rounds are more than enough.
+/// Turning the arms over the step converges by the angle per step; this many iterations are more than enough.
 constexpr int most_turning_rounds = 8;
 constexpr double settled = 1e-13;
-/// Rounding moves a node less than this share of its segment from its place.
+/// Rounding moves a node less than this share of its segment from its position.
 constexpr double largest_drift = 1e-6;
 
-/// Neither nothing nor too small to divide by.
+/// Neither zero nor too small to divide by.
 bool counts(double mass) { return mass > 0 && std::isfinite(1 / mass); }
 
 }  // namespace
@@ -59,7 +59,7 @@ void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnost
       if (tie.point.weights[i] != 0 && is(tie.point.nodes[i])) return true;
     return false;
   };
-  std::map<std::uint32_t, std::array<std::size_t, 2>> left_out;
+  std::map<ContactIndex, std::array<std::size_t, 2>> left_out;
   std::erase_if(ties_, [&](const Tie& tie) {
     const bool rigid = any_of(tie, [&](NodeIndex node) { return structure_.rigid.holds(node.value); });
     if (!rigid && !any_of(tie, weightless)) return false;
@@ -68,7 +68,7 @@ void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnost
     return true;
   });
   for (const auto& [c, numbers] : left_out) {
-    const model::Contact& contact = model.contacts[c];
+    const model::Contact& contact = model.contact(c);
     const auto warn = [&](std::size_t count, std::string_view why) {
       if (count > 0)
         diagnostics.warning(model.file(contact.place), contact.place.line,
@@ -112,7 +112,7 @@ void TieConstraints::place(const State& state) {
       present.started = true;
       const Vector arm = state.x[tie.node.value] - tie.point.of(state.x);
       if (tie.carries) equations_[t].arm = arm;
-      // Whatever has moved a node without velocity, as shooting nodes are, has moved its place too.
+      // Anything that has moved a node without velocity, like a shooting node, has moved its target too.
       const double size = arm.norm() + (state.x[tie.point.nodes[2].value] - state.x[tie.point.nodes[0].value]).norm();
       if (!((arm - present.offset.value()).norm() <= largest_drift * size))
         present.offset.start(tie, present.axes, state.x);
@@ -120,7 +120,7 @@ void TieConstraints::place(const State& state) {
   });
 }
 
-/// Notes which freedoms are held in the coming step; true where that has changed.
+/// Notes which degrees of freedom are held in the next step; true if that has changed.
 bool TieConstraints::hold(double time, double next) {
   const bool first = held_.empty();
   held_.resize(used_.size(), 0);
@@ -155,8 +155,8 @@ void TieConstraints::free_velocities(const State& state, double mean, double nex
   }
 }
 
-/// What the equations ask for: the places of the end of the step, with the arms turned by the velocities v_ and w_, and
-/// the turn of axes in the middle of the step.
+/// The right sides of the equations: the positions at the end of the step, with the arms turned by the velocities v_
+/// and w_, and the rotation of the axes in the middle of the step.
 Eigen::VectorXd TieConstraints::targets(const State& state, double next) {
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system_->size()));
   parallel_for(ties_.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -257,7 +257,7 @@ void TieConstraints::react(const State& state, double mean, double next, Forces&
   for (const auto& [node, part] : std::exchange(untied_, {}))
     if (released_) released_(node, part);
   if (ties_.empty()) return;
-  // Work of the last step by the forces of its beginning; that of the forces of its end follows in sum_up().
+  // Work in the last step by the forces at its start; that of the forces at its end follows in sum_up().
   for (std::size_t i = 0; i < interfaces_.size(); ++i)
     for (std::size_t t = interfaces_[i].first; t < interfaces_[i].last; ++t) {
       states_[i].energy_a -= state.dt / 2 * present_[t].loads.on_node(ties_[t], state);

@@ -11,14 +11,14 @@
 namespace gapcheck::solver {
 
 /// Ties by constraints: 2, 6, 7 and their c forms. When all other forces are known, the forces that keep all tied nodes
-/// on the points of their segments are found at once (Lagrange multipliers), so that ties may share nodes and follow on
-/// one another. Equations without arms hold the velocities of the coming step; arms (c forms) are turned over the step
-/// first. Forces act at the places of the beginning of the step, so that momentum and angular momentum stay, and do no
-/// work but for what a turn over a finite step leaves.
+/// on the points of their segments are solved together (Lagrange multipliers), so ties may share nodes and form chains.
+/// Equations without arms constrain the velocities of the next step; arms (c forms) are first turned over the step.
+/// Forces act at the positions at the start of the step, so momentum and angular momentum are conserved, and do no work
+/// except for the residue of a rotation over a finite step.
 class TieConstraints : public Force, public ContactSource {
  public:
-  /// `initial` is of this model and these surfaces, `structure` the one that is stepped from initial.x; it must outlive
-  /// the ties. What cannot be tied goes to `diagnostics`.
+  /// `initial` is of this model and these surfaces, `structure` is stepped from initial.x; it must outlive the ties.
+  /// Ties that cannot be made go to `diagnostics`.
   TieConstraints(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
                  const Structure& structure, Diagnostics& diagnostics);
 
@@ -36,14 +36,14 @@ class TieConstraints : public Force, public ContactSource {
   [[nodiscard]] std::vector<ContactEvent> take_events() override;
 
  private:
-  /// What changes of a tie.
+  /// The variable data of a tie.
   struct Present {
     SegmentAxes axes;
     TieOffset offset;
     TieLoads loads;
     bool started = false;
     bool gone = false;  ///< with the element of its segment
-    bool told = false;  ///< that it has come to its end
+    bool told = false;  ///< its end is already reported
   };
   void keep_sound(const model::Model& model, Diagnostics& diagnostics);
   bool activate(const State& state);
@@ -68,7 +68,7 @@ class TieConstraints : public Force, public ContactSource {
   Mobility mobility_;
   std::vector<Vector> free_v_, free_w_, v_, w_;  ///< by node: without ties, and with them
   std::vector<ContactEvent> events_;
-  std::vector<std::pair<NodeIndex, PartIndex>> untied_;  ///< that nobody knows of yet
+  std::vector<std::pair<NodeIndex, PartIndex>> untied_;  ///< not reported yet
   Released released_;
   std::unique_ptr<TieSystem> system_;
   std::uint64_t failures_ = 0;  ///< elements that have failed, when this was last asked

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/quad.hpp"
 #include "contact/stiffness/element_sizes.hpp"
 #include "contact/stiffness/stiffness.hpp"
 #include "solver/contact/contact_method.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 /// Squared frequency of the elements times their squared step, at most.
 constexpr double elements_share = 4 * 0.9 * 0.9;
-/// How far springs may shorten the elements' step before they are made softer.
+/// How far springs may shorten the elements' step before they are softened.
 constexpr double shortest_step = 0.5;
 
 /// Factor of a spring's squared frequency that makes it as bad for the step as it is with this share of the critical
@@ -28,8 +29,8 @@ double damped(double ratio) {
   return root * root;
 }
 
-/// Squared radius of gyration of the node's rotation, or of the segment's nodes where the node is on a rigid body; of
-/// shells' nodes where both are.
+/// Squared radius of gyration of the node's rotation, or of the segment's nodes if the node is on a rigid body; of
+/// shells' nodes if both are.
 double squared_radius(const Tie& tie, const Structure& structure) {
   const State& state = structure.state;
   const auto of_node = [&](NodeIndex node) {
@@ -40,9 +41,8 @@ double squared_radius(const Tie& tie, const Structure& structure) {
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) sum += tie.point.weights[i] * of_node(tie.point.nodes[i]);
   if (sum > 0) return sum;
-  const auto at = [&](std::size_t i) -> const Vector& { return state.x[tie.point.nodes[i].value]; };
   constexpr double share_of_area = 8;  // of the rotational inertia of shells
-  return (at(2) - at(0)).cross(at(3) - at(1)).norm() / 2 / share_of_area;
+  return quad_normal(tie.point.nodes, state.x).norm() / 2 / share_of_area;
 }
 
 }  // namespace
@@ -54,16 +54,16 @@ TieForces::TieForces(const model::Model& model, contact::SurfaceStore& surfaces,
   for (const Tie& tie : ties) {
     Spring& spring = springs_.emplace_back();
     spring.tie = tie;
-    spring.percent = std::max(0.0, model.contacts[tie.contact].vdc);
+    spring.percent = std::max(0.0, model.contact(tie.contact).vdc);
   }
   interfaces_ = tie_ranges(model, ties, false);
   for (const TieRange& interface : interfaces_) states_.emplace_back().contact = interface.contact;
 }
 
-/// Strengths of a tiebreak's ties as forces: stresses count with the area of the node, or of the segment where the node
-/// is given without segments.
+/// Strengths of a tiebreak's ties as forces: stresses count with the area of the node, or of the segment if the node is
+/// given without segments.
 void TieForces::find_strength(const TieRange& interface, const contact::SideScene& side, const std::vector<Vector>& x) {
-  const model::Contact& contact = model_.contacts[interface.contact];
+  const model::Contact& contact = model_.contact(interface.contact);
   if (choose_method(contact).method != ContactMethod::tiebreak) return;
   const contact::Segments& own = side.tracked().selection.segments;
   std::unordered_map<std::uint32_t, double> areas;
@@ -72,7 +72,7 @@ void TieForces::find_strength(const TieRange& interface, const contact::SideScen
     for (std::size_t i = 0; i < count; ++i)
       areas[corners[i].value] += contact::shell_area(corners, x) / static_cast<double>(count);
   }
-  const bool forces = contact.keyword.starts_with("CONTACT_TIEBREAK_NODES");
+  const bool forces = contact.kind->code == model::ContactCode::tiebreak_nodes;
   constexpr std::int64_t linear_damage = 6;
   for (std::size_t i = interface.first; i < interface.last; ++i) {
     Spring& spring = springs_[i];
@@ -82,11 +82,11 @@ void TieForces::find_strength(const TieRange& interface, const contact::SideScen
     const model::TiebreakStrength& card = contact.tiebreak;
     const double opening = contact.tiebreak_option == linear_damage ? card.param : 0;
     spring.strength = {card.normal * area, card.shear * area, card.normal_power, card.shear_power, opening, 1};
-    // Old types look at the order of the segment's nodes, automatic ones at the side on which the node lies.
+    // Old types use the order of the segment's nodes, automatic ones the side on which the node lies.
     const SegmentAxes axes(tie.point.nodes, x);
     const double height = axes.axes.col(2).dot(x[tie.node.value] - tie.point.of(x));
     constexpr double on_the_surface = 1e-6;  // of the segment's size: facets that touch
-    if (contact.keyword.starts_with("CONTACT_AUTOMATIC_") &&
+    if (contact.kind->automatic_tiebreak() &&
         height < -on_the_surface * std::sqrt(contact::shell_area(tie.point.nodes, x)))
       spring.strength.side = -1;
   }
@@ -110,7 +110,7 @@ void TieForces::build(const State& state) {
   TieStability stability(*structure_);
   double ratio = 0;
   for (const TieRange& interface : interfaces_) {
-    const model::Contact& contact = model_.contacts[interface.contact];
+    const model::Contact& contact = model_.contact(interface.contact);
     const contact::ContactSurfaces& surfaces = store_.at(interface.contact);
     const contact::SideScene side(model_, interface.contact, surfaces, false, initial_.x);
     ContactSprings springs(model_, side, masses, contact.sfs, contact.sfm);
@@ -122,7 +122,7 @@ void TieForces::build(const State& state) {
       Spring& spring = springs_[i];
       const Tie& tie = spring.tie;
       const auto slot = std::lower_bound(nodes.begin(), nodes.end(), tie.node) - nodes.begin();
-      const ContactSprings::Spring found = springs(static_cast<std::uint32_t>(slot), tie.segment);
+      const ContactSprings::Spring found = springs(to_index<SlotIndex>(static_cast<std::size_t>(slot)), tie.segment);
       spring.stiffness = std::isfinite(found.stiffness) ? std::max(0.0, found.stiffness) : 0;
       if (spring.stiffness == 0)  // no modulus is known on either side
         spring.stiffness = contact.sofscl * contact::soft_1_stiffness(found.node_mass, found.segment_mass, timestep);
@@ -146,7 +146,7 @@ void TieForces::build(const State& state) {
   structure_ = nullptr;
 }
 
-/// The node's turn against the segment grows, and goes with the segment.
+/// The node's rotation relative to the segment grows, and turns with the segment.
 void TieForces::turn(Spring& spring, const State& state) {
   const Tie& tie = spring.tie;
   const SegmentAxes middle(tie.point.nodes, state.x, state.v, -state.dt / 2);
@@ -182,10 +182,10 @@ void TieForces::calculate(Spring& spring, const State& state, bool active) {
   Vector force = -spring.stiffness * stretch, damping = -spring.damping * velocity;
   if (spring.strength.limited()) {
     const Vector normal = axes.sound ? Vector(axes.axes.col(2)) : Vector(Vector::Zero());
-    // What presses does no damage.
+    // Compression does no damage.
     const Vector pressed = std::min(0.0, spring.strength.side * stretch.dot(normal)) * spring.strength.side * normal;
     const double share = spring.damage.share(spring.strength, force, normal, (stretch - pressed).norm());
-    // What presses stays whole until the tie is gone.
+    // Compression stays in full until the tie is gone.
     const double push = spring.damage.broken ? 0 : std::max(0.0, spring.strength.side * force.dot(normal));
     const Vector whole = spring.strength.side * push * normal;
     force = share * (force - whole) + whole;

@@ -9,11 +9,11 @@
 
 namespace gapcheck::solver {
 
-/// Ties by springs: the offset forms, and the nodes that IPBACK ties since a constraint cannot. A spring between the
-/// node and the place that turns with its segment, as stiff as that of a penalty contact; one with which the step
-/// would fall below half that of the elements in the first cycle is made softer. Types 7 tie rotations by springs of
-/// the same frequency. The o forms leave the moment of the offset out, the b forms carry it. Tiebreaks (8, 9) are tied
-/// like o forms until they fail.
+/// Ties by springs: the offset forms, and the nodes that IPBACK ties because a constraint cannot. A spring between the
+/// node and the point that turns with its segment, as stiff as that of a penalty contact; springs that would push the
+/// step below half that of the elements in the first cycle are softened. Types 7 tie rotations by springs of the same
+/// frequency. The o forms leave out the moment of the offset, the b forms carry it. Tiebreaks (8, 9) are tied like o
+/// forms until they fail.
 class TieForces : public Force, public ContactSource {
  public:
   /// `initial` is of this model and these surfaces, `structure` the one that will be stepped from initial.x; model,
@@ -41,9 +41,9 @@ class TieForces : public Force, public ContactSource {
     bool active = false;
     TieStrength strength;
     TieDamage damage;
-    bool told = false;  ///< that it has come to its end
+    bool told = false;  ///< its end is already reported
     TieOffset offset;
-    Vector turned = Vector::Zero();  ///< rotation of the node against the segment
+    Vector turned = Vector::Zero();  ///< rotation of the node relative to the segment
     TieLoads loads;
     double on_node = 0, on_segment = 0, damped = 0;  ///< work taken in the last step
   };

@@ -13,7 +13,7 @@ double least_inertia(const RigidBody& body) {
 
 }  // namespace
 
-// Places of rows: translations of nodes, their rotations, bodies. What has no mass is held, or moves nowhere.
+// Positions of rows: translations of nodes, their rotations, bodies. Anything without mass is held, or does not move.
 
 void TieStability::move(NodeIndex node, double share) {
   const auto body = structure_.rigid.body_of(node.value);

@@ -7,21 +7,21 @@
 namespace gapcheck::solver {
 
 /// Keeps the springs of ties stable. All springs together have no frequency above that of the largest row sum of
-/// K in coordinates divided by the roots of the masses (Gershgorin); a spring that would bring a row over the limit is
-/// made softer.
+/// K in coordinates divided by the roots of the masses (Gershgorin); springs that would bring a row over the limit are
+/// softened.
 class TieStability {
  public:
   explicit TieStability(const Structure& structure) : structure_(structure) {}
-  /// A spring along the offset and one of rotations, at the present places.
+  /// A spring along the offset and one for rotations, at the present positions.
   void add(const Tie& tie, const SegmentAxes& axes, const Vector& arm, double stiffness, double rotational);
-  /// By spring, in the order in which they came (translation and rotation of a tie): how much of the stiffness is left
-  /// so that no squared frequency is above `greatest`.
+  /// By spring, in the order added (translation and rotation of a tie): the share of the stiffness that keeps all
+  /// squared frequencies at or below `greatest`.
   [[nodiscard]] std::vector<double> shares(double greatest) const;
   /// Upper bound of the squared frequencies; `shares`: of the stiffness.
   [[nodiscard]] double squared_frequency(const std::vector<double>& shares) const;
 
  private:
-  /// A spring's part in the motion of something that has mass, divided by the root of that.
+  /// A spring's share in the motion of something with mass, divided by the root of the mass.
   struct Part {
     std::size_t mass = 0;
     double size = 0;

@@ -26,7 +26,7 @@ double TieDamage::share(const TieStrength& strength, const Vector& force, const 
   }
   broken = !(elongation < strength.opening);
   if (broken) return 0;
-  // The force of the greatest elongation falls on a line from the onset to nothing.
+  // The force at the largest elongation falls linearly from the onset to zero.
   return onset / elongation * (strength.opening - elongation) / (strength.opening - onset);
 }
 

@@ -6,7 +6,7 @@ namespace gapcheck::solver {
 /// When the tie of a tiebreak contact fails: (tension / normal)^normal_power + (across / shear)^shear_power >= 1, of
 /// the force on the node. Compression never counts.
 struct TieStrength {
-  double normal = 0, shear = 0;  ///< forces; 0: never by it
+  double normal = 0, shear = 0;  ///< forces; 0: no such limit
   double normal_power = 2, shear_power = 2;
   double opening =
       0;  ///< the elongation at which damage that grows linearly from the criterion on is complete; 0: brittle
@@ -14,11 +14,11 @@ struct TieStrength {
   [[nodiscard]] bool limited() const { return normal > 0 || shear > 0; }
 };
 
-/// What is left of such a tie.
+/// The remaining strength of such a tie.
 struct TieDamage {
   bool broken = false;
-  double onset = 0;       ///< elongation, compression left out, at which damage began; 0: it has not
-  double elongation = 0;  ///< the greatest so far
+  double onset = 0;       ///< elongation, without compression, at which damage began; 0: not yet
+  double elongation = 0;  ///< the largest so far
   /// The share of tension and shear that an elongation of the spring leaves. `force`: of the sound spring, on the node;
   /// `normal`: unit, from the segment to its front.
   [[nodiscard]] double share(const TieStrength& strength, const Vector& force, const Vector& normal, double stretched);

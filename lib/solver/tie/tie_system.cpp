@@ -7,7 +7,7 @@ namespace {
 
 /// A row whose pivot is below this share of its diagonal follows from others.
 constexpr double least_pivot = 1e-9;
-/// Share of the diagonal that keeps a search for such rows from dividing by nothing.
+/// Share of the diagonal that keeps a search for such rows from dividing by zero.
 constexpr double support = 1e-12;
 
 Matrix cross_matrix(const Vector& a) {
@@ -19,10 +19,9 @@ Matrix cross_matrix(const Vector& a) {
 }  // namespace
 
 TieSystem::TieSystem(std::span<const Tie> ties, std::size_t nodes) : nodes_(nodes) {
-  constexpr std::uint32_t nowhere = 0xffffffffu;
-  place_.assign(nodes, nowhere);
+  place_.assign(nodes, no_position);
   const auto use = [&](NodeIndex node) {
-    if (place_[node.value] != nowhere) return;
+    if (place_[node.value] != no_position) return;
     place_[node.value] = static_cast<std::uint32_t>(used_.size());
     used_.push_back(node);
   };
@@ -36,7 +35,7 @@ TieSystem::TieSystem(std::span<const Tie> ties, std::size_t nodes) : nodes_(node
 
 void TieSystem::fill(std::span<const TieEquation> equations) {
   std::vector<Eigen::Triplet<double, int>> entries;
-  // Entries of 0 stay where they are, so that the pattern does not change.
+  // Zero entries stay, so that the pattern does not change.
   const auto block = [&](std::size_t row, NodeIndex node, bool rotation, const Matrix& m, bool active) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
@@ -109,7 +108,7 @@ bool TieSystem::factorise(double share) {
 }
 
 bool TieSystem::leave_out_dependent() {
-  // Nothing but coefficients that are no numbers makes this fail: then no row is of use.
+  // Only NaN coefficients make this fail: then no row is usable.
   const bool sound = factorise(support);
   bool any = false;
   for (Eigen::Index row = 0; row < diagonal_.size(); ++row) {

@@ -14,11 +14,11 @@ namespace gapcheck::solver {
 struct TieEquation {
   const Tie* tie = nullptr;
   const SegmentAxes* axes = nullptr;
-  Vector arm = Vector::Zero();  ///< from the point to the node, where the tie carries its moment
+  Vector arm = Vector::Zero();  ///< from the point to the node, if the tie carries its moment
   bool active = true;
 };
 
-/// What one over the mass of each freedom is: six per node, 0 where it is held.
+/// The inverse mass of each degree of freedom: six per node, 0 if held.
 using Mobility = std::vector<double>;
 
 /// The equations (G M⁻¹ Gᵀ) λ = r of ties that share nodes. Three rows per tie, three more where rotations are tied.
@@ -30,11 +30,11 @@ class TieSystem {
   [[nodiscard]] std::size_t size() const { return rows_; }
   /// First row of a tie.
   [[nodiscard]] std::size_t row(std::size_t tie) const { return first_row_[tie]; }
-  /// Factorises. `fresh`: held freedoms or active ties are others than before, so that other rows may be left out;
-  /// false: the arms alone have turned.
+  /// Factorises. `fresh`: held degrees of freedom or active ties have changed, so other rows may be left out; false:
+  /// only the arms have turned.
   void set(std::span<const TieEquation> equations, const Mobility& mobility, bool fresh);
   [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd right) const;
-  /// By row: it is left out although it could move something, since it follows from others.
+  /// By row: left out because it follows from others, although it could move something.
   [[nodiscard]] const std::vector<bool>& dependent() const { return dependent_; }
 
  private:
@@ -48,7 +48,7 @@ class TieSystem {
 
   std::vector<std::size_t> first_row_;
   std::size_t rows_ = 0, nodes_ = 0;
-  std::vector<std::uint32_t> place_;  ///< by node: its place among those with ties
+  std::vector<std::uint32_t> place_;  ///< by node: its position among those with ties
   std::vector<NodeIndex> used_;
   std::vector<bool> idle_, dependent_;  ///< by row
   Sparse g_, a_;

@@ -30,7 +30,7 @@ TEST(NodeLines, WritesOnlyWhatMoves) {
   Read read("*KEYWORD\n*NODE\n       1              1.              2.            3.00       0       0\n*END\n");
   audit::NodeLines lines(read.deck, read.model, read.x);
   const Vector to(1, 2, 3.25);
-  EXPECT_EQ(lines.why_fixed(NodeIndex{0}), "");
+  EXPECT_TRUE(lines.check(NodeIndex{0}).ok());
   EXPECT_EQ(lines.edit(NodeIndex{0}, to).text, "       1              1.              2.            3.25       0       0");
   EXPECT_EQ(lines.edit(NodeIndex{0}, to).line, 3u);
   EXPECT_EQ(lines.written(NodeIndex{0}, to), to);
@@ -40,9 +40,9 @@ TEST(NodeLines, WritesOnlyWhatMoves) {
 TEST(NodeLines, SaysWhatCannotBeRewritten) {
   Read read("*KEYWORD\n*PARAMETER\nR h              3.0\n*NODE\n1,0.,0.,&h\n2,0.,0.,1.\n2,0.,0.,1.\n3,0.,0.,1.\n*END\n");
   audit::NodeLines lines(read.deck, read.model, read.x);
-  EXPECT_EQ(lines.why_fixed(NodeIndex{0}), "&h is a parameter");
-  EXPECT_EQ(lines.why_fixed(NodeIndex{1}), "it is defined more than once");
-  EXPECT_EQ(lines.why_fixed(NodeIndex{2}), "");
+  EXPECT_EQ(lines.check(NodeIndex{0}).error().message, "&h is a parameter");
+  EXPECT_EQ(lines.check(NodeIndex{1}).error().message, "it is defined more than once");
+  EXPECT_TRUE(lines.check(NodeIndex{2}).ok());
 }
 
 class NodeLinesInFiles : public testing::Test {
@@ -71,7 +71,7 @@ TEST_F(NodeLinesInFiles, UndoesThePlacementOfTheInclude) {
   Read read(keyword::read_deck(path, {}, diagnostics));
   ASSERT_EQ(read.x.size(), 1u);
   audit::NodeLines lines(read.deck, read.model, read.x);
-  ASSERT_EQ(lines.why_fixed(NodeIndex{0}), "");
+  ASSERT_TRUE(lines.check(NodeIndex{0}).ok());
   const Vector to = read.x[0] + Vector(0.3, -0.2, 0.1);
   EXPECT_NEAR((lines.written(NodeIndex{0}, to) - to).norm(), 0, 1e-9);
   EXPECT_NE(lines.edit(NodeIndex{0}, to).text, "       1              1.              2.              3.");
@@ -84,8 +84,8 @@ TEST_F(NodeLinesInFiles, FilesReadTwiceStay) {
   Diagnostics diagnostics;
   Read read(keyword::read_deck(path, {}, diagnostics));
   audit::NodeLines lines(read.deck, read.model, read.x);
-  EXPECT_EQ(lines.why_fixed(NodeIndex{0}), "its file is included more than once");
-  EXPECT_EQ(lines.why_fixed(NodeIndex{*read.model.mesh.nodes.lookup.find(5)}), "");
+  EXPECT_EQ(lines.check(NodeIndex{0}).error().message, "its file is included more than once");
+  EXPECT_TRUE(lines.check(NodeIndex{*read.model.mesh.nodes.lookup.find(5)}).ok());
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ double optt(const std::string& text, std::int64_t a, std::int64_t b) {
   for (const Penetration& p : state.penetrations)
     if (std::minmax(p.part, p.element_part) == std::minmax(a, b)) records.push_back(p);
   audit::ThicknessTrial trial(model);
-  const double found = trial.free_optt(0, a, b, records, state.penetrations);
+  const double found = trial.free_optt(ContactIndex{0}, a, b, records, state.penetrations);
   for (const model::Part& part : model.parts) EXPECT_FALSE(part.contact.has_value());
   return found;
 }
@@ -72,7 +72,7 @@ TEST(ThicknessTrial, SectionsThatCount) {
     model::Model model = read(text);
     const contact::InitialState state = state_of(model);
     audit::ThicknessTrial trial(model);
-    return trial.sections(0, 1, 2, state.penetrations, 0.7);
+    return trial.sections(ContactIndex{0}, 1, 2, state.penetrations, 0.7);
   };
   const std::string plain = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});
   const auto found = sections(plain);
@@ -98,7 +98,7 @@ TEST(ThicknessTrial, SectionsWithTheScaleOfThePart) {
     model::Model model = read(text);
     const contact::InitialState state = state_of(model);
     audit::ThicknessTrial trial(model);
-    return trial.sections(0, 1, 2, state.penetrations, 0.7);
+    return trial.sections(ContactIndex{0}, 1, 2, state.penetrations, 0.7);
   };
   const auto found = sections(0.95);
   ASSERT_TRUE(found.has_value());

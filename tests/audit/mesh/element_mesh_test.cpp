@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numeric>
 
 #include "base/parallel.hpp"
 #include "keyword/deck.hpp"
@@ -24,9 +23,7 @@ model::Model read(const std::string& text) {
 
 ElementMesh mesh_of(const model::Model& model) {
   contact::SurfaceStore surfaces(model);
-  std::vector<std::uint32_t> contacts(model.contacts.size());
-  std::iota(contacts.begin(), contacts.end(), 0U);
-  return element_mesh(model, surfaces, contacts);
+  return element_mesh(model, surfaces, positions<ContactIndex>(model.contacts.size()).list());
 }
 
 void expect_sound(const ElementMesh& mesh) {

@@ -68,7 +68,7 @@ void add_panel(DeckWriter& deck, const Panel& panel, const Frame& frame, double 
   });
 }
 
-constexpr std::string_view head = R"(*KEYWORD
+constexpr std::string_view vehicle_head = R"(*KEYWORD
 *CONTROL_TERMINATION
      0.001
 *CONTROL_CONTACT
@@ -101,7 +101,7 @@ SceneFacts write_vehicle(std::uint64_t shells, const DeckSink& sink) {
   constexpr int most_pair_contacts = 64;
   constexpr double pair_shells = 1340;  // on average
   DeckWriter deck(sink);
-  deck.text(head);
+  deck.text(vehicle_head);
   const int side = std::max(1, static_cast<int>(std::ceil(std::cbrt(static_cast<double>(shells) / pair_shells))));
   SceneFacts facts;
   int contacts = 1;

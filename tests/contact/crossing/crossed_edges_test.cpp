@@ -38,7 +38,7 @@ TEST(CrossedEdges, WithinTheToleranceOfADecimalDeck) {
     scene.contact("AUTOMATIC_GENERAL");
     CrossingCounters counters;
     SurfaceStore surfaces(scene.model);
-    return find_crossed_edges(scene.model, 0, surfaces.at(0), {}, counters).size();
+    return find_crossed_edges(scene.model, ContactIndex{0}, surfaces.at(ContactIndex{0}), {}, counters).size();
   };
   EXPECT_EQ(count(0), 1U);
   EXPECT_EQ(count(5e-6), 1U);

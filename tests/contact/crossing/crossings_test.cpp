@@ -18,8 +18,7 @@ namespace {
 std::vector<Crossing> crossings(const Scene& scene, const CrossingOptions& options = {}) {
   SurfaceStore surfaces(scene.model);
   CrossingCounters counters;
-  std::vector<std::uint32_t> contacts(scene.model.contacts.size());
-  for (std::uint32_t i = 0; i < contacts.size(); ++i) contacts[i] = i;
+  const std::vector<ContactIndex> contacts = positions<ContactIndex>(scene.model.contacts.size()).list();
   return find_crossings(scene.model, contacts, surfaces, options, counters);
 }
 

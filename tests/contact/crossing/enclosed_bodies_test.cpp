@@ -11,7 +11,7 @@ namespace {
 
 std::vector<EnclosedBody> enclosed(const Scene& scene, const CrossingOptions& options = {}) {
   CrossingCounters counters;
-  return find_enclosed_bodies(scene.model, [](PartIndex, PartIndex) { return 0U; }, options, counters);
+  return find_enclosed_bodies(scene.model, [](PartIndex, PartIndex) { return ContactIndex{0}; }, options, counters);
 }
 
 /// An L of three bricks with common nodes: [0, 2] x [0, 2] x [0, 1] without the quarter x > 1, y > 1.

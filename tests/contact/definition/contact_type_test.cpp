@@ -7,11 +7,11 @@ namespace {
 
 model::Contact named(std::string keyword) {
   model::Contact c;
-  c.keyword = c.written = "CONTACT_" + std::move(keyword);
+  set_name("CONTACT_" + keyword, c);
   return c;
 }
 
-std::string code(const std::string& keyword) { return classify(named(keyword)).code; }
+std::string code(const std::string& keyword) { return classify(named(keyword)).printed(); }
 
 TEST(ContactType, CodesOfTheWorkshopTable) {
   EXPECT_EQ(code("AUTOMATIC_SINGLE_SURFACE"), "13");

@@ -11,7 +11,7 @@ namespace {
 
 model::Contact named(const std::string& keyword) {
   model::Contact contact;
-  contact.keyword = "CONTACT_" + keyword;
+  set_name("CONTACT_" + keyword, contact);
   return contact;
 }
 

@@ -35,7 +35,7 @@ void beam(Scene& scene, PartIndex part, NodeIndex a, NodeIndex b) {
 /// The edges that the first contact of a scene looks at.
 struct Edges {
   explicit Edges(const model::Model& model)
-      : surfaces(SurfaceStore(model).at(0)),
+      : surfaces(SurfaceStore(model).at(ContactIndex{0})),
         neighbours(surfaces.a.selection.segments, model.mesh, true),
         scene{model,      model.contacts[0], surfaces.type, surfaces.settings, model.mesh.nodes.x,
               surfaces.a.selection.segments, surfaces.a.nodes, neighbours, 2, {}, {}, -1, geometry::Mode::filtered},
@@ -61,7 +61,7 @@ TEST(EdgePairs, FreeEdgesAndWithInteriorAllOfThem) {
   const auto free = node_pairs(Edges(scene.model).list);
   EXPECT_EQ(free.size(), 10U);
   EXPECT_FALSE(free.contains({1, 5}));
-  scene.model.contacts[0].keyword = "CONTACT_AUTOMATIC_GENERAL_INTERIOR";
+  set_name("CONTACT_AUTOMATIC_GENERAL_INTERIOR", scene.model.contacts[0]);
   const auto all = node_pairs(Edges(scene.model).list);
   EXPECT_EQ(all.size(), 17U);
   EXPECT_TRUE(all.contains({1, 5}));

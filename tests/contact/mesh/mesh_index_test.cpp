@@ -48,7 +48,8 @@ TEST(MeshIndex, SmallSurfacesAreThoseOfTheWholeMesh) {
     EXPECT_EQ(found[1].element, 0U);
     EXPECT_EQ(found[1].kind, model::ElementKind::solid);
   }
-  const ContactType two{"a3", Treatment::two_way, Family::automatic, false, false, {}, {}};
+  const ContactType two{.code = ContactCode::automatic_surface, .treatment = Treatment::two_way, .family = Family::automatic,
+                        .not_checked = {}};
   const auto& x = mesh.nodes.x;
   const Selection part = select(scene.model, {3, 3, 0, true}, two, x, index);
   EXPECT_EQ(part.segments.element, (std::vector<std::uint32_t>{400}));

@@ -10,7 +10,7 @@ TEST(NodeSlots, OfAllNodesTheSlotIsThePosition) {
   EXPECT_EQ(slots.size(), 5U);
   EXPECT_EQ(slots.slot(NodeIndex{3}), 3U);
   EXPECT_EQ(slots.node(4), NodeIndex{4});
-  EXPECT_EQ(slots.slot(NodeIndex{5}), NodeSlots::missing);
+  EXPECT_EQ(slots.slot(NodeIndex{5}), no_position);
 }
 
 TEST(NodeSlots, OfFewNodesTheyAscendWithoutRepeats) {
@@ -19,7 +19,7 @@ TEST(NodeSlots, OfFewNodesTheyAscendWithoutRepeats) {
   EXPECT_EQ(slots.slot(NodeIndex{7}), 0U);
   EXPECT_EQ(slots.slot(NodeIndex{90}), 2U);
   EXPECT_EQ(slots.node(1), NodeIndex{40});
-  for (const std::uint32_t absent : {0U, 8U, 91U}) EXPECT_EQ(slots.slot(NodeIndex{absent}), NodeSlots::missing);
+  for (const std::uint32_t absent : {0U, 8U, 91U}) EXPECT_EQ(slots.slot(NodeIndex{absent}), no_position);
 }
 
 TEST(NodeSlots, FewIsASixteenthOfTheMesh) {

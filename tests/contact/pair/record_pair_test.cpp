@@ -26,7 +26,7 @@ TEST(RecordPair, EveryRecordIsFoundOnItsSides) {
     const InitialState state = scene.run();
     ASSERT_EQ(state.penetrations.size(), 18U);
     SurfaceStore store(scene.model);
-    const ContactSurfaces& s = store.at(0);
+    const ContactSurfaces& s = store.at(ContactIndex{0});
     for (const Penetration& p : state.penetrations) {
       const auto pair = find_pair(s, scene.model.mesh, p);
       ASSERT_TRUE(pair);
@@ -36,8 +36,8 @@ TEST(RecordPair, EveryRecordIsFoundOnItsSides) {
       }
       const ContactSide& nodes = pair->node_on_b ? s.b : s.a;
       const ContactSide& segments = pair->segment_on_b ? s.b : s.a;
-      EXPECT_EQ(scene.model.mesh.nodes.id[nodes.nodes.node[pair->slot].value], p.node);
-      EXPECT_EQ(element_id(scene.model.mesh, segments.selection.segments, pair->segment), p.element);
+      EXPECT_EQ(scene.model.mesh.nodes.id[nodes.nodes.node[pair->slot.value].value], p.node);
+      EXPECT_EQ(element_id(scene.model.mesh, segments.selection.segments, pair->segment.value), p.element);
     }
   }
 }
@@ -49,11 +49,11 @@ TEST(RecordPair, NothingForRecordsOfOtherSurfaces) {
   Penetration& p = state.penetrations.front();
   for (const std::uint32_t number : {0U, 9U}) {
     p.segment_number = number;
-    EXPECT_FALSE(find_pair(store.at(0), scene.model.mesh, p));
+    EXPECT_FALSE(find_pair(store.at(ContactIndex{0}), scene.model.mesh, p));
   }
   p = state.penetrations.back();
   p.node = 99;
-  EXPECT_FALSE(find_pair(store.at(0), scene.model.mesh, p));
+  EXPECT_FALSE(find_pair(store.at(ContactIndex{0}), scene.model.mesh, p));
 }
 
 }  // namespace

@@ -14,8 +14,7 @@ constexpr double rho = 2, bulk = 600;
 
 std::vector<SurfaceTimestep> steps(const Scene& scene) {
   SurfaceStore surfaces(scene.model);
-  std::vector<std::uint32_t> all(scene.model.contacts.size());
-  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  const std::vector<ContactIndex> all = positions<ContactIndex>(scene.model.contacts.size()).list();
   return predict_timesteps(scene.model, surfaces, all).timesteps.surface_timesteps;
 }
 
@@ -115,16 +114,20 @@ TEST(ContactTimestep, NodesAloneAndWeakMaterialsLimitNothing) {
 }
 
 TEST(ContactTimestep, OnlyPenaltySprings) {
-  for (const char* code : {"1", "3", "a3", "m5", "a10", "13", "25", "26", "o2", "8"}) {
-    ContactType type;
-    type.code = code;
-    EXPECT_TRUE(has_timestep(type)) << code;
-  }
-  for (const char* code : {"2", "c6", "7", "21", "23", "?"}) {
-    ContactType type;
-    type.code = code;
-    EXPECT_FALSE(has_timestep(type)) << code;
-  }
+  const auto has = [](const char* keyword) {
+    model::Contact contact;
+    set_name(std::string("CONTACT_") + keyword, contact);
+    return has_timestep(classify(contact));
+  };
+  for (const char* keyword :
+       {"SLIDING_ONLY", "SURFACE_TO_SURFACE", "AUTOMATIC_SURFACE_TO_SURFACE", "FORMING_NODES_TO_SURFACE",
+        "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", "AUTOMATIC_SINGLE_SURFACE", "FORCE_TRANSDUCER", "AUTOMATIC_GENERAL",
+        "TIED_SURFACE_TO_SURFACE_OFFSET", "TIEBREAK_NODES_TO_SURFACE"})
+    EXPECT_TRUE(has(keyword)) << keyword;
+  for (const char* keyword :
+       {"TIED_SURFACE_TO_SURFACE", "TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", "TIED_SHELL_EDGE_TO_SURFACE",
+        "RIGID_BODY_ONE_WAY_TO_RIGID_BODY", "DRAWBEAD", "NO_SUCH_CONTACT"})
+    EXPECT_FALSE(has(keyword)) << keyword;
 }
 
 // The controlling node and its value are the same however the surface is cut, and in a small part of a large mesh.
@@ -161,7 +164,7 @@ TEST(ContactTimestep, SpringsOfThinShellsMayBeUnstable) {
   scene.contact("AUTOMATIC_SINGLE_SURFACE");
   const auto predict = [&] {
     SurfaceStore surfaces(scene.model);
-    return predict_timesteps(scene.model, surfaces, std::vector<std::uint32_t>{0});
+    return predict_timesteps(scene.model, surfaces, std::vector{ContactIndex{0}});
   };
   const PredictedTimesteps thin = predict();
   EXPECT_DOUBLE_EQ(thin.run, 0.9 * 4 * std::sqrt(rho * 0.91 / (1.2 * bulk)));
@@ -194,7 +197,7 @@ TEST(ContactTimestep, BeamsSoftenNothing) {
     }
     scene.contact("AUTOMATIC_SINGLE_SURFACE");
     SurfaceStore surfaces(scene.model);
-    return predict_timesteps(scene.model, surfaces, std::vector<std::uint32_t>{0}).unstable;
+    return predict_timesteps(scene.model, surfaces, std::vector{ContactIndex{0}}).unstable;
   };
   const auto plain = predict(false), stiffened = predict(true);
   ASSERT_EQ(plain.size(), 1u);

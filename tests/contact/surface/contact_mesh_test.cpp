@@ -7,10 +7,8 @@
 namespace gapcheck::contact::contact_mesh_test {
 namespace {
 
-std::vector<std::uint32_t> all_contacts(const model::Model& model) {
-  std::vector<std::uint32_t> list;
-  for (std::uint32_t c = 0; c < model.contacts.size(); ++c) list.push_back(c);
-  return list;
+std::vector<ContactIndex> all_contacts(const model::Model& model) {
+  return positions<ContactIndex>(model.contacts.size()).list();
 }
 
 TEST(ContactMesh, EverySegmentOnce) {
@@ -24,8 +22,8 @@ TEST(ContactMesh, EverySegmentOnce) {
   SurfaceStore surfaces(scene.model);
   const ContactMesh both(scene.model, surfaces, all_contacts(scene.model));
   EXPECT_EQ(both.size(), 6U + 6U);
-  for (std::size_t i = 0; i < both.size(); ++i) EXPECT_EQ(both.contact(i), 0U);
-  const std::vector<std::uint32_t> second{1};
+  for (std::size_t i = 0; i < both.size(); ++i) EXPECT_EQ(both.contact(i), ContactIndex{0});
+  const std::vector second{ContactIndex{1}};
   const ContactMesh alone(scene.model, surfaces, second);
   ASSERT_EQ(alone.size(), 12U);
   EXPECT_EQ(alone.kind(0), model::ElementKind::solid);

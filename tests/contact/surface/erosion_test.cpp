@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "../model/read.hpp"
+#include "model/read.hpp"
 
 namespace gapcheck::contact::erosion_test {
 namespace {
@@ -38,8 +38,8 @@ struct Eroded {
 Eroded erode(const std::string& deck, const std::vector<bool>& shells, const std::vector<bool>& solids) {
   Eroded result{model::read_text(deck), {}, {}};
   SurfaceStore store(result.read.model);
-  result.start = store.at(0);
-  result.left = store.erode(0, result.start, {shells, solids}, result.read.model.mesh.nodes.x);
+  result.start = store.at(ContactIndex{0});
+  result.left = store.erode(ContactIndex{0}, result.start, {shells, solids}, result.read.model.mesh.nodes.x);
   return result;
 }
 
@@ -110,8 +110,8 @@ TEST(Erosion, StepByStepAsAtOnce) {
   SurfaceStore store(read.model);
   const std::vector<bool> none, shell{false, true}, one{true}, two{true, true, false};
   const auto& x = read.model.mesh.nodes.x;
-  ContactSurfaces left = store.erode(0, store.at(0), {none, one}, x);
-  left = store.erode(0, left, {shell, two}, x);
+  ContactSurfaces left = store.erode(ContactIndex{0}, store.at(ContactIndex{0}), {none, one}, x);
+  left = store.erode(ContactIndex{0}, left, {shell, two}, x);
   auto keys = [](const ContactSide& side) {
     std::vector<model::SegmentNodes> sorted;
     for (model::SegmentNodes nodes : side.selection.segments.nodes) {

@@ -9,7 +9,7 @@
 namespace gapcheck::contact::neighbours_test {
 namespace {
 
-const ContactType single{.code = "13", .treatment = Treatment::single_surface, .family = Family::automatic, .not_checked = {}};
+const ContactType single{.code = ContactCode::automatic_single, .treatment = Treatment::single_surface, .family = Family::automatic, .not_checked = {}};
 
 struct Surface {
   Scene scene;
@@ -43,24 +43,24 @@ TEST(Neighbours, SegmentsThatABoxCutsAreInTheRing) {
   const auto last = cut.nodes[0];
   const NodeIndex corner = *std::max_element(last.begin(), last.end());
   const Neighbours without(s.segments, s.scene.model.mesh), with(s.segments, s.scene.model.mesh, false, &cut);
-  for (std::uint32_t i = 0; i < s.segments.nodes.size(); ++i) {
+  for (const SegmentIndex i : positions<SegmentIndex>(s.segments.nodes.size())) {
     EXPECT_FALSE(without.in_ring(corner, i));
     EXPECT_TRUE(with.in_ring(corner, i)) << "all of them have the middle node";
   }
-  EXPECT_FALSE(with.in_ring(NodeIndex{0}, 1) && !without.in_ring(NodeIndex{0}, 1));
+  EXPECT_FALSE(with.in_ring(NodeIndex{0}, SegmentIndex{1}) && !without.in_ring(NodeIndex{0}, SegmentIndex{1}));
 }
 
 TEST(Neighbours, RingIsOneElementWide) {
   const Surface s(plate(5));
   const Neighbours n(s.segments, s.scene.model.mesh);
   // The obvious twin: some element has the node and a corner of the segment.
-  for (std::uint32_t segment = 0; segment < s.segments.size(); ++segment)
+  for (const SegmentIndex segment : positions<SegmentIndex>(s.segments.size()))
     for (std::uint32_t node = 0; node < 36; ++node) {
       bool expected = false;
+      const model::SegmentNodes& corners = s.segments.nodes[segment.value];
       for (const auto& own : s.segments.nodes) {
         const auto has = [&](NodeIndex i) { return std::find(own.begin(), own.end(), i) != own.end(); };
-        if (has(NodeIndex{node}))
-          expected = expected || std::any_of(s.segments.nodes[segment].begin(), s.segments.nodes[segment].end(), has);
+        if (has(NodeIndex{node})) expected = expected || std::any_of(corners.begin(), corners.end(), has);
       }
       EXPECT_EQ(n.in_ring(NodeIndex{node}, segment), expected);
     }
@@ -72,14 +72,14 @@ TEST(Neighbours, SolidsCountWithAllTheirNodes) {
   scene.brick(scene.part(1, 0), {0, 0, 0}, {1, 1, 1});
   const Surface s(std::move(scene));
   const Neighbours n(s.segments, s.scene.model.mesh);
-  for (std::uint32_t segment = 0; segment < 6; ++segment) EXPECT_TRUE(n.in_ring(NodeIndex{6}, segment));
+  for (const SegmentIndex segment : positions<SegmentIndex>(6)) EXPECT_TRUE(n.in_ring(NodeIndex{6}, segment));
 }
 
 TEST(Neighbours, FreeEdges) {
   const Surface s(plate(2));
   const Neighbours n(s.segments, s.scene.model.mesh);
-  EXPECT_TRUE(n.free_edge(0, NodeIndex{0}, NodeIndex{1}));
-  EXPECT_FALSE(n.free_edge(0, NodeIndex{1}, NodeIndex{4}));
+  EXPECT_TRUE(n.free_edge(SegmentIndex{0}, NodeIndex{0}, NodeIndex{1}));
+  EXPECT_FALSE(n.free_edge(SegmentIndex{0}, NodeIndex{1}, NodeIndex{4}));
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ TEST(SurfaceParts, MisorientedAreTheFewer) {
   turn(scene, 4);
   const auto found = misoriented_segments(scene.model.mesh, segments_of(scene.model));
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].segment, 0u);
-  EXPECT_EQ(found[1].segment, 4u);
+  EXPECT_EQ(found[0].segment, SegmentIndex{0});
+  EXPECT_EQ(found[1].segment, SegmentIndex{4});
   EXPECT_EQ(found[0].part, part);
 }
 
@@ -43,7 +43,7 @@ TEST(SurfaceParts, OfTwoEqualLotsTheLater) {
   turn(scene, 0);
   const auto found = misoriented_segments(scene.model.mesh, segments_of(scene.model));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].segment, 1u);
+  EXPECT_EQ(found[0].segment, SegmentIndex{1});
 }
 
 // Three shells at one edge: no orientation of a T is consistent, so the edge says nothing.

@@ -131,7 +131,7 @@ bool ties(const Vector& corner, double size, double t, const Vector& node, doubl
   c.a = {5, 4, 0, true};
   c.b = {1, 3, 0, true};
   c.parmax = parmax;
-  c.written = c.keyword + options;
+  set_name(c.keyword + options, c);
   return scene.run().contacts[0].ties == 1;
 }
 
@@ -198,8 +198,8 @@ TEST(TieCandidates, EquallyNearSegmentsGiveTheFirst) {
   c.b = {1, 3, 0, true};
   const InitialState state = scene.run();
   ASSERT_EQ(state.judged.size(), 2U);
-  EXPECT_EQ(state.judged[0].segment, 0U);
-  EXPECT_EQ(state.judged[1].segment, 2U);
+  EXPECT_EQ(state.judged[0].segment, SegmentIndex{0});
+  EXPECT_EQ(state.judged[1].segment, SegmentIndex{2});
 }
 
 }  // namespace

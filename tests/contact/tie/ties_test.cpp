@@ -67,15 +67,15 @@ TEST(Ties, FirstContactInTheDeckKeepsTheNode) {
   InitialState state = scene.run();
   EXPECT_EQ(state.contacts[0].ties, 1U);
   EXPECT_EQ(state.contacts[1].ties, 1U);  // penalty forms do not exclude each other
-  for (auto& c : scene.model.contacts) c.keyword = "CONTACT_TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET";
+  for (auto& c : scene.model.contacts) set_name("CONTACT_TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", c);
   state = scene.run();
   EXPECT_EQ(state.contacts[0].ties, 1U);
   EXPECT_EQ(state.contacts[1].ties, 0U);
   const auto untied = untied_nodes(state);
   ASSERT_EQ(untied.size(), 1U);
-  EXPECT_EQ(untied[0].contact, 1U);
+  EXPECT_EQ(untied[0].contact, ContactIndex{1});
   EXPECT_EQ(untied[0].reason, TieReason::conflict);
-  EXPECT_EQ(untied[0].holder, 0U);
+  EXPECT_EQ(untied[0].holder, ContactIndex{0});
   // The penalty copy of IPBACK takes it.
   scene.model.contacts[1].ipback = 1;
   EXPECT_EQ(scene.run().contacts[1].ties, 1U);
@@ -112,7 +112,7 @@ TEST(Ties, EachReasonIsTold) {
   EXPECT_EQ(untied[3].rigid.kind, RigidOwner::Kind::part);
   EXPECT_EQ(untied[3].rigid.index, 1U);
   // The penalty form takes rigid bodies.
-  scene.model.contacts[0].keyword = "CONTACT_TIED_NODES_TO_SURFACE_OFFSET";
+  set_name("CONTACT_TIED_NODES_TO_SURFACE_OFFSET", scene.model.contacts[0]);
   EXPECT_EQ(scene.run().contacts[0].ties, 3U);
 }
 
@@ -183,7 +183,8 @@ TEST(Ties, TiebreaksOfAutomaticTypesTieBeforeAnythingElse) {
     c.b = {1, 3, 0, true};
     const InitialState state = scene.run();
     EXPECT_EQ(state.contacts[0].ties, 4U) << type;
-    EXPECT_FALSE(state.contacts[0].not_checked.empty());
+    EXPECT_EQ(state.contacts[0].not_checked, "");
+    EXPECT_TRUE(state.contacts[0].ties_judged);
     EXPECT_EQ(state.x, scene.model.mesh.nodes.x);
   }
 }

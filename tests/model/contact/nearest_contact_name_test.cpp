@@ -34,7 +34,7 @@ TEST(NearestContactName, NothingNear) {
 TEST(NearestContactName, KnownNamesAreKnown) {
   EXPECT_GT(known_contact_names().size(), 100u);
   for (const std::string_view name : known_contact_names())
-    EXPECT_TRUE(parse_contact_name("CONTACT_" + std::string(name)).known) << name;
+    EXPECT_TRUE(parse_contact_name("CONTACT_" + std::string(name)).known()) << name;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Report tied(std::vector<TieFailure> failures) {
   report.source = "deck";
   report.input = "a.k";
   report.contacts = {make_contact(4, 1, "CONTACT_TIED", "2", 9, 9)};
-  report.contacts[0].not_checked = "ties nodes";
+  report.contacts[0].ties_judged = true;
   report.contacts[0].ties = 3;
   report.tie_failures = std::move(failures);
   return report;
@@ -35,6 +35,7 @@ TEST(CompareTies, AgreeingOtherReasonOnlyHereOnlyThere) {
   const Comparison comparison = compare(first, second, 0);
   const ContactComparison& c = comparison.contacts[0];
   EXPECT_TRUE(c.ties_compared);
+  EXPECT_FALSE(c.not_checked);
   EXPECT_EQ(c.ties_agree, 1u);
   EXPECT_EQ(c.ties_other_reason, 1u);
   EXPECT_EQ(c.ties_only_first, 1u) << "a node that ties with an offset is not untied";
@@ -72,6 +73,8 @@ TEST(CompareTies, NodesOutOfReachAreCountedForEachSideOnItsOwn) {
 TEST(CompareTies, ADeckThatDidNotJudgeSaysNothing) {
   Report deck = tied({});
   deck.contacts[0].ties = 0;
+  deck.contacts[0].ties_judged = false;
+  deck.contacts[0].not_checked = "no selected rule asks for it";
   Report log = tied({failure(1, too_far)});
   log.source = "messag";
   EXPECT_TRUE(compare(deck, log, 0).equal());

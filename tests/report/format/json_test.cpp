@@ -24,7 +24,7 @@ Json document(const Report& report, const Penetration& record) {
   fmt::memory_buffer message, cause;
   append_message(record, message);
   append_cause(record, cause);
-  const RecordRule rule = rule_of(record.kind);
+  const RuleIdentity& rule = rule_of(record.kind);
   const std::int64_t contact = report.contacts[record.contact].id;
   Json json = {{"rule", rule.name},
                {"id", rule.id},

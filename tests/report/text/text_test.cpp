@@ -88,6 +88,17 @@ TEST(Text, CleanDeck) {
   EXPECT_EQ(lines_with(text(report, {}), "no penetrations"), 1u);
 }
 
+TEST(Text, JudgedTiesAreNotUnchecked) {
+  Report report = sample_report();
+  report.penetrations.clear();
+  report.findings.clear();
+  report.contacts[1].not_checked.clear();
+  report.contacts[1].ties_judged = true;
+  const std::string tied = text(report, {});
+  EXPECT_EQ(tied.find("not checked"), std::string::npos) << tied;
+  EXPECT_NE(tied.find("\n  0 nodes tied\n"), std::string::npos) << tied;
+}
+
 TEST(Text, TenFindingsOfARuleInFull) {
   Report report = sample_report();
   report.findings.assign(13, report.findings[0]);

@@ -18,8 +18,8 @@ TEST(BodyProperties, ConstraintsOfTheMaterial) {
   run(stepper, 4);
   EXPECT_EQ(stepper.structure().rigid[0].velocity(), Vector(0, 0, 3));
   const Conditioned local = conditioned(rigid_box + "*MAT_RIGID\n7,2.,1000.,0.3\n-1.,3,111111\n");
-  ASSERT_TRUE(local.failure.has_value());
-  EXPECT_EQ(local.failure->kind, Failure::Kind::not_calculated);
+  ASSERT_FALSE(local.status.ok());
+  EXPECT_EQ(local.status.error().kind, Failure::Kind::not_calculated);
 }
 
 // The leading part's constraints are those of the merged body.
@@ -82,9 +82,9 @@ TEST(BodyProperties, NodalRigidBody) {
 TEST(BodyProperties, ContradictionsAreFailures) {
   const auto expect = [](const std::string& deck, Failure::Kind kind, std::string_view text) {
     const Conditioned result = conditioned(deck);
-    ASSERT_TRUE(result.failure.has_value()) << deck;
-    EXPECT_EQ(result.failure->kind, kind);
-    EXPECT_NE(result.failure->message.find(text), std::string::npos) << result.failure->message;
+    ASSERT_FALSE(result.status.ok()) << deck;
+    EXPECT_EQ(result.status.error().kind, kind);
+    EXPECT_NE(result.status.error().message.find(text), std::string::npos) << result.status.error().message;
   };
   expect(rigid_box + rigid_material + "*SET_NODE_LIST\n4\n11,12\n*CONSTRAINED_NODAL_RIGID_BODY\n5,0,4\n",
          Failure::Kind::contradiction, "node 11 belongs to another rigid body");

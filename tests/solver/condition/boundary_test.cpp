@@ -39,9 +39,9 @@ TEST(Boundary, NodesOfRigidBodiesAreNotHeld) {
 TEST(Boundary, WhatIsNotCalculatedIsAFailure) {
   const auto expect = [](const std::string& cards, Failure::Kind kind, std::string_view text) {
     const Conditioned result = conditioned(point_mass + cards);
-    ASSERT_TRUE(result.failure.has_value()) << cards;
-    EXPECT_EQ(result.failure->kind, kind) << result.failure->message;
-    EXPECT_NE(result.failure->message.find(text), std::string::npos) << result.failure->message;
+    ASSERT_FALSE(result.status.ok()) << cards;
+    EXPECT_EQ(result.status.error().kind, kind) << result.status.error().message;
+    EXPECT_NE(result.status.error().message.find(text), std::string::npos) << result.status.error().message;
   };
   expect("*BOUNDARY_SPC_NODE\n1,5,1\n", Failure::Kind::not_calculated, "line 6 of a.k");
   expect("*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n0.5,2.\n", Failure::Kind::not_calculated, "birth or death");

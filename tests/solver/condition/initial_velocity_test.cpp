@@ -87,8 +87,8 @@ TEST(InitialVelocity, WhatIsMissingIsAFailure) {
            {"*INITIAL_VELOCITY_GENERATION\n0,2,1.\n0.\n", "without an axis"},
            {"*INITIAL_VELOCITY_RIGID_BODY\n1,1.\n", "1 is no rigid part"}}) {
     const Conditioned result = conditioned(sheet + cards);
-    ASSERT_TRUE(result.failure.has_value()) << cards;
-    EXPECT_NE(result.failure->message.find(text), std::string::npos) << result.failure->message;
+    ASSERT_FALSE(result.status.ok()) << cards;
+    EXPECT_NE(result.status.error().message.find(text), std::string::npos) << result.status.error().message;
   }
 }
 

@@ -158,8 +158,8 @@ TEST(Loads, WhatCannotBeIsAFailure) {
            {"*LOAD_BODY_X\n5\n*LOAD_BODY_PARTS\n8\n", "part set 8"},
            {"*DAMPING_GLOBAL\n99\n", "curve 99"}}) {
     const Conditioned result = conditioned(point_mass + one + cards);
-    ASSERT_TRUE(result.failure.has_value()) << cards;
-    EXPECT_NE(result.failure->message.find(text), std::string::npos) << result.failure->message;
+    ASSERT_FALSE(result.status.ok()) << cards;
+    EXPECT_NE(result.status.error().message.find(text), std::string::npos) << result.status.error().message;
   }
 }
 

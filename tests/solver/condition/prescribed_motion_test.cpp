@@ -111,9 +111,9 @@ TEST(PrescribedMotion, ContradictionsAreFailures) {
   const auto expect = [](const std::string& cards, Failure::Kind kind, std::string_view text) {
     const Conditioned result =
         conditioned(point_mass + rigid_box + "*MAT_RIGID\n7,2.,1000.,0.3\n" + bent_curve + cards);
-    ASSERT_TRUE(result.failure.has_value()) << cards;
-    EXPECT_EQ(result.failure->kind, kind) << result.failure->message;
-    EXPECT_NE(result.failure->message.find(text), std::string::npos) << result.failure->message;
+    ASSERT_FALSE(result.status.ok()) << cards;
+    EXPECT_EQ(result.status.error().kind, kind) << result.status.error().message;
+    EXPECT_NE(result.status.error().message.find(text), std::string::npos) << result.status.error().message;
   };
   const std::string motion = "*BOUNDARY_PRESCRIBED_MOTION_";
   expect("*BOUNDARY_SPC_NODE\n1,0,1\n" + motion + "NODE\n1,1,0,5\n", Failure::Kind::contradiction, "x of node 1");

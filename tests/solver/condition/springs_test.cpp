@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "solver/build/build_forces.hpp"
-#include "solver/structure/structure.hpp"
+#include "solver/structure_of.hpp"
 
 namespace gapcheck::solver::springs_test {
 namespace {
@@ -20,13 +20,13 @@ Oscillation run_of(const std::string& deck, const std::vector<Vector>& velocity,
   const model::Read read = model::read_text(deck);
   EXPECT_EQ(read.errors(), 0u) << read.text();
   Diagnostics diagnostics;
-  Structure structure = std::get<Structure>(build_structure(read.model, {}, diagnostics));
+  Structure structure = build_structure(read.model, {}, diagnostics).value();
   for (std::size_t i = 0; i < inertia.size(); ++i) structure.state.inertia[i] = inertia[i];
   for (std::size_t i = 0; i < velocity.size(); ++i)
     (inertia.empty() ? structure.state.v : structure.state.w)[i] = velocity[i];
   std::vector<std::unique_ptr<Force>> forces;
-  const auto failure = add_walls_and_springs(read.model, structure, forces, diagnostics);
-  EXPECT_FALSE(failure.has_value()) << (failure ? failure->message : "");
+  const SolverStatus added = add_walls_and_springs(read.model, structure, forces, diagnostics);
+  EXPECT_TRUE(added.ok()) << added.error().message;
   EXPECT_TRUE(diagnostics.sorted().empty());
   StepSettings settings;
   settings.greatest_step = step;
@@ -37,8 +37,8 @@ Oscillation run_of(const std::string& deck, const std::vector<Vector>& velocity,
 
 void go(Oscillation& run, int steps) {
   for (int i = 0; i < steps; ++i) {
-    const auto failure = run.stepper.step();
-    ASSERT_FALSE(failure.has_value()) << failure->message;
+    const SolverStatus status = run.stepper.step();
+    ASSERT_TRUE(status.ok()) << status.error().message;
   }
 }
 
@@ -158,16 +158,16 @@ TEST(Springs, OnARigidBody) {
   const model::Read read = model::read_text(deck);
   EXPECT_EQ(read.errors(), 0u) << read.text();
   Diagnostics diagnostics;
-  Structure structure = std::get<Structure>(build_structure(read.model, {}, diagnostics));
+  Structure structure = build_structure(read.model, {}, diagnostics).value();
   structure.rigid.set_motion(0, {0.1, 0, 0}, {0, 0, 0}, structure.state);
   std::vector<std::unique_ptr<Force>> forces;
-  ASSERT_FALSE(add_walls_and_springs(read.model, structure, forces, diagnostics).has_value());
+  ASSERT_TRUE(add_walls_and_springs(read.model, structure, forces, diagnostics).ok());
   EXPECT_GT(forces.at(0)->stable_step(), 0.01);
   StepSettings settings;
   settings.greatest_step = 1e-2;
   Stepper stepper(std::move(structure), settings);
   stepper.add(std::move(forces[0]));
-  for (int i = 0; i < 500; ++i) ASSERT_FALSE(stepper.step().has_value());
+  for (int i = 0; i < 500; ++i) ASSERT_TRUE(stepper.step().ok());
   EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-6);  // the body turns: curved ways within a step
   EXPECT_GT(stepper.energies().absorbed.springs, 0);
 }
@@ -175,22 +175,22 @@ TEST(Springs, OnARigidBody) {
 TEST(Springs, WhatIsMissingOrNotCalculatedIsTold) {
   const auto outcome = [](const std::string& deck, Diagnostics& diagnostics) {
     const model::Read read = model::read_text(deck);
-    const Structure structure = std::get<Structure>(build_structure(read.model, {}, diagnostics));
+    const Structure structure = build_structure(read.model, {}, diagnostics).value();
     std::vector<std::unique_ptr<Force>> forces;
     return add_walls_and_springs(read.model, structure, forces, diagnostics);
   };
   Diagnostics unused;
-  EXPECT_EQ(outcome(one_mass, unused)->kind, Failure::Kind::missing_material);
-  EXPECT_EQ(outcome(one_mass + "*PART\np\n1,1,1\n*SECTION_SOLID\n1,1\n*MAT_S01\n1,1.\n", unused)->kind,
+  EXPECT_EQ(outcome(one_mass, unused).error().kind, Failure::Kind::missing_material);
+  EXPECT_EQ(outcome(one_mass + "*PART\np\n1,1,1\n*SECTION_SOLID\n1,1\n*MAT_S01\n1,1.\n", unused).error().kind,
             Failure::Kind::missing_material);
-  EXPECT_EQ(outcome(one_mass + part + "*MAT_S05\n1,7\n", unused)->kind, Failure::Kind::bad_material);
-  EXPECT_EQ(outcome(one_mass + part + "*MAT_S04\n1,7\n", unused)->kind, Failure::Kind::bad_material);
+  EXPECT_EQ(outcome(one_mass + part + "*MAT_S05\n1,7\n", unused).error().kind, Failure::Kind::bad_material);
+  EXPECT_EQ(outcome(one_mass + part + "*MAT_S04\n1,7\n", unused).error().kind, Failure::Kind::bad_material);
   Diagnostics diagnostics;
-  EXPECT_FALSE(outcome("*NODE\n1,0.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n*ELEMENT_DISCRETE\n1,1,1,0,5\n2,2,1,0\n3,3,1,0\n" +
-                           part +
-                           "*PART\nt\n2,2,1\n*PART\nl\n3,3,1\n*SECTION_DISCRETE\n2,1\n\n3,0,1.\n\n*MAT_S01\n1,1.\n",
-                       diagnostics)
-                   .has_value());
+  EXPECT_TRUE(outcome("*NODE\n1,0.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n*ELEMENT_DISCRETE\n1,1,1,0,5\n2,2,1,0\n3,3,1,0\n" +
+                          part +
+                          "*PART\nt\n2,2,1\n*PART\nl\n3,3,1\n*SECTION_DISCRETE\n2,1\n\n3,0,1.\n\n*MAT_S01\n1,1.\n",
+                      diagnostics)
+                  .ok());
   std::string text;
   for (const Diagnostic& d : diagnostics.sorted()) text += d.message + "\n";
   EXPECT_EQ(

@@ -68,8 +68,8 @@ Watched throw_down(ContactScene& scene, double speed, double end) {
   Watched watched;
   const auto upper = [&](std::size_t i) { return scene.read.model.mesh.nodes.id[i] >= 20; };
   while (scene.state().time < end) {
-    if (const auto failure = scene.stepper->begin_step()) {
-      ADD_FAILURE() << failure->message;
+    if (const SolverStatus status = scene.stepper->begin_step(); !status.ok()) {
+      ADD_FAILURE() << status.error().message;
       break;
     }
     const Forces& f = scene.stepper->external();
@@ -343,15 +343,15 @@ struct Alone {
     EXPECT_EQ(read.errors(), 0u) << read.text();
     state.x = read.model.mesh.nodes.x;
     state.v.assign(state.x.size(), Vector::Zero());
-    pass = std::make_unique<EdgePass>(setting, 0, surfaces.at(0), state.x);
+    pass = std::make_unique<EdgePass>(setting, ContactIndex{0}, surfaces.at(ContactIndex{0}), state.x);
     pass->set_timestep(1e-3);
     result.single_surface = true;
   }
   std::vector<Vector> forces(double used) {
     Forces all;
     all.resize(state.x.size());
-    pass->update(state, used, counters);
-    pass->apply(state, all, result);
+    pass->advance_state(state, used, counters);
+    pass->add_forces(state, all, result);
     return all.force;
   }
   model::Read read;
@@ -380,7 +380,7 @@ TEST(EdgePass, AgreesWithTheSlowTwin) {
     std::vector<Vector> way(run.state.x.size());
     double used = 0;
     constexpr double margin = 0.1;
-    run.pass->search(margin, run.counters);
+    run.pass->find_candidates(margin, run.counters);
     for (int cycle = 0; cycle < 60; ++cycle) {
       if (cycle % 10 == 0)
         for (Vector& w : way) w = {kick(random), kick(random), kick(random)};
@@ -391,15 +391,16 @@ TEST(EdgePass, AgreesWithTheSlowTwin) {
       }
       used += 2 * longest;
       if (used > margin) {
-        run.pass->search(margin, run.counters);
+        run.pass->find_candidates(margin, run.counters);
         used = 0;
       }
       if (cycle == 25) {  // as when elements have failed
-        auto next = std::make_unique<EdgePass>(run.setting, 0, run.surfaces.at(0), run.state.x);
+        const contact::ContactSurfaces& surfaces = run.surfaces.at(ContactIndex{0});
+        auto next = std::make_unique<EdgePass>(run.setting, ContactIndex{0}, surfaces, run.state.x);
         next->set_timestep(1e-3);
-        next->carry_over(*run.pass, run.state, run.result);
+        next->continue_from(*run.pass, run.state, run.result);
         run.pass = std::move(next);
-        run.pass->search(margin, run.counters);
+        run.pass->find_candidates(margin, run.counters);
         used = 0;
       }
       const std::vector<Vector> forces = run.forces(used), expected = twin.cycle(run.state.x);
@@ -422,7 +423,7 @@ TEST(EdgePass, SameBitsForAnyNumberOfThreads) {
   const auto run = [&](std::size_t jobs) {
     const JobLimit limit(jobs);
     Alone alone(scene.deck);
-    alone.pass->search(0.1, alone.counters);
+    alone.pass->find_candidates(0.1, alone.counters);
     return std::pair(alone.forces(0), alone.result.energy_a);
   };
   const auto one = run(1), four = run(4);

@@ -198,7 +198,7 @@ TEST(ErodingContact, LimitsTheStep) {
     ASSERT_TRUE(scene.prepared()) << scene.message();
     scene.go();
     contact::SurfaceStore store(scene.read().model);
-    const std::uint32_t contacts[] = {0};
+    const ContactIndex contacts[] = {ContactIndex{0}};
     const double printed = contact::predict_timesteps(scene.read().model, store, contacts).timesteps.contact_timestep;
     const double step = scene.run().stepper().next_step();
     if (ecdt == 0) {

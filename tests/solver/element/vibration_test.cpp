@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "solver/step.hpp"
-#include "solver/structure/structure.hpp"
+#include "solver/structure_of.hpp"
 
 namespace gapcheck::solver::vibration_test {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const std::string no_viscosity = "*CONTROL_BULK_VISCOSITY\n1e-30,1e-30\n";
 
-void expect_good(const std::optional<Failure>& failure) { ASSERT_FALSE(failure.has_value()) << failure->message; }
+void expect_good(const SolverStatus& status) { ASSERT_TRUE(status.ok()) << status.error().message; }
 
 /// Frequency of a node that starts from where it is at rest: from the time at which it comes back.
 double frequency_of(Structure structure, std::size_t node, int axis, double factor) {
@@ -26,8 +26,8 @@ double frequency_of(Structure structure, std::size_t node, int axis, double fact
   Stepper stepper(std::move(structure), settings);
   double before = 0;
   for (int i = 0; i < 200000; ++i) {
-    if (const auto failure = stepper.step()) {
-      ADD_FAILURE() << failure->message;
+    if (const SolverStatus status = stepper.step(); !status.ok()) {
+      ADD_FAILURE() << status.error().message;
       return 0;
     }
     const double now = stepper.state().x[node][axis] - start;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/output/plot.hpp"
-#include "solver/structure/structure.hpp"
+#include "solver/structure_of.hpp"
 
 namespace gapcheck::solver::part_masses_test {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "solver/build/build_welds.hpp"
-#include "solver/structure/structure.hpp"
+#include "solver/structure_of.hpp"
 
 namespace gapcheck::solver::weld_test {
 namespace {
@@ -31,8 +31,8 @@ Stepper stepper_of(const std::string& deck, double step) {
 
 void run_cycles(Stepper& stepper, int steps) {
   for (int i = 0; i < steps; ++i) {
-    const auto failure = stepper.step();
-    ASSERT_FALSE(failure.has_value()) << failure->message;
+    const SolverStatus status = stepper.step();
+    ASSERT_TRUE(status.ok()) << status.error().message;
   }
 }
 
@@ -109,7 +109,7 @@ TEST(Welds, SharedNodesAndWhatIsNotCalculatedAreNamed) {
       "*CONSTRAINED_NODAL_RIGID_BODY\n9,,1\n*CONSTRAINED_GENERALIZED_WELD_SPOT\n2\n\n"
       "*CONSTRAINED_GENERALIZED_WELD_SPOT_ID\n8\n3\n0.,0.3,1.,1.,1.,1.\n*CONSTRAINED_SPOTWELD\n3,4\n");
   Diagnostics diagnostics;
-  const Structure structure = std::get<Structure>(build_structure(read.model, {}, diagnostics));
+  const Structure structure = build_structure(read.model, {}, diagnostics).value();
   EXPECT_EQ(structure.rigid.size(), 2u);
   std::string text;
   for (const Diagnostic& d : diagnostics.sorted()) text += d.message + "\n";

@@ -102,7 +102,7 @@ TEST(TieForces, RigidRotationGivesNoForce) {
       const contact::InitialState initial = contact::initialise_contacts(read.model, surfaces, {}, counters);
       Diagnostics diagnostics;
       auto built = build_structure(read.model, {}, diagnostics);
-      Structure& structure = std::get<Structure>(built);
+      Structure& structure = built.value();
       State& state = structure.state;
       state.coming = 0.01;
       TieForces ties(read.model, surfaces, initial, structure);
@@ -185,7 +185,7 @@ TEST(TieChains, MoveTogether) {
       std::vector<ContactLink> links;
       view.source->links(view.position, links);
       // The first contact has the nodes: a constraint of the third one gets none.
-      EXPECT_EQ(links.size(), constraint && view.state().contact == 2 ? 0u : 4u) << keyword;
+      EXPECT_EQ(links.size(), constraint && view.state().contact == ContactIndex{2} ? 0u : 4u) << keyword;
       for (const ContactNode& node : view.nodes()) EXPECT_EQ(node.kind, ContactNode::Kind::tied);
       for (const ContactLink& link : links) {
         const Vector before = link.tracked.of(start) - link.reference.of(start),
@@ -373,7 +373,7 @@ TEST_P(DenseTwin, SameForces) {
   const contact::InitialState initial = contact::initialise_contacts(read.model, surfaces, {}, counters);
   Diagnostics diagnostics;
   auto built = build_structure(read.model, {}, diagnostics);
-  Structure& structure = std::get<Structure>(built);
+  Structure& structure = built.value();
   structure.state.x = initial.x;
   for (const int held : {1001, 1002, 3001})
     for (std::uint32_t i = 0; i < initial.x.size(); ++i)

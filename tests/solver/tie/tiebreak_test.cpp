@@ -83,7 +83,7 @@ TEST(Tiebreak, TellsOfItsFailure) {
   const Pull found = pull(old_type, "1.,1.", 0, 1);
   ASSERT_TRUE(found.kind.has_value());
   ASSERT_EQ(found.events.size(), 1u);
-  EXPECT_EQ(found.events[0].contact, 0u);
+  EXPECT_EQ(found.events[0].contact, ContactIndex{0});
   EXPECT_EQ(found.events[0].time, found.time);
   EXPECT_NE(found.events[0].text.find("1 nodes have failed: 5"), std::string::npos) << found.events[0].text;
 }
@@ -195,13 +195,13 @@ TEST(Tiebreak, MessageFileNamesTheFailure) {
   contact::SurfaceStore surfaces(read.model);
   Diagnostics diagnostics;
   auto prepared = solver::Run::prepare(read.model, surfaces, {}, diagnostics);
-  ASSERT_TRUE(std::holds_alternative<solver::Run>(prepared));
-  solver::Run& run = std::get<solver::Run>(prepared);
+  ASSERT_TRUE(prepared.ok());
+  solver::Run& run = prepared.value();
   RunFilesSettings settings;
   settings.directory = folder;
   auto files = RunFiles::create(run, surfaces, settings);
-  ASSERT_TRUE(std::holds_alternative<RunFiles>(files));
-  EXPECT_EQ(run.go(std::get<RunFiles>(files)), RunEnd::time);
+  ASSERT_TRUE(files.ok());
+  EXPECT_EQ(run.go(files.value()), RunEnd::time);
   std::ifstream stream(folder + "/messag", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   EXPECT_NE(text.find("     The ties of 1 nodes have failed: 5\n"), text.npos) << text;

@@ -36,10 +36,10 @@ Problem problem(const model::Model& model, const model::Contact& contact) {
   return {};
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.read_contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.read_contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     if (contact.fs != contact::friction_by_table || !contact::has_friction(contact)) continue;
     Problem p = problem(context.model(), contact);
     if (p.text.empty()) continue;
@@ -53,7 +53,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC408", "friction-table", Severity::error, "a contact takes its friction from a table that is not there"}, run};
+const Rule definition{{"GC408", "friction-table", Severity::error,
+                       "a contact takes its friction from a table that is not there", Need::model},
+                      run};
 
 }  // namespace gapcheck::audit::rule::friction_table

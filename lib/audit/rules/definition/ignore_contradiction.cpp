@@ -2,20 +2,21 @@
 
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit::rule::ignore_contradiction {
 namespace {
 
-/// Where IGNORE may stand, in the order in which the solver looks.
+/// Where IGNORE may be set, in the solver's order of precedence.
 struct Source {
   std::string_view name;
   std::int64_t value;
 };
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.read_contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.read_contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     const contact::ContactType type = contact::classify(contact);
     if (!contact::knows_ignore(type)) continue;
     const Source sources[] = {{"the MPP card", contact.mpp_ignore.value_or(0)},
@@ -37,7 +38,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
             "IGNORE = {} on {} and {} on {}: {} counts, and the other is ignored; write the value that is meant "
             "in one place",
             wins->value, wins->name, loses->value, loses->name, wins->value)));
-    // A contact may well differ from what holds for all others.
+    // A contact may intentionally differ from the general setting.
     if (loses == &sources[2]) found.back().severity = Severity::note;
   }
   add_first(report, std::move(found), "more contacts have contradictory values of IGNORE");
@@ -46,6 +47,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC409", "ignore-contradiction", Severity::warning, "IGNORE is given twice, with different values"}, run};
+    {"GC409", "ignore-contradiction", Severity::warning, "IGNORE is given twice, with different values", Need::model},
+    run};
 
 }  // namespace gapcheck::audit::rule::ignore_contradiction

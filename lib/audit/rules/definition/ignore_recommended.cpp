@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include "audit/rules.hpp"
+#include "audit/shared_results.hpp"
+#include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit::rule::ignore_recommended {
 namespace {
@@ -10,18 +12,18 @@ bool can_ignore(const contact::ContactType& type) {
   return contact::knows_ignore(type) && type.family != contact::Family::mortar;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
-  const std::vector<ContactSummary>& summaries = context.initial().contacts;
+  const std::vector<ContactSummary>& summaries = context.results().initial().contacts;
   std::uint64_t contacts = 0, nodes = 0;
   const model::Contact* first = nullptr;
-  for (const std::uint32_t i : context.read_contacts()) {
-    const contact::ContactType type = contact::classify(model.contacts[i]);
-    if (!can_ignore(type) || summaries[i].penetrations == 0) continue;
-    if (contact::settings(model.contacts[i], type, model.controls).ignore != 0) continue;
-    if (first == nullptr) first = &model.contacts[i];
+  for (const ContactIndex i : context.read_contacts()) {
+    const contact::ContactType type = contact::classify(model.contact(i));
+    if (!can_ignore(type) || summaries[i.value].penetrations == 0) continue;
+    if (contact::settings(model.contact(i), type, model.controls).ignore != 0) continue;
+    if (first == nullptr) first = &model.contact(i);
     ++contacts;
-    nodes += summaries[i].penetrations;
+    nodes += summaries[i.value].penetrations;
   }
   if (first == nullptr) return;
   Finding f = finding_at(
@@ -40,7 +42,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC421", "ignore-recommended", Severity::note, "initial penetrations in contacts with IGNORE = 0"}, run};
+const Rule definition{{"GC421", "ignore-recommended", Severity::note,
+                       "initial penetrations in contacts with IGNORE = 0", Need::node_penetrations},
+                      run};
 
 }  // namespace gapcheck::audit::rule::ignore_recommended

@@ -3,11 +3,12 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 #include "contact/definition/active_time.hpp"
+#include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit::rule::inactive_contact {
 namespace {
 
-/// A contact that ends within this part of the run is taken for a slip in the exponent (1e-20 for 1e20).
+/// A contact that ends within this fraction of the run is probably a slip in the exponent (1e-20 for 1e20).
 constexpr double short_part = 1e-6;
 
 std::string problem(const model::Contact& contact, double end_of_run) {
@@ -27,12 +28,12 @@ std::string problem(const model::Contact& contact, double end_of_run) {
   return {};
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.read_contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.read_contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     // A transducer has no times of its own.
-    if (contact::classify(contact).code == "25") continue;
+    if (contact::classify(contact).code == contact::ContactCode::transducer) continue;
     const std::string text = problem(contact, context.model().controls.endtim);
     if (!text.empty()) found.push_back(finding_at(rule, context, contact, text));
   }
@@ -41,7 +42,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC414", "inactive-contact", Severity::warning, "birth and death time leave a contact no time to act"}, run};
+const Rule definition{{"GC414", "inactive-contact", Severity::warning,
+                       "birth and death time leave a contact no time to act", Need::model},
+                      run};
 
 }  // namespace gapcheck::audit::rule::inactive_contact

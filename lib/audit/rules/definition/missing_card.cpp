@@ -6,10 +6,10 @@
 namespace gapcheck::audit::rule::missing_card {
 namespace {
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.read_contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.read_contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     const model::CardLines& cards = contact.cards;
     if (!cards.missing.empty()) {
       found.push_back(finding_at(rule, context, contact,
@@ -29,7 +29,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC401", "missing-card", Severity::error, "a contact lacks a card that its type must have"},
-                        run};
+const Rule definition{
+    {"GC401", "missing-card", Severity::error, "a contact lacks a card that its type must have", Need::model}, run};
 
 }  // namespace gapcheck::audit::rule::missing_card

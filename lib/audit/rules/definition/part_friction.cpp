@@ -3,6 +3,7 @@
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 #include "contact/definition/friction.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 
 namespace gapcheck::audit::rule::part_friction {
 namespace {
@@ -23,8 +24,8 @@ bool any_part(const model::Mesh& mesh, const contact::ContactSide& side, const s
   return false;
 }
 
-std::string problem(Context& context, std::uint32_t i, const std::vector<bool>& gives, bool any_in_deck) {
-  const model::Contact& contact = context.model().contacts[i];
+std::string problem(Context& context, ContactIndex i, const std::vector<bool>& gives, bool any_in_deck) {
+  const model::Contact& contact = context.model().contact(i);
   if (!contact::takes_part_friction(contact))
     return fmt::format("FS = -1 is not available for *{}; give FS and FD on the contact", contact.written);
   if (any_in_deck) {
@@ -36,7 +37,7 @@ std::string problem(Context& context, std::uint32_t i, const std::vector<bool>& 
          "give FS and FD on *PART_CONTACT or on the contact";
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   const model::Controls& controls = model.controls;
   const bool global = controls.sfric != 0 || controls.dfric != 0 || controls.vfc != 0;
@@ -45,17 +46,18 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   for (std::size_t i = 0; i < model.parts.size(); ++i)
     if (gives_friction(model.parts[i])) gives[i] = any_in_deck = true;
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.read_contacts()) {
-    if (model.contacts[i].fs != contact::friction_of_parts || !contact::has_friction(model.contacts[i])) continue;
+  for (const ContactIndex i : context.read_contacts()) {
+    if (model.contact(i).fs != contact::friction_of_parts || !contact::has_friction(model.contact(i))) continue;
     const std::string text = problem(context, i, gives, any_in_deck);
-    if (!text.empty()) found.push_back(finding_at(rule, context, model.contacts[i], text));
+    if (!text.empty()) found.push_back(finding_at(rule, context, model.contact(i), text));
   }
   add_first(report, std::move(found), "more contacts with FS = -1 have no friction");
 }
 
 }  // namespace
 
-const Rule definition{
-    {"GC407", "part-friction", Severity::warning, "a contact takes its friction from parts that have none"}, run};
+const Rule definition{{"GC407", "part-friction", Severity::warning,
+                       "a contact takes its friction from parts that have none", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::part_friction

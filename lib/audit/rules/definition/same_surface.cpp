@@ -4,15 +4,16 @@
 
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit::rule::same_surface {
 namespace {
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   using contact::Treatment;
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.read_contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.read_contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     const contact::ContactType type = contact::classify(contact);
     if (type.treatment != Treatment::one_way && type.treatment != Treatment::two_way) continue;
     if (!contact::same_surface(context.model(), contact.a, contact.b)) continue;
@@ -29,6 +30,6 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC405", "same-surface", Severity::warning, "both sides of a two-surface contact are the same"}, run};
+    {"GC405", "same-surface", Severity::warning, "both sides of a two-surface contact are the same", Need::model}, run};
 
 }  // namespace gapcheck::audit::rule::same_surface

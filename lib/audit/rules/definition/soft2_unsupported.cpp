@@ -2,6 +2,7 @@
 
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit::rule::soft2_unsupported {
 namespace {
@@ -29,10 +30,10 @@ std::string problem(const model::Contact& contact) {
   return {};
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.read_contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.read_contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     const std::string text = problem(contact);
     if (!text.empty()) found.push_back(finding_at(rule, context, contact, text));
   }
@@ -41,7 +42,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC412", "soft2-unsupported", Severity::warning, "a contact asks for a SOFT that its type does not have"}, run};
+const Rule definition{{"GC412", "soft2-unsupported", Severity::warning,
+                       "a contact asks for a SOFT that its type does not have", Need::model},
+                      run};
 
 }  // namespace gapcheck::audit::rule::soft2_unsupported

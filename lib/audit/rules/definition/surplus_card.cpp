@@ -6,10 +6,10 @@
 namespace gapcheck::audit::rule::surplus_card {
 namespace {
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     const model::CardLines& cards = contact.cards;
     if (cards.surplus == 0) continue;
     found.push_back(finding_at(
@@ -25,6 +25,6 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC402", "surplus-card", Severity::warning, "a contact has more lines than its type has cards"}, run};
+    {"GC402", "surplus-card", Severity::warning, "a contact has more lines than its type has cards", Need::model}, run};
 
 }  // namespace gapcheck::audit::rule::surplus_card

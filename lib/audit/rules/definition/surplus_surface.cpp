@@ -2,14 +2,15 @@
 
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "contact/definition/contact_type.hpp"
 
 namespace gapcheck::audit::rule::surplus_surface {
 namespace {
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   std::vector<Finding> found;
-  for (const std::uint32_t i : context.read_contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.read_contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     if (contact.b.id == 0 || contact::classify(contact).treatment != contact::Treatment::single_surface) continue;
     found.push_back(finding_at(rule, context, contact,
                                fmt::format("*{} has one surface, and SURFB = {} is ignored; put everything into SURFA, "
@@ -22,6 +23,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC404", "surplus-surface", Severity::warning, "a single-surface contact names a second surface"}, run};
+    {"GC404", "surplus-surface", Severity::warning, "a single-surface contact names a second surface", Need::model},
+    run};
 
 }  // namespace gapcheck::audit::rule::surplus_surface

@@ -4,6 +4,8 @@
 
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "contact/definition/contact_type.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "contact/tie/transducers.hpp"
 
 namespace gapcheck::audit::rule::transducer_ftall {
@@ -14,12 +16,12 @@ bool has_automatic_contact(const model::Model& model) {
   return std::any_of(model.contacts.begin(), model.contacts.end(), contact::tells_surfaces);
 }
 
-/// Transducers whose second surface does not do what it seems to; keeps the others of `transducers`.
-void check_second_surfaces(const RuleInfo& rule, Context& context, std::vector<std::uint32_t>& transducers,
+/// Transducers whose second surface has no effect; keeps the others of `transducers`.
+void check_second_surfaces(const RuleIdentity& rule, Context& context, std::vector<ContactIndex>& transducers,
                            std::vector<Finding>& found) {
   const bool automatic = has_automatic_contact(context.model());
-  std::erase_if(transducers, [&](std::uint32_t i) {
-    const model::Contact& contact = context.model().contacts[i];
+  std::erase_if(transducers, [&](ContactIndex i) {
+    const model::Contact& contact = context.model().contact(i);
     const bool constraint = !contact::measures_between(contact);
     if (automatic && !constraint) return false;
     found.push_back(finding_at(
@@ -27,12 +29,12 @@ void check_second_surfaces(const RuleInfo& rule, Context& context, std::vector<s
         fmt::format(
             "SURFB of *{} is ignored: a second surface needs {}; remove SURFB, or measure with _PENALTY between "
             "surfaces of an AUTOMATIC contact",
-            contact.written, constraint ? "FORCE_TRANSDUCER_PENALTY" : "an AUTOMATIC contact, and the deck has none")));
+            contact.written, constraint ? model::two_sided_transducer : "an AUTOMATIC contact, and the deck has none")));
     return true;
   });
 }
 
-void check_overlaps(const RuleInfo& rule, Context& context, const std::vector<std::uint32_t>& transducers,
+void check_overlaps(const RuleIdentity& rule, Context& context, const std::vector<ContactIndex>& transducers,
                     std::vector<Finding>& found) {
   if (transducers.size() < 2 || context.model().controls.ftall == 1) return;
   std::vector<contact::Transducer> sides;
@@ -46,8 +48,8 @@ void check_overlaps(const RuleInfo& rule, Context& context, const std::vector<st
   const auto earlier = contact::overlapping_transducers(context.model().mesh, sides);
   for (std::size_t i = 0; i < earlier.size(); ++i) {
     if (!earlier[i]) continue;
-    const model::Contact& contact = context.model().contacts[transducers[i]];
-    const model::Contact& first = context.model().contacts[transducers[*earlier[i]]];
+    const model::Contact& contact = context.model().contact(transducers[i]);
+    const model::Contact& first = context.model().contact(transducers[*earlier[i]]);
     found.push_back(finding_at(
         rule, context, contact,
         fmt::format(
@@ -57,11 +59,11 @@ void check_overlaps(const RuleInfo& rule, Context& context, const std::vector<st
   }
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
-  std::vector<std::uint32_t> transducers = context.read_contacts();
-  std::erase_if(transducers, [&](std::uint32_t i) {
-    const model::Contact& contact = context.model().contacts[i];
-    return contact::classify(contact).code != "25" || !contact::has_second_surface(contact);
+void run(const RuleIdentity& rule, Context& context, Report& report) {
+  std::vector<ContactIndex> transducers = context.read_contacts();
+  std::erase_if(transducers, [&](ContactIndex i) {
+    const model::Contact& contact = context.model().contact(i);
+    return contact::classify(contact).code != contact::ContactCode::transducer || !contact::has_second_surface(contact);
   });
   std::vector<Finding> found;
   check_second_surfaces(rule, context, transducers, found);
@@ -71,8 +73,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC413", "transducer-ftall", Severity::warning, "a force transducer does not get all the forces that it should"},
-    run};
+const Rule definition{{"GC413", "transducer-ftall", Severity::warning,
+                       "a force transducer does not get all the forces that it should", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::transducer_ftall

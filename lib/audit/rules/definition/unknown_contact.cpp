@@ -11,7 +11,7 @@ namespace {
 
 /// Names in messages are cut off here.
 constexpr std::size_t shown = 100;
-/// Names that a nearest one is looked for; a deck with more of them is none.
+/// Most names for which a similar one is searched; a file with more of them is not a deck.
 constexpr std::size_t names_looked_up = 100;
 
 std::string words(const model::Contact& contact, bool look_up) {
@@ -21,10 +21,10 @@ std::string words(const model::Contact& contact, bool look_up) {
   return nearest.empty() ? text + "; correct the name" : text + "; did you mean *" + nearest + "?";
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   std::map<std::string_view, std::vector<const model::Contact*>> unknown;
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     if (!contact.known) unknown[contact.written].push_back(&contact);
   }
   std::size_t names = 0;
@@ -38,7 +38,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC403", "unknown-contact", Severity::error, "the solver knows no contact of this name"},
-                           run};
+const Rule definition{
+    {"GC403", "unknown-contact", Severity::error, "the solver knows no contact of this name", Need::model}, run};
 
 }  // namespace gapcheck::audit::rule::unknown_contact

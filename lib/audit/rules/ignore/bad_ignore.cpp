@@ -3,15 +3,15 @@
 namespace gapcheck::audit::rule::bad_ignore {
 namespace {
 
-void review(const RuleInfo& rule, const Context& context, Report& report) {
-  for (const IgnoreOutcome::Bad& bad : context.ignores().bad)
+void review(const RuleIdentity& rule, const IgnoreOutcome& ignores, Report& report) {
+  for (const IgnoreOutcome::Bad& bad : ignores.bad)
     report.findings.push_back(finding(rule, bad.what, bad.file, bad.line));
 }
 
 }  // namespace
 
-const Rule definition{
-    .info = {"GC515", "bad-ignore", Severity::warning, "a comment to gapcheck is not understood, so it leaves out nothing"},
-    .review = review};
+const Rule definition{.identity = {"GC515", "bad-ignore", Severity::warning,
+                               "a comment to gapcheck is not understood, so it leaves out nothing", Need::ignores},
+                      .review = review};
 
 }  // namespace gapcheck::audit::rule::bad_ignore

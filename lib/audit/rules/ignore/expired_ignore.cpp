@@ -16,14 +16,15 @@ std::string words(const IgnoreOutcome::Place& place) {
                      place.matched == 1 ? "s" : "", place.matched == 1 ? "it" : "them");
 }
 
-void review(const RuleInfo& rule, const Context& context, Report& report) {
-  for (const IgnoreOutcome::Place& place : context.ignores().expired)
+void review(const RuleIdentity& rule, const IgnoreOutcome& ignores, Report& report) {
+  for (const IgnoreOutcome::Place& place : ignores.expired)
     report.findings.push_back(finding(rule, words(place), place.file, place.line));
 }
 
 }  // namespace
 
 const Rule definition{
-    .info = {"GC514", "expired-ignore", Severity::warning, "the last day of an ignore is over"}, .review = review};
+    .identity = {"GC514", "expired-ignore", Severity::warning, "the last day of an ignore is over", Need::ignores},
+    .review = review};
 
 }  // namespace gapcheck::audit::rule::expired_ignore

@@ -5,8 +5,8 @@
 namespace gapcheck::audit::rule::unused_ignore {
 namespace {
 
-void review(const RuleInfo& rule, const Context& context, Report& report) {
-  for (const IgnoreOutcome::Place& place : context.ignores().unused)
+void review(const RuleIdentity& rule, const IgnoreOutcome& ignores, Report& report) {
+  for (const IgnoreOutcome::Place& place : ignores.unused)
     report.findings.push_back(finding(
         rule, fmt::format("the ignore of {} matches no finding; remove it, or correct its rules and ids", place.rules),
         place.file, place.line));
@@ -14,7 +14,8 @@ void review(const RuleInfo& rule, const Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{.info = {"GC513", "unused-ignore", Severity::warning, "an ignore matches no finding"},
-                         .review = review};
+const Rule definition{
+    .identity = {"GC513", "unused-ignore", Severity::warning, "an ignore matches no finding", Need::ignores},
+    .review = review};
 
 }  // namespace gapcheck::audit::rule::unused_ignore

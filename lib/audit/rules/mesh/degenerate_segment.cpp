@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "audit/members.hpp"
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit::rule::degenerate_segment {
@@ -32,14 +32,14 @@ std::string_view what_is_wrong(SegmentFault fault) {
 /// The solver copes with these, though not well.
 bool bearable(SegmentFault fault) { return fault == SegmentFault::folded || fault == SegmentFault::repeated_node; }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   const auto& quality = mesh->quality();
   std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
     const SegmentFault fault = quality[i].fault;
     if (fault == SegmentFault::none || !context.part_chosen(mesh->part(i))) return;
-    // One group for each part and fault, so that no kind of fault hides behind another.
+    // One group for each part and fault, so that no kind of fault hides another.
     list.push_back({part_group(*mesh, i) * 8 + static_cast<std::int64_t>(fault), 0, i});
   });
   const auto severe = [&](Finding f, std::size_t i) {
@@ -65,8 +65,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC505", "degenerate-segment", Severity::error, "a segment in contact has no area, crosses itself or is folded"},
-    run};
+const Rule definition{{"GC505", "degenerate-segment", Severity::error,
+                       "a segment in contact has no area, crosses itself or is folded", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::degenerate_segment

@@ -4,19 +4,20 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared_results.hpp"
 #include "contact/surface/joined_nodes.hpp"
 #include "model/read/node_references.hpp"
 
 namespace gapcheck::audit::rule::duplicate_nodes {
 namespace {
 
-/// Of the shortest edge at either node. Coordinates of a deck are rounded by far less, nodes of a mesh are apart by far
-/// more.
+/// Fraction of the shortest edge at either node. A deck's coordinates are rounded by far less, a mesh's nodes are much
+/// further apart.
 constexpr double same_place = 1e-3;
 
-/// What the segments at a node say of it.
+/// What the segments at a node say about it.
 struct Corner {
   double shortest_edge = INFINITY;
   PartIndex part = none<PartIndex>;  ///< of the first segment
@@ -59,7 +60,7 @@ Corners corners_of(const contact::ContactMesh& mesh, const std::vector<contact::
 
 class Search {
  public:
-  Search(const RuleInfo& rule, Context& context, contact::ContactMesh& mesh)
+  Search(const RuleIdentity& rule, Context& context, contact::ContactMesh& mesh)
       : rule_(rule), context_(context), mesh_(mesh) {}
 
   void run(Report& report) {
@@ -68,7 +69,8 @@ class Search {
     corners_ = corners_of(mesh_, pairs_);
     std::erase_if(pairs_, [&](const contact::CoincidentNodes& pair) { return !suspicious(pair); });
     if (pairs_.empty()) return;
-    const auto joined = contact::joined(context_.model(), context_.surface_store(), context_.contacts(), pairs_);
+    const auto joined =
+        contact::joined(context_.model(), context_.results().surface_store(), context_.contacts(), pairs_);
     const auto constrained = model::referenced_nodes(context_.deck(), context_.model(), "CONSTRAINED_");
     std::vector<Found> found;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
@@ -92,8 +94,8 @@ class Search {
     return (x()[pair.second.value] - x()[pair.first.value]).norm();
   }
 
-  /// Bodies of solids that touch often have matching meshes: that is what contact is for. Within a part, or where a
-  /// shell is involved, nodes at one place are a crack.
+  /// Touching bodies of solids often have matching meshes: that is what contact is for. Within a part, or if a shell is
+  /// involved, coincident nodes are a crack.
   [[nodiscard]] bool suspicious(const contact::CoincidentNodes& pair) const {
     const Corner &a = corners_.at(pair.first.value), &b = corners_.at(pair.second.value);
     if (a.part != b.part && !a.shell && !b.shell) return false;
@@ -138,14 +140,14 @@ class Search {
     };
   }
 
-  const RuleInfo& rule_;
+  const RuleIdentity& rule_;
   Context& context_;
   contact::ContactMesh& mesh_;
   std::vector<contact::CoincidentNodes> pairs_;
   Corners corners_;
 };
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh != nullptr) Search(rule, context, *mesh).run(report);
 }
@@ -153,7 +155,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC507", "duplicate-nodes", Severity::warning,
-                            "two nodes of a contact's surface lie at one place and are not joined"},
-                           run};
+                       "two nodes of a contact's surface lie at one place and are not joined", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::duplicate_nodes

@@ -1,20 +1,22 @@
 #include <fmt/format.h>
 
 #include "audit/rules.hpp"
+#include "contact/definition/contact_type.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 
 namespace gapcheck::audit::rule::empty_surface {
 namespace {
 
-void check_side(const RuleInfo& rule, Context& context, Report& report, const model::Contact& contact, char side,
+void check_side(const RuleIdentity& rule, Context& context, Report& report, const model::Contact& contact, char side,
                 const contact::Selection& selection) {
   if (selection.empty_reason.empty() || selection.unknown_id || selection.unsupported) return;
   report.findings.push_back(finding_at(
       rule, context, contact, fmt::format("surface {} of *{} is empty: {}", side, contact.written, selection.empty_reason)));
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
-  for (const std::uint32_t i : context.read_contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+void run(const RuleIdentity& rule, Context& context, Report& report) {
+  for (const ContactIndex i : context.read_contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     // Transducers, draw beads and edges may have a second surface.
     const bool reference = contact::classify(contact).treatment != contact::Treatment::none || contact.b.id != 0;
     const contact::ContactSurfaces& surfaces = context.surfaces(i);
@@ -25,7 +27,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC503", "empty-surface", Severity::error, "a side of a contact names nothing that could be in contact"}, run};
+const Rule definition{{"GC503", "empty-surface", Severity::error,
+                       "a side of a contact names nothing that could be in contact", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::empty_surface

@@ -3,28 +3,30 @@
 #include <algorithm>
 
 #include "audit/members.hpp"
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "contact/definition/contact_type.hpp"
 #include "contact/mesh/element_nodes.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "model/read/node_references.hpp"
 
 namespace gapcheck::audit::rule::free_node {
 namespace {
 
 /// Nodes that sides of contacts name one by one.
-void report_tracked(const RuleInfo& rule, Context& context, Report& report, const std::vector<std::uint8_t>& used) {
+void report_tracked(const RuleIdentity& rule, Context& context, Report& report, const std::vector<std::uint8_t>& used) {
   const model::Model& model = context.model();
   std::vector<Found> found;
-  for (const std::uint32_t c : context.contacts()) {
-    const model::Contact& contact = model.contacts[c];
+  for (const ContactIndex c : context.contacts()) {
+    const model::Contact& contact = model.contact(c);
     if (!contact.known || contact.own_layout || contact::classify(contact).treatment == contact::Treatment::none)
       continue;
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
     for (const NodeIndex n : surfaces.a.selection.nodes)
-      if (used[n.value] == 0) found.push_back({c, 0, n.value});
+      if (used[n.value] == 0) found.push_back({c.value, 0, n.value});
     if (!surfaces.two_sided()) continue;
     for (const NodeIndex n : surfaces.b.selection.nodes)
-      if (used[n.value] == 0) found.push_back({c, 0, n.value});
+      if (used[n.value] == 0) found.push_back({c.value, 0, n.value});
   }
   add_grouped(
       report, std::move(found),
@@ -52,7 +54,7 @@ void report_tracked(const RuleInfo& rule, Context& context, Report& report, cons
 }
 
 /// One line for all nodes that nothing uses.
-void report_unused(const RuleInfo& rule, Context& context, Report& report, std::vector<std::uint8_t> used) {
+void report_unused(const RuleIdentity& rule, Context& context, Report& report, std::vector<std::uint8_t> used) {
   const model::Model& model = context.model();
   const auto mark = [&](NodeIndex n) { used[n.value] = 1; };
   for (const auto& [id, set] : model.sets.nodes) std::for_each(set.members.begin(), set.members.end(), mark);
@@ -78,7 +80,7 @@ void report_unused(const RuleInfo& rule, Context& context, Report& report, std::
   report.findings.push_back(std::move(at));
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   if (context.contacts().empty()) return context.skipped(rule, "there is no contact");
   const keyword::DeckCounters& read = context.deck().counters();
   if (read.missing_includes > 0 || read.encrypted_blocks > 0)
@@ -90,6 +92,6 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC508", "free-node", Severity::note, "a node belongs to no element"}, run};
+const Rule definition{{"GC508", "free-node", Severity::note, "a node belongs to no element", Need::surfaces}, run};
 
 }  // namespace gapcheck::audit::rule::free_node

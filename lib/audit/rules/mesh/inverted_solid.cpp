@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "audit/members.hpp"
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
 #include "model/entity/faces.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 using model::ElementKind;
 
-/// Smaller than what rounding of coordinates leaves of a flat corner.
+/// Smaller than the rounding of coordinates at a flat corner.
 constexpr double flat = 1e-9;
 
 /// Cohesive formulations start without a volume.
@@ -37,7 +37,8 @@ std::vector<std::size_t> one_face_of_each(const contact::ContactMesh& mesh, Elem
   return faces;
 }
 
-void check(const RuleInfo& rule, Context& context, Report& report, const contact::ContactMesh& mesh, ElementKind kind) {
+void check(const RuleIdentity& rule, Context& context, Report& report, const contact::ContactMesh& mesh,
+           ElementKind kind) {
   const model::Model& model = context.model();
   const model::Elements<8>& elements = kind == ElementKind::solid ? model.mesh.solids : model.mesh.thick_shells;
   const std::vector<std::size_t> faces = one_face_of_each(mesh, kind, elements.size());
@@ -90,7 +91,7 @@ void check(const RuleInfo& rule, Context& context, Report& report, const contact
       }));
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   check(rule, context, report, *mesh, ElementKind::solid);
@@ -100,7 +101,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC510", "inverted-solid", Severity::error,
-                           "a solid with a face in contact is turned inside out, wholly or at a corner"},
-                          run};
+                       "a solid with a face in contact is turned inside out, wholly or at a corner", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::inverted_solid

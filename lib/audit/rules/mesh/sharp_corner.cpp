@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "audit/members.hpp"
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit::rule::sharp_corner {
 namespace {
 
-/// Degrees that are left between two segments with a common edge: they are folded by 180 less this.
+/// Degrees remaining between two segments with a common edge: they are folded by 180 less this.
 constexpr double least_angle = 30;
 
 /// The mean of a segment's corners that are not on the edge, seen from the edge's first end.
@@ -22,7 +22,7 @@ Vector inward(const model::SegmentNodes& n, NodeIndex a, NodeIndex b, const std:
   return sum;
 }
 
-/// Cosine of the angle between two segments at a common edge: 1 where they lie on each other, -1 where they go on flat.
+/// Cosine of the angle between two segments at a common edge: 1 if they lie on each other, -1 if they are flat.
 double cosine_at_edge(const contact::ContactMesh& mesh, std::size_t i, std::size_t j, NodeIndex a, NodeIndex b) {
   const std::vector<Vector>& x = mesh.model().mesh.nodes.x;
   const Vector edge = x[b.value] - x[a.value];
@@ -42,7 +42,7 @@ bool same_corners(const model::SegmentNodes& p, const model::SegmentNodes& q) {
 
 double degrees(double cosine) { return std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi; }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   const auto& quality = mesh->quality();
@@ -89,7 +89,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC512", "sharp-corner", Severity::note, "two segments in contact fold onto each other at an edge"}, run};
+const Rule definition{{"GC512", "sharp-corner", Severity::note,
+                       "two segments in contact fold onto each other at an edge", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::sharp_corner

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "audit/members.hpp"
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit::rule::sliver_segment {
@@ -10,7 +10,7 @@ namespace {
 /// Altitude over longest edge, that is an aspect ratio of twenty.
 constexpr float least_slenderness = 0.05F;
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   const auto& quality = mesh->quality();
@@ -45,7 +45,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC506", "sliver-segment", Severity::warning, "a segment in contact is much longer than it is wide"}, run};
+const Rule definition{{"GC506", "sliver-segment", Severity::warning,
+                       "a segment in contact is much longer than it is wide", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::sliver_segment

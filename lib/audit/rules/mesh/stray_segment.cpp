@@ -3,18 +3,18 @@
 #include <limits>
 
 #include "audit/members.hpp"
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit::rule::stray_segment {
 namespace {
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
     if (mesh->element(i) == std::numeric_limits<std::uint32_t>::max() && context.part_chosen(none<PartIndex>))
-      list.push_back({static_cast<std::int64_t>(mesh->contact(i)), 0, i});
+      list.push_back({mesh->contact(i).value, 0, i});
   });
   add_grouped(
       report, std::move(found),
@@ -36,7 +36,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC509", "stray-segment", Severity::warning, "a segment of a contact's segment set belongs to no element"}, run};
+const Rule definition{{"GC509", "stray-segment", Severity::warning,
+                       "a segment of a contact's segment set belongs to no element", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::stray_segment

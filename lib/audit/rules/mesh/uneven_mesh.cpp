@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "audit/members.hpp"
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit::rule::uneven_mesh {
@@ -17,7 +17,7 @@ std::uint64_t pack(std::size_t larger, std::size_t smaller) {
   return static_cast<std::uint64_t>(larger) << 32 | smaller;
 }
 
-/// True if sizes differ enough anywhere: where not, there is no need to look for neighbours.
+/// True if sizes differ enough anywhere; otherwise there is no need to search for neighbours.
 bool sizes_differ(const std::vector<contact::SegmentQuality>& quality) {
   float smallest = std::numeric_limits<float>::max(), largest = 0;
   for (const contact::SegmentQuality& q : quality) {
@@ -28,7 +28,7 @@ bool sizes_differ(const std::vector<contact::SegmentQuality>& quality) {
   return largest > largest_ratio * smallest;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   const auto& quality = mesh->quality();
@@ -79,7 +79,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC511", "uneven-mesh", Severity::note, "neighbouring segments in contact differ much in size"},
-                       run};
+const Rule definition{
+    {"GC511", "uneven-mesh", Severity::note, "neighbouring segments in contact differ much in size", Need::surfaces},
+    run};
 
 }  // namespace gapcheck::audit::rule::uneven_mesh

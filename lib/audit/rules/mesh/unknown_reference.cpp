@@ -2,9 +2,10 @@
 
 namespace gapcheck::audit::rule::unknown_reference {
 
-const Rule definition{{"GC502", "unknown-reference", Severity::error, "something refers to an id that does not exist"},
-                             [](const RuleInfo& rule, Context& context, Report& report) {
-                               add_faults(rule, context, report, model::Fault::Kind::unknown_reference);
-                             }};
+const Rule definition{
+    {"GC502", "unknown-reference", Severity::error, "something refers to an id that does not exist", Need::model},
+    [](const RuleIdentity& rule, Context& context, Report& report) {
+      add_faults(rule, context, report, model::Fault::Kind::unknown_reference);
+    }};
 
 }  // namespace gapcheck::audit::rule::unknown_reference

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "audit/members.hpp"
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit::rule::warped_segment {
@@ -14,7 +14,7 @@ namespace {
 /// than the element itself.
 constexpr double largest_warp = 20;
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   const auto& quality = mesh->quality();
@@ -46,7 +46,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC504", "warped-segment", Severity::warning, "a quadrilateral segment in contact is far from flat"}, run};
+const Rule definition{{"GC504", "warped-segment", Severity::warning,
+                       "a quadrilateral segment in contact is far from flat", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::warped_segment

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "audit/element_text.hpp"
+#include "audit/shared/element_text.hpp"
 #include "audit/grouped.hpp"
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
@@ -19,7 +19,7 @@ bool null_material(const model::Model& model, PartIndex part) {
   return material && model.materials[*material].null_material;
 }
 
-void check_shells(const RuleInfo& rule, Context& context, Report& report) {
+void check_shells(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   const model::Shells& shells = model.mesh.shells;
   const std::vector<Coincidence> pairs = contact::coincident_segments(shells.nodes, model.mesh.nodes.size());
@@ -56,11 +56,11 @@ void check_shells(const RuleInfo& rule, Context& context, Report& report) {
 }
 
 /// Segment sets that name a segment twice: its contact force is counted twice.
-void check_sets(const RuleInfo& rule, Context& context, Report& report) {
+void check_sets(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::set<std::int64_t> seen;
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = model.contacts[i];
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = model.contact(i);
     for (const model::SurfaceInput* side : {&contact.a, &contact.b}) {
       if (!side->given || side->type != static_cast<std::int64_t>(model::SurfaceType::segment_set)) continue;
       const auto set = model.sets.segments.find(side->id);
@@ -81,7 +81,7 @@ void check_sets(const RuleInfo& rule, Context& context, Report& report) {
   }
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   check_shells(rule, context, report);
   check_sets(rule, context, report);
 }
@@ -89,6 +89,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC111", "coincident-surfaces", Severity::warning, "two shells or segments have the same nodes"}, run};
+    {"GC111", "coincident-surfaces", Severity::warning, "two shells or segments have the same nodes", Need::model},
+    run};
 
 }  // namespace gapcheck::audit::rule::coincident_surfaces

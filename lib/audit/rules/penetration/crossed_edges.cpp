@@ -5,26 +5,27 @@
 
 #include <set>
 
-#include "audit/element_text.hpp"
+#include "audit/shared/element_text.hpp"
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared_results.hpp"
 
 namespace gapcheck::audit::rule::crossed_edges {
 namespace {
 
 using contact::EdgeCrossing;
 
-std::vector<std::pair<std::uint32_t, EdgeCrossing>> all_crossed_edges(Context& context) {
+std::vector<std::pair<ContactIndex, EdgeCrossing>> all_crossed_edges(Context& context) {
   const model::Model& model = context.model();
   contact::CrossingOptions options;
   options.mode = context.options().exact ? geometry::Mode::exact : geometry::Mode::filtered;
   options.search = context.options().brute_force ? contact::BoxSearch::brute_force : contact::BoxSearch::tree;
-  std::vector<std::pair<std::uint32_t, EdgeCrossing>> all;
+  std::vector<std::pair<ContactIndex, EdgeCrossing>> all;
   std::set<std::array<NodeIndex, 4>> seen;
-  for (const std::uint32_t i : context.contacts()) {
-    if (!contact::looks_at_edges(model.contacts[i], contact::classify(model.contacts[i]))) continue;
+  for (const ContactIndex i : context.contacts()) {
+    if (!contact::looks_at_edges(model.contact(i), contact::classify(model.contact(i)))) continue;
     for (const EdgeCrossing& c :
-         contact::find_crossed_edges(model, i, context.surfaces(i), options, context.crossing_counters())) {
+         contact::find_crossed_edges(model, i, context.surfaces(i), options, context.results().crossing_counters())) {
       auto e = std::minmax({c.edge_a[0], c.edge_a[1]}), f = std::minmax({c.edge_b[0], c.edge_b[1]});
       if (f < e) std::swap(e, f);
       if (seen.insert({e.first, e.second, f.first, f.second}).second) all.emplace_back(i, c);
@@ -40,7 +41,7 @@ std::string describe(const model::Model& model, const contact::CrossingSegment& 
   return fmt::format("the edge {}-{} of {}", id[edge[0].value], id[edge[1].value], element);
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   const auto crossings = all_crossed_edges(context);
   std::vector<Found> found;
@@ -51,7 +52,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   }
   const auto words = [&](const Found& f, std::string message) {
     const auto& [contact, c] = crossings[f.item];
-    Finding out = finding_at(rule, context, model.contacts[contact], std::move(message));
+    Finding out = finding_at(rule, context, model.contact(contact), std::move(message));
     place_at_element(out, context, {c.a.kind, c.a.element});
     out.element_part = part_id(model, c.a.part);
     out.part = part_id(model, c.b.part);
@@ -81,7 +82,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC104", "crossed-edges", Severity::warning, "two edges or beams cross each other in a contact that looks at edges"},
+    {"GC104", "crossed-edges", Severity::warning,
+     "two edges or beams cross each other in a contact that looks at edges", Need::surfaces | Need::crossings},
     run};
 
 }  // namespace gapcheck::audit::rule::crossed_edges

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
-#include "audit/element_text.hpp"
+#include "audit/shared/element_text.hpp"
 #include "audit/grouped.hpp"
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared_results.hpp"
 #include "contact/crossing/crossings.hpp"
 
 namespace gapcheck::audit::rule::crossed_elements {
@@ -20,9 +21,9 @@ bool solid(model::ElementKind kind) {
   return kind == model::ElementKind::solid || kind == model::ElementKind::thick_shell;
 }
 
-Finding words(const RuleInfo& rule, const Context& context, const Crossing& c, std::string message) {
+Finding words(const RuleIdentity& rule, const Context& context, const Crossing& c, std::string message) {
   const model::Model& model = context.model();
-  Finding f = finding_at(rule, context, model.contacts[c.contact], std::move(message));
+  Finding f = finding_at(rule, context, model.contact(c.contact), std::move(message));
   place_at_element(f, context, {c.a.kind, c.a.element});
   // Solids have no thickness in contact: what they penetrate they also cross, and the contact can push them apart.
   if (solid(c.a.kind) && solid(c.b.kind)) f.severity = Severity::warning;
@@ -47,13 +48,13 @@ std::string rest_text(const model::Model& model, const Crossing& c, std::uint64_
                      one ? "" : " and " + part_text(model, c.b.part));
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   contact::CrossingOptions options;
   options.mode = context.options().exact ? geometry::Mode::exact : geometry::Mode::filtered;
   options.search = context.options().brute_force ? contact::BoxSearch::brute_force : contact::BoxSearch::tree;
-  const std::vector<Crossing> crossings =
-      contact::find_crossings(model, context.contacts(), context.surface_store(), options, context.crossing_counters());
+  const std::vector<Crossing> crossings = contact::find_crossings(
+      model, context.contacts(), context.results().surface_store(), options, context.results().crossing_counters());
   std::vector<Found> found;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const Crossing& c = crossings[i];
@@ -76,7 +77,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 // Severity error: nodes start on the wrong side, and the contact holds them there.
-const Rule definition{
-    {"GC103", "crossed-elements", Severity::error, "two elements of a contact pass through each other"}, run};
+const Rule definition{{"GC103", "crossed-elements", Severity::error,
+                       "two elements of a contact pass through each other", Need::surfaces | Need::crossings},
+                      run};
 
 }  // namespace gapcheck::audit::rule::crossed_elements

@@ -1,10 +1,8 @@
 #include "audit/rules.hpp"
+#include "records/record_rules.hpp"
 
 namespace gapcheck::audit::rule::edge_penetration {
 
-const Rule definition{
-    {"GC109", "edge-penetration", Severity::warning,
-     "two edges or beams are nearer to each other than the contact distance, in a contact of type 26"},
-    [](const RuleInfo&, Context& context, Report&) { context.want(PenetrationKind::edge); }};
+const Rule definition{record_rules::edge_penetration};
 
 }  // namespace gapcheck::audit::rule::edge_penetration

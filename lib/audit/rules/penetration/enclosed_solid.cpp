@@ -2,9 +2,10 @@
 
 #include <map>
 
-#include "audit/element_text.hpp"
+#include "audit/shared/element_text.hpp"
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared_results.hpp"
 #include "contact/crossing/enclosed_bodies.hpp"
 
 namespace gapcheck::audit::rule::enclosed_solid {
@@ -27,24 +28,24 @@ std::vector<bool> solid_parts(const model::Model& model, const contact::Segments
   return mask;
 }
 
-/// Which contact acts on two parts; looks at the contacts when it is first asked.
+/// Which contact acts on two parts; reads the contacts on the first call.
 class ActingContact {
  public:
   explicit ActingContact(Context& context) : context_(context) {}
 
-  std::uint32_t operator()(PartIndex p, PartIndex q) {
+  ContactIndex operator()(PartIndex p, PartIndex q) {
     const model::Model& model = context_.model();
-    for (const std::uint32_t i : context_.contacts()) {
-      if (contact::classify(model.contacts[i]).pairing == contact::Pairing::none) continue;
+    for (const ContactIndex i : context_.contacts()) {
+      if (contact::classify(model.contact(i)).pairing == contact::Pairing::none) continue;
       const SolidParts& parts = solids(i);
       const bool acts = (parts.a[p.value] && parts.b[q.value]) || (parts.a[q.value] && parts.b[p.value]);
-      if (acts && contact::CrossingPairs(model, model.contacts[i].id).counts(p, q)) return i;
+      if (acts && contact::CrossingPairs(model, model.contact(i).id).counts(p, q)) return i;
     }
-    return static_cast<std::uint32_t>(-1);
+    return none<ContactIndex>;
   }
 
  private:
-  const SolidParts& solids(std::uint32_t i) {
+  const SolidParts& solids(ContactIndex i) {
     const auto known = parts_.find(i);
     if (known != parts_.end()) return known->second;
     const contact::ContactSurfaces& s = context_.surfaces(i);
@@ -54,24 +55,24 @@ class ActingContact {
   }
 
   Context& context_;
-  std::map<std::uint32_t, SolidParts> parts_;
+  std::map<ContactIndex, SolidParts> parts_;
 };
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   contact::CrossingOptions options;
   options.mode = context.options().exact ? geometry::Mode::exact : geometry::Mode::filtered;
   options.search = context.options().brute_force ? contact::BoxSearch::brute_force : contact::BoxSearch::tree;
   ActingContact acting(context);
   const std::vector<EnclosedBody> bodies = contact::find_enclosed_bodies(
-      model, [&](PartIndex p, PartIndex q) { return acting(p, q); }, options, context.crossing_counters());
+      model, [&](PartIndex p, PartIndex q) { return acting(p, q); }, options, context.results().crossing_counters());
   std::vector<Found> found;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (context.part_chosen(bodies[i].inner) || context.part_chosen(bodies[i].outer))
       found.push_back({part_pair(bodies[i].inner, bodies[i].outer), static_cast<double>(bodies[i].solids), i});
   const auto words = [&](const Found& f, std::string message) {
     const EnclosedBody& body = bodies[f.item];
-    Finding out = finding_at(rule, context, model.contacts[body.contact], std::move(message));
+    Finding out = finding_at(rule, context, model.contact(body.contact), std::move(message));
     place_at_element(out, context, {model::ElementKind::solid, body.first_solid});
     out.element_part = part_id(model, body.inner);
     out.part = part_id(model, body.outer);
@@ -99,7 +100,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC105", "enclosed-solid", Severity::warning, "a body of solids lies wholly inside another that it is in contact with"},
+    {"GC105", "enclosed-solid", Severity::warning,
+     "a body of solids lies wholly inside another that it is in contact with", Need::surfaces | Need::crossings},
     run};
 
 }  // namespace gapcheck::audit::rule::enclosed_solid

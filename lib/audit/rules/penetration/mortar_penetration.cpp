@@ -1,10 +1,8 @@
 #include "audit/rules.hpp"
+#include "records/record_rules.hpp"
 
 namespace gapcheck::audit::rule::mortar_penetration {
 
-const Rule definition{
-    {"GC108", "mortar-penetration", Severity::warning,
-     "a corner of a segment is nearer to another segment than the contact distance, in a mortar contact"},
-    [](const RuleInfo&, Context& context, Report&) { context.want(PenetrationKind::mortar); }};
+const Rule definition{record_rules::mortar_penetration};
 
 }  // namespace gapcheck::audit::rule::mortar_penetration

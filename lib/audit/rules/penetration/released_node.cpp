@@ -1,10 +1,8 @@
 #include "audit/rules.hpp"
+#include "records/record_rules.hpp"
 
 namespace gapcheck::audit::rule::released_node {
 
-const Rule definition{
-    {"GC102", "released-node", Severity::error,
-     "a tracked node penetrates so deep that the solver drops it from the contact"},
-    [](const RuleInfo&, Context& context, Report&) { context.want(PenetrationKind::released); }};
+const Rule definition{record_rules::released_node};
 
 }  // namespace gapcheck::audit::rule::released_node

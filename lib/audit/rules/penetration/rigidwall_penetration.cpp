@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "audit/members.hpp"
-#include "audit/mesh_finding.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
 #include "contact/rigid_wall.hpp"
 
@@ -13,7 +13,7 @@ std::string wall_name(const model::RigidWall& wall) {
                             : fmt::format("rigid wall {} \"{}\"", wall.id, wall.title);
 }
 
-void check(const RuleInfo& rule, Context& context, Report& report, contact::WallNodes& wall_nodes,
+void check(const RuleIdentity& rule, Context& context, Report& report, contact::WallNodes& wall_nodes,
            std::size_t position) {
   const model::Model& model = context.model();
   const model::RigidWall& wall = model.rigid_walls[position];
@@ -47,7 +47,7 @@ void check(const RuleInfo& rule, Context& context, Report& report, contact::Wall
       collect_nodes(context, [](const Found& f) { return NodeIndex{static_cast<std::uint32_t>(f.item)}; }));
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const auto& walls = context.model().rigid_walls;
   if (walls.empty()) return;
   contact::WallNodes nodes(context.model());
@@ -63,8 +63,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC110", "rigidwall-penetration", Severity::warning, "a node lies behind or in a rigid wall that is to stop it"},
-    run};
+const Rule definition{{"GC110", "rigidwall-penetration", Severity::warning,
+                       "a node lies behind or in a rigid wall that is to stop it", Need::model},
+                      run};
 
 }  // namespace gapcheck::audit::rule::rigidwall_penetration

@@ -9,9 +9,9 @@
 namespace gapcheck::audit::rule::contact_step {
 namespace {
 
-/// What four printed digits take away.
+/// Rounding of four printed digits.
 constexpr double printing = 1e-3;
-/// Beyond so many times the smallest step of the elements a run is implicit, whatever its mass scaling.
+/// Beyond this many times the smallest element step a run is implicit, whatever its mass scaling.
 constexpr double implicit_factor = 100;
 
 /// The surface with the smallest step; nullptr: the log names none.
@@ -22,7 +22,7 @@ const SurfaceTimestep* controlling(const RunContext& context) {
   return least;
 }
 
-void judge(const RuleInfo& rule, RunContext& context, Report& report) {
+void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
   const auto& states = context.files().glstat;
   if (states.empty()) return context.skipped(rule, "there is no glstat");
   const double limit = context.log().contact_timestep;
@@ -54,9 +54,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC605", "contact-step", Severity::note, "the run's time step exceeds what the solver names for the contacts"},
-    nullptr,
-    judge};
+const Rule definition{{"GC605", "contact-step", Severity::note,
+                       "the run's time step exceeds what the solver names for the contacts", Need::run_files},
+                      nullptr,
+                      judge};
 
 }  // namespace gapcheck::audit::rule::contact_step

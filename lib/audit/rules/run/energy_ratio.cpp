@@ -13,13 +13,13 @@ namespace {
 using results::GlobalState;
 
 constexpr double warning_band = 0.05, error_band = 0.10;  ///< on both sides of 1
-/// States with less energy than this share of the peak are not judged: their ratio is one of roundings.
+/// States with less energy than this share of the peak are not judged: their ratio is only rounding.
 constexpr double least_share = 0.01;
 
-/// Energy that was there or has been put in.
+/// Initial energy plus external work.
 double expected(const GlobalState& first, const GlobalState& state) { return first.total + state.external; }
 
-void judge(const RuleInfo& rule, RunContext& context, Report& report) {
+void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
   const auto& states = context.files().glstat;
   if (states.empty()) return context.skipped(rule, "there is no glstat");
   const auto broken = std::find_if(states.begin(), states.end(), [](const GlobalState& s) {
@@ -47,9 +47,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC603", "energy-ratio", Severity::warning, "energy appears or disappears: the ratio is far from 1"},
-    nullptr,
-    judge};
+const Rule definition{{"GC603", "energy-ratio", Severity::warning,
+                       "energy appears or disappears: the ratio is far from 1", Need::run_files},
+                      nullptr,
+                      judge};
 
 }  // namespace gapcheck::audit::rule::energy_ratio

@@ -6,7 +6,7 @@
 
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
-#include "audit/sliding_energy.hpp"
+#include "audit/shared/sliding_energy.hpp"
 
 namespace gapcheck::audit::rule::hourglass_share {
 namespace {
@@ -32,7 +32,7 @@ std::map<std::int64_t, PartPeaks> peaks_of_parts(const results::PartHistory& his
   return parts;
 }
 
-void judge_model(const RuleInfo& rule, const RunContext& context, Report& report) {
+void judge_model(const RuleIdentity& rule, const RunContext& context, Report& report) {
   const auto& states = context.files().glstat;
   const auto worst = std::max_element(states.begin(), states.end(), [](const auto& a, const auto& b) {
     return !std::isfinite(a.hourglass) || a.hourglass < b.hourglass;
@@ -45,7 +45,7 @@ void judge_model(const RuleInfo& rule, const RunContext& context, Report& report
                                   worst->time, share_text(worst->hourglass, reference))));
 }
 
-void judge_parts(const RuleInfo& rule, const RunContext& context, Report& report) {
+void judge_parts(const RuleIdentity& rule, const RunContext& context, Report& report) {
   const auto parts = peaks_of_parts(context.files().matsum);
   std::vector<Found> found;
   for (const auto& [part, peaks] : parts)
@@ -69,7 +69,7 @@ void judge_parts(const RuleInfo& rule, const RunContext& context, Report& report
   add_grouped(report, std::move(found), words, rest);
 }
 
-void judge(const RuleInfo& rule, RunContext& context, Report& report) {
+void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
   if (context.files().glstat.empty()) return context.skipped(rule, "there is no glstat");
   if (context.reference().value > 0) judge_model(rule, context, report);
   if (context.files().matsum.states.empty())
@@ -80,9 +80,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC604", "hourglass-share", Severity::warning, "hourglass energy is large beside internal energy"},
-    nullptr,
-    judge};
+const Rule definition{{"GC604", "hourglass-share", Severity::warning,
+                       "hourglass energy is large beside internal energy", Need::run_files},
+                      nullptr,
+                      judge};
 
 }  // namespace gapcheck::audit::rule::hourglass_share

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "audit/rules.hpp"
-#include "audit/sliding_energy.hpp"
+#include "audit/shared/sliding_energy.hpp"
 
 namespace gapcheck::audit::rule::negative_sliding_energy {
 namespace {
@@ -19,7 +19,7 @@ std::string share_then(const RunContext& context, const SlidingState& lowest) {
   return fmt::format(", {:.4g} % of the internal energy then", 100 * (lowest.energy / later->internal));
 }
 
-void judge(const RuleInfo& rule, RunContext& context, Report& report) {
+void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
   const auto histories = sliding_energies(context);
   if (histories.empty()) return context.skipped(rule, "there is neither sleout nor glstat");
   const ReferenceEnergy& reference = context.reference();
@@ -45,9 +45,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC601", "negative-sliding-energy", Severity::warning, "a contact gives the model energy that nobody put in"},
-    nullptr,
-    judge};
+const Rule definition{{"GC601", "negative-sliding-energy", Severity::warning,
+                       "a contact gives the model energy that nobody put in", Need::run_files},
+                      nullptr,
+                      judge};
 
 }  // namespace gapcheck::audit::rule::negative_sliding_energy

@@ -11,19 +11,19 @@ namespace {
 /// The last step need not meet the end time.
 constexpr double end_share = 0.999;
 
-/// Of glstat or the log, whichever has gone farther.
+/// Of glstat or the log, whichever is later.
 double time_reached(const RunContext& context) {
   const auto& states = context.files().glstat;
   return std::max(context.log().problem_time, states.empty() ? 0.0 : states.back().time);
 }
 
-/// " at time 1.5 of 2"; as much of it as is known.
+/// " at time 1.5 of 2"; as far as known.
 std::string place(double time, double end) {
   std::string text = time > 0 ? fmt::format(" at time {:.6g}", time) : "";
   return end > 0 ? text + fmt::format("{} {:.6g}", text.empty() ? " before time" : " of", end) : text;
 }
 
-void judge(const RuleInfo& rule, RunContext& context, Report& report) {
+void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
   using enum SolverRun::Termination;
   const SolverRun& log = context.log();
   const double time = time_reached(context);
@@ -47,6 +47,6 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC608", "run-not-finished", Severity::error, "the run did not reach its end"}, nullptr, judge};
+    {"GC608", "run-not-finished", Severity::error, "the run did not reach its end", Need::run_files}, nullptr, judge};
 
 }  // namespace gapcheck::audit::rule::run_not_finished

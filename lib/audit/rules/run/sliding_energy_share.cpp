@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "audit/rules.hpp"
-#include "audit/sliding_energy.hpp"
+#include "audit/shared/sliding_energy.hpp"
 
 namespace gapcheck::audit::rule::sliding_energy_share {
 namespace {
 
 constexpr double note_share = 0.05, warning_share = 0.10;  ///< of the peak internal energy
 
-void judge(const RuleInfo& rule, RunContext& context, Report& report) {
+void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
   const auto histories = sliding_energies(context);
   if (histories.empty() || !histories.front().without_friction)
     return context.skipped(rule, "there is no sleout: friction cannot be told from the rest");
@@ -33,9 +33,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC602", "sliding-energy-share", Severity::note, "the contact springs of a contact hold much energy"},
-    nullptr,
-    judge};
+const Rule definition{{"GC602", "sliding-energy-share", Severity::note,
+                       "the contact springs of a contact hold much energy", Need::run_files},
+                      nullptr,
+                      judge};
 
 }  // namespace gapcheck::audit::rule::sliding_energy_share

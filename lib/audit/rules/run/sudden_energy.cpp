@@ -35,7 +35,7 @@ double unexplained_kinetic(const GlobalState& from, const GlobalState& to) {
   return std::min(gain, gain + stored(to) - stored(from) - (to.external - from.external));
 }
 
-void judge_jumps(const RuleInfo& rule, const RunContext& context, std::string_view what, double peak,
+void judge_jumps(const RuleIdentity& rule, const RunContext& context, std::string_view what, double peak,
                  double (*jump)(const GlobalState&, const GlobalState&), Report& report) {
   const auto& states = context.files().glstat;
   std::size_t worst = 0;
@@ -55,7 +55,7 @@ void judge_jumps(const RuleInfo& rule, const RunContext& context, std::string_vi
   report.findings.push_back(context.finding(rule, "glstat", rule.severity, std::move(message)));
 }
 
-void judge(const RuleInfo& rule, RunContext& context, Report& report) {
+void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
   if (context.files().glstat.size() < 2) return context.skipped(rule, "there is no glstat with two states");
   const double peak = std::max(context.peak(&GlobalState::total), context.peak(&GlobalState::external));
   if (peak == 0) return;
@@ -65,9 +65,9 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC606", "sudden-energy", Severity::warning, "energy jumps from one output to the next, and no work explains it"},
-    nullptr,
-    judge};
+const Rule definition{{"GC606", "sudden-energy", Severity::warning,
+                       "energy jumps from one output to the next, and no work explains it", Need::run_files},
+                      nullptr,
+                      judge};
 
 }  // namespace gapcheck::audit::rule::sudden_energy

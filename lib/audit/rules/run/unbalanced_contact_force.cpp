@@ -10,9 +10,9 @@
 namespace gapcheck::audit::rule::unbalanced_contact_force {
 namespace {
 
-constexpr double largest_share = 1e-3;  ///< of the contact's largest force; printing leaves 1e-5
+constexpr double largest_share = 1e-3;  ///< of the contact's largest force; print rounding is 1e-5
 
-/// What rcforc says of one contact over the run.
+/// What rcforc says about one contact over the run.
 struct Balance {
   std::array<double, 2> peak{};  ///< largest force of each side
   double unbalanced = 0, time = 0;
@@ -34,13 +34,13 @@ std::map<std::int64_t, Balance> balances(const RunContext& context) {
   return list;
 }
 
-/// A transducer measures the forces of others, and may do so on one side alone.
+/// A transducer measures the forces of others, possibly on one side only.
 bool measures_only(const RunContext& context, std::int64_t id) {
   const ContactSummary* contact = context.contact(id);
   return contact != nullptr && contact->type == "25";
 }
 
-void judge(const RuleInfo& rule, RunContext& context, Report& report) {
+void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
   if (context.files().rcforc.states.empty())
     return context.skipped(rule, "there is no rcforc with forces of both sides");
   for (const auto& [id, balance] : balances(context)) {
@@ -59,8 +59,8 @@ void judge(const RuleInfo& rule, RunContext& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC607", "unbalanced-contact-force", Severity::warning,
-                                     "the forces on the two sides of a contact are not opposite"},
-                                    nullptr,
-                                    judge};
+                       "the forces on the two sides of a contact are not opposite", Need::run_files},
+                      nullptr,
+                      judge};
 
 }  // namespace gapcheck::audit::rule::unbalanced_contact_force

@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
-#include "audit/element_text.hpp"
+#include "audit/shared/element_text.hpp"
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared_results.hpp"
 
 namespace gapcheck::audit::rule::contact_timestep {
 namespace {
@@ -15,8 +16,8 @@ std::string step_of_run(const model::Model& model, const contact::PredictedTimes
                             : element_text(model.mesh, {steps.element.kind, steps.element.element}));
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
-  const contact::PredictedTimesteps& steps = context.timesteps();
+void run(const RuleIdentity& rule, Context& context, Report& report) {
+  const contact::PredictedTimesteps& steps = context.results().timesteps();
   const model::Model& model = context.model();
   report.predicted = steps.timesteps;
   if (!(steps.run > 0)) context.skipped(rule, "no element has a time step to compare with");
@@ -52,7 +53,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC420", "contact-timestep", Severity::warning,
-                             "contact springs are unstable at the time step that the elements allow"},
-                            run};
+                       "contact springs are unstable at the time step that the elements allow", Need::time_steps},
+                      run};
 
 }  // namespace gapcheck::audit::rule::contact_timestep

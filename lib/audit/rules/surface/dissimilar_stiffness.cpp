@@ -6,12 +6,13 @@
 
 #include "audit/rules.hpp"
 #include "contact/definition/exclusions.hpp"
+#include "contact/stiffness/stiffness.hpp"
 #include "contact/surface/surface_parts.hpp"
 
 namespace gapcheck::audit::rule::dissimilar_stiffness {
 namespace {
 
-/// From this ratio of the bulk moduli on; the workshop's example has it exactly (contact rules, section 11).
+/// Limit of the ratio of the bulk moduli; the workshop's example has exactly this (contact rules, section 11).
 constexpr double dissimilar = 100;
 constexpr double rounding = 1e-9;
 
@@ -59,10 +60,10 @@ bool penalty(const contact::ContactType& type) {
          (type.family == Family::old || type.family == Family::automatic || type.family == Family::forming);
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = model.contacts[i];
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = model.contact(i);
     if (contact.soft != 0 || !contact.known || contact.own_layout || !penalty(contact::classify(contact))) continue;
     const contact::ContactSurfaces& surfaces = context.surfaces(i);
     const contact::Exclusions exclusions(model, contact.id);
@@ -92,7 +93,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC410", "dissimilar-stiffness", Severity::warning,
-                                 "a contact with SOFT = 0 joins parts of very different stiffness"},
-                                run};
+                       "a contact with SOFT = 0 joins parts of very different stiffness", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::dissimilar_stiffness

@@ -1,26 +1,27 @@
 #include <fmt/format.h>
 
 #include "audit/rules.hpp"
+#include "audit/shared_results.hpp"
 #include "contact/surface/erosion.hpp"
 
 namespace gapcheck::audit::rule::eroding_timestep {
 namespace {
 
 /// The smallest step of the contact's sides; no_timestep_limit without any.
-double step_of(const Timesteps& steps, std::uint32_t contact) {
+double step_of(const Timesteps& steps, ContactIndex contact) {
   double least = no_timestep_limit;
   for (const SurfaceTimestep& step : steps.surface_timesteps)
-    if (step.contact == contact) least = std::min(least, step.timestep);
+    if (step.contact == contact.value) least = std::min(least, step.timestep);
   return least;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Controls& controls = context.model().controls;
   if (controls.ecdt != 0) return;
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     if ((contact.soft != 0 && contact.soft != 1) || !contact::is_eroding(contact::classify(contact))) continue;
-    const auto& predicted = context.timesteps();
+    const auto& predicted = context.results().timesteps();
     const double step = step_of(predicted.timesteps, i);
     std::string message = "ECDT of *CONTROL_CONTACT is not set, so this eroding contact may set the time step of the run";
     if (step < predicted.run)
@@ -32,8 +33,9 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC419", "eroding-timestep", Severity::warning,
-                             "an eroding contact may set the time step of the run, because ECDT is not set"},
-                            run};
+const Rule definition{
+    {"GC419", "eroding-timestep", Severity::warning,
+     "an eroding contact may set the time step of the run, because ECDT is not set", Need::time_steps},
+    run};
 
 }  // namespace gapcheck::audit::rule::eroding_timestep

@@ -9,16 +9,16 @@ namespace {
 /// A reference side finer than this is a mistake rather than a matter of meshing.
 constexpr double factor = 1.5;
 
-/// One-way penalty contact. In forming types fine rigid tools are the practice, and ties hold either way.
+/// One-way penalty contact. In forming types fine rigid tools are common practice, and ties hold either way.
 bool one_way(const contact::ContactType& type) {
   using contact::Family;
   return type.treatment == contact::Treatment::one_way && (type.family == Family::old || type.family == Family::automatic);
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = model.contacts[i];
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = model.contact(i);
     if (!contact.known || contact.own_layout) continue;
     const contact::ContactType type = contact::classify(contact);
     if (!one_way(type) || !type.checked()) continue;
@@ -36,7 +36,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC417", "fine-reference", Severity::warning,
-                           "the reference side of a one-way contact is finer than the tracked side"},
-                          run};
+                       "the reference side of a one-way contact is finer than the tracked side", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::fine_reference

@@ -10,21 +10,21 @@
 namespace gapcheck::audit::rule::inconsistent_normals {
 namespace {
 
-/// Types that look to one side of a segment: old and forming ones, and ties that break, whose orientation tells tension
+/// Types that see one side of a segment: old and forming ones, and tiebreaks, whose orientation distinguishes tension
 /// from compression.
 bool oriented(const model::Contact& contact, const contact::ContactType& type) {
   if (type.treatment == contact::Treatment::none) return false;
   if (type.family == contact::Family::old || type.family == contact::Family::forming) return true;
-  return contact.keyword.find("TIEBREAK") != std::string::npos;
+  return contact.kind->breaks();
 }
 
 struct Turned {
   std::uint64_t count = 0;
-  std::uint32_t first = 0;  ///< segment
+  SegmentIndex first;
   FindingMembers members;
 };
 
-void check_side(const RuleInfo& rule, Context& context, Report& report, std::uint32_t contact, char letter,
+void check_side(const RuleIdentity& rule, Context& context, Report& report, ContactIndex contact, char letter,
                 const contact::Segments& segments) {
   const model::Model& model = context.model();
   std::map<PartIndex, Turned> by_part;
@@ -32,14 +32,14 @@ void check_side(const RuleInfo& rule, Context& context, Report& report, std::uin
     if (!context.part_chosen(m.part)) continue;
     Turned& turned = by_part[m.part];
     if (turned.count++ == 0) turned.first = m.segment;
-    if (context.options().members) add_segment(model.mesh.nodes, segments.nodes[m.segment], turned.members);
+    if (context.options().members) add_segment(model.mesh.nodes, segments.nodes[m.segment.value], turned.members);
   }
   for (auto& [part, turned] : by_part) {
     const std::int64_t part_id = part == none<PartIndex> ? 0 : model.part(part).id.value;
-    const std::int64_t element = contact::element_id(model.mesh, segments, turned.first);
-    std::string at = element != 0 ? fmt::format("element {}", element) : fmt::format("segment {}", turned.first + 1);
+    const std::int64_t element = contact::element_id(model.mesh, segments, turned.first.value);
+    std::string at = element != 0 ? fmt::format("element {}", element) : fmt::format("segment {}", turned.first.value + 1);
     Finding f = finding_at(
-        rule, context, model.contacts[contact],
+        rule, context, model.contact(contact),
         fmt::format("side {}{}: {} segment{} against {} neighbours (first: {}), and this type sees one side only; turn "
                     "the normals, or take an AUTOMATIC type",
                     letter, part_id != 0 ? fmt::format(", part {}", part_id) : "", turned.count,
@@ -48,15 +48,15 @@ void check_side(const RuleInfo& rule, Context& context, Report& report, std::uin
     f.element = element;
     f.count = turned.count;
     f.members = std::move(turned.members);
-    const auto& nodes = segments.nodes[turned.first];
+    const auto& nodes = segments.nodes[turned.first.value];
     f.point = (model.mesh.nodes.x[nodes[0].value] + model.mesh.nodes.x[nodes[2].value]) / 2;
     report.findings.push_back(std::move(f));
   }
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+void run(const RuleIdentity& rule, Context& context, Report& report) {
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     if (!contact.known || contact.own_layout) continue;
     const contact::ContactType type = contact::classify(contact);
     if (!oriented(contact, type)) continue;
@@ -70,7 +70,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC416", "inconsistent-normals", Severity::warning,
-                                 "neighbouring segments of an oriented contact face opposite ways"},
-                                run};
+                       "neighbouring segments of an oriented contact face opposite ways", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::inconsistent_normals

@@ -3,6 +3,9 @@
 #include <vector>
 
 #include "audit/rules.hpp"
+#include "contact/stiffness/contact_timestep.hpp"
+#include "contact/stiffness/stiffness.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 
 namespace gapcheck::audit::rule::null_surface {
 namespace {
@@ -30,7 +33,7 @@ class WeakParts {
   std::vector<bool> weak_, null_;
 };
 
-void check_side(const RuleInfo& rule, Context& context, Report& report, std::uint32_t contact, char letter,
+void check_side(const RuleIdentity& rule, Context& context, Report& report, ContactIndex contact, char letter,
                 const contact::Segments& s, const WeakParts& parts) {
   const model::Model& model = context.model();
   std::size_t segments = 0;
@@ -43,7 +46,7 @@ void check_side(const RuleInfo& rule, Context& context, Report& report, std::uin
   const PartIndex part = contact::part_of(model.mesh, s, 0);
   const model::Part& first = model.part(part);
   Finding f = finding_at(
-      rule, context, model.contacts[contact],
+      rule, context, model.contact(contact),
       fmt::format("side {} has no stiffness: all its {} segments are of materials with E = 0 (first: part {}, *{} {}), so the "
                   "contact gives no force; set E and PR of the material, or SOFT = 1",
                   letter, segments, first.id.value, model.materials[*first.material].keyword, first.material_id));
@@ -51,14 +54,14 @@ void check_side(const RuleInfo& rule, Context& context, Report& report, std::uin
   report.findings.push_back(std::move(f));
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   const WeakParts parts(model);
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = model.contacts[i];
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = model.contact(i);
     if (contact.soft != 0 || !contact.known || contact.own_layout) continue;
     const contact::ContactType type = contact::classify(contact);
-    if (type.code == "25" || !contact::has_timestep(type)) continue;
+    if (type.code == contact::ContactCode::transducer || !contact::has_timestep(type)) continue;
     const contact::ContactSurfaces& surfaces = context.surfaces(i);
     check_side(rule, context, report, i, 'A', surfaces.a.selection.segments, parts);
     if (surfaces.two_sided()) check_side(rule, context, report, i, 'B', surfaces.b.selection.segments, parts);
@@ -67,8 +70,9 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC418", "null-surface", Severity::warning,
-                         "a side of a contact consists of materials without stiffness: the contact gives no force"},
-                        run};
+const Rule definition{
+    {"GC418", "null-surface", Severity::warning,
+     "a side of a contact consists of materials without stiffness: the contact gives no force", Need::surfaces},
+    run};
 
 }  // namespace gapcheck::audit::rule::null_surface

@@ -18,12 +18,12 @@ namespace {
 using Parts = std::vector<PartIndex>;
 /// Hostile decks may have any number of contacts that all share a part.
 constexpr std::size_t most_pairs = 200'000;
-/// Of one pair of contacts not more pairs of parts are counted.
+/// Most pairs of parts counted for one pair of contacts.
 constexpr std::size_t most_part_pairs = 100'000;
 
 /// A contact that keeps surfaces apart, with what it holds.
 struct Cover {
-  std::uint32_t contact = 0;
+  ContactIndex contact;
   Parts a, b;  ///< of single-surface contacts the same
   bool single = false, whole_a = true, whole_b = true;
   std::unique_ptr<contact::Exclusions> exclusions;
@@ -38,14 +38,14 @@ bool keeps_apart(const model::Contact& contact, const contact::ContactType& type
   using contact::Family;
   if (!contact.known || contact.own_layout || type.treatment == contact::Treatment::none) return false;
   if (type.family == Family::tied || type.family == Family::other) return false;
-  return contact.keyword.find("TIEBREAK") == std::string::npos && contact.keyword.find("TIED") == std::string::npos;
+  return !contact.kind->ties();
 }
 
 std::vector<Cover> covers(Context& context) {
   const model::Model& model = context.model();
   std::vector<Cover> list;
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = model.contacts[i];
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = model.contact(i);
     if (!keeps_apart(contact, contact::classify(contact))) continue;
     const contact::ContactSurfaces& surfaces = context.surfaces(i);
     Cover cover;
@@ -90,7 +90,7 @@ std::vector<std::uint64_t> members(const model::Model& model, const contact::Con
   return list;
 }
 
-/// True if two sides that have a part in common have elements of it in common.
+/// True if two sides that share a part also share elements of it.
 bool meet(const model::Model& model, const contact::ContactSide& first, bool whole_first,
           const contact::ContactSide& second, bool whole_second, PartIndex part) {
   if (whole_first || whole_second) return true;
@@ -127,9 +127,9 @@ struct Overlap {
   }
 };
 
-Finding words(const RuleInfo& rule, Context& context, const Cover& one, const Cover& two, const Overlap& overlap) {
+Finding words(const RuleIdentity& rule, Context& context, const Cover& one, const Cover& two, const Overlap& overlap) {
   const model::Model& model = context.model();
-  const model::Contact &first = model.contacts[one.contact], &second = model.contacts[two.contact];
+  const model::Contact &first = model.contact(one.contact), &second = model.contact(two.contact);
   // Two different parts tell more than a part with itself.
   auto shown = std::find_if(overlap.pairs.begin(), overlap.pairs.end(), [](const PartPair& p) { return p.a != p.b; });
   if (shown == overlap.pairs.end()) shown = overlap.pairs.begin();
@@ -149,10 +149,10 @@ Finding words(const RuleInfo& rule, Context& context, const Cover& one, const Co
   return f;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const std::vector<Cover> list = covers(context);
   const model::Model& model = context.model();
-  // Contacts of one part meet; those without a part in common need not be compared.
+  // Only contacts that share a part need to be compared.
   std::vector<std::vector<std::uint32_t>> of_part(model.parts.size());
   std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t i = 0; i < list.size() && pairs.size() < most_pairs; ++i) {
@@ -168,7 +168,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   std::vector<Finding> findings;
   std::vector<Found> found;
   for (const auto& [i, j] : pairs) {
-    if (!together(model.contacts[list[i].contact], model.contacts[list[j].contact])) continue;
+    if (!together(model.contact(list[i].contact), model.contact(list[j].contact))) continue;
     Overlap overlap;
     overlap.add(context, list[i], list[j], false);
     if (!list[i].single && !list[j].single) overlap.add(context, list[i], list[j], true);
@@ -185,7 +185,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC422", "overlapping-contacts", Severity::warning,
-                                 "two contacts hold the same pair of parts: the forces act twice"},
-                                run};
+                       "two contacts hold the same pair of parts: the forces act twice", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::overlapping_contacts

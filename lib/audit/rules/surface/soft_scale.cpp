@@ -9,9 +9,9 @@ namespace {
 constexpr double highest = 0.1, lowest = 0.04;
 constexpr double rounding = 1e-9;
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
-  for (const std::uint32_t i : context.contacts()) {
-    const model::Contact& contact = context.model().contacts[i];
+void run(const RuleIdentity& rule, Context& context, Report& report) {
+  for (const ContactIndex i : context.contacts()) {
+    const model::Contact& contact = context.model().contact(i);
     if (!contact.known || contact.own_layout || (contact.soft != 1 && contact.soft != 2)) continue;
     const double scale = contact.sofscl;
     if (scale >= lowest * (1 - rounding) && scale <= highest * (1 + rounding)) continue;
@@ -25,7 +25,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC411", "soft-scale", Severity::note, "SOFSCL of a contact with SOFT = 1 or 2 lies outside 0.04 to 0.1"}, run};
+const Rule definition{{"GC411", "soft-scale", Severity::note,
+                       "SOFSCL of a contact with SOFT = 1 or 2 lies outside 0.04 to 0.1", Need::model},
+                      run};
 
 }  // namespace gapcheck::audit::rule::soft_scale

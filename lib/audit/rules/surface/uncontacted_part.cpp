@@ -43,8 +43,8 @@ void mark_parts_at(const model::Mesh& mesh, const std::vector<bool>& nodes, std:
   visit(mesh.thick_shells);
 }
 
-/// Parts of all sides of all contacts, --contact or not: a part is forgotten only if none has it. False in `known` where
-/// a contact may hold parts that nobody can tell.
+/// Parts of all sides of all contacts, --contact or not: a part is uncontacted only if none has it. `known` is false if
+/// a contact may hold unknown parts.
 std::vector<bool> parts_in_contact(Context& context, bool& known) {
   const model::Model& model = context.model();
   std::vector<bool> parts(model.parts.size(), false), nodes;
@@ -55,11 +55,11 @@ std::vector<bool> parts_in_contact(Context& context, bool& known) {
     if (side.nodes_only)
       for (const NodeIndex n : side.selection.nodes) nodes[n.value] = true;
   };
-  for (std::uint32_t i = 0; i < model.contacts.size(); ++i) {
-    const model::Contact& contact = model.contacts[i];
+  for (const ContactIndex i : positions<ContactIndex>(model.contacts.size())) {
+    const model::Contact& contact = model.contact(i);
     const contact::ContactType type = contact::classify(contact);
-    if (type.code == "25" || contact.order == 0) continue;
-    if (!contact.known || contact.own_layout || type.code == "?") {
+    if (type.code == contact::ContactCode::transducer || contact.order == 0) continue;
+    if (!contact.known || contact.own_layout || type.code == contact::ContactCode::unknown) {
       known = false;
       continue;
     }
@@ -71,7 +71,7 @@ std::vector<bool> parts_in_contact(Context& context, bool& known) {
   return parts;
 }
 
-/// Null and spotweld materials are there for other purposes, and parts without material are found elsewhere.
+/// Null and spotweld materials serve other purposes, and parts without material are reported elsewhere.
 bool meant_for_contact(const model::Model& model, const model::Part& part) {
   if (!part.material) return false;
   const model::Material& material = model.materials[*part.material];
@@ -89,7 +89,7 @@ std::string what(const Census& census, std::size_t part) {
   return text;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   if (model.contacts.empty()) return context.skipped(rule, "the deck has no contacts");
   if (context.contacts().size() < model.contacts.size())
@@ -122,7 +122,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC415", "uncontacted-part", Severity::note, "a part with shells or solids is in no contact at all"}, run};
+const Rule definition{{"GC415", "uncontacted-part", Severity::note,
+                       "a part with shells or solids is in no contact at all", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::uncontacted_part

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "audit/contact_thickness.hpp"
-#include "audit/free_thickness.hpp"
+#include "audit/shared/contact_thickness.hpp"
+#include "audit/shared/free_thickness.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared_results.hpp"
 
 namespace gapcheck::audit::rule::penetration_free_at {
 namespace {
@@ -18,7 +19,7 @@ std::string segment_words(const Penetration& p) {
 }
 
 std::string words(const Context& context, const FreeCard& card) {
-  const model::Contact& contact = context.model().contacts[card.contact];
+  const model::Contact& contact = context.model().contact(card.contact);
   const bool single = contact::classify(contact).treatment == contact::Treatment::single_surface;
   std::string text =
       fmt::format("free of penetrations with {} <= {:.4g}", single ? "SST" : "SST = MST", rounded_down(card.value));
@@ -39,21 +40,21 @@ std::string stuck_words(const FreeCard& card) {
                      card.bound.stuck_count, card.penetrations, p.node, std::max(0.0, -p.remaining()), segment_words(p));
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const FreeCardScene scene{
-      context.model(), [&](std::uint32_t contact) -> const contact::ContactSurfaces& { return context.surfaces(contact); },
-      [&](std::vector<contact::ThicknessChange> changes, const std::vector<std::uint32_t>& chosen) {
+      context.model(), [&](ContactIndex contact) -> const contact::ContactSurfaces& { return context.surfaces(contact); },
+      [&](std::vector<contact::ThicknessChange> changes, const std::vector<ContactIndex>& chosen) {
         contact::SurfaceStore surfaces(context.model(), std::move(changes));
-        contact::InitialState state = context.initial_if(surfaces, chosen);
-        context.count_other(surfaces);
+        contact::InitialState state = context.results().initial_if(surfaces, chosen);
+        context.results().count_other(surfaces);
         return state;
       }};
-  const std::vector<std::uint32_t> contacts = contacts_with_thickness(rule, context);
+  const std::vector<ContactIndex> contacts = contacts_with_thickness(rule, context);
   if (contacts.empty()) return;
-  const FreeCards cards = free_cards(scene, contacts, context.initial());
+  const FreeCards cards = free_cards(scene, contacts, context.results().initial());
   for (const FreeCard& card : cards.list) {
     const FreeThickness& b = card.bound;
-    Finding f = finding_at(rule, context, context.model().contacts[card.contact],
+    Finding f = finding_at(rule, context, context.model().contact(card.contact),
                            b.stuck_count > 0 ? stuck_words(card) : words(context, card));
     f.count = card.penetrations;
     if (b.count() > 0) {
@@ -73,7 +74,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC308", "penetration-free-at", Severity::note, "the largest SST with which a contact has no initial penetrations"},
+    {"GC308", "penetration-free-at", Severity::note, "the largest SST with which a contact has no initial penetrations",
+     Need::surfaces | Need::node_penetrations},
     run};
 
 }  // namespace gapcheck::audit::rule::penetration_free_at

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "audit/contact_thickness.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
 #include "contact/pair/pair.hpp"
 #include "contact/pair/release.hpp"
@@ -12,9 +12,9 @@
 namespace gapcheck::audit::rule::solid_early_release {
 namespace {
 
-/// Solids are early that release at less than this share of what the thinnest shells of the contact hold to.
+/// Solids release early at less than this share of the depth to which the contact's thinnest shells hold.
 constexpr double share_of_shells = 0.5;
-/// Where a contact has no shells to compare with: share of the facet's shortest edge.
+/// If a contact has no shells to compare with: share of the facet's shortest edge.
 constexpr double least_share_of_edge = 0.1;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -56,12 +56,12 @@ class Releases {
   double shells_ = infinity;
 };
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::vector<PartSegments> parts;
-  std::map<std::uint32_t, Releases> of_contact;
-  for (const std::uint32_t c : contacts_with_thickness(rule, context)) {
-    const model::Contact& contact = model.contacts[c];
+  std::map<ContactIndex, Releases> of_contact;
+  for (const ContactIndex c : contacts_with_thickness(rule, context)) {
+    const model::Contact& contact = model.contact(c);
     const contact::ContactType type = contact::classify(contact);
     // Types 26 release at 200 thicknesses: in effect never.
     if (type.treatment != contact::Treatment::single_surface || type.edges || !type.checked()) continue;
@@ -90,8 +90,9 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC306", "solid-early-release", Severity::warning,
-                                "a single-surface contact gives up on nodes in thin solids before it does in shells"},
-                               run};
+const Rule definition{
+    {"GC306", "solid-early-release", Severity::warning,
+     "a single-surface contact gives up on nodes in thin solids before it does in shells", Need::surfaces},
+    run};
 
 }  // namespace gapcheck::audit::rule::solid_early_release

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "audit/contact_thickness.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 #include "records/thickness_source.hpp"
@@ -56,7 +56,8 @@ Corner worst_corner(const contact::Segments& s, const contact::TrackedNodes& nod
 
 /// Segments of one part with nodes that count the thickness of another part, in one contact.
 struct Conflict {
-  std::uint32_t contact = 0, segment = 0, slot = 0;
+  ContactIndex contact;
+  std::uint32_t segment = 0, slot = 0;
   const contact::Segments* segments = nullptr;
   const contact::TrackedNodes* nodes = nullptr;
   double ratio = 0;
@@ -74,7 +75,7 @@ bool all_alike(const contact::Segments& s, const contact::TrackedNodes& nodes) {
   return !(most > most_ratio * least);
 }
 
-void compare(Conflicts& conflicts, const Context& context, std::uint32_t contact, const contact::TrackedNodes& nodes,
+void compare(Conflicts& conflicts, const Context& context, ContactIndex contact, const contact::TrackedNodes& nodes,
              const contact::Segments& s) {
   if (nodes.size() == 0 || s.size() == 0 || all_alike(s, nodes)) return;
   const Slots slots(nodes);
@@ -94,13 +95,13 @@ void compare(Conflicts& conflicts, const Context& context, std::uint32_t contact
   }
 }
 
-Finding words(const RuleInfo& rule, const Context& context, const Conflict& c) {
+Finding words(const RuleIdentity& rule, const Context& context, const Conflict& c) {
   const model::Model& model = context.model();
   const PartIndex part = part_of(model.mesh, *c.segments, c.segment), giver = c.nodes->part[c.slot];
   const std::int64_t node = model.mesh.nodes.id[c.nodes->node[c.slot].value];
   const std::string with = part == giver ? "differ in thickness from their neighbours" : "share nodes with " + part_name(model, giver);
   Finding f = finding_at_segment(
-      rule, context, model.contacts[c.contact], *c.segments, c.segment,
+      rule, context, model.contact(c.contact), *c.segments, c.segment,
       fmt::format("{}: {} {}, and a node counts its largest thickness: {} has {:.4g} ({}), its node {} counts {:.4g} ({}); "
                   "even them out with OPTT, SST or MST where that matters",
                   part_name(model, part), count_elements(c.count), with, element_name(model.mesh, *c.segments, c.segment),
@@ -111,10 +112,10 @@ Finding words(const RuleInfo& rule, const Context& context, const Conflict& c) {
   return f;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::vector<Conflict> all;
-  for (const std::uint32_t i : contacts_with_thickness(rule, context)) {
+  for (const ContactIndex i : contacts_with_thickness(rule, context)) {
     const contact::ContactSurfaces& surfaces = context.surfaces(i);
     Conflicts conflicts;
     for (const contact::ContactSide* nodes : {&surfaces.a, &surfaces.b})
@@ -123,11 +124,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
     for (const auto& [key, conflict] : conflicts) all.push_back(conflict);
   }
   std::vector<Found> found;
-  for (std::size_t i = 0; i < all.size(); ++i) found.push_back({all[i].contact, all[i].ratio, i});
+  for (std::size_t i = 0; i < all.size(); ++i) found.push_back({all[i].contact.value, all[i].ratio, i});
   add_grouped(
       report, std::move(found), [&](const Found& f) { return words(rule, context, all[f.item]); },
       [&](const Found& f, std::uint64_t count) {
-        return finding_at(rule, context, model.contacts[all[f.item].contact],
+        return finding_at(rule, context, model.contact(all[f.item].contact),
                           fmt::format("{} more pairs of parts with different thickness at shared nodes", count));
       });
 }
@@ -135,7 +136,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC307", "thickness-conflict", Severity::note,
-                               "elements that share nodes have very different thickness in one contact"},
-                              run};
+                       "elements that share nodes have very different thickness in one contact", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::thickness_conflict

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "audit/contact_thickness.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
 #include "records/thickness_source.hpp"
 
@@ -10,10 +10,10 @@ namespace {
 /// Contact thickness in shortest edges above which neighbours meet themselves.
 constexpr double most_edges = 1;
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::vector<PartSegments> parts;
-  for (const std::uint32_t c : contacts_with_thickness(rule, context)) {
+  for (const ContactIndex c : contacts_with_thickness(rule, context)) {
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
     if (surfaces.two_sided()) continue;  // a surface does not meet itself there
     const contact::Segments& s = surfaces.a.selection.segments;
@@ -40,7 +40,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC304", "thickness-exceeds-mesh", Severity::warning,
-                                   "a single-surface contact is thicker than the elements are wide"},
-                                  run};
+                       "a single-surface contact is thicker than the elements are wide", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::thickness_exceeds_mesh

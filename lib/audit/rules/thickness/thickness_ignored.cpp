@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "audit/contact_thickness.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit::rule::thickness_ignored {
@@ -13,7 +13,7 @@ double shell_at(const model::Model& model, const contact::Segments& s, std::size
   return part == none<PartIndex> || model.rigid(part) ? 0 : contact::element_thickness(model, s.element[i]);
 }
 
-/// *CONTROL_CONTACT has a say only where THKOPT leaves it one.
+/// *CONTROL_CONTACT counts only if THKOPT allows it.
 const char* advice(const model::Contact& contact) {
   if (contact.thkopt == 1) return "set SHLTHK = 1 on card B";
   if (contact.thkopt == 2) return "set THKOPT and SHLTHK = 1 on card B";
@@ -31,10 +31,10 @@ std::string message(const model::Contact& contact, const Worst& shells) {
       contact.written, cause, shells.count, shells.weight, card ? ", and SST/MST" : "", advice(contact));
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
-  for (const std::uint32_t c : contacts_with_thickness(rule, context)) {
-    const model::Contact& contact = model.contacts[c];
+  for (const ContactIndex c : contacts_with_thickness(rule, context)) {
+    const model::Contact& contact = model.contact(c);
     const contact::ContactType type = contact::classify(contact);
     if (type.family != contact::Family::old || settings(contact, type, model.controls).shlthk != 0) continue;
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
@@ -55,7 +55,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC305", "thickness-ignored", Severity::warning, "a contact of an old type ignores the thickness of its shells"}, run};
+const Rule definition{{"GC305", "thickness-ignored", Severity::warning,
+                       "a contact of an old type ignores the thickness of its shells", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::thickness_ignored

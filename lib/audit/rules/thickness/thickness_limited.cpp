@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "audit/contact_thickness.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit::rule::thickness_limited {
@@ -24,14 +24,14 @@ contact::ThicknessSide side_without_limit(const model::Model& model, const model
   return side;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::vector<PartSegments> parts;
-  for (const std::uint32_t c : contacts_with_thickness(rule, context)) {
+  for (const ContactIndex c : contacts_with_thickness(rule, context)) {
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
     if (!surfaces.settings.thickness_limit) continue;
     const contact::Segments& s = surfaces.a.selection.segments;
-    const auto side = side_without_limit(model, model.contacts[c], surfaces.settings);
+    const auto side = side_without_limit(model, model.contact(c), surfaces.settings);
     weigh_by_part(parts, context, c, s, [&](std::size_t i) {
       return s.rule[i] == ThicknessRule::edge_limit ? unlimited(model, side, s, i) / (2 * s.half[i]) : 0.0;
     });
@@ -39,7 +39,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   const auto words = [&](const PartSegments& p) {
     const contact::Segments& s = *p.segments;
     const std::uint32_t worst = p.worst.item;
-    const auto side = side_without_limit(model, model.contacts[p.contact], context.surfaces(p.contact).settings);
+    const auto side = side_without_limit(model, model.contact(p.contact), context.surfaces(p.contact).settings);
     return fmt::format(
         "{}: {} count only 0.4 of their shortest edge as thickness, {} the least: {:.4g} of {:.4g}; refine less, or set "
         "SSTHK = 1 in *CONTROL_CONTACT",
@@ -51,8 +51,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC302", "thickness-limited", Severity::note, "a contact counts 0.4 of an element's edge instead of its thickness"},
-    run};
+const Rule definition{{"GC302", "thickness-limited", Severity::note,
+                       "a contact counts 0.4 of an element's edge instead of its thickness", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::thickness_limited

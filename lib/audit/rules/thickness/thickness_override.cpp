@@ -4,9 +4,10 @@
 #include <map>
 #include <unordered_set>
 
-#include "audit/contact_thickness.hpp"
-#include "audit/records_of.hpp"
+#include "audit/shared/contact_thickness.hpp"
+#include "audit/shared/records_of.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared_results.hpp"
 #include "contact/pair/pair.hpp"
 #include "contact/pair/record_pair.hpp"
 
@@ -29,7 +30,7 @@ Source source(ThicknessRule rule, bool side_b, PartIndex part) {
   }
 }
 
-/// Which way an override goes, if it is far from the elements' own.
+/// The direction of an override that is far from the elements' own thickness.
 enum class Far : std::uint8_t { no, above, below };
 Far far(double half, double own) {
   if (!(own > 0)) return Far::no;
@@ -41,13 +42,13 @@ struct Override {
   double value = 0;
   double thinnest = 0, thickest = 0;   ///< of the elements' own
   bool above = false, below = false;
-  std::uint64_t made = 0, hidden = 0;  ///< penetrations that exist only by it, that it keeps from being found
+  std::uint64_t made = 0, hidden = 0;  ///< penetrations that exist only because of it, and that it hides
   const Penetration* deepest = nullptr;
 };
 
 /// The overrides of one contact, and its surfaces with them and without.
 struct Candidate {
-  std::uint32_t contact = 0;
+  ContactIndex contact;
   const contact::ContactSurfaces* given = nullptr;
   const contact::ContactSurfaces* own = nullptr;
   std::map<Source, Override> overrides;
@@ -96,17 +97,19 @@ PairSources sources(const Candidate& candidate, const model::Mesh& mesh, const P
   const auto side = [](const contact::ContactSurfaces& s, bool b) -> const contact::ContactSide& { return b ? s.b : s.a; };
   const contact::TrackedNodes& nodes = side(*candidate.given, pair->node_on_b).nodes;
   const contact::Segments& segments = side(*candidate.given, pair->segment_on_b).selection.segments;
-  const double own_node = side(*candidate.own, pair->node_on_b).nodes.half[pair->slot];
-  const double own_segment = side(*candidate.own, pair->segment_on_b).selection.segments.half[pair->segment];
+  const double own_node = side(*candidate.own, pair->node_on_b).nodes.half[pair->slot.value];
+  const double own_segment = side(*candidate.own, pair->segment_on_b).selection.segments.half[pair->segment.value];
   result.own_distance = own_node + own_segment;
-  if (far(nodes.half[pair->slot], own_node) == way)
-    result.node = source(nodes.rule[pair->slot], pair->node_on_b, nodes.part[pair->slot]);
-  if (far(segments.half[pair->segment], own_segment) == way)
-    result.segment = source(segments.rule[pair->segment], pair->segment_on_b, part_of(mesh, segments, pair->segment));
+  if (far(nodes.half[pair->slot.value], own_node) == way)
+    result.node = source(nodes.rule[pair->slot.value], pair->node_on_b, nodes.part[pair->slot.value]);
+  if (far(segments.half[pair->segment.value], own_segment) == way)
+    result.segment = source(segments.rule[pair->segment.value], pair->segment_on_b,
+                            part_of(mesh, segments, pair->segment.value));
   return result;
 }
 
-/// Counts records under the overrides behind them; `made`: those that would be none with the elements' own thickness.
+/// Counts records under the overrides that cause them; `made`: those that would not exist with the elements' own
+/// thickness.
 void count(Candidate& candidate, const model::Mesh& mesh, std::span<const Penetration> records, bool made) {
   const auto found = worst_by_key(2 * records.size(), [&](std::size_t i) {
     const Penetration& p = records[i / 2];
@@ -129,7 +132,7 @@ void count(Candidate& candidate, const model::Mesh& mesh, std::span<const Penetr
 
 class Overrides {
  public:
-  Overrides(const RuleInfo& rule, Context& context, Report& report)
+  Overrides(const RuleIdentity& rule, Context& context, Report& report)
       : rule_(rule),
         context_(context),
         model_(context.model()),
@@ -138,9 +141,9 @@ class Overrides {
 
   void run() {
     std::size_t unchecked = 0;
-    for (const std::uint32_t i : contacts_with_thickness(rule_, context_)) {
-      if (!has_override(model_, model_.contacts[i])) continue;
-      if (!contact::classify(model_.contacts[i]).checked())
+    for (const ContactIndex i : contacts_with_thickness(rule_, context_)) {
+      if (!has_override(model_, model_.contact(i))) continue;
+      if (!contact::classify(model_.contact(i)).checked())
         ++unchecked;
       else
         look(i);
@@ -148,34 +151,34 @@ class Overrides {
     if (unchecked > 0)
       context_.skipped(rule_, fmt::format("{} contacts with another thickness whose nodes are not checked", unchecked));
     find_hidden();
-    context_.count_other(own_);
+    context_.results().count_other(own_);
     for (const Candidate& candidate : candidates_)
       for (const auto& [from, o] : candidate.overrides) add(candidate, from, o);
   }
 
  private:
-  void look(std::uint32_t i) {
+  void look(ContactIndex i) {
     Candidate candidate{i, &context_.surfaces(i), &own_.at(i), {}};
     for (const bool b : {false, true}) note_side(candidate, model_.mesh, b);
     if (candidate.overrides.empty()) return;
-    count(candidate, model_.mesh, records_of(context_.initial(), i), true);
+    count(candidate, model_.mesh, records_of(context_.results().initial(), i), true);
     candidates_.push_back(std::move(candidate));
   }
 
   /// Searches once more without the overrides, where some are smaller than the elements' own thickness.
   void find_hidden() {
-    std::vector<std::uint32_t> chosen;
+    std::vector<ContactIndex> chosen;
     for (const Candidate& candidate : candidates_)
       if (std::any_of(candidate.overrides.begin(), candidate.overrides.end(), [](const auto& o) { return o.second.below; }))
         chosen.push_back(candidate.contact);
     if (chosen.empty()) return;
-    hidden_ = context_.initial_if(own_, chosen);
+    hidden_ = context_.results().initial_if(own_, chosen);
     std::erase_if(hidden_.penetrations, [known = std::int64_t{-1}, nodes = std::unordered_set<std::int64_t>{},
                                          this](const Penetration& p) mutable {
       if (known != p.contact) {
         known = p.contact;
         nodes.clear();
-        for (const Penetration& found : records_of(context_.initial(), p.contact))
+        for (const Penetration& found : records_of(context_.results().initial(), ContactIndex{p.contact}))
           if (listed_by_solver(found.kind)) nodes.insert(found.node);
       }
       return nodes.contains(p.node);
@@ -186,7 +189,7 @@ class Overrides {
 
   void add(const Candidate& candidate, Source from, const Override& o) {
     if (o.made == 0 && o.hidden == 0) return;
-    const model::Contact& contact = model_.contacts[candidate.contact];
+    const model::Contact& contact = model_.contact(candidate.contact);
     std::string message = fmt::format("{} where the elements have {}", name(from, o), own_range(o));
     if (o.made > 0)
       message += fmt::format(": {} of {} penetrations exist only by it; lower it", o.made, penetrations(candidate.contact));
@@ -217,14 +220,14 @@ class Overrides {
     return fmt::format("{:.4g} to {:.4g}", o.thinnest, o.thickest);
   }
 
-  [[nodiscard]] std::uint64_t penetrations(std::uint32_t contact) {
-    const auto records = records_of(context_.initial(), contact);
+  [[nodiscard]] std::uint64_t penetrations(ContactIndex contact) {
+    const auto records = records_of(context_.results().initial(), contact);
     return static_cast<std::uint64_t>(std::count_if(records.begin(), records.end(), [](const Penetration& p) {
       return listed_by_solver(p.kind);
     }));
   }
 
-  const RuleInfo& rule_;
+  const RuleIdentity& rule_;
   Context& context_;
   const model::Model& model_;
   Report& report_;
@@ -233,12 +236,13 @@ class Overrides {
   contact::InitialState hidden_;
 };
 
-void run(const RuleInfo& rule, Context& context, Report& report) { Overrides(rule, context, report).run(); }
+void run(const RuleIdentity& rule, Context& context, Report& report) { Overrides(rule, context, report).run(); }
 
 }  // namespace
 
 const Rule definition{{"GC301", "thickness-override", Severity::warning,
-                               "SST, MST, TH or OPTT far from the real thickness makes penetrations or hides them"},
-                              run};
+                       "SST, MST, TH or OPTT far from the real thickness makes penetrations or hides them",
+                       Need::surfaces | Need::node_penetrations},
+                      run};
 
 }  // namespace gapcheck::audit::rule::thickness_override

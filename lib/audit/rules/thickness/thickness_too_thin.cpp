@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "audit/contact_thickness.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
 #include "records/thickness_source.hpp"
 
@@ -13,7 +13,7 @@ constexpr double least_millimetres = 0.5;
 /// 0.003 is 15 m/s in steel, a car that hits a wall.
 constexpr double least_share_of_edge = 0.003;
 
-/// How often the shell segment's thickness goes into what it should be at least; 0: thick enough, or no shell's.
+/// Required thickness over the shell segment's thickness; 0: thick enough, or not a shell.
 double thinness(const Context& context, const contact::ContactSettings& settings, const contact::Segments& s,
                 std::size_t i) {
   const model::Model& model = context.model();
@@ -25,15 +25,15 @@ double thinness(const Context& context, const contact::ContactSettings& settings
   if (!(t < least) || s.rule[i] == ThicknessRule::edge_limit) return 0;
   const PartIndex part = part_of(model.mesh, s, i);
   if (part == none<PartIndex> || !model.part(part).section) return 0;
-  // Rigid tools whose thickness does not count are meant so, and rigid elements do not set the time step.
+  // Rigid tools intentionally have no contact thickness, and rigid elements do not set the time step.
   if (model.rigid(part) && (settings.shlthk == 1 || millimetre <= 0)) return 0;
   return least / t;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::vector<PartSegments> parts;
-  for (const std::uint32_t c : contacts_with_thickness(rule, context)) {
+  for (const ContactIndex c : contacts_with_thickness(rule, context)) {
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
     if (surfaces.settings.shlthk == 0) continue;  // GC305
     for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
@@ -58,7 +58,8 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC303", "thickness-too-thin", Severity::warning, "a contact thickness is so small that nodes may pass through"}, run};
+const Rule definition{{"GC303", "thickness-too-thin", Severity::warning,
+                       "a contact thickness is so small that nodes may pass through", Need::surfaces},
+                      run};
 
 }  // namespace gapcheck::audit::rule::thickness_too_thin

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "audit/rules.hpp"
-#include "audit/tied_contacts.hpp"
+#include "audit/shared/tied_contacts.hpp"
 
 namespace gapcheck::audit::rule::tie_by_part {
 namespace {
@@ -27,10 +27,10 @@ std::string named_parts(const model::SurfaceInput& input) {
   }
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
-  for_each_tied_contact(context, [&](std::uint32_t c, std::span<const JudgedNode> nodes) {
-    const model::Contact& contact = model.contacts[c];
+  for_each_tied_contact(context, [&](ContactIndex c, std::span<const JudgedNode> nodes) {
+    const model::Contact& contact = model.contact(c);
     const std::string side = named_parts(contact.a);
     if (side.empty()) return;
     const auto untied = static_cast<std::uint64_t>(
@@ -49,7 +49,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC209", "tie-by-part", Severity::note,
-                        "a tie given by parts leaves nodes untied; a node set would say which are meant"},
-                       run};
+                       "a tie given by parts leaves nodes untied; a node set would say which are meant", Need::ties},
+                      run};
 
 }  // namespace gapcheck::audit::rule::tie_by_part

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "audit/rules.hpp"
-#include "audit/tied_contacts.hpp"
+#include "audit/shared/tied_contacts.hpp"
 
 namespace gapcheck::audit::rule::tie_conflict {
 namespace {
@@ -20,8 +20,8 @@ struct Holder {
 };
 
 std::optional<Holder> holder(const JudgedNode& node) {
-  if (node.reason == TieReason::conflict) return Holder{false, node.holder};
-  // Nodes of rigid parts are tie-rigid's.
+  if (node.reason == TieReason::conflict) return Holder{false, node.holder.value};
+  // Nodes of rigid parts belong to tie-rigid.
   if (node.reason == TieReason::rigslav && node.rigid.kind == RigidOwner::Kind::group)
     return Holder{true, node.rigid.index};
   return std::nullopt;
@@ -35,15 +35,15 @@ std::string describe(const model::Model& model, const Holder& holder) {
   return fmt::format("{} {}", extra ? "*CONSTRAINED_EXTRA_NODES of rigid part" : "nodal rigid body", group.id);
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
-  for_each_tied_contact(context, [&](std::uint32_t c, std::span<const JudgedNode> nodes) {
+  for_each_tied_contact(context, [&](ContactIndex c, std::span<const JudgedNode> nodes) {
     std::map<Holder, std::vector<std::int64_t>> held;
     for (const JudgedNode& node : nodes)
       if (const auto by = holder(node)) held[*by].push_back(model.mesh.nodes.id[node.node.value]);
     for (const auto& [by, ids] : held) {
       Finding f = finding_at(
-          rule, context, model.contacts[c],
+          rule, context, model.contact(c),
           fmt::format("{} ({}) cannot be tied: {} constrains {} already; tie once only, or by "
                       "penalty (an OFFSET form, IPBACK = 1)",
                       node_count(ids.size()), first_few(ids), describe(model, by), ids.size() == 1 ? "it" : "them"));
@@ -57,7 +57,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC203", "tie-conflict", Severity::warning,
-                         "two definitions constrain the same nodes; the later one does not get them"},
-                        run};
+                       "two definitions constrain the same nodes; the later one does not get them", Need::ties},
+                      run};
 
 }  // namespace gapcheck::audit::rule::tie_conflict

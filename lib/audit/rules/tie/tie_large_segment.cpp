@@ -6,7 +6,7 @@
 #include "audit/grouped.hpp"
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
-#include "audit/tied_contacts.hpp"
+#include "audit/shared/tied_contacts.hpp"
 #include "model/entity/faces.hpp"
 
 namespace gapcheck::audit::rule::tie_large_segment {
@@ -52,17 +52,17 @@ class ShortestEdges {
   std::vector<double> shortest_;
 };
 
-/// Tied by the share of the diagonal alone.
+/// Tied only because of the share of the diagonal.
 bool by_diagonal(const JudgedNode& node) {
   const double by_thickness = contact::tie_thickness_share * (node.node_thickness + node.segment_thickness);
   return node.tied() && node.distance > by_thickness && node.distance > contact::visible_separation * node.diagonal;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::vector<JudgedNode> suspects;
-  for_each_tied_contact(context, [&](std::uint32_t c, std::span<const JudgedNode> nodes) {
-    if (model.contacts[c].sst < 0 || model.contacts[c].mst < 0) return;
+  for_each_tied_contact(context, [&](ContactIndex c, std::span<const JudgedNode> nodes) {
+    if (model.contact(c).sst < 0 || model.contact(c).mst < 0) return;
     for (const JudgedNode& node : nodes)
       if (by_diagonal(node)) suspects.push_back(node);
   });
@@ -74,7 +74,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   for (std::size_t i = 0; i < suspects.size(); ++i) {
     const double edge = edges.at(suspects[i].node);
     if (suspects[i].diagonal >= large_ratio * edge)
-      found.push_back({suspects[i].contact, suspects[i].distance / edge, i});
+      found.push_back({suspects[i].contact.value, suspects[i].distance / edge, i});
   }
   const auto words = [&](const Found& item) {
     const JudgedNode& node = suspects[item.item];
@@ -85,7 +85,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
                             "while its own elements have edges of {:.6g}; give the reach with a negative SST",
                             nodes.id[node.node.value], node.distance, node.diagonal, edges.at(node.node)),
                 context.path(nodes.origins.file(node.node.value)), nodes.line[node.node.value]);
-    f.contact = model.contacts[node.contact].id.value;
+    f.contact = model.contact(node.contact).id.value;
     f.node = nodes.id[node.node.value];
     if (node.part != none<PartIndex>) f.part = model.part(node.part).id.value;
     if (node.segment_part != none<PartIndex>) f.element_part = model.part(node.segment_part).id.value;
@@ -94,7 +94,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
   };
   const auto rest = [&](const Found& item, std::uint64_t count) {
     const JudgedNode& node = suspects[item.item];
-    return finding_at(rule, context, model.contacts[node.contact],
+    return finding_at(rule, context, model.contact(node.contact),
                       fmt::format("{} more tie over up to {:.6g} of their own edges because their segments are large",
                                   node_count(count), item.weight));
   };
@@ -105,7 +105,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC207", "tie-large-segment", Severity::warning,
-                              "a node ties only because the segment is large beside the node's own elements"},
-                             run};
+                       "a node ties only because the segment is large beside the node's own elements", Need::ties},
+                      run};
 
 }  // namespace gapcheck::audit::rule::tie_large_segment

@@ -1,8 +1,8 @@
 #include "audit/rules.hpp"
+#include "records/record_rules.hpp"
 
 namespace gapcheck::audit::rule::tie_moved {
 
-const Rule definition{{"GC204", "tie-moved", Severity::note, "tying moves a node visibly, without stress"},
-                     [](const RuleInfo&, Context& context, Report&) { context.want(TieReason::sep); }};
+const Rule definition{record_rules::tie_moved};
 
 }  // namespace gapcheck::audit::rule::tie_moved

@@ -1,9 +1,8 @@
 #include "audit/rules.hpp"
+#include "records/record_rules.hpp"
 
 namespace gapcheck::audit::rule::tie_offset {
 
-const Rule definition{
-    {"GC202", "tie-offset", Severity::warning, "a tied node keeps a distance whose moments the tie does not carry"},
-    [](const RuleInfo&, Context& context, Report&) { context.want(TieReason::offset); }};
+const Rule definition{record_rules::tie_offset};
 
 }  // namespace gapcheck::audit::rule::tie_offset

@@ -4,28 +4,28 @@
 #include <cmath>
 
 #include "audit/rules.hpp"
-#include "audit/tied_contacts.hpp"
+#include "audit/shared/tied_contacts.hpp"
 
 namespace gapcheck::audit::rule::tie_reach {
 namespace {
 
 using contact::JudgedNode;
 
-/// Rounded up to four digits, so that the printed number reaches as far; not for what is rounding alone.
+/// Rounded up to four digits, so that the printed number reaches as far; not for mere rounding.
 double rounded_up(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 3);
   return std::ceil(value / unit * (1 - 1e-10)) * unit;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
-  for_each_tied_contact(context, [&](std::uint32_t c, std::span<const JudgedNode> nodes) {
+  for_each_tied_contact(context, [&](ContactIndex c, std::span<const JudgedNode> nodes) {
     const JudgedNode* farthest = nullptr;
     std::uint64_t far = 0;
     double thickness = 0;
     for (const JudgedNode& node : nodes) {
       if (!node.tied() && node.reason != TieReason::too_far) continue;
-      // What ties now must go on doing so when thickness alone counts.
+      // Nodes that tie now must still tie when only thickness counts.
       thickness = std::max(thickness, node.distance / contact::tie_thickness_share - node.segment_thickness);
       if (node.tied()) continue;
       ++far;
@@ -34,7 +34,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
     if (far == 0 || !(thickness > 0) || !std::isfinite(thickness)) return;
     const std::int64_t id = model.mesh.nodes.id[farthest->node.value];
     Finding f = finding_at(
-        rule, context, model.contacts[c],
+        rule, context, model.contact(c),
         fmt::format(
             "{} too far to tie, node {} by most: {:.6g} from its segment, tie distance {:.6g}; SST = {:.6g} would "
             "tie {} and all that tie now",
@@ -49,6 +49,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC208", "tie-reach", Severity::note, "the negative SST that would tie the nodes that are too far"}, run};
+    {"GC208", "tie-reach", Severity::note, "the negative SST that would tie the nodes that are too far", Need::ties},
+    run};
 
 }  // namespace gapcheck::audit::rule::tie_reach

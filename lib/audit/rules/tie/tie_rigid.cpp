@@ -3,7 +3,7 @@
 #include <set>
 
 #include "audit/rules.hpp"
-#include "audit/tied_contacts.hpp"
+#include "audit/shared/tied_contacts.hpp"
 
 namespace gapcheck::audit::rule::tie_rigid {
 namespace {
@@ -39,12 +39,12 @@ struct Affected {
   }
 };
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
-  for_each_tied_contact(context, [&](std::uint32_t c, std::span<const JudgedNode> nodes) {
+  for_each_tied_contact(context, [&](ContactIndex c, std::span<const JudgedNode> nodes) {
     Affected tracked, reference;
     for (const JudgedNode& node : nodes) {
-      // Nodes of nodal rigid bodies and extra nodes are tie-conflict's.
+      // Nodes of nodal rigid bodies and extra nodes belong to tie-conflict.
       if (node.reason == TieReason::rigslav && node.rigid.kind == RigidOwner::Kind::part) tracked.add(model, node);
       if (node.reason == TieReason::rigmast) reference.add(model, node);
     }
@@ -54,7 +54,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
     if (reference.nodes > 0)
       what += fmt::format("{}{} on segments of {}", what.empty() ? "" : " and ", node_count(reference.nodes),
                           reference.owners());
-    const model::Contact& contact = model.contacts[c];
+    const model::Contact& contact = model.contact(c);
     Finding f = finding_at(rule, context, contact,
                            fmt::format("*{} ties by constraint, which rigid bodies do not take; untied are {}; use "
                                        "the OFFSET form or *CONSTRAINED_EXTRA_NODES",
@@ -68,6 +68,7 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC206", "tie-rigid", Severity::error, "a constraint tie meets rigid bodies, which it cannot tie"}, run};
+    {"GC206", "tie-rigid", Severity::error, "a constraint tie meets rigid bodies, which it cannot tie", Need::ties},
+    run};
 
 }  // namespace gapcheck::audit::rule::tie_rigid

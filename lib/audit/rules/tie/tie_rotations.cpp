@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "audit/rules.hpp"
-#include "audit/tied_contacts.hpp"
+#include "audit/shared/tied_contacts.hpp"
 
 namespace gapcheck::audit::rule::tie_rotations {
 namespace {
@@ -19,12 +19,12 @@ bool has_rotations(const model::Model& model, PartIndex index) {
   return kind == model::SectionKind::shell || kind == model::SectionKind::beam;
 }
 
-void run(const RuleInfo& rule, Context& context, Report& report) {
+void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::vector<bool> rotating(model.parts.size());
   for (std::uint32_t p = 0; p < rotating.size(); ++p) rotating[p] = has_rotations(model, PartIndex{p});
-  for_each_tied_contact(context, [&](std::uint32_t c, std::span<const JudgedNode> nodes) {
-    const contact::ContactType type = contact::classify(model.contacts[c]);
+  for_each_tied_contact(context, [&](ContactIndex c, std::span<const JudgedNode> nodes) {
+    const contact::ContactType type = contact::classify(model.contact(c));
     if (!contact::leaves_rotations_free(type)) return;
     std::uint64_t tied = 0, free = 0;
     NodeIndex first = none<NodeIndex>;
@@ -36,10 +36,11 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
     }
     if (free == 0) return;
     Finding f =
-        finding_at(rule, context, model.contacts[c],
+        finding_at(rule, context, model.contact(c),
                    fmt::format("type {} ties {} of shells or beams by their translations alone (of {} tied): they "
-                               "turn freely and the joint is too soft; use *CONTACT_TIED_SHELL_EDGE_TO_SURFACE{}",
-                               type.code, node_count(free), tied, type.code.front() == 'o' ? "_BEAM_OFFSET" : ""));
+                               "turn freely and the joint is too soft; use {}{}",
+                               type.printed(), node_count(free), tied, model::recommended_keyword(model::ContactCode::tied_shell_edge),
+                               model::suffix(type.offset == contact::TieOffset::penalty ? contact::TieOffset::beam : contact::TieOffset::none)));
     f.node = model.mesh.nodes.id[first.value];
     f.count = free;
     report.findings.push_back(std::move(f));
@@ -49,6 +50,6 @@ void run(const RuleInfo& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC205", "tie-rotations", Severity::warning, "shells or beams are tied without their rotations"}, run};
+    {"GC205", "tie-rotations", Severity::warning, "shells or beams are tied without their rotations", Need::ties}, run};
 
 }  // namespace gapcheck::audit::rule::tie_rotations

@@ -1,0 +1,25 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "keyword/deck.hpp"
+
+namespace gapcheck::app {
+
+/// Which files decks include, before they are read for their own sake: each deck is read for that once in a call. With
+/// a cache in the options, that reading scans no file again.
+class DeckFiles {
+ public:
+  /// `options` must outlive it.
+  explicit DeckFiles(const keyword::ReadOptions& options) : options_(options) {}
+  /// Paths of the files that a deck includes, directly or indirectly, once per inclusion. None if it cannot be read;
+  /// faults are reported when it is read for its own sake.
+  [[nodiscard]] const std::vector<std::string>& includes(const std::string& deck);
+
+ private:
+  const keyword::ReadOptions& options_;
+  std::map<std::string, std::vector<std::string>> includes_;  ///< by deck
+};
+
+}  // namespace gapcheck::app

@@ -1,0 +1,14 @@
+#pragma once
+// All of the public interface: audit a deck, read a run, compare, fix, run, write reports.
+#include <gapcheck/audit.hpp>
+#include <gapcheck/compare.hpp>
+#include <gapcheck/fix.hpp>
+#include <gapcheck/includes.hpp>
+#include <gapcheck/read_run.hpp>
+#include <gapcheck/records.hpp>
+#include <gapcheck/report.hpp>
+#include <gapcheck/result.hpp>
+#include <gapcheck/run.hpp>
+#include <gapcheck/solver_run.hpp>
+#include <gapcheck/version.hpp>
+#include <gapcheck/write.hpp>

@@ -1,0 +1,7 @@
+#include <gapcheck/version.hpp>
+
+namespace gapcheck::api {
+
+std::string_view version() { return GAPCHECK_VERSION; }
+
+}  // namespace gapcheck::api

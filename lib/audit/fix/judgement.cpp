@@ -1,0 +1,39 @@
+#include "audit/fix/judgement.hpp"
+
+#include <utility>
+
+#include "audit/fix/gaps.hpp"
+#include "audit/fix/move_start.hpp"
+
+namespace gapcheck::audit {
+
+Judgement ContactJudge::at(const std::vector<Vector>& x) {
+  model_.mesh.nodes.x = x;
+  surfaces_.emplace(model_);
+  contact::InitialOptions options;
+  options.nodes_stay = true;
+  contact::InitialCounters counters;
+  Judgement now;
+  now.state = contact::initialise_contacts(model_, *surfaces_, options, counters);
+  now.work = counters.sweep.candidate_pairs + x.size();
+  for (const Penetration& record : now.state.penetrations) {
+    if (!to_be_fixed(record.kind)) continue;
+    ++now.penetrating;
+    now.depth += record.depth;
+  }
+  return now;
+}
+
+bool BestMove::take(const std::vector<Vector>& x, const std::vector<Vector>& as_written, Judgement&& now) {
+  const bool fewer = now.penetrating < judgement.penetrating;
+  const bool as_many = now.penetrating == judgement.penetrating;
+  const bool less = as_many && now.depth < judgement.depth * (1 - move_rounding);
+  const bool same = as_many && now.depth <= judgement.depth * (1 + move_rounding);
+  if (!fewer && !same) return false;
+  target = x;
+  written = as_written;
+  judgement = std::move(now);
+  return fewer || less;
+}
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "contact/initial.hpp"
+
+namespace gapcheck::audit {
+
+/// What the contacts find at some coordinates.
+struct Judgement {
+  contact::InitialState state;
+  std::uint64_t penetrating = 0;  ///< nodes that a correction has to free
+  double depth = 0;               ///< sum of their penetrations
+  std::uint64_t work = 0;         ///< pairs of nodes and segments that were decided, and nodes
+};
+
+/// Searches the contacts of a model at different coordinates, which the model has from then on. It must outlive this.
+class ContactJudge {
+ public:
+  explicit ContactJudge(model::Model& model) : model_(model) {}
+  [[nodiscard]] Judgement at(const std::vector<Vector>& x);
+  /// On the coordinates judged last.
+  [[nodiscard]] contact::SurfaceStore& surfaces() { return *surfaces_; }
+
+ private:
+  model::Model& model_;
+  std::optional<contact::SurfaceStore> surfaces_;
+};
+
+/// The best coordinates of a search so far.
+struct BestMove {
+  std::vector<Vector> target;   ///< as found
+  std::vector<Vector> written;  ///< as the deck's lines can express it
+  Judgement judgement;          ///< of `written`
+  /// Takes other coordinates unless they are worse. True if they are better.
+  bool take(const std::vector<Vector>& x, const std::vector<Vector>& as_written, Judgement&& now);
+};
+
+}  // namespace gapcheck::audit

@@ -1,0 +1,125 @@
+#include "contact/initial_penetrations.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <optional>
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "contact/definition/exclusions.hpp"
+#include "contact/edge/edge_pairs.hpp"
+#include "contact/pair/orientation.hpp"
+#include "contact/pair/pair_rules.hpp"
+#include "contact/pair/penetration_record.hpp"
+#include "contact/pair/side_scene.hpp"
+
+namespace gapcheck::contact {
+namespace {
+
+/// Coordinates are written with some eight digits: touching facets of solids, as in press fits and bolts, seem to
+/// penetrate by this share of their size.
+constexpr double written_digits = 1e-6;
+
+/// True if a facet without thickness is penetrated by no more than the deck's digits resolve.
+bool only_touches(const PairScene& scene, const Hit& hit) {
+  const double h = scene.nodes.half[hit.slot.value] + scene.segments.half[hit.segment.value];
+  return h == 0 && scene.tolerance < 0 && -hit.distance <= written_digits * min_diagonal(scene.facet(hit.segment));
+}
+
+/// The sides of one contact, one after the other.
+class SideSearch {
+ public:
+  SideSearch(const InitialSearch& scene, ContactIndex contact, const ContactSurfaces& surfaces,
+             const Exclusions& exclusions, PenetrationList& list)
+      : of_(scene), contact_(contact), surfaces_(surfaces), exclusions_(exclusions), list_(list) {}
+
+  /// `exchanged`: side B's nodes in side A's segments.
+  void run(bool exchanged) {
+    const ContactType& type = surfaces_.type;
+    const TrackedNodes& nodes = (exchanged ? surfaces_.b : surfaces_.a).nodes;
+    const ContactSide& reference = exchanged || !surfaces_.two_sided() ? surfaces_.a : surfaces_.b;
+    if (nodes.size() == 0 || reference.selection.segments.size() == 0) return;
+    std::optional<SideScene> side;
+    {
+      const Stopwatch watch(of_.counters.surface_s);
+      side.emplace(of_.model, contact_, surfaces_, exchanged, of_.present.x());
+    }
+    PairScene& scene = side->scene();
+    scene.tolerance = of_.options.tolerance;
+    scene.mode = of_.options.mode;
+    std::vector<Hit> hits = search(scene, side->tracked());
+    if (type.by_segments())
+      std::erase_if(hits, [&](const Hit& hit) { return !hit.in_band || only_touches(scene, hit); });
+    list_.keep_one_per_node(hits, nodes, of_.model.mesh.nodes.id);
+    if (of_.options.edges && type.edges) add_edges(scene);
+    move_nodes(scene, hits, add_nodes(scene, hits));
+  }
+
+ private:
+  /// The nodes that penetrate a segment with which they may be in contact.
+  std::vector<Hit> search(PairScene& scene, const ContactSide& tracked) const {
+    const Stopwatch watch(of_.counters.search_s);
+    scene.flipped = flipped_segments(scene, of_.search);
+    std::atomic<std::uint64_t> tied_pairs{0}, excluded{0};
+    const PairRules rules(scene, tracked, exclusions_, of_.ties);
+    const auto allowed = [&](SlotIndex slot, SegmentIndex segment, bool penetrates) {
+      const PairRule rule = rules(slot, segment);
+      if (rule == PairRule::excluded) excluded += penetrates;
+      if (rule == PairRule::tied) tied_pairs += penetrates;
+      return rule == PairRule::counts;
+    };
+    std::vector<Hit> hits = closest_segments(scene, of_.search, allowed, of_.counters.sweep, of_.counters.decisions);
+    of_.counters.tied_pairs += tied_pairs;
+    of_.counters.excluded_pairs += excluded;
+    return hits;
+  }
+
+  void add_edges(const PairScene& scene) {
+    const Stopwatch watch(of_.counters.search_s);
+    const std::vector<SurfaceEdge> edges = surface_edges(scene, scene.type.interior_edges);
+    of_.counters.edges += edges.size();
+    const BoxSearch search = of_.options.brute_force ? BoxSearch::brute_force : BoxSearch::tree;
+    const EdgeRules rules(scene, exclusions_, of_.ties);
+    const auto hits = penetrating_edges(scene, edges, rules, search, of_.counters.decisions);
+    list_.add(edge_records(scene, contact_, edges, hits));
+  }
+
+  /// A record for each hit, in the same order.
+  std::span<const Penetration> add_nodes(const PairScene& scene, std::span<const Hit> hits) {
+    const std::span<Penetration> records = list_.add(hits.size());
+    parallel_for(hits.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) records[i] = penetration_record(scene, contact_, hits[i]);
+    });
+    return records;
+  }
+
+  void move_nodes(const PairScene& scene, std::span<const Hit> hits, std::span<const Penetration> records) {
+    if (of_.options.nodes_stay) return;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const NodeIndex node = scene.nodes.node[hits[i].slot.value];
+      if (records[i].outcome == Outcome::moved) of_.present.move(node, records[i].moved_to);
+    }
+  }
+
+  const InitialSearch& of_;
+  const ContactIndex contact_;
+  const ContactSurfaces& surfaces_;
+  const Exclusions& exclusions_;
+  PenetrationList& list_;
+};
+
+}  // namespace
+
+bool searches_both_sides(const ContactType& type) {
+  return type.treatment == Treatment::two_way || (type.treatment != Treatment::single_surface && type.by_segments());
+}
+
+void find_penetrations(const InitialSearch& scene, ContactIndex contact, const ContactSurfaces& surfaces,
+                       const Exclusions& exclusions, PenetrationList& list) {
+  SideSearch search(scene, contact, surfaces, exclusions, list);
+  search.run(false);
+  if (searches_both_sides(surfaces.type)) search.run(true);
+  list.sort_deepest_first();
+}
+
+}  // namespace gapcheck::contact

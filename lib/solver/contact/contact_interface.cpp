@@ -1,0 +1,147 @@
+#include "solver/contact/contact_interface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/definition/active_time.hpp"
+#include "contact/edge/edge_scene.hpp"
+#include "solver/contact/contact_method.hpp"
+#include "solver/contact/contact_pass.hpp"
+#include "solver/contact/edge_pass.hpp"
+
+namespace gapcheck::solver {
+
+using contact::NodeContact;
+
+namespace {
+
+/// SOFT = 2 updates the step if it has grown by more than this (contact rules, section 6.4).
+constexpr double step_growth = 1.05;
+
+NodeContact memory_of(const Penetration& record) {
+  switch (record.outcome) {
+    case Outcome::moved:
+    case Outcome::forced:
+      return {NodeContact::State::touching, 0};
+    case Outcome::kept:
+      return {NodeContact::State::touching, record.depth};
+    case Outcome::released:
+      return {NodeContact::State::released, 0};
+    case Outcome::reported:
+      return {};
+  }
+  return {};
+}
+
+bool is_shifted(const contact::ContactSide& side) {
+  return !side.selection.segments.offset.empty() || !side.nodes.shift.empty();
+}
+
+bool is_tiebreak(const model::Contact& contact) { return choose_method(contact).method == ContactMethod::tiebreak; }
+
+}  // namespace
+
+ContactInterface::ContactInterface(const ContactSetting& setting, contact::SurfaceStore& store, ContactIndex contact,
+                                   bool moved, const State& state)
+    : setting_(setting), contact_(contact), first_step_(state.coming) {
+  if (card().airbag_thickness > 0) thickness_ = &setting.model.curves.at(card().lcidab);
+  searched_thickness_ = card().airbag_thickness;
+  const contact::ActiveTime time = contact::active_time(card());
+  start_ = time.start;
+  end_ = time.end;
+  build_surfaces(store, moved, state.x);
+  add_passes(state.x);
+  const double fixed = card().dtstif;
+  set_timestep(fixed > 0 ? fixed : first_step_);
+  if (!surfaces_->type.by_segments()) return;
+  step_ = fixed > 0 ? 0 : first_step_;
+  crossings_ = SegmentCrossings(card().dtpchk);
+}
+
+void ContactInterface::build_surfaces(contact::SurfaceStore& store, bool moved, const std::vector<Vector>& x) {
+  if (is_tiebreak(card()))
+    set_own_surfaces(store.build(contact::after_failure(card()), x));
+  else if (moved || thickness_ != nullptr)
+    set_own_surfaces(store.build(contact_, x));
+  else
+    surfaces_ = &store.at(contact_);
+  if (surfaces_->type.code == contact::ContactCode::single_edge)
+    set_own_surfaces(contact::free_edge_surface(setting_.model, contact_, *surfaces_, x));
+}
+
+void ContactInterface::set_own_surfaces(contact::ContactSurfaces surfaces) {
+  own_ = std::make_unique<contact::ContactSurfaces>(std::move(surfaces));
+  surfaces_ = own_.get();
+}
+
+void ContactInterface::add_passes(const std::vector<Vector>& x) {
+  const contact::ContactSurfaces& surfaces = *surfaces_;
+  const auto add_nodes_in_segments = [&](bool exchanged) {
+    passes_.push_back(std::make_unique<ContactPass>(setting_, contact_, surfaces, exchanged, x));
+  };
+  add_nodes_in_segments(false);
+  if (is_tiebreak(card())) return;
+  if (surfaces.type.treatment == contact::Treatment::two_way || (surfaces.type.by_segments() && surfaces.two_sided()))
+    add_nodes_in_segments(true);
+  if (contact::looks_at_edges(card(), surfaces.type))
+    passes_.push_back(std::make_unique<EdgePass>(setting_, contact_, surfaces, x));
+}
+
+bool ContactInterface::has_offsets() const { return is_shifted(surfaces_->a) || is_shifted(surfaces_->b); }
+
+void ContactInterface::set_memories(std::span<const Penetration> found) {
+  const auto before = [](const Penetration& record, ContactIndex contact) { return record.contact < contact.value; };
+  auto record = std::lower_bound(found.begin(), found.end(), contact_, before);
+  for (; record != found.end() && record->contact == contact_.value; ++record)
+    for (const auto& pass : passes_) pass->set_memory(*record, memory_of(*record));
+}
+
+void ContactInterface::set_timestep(double timestep) {
+  for (const auto& pass : passes_) pass->set_timestep(timestep);
+}
+
+void ContactInterface::erode(contact::SurfaceStore& store, const contact::GoneElements& gone, const State& state,
+                             ContactState& result) {
+  const bool rims = surfaces_->type.code == contact::ContactCode::single_edge;
+  const contact::ContactSurfaces& now = rims ? store.at(contact_) : *surfaces_;
+  contact::ContactSurfaces left = store.erode(contact_, now, gone, state.x);
+  if (rims) left = contact::free_edge_surface(setting_.model, contact_, left, state.x);
+  const std::unique_ptr<contact::ContactSurfaces> old = std::move(own_);  // the old passes still use it
+  const std::vector<std::unique_ptr<InterfacePass>> before = std::exchange(passes_, {});
+  set_own_surfaces(std::move(left));
+  add_passes(state.x);
+  const double fixed = card().dtstif;
+  set_timestep(fixed > 0 ? fixed : step_ > 0 ? step_ : first_step_);
+  for (std::size_t k = 0; k < passes_.size(); ++k) passes_[k]->continue_from(*before[k], state, result);
+}
+
+void ContactInterface::find_candidates(double margin, ContactCounters& counters) {
+  for (const auto& pass : passes_) pass->find_candidates(margin, counters);
+  if (thickness_ != nullptr) searched_thickness_ = present_thickness_;
+}
+
+double ContactInterface::update_thickness(double time) {
+  if (thickness_ == nullptr) return 0;
+  present_thickness_ = thickness_->at(time);
+  contact::ContactSide& side = own_->a;
+  std::fill(side.nodes.half.begin(), side.nodes.half.end(), present_thickness_ / 2);
+  contact::Segments& segments = side.selection.segments;
+  std::fill(segments.half.begin(), segments.half.end(), present_thickness_ / 2);
+  return present_thickness_ - searched_thickness_;
+}
+
+std::optional<ContactEvent> ContactInterface::follow_step(const State& state) {
+  if (step_ > 0 && std::isfinite(state.coming) && state.coming > step_growth * step_) {
+    step_ = state.coming;
+    set_timestep(step_);
+  }
+  return crossings_.check(setting_.model, contact_, *surfaces_, state);
+}
+
+void ContactInterface::deactivate(const State& state, ContactState& result) {
+  if (active_)
+    for (const auto& pass : passes_) pass->deactivate(state, result);
+  active_ = false;
+}
+
+}  // namespace gapcheck::solver

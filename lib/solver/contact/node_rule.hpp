@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+
+#include "contact/pair/node_contact.hpp"
+#include "solver/contact/contact_spring.hpp"
+
+namespace gapcheck::solver {
+
+struct SegmentContact;
+
+/// The decisions of one kind of contact about a tracked node and a segment: the spring between them, the side from
+/// which the node came, and whether it is pushed, moved or released. Decisions about different nodes are independent
+/// and may be made on several threads.
+class NodeRule {
+ public:
+  virtual ~NodeRule() = default;
+  /// False if the results of the initialisation are not used.
+  [[nodiscard]] virtual bool keeps_initial_memory() const = 0;
+  /// The step that the stiffness follows, if it does.
+  virtual void set_timestep(double timestep) = 0;
+  /// Called before and after all decisions of a cycle.
+  virtual void begin_cycle(double /*time*/) {}
+  virtual void end_cycle() {}
+
+  /// The spring between a node and a segment, and the penetration beyond which the node is released.
+  [[nodiscard]] virtual ContactSprings::Spring spring(SlotIndex slot, SegmentIndex segment) const = 0;
+  [[nodiscard]] virtual double release_depth(SlotIndex slot, SegmentIndex segment) const = 0;
+  /// Brings back a node that has passed the surface: changes the sign of the distance. Called once per check;
+  /// `contact`: null if it penetrates nothing.
+  virtual void bring_back(SlotIndex /*slot*/, SegmentContact* /*contact*/) {}
+  /// What happens to a node in this cycle, and what is remembered.
+  [[nodiscard]] virtual contact::NodeAction decide_action(contact::NodeContact& memory,
+                                                          const contact::NodeEncounter& encounter) const = 0;
+
+  /// Takes over what the rule of the same contact on other surfaces remembers about its nodes.
+  virtual void continue_from(const NodeRule& /*before*/) {}
+  /// Forgets everything; the contact is not active.
+  virtual void forget() {}
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,102 @@
+#include "solver/contact/node_settler.hpp"
+
+#include "base/quad.hpp"
+#include "contact/definition/outcome.hpp"
+#include "contact/surface/segment_elements.hpp"
+
+namespace gapcheck::solver {
+
+using contact::NodeAction;
+
+NodeSettler::NodeSettler(const ContactSetting& setting, ContactIndex contact, TrackedPairs& pairs, NodeRule& rule)
+    : mesh_(setting.model.mesh),
+      movable_(setting.movable),
+      pairs_(pairs),
+      scene_(pairs.scene()),
+      rule_(rule),
+      friction_(setting.model, setting.model.contact(contact)) {}
+
+void NodeSettler::settle_node(SlotIndex slot, NodeMeeting& meeting, const State& state, PassBlock& block,
+                              PushList& pushes) {
+  TrackedNode& tracked = pairs_.node(slot);
+  const bool was_active = tracked.active;
+  PairVelocities speeds;
+  if (was_active) {
+    speeds = pairs_.velocities(slot, tracked.link.segment, state);
+    block.work.add(tracked.link, speeds.node, speeds.of_segment(tracked.link.weights), state.dt);
+  }
+  rule_.bring_back(slot, meeting.contact ? &*meeting.contact : nullptr);
+  const contact::NodeEncounter encounter = encounter_of(slot, meeting, tracked);
+  tracked.penetration = encounter.penetration;
+  const NodeAction action = rule_.decide_action(tracked.memory, encounter);
+  tracked.active = action == NodeAction::force;
+  if (tracked.active) {
+    const SegmentIndex segment = meeting.contact->segment;
+    if (!was_active || tracked.link.segment != segment) speeds = pairs_.velocities(slot, segment, state);
+    const Vector friction = was_active ? tracked.link.friction : Vector::Zero();
+    tracked.link = link_at(*meeting.contact);
+    const Vector moving = speeds.of_segment(tracked.link.weights);
+    tracked.link.set_forces(law_of(slot, tracked), tracked.penetration - tracked.memory.forgiven, speeds.node - moving,
+                            friction, state.dt);
+    block.work.add(tracked.link, speeds.node, moving, state.dt);
+    block.touching += tracked.link.push > 0;
+    pushes.add({tracked.link.force(), tracked.link.weights, scene_.nodes.node[slot.value].value, segment.value},
+               scene_.segments.nodes[segment.value]);
+  } else {
+    tracked.link = {};
+    if (encounter.penetrates) tracked.link.segment = meeting.contact->segment;
+  }
+  if (action == NodeAction::move) {
+    block.moves.push_back({slot, contact::shooting_move * encounter.penetration * meeting.contact->direction()});
+    tracked.sleep = 0;
+  }
+  block.released += tracked.released();
+}
+
+contact::NodeEncounter NodeSettler::encounter_of(SlotIndex slot, const NodeMeeting& meeting,
+                                                 TrackedNode& tracked) const {
+  contact::NodeEncounter encounter;
+  encounter.in_zone = meeting.in_zone;
+  if (!meeting.contact) return encounter;
+  const SegmentIndex segment = meeting.contact->segment;
+  encounter.penetrates = true;
+  encounter.penetration =
+      scene_.nodes.half[slot.value] + scene_.segments.half[segment.value] - meeting.contact->distance;
+  if (tracked.pair.segment != segment)
+    tracked.pair = {segment, rule_.release_depth(slot, segment), rule_.spring(slot, segment)};
+  // A depth that follows the segment's shape or a thickness over time is that of this cycle.
+  else if (scene_.contact.penchk == 2 || scene_.contact.airbag_thickness > 0)
+    tracked.pair.release_depth = rule_.release_depth(slot, segment);
+  encounter.release_depth = tracked.pair.release_depth;
+  encounter.movable = movable_[scene_.nodes.node[slot.value].value];
+  return encounter;
+}
+
+SegmentLink NodeSettler::link_at(const SegmentContact& contact) const {
+  SegmentLink link;
+  link.segment = contact.segment;
+  link.on_face = contact.on_face;
+  link.s = contact.s;
+  link.t = contact.t;
+  // A beam axis has the first two corners and s alone.
+  if (scene_.line(link.segment))
+    link.weights = {(1 - contact.s) / 2, (1 + contact.s) / 2, 0, 0};
+  else
+    link.weights = quad_weights(contact.s, contact.t);
+  link.normal = contact.direction();
+  return link;
+}
+
+LinkSpring NodeSettler::law_of(SlotIndex slot, const TrackedNode& tracked) const {
+  const ContactSprings::Spring& spring = tracked.pair.spring;
+  LinkSpring law{spring.stiffness, ContactSprings::damping(spring, scene_.contact.vdc), friction_.any(), {}, 0};
+  if (law.rubs) {
+    const SegmentIndex segment = tracked.link.segment;
+    law.friction =
+        friction_.between(scene_.nodes.part[slot.value], contact::part_of(mesh_, scene_.segments, segment.value));
+    law.area = pairs_.segment_area(segment);
+  }
+  return law;
+}
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,39 @@
+#pragma once
+#include "contact/definition/friction.hpp"
+#include "contact/pair/node_contact.hpp"
+#include "solver/contact/contact_setting.hpp"
+#include "solver/contact/node_rule.hpp"
+#include "solver/contact/pass_block.hpp"
+#include "solver/contact/push_list.hpp"
+#include "solver/contact/segment_finder.hpp"
+#include "solver/contact/tracked_pairs.hpp"
+
+namespace gapcheck::solver {
+
+/// Applies the rule of a contact to a tracked node whose position relative to the segments is known: updates its memory
+/// and its spring.
+class NodeSettler {
+ public:
+  /// `contact`: position in Model::contacts. All references must outlive it.
+  NodeSettler(const ContactSetting& setting, ContactIndex contact, TrackedPairs& pairs, NodeRule& rule);
+
+  /// Sets the node's state for this cycle. Adds its force to `pushes`, and its work, move and counts to `block`.
+  void settle_node(SlotIndex slot, NodeMeeting& meeting, const State& state, PassBlock& block, PushList& pushes);
+
+ private:
+  [[nodiscard]] contact::NodeEncounter encounter_of(SlotIndex slot, const NodeMeeting& meeting,
+                                                    TrackedNode& tracked) const;
+  /// The link at the closest point, without forces.
+  [[nodiscard]] SegmentLink link_at(const SegmentContact& contact) const;
+  /// Parameters of the node's spring; its link must be set.
+  [[nodiscard]] LinkSpring law_of(SlotIndex slot, const TrackedNode& tracked) const;
+
+  const model::Mesh& mesh_;
+  const std::vector<bool>& movable_;
+  TrackedPairs& pairs_;
+  const contact::PairScene& scene_;
+  NodeRule& rule_;
+  contact::Friction friction_;
+};
+
+}  // namespace gapcheck::solver

@@ -1,0 +1,138 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/quad.hpp"
+#include "contact/pair/candidates.hpp"
+#include "contact/pair/node_contact.hpp"
+#include "contact/pair/side_scene.hpp"
+#include "solver/contact/contact_link.hpp"
+#include "solver/contact/contact_setting.hpp"
+#include "solver/contact/contact_spring.hpp"
+#include "solver/state/state.hpp"
+
+namespace gapcheck::solver {
+
+/// The spring between a tracked node and a segment.
+struct SegmentLink : LinkForce {
+  SegmentIndex segment;
+  bool on_face = false;  ///< `s`, `t` lie inside the segment: the next cycle may start there
+  double s = 0, t = 0;
+  std::array<double, 4> weights{};  ///< of the segment's corners
+};
+
+/// Data of a node and a segment that change little from one search to the next: they follow from thickness, mass and
+/// the size of elements.
+struct PairData {
+  SegmentIndex segment = none<SegmentIndex>;  ///< none: not known
+  double release_depth = 0;
+  ContactSprings::Spring spring;
+};
+
+/// State of one tracked node from cycle to cycle.
+struct TrackedNode {
+  contact::NodeContact memory;
+  bool active = false;  ///< `link` carries a force
+  double penetration = 0;
+  double sleep = 0;  ///< nothing to check until this much of the margin is used up
+  double lead = 0;   ///< until this much is used up no other segment is as near as that of `link`
+  PairData pair;     ///< with the segment of the last penetration
+  SegmentLink link;
+  [[nodiscard]] bool released() const { return memory.state == contact::NodeContact::State::released; }
+};
+
+/// Velocities of a tracked node and of a segment's corners.
+struct PairVelocities {
+  Vector node;
+  std::array<Vector, 4> corners;
+  /// Of the segment's point with these weights.
+  [[nodiscard]] Vector of_segment(const std::array<double, 4>& weights) const {
+    return (weights[0] * corners[0] + weights[1] * corners[1]) + (weights[2] * corners[2] + weights[3] * corners[3]);
+  }
+};
+
+/// One side's nodes and the other side's segments of one contact: the pairs that may come into contact, and the state
+/// of each tracked node. Nodes are numbered by slot (position in the side's tracked nodes). Those that need a check
+/// have a place: first the nodes with candidates, by ascending slot, then the lost ones, which have a memory or a force
+/// but no candidates.
+class TrackedPairs {
+ public:
+  /// `contact`: position in Model::contacts. `exchanged`: side B's nodes against side A's segments. `x` must be the
+  /// coordinates of every later state. All references must outlive it.
+  TrackedPairs(const ContactSetting& setting, ContactIndex contact, const contact::ContactSurfaces& surfaces,
+               bool exchanged, const std::vector<Vector>& x);
+  TrackedPairs(const TrackedPairs&) = delete;
+  TrackedPairs& operator=(const TrackedPairs&) = delete;
+
+  [[nodiscard]] const contact::SideScene& side() const { return side_; }
+  [[nodiscard]] const contact::PairScene& scene() const { return scene_; }
+  [[nodiscard]] bool two_sided() const { return surfaces_.two_sided(); }
+  [[nodiscard]] bool exchanged() const { return exchanged_; }
+
+  /// Sets what the initialisation did to a node; records of the other side are skipped.
+  void set_memory(const Penetration& record, const contact::NodeContact& memory);
+  /// Global search; wakes all nodes. Returns the number of candidates.
+  std::size_t find_candidates(const contact::CandidateSearch& search, double margin);
+
+  /// Number of places with candidates, and of all places.
+  [[nodiscard]] std::size_t near_places() const { return candidates_.slots().size(); }
+  [[nodiscard]] std::size_t places() const { return near_places() + lost_.size(); }
+  [[nodiscard]] SlotIndex slot_at(std::size_t place) const {
+    return place < near_places() ? candidates_.slots()[place] : lost_[place - near_places()];
+  }
+  /// None for lost nodes.
+  [[nodiscard]] std::span<contact::Candidate> candidates_at(std::size_t place) {
+    return place < near_places() ? candidates_.of(place) : std::span<contact::Candidate>{};
+  }
+  /// Removes the places of lost nodes. They need only one check: nodes far from everything lose their memory.
+  void clear_lost() { lost_.clear(); }
+
+  [[nodiscard]] TrackedNode& node(SlotIndex slot) { return nodes_[slot.value]; }
+  [[nodiscard]] const TrackedNode& node(SlotIndex slot) const { return nodes_[slot.value]; }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+
+  [[nodiscard]] double greatest_reach() const { return greatest_reach_; }
+  /// Distance from a segment beyond which it does not affect the node.
+  [[nodiscard]] double reach(SlotIndex slot, SegmentIndex s) const {
+    return scene_.oriented(s) ? greatest_reach_ : scene_.nodes.half[slot.value] + scene_.segments.half[s.value];
+  }
+  [[nodiscard]] double segment_area(SegmentIndex segment) const {
+    return quad_normal(scene_.facet(segment).x).norm() / 2;
+  }
+  [[nodiscard]] PairVelocities velocities(SlotIndex slot, SegmentIndex segment, const State& state) const {
+    const model::SegmentNodes& n = scene_.segments.nodes[segment.value];
+    return {state.v[scene_.nodes.node[slot.value].value],
+            {state.v[n[0].value], state.v[n[1].value], state.v[n[2].value], state.v[n[3].value]}};
+  }
+  /// Adds half a step of work of a node's present force.
+  void add_work(SlotIndex slot, const State& state, LinkWork& work) const {
+    const SegmentLink& link = node(slot).link;
+    const PairVelocities speeds = velocities(slot, link.segment, state);
+    work.add(link, speeds.node, speeds.of_segment(link.weights), state.dt);
+  }
+
+  /// Takes over memories, and links whose segments still exist, from other surfaces of the same contact. Returns the
+  /// slots of `before`, ascending, whose force ends.
+  [[nodiscard]] std::vector<SlotIndex> continue_from(const TrackedPairs& before);
+  /// Springs and release depths are computed again.
+  void forget_pair_data();
+  /// Forgets the memory of a node and ends its force.
+  void reset_node(SlotIndex slot);
+
+ private:
+  const model::Mesh& mesh_;
+  const contact::ContactSurfaces& surfaces_;
+  contact::SideScene side_;
+  const contact::PairScene& scene_;
+  contact::Exclusions exclusions_;
+  contact::PairRules rules_;
+  bool exchanged_;
+  double greatest_reach_ = 0;
+  contact::CandidateTable candidates_;
+  std::vector<TrackedNode> nodes_;  // by slot
+  std::vector<SlotIndex> lost_;     // slots with a memory but without candidates since the search
+};
+
+}  // namespace gapcheck::solver

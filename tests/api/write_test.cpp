@@ -1,0 +1,90 @@
+// Reports are written as the command line writes them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <gapcheck/audit.hpp>
+#include <gapcheck/version.hpp>
+#include <gapcheck/write.hpp>
+#include <string>
+
+#include "api/new_folder.hpp"
+#include "audit/audit.hpp"
+#include "report/format/formats.hpp"
+#include "report/write/writers.hpp"
+
+namespace gapcheck::api_test::write_test {
+namespace {
+
+using api::Format;
+
+TEST(ApiWrite, FormatsAreThoseOfTheRooms) {
+  const std::string deck = data("two_plates.k");
+  Diagnostics diagnostics;
+  const auto internal = audit::audit_deck(deck, {}, diagnostics);
+  const auto report = api::audit_deck(deck);
+  ASSERT_TRUE(internal.ok() && report.ok());
+  const auto written = [](const auto& writer) {
+    std::string text;
+    writer([&text](std::string_view piece) {
+      text += piece;
+      return true;
+    });
+    return text;
+  };
+  const auto& expected = internal.value();
+  EXPECT_EQ(api::write(report.value(), Format::text), report::text(expected, {}));
+  EXPECT_EQ(api::write(report.value(), Format::csv), written([&](const auto& sink) { report::csv(expected, sink); }));
+  EXPECT_EQ(api::write(report.value(), Format::github),
+            written([&](const auto& sink) { report::github(expected, 5, sink); }));
+  EXPECT_EQ(api::write(report.value(), Format::gitlab),
+            written([&](const auto& sink) { report::gitlab(expected, sink); }));
+  const gapcheck::Severity limit = gapcheck::Severity::error;
+  EXPECT_EQ(api::write(report.value(), Format::junit),
+            written([&](const auto& sink) { report::junit(expected, &limit, 5, sink); }));
+}
+
+TEST(ApiWrite, EveryFormatHasTheFindings) {
+  api::AuditOptions options;
+  options.picture = true;
+  const auto report = api::audit_deck(data("two_plates.k"), options);
+  ASSERT_TRUE(report.ok());
+  const auto text = [&](Format format) { return api::write(report.value(), format); };
+  EXPECT_EQ(text(Format::json).find("{\"schema\":\"gapcheck/1\""), 0u);
+  EXPECT_NE(text(Format::json).find("\"node\":1006"), std::string::npos);
+  EXPECT_NE(text(Format::sarif).find("\"2.1.0\""), std::string::npos);
+  EXPECT_NE(text(Format::sarif).find("\"GC101\""), std::string::npos);
+  EXPECT_NE(text(Format::html).find("<html"), std::string::npos);
+  EXPECT_NE(text(Format::html).find(std::string(api::version())), std::string::npos);
+}
+
+TEST(ApiWrite, Options) {
+  const auto report = api::audit_deck(data("two_plates.k"));
+  ASSERT_TRUE(report.ok());
+  api::WriteOptions options;
+  options.list = true;
+  const std::string all = api::write(report.value(), Format::text, options);
+  EXPECT_NE(all.find("2011"), std::string::npos);
+  options.list = false;
+  options.top = 1;
+  const std::string one = api::write(report.value(), Format::text, options);
+  EXPECT_LT(one.size(), all.size());
+  options.statistics = true;
+  EXPECT_NE(api::write(report.value(), Format::text, options).find("files read"), std::string::npos);
+  options.fail_on = api::Severity::warning;
+  EXPECT_NE(api::write(report.value(), Format::junit, options).find("<failure"), std::string::npos);
+  options.fail_on = std::nullopt;
+  EXPECT_EQ(api::write(report.value(), Format::junit, options).find("<failure"), std::string::npos);
+}
+
+TEST(ApiWrite, AnEmptyReport) {
+  for (const Format format : {Format::text, Format::json, Format::sarif, Format::junit, Format::html})
+    EXPECT_FALSE(api::write(api::Report{}, format).empty());
+}
+
+TEST(ApiVersion, HasThreeNumbers) {
+  const std::string version(api::version());
+  EXPECT_EQ(std::count(version.begin(), version.end(), '.'), 2) << version;
+}
+
+}  // namespace
+}  // namespace gapcheck::api_test::write_test
