@@ -62,8 +62,8 @@ std::optional<Failure> ConstraintContact::check_rigid_nodes(const Structure& str
   for (const std::uint32_t node : nodes_)
     if (structure.rigid.holds(node))
       return Failure{Failure::Kind::not_calculated,
-                     fmt::format("a contact of type 17 or 18 (*CONTACT_CONSTRAINT_...) has node {} of a rigid body or "
-                                 "weld, which constraints cannot move; use a penalty type",
+                     fmt::format("a contact of type 17 or 18 has node {} of a rigid body or weld, which constraints "
+                                 "cannot move; use a penalty type",
                                  model_.mesh.nodes.id[node])};
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 
 #include "audit/rules.hpp"
 #include "audit/run_context.hpp"
+#include "model/contact/contact_kind.hpp"
 
 namespace gapcheck::audit::rule::unbalanced_contact_force {
 namespace {
@@ -37,7 +38,7 @@ std::map<std::int64_t, Balance> balances(const RunContext& context) {
 /// A transducer measures the forces of others, possibly on one side only.
 bool measures_only(const RunContext& context, std::int64_t id) {
   const ContactSummary* contact = context.contact(id);
-  return contact != nullptr && contact->type == "25";
+  return contact != nullptr && contact->type == model::printed(model::ContactCode::transducer);
 }
 
 void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
