@@ -17,7 +17,7 @@ struct Lock {
   std::int64_t first = 0, last = 0;  ///< 1 or more, `last` not below `first`
 };
 
-/// The nodes of a part move less if its factor is larger than that of others.
+/// The nodes of a part move less if its factor is larger than that of other parts.
 struct Priority {
   std::int64_t part = 0;  ///< id
   double factor = 1;      ///< 1e-6 to 1e6

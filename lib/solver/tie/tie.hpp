@@ -90,7 +90,7 @@ struct TieRange {
   /// They no longer act, or never will.
   [[nodiscard]] bool over(double time) const { return time >= end || end <= start; }
 };
-/// Of the contacts that tie by constraints, or by springs, and of others with ties in the list.
+/// Of the contacts that tie by constraints, or by springs, and of other contacts with ties in the list.
 [[nodiscard]] std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties,
                                                bool by_constraint);
 

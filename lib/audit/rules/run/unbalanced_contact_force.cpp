@@ -35,7 +35,7 @@ std::map<std::int64_t, Balance> balances(const RunContext& context) {
   return list;
 }
 
-/// A transducer measures the forces of others, possibly on one side only.
+/// A transducer measures the forces of other contacts, possibly on one side only.
 bool measures_only(const RunContext& context, std::int64_t id) {
   const ContactSummary* contact = context.contact(id);
   return contact != nullptr && contact->type == model::printed(model::ContactCode::transducer);
