@@ -24,7 +24,7 @@ void add_curve_options(CLI::App& command, CurveArguments& arguments);
 /// The result files of two directories as curves.
 class CurvesOfBoth {
  public:
-  /// `contacts`: curves of other contacts are left out; empty: all stay. If one of the two is not a directory, or has no file
+  /// `contacts`: only their curves are compared; empty: all. If one of the two is not a directory, or has no file
   /// with curves, nothing is compared. Faulty files, and curves or plots that are asked for and do not exist, are
   /// failures.
   CurvesOfBoth(const std::string& first, const std::string& second, const std::vector<std::int64_t>& contacts,

@@ -13,7 +13,7 @@ struct HtmlOptions {
   std::string_view version;       ///< the program's
   std::size_t findings = 20'000;  ///< included in the page; all are counted
   std::size_t contacts = 5'000;   ///< the same
-  std::size_t group = 100;        ///< findings of each rule and contact that come before deeper findings of other groups
+  std::size_t group = 100;        ///< findings of each rule and contact that come before deeper ones elsewhere
 };
 
 /// One file that shows the report in a browser: tables, sums, and a picture of Report::scene with the penetrating nodes
