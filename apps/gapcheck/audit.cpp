@@ -21,7 +21,7 @@ namespace {
 
 /// Unit systems in use, as length-time-mass (pounds: force), with their unit of length in millimetres.
 const std::map<std::string, double> unit_systems{
-    {"mm-ms-kg", 1}, {"mm-s-t", 1},     {"mm-ms-g", 1},   {"mm-s-kg", 1},     {"cm-us-g", 10},
+    {"mm-ms-kg", 1}, {"mm-s-t", 1},    {"mm-ms-g", 1},     {"mm-s-kg", 1},      {"cm-us-g", 10},
     {"cm-s-g", 10},  {"m-s-kg", 1000}, {"in-s-lbf", 25.4}, {"ft-s-lbf", 304.8},
 };
 
@@ -49,7 +49,8 @@ void add_work(CLI::App& command, AuditArguments& arguments) {
   add_includes(command, arguments.audit.read, arguments.missing_includes);
   const std::vector<CLI::Option*> options{
       command.get_option("-I"), command.get_option("--missing-includes"),
-      command.add_option("--units", arguments.units, "Of the deck, for rules that know millimetres: mm-ms-kg, m-s-kg, …")
+      command
+          .add_option("--units", arguments.units, "Of the deck, for rules that know millimetres: mm-ms-kg, m-s-kg, …")
           ->check(CLI::IsMember(unit_systems))
           ->type_name("SYSTEM"),
       command.add_flag("--exact", arguments.audit.exact, "Decide everything in exact arithmetic (slow, same results)"),

@@ -88,7 +88,8 @@ Status check_files(const AuditArguments& arguments, const std::vector<std::strin
     if (arguments.selection && same_file(arguments_for(deck, arguments).baseline))
       return plain_error(
           "--write-baseline into the file of --baseline would lose what the selection leaves out; write another file");
-  if (decks.size() > 1 && !arguments.baseline.compare.empty() && arguments.baseline.compare.find("{deck}") == std::string::npos)
+  if (decks.size() > 1 && !arguments.baseline.compare.empty() &&
+      arguments.baseline.compare.find("{deck}") == std::string::npos)
     return plain_error("--baseline: each deck has a baseline of its own; write {deck} into the name");
   return {};
 }
@@ -168,11 +169,12 @@ class Run {
       report.settings = settings;
       report.statistics.emplace_back("settings file", settings);
     }
-    compare(baseline.value(), [&own](const KnownFinding& known) { return looked_for(known, own.audit); }, report);
+    compare(
+        baseline.value(), [&own](const KnownFinding& known) { return looked_for(known, own.audit); }, report);
     const auto& contacts = own.audit.contacts;
-    const bool whole = !diagnostics.has_errors() &&
-                       (several() || std::all_of(contacts.begin(), contacts.end(),
-                                                 [&report](std::int64_t id) { return has(report, id); }));
+    const bool whole =
+        !diagnostics.has_errors() && (several() || std::all_of(contacts.begin(), contacts.end(),
+                                                               [&report](std::int64_t id) { return has(report, id); }));
     // Every record of a deck knows where its node is.
     const auto position = [](std::int64_t) { return std::nullopt; };
     const Status made = make_folders(arguments_, own);

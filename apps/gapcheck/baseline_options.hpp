@@ -28,8 +28,8 @@ using Baseline = std::optional<std::vector<KnownFinding>>;
 /// Compares the report with it, if there is one.
 void compare(const Baseline& baseline, const report::LookedFor& looked_for, Report& report);
 
-/// Writes the report's findings as a baseline if requested. The baseline of an incomplete audit is not written, which is
-/// an error: everything missing in it would be new the next time.
+/// Writes the report's findings as a baseline if requested. The baseline of an incomplete audit is not written, which
+/// is an error: everything missing in it would be new the next time.
 [[nodiscard]] Status write(const Report& report, const BaselineOptions& options, bool complete);
 
 }  // namespace gapcheck::app

@@ -6,7 +6,8 @@ namespace gapcheck::app {
 
 void add_commands(CLI::App& app, Action& action) {
   app.name("gapcheck");
-  app.description("Finds the contact problems of LS-DYNA keyword decks, before the first run and in its message files.");
+  app.description(
+      "Finds the contact problems of LS-DYNA keyword decks, before the first run and in its message files.");
   app.set_version_flag("--version", version_line("gapcheck"));
   app.require_subcommand(1);
   add_audit(app, action);

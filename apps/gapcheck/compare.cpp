@@ -162,7 +162,8 @@ void add_options(CLI::App& command, CompareArguments& arguments) {
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("compare", "Compare two decks or runs: penetrations and ties node by node, result curves");
+  CLI::App* command =
+      app.add_subcommand("compare", "Compare two decks or runs: penetrations and ties node by node, result curves");
   command->set_version_flag("--version", version_line("gapcheck"));
   const auto arguments = std::make_shared<CompareArguments>();
   const char* what = "Keyword deck, messag or d3hsp file, or the directory of a run";

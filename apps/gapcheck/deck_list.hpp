@@ -9,7 +9,7 @@ namespace gapcheck::app {
 
 /// The decks of one call.
 struct DeckList {
-  std::vector<std::string> decks;   ///< paths, each file once
+  std::vector<std::string> decks;            ///< paths, each file once
   std::vector<std::string> parts_of_others;  ///< found by a pattern but left out: another of the decks includes them
 };
 

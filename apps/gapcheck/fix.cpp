@@ -18,14 +18,14 @@
 #include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
-#include "common/version.hpp"
 #include "common/files.hpp"
+#include "common/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
-#include "report/item/describe.hpp"
 #include "report/format/fix_report.hpp"
+#include "report/item/describe.hpp"
 #include "settings/settings.hpp"
 
 namespace gapcheck::app {
@@ -89,7 +89,8 @@ Status choose_places(const keyword::Deck& deck, const FixArguments& arguments, a
   // Another name of the same file counts, too.
   const auto is_source = [&](const fs::path& target) {
     return sources.contains(fs::weakly_canonical(target, error)) ||
-           std::any_of(sources.begin(), sources.end(), [&](const fs::path& s) { return fs::equivalent(s, target, error); });
+           std::any_of(sources.begin(), sources.end(),
+                       [&](const fs::path& s) { return fs::equivalent(s, target, error); });
   };
   for (std::size_t i = 0; i < fix.files.size(); ++i) {
     FixedFile& changed = fix.report.changed[i];
@@ -206,7 +207,8 @@ void add_choices(CLI::App& command, FixArguments& arguments) {
 }  // namespace
 
 void add_fix(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("fix", "Remove initial penetrations of a keyword deck with the least movement");
+  CLI::App* command =
+      app.add_subcommand("fix", "Remove initial penetrations of a keyword deck with the least movement");
   command->set_version_flag("--version", version_line("gapcheck"));
   const auto arguments = std::make_shared<FixArguments>();
   command->add_option("DECK", arguments->deck, "Keyword file")->required()->type_name("");
@@ -237,8 +239,7 @@ void add_fix(CLI::App& app, Action& action) {
       if (failures.any()) return static_cast<int>(failed);
       arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
       for (const std::string& text : arguments->locks) arguments->fix.locks.push_back(*parse_lock(text));
-      for (const std::string& text : arguments->priorities)
-        arguments->fix.priorities.push_back(*parse_priority(text));
+      for (const std::string& text : arguments->priorities) arguments->fix.priorities.push_back(*parse_priority(text));
       return fix_deck(*arguments);
     };
   });

@@ -16,10 +16,10 @@
 #include "common/files.hpp"
 #include "common/version.hpp"
 #include "output.hpp"
-#include "report/item/describe.hpp"
 #include "report/export/finding_grid.hpp"
 #include "report/format/formats.hpp"
 #include "report/html/html.hpp"
+#include "report/item/describe.hpp"
 
 namespace gapcheck::app {
 namespace {

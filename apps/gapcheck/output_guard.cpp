@@ -40,8 +40,10 @@ bool any_exists(const std::vector<PlannedOutput>& outputs) {
 /// What is wrong with two outputs in one file.
 std::string shared_place(const PlannedOutput& first, const PlannedOutput& second) {
   if (!first.deck.empty() && !second.deck.empty() && first.deck != second.deck)
-    return fmt::format("{} would hold the results of {} and of {}; write {{deck}} into the name where their own are to "
-                       "stand, and give decks different names", second.path, first.deck, second.deck);
+    return fmt::format(
+        "{} would hold the results of {} and of {}; write {{deck}} into the name where their own are to "
+        "stand, and give decks different names",
+        second.path, first.deck, second.deck);
   return fmt::format("{} {} and {} {} are one file; give each its own", first.option, first.path, second.option,
                      second.path);
 }

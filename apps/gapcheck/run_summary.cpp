@@ -73,10 +73,11 @@ std::string run_statistics(const solver::Run& run) {
   if (run.contacts().empty()) return text;
   const solver::ContactCounters& c = run.contact_counters();
   const auto per_cycle = [&](std::uint64_t count) { return static_cast<double>(count) / cycles; };
-  text += fmt::format("  contact {:.0f} % of the time: {} searches, {} candidate pairs; {:.1f} nodes and {:.1f} pairs "
-                      "looked at per cycle, {:.1f} of them where they were in the last one; {:.1f} nodes asleep\n",
-                      100 * (c.force_s + c.search_s) / std::max(run.seconds(), 1e-9), c.searches, c.candidates,
-                      per_cycle(c.nodes), per_cycle(c.pairs), per_cycle(c.followed), per_cycle(c.asleep));
+  text += fmt::format(
+      "  contact {:.0f} % of the time: {} searches, {} candidate pairs; {:.1f} nodes and {:.1f} pairs "
+      "looked at per cycle, {:.1f} of them where they were in the last one; {:.1f} nodes asleep\n",
+      100 * (c.force_s + c.search_s) / std::max(run.seconds(), 1e-9), c.searches, c.candidates, per_cycle(c.nodes),
+      per_cycle(c.pairs), per_cycle(c.followed), per_cycle(c.asleep));
   return text;
 }
 

@@ -34,7 +34,8 @@ bool takes_file(const OptionText& option) {
 
 /// What bash offers after an option: words, directories, files, or nothing of its own.
 std::string bash_values(const OptionText& option) {
-  if (!option.choices.empty()) return fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", joined(option.choices, " "));
+  if (!option.choices.empty())
+    return fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", joined(option.choices, " "));
   if (is_directory(option)) return "COMPREPLY=($(compgen -d -- \"$cur\"))";
   return takes_file(option) ? "COMPREPLY=($(compgen -f -- \"$cur\"))" : "COMPREPLY=()";
 }
@@ -48,7 +49,8 @@ std::string bash_command(const CommandText& command) {
     if (!option.value.empty())
       out += fmt::format("        {}) {}; return ;;\n", joined(option.names, "|"), bash_values(option));
   }
-  return fmt::format("      case \"$prev\" in\n{}        *) ;;\n      esac\n      options='{}' ;;\n", out, joined(names, " "));
+  return fmt::format("      case \"$prev\" in\n{}        *) ;;\n      esac\n      options='{}' ;;\n", out,
+                     joined(names, " "));
 }
 
 /// Help for one line of zsh's _arguments, between square brackets in single quotes.
@@ -89,13 +91,16 @@ std::string bash_completion(const ProgramText& program) {
   if (commands.empty()) {
     out += "  case '' in\n    *)\n" + bash_command(program.commands.front());
   } else {
-    out += fmt::format("  if ((COMP_CWORD == 1)); then\n    COMPREPLY=($(compgen -W '{} --help --version' -- \"$cur\"))\n"
-                       "    return\n  fi\n  case \"${{COMP_WORDS[1]}}\" in\n", commands);
+    out += fmt::format(
+        "  if ((COMP_CWORD == 1)); then\n    COMPREPLY=($(compgen -W '{} --help --version' -- \"$cur\"))\n"
+        "    return\n  fi\n  case \"${{COMP_WORDS[1]}}\" in\n",
+        commands);
     for (const CommandText& command : program.commands)
       if (!command.name.empty()) out += fmt::format("    {})\n{}", command.name, bash_command(command));
   }
-  out += "  esac\n  if [[ $cur == -* ]]; then\n    COMPREPLY=($(compgen -W \"$options\" -- \"$cur\"))\n  else\n"
-         "    COMPREPLY=($(compgen -f -- \"$cur\"))\n  fi\n}\n";
+  out +=
+      "  esac\n  if [[ $cur == -* ]]; then\n    COMPREPLY=($(compgen -W \"$options\" -- \"$cur\"))\n  else\n"
+      "    COMPREPLY=($(compgen -f -- \"$cur\"))\n  fi\n}\n";
   return out + fmt::format("complete -o filenames -F {} {}\n", name, program.name);
 }
 

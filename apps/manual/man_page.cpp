@@ -56,8 +56,8 @@ std::string man_page(const ProgramText& program, std::string_view version) {
   std::string upper = program.name;
   for (char& c : upper)
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  std::string out = fmt::format(".TH {} 1 \"\" \"gapcheck {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n", roff(upper), version,
-                                roff(program.name), roff(program.help));
+  std::string out = fmt::format(".TH {} 1 \"\" \"gapcheck {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n", roff(upper),
+                                version, roff(program.name), roff(program.help));
   out += ".SH SYNOPSIS\n";
   for (const CommandText& command : program.commands) {
     if (command.name.empty() && program.commands.size() > 1) continue;

@@ -62,8 +62,10 @@ ProgramText gapcheck_text() {
 }
 
 ProgramText check_c_text() {
-  ProgramText program{"check-c", "Lists the contact warnings of LS-DYNA message files after initialisation.",
-                      "Exit codes: 0 no warnings, 1 warnings, 2 bad arguments or input that cannot be read.", {}};
+  ProgramText program{"check-c",
+                      "Lists the contact warnings of LS-DYNA message files after initialisation.",
+                      "Exit codes: 0 no warnings, 1 warnings, 2 bad arguments or input that cannot be read.",
+                      {}};
   CommandText own;
   own.options.push_back({{"messag-file"}, "", "messag, mesNNNN or d3hsp files, or a run's directory", {}, true});
   for (const check_c::OptionText& option : check_c::option_texts())

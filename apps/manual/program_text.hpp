@@ -7,17 +7,17 @@ namespace gapcheck::manual {
 
 /// One option or argument as manual pages and completions need it.
 struct OptionText {
-  std::vector<std::string> names;    ///< with their dashes; of an argument: its one name
-  std::string value;                 ///< what it takes: "FILE"; empty: nothing
+  std::vector<std::string> names;  ///< with their dashes; of an argument: its one name
+  std::string value;               ///< what it takes: "FILE"; empty: nothing
   std::string help;
   std::vector<std::string> choices;  ///< the only values it takes; empty: any
   bool argument = false;             ///< has no name
 };
 
 struct CommandText {
-  std::string name;                  ///< empty: the program without a command
+  std::string name;  ///< empty: the program without a command
   std::string help;
-  std::vector<OptionText> options;   ///< in the order of --help
+  std::vector<OptionText> options;  ///< in the order of --help
 };
 
 struct ProgramText {

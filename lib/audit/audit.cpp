@@ -6,13 +6,13 @@
 #include <chrono>
 #include <numeric>
 
-#include "audit/mesh/element_mesh.hpp"
 #include "audit/ignore_reviews.hpp"
 #include "audit/members.hpp"
+#include "audit/mesh/element_mesh.hpp"
+#include "audit/mesh/scene_mesh.hpp"
 #include "audit/rule_log.hpp"
 #include "audit/run_rules.hpp"
 #include "audit/shared_results.hpp"
-#include "audit/mesh/scene_mesh.hpp"
 #include "contact/tie/record_tie.hpp"
 
 namespace gapcheck::audit {
@@ -59,7 +59,9 @@ bool keep(const Penetration& p, const Selection& selection) {
   if (!selection.wanted(p.kind)) return false;
   if (o.rtol >= 0 && !(p.remaining() < o.rtol)) return false;
   if (o.ratio >= 0 && !(p.depth > o.ratio * p.contact_distance)) return false;
-  const auto chosen = [&](std::int64_t part) { return std::find(o.parts.begin(), o.parts.end(), part) != o.parts.end(); };
+  const auto chosen = [&](std::int64_t part) {
+    return std::find(o.parts.begin(), o.parts.end(), part) != o.parts.end();
+  };
   return o.parts.empty() || chosen(p.part) || chosen(p.element_part);
 }
 

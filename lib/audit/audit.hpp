@@ -19,9 +19,9 @@ struct AuditOptions {
   std::vector<IgnoreEntry> ignores;         ///< of a settings file; those of the deck's comments come first
   Severities severities;                    ///< instead of those of the rules
   std::chrono::sys_days today{};            ///< date for ignores with a last day; 1970-01-01: none has expired
-  double ptol = -1;     ///< --ptol: replaces the default tolerance; negative = not given
-  double rtol = -1;     ///< --rtol: only findings with a remaining distance below it; negative = not given
-  double ratio = -1;    ///< --ratio: only findings with depth / contact distance above it; negative = not given
+  double ptol = -1;                         ///< --ptol: replaces the default tolerance; negative = not given
+  double rtol = -1;          ///< --rtol: only findings with a remaining distance below it; negative = not given
+  double ratio = -1;         ///< --ratio: only findings with depth / contact distance above it; negative = not given
   double millimetre = 0;     ///< --units: what a millimetre is in the deck's unit of length; 0 = not given
   bool exact = false;        ///< --exact: no floating-point filter
   bool brute_force = false;  ///< the slow search, for tests

@@ -106,13 +106,13 @@ class Parser {
       (rule.of_runs() ? of_runs : of_ignores) = true;
     }
     if (of_runs)
-      wrong_ = quoted(pattern) + " judges what a run has written, which no comment of a deck can leave out; "
-                                 "use --ignore with messag";
+      wrong_ = quoted(pattern) +
+               " judges what a run has written, which no comment of a deck can leave out; "
+               "use --ignore with messag";
     else if (of_ignores)
       wrong_ = quoted(pattern) + " is about ignores and cannot be ignored by a comment; use --ignore";
     else
-      wrong_ = quoted(pattern) + " is no rule" + did_you_mean(nearest_rule(pattern)) +
-               " (gapcheck rules lists them)";
+      wrong_ = quoted(pattern) + " is no rule" + did_you_mean(nearest_rule(pattern)) + " (gapcheck rules lists them)";
   }
 
   static std::string_view nearest_rule(std::string_view pattern) {
@@ -147,7 +147,10 @@ class Parser {
     }
     there = true;
     if (key == "until") return read_until();
-    read_ids(key, key == "contact" ? entry_.contacts : key == "node" ? entry_.nodes : key == "part" ? entry_.parts : entry_.elements);
+    read_ids(key, key == "contact" ? entry_.contacts
+                  : key == "node"  ? entry_.nodes
+                  : key == "part"  ? entry_.parts
+                                   : entry_.elements);
   }
 
   void read_reason() {
@@ -168,7 +171,8 @@ class Parser {
     if (text.size() == 10 && text[4] == '-' && text[7] == '-') {
       const auto year = number(0, 4), month = number(5, 2), day = number(8, 2);
       if (year && month && day) {
-        const std::chrono::year_month_day date(std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
+        const std::chrono::year_month_day date(std::chrono::year(*year),
+                                               std::chrono::month(static_cast<unsigned>(*month)),
                                                std::chrono::day(static_cast<unsigned>(*day)));
         if (date.ok()) {
           entry_.until = date;

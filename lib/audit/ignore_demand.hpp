@@ -18,8 +18,7 @@ namespace gapcheck::audit {
 
 /// True if the last day of the entry has passed.
 inline bool expired(const IgnoreEntry& entry, const AuditOptions& options) {
-  return entry.until && options.today != std::chrono::sys_days{} &&
-         std::chrono::sys_days(*entry.until) < options.today;
+  return entry.until && options.today != std::chrono::sys_days{} && std::chrono::sys_days(*entry.until) < options.today;
 }
 
 /// The rules picked by lists of ids, names and prefixes; a deck may repeat the same list in every comment.
@@ -82,8 +81,8 @@ class Demand {
       return range.first == range.last &&
              std::find(options.contacts.begin(), options.contacts.end(), range.first) != options.contacts.end();
     };
-    if (!options.contacts.empty() && (entry_.contacts.empty() || !std::all_of(entry_.contacts.begin(),
-                                                                              entry_.contacts.end(), looked_at)))
+    if (!options.contacts.empty() &&
+        (entry_.contacts.empty() || !std::all_of(entry_.contacts.begin(), entry_.contacts.end(), looked_at)))
       return false;
     for (std::size_t i = 0; i < rules().size(); ++i)
       if ((*of_rule_)[i] && !rules()[i].of_runs() && !selected(rules()[i], options.select, options.ignore))

@@ -49,7 +49,8 @@ std::string rules_of(const Place& place) {
 /// The visible text of an entry, except for its ids, which offsets change. One entry of settings may be several demands
 /// of different rules.
 std::string words_of(const IgnoreEntry& entry, bool in_deck) {
-  std::string text = fmt::format("{}|", entry.until ? std::chrono::sys_days(*entry.until).time_since_epoch().count() : 0);
+  std::string text =
+      fmt::format("{}|", entry.until ? std::chrono::sys_days(*entry.until).time_since_epoch().count() : 0);
   if (in_deck)
     for (const std::string& rule : entry.rules) text += rule + ",";
   return text + "|" + entry.reason;

@@ -46,9 +46,9 @@ struct IgnoreOutcome {
     std::uint32_t line = 0;
     std::string what;  ///< what is wrong and what to write
   };
-  std::vector<Place> unused;   ///< comments that matched nothing, although everything they could match was looked for
+  std::vector<Place> unused;  ///< comments that matched nothing, although everything they could match was looked for
   std::vector<Place> expired;
-  std::vector<Bad> bad;        ///< comments that are not understood
+  std::vector<Bad> bad;  ///< comments that are not understood
 };
 
 /// Moves the findings that the comments of the deck and `options.ignores` leave out into `report.ignored`. Ids in

@@ -28,9 +28,8 @@ std::span<const Rule* const> all_rules() {
 }
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char l, unsigned char r) {
-    return std::tolower(l) == std::tolower(r);
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char l, unsigned char r) { return std::tolower(l) == std::tolower(r); });
 }
 
 bool matches(const RuleIdentity& rule, std::string_view pattern) {

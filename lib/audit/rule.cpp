@@ -53,7 +53,8 @@ void add_faults(const RuleIdentity& rule, Context& context, Report& report, mode
   }
   for (const auto& [what, n] : count) {
     if (n > in_full)
-      report.findings.push_back(finding(rule, fmt::format("{}: {} more findings of this kind", what, n - in_full), "", 0));
+      report.findings.push_back(
+          finding(rule, fmt::format("{}: {} more findings of this kind", what, n - in_full), "", 0));
   }
 }
 

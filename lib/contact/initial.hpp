@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "contact/search/choose_search.hpp"
-#include "contact/pair/closest_segment.hpp"
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/definition/contact_type.hpp"
+#include "contact/pair/closest_segment.hpp"
+#include "contact/search/choose_search.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "contact/tie/ties.hpp"
 #include "geometry/decide.hpp"
 #include "model/model.hpp"
@@ -21,11 +21,11 @@ struct InitialOptions {
   geometry::Mode mode = geometry::Mode::filtered;
   bool brute_force = false;
   std::optional<SearchKind> search;  ///< nothing: chosen for each search by its scene
-  bool nodes_stay = false;  ///< penetrating nodes are not moved, whatever the settings
+  bool nodes_stay = false;           ///< penetrating nodes are not moved, whatever the settings
   // Penetrations that move no nodes are searched only on request.
   bool segments = false;  ///< contacts with SOFT = 2
   bool mortar = false;
-  bool edges = false;     ///< edges against edges in types 26
+  bool edges = false;  ///< edges against edges in types 26
 };
 
 struct InitialCounters {
@@ -35,7 +35,7 @@ struct InitialCounters {
   std::uint64_t tied_nodes = 0, tied_pairs = 0, excluded_pairs = 0, surfaces_built = 0;
   std::uint64_t contacts_searched = 0;  ///< whose nodes and segments were searched at all
   std::uint64_t contacts_culled = 0;    ///< of these: all searches ended by boxes
-  std::uint64_t edges = 0;  ///< that were checked
+  std::uint64_t edges = 0;              ///< that were checked
   double surface_s = 0, search_s = 0;
 };
 

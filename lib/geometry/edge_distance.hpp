@@ -14,7 +14,7 @@ struct EdgesClosest {
   Vector first = Vector::Zero(), second = Vector::Zero();  ///< on the first and on the second edge
   double squared_distance = 0;
   double squared_end_distance = 0;  ///< of the end that lies nearest to the other edge
-  double s = 0, t = 0;    ///< of `first` and `second`: -1 at an edge's first end, 1 at the other
+  double s = 0, t = 0;              ///< of `first` and `second`: -1 at an edge's first end, 1 at the other
   bool interior = false;  ///< both points lie between the ends, and nearer than any end lies to the other edge
 };
 

@@ -110,7 +110,9 @@ class Decider {
 
   /// 1 if a, b, c turn left as seen against an axis, -1 if they turn right, 0 if they lie on a line.
   int turn(const Vector& a, const Vector& b, const Vector& c, int axis) {
-    const auto flat = [&](const Vector& x, double height) { return Vector(x[(axis + 1) % 3], x[(axis + 2) % 3], height); };
+    const auto flat = [&](const Vector& x, double height) {
+      return Vector(x[(axis + 1) % 3], x[(axis + 2) % 3], height);
+    };
     return side(flat(a, 0), flat(b, 0), flat(c, 0), flat(c, 1));
   }
   /// An axis along which the triangle has an area; -1 if it has none.
@@ -120,7 +122,8 @@ class Decider {
     return -1;
   }
   static bool boxes_meet(const Vector& p, const Vector& q, const Vector& r, const Vector& s) {
-    return (p.cwiseMin(q).array() <= r.cwiseMax(s).array()).all() && (r.cwiseMin(s).array() <= p.cwiseMax(q).array()).all();
+    return (p.cwiseMin(q).array() <= r.cwiseMax(s).array()).all() &&
+           (r.cwiseMin(s).array() <= p.cwiseMax(q).array()).all();
   }
   /// Of segments in one plane that is not parallel to the axis.
   bool flat_segments_meet(const Vector& p, const Vector& q, const Vector& r, const Vector& s, int axis) {
@@ -192,11 +195,13 @@ std::array<double, 3> heights(const Triangle& t, const Triangle& plane, const Ve
 }  // namespace
 
 bool triangles_meet(const Triangle& a, const Triangle& b, Mode mode, DecisionCounters& counters) {
-  return finite(a) && finite(b) && answer(mode, counters, [&](Decider& decider) { return decider.triangles_meet(a, b); });
+  return finite(a) && finite(b) &&
+         answer(mode, counters, [&](Decider& decider) { return decider.triangles_meet(a, b); });
 }
 
 bool triangles_cross(const Triangle& a, const Triangle& b, Mode mode, DecisionCounters& counters) {
-  return finite(a) && finite(b) && answer(mode, counters, [&](Decider& decider) { return decider.triangles_cross(a, b); });
+  return finite(a) && finite(b) &&
+         answer(mode, counters, [&](Decider& decider) { return decider.triangles_cross(a, b); });
 }
 
 bool segment_meets(const Vector& p, const Vector& q, const Triangle& t, Mode mode, DecisionCounters& counters) {

@@ -24,9 +24,7 @@ Point operator*(const Number& f, const Point& a) {
   const DoubleDouble<Two> both{all<Two>(f.high), all<Two>(f.low)};
   return {both * a.xy, both * a.z};
 }
-Point quarter(const Point& a) {
-  return {{0.25 * a.xy.high, 0.25 * a.xy.low}, {0.25 * a.z.high, 0.25 * a.z.low}};
-}
+Point quarter(const Point& a) { return {{0.25 * a.xy.high, 0.25 * a.xy.low}, {0.25 * a.z.high, 0.25 * a.z.low}}; }
 Number square(const Point& a) {
   const DoubleDouble<Two> xy = a.xy * a.xy, z = a.z * a.z;
   return (Number{xy.high[0], xy.low[0]} + Number{xy.high[1], xy.low[1]}) + Number{z.high[0], z.low[0]};

@@ -115,7 +115,8 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
   const auto directive = [](const Mark& mark) { return mark.kind == Mark::Kind::directive; };
   std::vector<Mark> structure, comments;
   if (std::any_of(lines.begin(), lines.end(), directive))
-    std::partition_copy(lines.begin(), lines.end(), std::back_inserter(comments), std::back_inserter(structure), directive);
+    std::partition_copy(lines.begin(), lines.end(), std::back_inserter(comments), std::back_inserter(structure),
+                        directive);
   const std::vector<Mark>& marks = comments.empty() ? lines : structure;
   check_before_keywords(context, begin, marks.empty() ? bytes.size() : marks.front().offset);
   std::size_t read_to = bytes.size();

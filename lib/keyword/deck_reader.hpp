@@ -60,7 +60,7 @@ class DeckReader {
                     TransformIndex transform);
   [[nodiscard]] std::optional<std::string> find_include(const FileContext& context, const std::string& name) const;
   [[nodiscard]] std::shared_ptr<KeywordFile> map_include(const std::string& path, const std::string& canonical,
-                                                            const Block& block, std::uint32_t line);
+                                                         const Block& block, std::uint32_t line);
   [[nodiscard]] bool may_include(const FileContext& context, const std::string& canonical, const Block& block,
                                  const IncludeName& include);
   TransformIndex add_transform(const FileContext& context, const Block& block, const Transform& own,
@@ -75,7 +75,7 @@ class DeckReader {
   const ReadOptions& options_;
   Diagnostics& diagnostics_;
   Deck deck_;
-  FileCache own_;  ///< where the options give none
+  FileCache own_;                               ///< where the options give none
   std::vector<std::string> canonical_;          ///< beside Deck::files_
   std::vector<std::string> include_paths_;      ///< *INCLUDE_PATH and *INCLUDE_PATH_RELATIVE so far
   std::vector<PendingTransform> pending_;       ///< enclosing ones first

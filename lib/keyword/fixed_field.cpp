@@ -57,8 +57,8 @@ bool scaled_exactly(std::uint64_t mantissa, int exponent, double& value) {
 bool fixed_field::read_long_real(const char* point, unsigned whole, const char* end, unsigned fraction, int exponent,
                                  double& value) {
   if (whole + fraction == 0 || whole > 16 || fraction > 16 || whole + fraction > max_whole_power) return false;
-  const std::uint64_t mantissa = sixteen_digits(point, whole, 16) * whole_powers.of_ten[fraction] +
-                                 sixteen_digits(end, fraction, 16);
+  const std::uint64_t mantissa =
+      sixteen_digits(point, whole, 16) * whole_powers.of_ten[fraction] + sixteen_digits(end, fraction, 16);
   return scaled(mantissa, exponent - static_cast<int>(fraction), value);
 }
 

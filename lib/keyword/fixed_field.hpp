@@ -59,8 +59,8 @@ inline bool scaled(std::uint64_t mantissa, int exponent, double& value) {
   return true;
 }
 
-/// A number with `whole` digits before `point` and `fraction` before `end`. False: too many digits, none, or too large a
-/// power of ten.
+/// A number with `whole` digits before `point` and `fraction` before `end`. False: too many digits, none, or too large
+/// a power of ten.
 bool read_long_real(const char* point, unsigned whole, const char* end, unsigned fraction, int exponent, double& value);
 
 #ifdef __SSE2__
@@ -74,7 +74,8 @@ inline Kinds kinds_of_sixteen(const char* at) {
   const __m128i text = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at));
   const __m128i nine = _mm_set1_epi8(9), from_zero = _mm_sub_epi8(text, _mm_set1_epi8('0'));
   const auto bits = [](__m128i match) { return static_cast<std::uint32_t>(_mm_movemask_epi8(match)); };
-  return {bits(_mm_cmpeq_epi8(text, _mm_set1_epi8(' '))), bits(_mm_cmpeq_epi8(_mm_min_epu8(from_zero, nine), from_zero)),
+  return {bits(_mm_cmpeq_epi8(text, _mm_set1_epi8(' '))),
+          bits(_mm_cmpeq_epi8(_mm_min_epu8(from_zero, nine), from_zero)),
           bits(_mm_cmpeq_epi8(text, _mm_set1_epi8('.')))};
 }
 

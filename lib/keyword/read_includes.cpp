@@ -167,7 +167,7 @@ bool DeckReader::may_include(const FileContext& context, const std::string& cano
 
 /// An included file that is readable; null: the reason is already reported.
 std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, const std::string& canonical,
-                                                        const Block& block, std::uint32_t line) {
+                                                     const Block& block, std::uint32_t line) {
   auto file = open_file(path, canonical);
   if (!file) {
     diagnostics_.error(path_of(block.file), line, "include \"" + path + "\" " + file.error().message);

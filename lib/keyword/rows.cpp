@@ -175,7 +175,8 @@ class RowReader {
     const std::uint32_t* const room = lines + rows.lines.size();
     for (std::size_t at = piece.begin; at < piece.end; ++number) {
       if (lines == room) {  // rows were counted a moment ago
-        diagnostics.error(deck_.file(block_.file).path, number, "the file has changed while it was read; read it again");
+        diagnostics.error(deck_.file(block_.file).path, number,
+                          "the file has changed while it was read; read it again");
         return;
       }
       std::size_t next = 0;
@@ -308,7 +309,8 @@ void read_rows_in_pieces(const Deck& deck, const Block& block, const CardLayout&
 
 Rows read_rows(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics) {
   Rows rows;
-  for (const Field& field : layout.fields) ++(field.type == FieldType::integer ? rows.integer_columns : rows.real_columns);
+  for (const Field& field : layout.fields)
+    ++(field.type == FieldType::integer ? rows.integer_columns : rows.real_columns);
   const auto make_room = [&](std::size_t count) {
     rows.count = count;
     rows.integers.resize(count * rows.integer_columns);

@@ -8,8 +8,8 @@
 #include "base/diagnostic.hpp"
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
-#include "model/entity/boundary.hpp"
 #include "model/contact/contact.hpp"
+#include "model/entity/boundary.hpp"
 #include "model/entity/curve.hpp"
 #include "model/entity/initial_velocity.hpp"
 #include "model/entity/loads.hpp"
@@ -33,9 +33,9 @@ struct Fault {
 struct RigidGroup {
   enum class Kind : std::uint8_t { nodal_rigid_body, extra_nodes, merged_parts } kind;
   std::int64_t id = 0;
-  std::vector<NodeIndex> nodes;  ///< nodal_rigid_body, extra_nodes
-  std::vector<PartIndex> parts;  ///< extra_nodes: the one part; merged_parts: both
-  BodyConstraint constraint;     ///< nodal_rigid_body with _SPC
+  std::vector<NodeIndex> nodes;        ///< nodal_rigid_body, extra_nodes
+  std::vector<PartIndex> parts;        ///< extra_nodes: the one part; merged_parts: both
+  BodyConstraint constraint;           ///< nodal_rigid_body with _SPC
   std::optional<BodyInertia> inertia;  ///< nodal_rigid_body with _INERTIA
   Place place;
 };

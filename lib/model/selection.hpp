@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "model/model.hpp"
 #include "model/entity/raw_sets.hpp"
 #include "model/entity/set_members.hpp"
+#include "model/model.hpp"
 
 namespace gapcheck::model {
 

@@ -4,27 +4,43 @@ namespace gapcheck {
 
 std::string_view name(HoldReason reason) {
   switch (reason) {
-    case HoldReason::locked: return "locked";
-    case HoldReason::rigid: return "rigid";
-    case HoldReason::constrained: return "constrained";
-    case HoldReason::unwritable: return "unwritable";
-    case HoldReason::shape: return "shape";
-    case HoldReason::conflict: return "conflict";
-    case HoldReason::crossing: return "crossing";
-    default: return "none";
+    case HoldReason::locked:
+      return "locked";
+    case HoldReason::rigid:
+      return "rigid";
+    case HoldReason::constrained:
+      return "constrained";
+    case HoldReason::unwritable:
+      return "unwritable";
+    case HoldReason::shape:
+      return "shape";
+    case HoldReason::conflict:
+      return "conflict";
+    case HoldReason::crossing:
+      return "crossing";
+    default:
+      return "none";
   }
 }
 
 std::string_view words(HoldReason reason) {
   switch (reason) {
-    case HoldReason::locked: return "locked nodes";
-    case HoldReason::rigid: return "rigid bodies have the nodes";
-    case HoldReason::constrained: return "boundary conditions, welds or other joints hold the nodes";
-    case HoldReason::unwritable: return "the coordinates cannot be rewritten";
-    case HoldReason::shape: return "an element would lose its shape";
-    case HoldReason::conflict: return "what frees it from one segment pushes it into another";
-    case HoldReason::crossing: return "elements would cross";
-    default: return "no way out was found";
+    case HoldReason::locked:
+      return "locked nodes";
+    case HoldReason::rigid:
+      return "rigid bodies have the nodes";
+    case HoldReason::constrained:
+      return "boundary conditions, welds or other joints hold the nodes";
+    case HoldReason::unwritable:
+      return "the coordinates cannot be rewritten";
+    case HoldReason::shape:
+      return "an element would lose its shape";
+    case HoldReason::conflict:
+      return "what frees it from one segment pushes it into another";
+    case HoldReason::crossing:
+      return "elements would cross";
+    default:
+      return "no way out was found";
   }
 }
 

@@ -11,13 +11,13 @@ namespace gapcheck {
 /// Why a node was not moved, or no further.
 enum class HoldReason : std::uint8_t {
   none,
-  locked,      ///< the user locked it or its part
-  rigid,       ///< a rigid body has it
-  constrained, ///< a boundary condition holds it
-  unwritable,  ///< its line in the deck cannot be rewritten: a parameter, defined twice, …
-  shape,       ///< an element would be turned inside out, warped or stretched too much
-  conflict,    ///< freeing it from one segment pushes it into another
-  crossing,    ///< elements that did not cross before would cross
+  locked,       ///< the user locked it or its part
+  rigid,        ///< a rigid body has it
+  constrained,  ///< a boundary condition holds it
+  unwritable,   ///< its line in the deck cannot be rewritten: a parameter, defined twice, …
+  shape,        ///< an element would be turned inside out, warped or stretched too much
+  conflict,     ///< freeing it from one segment pushes it into another
+  crossing,     ///< elements that did not cross before would cross
 };
 [[nodiscard]] std::string_view name(HoldReason reason);
 /// "its part or the node itself is locked"
@@ -37,7 +37,7 @@ struct UnfixedNode {
   std::uint32_t contact = 0;  ///< position in FixReport::contacts
   std::int64_t node = 0, part = 0, element = 0, element_part = 0;
   double depth = 0, contact_distance = 0;
-  bool released = false;      ///< too deep: the solver releases it
+  bool released = false;  ///< too deep: the solver releases it
   HoldReason reason = HoldReason::none;
   std::uint32_t file = 0, line = 0;
 };
@@ -52,7 +52,7 @@ struct FixProposal {
   std::int64_t contact = 0, part = 0, other_part = 0;  ///< ids; part 0: nodes without part
   std::uint64_t penetrations = 0;
   double deepest = 0;
-  double thickness = 0;  ///< the largest for both without penetrations; 0: none was found
+  double thickness = 0;       ///< the largest for both without penetrations; 0: none was found
   bool not_searched = false;  ///< OPTT was not searched: there are too many pairs
   std::vector<FixAlternative> alternatives;
 };
@@ -80,11 +80,11 @@ struct FixReport {
   std::string input;
   std::vector<std::string> files;  ///< of the deck; what `file` members point into
   std::vector<FixContact> contacts;
-  std::vector<MovedNode> moved;          ///< ascending by node id
-  std::vector<UnfixedNode> unfixed;      ///< by contact, deepest first
-  std::vector<FixProposal> proposals;    ///< by contact and parts
-  std::vector<FixedFile> changed;        ///< in the order of the deck
-  std::vector<std::string> notes;        ///< input that is not supported
+  std::vector<MovedNode> moved;        ///< ascending by node id
+  std::vector<UnfixedNode> unfixed;    ///< by contact, deepest first
+  std::vector<FixProposal> proposals;  ///< by contact and parts
+  std::vector<FixedFile> changed;      ///< in the order of the deck
+  std::vector<std::string> notes;      ///< input that is not supported
   double largest_move = 0, total_move = 0;
   std::uint64_t elements_touched = 0, elements_worsened = 0;  ///< with a moved node; of these with a worse shape
   std::uint64_t crossings_before = 0, crossings_after = 0;    ///< elements that cross another one

@@ -47,26 +47,27 @@ enum class ThicknessRule : std::uint8_t {
 [[nodiscard]] std::string_view name(Outcome outcome);
 [[nodiscard]] std::string_view name(ThicknessRule rule);
 
-/// One tracked node that is nearer to its closest segment than the contact distance, in one contact; or one tracked edge
-/// that is nearer to another edge.
-/// Lengths in deck units. The same record whether predicted, computed or read from the solver's files.
+/// One tracked node that is nearer to its closest segment than the contact distance, in one contact; or one tracked
+/// edge that is nearer to another edge. Lengths in deck units. The same record whether predicted, computed or read from
+/// the solver's files.
 struct Penetration {
   /// Position in Report::contacts. Reports on a deck list all contacts of its model: there it is the ContactIndex.
   std::uint32_t contact = 0;
-  std::uint32_t segment_number = 0;    ///< position in the contact's reference surface, from 1
-  std::int64_t node = 0;               ///< id of the tracked node; edges: of the end nearest to the other edge
-  std::int64_t part = 0;               ///< id of the node's part; 0: unknown
+  std::uint32_t segment_number = 0;       ///< position in the contact's reference surface, from 1
+  std::int64_t node = 0;                  ///< id of the tracked node; edges: of the end nearest to the other edge
+  std::int64_t part = 0;                  ///< id of the node's part; 0: unknown
   std::array<std::int64_t, 4> segment{};  ///< node ids; triangles and edges repeat the last one
-  std::int64_t element = 0;            ///< id of the element that the segment belongs to; 0: unknown
-  std::int64_t element_part = 0;       ///< id of that element's part; 0: unknown
-  double depth = 0;                    ///< penetration, positive
-  double contact_distance = 0;         ///< h; the remaining distance is h - depth
-  double s = 0, t = 0;                 ///< on the segment, -1 to 1; edges: on the other and the tracked one; NaN: unknown
-  /// The node before the contact was initialised; edges: the point of the tracked edge that is nearest to the other one.
+  std::int64_t element = 0;               ///< id of the element that the segment belongs to; 0: unknown
+  std::int64_t element_part = 0;          ///< id of that element's part; 0: unknown
+  double depth = 0;                       ///< penetration, positive
+  double contact_distance = 0;            ///< h; the remaining distance is h - depth
+  double s = 0, t = 0;  ///< on the segment, -1 to 1; edges: on the other and the tracked one; NaN: unknown
+  /// The node before the contact was initialised; edges: the point of the tracked edge that is nearest to the other
+  /// one.
   Vector original = Vector::Zero();
-  Vector point = Vector::Zero();       ///< closest point of the segment or of the other edge
-  Vector moved_to = Vector::Zero();    ///< where the solver puts the node; as `original` where it does not move it
-  std::uint32_t file = 0, line = 0;    ///< of the node; file is a position in Report::files, line 0 = unknown
+  Vector point = Vector::Zero();     ///< closest point of the segment or of the other edge
+  Vector moved_to = Vector::Zero();  ///< where the solver puts the node; as `original` where it does not move it
+  std::uint32_t file = 0, line = 0;  ///< of the node; file is a position in Report::files, line 0 = unknown
   PenetrationKind kind = PenetrationKind::initial;
   Outcome outcome = Outcome::reported;
   Feature feature = Feature::face;

@@ -10,11 +10,21 @@ void count(const Penetration& record, ContactSummary& contact) {
       ++contact.penetrations;
       contact.max_penetration = std::max(contact.max_penetration, record.depth);
       break;
-    case PenetrationKind::released: ++contact.released; break;
-    case PenetrationKind::edge_zone: ++contact.edge_zone; break;
-    case PenetrationKind::segment: ++contact.segment_penetrations; break;
-    case PenetrationKind::mortar: ++contact.mortar_penetrations; break;
-    case PenetrationKind::edge: ++contact.edge_penetrations; break;
+    case PenetrationKind::released:
+      ++contact.released;
+      break;
+    case PenetrationKind::edge_zone:
+      ++contact.edge_zone;
+      break;
+    case PenetrationKind::segment:
+      ++contact.segment_penetrations;
+      break;
+    case PenetrationKind::mortar:
+      ++contact.mortar_penetrations;
+      break;
+    case PenetrationKind::edge:
+      ++contact.edge_penetrations;
+      break;
   }
 }
 

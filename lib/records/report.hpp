@@ -32,15 +32,15 @@ struct Finding {
   std::string rule;  ///< "duplicate-id"
   Severity severity = Severity::warning;
   std::string message;
-  std::int64_t contact = 0;       ///< contact id
+  std::int64_t contact = 0;  ///< contact id
   std::int64_t node = 0, part = 0;
   std::int64_t element = 0, element_part = 0;
   double penetration = -1, contact_distance = -1;
-  std::optional<Vector> point;    ///< where to look
-  std::uint64_t count = 1;        ///< more than 1: a line that represents that many things
-  std::string file;               ///< empty: none
+  std::optional<Vector> point;  ///< where to look
+  std::uint64_t count = 1;      ///< more than 1: a line that represents that many things
+  std::string file;             ///< empty: none
   std::uint32_t line = 0;
-  FindingMembers members = {};    ///< only on request; what a rule does not list may be missing
+  FindingMembers members = {};  ///< only on request; what a rule does not list may be missing
 };
 
 /// One contact definition and what was found in it.
@@ -58,9 +58,9 @@ struct ContactSummary {
   std::uint64_t out_of_reach = 0;  ///< tracked nodes of parts and segments that are too far away to be meant to tie
   std::uint64_t reported_penetrations = 0;  ///< a count given in the files without a list of nodes (MPP); 0: none
   double contact_time_s = -1;               ///< CPU seconds spent in it; negative: unknown
-  std::string not_checked;  ///< why neither penetrations nor ties were decided; empty: they were
-  bool ties_judged = false;  ///< of a deck: its nodes were judged as ties, not as penetrations
-  bool by_segments = false;  ///< judged segment against segment: the solver lists no nodes of it
+  std::string not_checked;                  ///< why neither penetrations nor ties were decided; empty: they were
+  bool ties_judged = false;                 ///< of a deck: its nodes were judged as ties, not as penetrations
+  bool by_segments = false;                 ///< judged segment against segment: the solver lists no nodes of it
   std::string file;
   std::uint32_t line = 0;
 };
@@ -84,20 +84,20 @@ using Severities = std::map<std::string, Severity, std::less<>>;
 
 /// Everything that one source (deck, messag, run) reports; all views and writers work on it.
 struct Report {
-  std::string source;  ///< "deck"
-  std::string input;   ///< as given by the user
-  std::string settings;    ///< path of the settings file that was used; empty: none
-  Severities severities;   ///< of the records; `findings` already have theirs
+  std::string source;              ///< "deck"
+  std::string input;               ///< as given by the user
+  std::string settings;            ///< path of the settings file that was used; empty: none
+  Severities severities;           ///< of the records; `findings` already have theirs
   std::vector<std::string> files;  ///< what Penetration::file points into
   ModelCounts model;
-  std::vector<ContactSummary> contacts;    ///< in deck order
-  std::vector<Penetration> penetrations;   ///< by contact, deepest first, then node id
-  std::vector<TieFailure> tie_failures;    ///< by contact, reason, node id
-  std::vector<Finding> findings;           ///< by id; of one rule as it found them
-  Ignored ignored;                         ///< what was found and left out on purpose
+  std::vector<ContactSummary> contacts;        ///< in deck order
+  std::vector<Penetration> penetrations;       ///< by contact, deepest first, then node id
+  std::vector<TieFailure> tie_failures;        ///< by contact, reason, node id
+  std::vector<Finding> findings;               ///< by id; of one rule as it found them
+  Ignored ignored;                             ///< what was found and left out on purpose
   std::optional<BaselineComparison> baseline;  ///< only if the findings were compared with one
-  std::optional<SolverRun> run;            ///< only where solver files were read
-  std::optional<Timesteps> predicted;      ///< time steps computed from a deck, if a rule asked for them
+  std::optional<SolverRun> run;                ///< only where solver files were read
+  std::optional<Timesteps> predicted;          ///< time steps computed from a deck, if a rule asked for them
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
   Timing timing;
   std::optional<SceneMesh> scene;   ///< only where it was asked for

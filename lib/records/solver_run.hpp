@@ -11,11 +11,11 @@ namespace gapcheck {
 /// One `*** Warning` or `*** Error` block of the solver, kept whether understood or not.
 struct SolverMessage {
   Severity severity = Severity::warning;
-  std::int64_t code = 0;      ///< 40565
-  std::string group;          ///< "SOL"
-  std::string kind;           ///< name in the table of message kinds; empty: not understood
-  std::string text;           ///< lines joined with one blank
-  std::uint64_t count = 1;    ///< equal kinds beyond the first ones kept are only counted
+  std::int64_t code = 0;    ///< 40565
+  std::string group;        ///< "SOL"
+  std::string kind;         ///< name in the table of message kinds; empty: not understood
+  std::string text;         ///< lines joined with one blank
+  std::uint64_t count = 1;  ///< equal kinds beyond the first ones kept are only counted
   std::uint32_t file = 0, line = 0;
 };
 

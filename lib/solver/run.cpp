@@ -43,10 +43,11 @@ void name_tied_nodes_at_walls(const model::Model& model, const contact::InitialS
     return node.tied() && !node.penalty && contact::ties_by_constraint(contact::classify(model.contact(node.contact)));
   });
   if (nodes > 0)
-    diagnostics.warning("", 0,
-                        fmt::format("rigid walls do not stop the {} nodes that constraints tie; tie what meets a wall by "
-                                    "a type with _OFFSET or _BEAM_OFFSET",
-                                    nodes));
+    diagnostics.warning(
+        "", 0,
+        fmt::format("rigid walls do not stop the {} nodes that constraints tie; tie what meets a wall by "
+                    "a type with _OFFSET or _BEAM_OFFSET",
+                    nodes));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include "model/model.hpp"
 #include "solver/build/build.hpp"
 #include "solver/contact/contact_forces.hpp"
-#include "solver/step.hpp"
 #include "solver/contact/transducers.hpp"
+#include "solver/step.hpp"
 
 namespace gapcheck::solver {
 

@@ -9,8 +9,8 @@
 
 #include "base/embedded.hpp"
 #include "contact/definition/contact_type.hpp"
-#include "solver/contact/contact_method.hpp"
 #include "solver/condition/rigid_walls.hpp"
+#include "solver/contact/contact_method.hpp"
 
 namespace gapcheck::embedded {
 extern const std::span<const Text> supported_keywords;

@@ -37,11 +37,14 @@ TEST_F(AuditProgram, PatternsFindDecksAndNotTheirIncludes) {
             "2 decks: 0 errors, 36 warnings, 4 notes\n");
   const Ended talking = gapcheck("audit 'models/**/*.k'");
   EXPECT_NE(talking.err.find("1 file was found that other decks include, and not audited alone; the first is "
-                             "models/side/lib/mesh.k"), std::string::npos) << talking.err;
+                             "models/side/lib/mesh.k"),
+            std::string::npos)
+      << talking.err;
   EXPECT_EQ(gapcheck("audit 'models/*.k' --quiet").out.rfind("models/front.k: ", 0), 0u);
   EXPECT_EQ(gapcheck("audit 'models/*/rea?.k' --quiet").out.rfind("models/side/rear.k: ", 0), 0u);
   // What is named is a deck, whoever includes it.
-  EXPECT_EQ(last_line(gapcheck("audit models/side/lib/mesh.k 'models/**/*.k' --quiet").out), "3 decks: 0 errors, 54 warnings, 6 notes\n");
+  EXPECT_EQ(last_line(gapcheck("audit models/side/lib/mesh.k 'models/**/*.k' --quiet").out),
+            "3 decks: 0 errors, 54 warnings, 6 notes\n");
 }
 
 TEST_F(AuditProgram, TheSameDeckTwiceIsOneDeck) {
@@ -111,7 +114,8 @@ TEST_F(AuditProgram, FilesOfEachDeck) {
   EXPECT_EQ(run.code, 0) << run.err;
   for (const char* name : {"front.html", "front.beams", "side/rear.html", "side/rear.beams"})
     EXPECT_TRUE(fs::exists(folder_ / "out/models" / name)) << name;
-  EXPECT_EQ(gapcheck("audit ../" + folder_.filename().string() + "/models/front.k --html '{deck}.html' --quiet").code, 0);
+  EXPECT_EQ(gapcheck("audit ../" + folder_.filename().string() + "/models/front.k --html '{deck}.html' --quiet").code,
+            0);
   EXPECT_TRUE(fs::exists(folder_ / folder_.filename() / "models/front.html")) << "never outside of where one is";
 }
 
@@ -120,7 +124,8 @@ TEST_F(AuditProgram, FilesThatSeveralDecksWouldWrite) {
     const Ended run = gapcheck(std::string("audit 'models/**/*.k' ") + option);
     EXPECT_EQ(run.code, 2);
     EXPECT_NE(run.err.find("would hold the results of models/front.k and of models/side/rear.k; write {deck}"),
-              std::string::npos) << run.err;
+              std::string::npos)
+        << run.err;
   }
   file("models/front.key", content(project / "data/two_plates.k"));
   EXPECT_EQ(gapcheck("audit models/front.k models/front.key --html '{deck}.html'").code, 2);
@@ -151,8 +156,9 @@ TEST_F(AuditProgram, ABaselineThatOneDeckLacks) {
   fs::remove(folder_ / "known/models/front");
   const Ended run = gapcheck(all + "--quiet");
   EXPECT_EQ(run.code, 2);
-  EXPECT_EQ(last_line(run.out), "1 deck: 0 errors, 18 warnings, 2 notes; against the baselines: 0 new, 0 worse, 20 "
-                                "unchanged, 0 gone; 1 more not audited\n");
+  EXPECT_EQ(last_line(run.out),
+            "1 deck: 0 errors, 18 warnings, 2 notes; against the baselines: 0 new, 0 worse, 20 "
+            "unchanged, 0 gone; 1 more not audited\n");
   const std::string why =
       "known/models/front: cannot be opened: No such file or directory; --write-baseline writes a first one";
   EXPECT_NE(run.err.find(why), std::string::npos) << run.err;
@@ -171,8 +177,8 @@ TEST_F(AuditProgram, TheBaselineOfTheSettingsIsTheSameFromAnyFolder) {
   ASSERT_TRUE(fs::exists(folder_ / "known/models/side/rear.base"));
   EXPECT_EQ(gapcheck("audit 'models/**/*.k' --quiet").code, 0);
   const std::string program = "'" GAPCHECK_BINARY "' audit ";
-  for (const char* decks : {"front.k", "front.k side/rear.k", "'**/*.k'",
-                            "../models/front.k", "\"$PWD/side/rear.k\""}) {
+  for (const char* decks :
+       {"front.k", "front.k side/rear.k", "'**/*.k'", "../models/front.k", "\"$PWD/side/rear.k\""}) {
     const Ended run = shell("cd models && " + program + decks + " --quiet");
     EXPECT_EQ(run.code, 0) << decks << ": " << run.err;
   }
@@ -181,7 +187,8 @@ TEST_F(AuditProgram, TheBaselineOfTheSettingsIsTheSameFromAnyFolder) {
 /// Decks that share an include read it once, and find the same as alone.
 TEST_F(AuditProgram, SharedIncludesAreReadOnce) {
   file("models/side/front.k", "*KEYWORD\n*INCLUDE\nlib/mesh.k\n*END\n");
-  const auto both = nlohmann::json::parse(gapcheck("audit models/side/front.k models/side/rear.k --format json --stats").out);
+  const auto both =
+      nlohmann::json::parse(gapcheck("audit models/side/front.k models/side/rear.k --format json --stats").out);
   const auto alone = nlohmann::json::parse(gapcheck("audit models/side/rear.k --format json").out);
   EXPECT_EQ(both["decks"][1]["findings"], alone["findings"]);
   const auto shared = [&](std::size_t deck) {
@@ -203,7 +210,8 @@ TEST_F(Program, OptionsOfEveryCommand) {
       const Ended run = gapcheck(command + " " + option);
       EXPECT_TRUE(run.code == 0 || run.code == 1) << command << " " << option << ": " << run.err;
     }
-    EXPECT_NE(gapcheck(command + " --stats").out + gapcheck(command + " --stats").err, gapcheck(command).out + gapcheck(command).err);
+    EXPECT_NE(gapcheck(command + " --stats").out + gapcheck(command + " --stats").err,
+              gapcheck(command).out + gapcheck(command).err);
     EXPECT_EQ(gapcheck(command + " --version").out, gapcheck("--version").out);
   }
   EXPECT_EQ(gapcheck("explain GC101 --quiet").out.rfind("GC101 initial-penetration: ", 0), 0u);
@@ -211,7 +219,8 @@ TEST_F(Program, OptionsOfEveryCommand) {
 }
 
 TEST_F(AuditProgram, TheSameForAnyNumberOfThreads) {
-  EXPECT_EQ(gapcheck("audit 'models/**/*.k' --list --jobs 1").out, gapcheck("audit 'models/**/*.k' --list --jobs 4").out);
+  EXPECT_EQ(gapcheck("audit 'models/**/*.k' --list --jobs 1").out,
+            gapcheck("audit 'models/**/*.k' --list --jobs 4").out);
 }
 
 }  // namespace

@@ -95,7 +95,8 @@ TEST_F(Compare, Directories) {
 // The same deck calculated with and without the shooting node logic: the records agree, the energies do not.
 TEST_F(Compare, CurvesOfTwoRuns) {
   for (const char* name : {"0", "1"})
-    ASSERT_EQ(gapcheck("run " + data("workshop/penetration_snlog_" + std::string(name) + ".k") + " -o run" + name).code, 0);
+    ASSERT_EQ(gapcheck("run " + data("workshop/penetration_snlog_" + std::string(name) + ".k") + " -o run" + name).code,
+              0);
   const Ended same = gapcheck("compare run0 run0");
   EXPECT_EQ(same.code, 0) << same.out;
   EXPECT_NE(same.out.find(" compared, 0 differ"), std::string::npos) << same.out;

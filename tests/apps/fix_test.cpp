@@ -20,7 +20,8 @@ TEST_F(FixProgram, WritesADeckThatTheAuditLikes) {
   const std::string before = content(folder_ / "data/two_plates.k");
   const Ended fixed = gapcheck("fix data/two_plates.k -o out");
   EXPECT_EQ(fixed.code, 0) << fixed.err;
-  EXPECT_NE(fixed.out.find("18 nodes penetrating before, 0 after; 32 nodes moved in 1 file\n"), std::string::npos) << fixed.out;
+  EXPECT_NE(fixed.out.find("18 nodes penetrating before, 0 after; 32 nodes moved in 1 file\n"), std::string::npos)
+      << fixed.out;
   EXPECT_EQ(content(folder_ / "data/two_plates.k"), before);
   EXPECT_EQ(gapcheck("audit data/two_plates.k --select GC101 --fail-on warning --quiet").code, 1);
   EXPECT_EQ(gapcheck("audit out/two_plates.k --select GC101 --fail-on warning --quiet").code, 0);

@@ -48,7 +48,8 @@ TEST_F(Ignores, DoNotCountForTheExitCode) {
 TEST_F(Ignores, FormatsWithoutAPlaceForThemSayHowMany) {
   write_deck();
   for (const std::string format : {"csv", "gitlab"}) {
-    EXPECT_NE(gapcheck("audit --format " + format + " model.k").err.find("ignored, not in the " + format), std::string::npos);
+    EXPECT_NE(gapcheck("audit --format " + format + " model.k").err.find("ignored, not in the " + format),
+              std::string::npos);
     EXPECT_EQ(gapcheck("audit --quiet --format " + format + " model.k").err, "");
   }
   EXPECT_EQ(gapcheck("audit --format json model.k").err, "");

@@ -137,8 +137,7 @@ TEST_F(Messag, JudgesTheRunBesideItsLog) {
   EXPECT_NE(bad.err.find("gapcheck: note: run1: not judged: GC604"), std::string::npos) << bad.err;
   EXPECT_EQ(rules_in(gapcheck("messag run1/messag --format json")), rules_in(bad)) << "its neighbours are read too";
   EXPECT_EQ(rules_in(gapcheck("messag run1 --format json --ignore GC6")), std::set<std::string>{"GC101"});
-  EXPECT_EQ(rules_in(gapcheck("messag run1 --format json --select GC601")),
-            (std::set<std::string>{"GC101", "GC601"}));
+  EXPECT_EQ(rules_in(gapcheck("messag run1 --format json --select GC601")), (std::set<std::string>{"GC101", "GC601"}));
   EXPECT_EQ(gapcheck("messag run1 --quiet").err, "");
   EXPECT_EQ(check_c("run1/messag").out.find("GC6"), std::string::npos);
   EXPECT_EQ(gapcheck("messag run1 --select GC101").code, 2) << "no rule on runs";

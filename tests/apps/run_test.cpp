@@ -1,7 +1,7 @@
 // gapcheck run as users and scripts see it.
 #include "program.hpp"
-#include "results/d3plot/d3plot_states.hpp"
 #include "results/curves/glstat.hpp"
+#include "results/d3plot/d3plot_states.hpp"
 
 namespace gapcheck::run_test {
 namespace {

@@ -212,8 +212,7 @@ TEST(SettingsFile, WrongOnesAreNamedWithTheirLine) {
        "2: path: is absolute; write it as seen from the folder of this file"},
       {"[[include]]\npath = 'a\\b.k'\nptol = 1\n", "2: path: has a \\; folders are parted by /"},
       {"[[include]]\npath = []\nptol = 1\n", "2: path is empty; leave it out"},
-      {"[[include]]\npath = \"a\"\nnode = 1\nptol = 1\n",
-       "3: unknown key \"node\" of [[include]]"},
+      {"[[include]]\npath = \"a\"\nnode = 1\nptol = 1\n", "3: unknown key \"node\" of [[include]]"},
       {"[[exception]]\nnode = 1\n", "1: [[exception]] names no rules: ignore = \"GC101\""},
       {"[[exception]]\nignore = []\n", "2: ignore is empty; leave it out"},
       {"[[exception]]\nignore = \"GC1\"\nnode = []\n", "3: node is empty; leave it out"},
@@ -247,10 +246,14 @@ TEST(SettingsFile, AllErrorsAtOnce) {
 
 TEST(SettingsFile, FaultsOfSyntaxHaveTheirLine) {
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"ptol = 1\nptol = 2\n", "2: is no TOML: "},      {"ptol =\n", "1: is no TOML: "},
-      {"\n\nselect = [\"GC1\"\n", ": is no TOML: "},     {"units = \"mm\nptol = 1\n", "1: is no TOML: "},
-      {"ignore = []\n[[ignore]]\n", "2: is no TOML: "}, {"because = \"\xFF\"\n", "1: is no TOML: "},
-      {std::string("ptol = 1\0", 9), "1: is no TOML: "}, {"until = 2027-02-30\n", "1: is no TOML: "},
+      {"ptol = 1\nptol = 2\n", "2: is no TOML: "},
+      {"ptol =\n", "1: is no TOML: "},
+      {"\n\nselect = [\"GC1\"\n", ": is no TOML: "},
+      {"units = \"mm\nptol = 1\n", "1: is no TOML: "},
+      {"ignore = []\n[[ignore]]\n", "2: is no TOML: "},
+      {"because = \"\xFF\"\n", "1: is no TOML: "},
+      {std::string("ptol = 1\0", 9), "1: is no TOML: "},
+      {"until = 2027-02-30\n", "1: is no TOML: "},
       {"contact = 99999999999999999999\n", "1: is no TOML: "},
       {"[.a]\n", "1: is no TOML: "},
   };
@@ -286,9 +289,10 @@ TEST(SettingsFile, ManyErrorsAreBounded) {
 }
 
 TEST(SettingsFile, AnyBytesAreEitherReadOrRefused) {
-  const std::string good = "units = \"mm-s-t\"\nselect = [\"GC1\"]\n[[include]]\npath = \"*.k\"\nptol = 1e-3\n"
-                           "until = 2027-01-31\n[severity]\nGC101 = \"note\"\n[[exception]]\nignore = \"GC5\"\n"
-                           "node = \"1-5\"\n";
+  const std::string good =
+      "units = \"mm-s-t\"\nselect = [\"GC1\"]\n[[include]]\npath = \"*.k\"\nptol = 1e-3\n"
+      "until = 2027-01-31\n[severity]\nGC101 = \"note\"\n[[exception]]\nignore = \"GC5\"\n"
+      "node = \"1-5\"\n";
   std::mt19937 random(11);
   std::size_t refused = 0;
   for (int round = 0; round < 5000; ++round) {
@@ -296,9 +300,14 @@ TEST(SettingsFile, AnyBytesAreEitherReadOrRefused) {
     for (auto changes = 1 + random() % 4; changes > 0; --changes) {
       const std::size_t at = random() % text.size();
       switch (random() % 3) {
-        case 0: text[at] = static_cast<char>(random() % 256); break;
-        case 1: text.erase(at, 1 + random() % 5); break;
-        default: text.insert(at, 1, "=[]{}\"'.,\n-#0"[random() % 13]);
+        case 0:
+          text[at] = static_cast<char>(random() % 256);
+          break;
+        case 1:
+          text.erase(at, 1 + random() % 5);
+          break;
+        default:
+          text.insert(at, 1, "=[]{}\"'.,\n-#0"[random() % 13]);
       }
     }
     const Outcome outcome = read(text);
@@ -324,12 +333,19 @@ TEST(SettingsFile, FoldersAreAllThatIsInThem) {
   std::string pattern = (fs::temp_directory_path() / "gapcheck-XXXXXX").string();
   const fs::path folder = ::mkdtemp(pattern.data());
   fs::create_directories(folder / "lib/deep");
-  const std::vector<std::pair<std::string, std::string>> meant{
-      {".", "**"},           {"./", "**"},           {"lib/..", "**"}, {"lib", "lib/**"},  {"lib/", "lib/**"},
-      {"./lib", "lib/**"},   {"lib/deep", "lib/deep/**"}, {"lob", "lob"},   {"lib/*", "lib/*"}, {"**", "**"}};
+  const std::vector<std::pair<std::string, std::string>> meant{{".", "**"},
+                                                               {"./", "**"},
+                                                               {"lib/..", "**"},
+                                                               {"lib", "lib/**"},
+                                                               {"lib/", "lib/**"},
+                                                               {"./lib", "lib/**"},
+                                                               {"lib/deep", "lib/deep/**"},
+                                                               {"lob", "lob"},
+                                                               {"lib/*", "lib/*"},
+                                                               {"**", "**"}};
   for (const auto& [written, read_as] : meant) {
-    const Outcome include = read("[[include]]\npath = \"" + written + "\"\nignore = \"GC1\"\n",
-                                 (folder / "gapcheck.toml").string());
+    const Outcome include =
+        read("[[include]]\npath = \"" + written + "\"\nignore = \"GC1\"\n", (folder / "gapcheck.toml").string());
     ASSERT_EQ(include.settings.ignores.size(), 1u) << written;
     EXPECT_EQ(include.settings.ignores[0].entry.files, read_as) << written;
   }

@@ -43,9 +43,10 @@ struct Effect {
 
 /// A key does what its option does, and that is not nothing.
 TEST_F(SettingsProgram, KeysOfTheTopLevelAreOptions) {
-  file("thin.k", "*KEYWORD\n*MAT_ELASTIC\n1,7.85e-9,210000.,0.3\n*SECTION_SHELL\n1,2\n0.4\n*PART\npart\n1,1,1\n"
-                 "*NODE\n1,0,0,0\n2,5,0,0\n3,5,5,0\n4,0,5,0\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
-                 "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5,0\n0.\n1.,1.\n*END\n");
+  file("thin.k",
+       "*KEYWORD\n*MAT_ELASTIC\n1,7.85e-9,210000.,0.3\n*SECTION_SHELL\n1,2\n0.4\n*PART\npart\n1,1,1\n"
+       "*NODE\n1,0,0,0\n2,5,0,0\n3,5,5,0\n4,0,5,0\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
+       "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5,0\n0.\n1.,1.\n*END\n");
   fs::create_directory(folder_ / "lib");
   file("lib/mesh.k", content(project / "data/two_plates.k"));
   file("outer.k", "*KEYWORD\n*INCLUDE\nmesh.k\n*END\n");
@@ -78,9 +79,9 @@ TEST_F(SettingsProgram, KeysOfTheTopLevelAreOptions) {
     EXPECT_TRUE(bare.out != set.out || bare.code != set.code) << setting << " without effect";
   }
   // --jobs alone changes nothing that can be seen.
-  EXPECT_EQ(effects.size() + 1, static_cast<std::size_t>(std::count_if(
-                                    app::setting_keys().begin(), app::setting_keys().end(),
-                                    [](const app::SettingKey& key) { return key.table.empty(); })));
+  EXPECT_EQ(effects.size() + 1,
+            static_cast<std::size_t>(std::count_if(app::setting_keys().begin(), app::setting_keys().end(),
+                                                   [](const app::SettingKey& key) { return key.table.empty(); })));
 }
 
 TEST_F(SettingsProgram, OptionsAreGivenToTheCommand) {
@@ -164,8 +165,9 @@ TEST_F(SettingsProgram, WhichFileWasUsedIsSaid) {
 }
 
 TEST_F(SettingsProgram, ErrorsAreAllSaidAndNothingIsDone) {
-  settings("selct = 1\nunits = \"furlong\"\njobs = 5000\nformat = \"xml\"\nfail-on = \"maybe\"\ntop = -1\n"
-           "missing-includes = \"no\"\nptol = -1\n");
+  settings(
+      "selct = 1\nunits = \"furlong\"\njobs = 5000\nformat = \"xml\"\nfail-on = \"maybe\"\ntop = -1\n"
+      "missing-includes = \"no\"\nptol = -1\n");
   for (const char* command : {"audit two_plates.k", "audit two_plates.k --units mm-s-t --jobs 1",
                               "fix two_plates.k -o out", "run two_plates.k -o out"}) {
     const Ended run = gapcheck(command);
@@ -174,7 +176,8 @@ TEST_F(SettingsProgram, ErrorsAreAllSaidAndNothingIsDone) {
     EXPECT_FALSE(fs::exists(folder_ / "out"));
     for (int line = 1; line <= 8; ++line)
       EXPECT_NE(run.err.find("gapcheck: error: gapcheck.toml:" + std::to_string(line) + ": "), std::string::npos)
-          << command << " line " << line << "\n" << run.err;
+          << command << " line " << line << "\n"
+          << run.err;
     EXPECT_NE(run.err.find(":2: units: furlong not in {"), std::string::npos) << run.err;
     EXPECT_NE(run.err.find("did you mean \"select\"?"), std::string::npos) << run.err;
   }
@@ -206,16 +209,16 @@ TEST_F(SettingsProgram, ExceptionsAreIgnored) {
   EXPECT_EQ(gapcheck("audit contact_chain.k --contact 10 --select GC101 --fail-on note --quiet").code, 0);
   const Json report = json("contact_chain.k");
   ASSERT_EQ(report["ignored"].size(), 1u) << report["ignored"];
-  for (const auto& [lines, left] : std::vector<std::pair<std::string, std::size_t>>{
-           {"node = 2001", 16},
-           {"node = [\"2001-2003\", 2004]", 10},
-           {"part = 3", 9},
-           {"element = 1001", 17},
-           {"contact = 10\nnode = 2001", 17},
-           {"until = 2000-01-01", 18},
-           {"until = 2999-12-31", 0},
-           {"deck = \"two*.k\"", 18},
-           {"deck = [\"two*.k\", \"**/contact_?hain.k\"]", 0}}) {
+  for (const auto& [lines, left] :
+       std::vector<std::pair<std::string, std::size_t>>{{"node = 2001", 16},
+                                                        {"node = [\"2001-2003\", 2004]", 10},
+                                                        {"part = 3", 9},
+                                                        {"element = 1001", 17},
+                                                        {"contact = 10\nnode = 2001", 17},
+                                                        {"until = 2000-01-01", 18},
+                                                        {"until = 2999-12-31", 0},
+                                                        {"deck = \"two*.k\"", 18},
+                                                        {"deck = [\"two*.k\", \"**/contact_?hain.k\"]", 0}}) {
     settings("[[exception]]\nignore = \"initial-penetration\"\n" + lines + "\n");
     EXPECT_EQ(count(json("contact_chain.k"), "GC101"), left) << lines;
   }

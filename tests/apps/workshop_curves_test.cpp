@@ -18,7 +18,8 @@ std::string coarse(const std::string& text) {
   static const std::regex interval("(\\*DATABASE_(?:GLSTAT|SLEOUT|NCFORC|RCFORC|NODOUT)\n)\\s*(\\S+)");
   std::string result;
   auto at = text.cbegin();
-  for (auto found = std::sregex_iterator(text.begin(), text.end(), interval); found != std::sregex_iterator(); ++found) {
+  for (auto found = std::sregex_iterator(text.begin(), text.end(), interval); found != std::sregex_iterator();
+       ++found) {
     result.append(at, (*found)[0].first);
     result += (*found)[1].str() + fmt::format("{:10.4g}", std::stod((*found)[2].str()) * 50);
     at = (*found)[0].second;

@@ -30,7 +30,8 @@ TEST(IgnoreComment, Everything) {
   EXPECT_EQ(text_of(entry.nodes), "1-500 7-7 ");
   EXPECT_EQ(text_of(entry.parts), "2-2 ");
   EXPECT_EQ(text_of(entry.elements), "9223372036854775807-9223372036854775807 ");
-  EXPECT_EQ(entry.until, std::chrono::year_month_day(std::chrono::year(2027), std::chrono::January, std::chrono::day(31)));
+  EXPECT_EQ(entry.until,
+            std::chrono::year_month_day(std::chrono::year(2027), std::chrono::January, std::chrono::day(31)));
   EXPECT_EQ(entry.reason, "welded = on purpose, by node=5");
 }
 
@@ -76,7 +77,8 @@ TEST(IgnoreComment, SaysWhatIsWrongAndWhatToWrite) {
       {"ignore GC101 \x01\xff=3", "\"??\" is not understood"},
       {"ignore GC101 = 3", "\"=\" is not understood"},
   };
-  for (const auto& [text, expected] : cases) EXPECT_NE(wrong(text).find(expected), std::string::npos) << text << ": " << wrong(text);
+  for (const auto& [text, expected] : cases)
+    EXPECT_NE(wrong(text).find(expected), std::string::npos) << text << ": " << wrong(text);
 }
 
 TEST(IgnoreComment, LongOnesTakeNoTimeAndGiveShortMessages) {

@@ -92,10 +92,10 @@ TEST(Ignores, EachConditionNarrows) {
   EXPECT_EQ(ignored("GC101 node=2001 until=2027-06-15"), 1U) << "holds on its last day";
   EXPECT_EQ(ignored("GC101 node=2001 until=2027-06-14"), 0U);
   const Report report = plates("");
-  EXPECT_EQ(ignored(fmt::format("GC101 element={}", report.penetrations[0].element)),
-            static_cast<std::size_t>(std::count_if(report.penetrations.begin(), report.penetrations.end(), [&](auto& p) {
-              return p.element == report.penetrations[0].element;
-            })));
+  EXPECT_EQ(
+      ignored(fmt::format("GC101 element={}", report.penetrations[0].element)),
+      static_cast<std::size_t>(std::count_if(report.penetrations.begin(), report.penetrations.end(),
+                                             [&](auto& p) { return p.element == report.penetrations[0].element; })));
 }
 
 TEST(Ignores, FindingsWithoutANodeAreInNoRangeOfNodes) {
@@ -103,7 +103,9 @@ TEST(Ignores, FindingsWithoutANodeAreInNoRangeOfNodes) {
   deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);
   deck.plate(101, 2, 2, 2, Vector(0, 0, 0), 5, 5);
   deck.contact(4, "TIED_SURFACE_TO_SURFACE", "1,2,3,3", "0.2,0.1\n1.,1.\n1.,1.\n");
-  const auto ignored = [&](const std::string& comment) { return audited(comment + deck.text()).report.ignored.findings.size(); };
+  const auto ignored = [&](const std::string& comment) {
+    return audited(comment + deck.text()).report.ignored.findings.size();
+  };
   EXPECT_EQ(ignored("$ gapcheck: ignore tied-friction\n"), 1U);
   EXPECT_EQ(ignored("$ gapcheck: ignore tied-friction contact=4\n"), 1U);
   EXPECT_EQ(ignored("$ gapcheck: ignore tied-friction node=1-9223372036854775807\n"), 0U);
@@ -167,8 +169,9 @@ TEST(Ignores, OfSettings) {
 }
 
 TEST(Ignores, OfSettingsLeaveOutWhatIsSaidOfComments) {
-  const std::string comments = "$ gapcheck: ignore GC101 node=9\n$ gapcheck: ignr GC1\n"
-                               "$ gapcheck: ignore GC101 node=2001 until=2020-01-01\n";
+  const std::string comments =
+      "$ gapcheck: ignore GC101 node=9\n$ gapcheck: ignr GC1\n"
+      "$ gapcheck: ignore GC101 node=2001 until=2020-01-01\n";
   IgnoreEntry entry;
   entry.rules = {"GC513", "bad-ignore", "GC514"};
   entry.files = "*.k";
@@ -213,8 +216,9 @@ TEST(Ignores, OneLineOfSettingsIsOnePlace) {
       if (f.id == "GC514") texts.push_back(f.message);
     return texts;
   };
-  EXPECT_EQ(messages(), std::vector<std::string>{"the ignore of GC5, GC1 held until 2027-06-14; the 18 findings that it "
-                                                 "would leave out count again: mend them, or give a later day"});
+  EXPECT_EQ(messages(),
+            std::vector<std::string>{"the ignore of GC5, GC1 held until 2027-06-14; the 18 findings that it "
+                                     "would leave out count again: mend them, or give a later day"});
   options.ignores[1].ptol = options.ignores[2].ratio = 0.1;
   EXPECT_TRUE(messages().empty()) << "it may serve another deck";
 }
@@ -244,7 +248,9 @@ class IgnoresInIncludes : public testing::Test {
 TEST_F(IgnoresInIncludes, IdsAreThoseOfTheFile) {
   std::string text = data("two_plates");
   text.resize(text.find("*END"));
-  const std::string transform = "*INCLUDE_TRANSFORM\nplates.k\n     10000     20000     30000     40000     50000     60000     70000\n     80000\n\n\n";
+  const std::string transform =
+      "*INCLUDE_TRANSFORM\nplates.k\n     10000     20000     30000     40000     50000     60000     70000\n     "
+      "80000\n\n\n";
   const auto ignored = [&](const std::string& comment, const std::string& above = "") {
     write("plates.k", text + comment + "\n*END\n");
     return audited(write("main.k", above + "*KEYWORD\n" + transform + "*END\n"));
@@ -263,8 +269,11 @@ TEST_F(IgnoresInIncludes, IdsAreThoseOfTheFile) {
 TEST_F(IgnoresInIncludes, AFileThatIsIncludedTwiceIsOnePlace) {
   std::string text = data("two_plates");
   text.resize(text.find("*END"));
-  write("comment.k", "$ gapcheck: ignore GC101 node=1\n$ gapcheck: ignore GC101 node=2 until=2020-01-01\n$ gapcheck: ignore GC9\n*COMMENT\n");
-  const std::string twice = "*INCLUDE_TRANSFORM\ncomment.k\n      2000\n\n\n\n*INCLUDE_TRANSFORM\ncomment.k\n      5000\n\n\n\n";
+  write("comment.k",
+        "$ gapcheck: ignore GC101 node=1\n$ gapcheck: ignore GC101 node=2 until=2020-01-01\n$ gapcheck: ignore "
+        "GC9\n*COMMENT\n");
+  const std::string twice =
+      "*INCLUDE_TRANSFORM\ncomment.k\n      2000\n\n\n\n*INCLUDE_TRANSFORM\ncomment.k\n      5000\n\n\n\n";
   const Report report = audited(write("main.k", text + twice + "*END\n"));
   EXPECT_EQ(report.ignored.size(), 1U);
   EXPECT_EQ(of_rule(report, "GC513"), 0U) << "used by one of the two";
@@ -309,7 +318,8 @@ TEST(Ignores, HostileComments) {
   EXPECT_EQ(same.ignored.size(), 18U);
   EXPECT_EQ(of_rule(same, "GC513"), 0U);
   many.clear();
-  for (int i = 0; i < 100'000; ++i) many += fmt::format("$ gapcheck: ignore GC101 node={}-9223372036854775807\n", 3000 + i);
+  for (int i = 0; i < 100'000; ++i)
+    many += fmt::format("$ gapcheck: ignore GC101 node={}-9223372036854775807\n", 3000 + i);
   EXPECT_EQ(of_rule(plates(many), "GC513"), 100'000U);
   const std::string megabyte(1 << 20, '7');
   EXPECT_EQ(of_rule(plates("$ gapcheck: ignore GC101 node=" + megabyte + "\n"), "GC515"), 1U);
@@ -318,14 +328,20 @@ TEST(Ignores, HostileComments) {
   const auto at = end.find("*END");
   EXPECT_EQ(of_rule(audited(end.substr(0, at) + "$ gapcheck: ignore GC101 node=").report, "GC515"), 1U);
   EXPECT_EQ(of_rule(audited(end.substr(0, at) + "$ gapcheck:").report, "GC515"), 1U);
-  EXPECT_EQ(of_rule(audited(end.substr(0, at) + "$ gapcheck: ign" + std::string(5000, 'x') + std::string("\0\xff\x01\0", 4)).report, "GC515"), 1U);
+  EXPECT_EQ(
+      of_rule(audited(end.substr(0, at) + "$ gapcheck: ign" + std::string(5000, 'x') + std::string("\0\xff\x01\0", 4))
+                  .report,
+              "GC515"),
+      1U);
 }
 
 /// Every comment against every finding.
 TEST(Ignores, ManyAreWhatTheyAreOneByOne) {
   const std::vector<Penetration> all = plates("").penetrations;
   std::mt19937 random(7);
-  const auto below = [&](std::int64_t n) { return static_cast<std::int64_t>(random() % static_cast<std::uint32_t>(n)); };
+  const auto below = [&](std::int64_t n) {
+    return static_cast<std::int64_t>(random() % static_cast<std::uint32_t>(n));
+  };
   for (int trial = 0; trial < 40; ++trial) {
     std::string comments;
     std::vector<std::uint64_t> matched;
@@ -342,7 +358,9 @@ TEST(Ignores, ManyAreWhatTheyAreOneByOne) {
       if (below(2) == 0) narrow("node", node, below(2) == 0 ? 1000 : 2000, 18);
       if (below(4) == 0) narrow("element", element, below(2) == 0 ? 1000 : 2009, 12);
       if (below(4) == 0) narrow("part", part, 1, 3);
-      const auto in = [](const audit::IdRange& range, std::int64_t id) { return range.first <= id && id <= range.last; };
+      const auto in = [](const audit::IdRange& range, std::int64_t id) {
+        return range.first <= id && id <= range.last;
+      };
       std::uint64_t mine = 0;
       bool used = false;
       for (std::size_t i = 0; i < all.size(); ++i) {

@@ -177,7 +177,8 @@ std::vector<std::string> printed(const fs::path& path, const std::string& words)
 }
 
 // The solver backed the two ties of this run with penalty contacts between the same segments, and printed their time
-// steps. The material is that of the run (density as echoed, E and ν at the start), which the deck beside it no longer has.
+// steps. The material is that of the run (density as echoed, E and ν at the start), which the deck beside it no longer
+// has.
 TEST(RealRun, TimeStepsOfContactAreThoseThatTheSolverPrints) {
   NEED_REAL_DECKS();
   const fs::path run_folder = fs::canonical(folder / "tied_plate_with_run");

@@ -58,8 +58,8 @@ std::string dump(const Report& report) {
                    name(p.node_rule), name(p.segment_rule));
   }
   for (const auto& t : report.tie_failures)
-    fmt::format_to(out, "{} node {} part {} segment {} {} separation {:a} of {:a} line {} {}\n", t.contact, t.node, t.part,
-                   t.segment_number, name(t.reason), t.distance, t.allowed, t.file, t.line);
+    fmt::format_to(out, "{} node {} part {} segment {} {} separation {:a} of {:a} line {} {}\n", t.contact, t.node,
+                   t.part, t.segment_number, name(t.reason), t.distance, t.allowed, t.file, t.line);
   for (const auto& f : report.findings)
     fmt::format_to(out, "{} {} {}:{} {}\n", f.id, f.contact, f.file, f.line, f.message);
   return text;

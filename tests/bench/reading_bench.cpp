@@ -1,5 +1,5 @@
-// Rows of *NODE and *ELEMENT_SHELL in memory: read_rows_in_pieces(), as the model reads, and read_rows() beside what the
-// language offers, on the same text. All ways must give the same numbers before any is timed. Prints one line of
+// Rows of *NODE and *ELEMENT_SHELL in memory: read_rows_in_pieces(), as the model reads, and read_rows() beside what
+// the language offers, on the same text. All ways must give the same numbers before any is timed. Prints one line of
 // key=value per case: megabytes of text per second, and page faults per megabyte where memory is taken.
 #include <fmt/format.h>
 #include <malloc.h>
@@ -54,7 +54,8 @@ std::string text_of(const Case& c, std::size_t rows) {
   std::string text = "*" + c.keyword + "\n";
   for (std::size_t i = 1; i <= rows; ++i) {
     text += fmt::format("{:{}}", i, c.columns);
-    for (int k = 0; k < 3 && !c.real_form.empty(); ++k) text += fmt::format(fmt::runtime(c.real_form), coordinate(random));
+    for (int k = 0; k < 3 && !c.real_form.empty(); ++k)
+      text += fmt::format(fmt::runtime(c.real_form), coordinate(random));
     for (std::size_t k = 0; k < 5 && c.real_form.empty(); ++k)
       text += fmt::format("{:{}}", k == 0 ? 1 + i / 1000 : i + 1000 * (k / 2) + k, c.columns);
     text += '\n';

@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "contact/search/choose_search.hpp"
 #include "contact/pair/closest_segment.hpp"
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/pair/side_scene.hpp"
+#include "contact/search/choose_search.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "keyword/deck.hpp"
 #include "model/model.hpp"
 #include "scenes/scenes.hpp"

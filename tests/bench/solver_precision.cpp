@@ -53,9 +53,10 @@ std::string rods(int n, const Setting& setting) {
   const int a = 1000 + 4 * n, b = 2000;
   return rod(1, n, 0) + rod(2, n, length + 1e-6) +
          fmt::format("*INITIAL_VELOCITY_GENERATION\n1,2,0.,{},0.,0.\n0.,0.,0.,0.,0.,1.\n", speed) +
-         fmt::format("*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,{},{},0.\n*CONTROL_TERMINATION\n1.1\n"
-                     "*CONTROL_TIMESTEP\n0.,{}\n",
-                     density, young, setting.tssfac) +
+         fmt::format(
+             "*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,{},{},0.\n*CONTROL_TERMINATION\n1.1\n"
+             "*CONTROL_TIMESTEP\n0.,{}\n",
+             density, young, setting.tssfac) +
          fmt::format("*SET_SEGMENT\n1\n{},{},{},{}\n*SET_SEGMENT\n2\n{},{},{},{}\n", a, a + 1, a + 2, a + 3, b, b + 3,
                      b + 2, b + 1) +
          "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,0,0\n" + contact_cards(setting);
@@ -80,8 +81,8 @@ std::string plates(int n, const Setting& setting) {
   return nodes + shells +
          "*PART\np\n1,1,1\n*PART\nq\n2,1,1\n*SECTION_SHELL\n1,2\n0.04\n*MAT_ELASTIC\n1,1.,1000.,0.3\n"
          "*INITIAL_VELOCITY_GENERATION\n2,2,0.,0.3,0.1,-2.\n0.,0.,0.,0.,0.,1.\n*CONTROL_TERMINATION\n0.2\n" +
-         fmt::format("*CONTROL_TIMESTEP\n0.,{}\n", setting.tssfac) +
-         "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,2\n" + contact_cards(setting);
+         fmt::format("*CONTROL_TIMESTEP\n0.,{}\n", setting.tssfac) + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,2\n" +
+         contact_cards(setting);
 }
 
 /// What one run gave.
@@ -148,10 +149,11 @@ Outcome fastest(const std::string& text) {
 
 void print_rods(const char* group, double value, const Setting& setting) {
   const Outcome outcome = fastest(rods(40, setting));
-  fmt::print("{{\"model\":\"rods\",\"group\":\"{}\",\"value\":{},\"seconds\":{:.4f},\"cycles\":{},\"ended\":{},"
-             "\"contact_time\":{:.3e},\"velocity\":{:.3e},\"energy\":{:.3e}}}\n",
-             group, value, outcome.seconds, outcome.cycles, outcome.ended, outcome.contact_time / (2 * length / wave) - 1,
-             outcome.velocity / speed - 1, outcome.energy - 1);
+  fmt::print(
+      "{{\"model\":\"rods\",\"group\":\"{}\",\"value\":{},\"seconds\":{:.4f},\"cycles\":{},\"ended\":{},"
+      "\"contact_time\":{:.3e},\"velocity\":{:.3e},\"energy\":{:.3e}}}\n",
+      group, value, outcome.seconds, outcome.cycles, outcome.ended, outcome.contact_time / (2 * length / wave) - 1,
+      outcome.velocity / speed - 1, outcome.energy - 1);
 }
 
 void print_plates(int n) {
@@ -160,14 +162,15 @@ void print_plates(int n) {
     const Outcome outcome = fastest(plates(n, {0.9, 1, 0, bsort}));
     double apart = 0;
     for (std::size_t i = 0; i < always.x.size(); ++i) apart = std::max(apart, (outcome.x[i] - always.x[i]).norm());
-    fmt::print("{{\"model\":\"plates\",\"group\":\"search\",\"value\":{},\"seconds\":{:.4f},\"cycles\":{},\"searches\":{},"
-               "\"energy\":{:.3e},\"apart\":{:.3e}}}\n",
-               bsort, outcome.seconds, outcome.cycles, outcome.searches, outcome.energy - 1, apart);
+    fmt::print(
+        "{{\"model\":\"plates\",\"group\":\"search\",\"value\":{},\"seconds\":{:.4f},\"cycles\":{},\"searches\":{},"
+        "\"energy\":{:.3e},\"apart\":{:.3e}}}\n",
+        bsort, outcome.seconds, outcome.cycles, outcome.searches, outcome.energy - 1, apart);
   }
 }
 
-/// Boxes of segments, made larger by a reach, in single precision: which nodes inside the boxes do they miss, and how many
-/// do they add, where every step is rounded to the nearest number, and where it is rounded outwards?
+/// Boxes of segments, made larger by a reach, in single precision: which nodes inside the boxes do they miss, and how
+/// many do they add, where every step is rounded to the nearest number, and where it is rounded outwards?
 void print_boxes(double offset) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -195,9 +198,10 @@ void print_boxes(double offset) {
       more_outward += outward && !in;
     }
   }
-  fmt::print("{{\"model\":\"boxes\",\"group\":\"single\",\"value\":{},\"pairs\":{},\"lost_nearest\":{},\"lost_outward\":{},"
-             "\"more_outward\":{}}}\n",
-             offset, pairs, lost_nearest, lost_outward, more_outward);
+  fmt::print(
+      "{{\"model\":\"boxes\",\"group\":\"single\",\"value\":{},\"pairs\":{},\"lost_nearest\":{},\"lost_outward\":{},"
+      "\"more_outward\":{}}}\n",
+      offset, pairs, lost_nearest, lost_outward, more_outward);
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ std::string plates(int n, int far) {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < columns; ++i) {
         const int a = first + j * (columns + 1) + i;
-        shells += fmt::format("{:8}{:8}{:8}{:8}{:8}{:8}\n", ++element, part, a, a + 1, a + columns + 2, a + columns + 1);
+        shells +=
+            fmt::format("{:8}{:8}{:8}{:8}{:8}{:8}\n", ++element, part, a, a + 1, a + columns + 2, a + columns + 1);
       }
   };
   plate(1, n, 0, 0, 0);
@@ -120,13 +121,13 @@ int main(int argc, char** argv) {
   for (const bool with_contact : {false, true}) {
     const Speed r = run(text, n, cycles, with_contact);
     const double per_cycle = static_cast<double>(cycles);
-    fmt::print("{} shells, {}: {:.2f} million shell cycles per second, contact {:.1f} % of the time, {:.0f} nodes and "
-               "{:.0f} pairs looked at ({:.0f} followed) and {:.3f} searches per cycle, {} touching\n",
-               r.shells, with_contact ? "contact" : "elements alone",
-               static_cast<double>(r.shells) * per_cycle / r.seconds / 1e6, 100 * r.contact_s / r.seconds,
-               static_cast<double>(r.nodes) / per_cycle, static_cast<double>(r.pairs) / per_cycle,
-               static_cast<double>(r.followed) / per_cycle,
-               static_cast<double>(r.searches) / per_cycle, r.touching);
+    fmt::print(
+        "{} shells, {}: {:.2f} million shell cycles per second, contact {:.1f} % of the time, {:.0f} nodes and "
+        "{:.0f} pairs looked at ({:.0f} followed) and {:.3f} searches per cycle, {} touching\n",
+        r.shells, with_contact ? "contact" : "elements alone",
+        static_cast<double>(r.shells) * per_cycle / r.seconds / 1e6, 100 * r.contact_s / r.seconds,
+        static_cast<double>(r.nodes) / per_cycle, static_cast<double>(r.pairs) / per_cycle,
+        static_cast<double>(r.followed) / per_cycle, static_cast<double>(r.searches) / per_cycle, r.touching);
   }
   return 0;
 }

@@ -265,7 +265,8 @@ TEST(Initial, AboveATaperedBodyOfTwoGluedPartsIsOutside) {
   scene.brick(scene.part(1, 0), {0, 0, 0}, {10, 10, 1});
   auto lower = scene.model.mesh.solids.nodes[0];
   const auto top = [&](double x, double y) { return scene.node({x, y, 1.2}); };
-  scene.solid(scene.part(2, 0), {lower[4], lower[5], lower[6], lower[7], top(0, 0), top(10, 0), top(10, 10), top(0, 10)});
+  scene.solid(scene.part(2, 0),
+              {lower[4], lower[5], lower[6], lower[7], top(0, 0), top(10, 0), top(10, 10), top(0, 10)});
   EXPECT_TRUE(nodes_to_part(scene, {{0.5, 5, 1.24}}).penetrations.empty());
 }
 

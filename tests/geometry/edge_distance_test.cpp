@@ -53,7 +53,8 @@ Edges any(Maker& maker) { return {{maker.point(1), maker.point(1)}, {maker.point
 /// Crossing at a right angle, more or less, a little apart.
 Edges crossing(Maker& maker) {
   const double h = maker.power_of_ten(-12, 0);
-  return {{Vector(-1, maker.uniform(-0.5, 0.5), 0), Vector(1, 0, 0)}, {Vector(0, -1, h), Vector(maker.uniform(-0.5, 0.5), 1, h)}};
+  return {{Vector(-1, maker.uniform(-0.5, 0.5), 0), Vector(1, 0, 0)},
+          {Vector(0, -1, h), Vector(maker.uniform(-0.5, 0.5), 1, h)}};
 }
 Edges nearly_parallel(Maker& maker) {
   const Vector a = maker.point(1), b = maker.point(1), shift = maker.point(maker.power_of_ten(-9, 0));
@@ -165,7 +166,8 @@ TEST(EdgeDistance, BoundsAndNumbersThatAreNone) {
       EXPECT_FALSE(decide_edges(e, {Vector(0, 1, 0), Vector(0, bad, 0)}, infinity, mode).closer);
       EXPECT_FALSE(closest_points(e, {Vector(0, 1, 0), Vector(0, bad, 0)}).interior);
     }
-    EXPECT_TRUE(decide_edges({Vector(-1e300, 0, 0), Vector(1e300, 0, 0)}, {Vector(0, 1, 1), Vector(0, 2, 2)}, 2, mode).closer);
+    EXPECT_TRUE(
+        decide_edges({Vector(-1e300, 0, 0), Vector(1e300, 0, 0)}, {Vector(0, 1, 1), Vector(0, 2, 2)}, 2, mode).closer);
   }
 }
 

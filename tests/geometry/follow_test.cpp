@@ -54,7 +54,7 @@ TEST_P(FollowFamilies, AgreesWithClosestPointAndDecision) {
       const double apart = std::abs(pairs->s[i] - c.s) + std::abs(pairs->t[i] - c.t);
       const bool has_normal = std::abs(pairs->turn[i]) > 1e-6 * std::abs(c.gap) * size * size;
       if (c.gap * c.gap > 1e-12 * size * size && apart < 1e-6 && has_normal) {
-        EXPECT_EQ(pairs->turn[i] < 0, c.gap > 0) << describe(pair);
+        EXPECT_EQ(pairs->turn[i]<0, c.gap> 0) << describe(pair);
       }
       for (const double factor : {0.5, 1 - 1e-15, 1.0, 1 + 1e-15, 1 + 1e-12, 2.0}) {
         const double bound = factor * std::sqrt(pairs->squared_distance[i]);

@@ -73,19 +73,23 @@ Vector point_of(Maker& maker, const Triangle& t) {
 Twin special(Maker& maker) {
   Twin twin{lattice(maker, 3), lattice(maker, 3)};
   switch (maker.integer(0, 6)) {
-    case 0: break;
+    case 0:
+      break;
     case 1:  // in one plane
       for (Triangle* t : {&twin.a, &twin.b})
         for (Vector& x : *t) x.z() = x.x() - 2 * x.y();
       break;
-    case 2: twin.b[0] = twin.a[maker.integer(0, 2)]; break;
+    case 2:
+      twin.b[0] = twin.a[maker.integer(0, 2)];
+      break;
     case 3:
       twin.b[0] = twin.a[0];
       twin.b[2] = twin.a[1];
       break;
     case 4:  // a corner or an edge on the other, up to rounding
       for (Vector& x : twin.a) x = maker.point(1);
-      twin.b = {point_of(maker, twin.a), maker.point(2), maker.integer(0, 1) == 0 ? maker.point(2) : point_of(maker, twin.a)};
+      twin.b = {point_of(maker, twin.a), maker.point(2),
+                maker.integer(0, 1) == 0 ? maker.point(2) : point_of(maker, twin.a)};
       break;
     case 5:  // rounded into one plane
       for (Vector& x : twin.a) x = maker.point(1);
@@ -170,11 +174,20 @@ TEST(Intersect, TrianglesWithAndWithoutAreaAsWholeNumbersSay) {
   for (int i = 0; i < many / 5; ++i) {
     Twin twin{lattice(maker, 2), lattice(maker, 2)};
     switch (maker.integer(0, 4)) {
-      case 0: twin.a[1] = twin.a[0]; break;
-      case 1: twin.a[2] = 2 * twin.a[1] - twin.a[0]; break;
-      case 2: twin.a[1] = twin.a[2] = twin.a[0]; break;
-      case 3: twin.b[2] = 2 * twin.b[0] - twin.b[1]; [[fallthrough]];
-      default: break;
+      case 0:
+        twin.a[1] = twin.a[0];
+        break;
+      case 1:
+        twin.a[2] = 2 * twin.a[1] - twin.a[0];
+        break;
+      case 2:
+        twin.a[1] = twin.a[2] = twin.a[0];
+        break;
+      case 3:
+        twin.b[2] = 2 * twin.b[0] - twin.b[1];
+        [[fallthrough]];
+      default:
+        break;
     }
     if (maker.integer(0, 2) == 0) std::swap(twin.a, twin.b);
     const bool expected = whole_triangles_meet(twin.a, twin.b);
@@ -309,12 +322,12 @@ TEST(Intersect, StandingTouchingAndLyingIsNoCrossing) {
     EXPECT_EQ(cross({flat, other}), crosses);
   };
   expect({Vector(1, 1, -1), Vector(1, 1, 1), Vector(2, 1, 1)}, true, true);
-  expect({Vector(1, 1, 0), Vector(2, 1, 0), Vector(1, 1, 1)}, true, false);    // stands on it with an edge
-  expect({Vector(1, 1, 0), Vector(2, 1, 1), Vector(1, 1, 1)}, true, false);    // with a corner
-  expect({Vector(1, 1, 0), Vector(2, 1, 0), Vector(1, 2, 0)}, true, false);    // in its plane
-  expect({Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 0, 4)}, true, false);    // at a common edge
-  expect({Vector(2, 2, -1), Vector(2, 2, 1), Vector(3, 3, 0)}, true, false);   // touches its edge from outside
-  expect({Vector(-1, 2, 1), Vector(-1, 2, -1), Vector(0, 2, 0)}, true, false); // tip on its edge
+  expect({Vector(1, 1, 0), Vector(2, 1, 0), Vector(1, 1, 1)}, true, false);     // stands on it with an edge
+  expect({Vector(1, 1, 0), Vector(2, 1, 1), Vector(1, 1, 1)}, true, false);     // with a corner
+  expect({Vector(1, 1, 0), Vector(2, 1, 0), Vector(1, 2, 0)}, true, false);     // in its plane
+  expect({Vector(0, 0, 0), Vector(4, 0, 0), Vector(0, 0, 4)}, true, false);     // at a common edge
+  expect({Vector(2, 2, -1), Vector(2, 2, 1), Vector(3, 3, 0)}, true, false);    // touches its edge from outside
+  expect({Vector(-1, 2, 1), Vector(-1, 2, -1), Vector(0, 2, 0)}, true, false);  // tip on its edge
   expect({Vector(1, 1, 1e-300), Vector(2, 1, 1e-300), Vector(1, 1, 1)}, false, false);
   expect({Vector(1, 1, -1e-300), Vector(2, 1, 1e-300), Vector(1, 1, 1)}, true, true);
 }

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "families.hpp"
-#include "geometry/double_double.hpp"
 #include "geometry/decide.hpp"
+#include "geometry/double_double.hpp"
 #include "geometry/view.hpp"
 #include "reference.hpp"
 

@@ -36,7 +36,8 @@ TEST(FileCache, ChangesNothing) {
   with.cache = &cache;
   for (int time = 0; time < 2; ++time) {
     Diagnostics one, other;
-    const auto cached = read_deck(directory.path("main.k"), with, one), plain = read_deck(directory.path("main.k"), {}, other);
+    const auto cached = read_deck(directory.path("main.k"), with, one),
+               plain = read_deck(directory.path("main.k"), {}, other);
     ASSERT_TRUE(cached.ok() && plain.ok());
     EXPECT_EQ(names(cached.value()), names(plain.value()));
     for (std::size_t i = 0; i < plain.value().blocks().size(); ++i) {

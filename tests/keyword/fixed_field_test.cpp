@@ -54,25 +54,64 @@ std::string placed(const std::string& number, std::size_t width, std::size_t bla
 }
 
 const std::vector<std::string> forms{
-    "0",       "-0",       "0.",      ".0",       "-0.0",    "1",          "-1",      "+1",        "1.",       "-1.",
-    ".5",      "-.5",      "+.5",     "1.5",      "12.75",   "-12.75",     "1e2",     "1E2",       "1.e2",     ".5e2",
-    "1.5E+02", "1.5e-02",  "1.5D+02", "1.5d-02",  "1.5D2",   "1.5-3",      "1.5+3",   "-1.5-3",    ".5-3",     "5.+3",
-    "15-3",    "1.5E+003", "1.5E22",  "1.5E-21",  "1.E-9",   "0.1",        "0.3",     "-7.1E-5",   "00012.50", "1e0",
-    "1e00",    "9999999",  "1234.5",  "-0.00001", "123456.", "0.00000123", "2.5E+10", "1.0000001", "-9.99E-3", "+1.5D+1"};
+    "0",          "-0",      "0.",        ".0",       "-0.0",     "1",       "-1",      "+1",       "1.",
+    "-1.",        ".5",      "-.5",       "+.5",      "1.5",      "12.75",   "-12.75",  "1e2",      "1E2",
+    "1.e2",       ".5e2",    "1.5E+02",   "1.5e-02",  "1.5D+02",  "1.5d-02", "1.5D2",   "1.5-3",    "1.5+3",
+    "-1.5-3",     ".5-3",    "5.+3",      "15-3",     "1.5E+003", "1.5E22",  "1.5E-21", "1.E-9",    "0.1",
+    "0.3",        "-7.1E-5", "00012.50",  "1e0",      "1e00",     "9999999", "1234.5",  "-0.00001", "123456.",
+    "0.00000123", "2.5E+10", "1.0000001", "-9.99E-3", "+1.5D+1"};
 
 TEST(FixedField, RealsOfAllFormsAtAllPlaces) {
   for (const std::string& number : forms)
     for (std::size_t width = number.size(); width <= 31; ++width)
       for (std::size_t blanks = 0; blanks + number.size() <= width; ++blanks)
         for (const char around : {'7', ' ', '.', 'E', '-', '\n'})
-          EXPECT_TRUE(agrees(placed(number, width, blanks), around)) << number << " in " << width << " after " << blanks;
+          EXPECT_TRUE(agrees(placed(number, width, blanks), around))
+              << number << " in " << width << " after " << blanks;
 }
 
 TEST(FixedField, WhatIsNoPlainRealIsLeftAlone) {
-  for (const char* text : {"x", "-", "+", ".", "-.", "e5", "1e", "1e+", "1.5E+-3", "--1", "+-1", "1 2", "1. 5", "1..5",
-                           "1.5.", "inf", "nan", "-inf", "0x10", "&p", "-&p", "<p>", "1,2", "1\t", "\t1", "1\r", "1\n",
-                           "1e5.", "1e.5", "1f5", "1e1000", "1.5E+0001", "1e400", "1e-400", "1e60", "1e-60", "$1",
-                           "\xC3\xA9", "12345678901234567", ".12345678901234567", "1234567890.1234567890"}) {
+  for (const char* text : {"x",
+                           "-",
+                           "+",
+                           ".",
+                           "-.",
+                           "e5",
+                           "1e",
+                           "1e+",
+                           "1.5E+-3",
+                           "--1",
+                           "+-1",
+                           "1 2",
+                           "1. 5",
+                           "1..5",
+                           "1.5.",
+                           "inf",
+                           "nan",
+                           "-inf",
+                           "0x10",
+                           "&p",
+                           "-&p",
+                           "<p>",
+                           "1,2",
+                           "1\t",
+                           "\t1",
+                           "1\r",
+                           "1\n",
+                           "1e5.",
+                           "1e.5",
+                           "1f5",
+                           "1e1000",
+                           "1.5E+0001",
+                           "1e400",
+                           "1e-400",
+                           "1e60",
+                           "1e-60",
+                           "$1",
+                           "\xC3\xA9",
+                           "12345678901234567",
+                           ".12345678901234567",
+                           "1234567890.1234567890"}) {
     EXPECT_FALSE(agrees(text)) << text;
     EXPECT_FALSE(agrees(std::string("  ") + text + " ")) << text;
   }
@@ -115,7 +154,8 @@ TEST(FixedField, IntegersWithAnyByte) {
         std::string field = placed("1234", width, width - 4);
         field[place] = static_cast<char>(byte);
         const std::string number(trimmed(field));
-        const bool plain = number.size() <= 8 && field.back() != ' ' && number.size() == field.size() - field.find(number) &&
+        const bool plain = number.size() <= 8 && field.back() != ' ' &&
+                           number.size() == field.size() - field.find(number) &&
                            field.find_first_not_of(' ') == field.find(number) &&
                            number.find_first_not_of("0123456789") == std::string::npos;
         std::int64_t value = -5;

@@ -39,9 +39,10 @@ void expect_same(const std::string& text) {
 }
 
 TEST(Scan, SmallTexts) {
-  for (const char* text : {"", "\n", "*", "*A", "*A\n", "\n*A", " *A\n*B\n\n*C", "-----BEGIN PGP MESSAGE-----\n-\n----",
-                           "$*\n*\n**\r\n-----END PGP MESSAGE-----", "$gapcheck:", "$\t GapCheck: x\n$gapcheck :\n $gapcheck:\n$ gapcheck",
-                           "$ \n$", "$ gapcheck\n: ignore\n$gapcheck:\n"})
+  for (const char* text :
+       {"", "\n", "*", "*A", "*A\n", "\n*A", " *A\n*B\n\n*C", "-----BEGIN PGP MESSAGE-----\n-\n----",
+        "$*\n*\n**\r\n-----END PGP MESSAGE-----", "$gapcheck:", "$\t GapCheck: x\n$gapcheck :\n $gapcheck:\n$ gapcheck",
+        "$ \n$", "$ gapcheck\n: ignore\n$gapcheck:\n"})
     expect_same(text);
 }
 
@@ -64,7 +65,8 @@ TEST(Scan, BigTextsOverManyPieces) {
 TEST(Scan, TextOfADirective) {
   EXPECT_EQ(directive_text("$ gapcheck: ignore GC101"), " ignore GC101");
   EXPECT_EQ(directive_text("$GAPCHECK:"), "");
-  for (const char* line : {"gapcheck: ignore", "$$ gapcheck: ignore", "$ a gapcheck: ignore", "$ gapcheck ignore", "$", ""})
+  for (const char* line :
+       {"gapcheck: ignore", "$$ gapcheck: ignore", "$ a gapcheck: ignore", "$ gapcheck ignore", "$", ""})
     EXPECT_FALSE(directive_text(line)) << line;
 }
 

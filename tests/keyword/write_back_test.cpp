@@ -76,7 +76,8 @@ TEST(NumberText, ReadsBackAsNearAsTheWidthAllows) {
   EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN(), 16), "");
   std::mt19937_64 random(7);
   for (int i = 0; i < 20000; ++i) {
-    const double value = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())), -63 - static_cast<int>(random() % 40) + 20);
+    const double value = std::ldexp(static_cast<double>(static_cast<std::int64_t>(random())),
+                                    -63 - static_cast<int>(random() % 40) + 20);
     for (const std::size_t width : {8u, 16u, 20u}) {
       const std::string text = number_text(value, width);
       ASSERT_FALSE(text.empty());

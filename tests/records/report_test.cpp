@@ -24,8 +24,9 @@ TEST(Report, EveryKindHasItsNumberAndOnlyTheFirstItsDepth) {
       count(record, contact);
     }
   const auto numbers = [&] {
-    return std::array{contact.penetrations,         contact.released,             contact.edge_zone,
-                      contact.segment_penetrations, contact.mortar_penetrations, contact.edge_penetrations};
+    return std::array{contact.penetrations,        contact.released,
+                      contact.edge_zone,           contact.segment_penetrations,
+                      contact.mortar_penetrations, contact.edge_penetrations};
   };
   EXPECT_EQ(numbers(), (std::array<std::uint64_t, 6>{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(contact.max_penetration, 1);

@@ -8,10 +8,10 @@
 #include <random>
 #include <set>
 
-#include "report/text/check_c_tables.hpp"
-#include "report/text/check_c_view.hpp"
 #include "report/item/contact_keyword.hpp"
 #include "report/item/describe_tie.hpp"
+#include "report/text/check_c_tables.hpp"
+#include "report/text/check_c_view.hpp"
 #include "sample.hpp"
 
 namespace gapcheck::report::check_c_test {

@@ -165,7 +165,8 @@ TEST_F(CommandLine, ListsDoNotSwallowTheDeck) {
 
 TEST_F(CommandLine, JsonGoesToTheOutputFile) {
   const fs::path target = folder_ / "report.json";
-  const Outcome outcome = run("audit data/two_plates.k --select GC101 --format json --output '" + target.string() + "'");
+  const Outcome outcome =
+      run("audit data/two_plates.k --select GC101 --format json --output '" + target.string() + "'");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.out, "");
   const auto json = nlohmann::json::parse(content(target));

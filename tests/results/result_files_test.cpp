@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "results/curves/contact_forces.hpp"
-#include "results/text/fortran_number.hpp"
 #include "results/curves/glstat.hpp"
 #include "results/curves/matsum.hpp"
 #include "results/curves/nodout.hpp"
+#include "results/text/fortran_number.hpp"
 
 namespace gapcheck::results::result_files_test {
 namespace {

@@ -58,9 +58,9 @@ struct ContactScene {
   ContactForces* contacts = nullptr;
 };
 
-/// One quad of material 009 in z = 0 from 0 to 1, nodes 1 to 4 with 1 kg each beside its own mass of nothing, and node 5 of
-/// mass 1 above its middle at `height`; contact of node 5 against the quad with thickness `thickness`. `cards`: further
-/// lines of the contact from card 3 on, `controls`: keywords.
+/// One quad of material 009 in z = 0 from 0 to 1, nodes 1 to 4 with 1 kg each beside its own mass of nothing, and node
+/// 5 of mass 1 above its middle at `height`; contact of node 5 against the quad with thickness `thickness`. `cards`:
+/// further lines of the contact from card 3 on, `controls`: keywords.
 inline std::string node_over_quad(double height, double thickness, const std::string& options = "",
                                   const std::string& controls = "", const std::string& friction = "0.") {
   return fmt::format(

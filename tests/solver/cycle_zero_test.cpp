@@ -1,5 +1,5 @@
-// What the solver does with the nodes that it finds penetrating in its first cycle is what the audit says: on every deck
-// of data/ and on decks by other authors where they are at hand.
+// What the solver does with the nodes that it finds penetrating in its first cycle is what the audit says: on every
+// deck of data/ and on decks by other authors where they are at hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <tuple>
 #include <vector>
 
-#include "keyword/deck.hpp"
 #include "contact/tie/record_tie.hpp"
+#include "keyword/deck.hpp"
 #include "results/log/solver_log.hpp"
 #include "results/log/write_messag.hpp"
 #include "solver/contact/contact_forces.hpp"
@@ -77,8 +77,8 @@ using List = std::map<Key, std::pair<Outcome, double>>;
 List audit_list(const CycleZero& run) {
   List list;
   for (const Penetration& p : run.audit.penetrations)
-    if ((listed_by_solver(p.kind) || p.kind == PenetrationKind::segment) && ContactForces::calculates(run.model.contacts[p.contact]) &&
-        p.outcome != Outcome::moved)
+    if ((listed_by_solver(p.kind) || p.kind == PenetrationKind::segment) &&
+        ContactForces::calculates(run.model.contacts[p.contact]) && p.outcome != Outcome::moved)
       list[{p.contact, p.node}] = {p.outcome, p.depth};
   return list;
 }
@@ -139,8 +139,8 @@ std::set<Key> tied_nodes(const CycleZero& run, const ContactSource& source) {
   return list;
 }
 
-/// The solver ties the nodes that the audit calls tied, by constraints or by springs as it says, and the message file of
-/// a run says of the others what the audit says.
+/// The solver ties the nodes that the audit calls tied, by constraints or by springs as it says, and the message file
+/// of a run says of the others what the audit says.
 void expect_same_ties(const CycleZero& run, contact::SurfaceStore& surfaces) {
   std::set<Key> by_constraint, by_spring;
   Report report;
@@ -213,7 +213,8 @@ std::vector<std::string> data_decks() {
 
 std::string test_name(const testing::TestParamInfo<std::string>& info) {
   std::string name = info.param;
-  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
 }
 
@@ -229,8 +230,8 @@ TEST_P(RealDeck, AuditIsCycleZero) {
 }
 INSTANTIATE_TEST_SUITE_P(CycleZero, RealDeck,
                          testing::Values("ball_plate/ball_plate.k", "bird_on_panel/bird.k",
-                                         "bird_strike_composite/input.k", "birdball_eroding/birdball.k",
-                                         "car5/car5.k", "car6/car6_crash.k", "car6_refined/lsopt_car6/main_v22.k",
+                                         "bird_strike_composite/input.k", "birdball_eroding/birdball.k", "car5/car5.k",
+                                         "car6/car6_crash.k", "car6_refined/lsopt_car6/main_v22.k",
                                          "car6_refined/lsopt_car6/main_v222.k", "roll_forming/model.k",
                                          "small_decks/tests/testfiles/run/case-keywords/projectile.k",
                                          "tied_plate_with_run/main.k", "two_body_impact/main.k"),

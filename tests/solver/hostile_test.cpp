@@ -176,8 +176,7 @@ TEST(HostileContact, ZeroScaleIsTheDefault) {
   std::array<double, 2> force{};
   for (std::size_t i = 0; i < 2; ++i) {
     RunScene scene(with(&Cards::contact, contact_with(i == 0 ? "0.,0." : "1.,1.")).deck());
-    scene.go(
-        [&](const solver::Run& run) { force[i] = std::max(force[i], run.contacts()[0].state().force_a.norm()); });
+    scene.go([&](const solver::Run& run) { force[i] = std::max(force[i], run.contacts()[0].state().force_a.norm()); });
   }
   EXPECT_GT(force[1], 0);
   EXPECT_EQ(force[0], force[1]);

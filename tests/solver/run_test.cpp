@@ -231,7 +231,8 @@ TEST_F(RunTest, WhatTheContactsReport) {
   EXPECT_EQ(file("sleout").find("\n         9  "), std::string::npos) << "it has no energies";
   // Both sides: opposite forces. The upper plate is pushed up.
   double greatest = 0;
-  for (std::size_t at = rcforc.find("  SURFA           7"); at != std::string::npos; at = rcforc.find("  SURFA           7", at + 1)) {
+  for (std::size_t at = rcforc.find("  SURFA           7"); at != std::string::npos;
+       at = rcforc.find("  SURFA           7", at + 1)) {
     const std::size_t b = rcforc.find("  SURFB", at), z = rcforc.find(" z ", at), other = rcforc.find(" z ", b);
     const double force = std::atof(rcforc.c_str() + z + 3);
     EXPECT_NEAR(force, -std::atof(rcforc.c_str() + other + 3), 1e-4 * std::abs(force));
@@ -271,14 +272,16 @@ TEST_F(RunTest, ContactsAreInitialised) {
   EXPECT_NEAR(plot.value().mesh().coordinates[4][2], 0.06 + 1.002 * 0.04, 1e-6);
 }
 
-// A shell that is pulled until it fails: messag names it, d3plot has it deleted from then on, glstat and matsum say what
-// it has taken up.
+// A shell that is pulled until it fails: messag names it, d3plot has it deleted from then on, glstat and matsum say
+// what it has taken up.
 TEST_F(RunTest, FailedElementsInTheFiles) {
   const std::string deck =
       "*CONTROL_TERMINATION\n0.4\n" + plate(1, 1, {1, 1, 0}) +
       "*PART\np\n1,1,1\n*SECTION_SHELL\n1,2\n0.1\n*MAT_PLASTIC_KINEMATIC\n1,1.,1000.,0.,10.,0.,0.\n0.,0.,0.2\n"
-      "*SET_NODE_LIST\n1\n1,3\n*SET_NODE_LIST\n2\n2,4\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n*DEFINE_CURVE\n1\n0.,1.\n1.,1.\n"
-      "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1\n*DATABASE_BINARY_D3PLOT\n0.1\n*DATABASE_GLSTAT\n0.1\n*DATABASE_MATSUM\n0.4\n";
+      "*SET_NODE_LIST\n1\n1,3\n*SET_NODE_LIST\n2\n2,4\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n*DEFINE_CURVE\n1\n0.,1.\n1.,"
+      "1.\n"
+      "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1\n*DATABASE_BINARY_D3PLOT\n0.1\n*DATABASE_GLSTAT\n0.1\n*DATABASE_"
+      "MATSUM\n0.4\n";
   const Ended ended = calculate(deck);
   ASSERT_EQ(ended.failure, "");
   EXPECT_NE(file("messag").find(" shell element         1 failed at time "), std::string::npos) << file("messag");

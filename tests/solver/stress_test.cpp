@@ -1,6 +1,6 @@
-// Contact where it is hard: partners of very different stiffness, very thin shells, corners where many parts meet, nodes
-// that slide off edges, steps at the limit, many nodes. Nothing may become a NaN, and no node in a contact zone may go
-// without a record. To be run with GAPCHECK_CONTRACT=ON as well: nothing here may hang on the last bit.
+// Contact where it is hard: partners of very different stiffness, very thin shells, corners where many parts meet,
+// nodes that slide off edges, steps at the limit, many nodes. Nothing may become a NaN, and no node in a contact zone
+// may go without a record. To be run with GAPCHECK_CONTRACT=ON as well: nothing here may hang on the last bit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -121,8 +121,8 @@ std::string eight_cubes(double gap, double shift) {
     text += "*NODE\n";
     for (int i = 0; i < 8; ++i)
       text += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", 10 * part + i,
-                          middle.x() + (i % 4 == 1 || i % 4 == 2 ? 0.5 : -0.5),
-                          middle.y() + (i % 4 >= 2 ? 0.5 : -0.5), middle.z() + (i >= 4 ? 0.5 : -0.5));
+                          middle.x() + (i % 4 == 1 || i % 4 == 2 ? 0.5 : -0.5), middle.y() + (i % 4 >= 2 ? 0.5 : -0.5),
+                          middle.z() + (i >= 4 ? 0.5 : -0.5));
     text += fmt::format("*ELEMENT_SOLID\n{},{}", part, part);
     for (int i = 0; i < 8; ++i) text += fmt::format(",{}", 10 * part + i);
     text += fmt::format("\n*PART\nc\n{},1,1\n", part);
@@ -135,17 +135,16 @@ std::string eight_cubes(double gap, double shift) {
 TEST(Stress, CornerOfEightParts) {
   for (const double shift : {0.0, 0.0007})
     for (const char* soft : {"0", "1", "2"}) {
-      ContactScene scene(eight_cubes(0.02, shift) + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2,0.2\n1.,1.\n" + soft +
-                             "\n0.,0,0,1\n",
-                         [](Structure& s) {
-                           for (std::size_t i = 0; i < s.state.x.size(); ++i) {
-                             const std::size_t part = i / 8;
-                             for (int axis = 0; axis < 3; ++axis)
-                               s.state.v[i][axis] =
-                                   ((part >> axis & 1) != 0 ? -1 : 1) * (0.05 + 0.003 * static_cast<double>(part));
-                           }
-                         },
-                         steps(8e-3));  // a lone cube leaves no room for contact at its own step
+      ContactScene scene(
+          eight_cubes(0.02, shift) + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2,0.2\n1.,1.\n" + soft + "\n0.,0,0,1\n",
+          [](Structure& s) {
+            for (std::size_t i = 0; i < s.state.x.size(); ++i) {
+              const std::size_t part = i / 8;
+              for (int axis = 0; axis < 3; ++axis)
+                s.state.v[i][axis] = ((part >> axis & 1) != 0 ? -1 : 1) * (0.05 + 0.003 * static_cast<double>(part));
+            }
+          },
+          steps(8e-3));  // a lone cube leaves no room for contact at its own step
       ASSERT_TRUE(scene.stepper) << scene.why_not;
       const Vector before = scene.momentum();
       SolverStatus status;
@@ -205,7 +204,8 @@ TEST(Stress, HundredThousandNodesOnAPlate) {
   constexpr int n = 316;
   constexpr std::size_t plate = 121, count = (n + 1) * (n + 1);
   ContactScene scene(sheet(1, 10, {0, 0, 0}, 1) + sheet(2, n, {0.001, 0.002, 0.0501}, 0.99) +
-                         properties(1, 0.05, 1000) + properties(2, 0.05, 1000) + "*CONTROL_CONTACT\n0.1\n0,0,0,0,4,1\n" +
+                         properties(1, 0.05, 1000) + properties(2, 0.05, 1000) +
+                         "*CONTROL_CONTACT\n0.1\n0,0,0,0,4,1\n" +
                          "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n2,1,3,3\n0.\n1.,1.\n0\n0.,0,0,1\n",
                      throws(plate, {0, 0, -2}), steps(2e-5));
   ASSERT_TRUE(scene.stepper) << scene.why_not;

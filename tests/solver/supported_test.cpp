@@ -72,7 +72,8 @@ TEST(Supported, ContactsWallsAndSettings) {
        {"CONTACT_RIGID_BODY_TWO_WAY_TO_RIGID_BODY: contact 2", "MORTAR: contact 3: mortar", "DRAWBEAD: contact 4",
         "RIGIDWALL_PLANAR_MOVING: wall 2", "RIGIDWALL_PLANAR: wall 3: FRIC", "LCTM"})
     EXPECT_NE(text.find(expected), std::string::npos) << expected << " in\n" << text;
-  for (const std::string calculated : {"CONTACT_SURFACE_TO_SURFACE:", "SPHERE", "DT2MS"}) EXPECT_EQ(text.find(calculated), std::string::npos) << text;
+  for (const std::string calculated : {"CONTACT_SURFACE_TO_SURFACE:", "SPHERE", "DT2MS"})
+    EXPECT_EQ(text.find(calculated), std::string::npos) << text;
 }
 
 }  // namespace

@@ -44,10 +44,8 @@ class Recorder : public Run::Observer {
     const auto& ids = run.model().mesh.nodes.id;
     const auto place = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), first_upper) - ids.begin());
     const ContactState& contact = run.contacts()[0].state();
-    Sample sample{state.time,          run.stepper().next_step(),
-                  state.x.at(place).z(), state.v[place].z(),
-                  0,                   contact.energy_a + contact.energy_b,
-                  contact.touching,    contact.released};
+    Sample sample{state.time, run.stepper().next_step(),           state.x.at(place).z(), state.v[place].z(),
+                  0,          contact.energy_a + contact.energy_b, contact.touching,      contact.released};
     for (const ContactNode& node : run.contacts()[0].nodes())
       sample.force += ids[node.node.value] >= first_upper ? node.force.z() : -node.force.z();
     samples.push_back(sample);
@@ -205,8 +203,8 @@ TEST(Workshop, SolidIntoSolidReleasesEarly) { expect_curve("push_solid_solid", {
 
 // D: with SLDTHK = 1 the curve is that of the shells, until the coat of the other face brings a second contact.
 TEST(Workshop, CoatMovesTheCurveToTheShells) {
-  expect_curve("push_shell_solid_sldthk", {{0.2, 0.2, 1.0, (upper_nodes + lower_nodes) * stiffness},
-                                           {1.2, 1.2, 2.0, lower_nodes * stiffness}});
+  expect_curve("push_shell_solid_sldthk",
+               {{0.2, 0.2, 1.0, (upper_nodes + lower_nodes) * stiffness}, {1.2, 1.2, 2.0, lower_nodes * stiffness}});
   expect_curve("push_solid_solid_sldthk", {{0.2, 0.2, 1.0, solids_slope}, {1.2, 1.2, 2.0, solids_slope}});
 }
 

@@ -86,7 +86,8 @@ TEST(WorkshopTies, TranslationsAloneAreAHinge) {
   EXPECT_LT(std::abs(run.last.way.at(joint).z()), 0.1 * run.last.way.at(tip).z());
 }
 
-// Load F along the upper half: the moment F e of the offset e bends the first half to F e L² / 2 E I and turns the second.
+// Load F along the upper half: the moment F e of the offset e bends the first half to F e L² / 2 E I and turns the
+// second.
 TEST(WorkshopTies, BeamOffsetCarriesTheMomentOfTheOffset) {
   const double moment = 0.001 * 1.0, bent = moment * length * length / (2 * bending),
                turned = moment * length / bending * length;

@@ -1,4 +1,5 @@
-// Search, audit and solver on several threads: the same results as on one, and, built with the thread sanitizer, no race.
+// Search, audit and solver on several threads: the same results as on one, and, built with the thread sanitizer, no
+// race.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -76,7 +77,6 @@ TEST(Threads, RunsToTheSameBits) {
   EXPECT_EQ(alone.size(), 2U * 25 * 25);
   EXPECT_EQ(alone, places(4));
 }
-
 
 }  // namespace
 }  // namespace gapcheck::threads_test

@@ -81,9 +81,8 @@ std::string_view expected(SettingType type) {
     case word:
       return "a word in quotes";
     case rules: {
-      static const std::string text =
-          fmt::format("rules: \"{0}\" or [\"{0}\", \"{1}\"]", record_rules::initial_penetration.id,
-                      record_rules::tie_offset.name);
+      static const std::string text = fmt::format("rules: \"{0}\" or [\"{0}\", \"{1}\"]",
+                                                  record_rules::initial_penetration.id, record_rules::tie_offset.name);
       return text;
     }
     case ids:

@@ -14,7 +14,7 @@ enum class SettingType : std::uint8_t { word, rules, ids, ranges, amount, count,
 
 /// One key that a settings file may have.
 struct SettingKey {
-  std::string_view table;         ///< "" for the top level
+  std::string_view table;  ///< "" for the top level
   std::string_view name;
   SettingType type;
   std::string_view option;        ///< the command-line option that it represents; empty: none

@@ -67,8 +67,10 @@ Settings read_file(const std::string& path, Diagnostics& diagnostics) {
 }  // namespace
 
 void add_settings(CLI::App& command, SettingsOptions& options) {
-  CLI::Option* file = command.add_option("--config", options.file, "Settings file, instead of the gapcheck.toml beside "
-                                                                   "the deck or above it")
+  CLI::Option* file = command
+                          .add_option("--config", options.file,
+                                      "Settings file, instead of the gapcheck.toml beside "
+                                      "the deck or above it")
                           ->type_name("FILE");
   CLI::Option* none = command.add_flag("--no-config", options.none, "Use no settings file")->excludes(file);
   for (CLI::Option* option : {file, none}) option->group("Settings");

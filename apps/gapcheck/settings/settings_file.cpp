@@ -72,7 +72,8 @@ std::string normal_pattern(const std::string& pattern, const fs::path& folder) {
 
 /// Control characters, such as line breaks, become blanks.
 std::string one_line(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
   return text;
 }
 
@@ -97,9 +98,7 @@ class Reader {
   }
 
  private:
-  void error(std::uint32_t line, std::string message) {
-    diagnostics_.error(settings_.path, line, std::move(message));
-  }
+  void error(std::uint32_t line, std::string message) { diagnostics_.error(settings_.path, line, std::move(message)); }
 
   std::optional<std::string> read_value(std::string_view name, const toml::node& node, SettingType type) {
     std::optional<std::string> value = value_of(node, type);
@@ -112,8 +111,7 @@ class Reader {
       error(line_of(node), fmt::format("{}: {}", name, wrong));
       return std::nullopt;
     }
-    if (type == SettingType::path || type == SettingType::paths)
-      value = (folder_ / *value).lexically_normal().string();
+    if (type == SettingType::path || type == SettingType::paths) value = (folder_ / *value).lexically_normal().string();
     return value;
   }
 
@@ -229,8 +227,8 @@ class Reader {
 
   void add_exception(const GivenTable& given, std::uint32_t line) {
     if (!given.contains("ignore"))
-      return error(line, fmt::format("[[exception]] names no rules: ignore = \"{}\"",
-                                     record_rules::initial_penetration.id));
+      return error(line,
+                   fmt::format("[[exception]] names no rules: ignore = \"{}\"", record_rules::initial_penetration.id));
     audit::IgnoreEntry entry = entry_of(given, line);
     entry.rules = given.at("ignore").values;
     const auto take = [&](std::string_view key, std::vector<audit::IdRange>& ranges) {

@@ -21,14 +21,14 @@ struct AuditOptions {
   std::vector<std::string> ignore = {};  ///< not these rules
   std::vector<std::int64_t> contacts = {};  ///< only the contacts with these ids; empty: all
   std::vector<std::int64_t> parts = {};     ///< only findings that involve one of these parts; empty: all
-  std::optional<double> ptol = {};   ///< only penetrations deeper than this, in place of the built-in tolerance
-  std::optional<double> rtol = {};   ///< only penetrations with a smaller remaining distance
-  std::optional<double> ratio = {};  ///< only penetrations deeper than this share of the contact distance
+  std::optional<double> ptol = {};          ///< only penetrations deeper than this, in place of the built-in tolerance
+  std::optional<double> rtol = {};          ///< only penetrations with a smaller remaining distance
+  std::optional<double> ratio = {};         ///< only penetrations deeper than this share of the contact distance
   std::map<std::string, Severity> severities = {};  ///< by rule id or name, instead of the rules' own
-  std::optional<double> millimetre = {};  ///< in the deck's unit of length, above 0; for rules that need it
-  std::chrono::sys_days today{};  ///< for ignores with a last day; 1970-01-01: none has expired
-  bool exact = false;             ///< no floating-point filter: slow, same results
-  bool picture = false;           ///< keep what Format::html needs to draw the mesh
+  std::optional<double> millimetre = {};            ///< in the deck's unit of length, above 0; for rules that need it
+  std::chrono::sys_days today{};                    ///< for ignores with a last day; 1970-01-01: none has expired
+  bool exact = false;                               ///< no floating-point filter: slow, same results
+  bool picture = false;                             ///< keep what Format::html needs to draw the mesh
   /// Threads at most; 0: no limit of its own. While calls run at the same time in one process, the smallest limit
   /// holds for all of them. Results do not depend on it.
   std::size_t jobs = 0;

@@ -28,11 +28,16 @@ std::span<const NodeIndex> nodes_of(const model::Mesh& mesh, const ElementOfKind
     return i < elements.size() ? std::span<const NodeIndex>(elements.nodes[i]) : std::span<const NodeIndex>{};
   };
   switch (kind) {
-    case model::ElementKind::shell: return nodes(mesh.shells);
-    case model::ElementKind::solid: return nodes(mesh.solids);
-    case model::ElementKind::thick_shell: return nodes(mesh.thick_shells);
-    case model::ElementKind::beam: return nodes(mesh.beams);
-    default: return {};
+    case model::ElementKind::shell:
+      return nodes(mesh.shells);
+    case model::ElementKind::solid:
+      return nodes(mesh.solids);
+    case model::ElementKind::thick_shell:
+      return nodes(mesh.thick_shells);
+    case model::ElementKind::beam:
+      return nodes(mesh.beams);
+    default:
+      return {};
   }
 }
 

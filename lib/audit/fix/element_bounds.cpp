@@ -15,9 +15,9 @@ constexpr double visible_warp = 1, visible_share = 0.01;
 
 /// Compared with the limits; larger is better, except for the warp.
 struct Shape {
-  double warp = 0;      ///< degrees
-  double measure = 1;   ///< slenderness of shells, worst corner of solids
-  bool sound = true;    ///< has an area, does not cross itself; right side out
+  double warp = 0;     ///< degrees
+  double measure = 1;  ///< slenderness of shells, worst corner of solids
+  bool sound = true;   ///< has an area, does not cross itself; right side out
 };
 
 Shape shell_shape(std::span<const NodeIndex> n, const std::vector<Vector>& x) {
@@ -96,7 +96,8 @@ void ElementBounds::for_each_element(std::span<const NodeIndex> moved, const Vis
     list.erase(std::unique(list.begin(), list.end()), list.end());
     for (const std::uint32_t e : list) {
       const auto& n = elements.nodes[e];
-      if (std::find(n.begin(), n.end(), none<NodeIndex>) == n.end()) visit(ElementOfKind{kind, e}, std::span<const NodeIndex>(n));
+      if (std::find(n.begin(), n.end(), none<NodeIndex>) == n.end())
+        visit(ElementOfKind{kind, e}, std::span<const NodeIndex>(n));
     }
   };
   visit_kind(model::ElementKind::shell, model_.mesh.shells, index_.shells);

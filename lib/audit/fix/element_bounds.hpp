@@ -11,9 +11,9 @@ namespace gapcheck::audit {
 
 /// How much a correction may change an element. Elements that are already worse in the deck may stay so.
 struct ShapeLimits {
-  double warp = 15;             ///< of shells, degrees
-  double slenderness = 0.1;     ///< of shells: altitude over longest edge
-  double corner = 0.1;          ///< of solids: smallest product of a corner's edges over their lengths
+  double warp = 15;                     ///< of shells, degrees
+  double slenderness = 0.1;             ///< of shells: altitude over longest edge
+  double corner = 0.1;                  ///< of solids: smallest product of a corner's edges over their lengths
   double edge_from = 0.5, edge_to = 2;  ///< length of an edge over that in the deck
 };
 

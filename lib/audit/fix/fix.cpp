@@ -48,8 +48,9 @@ class Reporter {
   void moved(const std::vector<NodeIndex>& nodes) {
     const model::Nodes& all = model_.mesh.nodes;
     for (const NodeIndex n : nodes) {
-      MovedNode moved{all.id[n.value], deck_[n.value], all.x[n.value], mover_.onto_tie(n),
-                      all.origins.file(n.value).value, all.line[n.value]};
+      MovedNode moved{
+          all.id[n.value],  deck_[n.value], all.x[n.value], mover_.onto_tie(n), all.origins.file(n.value).value,
+          all.line[n.value]};
       report_.largest_move = std::max(report_.largest_move, moved.distance());
       report_.total_move += moved.distance();
       report_.moved.push_back(moved);
@@ -61,27 +62,37 @@ class Reporter {
   void unfixed() {
     for (const Penetration& p : mover_.after().state.penetrations) {
       if (!to_be_fixed(p.kind)) continue;
-      UnfixedNode node{p.contact, p.node, p.part, p.element, p.element_part, p.depth, p.contact_distance,
-                       p.kind == PenetrationKind::released, mover_.reason(p), p.file, p.line};
+      UnfixedNode node{p.contact,
+                       p.node,
+                       p.part,
+                       p.element,
+                       p.element_part,
+                       p.depth,
+                       p.contact_distance,
+                       p.kind == PenetrationKind::released,
+                       mover_.reason(p),
+                       p.file,
+                       p.line};
       report_.unfixed.push_back(node);
     }
   }
 
   void notes(const UnreadConstraints& unread) {
     if (mover_.cut_short())
-      report_.notes.push_back(fmt::format("the search was ended after {} round{}: it took too much work, or gained too "
-                                          "little in each; {} nodes remain",
-                                          mover_.rounds(), mover_.rounds() == 1 ? "" : "s", report_.unfixed.size()));
+      report_.notes.push_back(
+          fmt::format("the search was ended after {} round{}: it took too much work, or gained too "
+                      "little in each; {} nodes remain",
+                      mover_.rounds(), mover_.rounds() == 1 ? "" : "s", report_.unfixed.size()));
     if (!unread.keywords.empty())
       report_.notes.push_back(fmt::format("nodes that *{} name are held", fmt::join(unread.keywords, ", *")));
     if (!unread.unknown.empty())
-      report_.notes.push_back(fmt::format("what *{} hold is not known, and may have been moved",
-                                          fmt::join(unread.unknown, ", *")));
+      report_.notes.push_back(
+          fmt::format("what *{} hold is not known, and may have been moved", fmt::join(unread.unknown, ", *")));
     for (const auto& [why, nodes] : mover_.unwritable()) {
       const std::uint32_t n = nodes.first.value;
       const model::Nodes& all = model_.mesh.nodes;
-      std::string note = fmt::format("{}:{}: node {} stays: {}", model_.files[all.origins.file(n).value], all.line[n],
-                                     all.id[n], why);
+      std::string note =
+          fmt::format("{}:{}: node {} stays: {}", model_.files[all.origins.file(n).value], all.line[n], all.id[n], why);
       if (nodes.count > 1) note += fmt::format("; {} more such nodes", nodes.count - 1);
       report_.notes.push_back(std::move(note));
     }
@@ -114,14 +125,15 @@ class Reporter {
 
 /// An unread keyword that moves or creates nodes and elements: the corrected geometry would not be the one that runs.
 Status check_geometry(const keyword::Deck& deck) {
-  constexpr std::array moving{"NODE_MERGE",     "NODE_TRANSFORM",        "ELEMENT_GENERATE",   "PART_MOVE",
+  constexpr std::array moving{"NODE_MERGE",     "NODE_TRANSFORM",        "ELEMENT_GENERATE",    "PART_MOVE",
                               "PART_DUPLICATE", "PART_STACKED_ELEMENTS", "INCLUDE_AUTO_OFFSET", "NODE_REPLICATE"};
   for (const keyword::Block& block : deck.blocks())
     for (const std::string_view name : moving)
       if (block.name.starts_with(name))
         return Diagnostic{Severity::error, deck.file(block.file).path, block.line,
                           fmt::format("*{} is not read, so that the nodes are not where they run; write its effect "
-                                      "into the coordinates first", block.name)};
+                                      "into the coordinates first",
+                                      block.name)};
   if (deck.counters().missing_includes > 0)
     return Diagnostic{Severity::error, "", 0, "includes are missing, and with them what nodes could run into"};
   return {};
@@ -133,7 +145,8 @@ Status check_choice(const model::Model& model, const FixOptions& options) {
     const auto part = model.part_of_id.lower_bound(lock.first);
     bool found = !lock.nodes && part != model.part_of_id.end() && part->first <= lock.last;
     if (lock.nodes)
-      model.mesh.nodes.lookup.for_each_in(lock.first, lock.last, [&](std::int64_t, std::uint32_t) { return !(found = true); });
+      model.mesh.nodes.lookup.for_each_in(lock.first, lock.last,
+                                          [&](std::int64_t, std::uint32_t) { return !(found = true); });
     if (!found)
       return plain_error(fmt::format("--lock {}{}: the deck has no such {}", lock.nodes ? "node:" : "", lock.first,
                                      lock.nodes ? "node" : "part"));
@@ -183,9 +196,8 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   report.files = model.files;
   const UnreadConstraints unread = unread_constraints(deck, model);
   const model::Links links = model::read_links(deck, model, diagnostics);
-  Freedoms freedoms =
-      find_freedoms(model, options.locks, options.priorities, unread.held,
-                    JoinedNodes(model, links.joined, !options.free_welds));
+  Freedoms freedoms = find_freedoms(model, options.locks, options.priorities, unread.held,
+                                    JoinedNodes(model, links.joined, !options.free_welds));
   Mover mover(model, lines, bounds, x, std::move(freedoms), links.hanging, options);
   mover.run();
   const std::vector<NodeIndex> moved = mover.moved();
@@ -205,8 +217,7 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   reporter.unfixed();
   reporter.notes(unread);
   fix.files = edits(model, lines, mover, moved);
-  for (const Fix::File& file : fix.files)
-    report.changed.push_back({deck.file(file.file).path, "", file.edits.size()});
+  for (const Fix::File& file : fix.files) report.changed.push_back({deck.file(file.file).path, "", file.edits.size()});
   return fix;
 }
 

@@ -15,11 +15,11 @@
 namespace gapcheck::audit {
 
 struct FixOptions {
-  std::vector<Lock> locks;                                 ///< --lock
-  std::vector<std::pair<std::int64_t, double>> priorities; ///< --priority: part id and factor, positive
+  std::vector<Lock> locks;                                  ///< --lock
+  std::vector<std::pair<std::int64_t, double>> priorities;  ///< --priority: part id and factor, positive
   bool free_welds = false;  ///< --free-welds: nodes of spot welds, rivets and weld elements may move against each other
   ShapeLimits limits;
-  std::uint32_t rounds = 40;                               ///< searches of the contacts at most
+  std::uint32_t rounds = 40;  ///< searches of the contacts at most
   /// Most pairs to decide and conditions to solve, a few minutes: a search that reaches it ends with its result so far.
   /// Corrections of crossings may take as much again.
   std::uint64_t work = 10'000'000'000;
@@ -36,8 +36,8 @@ struct Fix {
 };
 
 /// Moves nodes so that nothing penetrates initially any more (GC101, GC102) and tied nodes that the solver would move
-/// lie on their segments (GC204), with the least movement: Σ wᵢ |uᵢ|², weights of find_freedoms(). Each node keeps to the
-/// side of the segment on which the deck has it, and is cleared by 1.002 times its penetration, as the solver does.
+/// lie on their segments (GC204), with the least movement: Σ wᵢ |uᵢ|², weights of find_freedoms(). Each node keeps to
+/// the side of the segment on which the deck has it, and is cleared by 1.002 times its penetration, as the solver does.
 /// Ties stay together; nodes that must not move stay; elements keep their shape (ShapeLimits). The coordinates are
 /// judged as rounded in the deck's lines. Never more nodes penetrate afterwards than before. Contacts that judge
 /// segments (SOFT = 2, mortar) are left alone. Errors: the deck cannot be read as a model, has unread keywords that

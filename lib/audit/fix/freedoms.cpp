@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "contact/stiffness/element_sizes.hpp"
 #include "contact/mesh/rigid_nodes.hpp"
+#include "contact/stiffness/element_sizes.hpp"
 
 namespace gapcheck::audit {
 namespace {

@@ -28,11 +28,11 @@ struct Freedoms {
 };
 
 /// The weight of a node is its share of the areas of its elements (shells: a third or quarter; solids: a quarter of a
-/// facet, V^(2/3); beams: a quarter of the square of the length), each times the priority of its part; nodes without any have
-/// the mean of the others. Locked nodes, those of rigid bodies (parts, nodal rigid bodies, extra nodes), and those with a
-/// prescribed motion are held, those with *BOUNDARY_SPC or a constraint code in its directions (in all, where it is in a
-/// local system). `priorities`: part id and factor, positive; parts that are not named have 1. `held`: by node, 1 for
-/// others that must stay; empty: none. `joined`: of this model. Linear in the model's size.
+/// facet, V^(2/3); beams: a quarter of the square of the length), each times the priority of its part; nodes without
+/// any have the mean of the others. Locked nodes, those of rigid bodies (parts, nodal rigid bodies, extra nodes), and
+/// those with a prescribed motion are held, those with *BOUNDARY_SPC or a constraint code in its directions (in all,
+/// where it is in a local system). `priorities`: part id and factor, positive; parts that are not named have 1. `held`:
+/// by node, 1 for others that must stay; empty: none. `joined`: of this model. Linear in the model's size.
 [[nodiscard]] Freedoms find_freedoms(const model::Model& model, const std::vector<Lock>& locks,
                                      const std::vector<std::pair<std::int64_t, double>>& priorities,
                                      std::span<const std::uint8_t> held = {}, JoinedNodes joined = {});

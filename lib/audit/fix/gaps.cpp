@@ -96,7 +96,8 @@ void Gaps::take_side(Gap& gap, const model::Mesh& mesh, const contact::ContactSu
   const double distance = record.remaining();
   double height = closest.normal.dot(q - closest.point);
   const bool two_sided = segments.kind[pair.segment.value] == contact::SegmentKind::shell &&
-                         surfaces.type.family != contact::Family::old && surfaces.type.family != contact::Family::forming;
+                         surfaces.type.family != contact::Family::old &&
+                         surfaces.type.family != contact::Family::forming;
   if (two_sided && distance < ambiguous * gap.distance)
     height = neighbours_height(mesh, gap.node, closest.point, closest.normal, x);
   gap.side = (distance < 0 ? -height : height) < 0 ? -1 : 1;
@@ -132,7 +133,8 @@ void Gaps::give_up(const JoinedNodes& joined) {
   if (joined.leaders().empty()) return;
   for (Gap& gap : gaps_) {
     const NodeIndex own = joined.leader(gap.node);
-    const bool one = std::any_of(gap.corners.begin(), gap.corners.end(), [&](NodeIndex n) { return joined.leader(n) == own; });
+    const bool one =
+        std::any_of(gap.corners.begin(), gap.corners.end(), [&](NodeIndex n) { return joined.leader(n) == own; });
     if (one && gap.given_up == HoldReason::none) gap.given_up = HoldReason::constrained;
   }
 }

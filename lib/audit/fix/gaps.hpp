@@ -7,10 +7,10 @@
 
 #include "audit/fix/joined_nodes.hpp"
 #include "audit/fix/least_movement.hpp"
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/initial.hpp"
 #include "contact/mesh/mesh_index.hpp"
 #include "contact/pair/record_pair.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "records/fix.hpp"
 
 namespace gapcheck::audit {
@@ -21,22 +21,22 @@ struct Gap {
   ContactIndex contact;
   NodeIndex node;
   model::SegmentNodes corners{};
-  bool line = false;        ///< a beam axis: corners[0], corners[1]
-  double side = 1;          ///< 1: in front of the facet's normal, -1: behind it
-  double distance = 0;      ///< h
-  double deepest = 0;       ///< largest penetration that was found
-  double clearance = 0;     ///< beyond h
-  int seen = 0;             ///< how often it was found again
-  Vector shift = Vector::Zero();  ///< from the node to its mid-surface
-  double offset = 0;              ///< of the facet's mid-surface along its normal
-  double multiplier = 0;          ///< of least_movement(), to start from
+  bool line = false;                       ///< a beam axis: corners[0], corners[1]
+  double side = 1;                         ///< 1: in front of the facet's normal, -1: behind it
+  double distance = 0;                     ///< h
+  double deepest = 0;                      ///< largest penetration that was found
+  double clearance = 0;                    ///< beyond h
+  int seen = 0;                            ///< how often it was found again
+  Vector shift = Vector::Zero();           ///< from the node to its mid-surface
+  double offset = 0;                       ///< of the facet's mid-surface along its normal
+  double multiplier = 0;                   ///< of least_movement(), to start from
   HoldReason given_up = HoldReason::none;  ///< why no movement opens it
 };
 
 /// State of a gap at some coordinates.
 struct GapState {
-  bool counts = true;   ///< the node's projection is in the segment's band
-  double gap = 0;       ///< distance from the segment, negative on the other side
+  bool counts = true;                 ///< the node's projection is in the segment's band
+  double gap = 0;                     ///< distance from the segment, negative on the other side
   Vector direction = Vector::Zero();  ///< unit vector along which the gap grows
   std::array<double, 4> share{};      ///< how the corners move the closest point
 };

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "keyword/deck.hpp"
-#include "model/read/links.hpp"
 #include "model/model.hpp"
+#include "model/read/links.hpp"
 
 namespace gapcheck::audit {
 
@@ -20,9 +20,7 @@ class JoinedNodes {
   /// `welds`: whether spot welds, rivets and weld elements join; node sets always do.
   JoinedNodes(const model::Model& model, const std::vector<model::NodeLink>& links, bool welds = true);
   /// The first of the nodes that move with a node; the node itself if it moves alone.
-  [[nodiscard]] NodeIndex leader(NodeIndex node) const {
-    return leader_.empty() ? node : leader_[node.value];
-  }
+  [[nodiscard]] NodeIndex leader(NodeIndex node) const { return leader_.empty() ? node : leader_[node.value]; }
   /// The nodes that move with a leader, including itself, ascending; empty if it moves alone.
   [[nodiscard]] std::span<const NodeIndex> followers(NodeIndex leader) const;
   /// The leaders of more than one node, ascending.
@@ -31,17 +29,17 @@ class JoinedNodes {
   [[nodiscard]] bool by_keyword(NodeIndex node) const { return !named_.empty() && named_[node.value] != 0; }
 
  private:
-  std::vector<NodeIndex> leader_;        ///< by node; empty: all move alone
-  std::vector<std::uint8_t> named_;      ///< by node; beside leader_
+  std::vector<NodeIndex> leader_;    ///< by node; empty: all move alone
+  std::vector<std::uint8_t> named_;  ///< by node; beside leader_
   std::vector<NodeIndex> leaders_, list_;
-  std::vector<std::uint32_t> start_;     ///< followers of leaders_[i]: list_[start_[i]] … list_[start_[i + 1] - 1]
+  std::vector<std::uint32_t> start_;  ///< followers of leaders_[i]: list_[start_[i]] … list_[start_[i + 1] - 1]
 };
 
 /// Nodes that must stay, since unread keywords name them (*CONSTRAINED_…, *BOUNDARY_…).
 struct UnreadConstraints {
-  std::vector<std::uint8_t> held;      ///< by node: 1; empty: none
-  std::vector<std::string> keywords;   ///< that hold nodes, ascending
-  std::vector<std::string> unknown;    ///< that may hold unknown nodes, ascending
+  std::vector<std::uint8_t> held;     ///< by node: 1; empty: none
+  std::vector<std::string> keywords;  ///< that hold nodes, ascending
+  std::vector<std::string> unknown;   ///< that may hold unknown nodes, ascending
 };
 [[nodiscard]] UnreadConstraints unread_constraints(const keyword::Deck& deck, const model::Model& model);
 

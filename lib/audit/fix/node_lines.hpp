@@ -42,7 +42,7 @@ class NodeLines {
   const model::Model& model_;
   const std::vector<Vector>& x_;
   const keyword::CardLayout layout_;
-  Diagnostics ignored_;  ///< already reported when the deck was read
+  Diagnostics ignored_;                                     ///< already reported when the deck was read
   std::vector<std::vector<const keyword::Block*>> blocks_;  ///< by file, ascending by line
   std::vector<bool> read_twice_;                            ///< by file: each line represents several nodes
   std::map<std::uint32_t, keyword::LineIndex> lines_;       ///< by file

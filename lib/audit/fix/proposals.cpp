@@ -41,11 +41,13 @@ FixAlternative by_sst(std::int64_t contact, double thickness, bool single) {
 FixAlternative by_sections(const ThinnerSections& thinner) {
   FixAlternative alternative;
   for (const auto& [section, thickness] : thinner.thickness) {
-    alternative.text += fmt::format("{}T1 … T4 = {:.4g} in section {}", alternative.text.empty() ? "" : ", ", thickness, section);
-    alternative.card += fmt::format("*SECTION_SHELL  (card 2 of section {})\n"
-                                    "$       T1        T2        T3        T4\n"
-                                    "{:>10.4g}{:>10.4g}{:>10.4g}{:>10.4g}\n",
-                                    section, thickness, thickness, thickness, thickness);
+    alternative.text +=
+        fmt::format("{}T1 … T4 = {:.4g} in section {}", alternative.text.empty() ? "" : ", ", thickness, section);
+    alternative.card += fmt::format(
+        "*SECTION_SHELL  (card 2 of section {})\n"
+        "$       T1        T2        T3        T4\n"
+        "{:>10.4g}{:>10.4g}{:>10.4g}{:>10.4g}\n",
+        section, thickness, thickness, thickness, thickness);
   }
   alternative.text += "; this makes the shells softer and lighter";
   if (thinner.other_parts > 0)
@@ -78,8 +80,8 @@ class Proposer {
   std::vector<FixProposal> run() {
     for (const Penetration& p : state_.penetrations)
       if (to_be_fixed(p.kind))
-        pairs_[{ContactIndex{p.contact}, std::min(p.part, p.element_part), std::max(p.part, p.element_part)}]
-            .push_back(p);
+        pairs_[{ContactIndex{p.contact}, std::min(p.part, p.element_part), std::max(p.part, p.element_part)}].push_back(
+            p);
     for (const auto& [key, records] : pairs_) ++pairs_of_contact_[std::get<0>(key)];
     find_cards();
     std::vector<FixProposal> list;

@@ -10,7 +10,8 @@ namespace {
 /// The share of the limits that the linear conditions use; the rest is for nonlinear effects.
 constexpr double linear_share = 0.8;
 
-void add_warp(std::span<const NodeIndex> n, const std::vector<Vector>& x, double degrees, std::vector<ShapeCondition>& list) {
+void add_warp(std::span<const NodeIndex> n, const std::vector<Vector>& x, double degrees,
+              std::vector<ShapeCondition>& list) {
   const Vector a = x[n[2].value] - x[n[0].value], b = x[n[3].value] - x[n[1].value];
   const Vector normal = a.cross(b);
   const double longest = std::max(a.norm(), b.norm());
@@ -32,7 +33,8 @@ void add_warp(std::span<const NodeIndex> n, const std::vector<Vector>& x, double
   list.push_back(c);
 }
 
-void add_edges(std::span<const NodeIndex> n, const std::vector<Vector>& x, double from, std::vector<ShapeCondition>& list) {
+void add_edges(std::span<const NodeIndex> n, const std::vector<Vector>& x, double from,
+               std::vector<ShapeCondition>& list) {
   constexpr std::array<std::array<std::size_t, 2>, 12> edges{
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   const std::size_t count = n.size() == 2 ? 1 : n.size() == 4 ? 4 : 12;

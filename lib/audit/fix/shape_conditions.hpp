@@ -17,9 +17,9 @@ struct ShapeCondition {
   double multiplier = 0;  ///< of least_movement(), to start from
 };
 
-/// Conditions, linear in the moves, under which an element stays well within its limits for small rotations: the nodes of
-/// a quadrilateral leave its plane alternately by no more than the warp allows, and edges are not shortened too much.
-/// They pull neighbours along where a single node would go too far. `x`: the deck's coordinates.
+/// Conditions, linear in the moves, under which an element stays well within its limits for small rotations: the nodes
+/// of a quadrilateral leave its plane alternately by no more than the warp allows, and edges are not shortened too
+/// much. They pull neighbours along where a single node would go too far. `x`: the deck's coordinates.
 [[nodiscard]] std::vector<ShapeCondition> shape_conditions(const model::Mesh& mesh, const std::vector<Vector>& x,
                                                            const ElementOfKind& element, const ShapeLimits& limits);
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "audit/shared/free_thickness.hpp"
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/initial.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::audit {

@@ -9,7 +9,6 @@ namespace {
 
 using model::ElementKind;
 
-
 /// What contacts say about the elements of one kind.
 struct InContact {
   std::vector<std::int64_t> contact;

@@ -10,7 +10,6 @@
 namespace gapcheck::audit {
 namespace {
 
-
 SceneFace make_face(const model::SegmentNodes& nodes, PartIndex part) {
   SceneFace face;
   for (std::size_t i = 0; i < 4; ++i) face.nodes[i] = nodes[i].value;

@@ -15,11 +15,16 @@ model::Place place_of(const model::Mesh& mesh, const Segments& s, std::size_t i)
     return model::Place{elements.origins.file(e), elements.line[e]};
   };
   switch (s.element_kind[i]) {
-    case model::ElementKind::shell: return at(mesh.shells);
-    case model::ElementKind::solid: return at(mesh.solids);
-    case model::ElementKind::thick_shell: return at(mesh.thick_shells);
-    case model::ElementKind::beam: return at(mesh.beams);
-    default: return {};
+    case model::ElementKind::shell:
+      return at(mesh.shells);
+    case model::ElementKind::solid:
+      return at(mesh.solids);
+    case model::ElementKind::thick_shell:
+      return at(mesh.thick_shells);
+    case model::ElementKind::beam:
+      return at(mesh.beams);
+    default:
+      return {};
   }
 }
 

@@ -14,11 +14,16 @@ void with_array(const model::Mesh& mesh, ElementRef element, const Use& use) {
     if (element.index < array.size()) use(array, name);
   };
   switch (element.kind) {
-    case model::ElementKind::shell: return known(mesh.shells, "shell");
-    case model::ElementKind::solid: return known(mesh.solids, "solid");
-    case model::ElementKind::thick_shell: return known(mesh.thick_shells, "thick shell");
-    case model::ElementKind::beam: return known(mesh.beams, "beam");
-    default: return;
+    case model::ElementKind::shell:
+      return known(mesh.shells, "shell");
+    case model::ElementKind::solid:
+      return known(mesh.solids, "solid");
+    case model::ElementKind::thick_shell:
+      return known(mesh.thick_shells, "thick shell");
+    case model::ElementKind::beam:
+      return known(mesh.beams, "beam");
+    default:
+      return;
   }
 }
 
@@ -26,9 +31,8 @@ void with_array(const model::Mesh& mesh, ElementRef element, const Use& use) {
 
 std::string element_text(const model::Mesh& mesh, ElementRef element) {
   std::string text = "a segment";
-  with_array(mesh, element, [&](const auto& array, const char* name) {
-    text = fmt::format("{} {}", name, array.id[element.index]);
-  });
+  with_array(mesh, element,
+             [&](const auto& array, const char* name) { text = fmt::format("{} {}", name, array.id[element.index]); });
   return text;
 }
 

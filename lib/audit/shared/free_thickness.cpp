@@ -22,9 +22,9 @@ bool takes_card(ThicknessRule rule) {
 
 /// What SST and MST would change in the surfaces of a contact.
 struct Reach {
-  bool fixed = false;         ///< something keeps its thickness for any SST: OPTT, SLDTHK
+  bool fixed = false;              ///< something keeps its thickness for any SST: OPTT, SLDTHK
   std::array<bool, 2> segments{};  ///< whether any segment of side A, B uses it
-  double thinnest = infinity; ///< present thickness of what SST replaces
+  double thinnest = infinity;      ///< present thickness of what SST replaces
 };
 
 Reach reach_of_card(const model::Model& model, const contact::ContactSurfaces& surfaces) {
@@ -103,7 +103,8 @@ class CardSearch {
     const contact::InitialState state = scene_.search(std::move(changes), chosen);
     for (Open& open : open_) {
       FreeCard& card = open.card;
-      const FreeThickness b = bound(scene_.model, scene_.surfaces(card.contact), open.reach, records_of(state, card.contact));
+      const FreeThickness b =
+          bound(scene_.model, scene_.surfaces(card.contact), open.reach, records_of(state, card.contact));
       card.value = std::min(card.value, b.value);
       if (b.count() > 0) card.bound = b;
       found_.list.push_back(card);

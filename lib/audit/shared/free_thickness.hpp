@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/initial.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::audit {
@@ -14,7 +14,7 @@ namespace gapcheck::audit {
 /// What records say about a thickness at which no node penetrates.
 struct FreeThickness {
   double value = std::numeric_limits<double>::infinity();  ///< no listed node is nearer to any segment
-  std::uint64_t free_count = 0, stuck_count = 0;  ///< records that a thickness sets free, and the others
+  std::uint64_t free_count = 0, stuck_count = 0;           ///< records that a thickness sets free, and the others
   Penetration closest;  ///< the record that sets the value; only if free_count is above 0
   Penetration stuck;    ///< deepest node on its segment or behind it; only if stuck_count is above 0
   [[nodiscard]] std::uint64_t count() const { return free_count + stuck_count; }

@@ -17,9 +17,7 @@ void visit_elements(const model::Mesh& mesh, ElementKind kind, const Visit& visi
   if (kind == ElementKind::thick_shell) visit("thick shell", mesh.thick_shells);
 }
 
-bool has_element(const contact::ContactMesh& mesh, std::size_t segment) {
-  return mesh.element(segment) != no_position;
-}
+bool has_element(const contact::ContactMesh& mesh, std::size_t segment) { return mesh.element(segment) != no_position; }
 
 std::string corner_ids(const contact::ContactMesh& mesh, std::size_t segment) {
   const model::SegmentNodes& n = mesh.nodes(segment);

@@ -10,7 +10,7 @@ namespace gapcheck::contact {
 
 /// Two lines that cross each other between their ends: shell edges or beam axes.
 struct EdgeCrossing {
-  CrossingSegment a, b;         ///< the elements that they belong to
+  CrossingSegment a, b;  ///< the elements that they belong to
   std::array<NodeIndex, 2> edge_a, edge_b;
   Vector point = Vector::Zero();
 };

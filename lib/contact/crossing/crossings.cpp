@@ -141,7 +141,8 @@ struct Reach {
     if (*low < 0 && *high > 0) kind = Kind::through;
     if (std::count(sign.begin(), sign.end(), 0) != 2) return;
     kind = Kind::edge;
-    third = static_cast<std::size_t>(std::find_if(sign.begin(), sign.end(), [](int v) { return v != 0; }) - sign.begin());
+    third =
+        static_cast<std::size_t>(std::find_if(sign.begin(), sign.end(), [](int v) { return v != 0; }) - sign.begin());
     side = sign[third];
   }
 };
@@ -202,8 +203,9 @@ class Decider {
     return false;
   }
 
-  /// True if the surface at this triangle is on both sides of the plane: the triangle itself, or where an edge of it lies
-  /// in the plane, the triangle and its neighbour beyond that edge. Meshes that cross along their mesh lines do so.
+  /// True if the surface at this triangle is on both sides of the plane: the triangle itself, or where an edge of it
+  /// lies in the plane, the triangle and its neighbour beyond that edge. Meshes that cross along their mesh lines do
+  /// so.
   static bool goes_on(const Side& side, SegmentIndex segment, const Piece& piece, const Plane& plane,
                       double tolerance) {
     const Reach reach(piece.x, plane, tolerance);
@@ -319,8 +321,7 @@ std::vector<Crossing> find_crossings(const model::Model& model, ContactIndex con
     counters.box_pairs.fetch_add(1, std::memory_order_relaxed);
     Crossing crossing{contact, a.segment(i), b.segment(j)};
     const bool one_element = crossing.a.kind == crossing.b.kind && crossing.a.element == crossing.b.element;
-    if ((one_element && crossing.a.element != no_position) || !pairs.counts(crossing.a.part, crossing.b.part))
-      return;
+    if ((one_element && crossing.a.element != no_position) || !pairs.counts(crossing.a.part, crossing.b.part)) return;
     if (!decider.cross(i, j, crossing)) return;
     const std::lock_guard lock(mutex);
     found.push_back(crossing);

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "contact/definition/exclusions.hpp"
 #include "contact/search/box_pairs.hpp"
 #include "contact/surface/contact_surfaces.hpp"
-#include "contact/definition/exclusions.hpp"
 #include "geometry/decide.hpp"
 
 namespace gapcheck::contact {
@@ -21,10 +21,10 @@ struct CrossingSegment {
 
 /// Two elements that pass through each other.
 struct Crossing {
-  ContactIndex contact;            ///< the first that has it
+  ContactIndex contact;  ///< the first that has it
   CrossingSegment a, b;
   Vector from = Vector::Zero(), to = Vector::Zero();  ///< ends of their intersection; equal for a beam's axis
-  double depth = 0;                ///< the smaller of the two depths by which they stick out behind each other
+  double depth = 0;  ///< the smaller of the two depths by which they stick out behind each other
   [[nodiscard]] double length() const { return (to - from).norm(); }
 };
 
@@ -35,13 +35,13 @@ inline constexpr double crossing_tolerance = 1e-3;
 struct CrossingOptions {
   geometry::Mode mode = geometry::Mode::filtered;
   BoxSearch search = BoxSearch::tree;
-  double tolerance = crossing_tolerance;  ///< of crossing elements
+  double tolerance = crossing_tolerance;   ///< of crossing elements
   const std::vector<Vector>* x = nullptr;  ///< coordinates by node; nullptr: the deck's
 };
 
 struct CrossingCounters {
-  geometry::DecisionCounters decisions;       ///< of pairs of triangles
-  std::atomic<std::uint64_t> box_pairs{0};    ///< pairs of segments whose boxes meet and that share no node
+  geometry::DecisionCounters decisions;     ///< of pairs of triangles
+  std::atomic<std::uint64_t> box_pairs{0};  ///< pairs of segments whose boxes meet and that share no node
 };
 
 /// Parts between which a crossing means nothing: excluded by the deck, one rigid body, spotwelds.
@@ -59,9 +59,9 @@ class CrossingPairs {
 };
 
 /// All pairs of elements of one contact whose mid-surfaces (solids: faces) cross: side A against side B, or a single
-/// surface against itself; in types 26 beam axes against segments as well. Quads are two triangles along the diagonal from
-/// their first corner. Not counted are segments with a common node, faces of one solid, and CrossingPairs. Once per pair
-/// of elements, ascending by them.
+/// surface against itself; in types 26 beam axes against segments as well. Quads are two triangles along the diagonal
+/// from their first corner. Not counted are segments with a common node, faces of one solid, and CrossingPairs. Once
+/// per pair of elements, ascending by them.
 [[nodiscard]] std::vector<Crossing> find_crossings(const model::Model& model, ContactIndex contact,
                                                    const ContactSurfaces& surfaces, const CrossingOptions& options,
                                                    CrossingCounters& counters);

@@ -188,7 +188,8 @@ std::vector<EnclosedBody> find_enclosed_bodies(const model::Model& model, const 
     if (contact == none<ContactIndex>) continue;
     const std::optional<Vector> point = enclosed(model.mesh, inner, outer, options, counters);
     if (!point) continue;
-    found.push_back({inner.part, outer.part, inner.solids[0], static_cast<std::uint32_t>(inner.solids.size()), contact, *point});
+    found.push_back(
+        {inner.part, outer.part, inner.solids[0], static_cast<std::uint32_t>(inner.solids.size()), contact, *point});
   }
   std::sort(found.begin(), found.end(), [](const EnclosedBody& l, const EnclosedBody& r) {
     return std::tie(l.first_solid, l.outer) < std::tie(r.first_solid, r.outer);

@@ -25,6 +25,7 @@ using PairContact = std::function<ContactIndex(PartIndex inner, PartIndex outer)
 /// or whose faces cross are not enclosed, nor are Eulerian or ALE parts (ELFORM 5, 6, 7, 11, 12). Decided exactly,
 /// faces with four nodes as two triangles. Parts whose box meets no other cost one pass over their nodes.
 [[nodiscard]] std::vector<EnclosedBody> find_enclosed_bodies(const model::Model& model, const PairContact& acts_on,
-                                                             const CrossingOptions& options, CrossingCounters& counters);
+                                                             const CrossingOptions& options,
+                                                             CrossingCounters& counters);
 
 }  // namespace gapcheck::contact

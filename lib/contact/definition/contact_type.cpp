@@ -36,11 +36,16 @@ std::string reason(const ContactType& type, bool ties) {
   if (type.pairing == Pairing::mortar) return by_segments("mortar contact", record_rules::mortar_penetration);
   switch (type.code) {
     case ContactCode::rigid_nodes:
-    case ContactCode::rigid_bodies: return "rigid-body contact by force curve has no contact thickness";
-    case ContactCode::single_edge: return "edge-to-edge contact has no node-to-segment penetrations";
-    case ContactCode::draw_bead: return "a draw bead has no contact surface of its own";
-    case ContactCode::transducer: return "a force transducer measures other contacts and has no force of its own";
-    default: break;
+    case ContactCode::rigid_bodies:
+      return "rigid-body contact by force curve has no contact thickness";
+    case ContactCode::single_edge:
+      return "edge-to-edge contact has no node-to-segment penetrations";
+    case ContactCode::draw_bead:
+      return "a draw bead has no contact surface of its own";
+    case ContactCode::transducer:
+      return "a force transducer measures other contacts and has no force of its own";
+    default:
+      break;
   }
   if (type.pairing == Pairing::segments) return by_segments("SOFT = 2", record_rules::segment_penetration);
   return {};
@@ -87,9 +92,7 @@ bool ties_by_constraint(const ContactType& type) {
   return moves_tied_nodes(type) || type.offset == TieOffset::constrained;
 }
 
-bool moves_tied_nodes(const ContactType& type) {
-  return is_tied(type) && type.offset == TieOffset::none;
-}
+bool moves_tied_nodes(const ContactType& type) { return is_tied(type) && type.offset == TieOffset::none; }
 
 bool leaves_rotations_free(const ContactType& type) {
   const bool no_moment = type.offset == TieOffset::none || type.offset == TieOffset::penalty;
@@ -143,8 +146,11 @@ ContactSettings settings(const model::Contact& contact, const ContactType& type,
       // The blank's thickness counts, that of rigid tools does not, unless SHLTHK = 2.
       s.shlthk = contact.shlthk == 2 ? 2 : 1;
       break;
-    case Family::mortar: s.shlthk = contact.kind->family == Family::forming && contact.shlthk != 2 ? 1 : 2; break;
-    default: s.shlthk = 2;
+    case Family::mortar:
+      s.shlthk = contact.kind->family == Family::forming && contact.shlthk != 2 ? 1 : 2;
+      break;
+    default:
+      s.shlthk = 2;
   }
   s.square_edges = has_square_edges(contact, type, controls);
   s.mid_surface_offset = controls.cntco != 0 || contact.shloff > 0;

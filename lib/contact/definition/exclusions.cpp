@@ -37,9 +37,10 @@ Exclusions::Exclusions(const model::Model& model, ContactId contact) {
       if (a && b)
         pairs_.emplace_back(std::move(*a), std::move(*b));
       else
-        not_honoured_ = fmt::format("*{} between {} (type {}) and {} (type {}) is not honoured: only existing parts (3) and part "
-                                    "sets (2) are",
-                                    model::exclusion_keyword, pair.a, pair.type_a, pair.b, pair.type_b);
+        not_honoured_ = fmt::format(
+            "*{} between {} (type {}) and {} (type {}) is not honoured: only existing parts (3) and part "
+            "sets (2) are",
+            model::exclusion_keyword, pair.a, pair.type_a, pair.b, pair.type_b);
     }
   }
 }

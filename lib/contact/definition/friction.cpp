@@ -36,13 +36,9 @@ bool has_friction(const model::Contact& contact) {
   return type.family != Family::tied && type.treatment != Treatment::none;
 }
 
-bool takes_friction_table(const model::Contact& contact) {
-  return classify(contact).can(Ability::friction_table);
-}
+bool takes_friction_table(const model::Contact& contact) { return classify(contact).can(Ability::friction_table); }
 
-bool takes_part_friction(const model::Contact& contact) {
-  return classify(contact).can(Ability::part_friction);
-}
+bool takes_part_friction(const model::Contact& contact) { return classify(contact).can(Ability::part_friction); }
 
 Friction::Friction(const model::Model& model, const model::Contact& contact) : model_(model), contact_(contact) {
   if (contact.fs == friction_of_parts) {

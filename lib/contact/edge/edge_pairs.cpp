@@ -23,9 +23,9 @@ bool seen_by_nodes(const geometry::EdgesClosest& closest, double h) {
 
 /// What is on the other side of a shell's edge.
 struct Beyond {
-  bool free = true;    ///< no facet
-  bool first = true;   ///< no shell that comes earlier
-  double half = 0;     ///< largest of the shells
+  bool free = true;   ///< no facet
+  bool first = true;  ///< no shell that comes earlier
+  double half = 0;    ///< largest of the shells
 };
 
 Beyond beyond(const PairScene& scene, SegmentIndex segment, NodeIndex a, NodeIndex b) {

@@ -3,10 +3,10 @@
 #include <functional>
 #include <vector>
 
-#include "contact/search/box_pairs.hpp"
 #include "contact/definition/exclusions.hpp"
 #include "contact/pair/pair.hpp"
 #include "contact/pair/tied_pairs.hpp"
+#include "contact/search/box_pairs.hpp"
 #include "geometry/edge_distance.hpp"
 #include "records/penetration.hpp"
 
@@ -16,8 +16,8 @@ namespace gapcheck::contact {
 struct SurfaceEdge {
   SegmentIndex segment;  ///< of edges between shells the first one
   NodeIndex a, b;
-  geometry::Edge x;           ///< its ends, mid-surface offsets included
-  double half = 0;            ///< half the contact thickness; between shells the larger one
+  geometry::Edge x;  ///< its ends, mid-surface offsets included
+  double half = 0;   ///< half the contact thickness; between shells the larger one
 };
 
 /// The edges that types 26 check, in the order of the segments: free edges of shells, with `interior` (type i26) also
@@ -33,12 +33,13 @@ struct EdgeMeeting {
   /// The nearest points lie between the ends of both, and no end penetrates nearly as deep: not a case for nodes and
   /// segments.
   bool between = false;
-  bool penetrates = false;  ///< between, and nearer than the contact distance; decided exactly
+  bool penetrates = false;                          ///< between, and nearer than the contact distance; decided exactly
   geometry::Stage stage = geometry::Stage::filter;  ///< which stage decided; only where `between`
 };
 
 /// Decides two edges against each other at the contact distance h.
-[[nodiscard]] EdgeMeeting meet_edges(const PairScene& scene, const geometry::Edge& e, const geometry::Edge& f, double h);
+[[nodiscard]] EdgeMeeting meet_edges(const PairScene& scene, const geometry::Edge& e, const geometry::Edge& f,
+                                     double h);
 
 /// Edges with a common node, or in the ring around each other's segment, never meet.
 [[nodiscard]] bool edges_are_joined(const PairScene& scene, const SurfaceEdge& e, const SurfaceEdge& f);
@@ -58,7 +59,9 @@ class EdgeRules {
 };
 
 /// The end of the edge that is nearer to a point at this position (-1 to 1).
-[[nodiscard]] inline NodeIndex nearest_end(const SurfaceEdge& edge, double place) { return place <= 0 ? edge.a : edge.b; }
+[[nodiscard]] inline NodeIndex nearest_end(const SurfaceEdge& edge, double place) {
+  return place <= 0 ? edge.a : edge.b;
+}
 
 /// Two edges that penetrate each other between their ends.
 struct EdgeHit {
@@ -69,15 +72,16 @@ struct EdgeHit {
 /// Whether a pair of edges counts; asked only for pairs that penetrate. Called from any thread.
 using EdgePairFilter = std::function<bool(const SurfaceEdge&, const SurfaceEdge&)>;
 
-/// Pairs of edges that are nearer to each other than h = half + half, decided exactly, with their nearest points between the
-/// ends of both. Where an end is nearest, or penetrates nearly as deep, it is a case for nodes and segments. Edges with
-/// a common node, or in the ring around each other's segment, are left out. Of a beam and a shell edge the beam is
-/// tracked, otherwise the first. Ascending by tracked, then other edge.
+/// Pairs of edges that are nearer to each other than h = half + half, decided exactly, with their nearest points
+/// between the ends of both. Where an end is nearest, or penetrates nearly as deep, it is a case for nodes and
+/// segments. Edges with a common node, or in the ring around each other's segment, are left out. Of a beam and a shell
+/// edge the beam is tracked, otherwise the first. Ascending by tracked, then other edge.
 [[nodiscard]] std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector<SurfaceEdge>& edges,
                                                      const EdgePairFilter& allowed, BoxSearch search,
                                                      geometry::DecisionCounters& decisions);
 
-/// The hits as records of contact number `contact`, one for each node: the deepest of the edges whose nearest end it is.
+/// The hits as records of contact number `contact`, one for each node: the deepest of the edges whose nearest end it
+/// is.
 [[nodiscard]] std::vector<Penetration> edge_records(const PairScene& scene, ContactIndex contact,
                                                     const std::vector<SurfaceEdge>& edges,
                                                     const std::vector<EdgeHit>& hits);

@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/edge/edge_pairs.hpp"
-#include "contact/surface/neighbours.hpp"
 #include "contact/pair/pair.hpp"
+#include "contact/surface/contact_surfaces.hpp"
+#include "contact/surface/neighbours.hpp"
 
 namespace gapcheck::contact {
 

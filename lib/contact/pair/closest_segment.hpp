@@ -20,8 +20,8 @@ using PairFilter = std::function<bool(SlotIndex, SegmentIndex, bool penetrates)>
 /// Runs the search of one contact side and decides all candidate pairs. At most one hit per tracked node (choose_hit),
 /// ascending by slot. `pair_allowed` is asked only for pairs that penetrate or have an oriented segment.
 [[nodiscard]] std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch& search,
-                                                const PairFilter& pair_allowed,
-                                                SweepCounters& counters, geometry::DecisionCounters& decisions);
+                                                const PairFilter& pair_allowed, SweepCounters& counters,
+                                                geometry::DecisionCounters& decisions);
 
 /// Calls visit(segment, slots) for all pairs whose node lies within `reach(segment)` of the segment's box;
 /// concurrently.

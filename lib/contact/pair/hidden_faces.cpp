@@ -15,7 +15,6 @@
 namespace gapcheck::contact {
 namespace {
 
-
 bool behind_solid(const PairScene& scene, const Hit& hit) {
   return std::signbit(hit.distance) && scene.segments.kind[hit.segment.value] == SegmentKind::solid;
 }

@@ -11,8 +11,8 @@ namespace gapcheck::contact {
 struct Hit {
   SlotIndex slot;
   SegmentIndex segment;
-  double distance = 0;        ///< negative behind an oriented segment
-  bool in_band = false;       ///< false: only outside every segment's band
+  double distance = 0;   ///< negative behind an oriented segment
+  bool in_band = false;  ///< false: only outside every segment's band
 };
 
 /// Segments and faces count as equally near to a node within this share of the distance.

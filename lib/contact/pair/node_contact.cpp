@@ -11,9 +11,13 @@ namespace {
 NodeAction first_penetration(NodeContact& node, const ContactSettings& settings, const NodeEncounter& encounter) {
   node.state = NodeContact::State::touching;
   switch (outcome(settings)) {
-    case Outcome::kept: node.forgiven = encounter.penetration; return NodeAction::force;
-    case Outcome::moved: return encounter.movable ? NodeAction::move : NodeAction::force;
-    default: return NodeAction::force;
+    case Outcome::kept:
+      node.forgiven = encounter.penetration;
+      return NodeAction::force;
+    case Outcome::moved:
+      return encounter.movable ? NodeAction::move : NodeAction::force;
+    default:
+      return NodeAction::force;
   }
 }
 

@@ -18,11 +18,11 @@ struct NodeContact {
 
 /// The position of a tracked node relative to the segments of its contact in one cycle.
 struct NodeEncounter {
-  bool penetrates = false;    ///< it is in a segment's band and penetrates it
-  bool in_zone = false;       ///< it is nearer to some segment than the contact distance, in its band or not
+  bool penetrates = false;  ///< it is in a segment's band and penetrates it
+  bool in_zone = false;     ///< it is nearer to some segment than the contact distance, in its band or not
   double penetration = 0;
-  double release_depth = 0;   ///< beyond it the node is released
-  bool movable = true;        ///< shooting-node logic may move it; nodes of rigid bodies are not free to be moved
+  double release_depth = 0;  ///< beyond it the node is released
+  bool movable = true;       ///< shooting-node logic may move it; nodes of rigid bodies are not free to be moved
 };
 
 enum class NodeAction : std::uint8_t {

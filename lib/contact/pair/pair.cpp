@@ -96,8 +96,8 @@ bool PairScene::beyond_square_edge(SegmentIndex s, const geometry::ClosestPoint&
 bool PairScene::in_front(SegmentIndex s, const geometry::ClosestPoint& closest, const Vector& query) const {
   const auto sign = [&](SegmentIndex i) { return !flipped.empty() && flipped[i.value] ? -1.0 : 1.0; };
   if (closest.feature == Feature::face) return sign(s) * closest.gap >= 0;
-  // On an edge or corner one facet's normal misleads: beside a convex edge a node is behind one facet and in front of the
-  // other. It is inside only where it is behind all that meet there (a concave edge).
+  // On an edge or corner one facet's normal misleads: beside a convex edge a node is behind one facet and in front of
+  // the other. It is inside only where it is behind all that meet there (a concave edge).
   const auto& corners = segments.nodes[s.value];
   const std::size_t i = closest.feature_index;
   const NodeIndex a = corners[i], b = corners[(i + 1) % 4];
@@ -112,7 +112,8 @@ bool PairScene::in_front(SegmentIndex s, const geometry::ClosestPoint& closest, 
 
 namespace {
 
-double tolerance_of(const PairScene& scene, double contact_distance, const geometry::Facet& facet, const Vector& query) {
+double tolerance_of(const PairScene& scene, double contact_distance, const geometry::Facet& facet,
+                    const Vector& query) {
   if (scene.tolerance >= 0) return scene.tolerance;
   return default_tolerance(contact_distance, largest_coordinate(facet, query));
 }

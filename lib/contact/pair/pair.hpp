@@ -11,12 +11,13 @@ namespace gapcheck::contact {
 
 /// What facets need to know about the solids behind them. Arrays parallel to Segments, or empty if no segment is solid.
 struct SolidExtents {
-  std::vector<double> depth;         ///< V / A: the thickness that release rules mean
-  std::vector<double> extent;        ///< how far the facet's own element reaches behind its plane
-  std::vector<std::uint32_t> body;   ///< number of the connected body that the facet bounds
+  std::vector<double> depth;        ///< V / A: the thickness that release rules mean
+  std::vector<double> extent;       ///< how far the facet's own element reaches behind its plane
+  std::vector<std::uint32_t> body;  ///< number of the connected body that the facet bounds
   [[nodiscard]] bool empty() const { return depth.empty(); }
 };
-[[nodiscard]] SolidExtents solid_extents(const Segments& segments, const model::Mesh& mesh, const std::vector<Vector>& x);
+[[nodiscard]] SolidExtents solid_extents(const Segments& segments, const model::Mesh& mesh,
+                                         const std::vector<Vector>& x);
 
 /// V / A of a segment of kind solid: the volume of its element over its own area; 0 where it has no area.
 [[nodiscard]] double solid_depth(const Segments& segments, const model::Mesh& mesh, std::size_t segment,
@@ -56,8 +57,8 @@ struct PairScene {
   }
   /// A beam axis in a contact that does not search beams: present only for its neighbours.
   [[nodiscard]] bool passive(SegmentIndex s) const { return line(s) && !type.edges; }
-  /// How far behind an oriented segment a node still counts: as far as the facet's own solid reaches; for shells half the
-  /// segment's shorter diagonal. 0 for two-sided segments.
+  /// How far behind an oriented segment a node still counts: as far as the facet's own solid reaches; for shells half
+  /// the segment's shorter diagonal. 0 for two-sided segments.
   [[nodiscard]] double behind(SegmentIndex segment) const;
   /// Largest distance at which a node can penetrate the segment, given the largest half thickness of the nodes.
   [[nodiscard]] double reach(SegmentIndex segment, double largest_node_half) const;

@@ -14,7 +14,8 @@ std::vector<bool> corners_of(const Segments& segments, std::size_t nodes) {
 
 }  // namespace
 
-PairRules::PairRules(const PairScene& scene, const ContactSide& tracked, const Exclusions& exclusions, const TiedPairs& ties)
+PairRules::PairRules(const PairScene& scene, const ContactSide& tracked, const Exclusions& exclusions,
+                     const TiedPairs& ties)
     : scene_(scene),
       exclusions_(exclusions),
       ties_(ties),

@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/definition/exclusions.hpp"
 #include "contact/pair/pair.hpp"
 #include "contact/pair/tied_pairs.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 
 namespace gapcheck::contact {
 

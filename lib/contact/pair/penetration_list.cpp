@@ -1,6 +1,5 @@
 #include "contact/pair/penetration_list.hpp"
 
-
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>

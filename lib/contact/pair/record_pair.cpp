@@ -4,7 +4,8 @@
 
 namespace gapcheck::contact {
 
-std::optional<RecordPair> find_pair(const ContactSurfaces& surfaces, const model::Mesh& mesh, const Penetration& record) {
+std::optional<RecordPair> find_pair(const ContactSurfaces& surfaces, const model::Mesh& mesh,
+                                    const Penetration& record) {
   const auto node = mesh.nodes.lookup.find(record.node);
   if (!node || record.segment_number == 0) return std::nullopt;
   RecordPair pair;

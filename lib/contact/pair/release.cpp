@@ -43,8 +43,10 @@ double release_depth(const model::Contact& contact, const ContactType& type, con
       if (contact.penchk == 2) return penchk_diagonal_share * pair.min_diagonal;
       return contact.penmax > 0 ? contact.penmax : never;
     case Family::forming:
-    case Family::constraint: return xpene_depth(controls, pair, solid_t);
-    default: return never;
+    case Family::constraint:
+      return xpene_depth(controls, pair, solid_t);
+    default:
+      return never;
   }
 }
 

@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/pair/pair.hpp"
 #include "contact/surface/contact_surfaces.hpp"
 #include "contact/surface/neighbours.hpp"
-#include "contact/pair/pair.hpp"
 
 namespace gapcheck::contact {
 

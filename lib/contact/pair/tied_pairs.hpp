@@ -36,7 +36,7 @@ class TiedPairs {
 
   const model::Model& model_;
   std::unordered_map<std::uint64_t, std::uint32_t> pairs_;  // with the number of ties
-  std::vector<ContactIndex> holder_;  // by node; empty: nothing is constrained
+  std::vector<ContactIndex> holder_;                        // by node; empty: nothing is constrained
   std::optional<RigidNodes> rigid_;
   std::vector<std::pair<NodeIndex, NodeIndex>> beams_;  // both ways, ascending
   bool beams_known_ = false;

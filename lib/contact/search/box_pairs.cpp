@@ -23,7 +23,8 @@ void brute_force(std::span<const Bounds> a, std::span<const Bounds> b, bool self
 
 }  // namespace
 
-void for_each_box_pair(std::span<const Bounds> a, std::span<const Bounds> b, const BoxPairVisit& visit, BoxSearch search) {
+void for_each_box_pair(std::span<const Bounds> a, std::span<const Bounds> b, const BoxPairVisit& visit,
+                       BoxSearch search) {
   if (a.empty() || b.empty()) return;
   if (search == BoxSearch::brute_force) return brute_force(a, b, false, visit);
   const FloatMap map(a, b);

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "base/parallel.hpp"
-#include "contact/stiffness/node_masses.hpp"
 #include "contact/mesh/node_sums.hpp"
+#include "contact/stiffness/node_masses.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -21,7 +21,8 @@ constexpr double equal_squared_steps = 1e-12;
 /// The lowest node of a side; none where it has none.
 NodeIndex lowest_node(const ContactSide& side) {
   NodeIndex lowest = none<NodeIndex>;
-  for (const auto& nodes : side.selection.segments.nodes) lowest = std::min({lowest, nodes[0], nodes[1], nodes[2], nodes[3]});
+  for (const auto& nodes : side.selection.segments.nodes)
+    lowest = std::min({lowest, nodes[0], nodes[1], nodes[2], nodes[3]});
   for (const NodeIndex node : side.selection.nodes) lowest = std::min(lowest, node);
   return lowest;
 }
@@ -105,8 +106,10 @@ bool has_timestep(const ContactType& type) {
     case ContactCode::rigid_nodes:
     case ContactCode::rigid_bodies:
     case ContactCode::single_edge:
-    case ContactCode::draw_bead: return false;
-    default: return true;
+    case ContactCode::draw_bead:
+      return false;
+    default:
+      return true;
   }
 }
 

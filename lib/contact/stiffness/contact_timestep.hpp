@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/stiffness/element_sizes.hpp"
 #include "contact/stiffness/element_timestep.hpp"
 #include "contact/stiffness/segment_spring.hpp"
 #include "contact/stiffness/stiffness.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "records/timesteps.hpp"
 
 namespace gapcheck::contact {
@@ -33,8 +33,7 @@ class TimestepEstimate {
  public:
   TimestepEstimate(const model::Model& model, const ElementSizes& sizes);
   /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top.
-  [[nodiscard]] SideTimestep side(const Segments& segments, double scale,
-                                  TimestepLimit limit = TimestepLimit::printed);
+  [[nodiscard]] SideTimestep side(const Segments& segments, double scale, TimestepLimit limit = TimestepLimit::printed);
 
  private:
   [[nodiscard]] NodeIndex smallest(const Segments& segments);
@@ -43,9 +42,9 @@ class TimestepEstimate {
 
   const model::Model& model_;
   SegmentSprings springs_;
-  std::vector<double> masses_;         // by node
-  std::vector<NodeStiffness> sums_;    // by node; zero between calls
-  std::vector<NodeStiffness> corners_; // by segment: what it adds at each corner
+  std::vector<double> masses_;          // by node
+  std::vector<NodeStiffness> sums_;     // by node; zero between calls
+  std::vector<NodeStiffness> corners_;  // by segment: what it adds at each corner
 };
 
 /// True for contacts of which the solver prints a time step: those with penalty springs and force transducers. Ties by

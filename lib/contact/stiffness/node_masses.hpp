@@ -5,8 +5,9 @@
 
 namespace gapcheck::contact {
 
-/// Lumped mass of every node: shells ρ A t, solids and thick shells ρ V, beams ρ A L in equal shares to their nodes, and
-/// *ELEMENT_MASS. Rigid parts count like others. Elements whose mass is not a number are left out. One pass, linear.
+/// Lumped mass of every node: shells ρ A t, solids and thick shells ρ V, beams ρ A L in equal shares to their nodes,
+/// and *ELEMENT_MASS. Rigid parts count like others. Elements whose mass is not a number are left out. One pass,
+/// linear.
 [[nodiscard]] std::vector<double> node_masses(const model::Model& model, const ElementSizes& sizes);
 
 /// Mass per volume of a part; plies of *PART_COMPOSITE together. 0 without a material.

@@ -18,11 +18,16 @@ double segment_volume(const model::Model& model, const ElementSizes& sizes, cons
   const std::uint32_t e = s.element[i];
   if (e == no_position) return 0;
   switch (s.element_kind[i]) {
-    case model::ElementKind::shell: return sizes.shell_area[e] * sizes.shell_thickness[e];
-    case model::ElementKind::solid: return sizes.solid_volume[e] / 2;
-    case model::ElementKind::thick_shell: return sizes.thick_shell_volume[e] / 2;
-    case model::ElementKind::beam: return beam_volume(model, part_of(model.mesh, s, i), s.nodes[i]);
-    default: return 0;
+    case model::ElementKind::shell:
+      return sizes.shell_area[e] * sizes.shell_thickness[e];
+    case model::ElementKind::solid:
+      return sizes.solid_volume[e] / 2;
+    case model::ElementKind::thick_shell:
+      return sizes.thick_shell_volume[e] / 2;
+    case model::ElementKind::beam:
+      return beam_volume(model, part_of(model.mesh, s, i), s.nodes[i]);
+    default:
+      return 0;
   }
 }
 

@@ -8,7 +8,8 @@
 
 namespace gapcheck::contact {
 
-/// Stiffness that a segment gives a contact spring (SOFT = 0), and the weight with which it counts at each of its corners.
+/// Stiffness that a segment gives a contact spring (SOFT = 0), and the weight with which it counts at each of its
+/// corners.
 struct SegmentSpring {
   double stiffness = 0;
   double weight = 0;  ///< area / number of corners; 0: the segment gives no stiffness
@@ -18,10 +19,10 @@ struct SegmentSpring {
 class SegmentSprings {
  public:
   SegmentSprings(const model::Model& model, const ElementSizes& sizes);
-  /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top. `printed`: K A / t for shells, as in the solver's
-  /// estimate of the time step, instead of K A / longest diagonal. `solid_modulus`: SLDSTF, replaces the modulus of
-  /// solids where it is positive. A beam counts as a shell strip as wide as its section is thick, which the printed
-  /// estimate leaves out. Source: contact rules, sections 6.1 and 12.3; for beams our own choice.
+  /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top. `printed`: K A / t for shells, as in the
+  /// solver's estimate of the time step, instead of K A / longest diagonal. `solid_modulus`: SLDSTF, replaces the
+  /// modulus of solids where it is positive. A beam counts as a shell strip as wide as its section is thick, which the
+  /// printed estimate leaves out. Source: contact rules, sections 6.1 and 12.3; for beams our own choice.
   [[nodiscard]] SegmentSpring operator()(const Segments& segments, std::size_t segment, double scale,
                                          bool printed = false, double solid_modulus = 0) const;
 

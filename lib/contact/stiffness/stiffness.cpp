@@ -39,11 +39,16 @@ double shell_estimate_stiffness(double scale, double modulus, double area, doubl
 
 double spring_stiffness(std::int64_t penopt, const PairStiffness& pair) {
   switch (penopt) {
-    case 2: return pair.segment;
-    case 3: return pair.node;
-    case 4: return pair.node_weighted;
-    case 5: return quotient(pair.node_weighted, pair.thickness);
-    default: return std::min(pair.node, pair.segment);
+    case 2:
+      return pair.segment;
+    case 3:
+      return pair.node;
+    case 4:
+      return pair.node_weighted;
+    case 5:
+      return quotient(pair.node_weighted, pair.thickness);
+    default:
+      return std::min(pair.node, pair.segment);
   }
 }
 

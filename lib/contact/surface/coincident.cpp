@@ -36,10 +36,10 @@ std::vector<Coincidence> coincident_segments(std::span<const model::SegmentNodes
     for (std::size_t n = begin; n < end; ++n) {
       if (start[n + 1] - start[n] < 2) continue;
       bucket.clear();
-      for (std::uint32_t i = start[n]; i < start[n + 1]; ++i) bucket.push_back({segment_key(segments[list[i]]), list[i]});
-      std::sort(bucket.begin(), bucket.end(), [](const Entry& a, const Entry& b) {
-        return std::tie(a.key, a.segment) < std::tie(b.key, b.segment);
-      });
+      for (std::uint32_t i = start[n]; i < start[n + 1]; ++i)
+        bucket.push_back({segment_key(segments[list[i]]), list[i]});
+      std::sort(bucket.begin(), bucket.end(),
+                [](const Entry& a, const Entry& b) { return std::tie(a.key, a.segment) < std::tie(b.key, b.segment); });
       for (std::size_t first = 0, i = 1; i < bucket.size(); ++i) {
         if (bucket[i].key != bucket[first].key) {
           first = i;

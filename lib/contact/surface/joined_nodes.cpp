@@ -39,7 +39,6 @@ class Joiner {
   [[nodiscard]] std::vector<std::uint8_t> take() { return std::move(joined_); }
 
  private:
-
   /// The pair with this second node.
   [[nodiscard]] std::size_t position(NodeIndex second) const {
     const auto found = std::lower_bound(pairs_.begin(), pairs_.end(), second,

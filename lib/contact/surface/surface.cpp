@@ -203,9 +203,15 @@ Selection select(const model::Model& model, const model::SurfaceInput& input, co
     select_parts(selection, model, part_mask(model, input, single), type, x, index);
   } else {
     switch (kind) {
-      case segment_set: select_segments(selection, model, input.id, x, index); break;
-      case shell_set: select_shells(selection, model, input.id); break;
-      case node_set: select_nodes(selection, model, input.id); break;
+      case segment_set:
+        select_segments(selection, model, input.id, x, index);
+        break;
+      case shell_set:
+        select_shells(selection, model, input.id);
+        break;
+      case node_set:
+        select_nodes(selection, model, input.id);
+        break;
       case part_set:
       case exempted_part_set:
         if (!model.sets.parts.contains(input.id)) set_missing(selection, "part set", input.id);
@@ -215,7 +221,9 @@ Selection select(const model::Model& model, const model::SurfaceInput& input, co
         if (!model.part_of_id.contains(input.id)) set_missing(selection, "part", input.id);
         select_parts(selection, model, part_mask(model, input, single), type, x, index);
         break;
-      case all: select_parts(selection, model, part_mask(model, input, single), type, x, index); break;
+      case all:
+        select_parts(selection, model, part_mask(model, input, single), type, x, index);
+        break;
       case branch:
         selection.empty_reason = "surface type 7 (branch) is not resolved";
         selection.unsupported = true;
@@ -247,7 +255,8 @@ void fill_thickness(Segments& s, const model::Model& model, const ThicknessSide&
         if (t.value > 0) s.kind[i] = SegmentKind::shell;
       } else if (s.element_kind[i] == ElementKind::beam) {
         double radius = 0;
-        if (part != none<PartIndex> && model.part(part).section) radius = model.sections[*model.part(part).section].beam_radius;
+        if (part != none<PartIndex> && model.part(part).section)
+          radius = model.sections[*model.part(part).section].beam_radius;
         t = beam_thickness(radius, own, side);
       } else {
         const double element = s.element[i] == no_position ? 0 : element_thickness(model, s.element[i]);
@@ -285,22 +294,32 @@ void fill_offsets(Segments& s, const model::Model& model) {
 PartIndex part_of(const model::Mesh& mesh, const Segments& s, std::size_t i) {
   if (s.element[i] == no_position) return none<PartIndex>;
   switch (s.element_kind[i]) {
-    case ElementKind::shell: return mesh.shells.part[s.element[i]];
-    case ElementKind::solid: return mesh.solids.part[s.element[i]];
-    case ElementKind::thick_shell: return mesh.thick_shells.part[s.element[i]];
-    case ElementKind::beam: return mesh.beams.part[s.element[i]];
-    default: return none<PartIndex>;
+    case ElementKind::shell:
+      return mesh.shells.part[s.element[i]];
+    case ElementKind::solid:
+      return mesh.solids.part[s.element[i]];
+    case ElementKind::thick_shell:
+      return mesh.thick_shells.part[s.element[i]];
+    case ElementKind::beam:
+      return mesh.beams.part[s.element[i]];
+    default:
+      return none<PartIndex>;
   }
 }
 
 std::int64_t element_id(const model::Mesh& mesh, const Segments& s, std::size_t i) {
   if (s.element[i] == no_position) return 0;
   switch (s.element_kind[i]) {
-    case ElementKind::shell: return mesh.shells.id[s.element[i]];
-    case ElementKind::solid: return mesh.solids.id[s.element[i]];
-    case ElementKind::thick_shell: return mesh.thick_shells.id[s.element[i]];
-    case ElementKind::beam: return mesh.beams.id[s.element[i]];
-    default: return 0;
+    case ElementKind::shell:
+      return mesh.shells.id[s.element[i]];
+    case ElementKind::solid:
+      return mesh.solids.id[s.element[i]];
+    case ElementKind::thick_shell:
+      return mesh.thick_shells.id[s.element[i]];
+    case ElementKind::beam:
+      return mesh.beams.id[s.element[i]];
+    default:
+      return 0;
   }
 }
 

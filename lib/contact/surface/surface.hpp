@@ -22,12 +22,12 @@ enum class SegmentKind : std::uint8_t {
 /// deck (shells, solids, thick shells, beams part by part; sets as written).
 struct Segments {
   std::vector<model::SegmentNodes> nodes;
-  std::vector<std::uint32_t> element;           ///< position in the array of its kind, or no_position
+  std::vector<std::uint32_t> element;  ///< position in the array of its kind, or no_position
   std::vector<model::ElementKind> element_kind;
   std::vector<SegmentKind> kind;
-  std::vector<double> half;                     ///< half the contact thickness
+  std::vector<double> half;  ///< half the contact thickness
   std::vector<ThicknessRule> rule;
-  std::vector<double> offset;                   ///< offset of the mid-surface along the normal; empty: none is offset
+  std::vector<double> offset;  ///< offset of the mid-surface along the normal; empty: none is offset
   [[nodiscard]] std::size_t size() const { return nodes.size(); }
 };
 

@@ -1,6 +1,5 @@
 #include "contact/surface/surface_parts.hpp"
 
-
 #include <algorithm>
 #include <tuple>
 

@@ -46,8 +46,8 @@ struct ThicknessChange {
 /// Thickness of a shell in a contact: OPTT, then SST/MST, then TH, then the element's own × SFT or SFST (limited by
 /// 0.4 of the shortest edge where `edge_limit`). `element` and `shortest_edge` in deck units.
 /// Source: contact rules, section 4.2.
-[[nodiscard]] Thickness shell_thickness(double element, double shortest_edge, const model::PartContact* part, bool rigid,
-                                        const ThicknessSide& side);
+[[nodiscard]] Thickness shell_thickness(double element, double shortest_edge, const model::PartContact* part,
+                                        bool rigid, const ThicknessSide& side);
 
 /// Thickness of a solid's facet or node: SLDTHK, else none.
 [[nodiscard]] Thickness solid_thickness(const ThicknessSide& side);
@@ -59,8 +59,8 @@ struct ThicknessChange {
 /// *PART_COMPOSITE before both. 0 if the deck gives none.
 [[nodiscard]] double element_thickness(const model::Model& model, std::uint32_t shell);
 
-/// Where the mid-surface of a shell lies along its normal, seen from its nodes: the offset of *ELEMENT_SHELL_OFFSET, else
-/// -NLOC · t / 2 (NLOC = 1: the nodes are on the top surface).
+/// Where the mid-surface of a shell lies along its normal, seen from its nodes: the offset of *ELEMENT_SHELL_OFFSET,
+/// else -NLOC · t / 2 (NLOC = 1: the nodes are on the top surface).
 [[nodiscard]] double mid_surface_offset(const model::Model& model, std::uint32_t shell);
 
 }  // namespace gapcheck::contact

@@ -19,10 +19,10 @@ inline constexpr double tie_thickness_share = 0.6;
 /// The segment that a tracked node ties to, or comes nearest to tying to.
 struct TieCandidate {
   SegmentIndex segment = none<SegmentIndex>;  ///< none: none is near
-  bool on_segment = false;             ///< the projection falls in the segment, PARMAX included
-  bool ties = false;                   ///< and the distance is within the tie distance; decided exactly
-  double distance = 0;                 ///< from the closest point of the segment
-  double diagonal = 0;                 ///< the segment's shorter one
+  bool on_segment = false;                    ///< the projection falls in the segment, PARMAX included
+  bool ties = false;                          ///< and the distance is within the tie distance; decided exactly
+  double distance = 0;                        ///< from the closest point of the segment
+  double diagonal = 0;                        ///< the segment's shorter one
 };
 
 /// How the nodes of one tied contact search for their segments.

@@ -3,13 +3,13 @@
 #include <optional>
 #include <vector>
 
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/definition/contact_type.hpp"
 #include "contact/mesh/rigid_nodes.hpp"
+#include "contact/pair/tied_pairs.hpp"
 #include "contact/search/search.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "contact/surface/surface.hpp"
 #include "contact/tie/tie_candidates.hpp"
-#include "contact/pair/tied_pairs.hpp"
 #include "records/tie_failure.hpp"
 
 namespace gapcheck::contact {
@@ -37,7 +37,7 @@ struct JudgedNode {
   double distance = -1;             ///< from the segment; negative: on none
   double allowed = 0;               ///< tie distance
   double node_thickness = 0, segment_thickness = 0;
-  double diagonal = 0;              ///< the segment's shorter one
+  double diagonal = 0;  ///< the segment's shorter one
   [[nodiscard]] bool tied() const { return !reason || !untied(*reason); }
 };
 

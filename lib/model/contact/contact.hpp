@@ -35,11 +35,11 @@ inline constexpr double curve_of_times = -9999;
 
 /// Where the lines of a contact's block do not match its cards.
 struct CardLines {
-  bool any = true;            ///< false: the block ends before card 1, so that the contact has no surfaces
-  std::string missing;        ///< first mandatory card that the block ends before: "card 4 (ISYM, EROSOP, IADJ)"
-  std::uint32_t misread = 0;  ///< line in place of the type's own card that cannot be this card; 0: none
-  std::string expected;       ///< then: that card
-  std::uint32_t surplus = 0;  ///< non-blank lines after the last card
+  bool any = true;                  ///< false: the block ends before card 1, so that the contact has no surfaces
+  std::string missing;              ///< first mandatory card that the block ends before: "card 4 (ISYM, EROSOP, IADJ)"
+  std::uint32_t misread = 0;        ///< line in place of the type's own card that cannot be this card; 0: none
+  std::string expected;             ///< then: that card
+  std::uint32_t surplus = 0;        ///< non-blank lines after the last card
   std::uint32_t first_surplus = 0;  ///< line of the first of them
 };
 
@@ -64,8 +64,8 @@ struct Contact {
   std::string keyword;  ///< without option words: "CONTACT_AUTOMATIC_SINGLE_SURFACE"; set_name() fills it and the next
   std::string written;  ///< as in the deck, upper case, without `*`
   const ContactKind* kind = nullptr;  ///< the row of the table; nullptr: unknown or of a layout of its own
-  ContactOptions options;   ///< option words of the keyword
-  bool known = true;        ///< false: no such keyword is known; only id, title and place are filled
+  ContactOptions options;             ///< option words of the keyword
+  bool known = true;                  ///< false: no such keyword is known; only id, title and place are filled
   bool own_layout = false;  ///< 2D, ENTITY, INTERIOR, …: the cards are not those of a 3D contact and were not read
   Place place;
   CardLines cards;
@@ -82,8 +82,8 @@ struct Contact {
   std::int64_t tiebreak_option = 0;
   TiebreakStrength tiebreak;
   // Card 4 of eroding types
-  std::int64_t erosop = 0;  ///< EROSOP: 1 = surfaces follow the remaining elements
-  std::int64_t iadj = 0;    ///< IADJ: 1 = also inside a body
+  std::int64_t erosop = 0;          ///< EROSOP: 1 = surfaces follow the remaining elements
+  std::int64_t iadj = 0;            ///< IADJ: 1 = also inside a body
   std::int64_t symmetry_faces = 0;  ///< ISYM: 1 = faces on planes of symmetry are left out
   // MPP card
   std::optional<std::int64_t> mpp_ignore;
@@ -91,9 +91,9 @@ struct Contact {
   // A
   std::int64_t soft = 0;
   double sofscl = 0.1;
-  std::int64_t lcidab = 0;        ///< curve of the thickness over time, only *CONTACT_AIRBAG_SINGLE_SURFACE
-  double airbag_thickness = 0;    ///< that curve at time 0; 0 = not given
-  double maxpar = 0;  ///< 0 = not given
+  std::int64_t lcidab = 0;      ///< curve of the thickness over time, only *CONTACT_AIRBAG_SINGLE_SURFACE
+  double airbag_thickness = 0;  ///< that curve at time 0; 0 = not given
+  double maxpar = 0;            ///< 0 = not given
   std::int64_t sbopt = 2, depth = 2, bsort = 0;
   // B
   double penmax = 0;
@@ -138,7 +138,7 @@ struct FrictionTable {
   std::int64_t id = 0;
   FrictionLaw others;  ///< between parts that no row names
   struct Row {
-    std::int64_t i = 0, j = 0;          ///< part, or part set
+    std::int64_t i = 0, j = 0;  ///< part, or part set
     bool i_is_set = false, j_is_set = false;
     FrictionLaw law;
   };
@@ -168,9 +168,9 @@ struct Controls {
   // *CONTROL_TIMESTEP
   double tssfac = 0.9;
   std::int64_t isdo = 0;
-  double dt2ms = 0;  ///< mass scaling; zero = none
-  double dtinit = 0;         ///< first step; zero = none
-  std::int64_t lctm = 0;     ///< curve that limits the step over time; zero = none
+  double dt2ms = 0;       ///< mass scaling; zero = none
+  double dtinit = 0;      ///< first step; zero = none
+  std::int64_t lctm = 0;  ///< curve that limits the step over time; zero = none
   Place timestep_place;
   // *CONTROL_TERMINATION; 0 = not given
   double endtim = 0;

@@ -36,22 +36,36 @@ const CardLayout& contact_card_layout(std::string_view card) { return keyword::c
 
 const CardLayout* type_card(TypeCards cards) {
   switch (cards) {
-    case TypeCards::none: return nullptr;
-    case TypeCards::eroding: return &contact_card_layout("ERODING");
-    case TypeCards::interference_card: return &contact_card_layout("INTERFERENCE");
-    case TypeCards::constraint: return &contact_card_layout("CONSTRAINT");
-    case TypeCards::rigid: return &contact_card_layout("RIGID");
-    case TypeCards::composite: return &contact_card_layout("COMPOSITE");
-    case TypeCards::contraction_joint: return &contact_card_layout("CONTRACTION_JOINT");
-    case TypeCards::tied: return &contact_card_layout("TIED");
+    case TypeCards::none:
+      return nullptr;
+    case TypeCards::eroding:
+      return &contact_card_layout("ERODING");
+    case TypeCards::interference_card:
+      return &contact_card_layout("INTERFERENCE");
+    case TypeCards::constraint:
+      return &contact_card_layout("CONSTRAINT");
+    case TypeCards::rigid:
+      return &contact_card_layout("RIGID");
+    case TypeCards::composite:
+      return &contact_card_layout("COMPOSITE");
+    case TypeCards::contraction_joint:
+      return &contact_card_layout("CONTRACTION_JOINT");
+    case TypeCards::tied:
+      return &contact_card_layout("TIED");
     case TypeCards::tiebreak:
-    case TypeCards::tiebreak_damping: return &contact_card_layout("TIEBREAK");
-    case TypeCards::tiebreak_user: return &contact_card_layout("TIEBREAK_USER");
-    case TypeCards::tiebreak_nodes: return &contact_card_layout("TIEBREAK_NODES");
-    case TypeCards::tiebreak_surface: return &contact_card_layout("TIEBREAK_SURFACE");
-    case TypeCards::tied_weld: return &contact_card_layout("TIED_WELD1");
+    case TypeCards::tiebreak_damping:
+      return &contact_card_layout("TIEBREAK");
+    case TypeCards::tiebreak_user:
+      return &contact_card_layout("TIEBREAK_USER");
+    case TypeCards::tiebreak_nodes:
+      return &contact_card_layout("TIEBREAK_NODES");
+    case TypeCards::tiebreak_surface:
+      return &contact_card_layout("TIEBREAK_SURFACE");
+    case TypeCards::tied_weld:
+      return &contact_card_layout("TIED_WELD1");
     case TypeCards::draw_bead:
-    case TypeCards::draw_bead_initialize: return &contact_card_layout("DRAWBEAD1");
+    case TypeCards::draw_bead_initialize:
+      return &contact_card_layout("DRAWBEAD1");
   }
   return nullptr;
 }

@@ -41,8 +41,10 @@ constexpr auto kind_table = [] {
       {"SLIDING_ONLY_PENALTY", C::sliding, T::two_way, F::old, 0, none, TieForm::none, O::none, M::none, of_type},
 
       {"TIED_SURFACE_TO_SURFACE", C::tied_surface, T::one_way, F::tied, 0, none, TieForm::permanent, O::none, M::tie},
-      {"TIED_SURFACE_TO_SURFACE_OFFSET", C::tied_surface, T::one_way, F::tied, 0, none, TieForm::permanent, O::penalty, M::tie},
-      {"TIED_SURFACE_TO_SURFACE_BEAM_OFFSET", C::tied_surface, T::one_way, F::tied, 0, none, TieForm::permanent, O::beam, M::tie},
+      {"TIED_SURFACE_TO_SURFACE_OFFSET", C::tied_surface, T::one_way, F::tied, 0, none, TieForm::permanent, O::penalty,
+       M::tie},
+      {"TIED_SURFACE_TO_SURFACE_BEAM_OFFSET", C::tied_surface, T::one_way, F::tied, 0, none, TieForm::permanent,
+       O::beam, M::tie},
       {"TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET", C::tied_surface, T::one_way, F::tied, 0, none, TieForm::permanent,
        O::constrained, M::tie},
       {"TIED_SURFACE_TO_SURFACE_FAILURE", C::tied_surface, T::one_way, F::tied, 0, none, TieForm::with_failure, O::none,
@@ -69,62 +71,70 @@ constexpr auto kind_table = [] {
        tiebreak_damping, TieForm::automatic_tiebreak_damping, O::none, M::tiebreak, "", "AUTOMATIC_SURFACE_TO_SURFACE"},
       {"AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_USER", C::automatic_surface, T::two_way, F::automatic, a3, tiebreak_user,
        TieForm::automatic_tiebreak_user, O::none, M::tiebreak, "", "AUTOMATIC_SURFACE_TO_SURFACE"},
-      {"FORMING_SURFACE_TO_SURFACE", C::forming_surface, T::two_way, F::forming, 0, none, TieForm::none, O::none, M::penalty},
+      {"FORMING_SURFACE_TO_SURFACE", C::forming_surface, T::two_way, F::forming, 0, none, TieForm::none, O::none,
+       M::penalty},
 
       {"SINGLE_SURFACE", C::single_surface, T::single_surface, F::automatic,
        bits({soft_2, friction_table, part_friction}), none, TieForm::none, O::none, M::penalty},
 
       {"NODES_TO_SURFACE", C::nodes, T::one_way, F::old, 0, none, TieForm::none, O::none, M::penalty},
-      {"NODES_TO_SURFACE_INTERFERENCE", C::nodes, T::one_way, F::old, fit, interference_card, TieForm::none, O::none, M::none,
-       press_fit},
+      {"NODES_TO_SURFACE_INTERFERENCE", C::nodes, T::one_way, F::old, fit, interference_card, TieForm::none, O::none,
+       M::none, press_fit},
       {"AUTOMATIC_NODES_TO_SURFACE", C::automatic_nodes, T::one_way, F::automatic, a5, none, TieForm::none, O::none,
        M::penalty},
       {"AUTOMATIC_NODES_TO_SURFACE_TIEBREAK", C::automatic_nodes, T::one_way, F::automatic, a5, tiebreak,
        TieForm::automatic_tiebreak, O::none, M::tiebreak, "", "AUTOMATIC_NODES_TO_SURFACE"},
       {"AUTOMATIC_BEAMS_TO_SURFACE", C::automatic_nodes, T::one_way, F::automatic, a5, none, TieForm::none, O::none,
        M::penalty},
-      {"FORMING_NODES_TO_SURFACE", C::forming_nodes, T::one_way, F::forming, 0, none, TieForm::none, O::none, M::penalty},
+      {"FORMING_NODES_TO_SURFACE", C::forming_nodes, T::one_way, F::forming, 0, none, TieForm::none, O::none,
+       M::penalty},
 
       {"TIED_NODES_TO_SURFACE", C::tied_nodes, T::one_way, F::tied, 0, none, TieForm::permanent, O::none, M::tie},
-      {"TIED_NODES_TO_SURFACE_OFFSET", C::tied_nodes, T::one_way, F::tied, 0, none, TieForm::permanent, O::penalty, M::tie},
-      {"TIED_NODES_TO_SURFACE_BEAM_OFFSET", C::tied_nodes, T::one_way, F::tied, 0, none, TieForm::permanent, O::beam, M::tie},
+      {"TIED_NODES_TO_SURFACE_OFFSET", C::tied_nodes, T::one_way, F::tied, 0, none, TieForm::permanent, O::penalty,
+       M::tie},
+      {"TIED_NODES_TO_SURFACE_BEAM_OFFSET", C::tied_nodes, T::one_way, F::tied, 0, none, TieForm::permanent, O::beam,
+       M::tie},
       {"TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET", C::tied_nodes, T::one_way, F::tied, 0, none, TieForm::permanent,
        O::constrained, M::tie},
 
-      {"TIED_SHELL_EDGE_TO_SURFACE", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none, M::tie},
-      {"TIED_SHELL_EDGE_TO_SURFACE_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::penalty,
+      {"TIED_SHELL_EDGE_TO_SURFACE", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none,
        M::tie},
-      {"TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::beam,
+      {"TIED_SHELL_EDGE_TO_SURFACE_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent,
+       O::penalty, M::tie},
+      {"TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent,
+       O::beam, M::tie},
+      {"TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none,
+       TieForm::permanent, O::constrained, M::tie},
+      {"TIED_SHELL_EDGE_TO_SOLID", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none,
        M::tie},
-      {"TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent,
-       O::constrained, M::tie},
-      {"TIED_SHELL_EDGE_TO_SOLID", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none, M::tie},
-      {"TIED_SHELL_EDGE_TO_SOLID_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::penalty,
-       M::tie},
-      {"TIED_SHELL_EDGE_TO_SOLID_BEAM_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::beam,
-       M::tie},
-      {"TIED_SHELL_EDGE_TO_SOLID_CONSTRAINED_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent,
-       O::constrained, M::tie},
+      {"TIED_SHELL_EDGE_TO_SOLID_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent,
+       O::penalty, M::tie},
+      {"TIED_SHELL_EDGE_TO_SOLID_BEAM_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent,
+       O::beam, M::tie},
+      {"TIED_SHELL_EDGE_TO_SOLID_CONSTRAINED_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none,
+       TieForm::permanent, O::constrained, M::tie},
       {"SPOTWELD", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none, M::tie},
       {"SPOTWELD_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::penalty, M::tie},
       {"SPOTWELD_BEAM_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::beam, M::tie},
-      {"SPOTWELD_CONSTRAINED_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::constrained,
-       M::tie},
+      {"SPOTWELD_CONSTRAINED_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent,
+       O::constrained, M::tie},
       {"SPOTWELD_WITH_TORSION", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none, M::tie},
-      {"SPOTWELD_WITH_TORSION_PENALTY", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none, M::tie},
+      {"SPOTWELD_WITH_TORSION_PENALTY", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none,
+       M::tie},
 
-      {"TIEBREAK_NODES_TO_SURFACE", C::tiebreak_nodes, T::one_way, F::tied, 0, tiebreak_nodes, TieForm::tiebreak, O::none,
-       M::tiebreak, "", "NODES_TO_SURFACE"},
-      {"TIEBREAK_NODES_ONLY", C::tiebreak_nodes, T::one_way, F::tied, 0, tiebreak_nodes, TieForm::tiebreak_only, O::none,
-       M::tiebreak},
+      {"TIEBREAK_NODES_TO_SURFACE", C::tiebreak_nodes, T::one_way, F::tied, 0, tiebreak_nodes, TieForm::tiebreak,
+       O::none, M::tiebreak, "", "NODES_TO_SURFACE"},
+      {"TIEBREAK_NODES_ONLY", C::tiebreak_nodes, T::one_way, F::tied, 0, tiebreak_nodes, TieForm::tiebreak_only,
+       O::none, M::tiebreak},
       {"TIEBREAK_SURFACE_TO_SURFACE", C::tiebreak_surface, T::one_way, F::tied, 0, tiebreak_surface, TieForm::tiebreak,
        O::none, M::tiebreak, "", "SURFACE_TO_SURFACE"},
       {"TIEBREAK_SURFACE_TO_SURFACE_ONLY", C::tiebreak_surface, T::one_way, F::tied, 0, tiebreak_surface,
        TieForm::tiebreak_only, O::none, M::tiebreak, "", "SURFACE_TO_SURFACE"},
 
-      {"ONE_WAY_SURFACE_TO_SURFACE", C::one_way, T::one_way, F::old, bits({soft_2}), none, TieForm::none, O::none, M::penalty},
-      {"ONE_WAY_SURFACE_TO_SURFACE_INTERFERENCE", C::one_way, T::one_way, F::old, bits({soft_2}) | fit, interference_card,
-       TieForm::none, O::none, M::none, press_fit},
+      {"ONE_WAY_SURFACE_TO_SURFACE", C::one_way, T::one_way, F::old, bits({soft_2}), none, TieForm::none, O::none,
+       M::penalty},
+      {"ONE_WAY_SURFACE_TO_SURFACE_INTERFERENCE", C::one_way, T::one_way, F::old, bits({soft_2}) | fit,
+       interference_card, TieForm::none, O::none, M::none, press_fit},
       {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", C::automatic_one_way, T::one_way, F::automatic, a3, none, TieForm::none,
        O::none, M::penalty},
       {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK", C::automatic_one_way, T::one_way, F::automatic, a3, tiebreak,
@@ -133,12 +143,13 @@ constexpr auto kind_table = [] {
        tiebreak_damping, TieForm::automatic_tiebreak_damping, O::none, M::tiebreak, "",
        "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"},
       {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK_USER", C::automatic_one_way, T::one_way, F::automatic, a3,
-       tiebreak_user, TieForm::automatic_tiebreak_user, O::none, M::tiebreak, "", "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"},
-      {"FORMING_ONE_WAY_SURFACE_TO_SURFACE", C::forming_one_way, T::one_way, F::forming, 0, none, TieForm::none, O::none,
-       M::penalty},
+       tiebreak_user, TieForm::automatic_tiebreak_user, O::none, M::tiebreak, "",
+       "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"},
+      {"FORMING_ONE_WAY_SURFACE_TO_SURFACE", C::forming_one_way, T::one_way, F::forming, 0, none, TieForm::none,
+       O::none, M::penalty},
 
-      {"AUTOMATIC_SINGLE_SURFACE", C::automatic_single, T::single_surface, F::automatic, a3, none, TieForm::none, O::none,
-       M::penalty},
+      {"AUTOMATIC_SINGLE_SURFACE", C::automatic_single, T::single_surface, F::automatic, a3, none, TieForm::none,
+       O::none, M::penalty},
       {"AUTOMATIC_SINGLE_SURFACE_TIED", C::automatic_single, T::single_surface, F::automatic, a3, tied,
        TieForm::automatic_tied, O::none, M::none, sticks},
       {"AUTOMATIC_SINGLE_SURFACE_TIEBREAK", C::automatic_single, T::single_surface, F::automatic, a3, tiebreak,
@@ -152,45 +163,47 @@ constexpr auto kind_table = [] {
        M::penalty},
       {"ERODING_SINGLE_SURFACE", C::eroding_single, T::single_surface, F::automatic,
        k14 | bits({friction_table, part_friction}), eroding, TieForm::none, O::none, M::penalty},
-      {"ERODING_NODES_TO_SURFACE", C::eroding_nodes, T::one_way, F::automatic, bits({reads_ignore}), eroding, TieForm::none,
-       O::none, M::penalty},
+      {"ERODING_NODES_TO_SURFACE", C::eroding_nodes, T::one_way, F::automatic, bits({reads_ignore}), eroding,
+       TieForm::none, O::none, M::penalty},
 
       {"CONSTRAINT_SURFACE_TO_SURFACE", C::constraint_surface, T::two_way, F::constraint, 0, constraint, TieForm::none,
        O::none, M::constraint},
-      {"CONSTRAINT_NODES_TO_SURFACE", C::constraint_nodes, T::one_way, F::constraint, 0, constraint, TieForm::none, O::none,
-       M::constraint},
+      {"CONSTRAINT_NODES_TO_SURFACE", C::constraint_nodes, T::one_way, F::constraint, 0, constraint, TieForm::none,
+       O::none, M::constraint},
 
-      {"RIGID_NODES_TO_RIGID_BODY", C::rigid_nodes, T::one_way, F::other, 0, rigid, TieForm::none, O::none, M::none, of_type},
-      {"RIGID_BODY_ONE_WAY_TO_RIGID_BODY", C::rigid_bodies, T::one_way, F::other, 0, rigid, TieForm::none, O::none, M::none,
+      {"RIGID_NODES_TO_RIGID_BODY", C::rigid_nodes, T::one_way, F::other, 0, rigid, TieForm::none, O::none, M::none,
        of_type},
-      {"RIGID_BODY_TWO_WAY_TO_RIGID_BODY", C::rigid_bodies, T::two_way, F::other, 0, rigid, TieForm::none, O::none, M::none,
-       of_type},
+      {"RIGID_BODY_ONE_WAY_TO_RIGID_BODY", C::rigid_bodies, T::one_way, F::other, 0, rigid, TieForm::none, O::none,
+       M::none, of_type},
+      {"RIGID_BODY_TWO_WAY_TO_RIGID_BODY", C::rigid_bodies, T::two_way, F::other, 0, rigid, TieForm::none, O::none,
+       M::none, of_type},
       {"SINGLE_EDGE", C::single_edge, T::none, F::other, 0, none, TieForm::none, O::none, M::penalty},
       {"DRAWBEAD", C::draw_bead, T::none, F::other, 0, draw_bead, TieForm::none, O::none, M::none, of_type},
-      {"DRAWBEAD_BENDING", C::draw_bead, T::none, F::other, 0, draw_bead_initialize, TieForm::none, O::none, M::none, of_type},
+      {"DRAWBEAD_BENDING", C::draw_bead, T::none, F::other, 0, draw_bead_initialize, TieForm::none, O::none, M::none,
+       of_type},
       {"DRAWBEAD_INITIALIZE", C::draw_bead, T::none, F::other, 0, draw_bead_initialize, TieForm::none, O::none, M::none,
        of_type},
       {"FORCE_TRANSDUCER", C::transducer, T::none, F::other, 0, none, TieForm::none, O::none, M::transducer},
       {two_sided_transducer, C::transducer, T::none, F::other, 0, none, TieForm::none, O::none, M::transducer},
-      {"FORCE_TRANSDUCER_CONSTRAINT", C::transducer, T::none, F::other, bits({measures_constraints}), none, TieForm::none,
-       O::none, M::transducer},
+      {"FORCE_TRANSDUCER_CONSTRAINT", C::transducer, T::none, F::other, bits({measures_constraints}), none,
+       TieForm::none, O::none, M::transducer},
 
       {"AUTOMATIC_GENERAL", C::general, T::single_surface, F::automatic, k26, none, TieForm::none, O::none, M::penalty},
       {"AUTOMATIC_GENERAL_EDGEONLY", C::general, T::single_surface, F::automatic, k26 | bits({edges_only}), none,
        TieForm::none, O::none, M::penalty},
-      {"AUTOMATIC_GENERAL_TIEBREAK", C::general, T::single_surface, F::automatic, k26, tiebreak, TieForm::automatic_tiebreak,
-       O::none, M::tiebreak, "", "AUTOMATIC_GENERAL"},
-      {"AUTOMATIC_GENERAL_TIEBREAK_BEAM_OFFSET", C::general, T::single_surface, F::automatic,
-       tells | bits({edges}), tiebreak, TieForm::automatic_tiebreak, O::beam, M::tiebreak, "", "AUTOMATIC_GENERAL"},
-      {"AUTOMATIC_GENERAL_INTERIOR", C::general_interior, T::single_surface, F::automatic, i26, none, TieForm::none, O::none,
-       M::penalty},
+      {"AUTOMATIC_GENERAL_TIEBREAK", C::general, T::single_surface, F::automatic, k26, tiebreak,
+       TieForm::automatic_tiebreak, O::none, M::tiebreak, "", "AUTOMATIC_GENERAL"},
+      {"AUTOMATIC_GENERAL_TIEBREAK_BEAM_OFFSET", C::general, T::single_surface, F::automatic, tells | bits({edges}),
+       tiebreak, TieForm::automatic_tiebreak, O::beam, M::tiebreak, "", "AUTOMATIC_GENERAL"},
+      {"AUTOMATIC_GENERAL_INTERIOR", C::general_interior, T::single_surface, F::automatic, i26, none, TieForm::none,
+       O::none, M::penalty},
   });
 }();
 
 /// In the order of ContactCode.
-constexpr std::string_view codes[] = {"?",   "1",  "2",  "3",  "a3", "m3",  "4",   "5",  "a5",  "m5", "6",
-                                      "7",   "8",  "9",  "10", "a10", "m10", "13", "a13", "14", "15", "16",
-                                      "17",  "18", "20", "21", "22", "23",  "25",  "26", "i26"};
+constexpr std::string_view codes[] = {"?",  "1",  "2",  "3",  "a3",  "m3",  "4",  "5",   "a5", "m5", "6",
+                                      "7",  "8",  "9",  "10", "a10", "m10", "13", "a13", "14", "15", "16",
+                                      "17", "18", "20", "21", "22",  "23",  "25", "26",  "i26"};
 static_assert(std::size(codes) == static_cast<std::size_t>(ContactCode::general_interior) + 1);
 
 constexpr std::string_view own_families[] = {"1D",           "2D",     "ADD_WEAR",      "AUTO_MOVE",
@@ -206,8 +219,8 @@ bool in_any(std::string_view name, std::span<const std::string_view> families) {
 
 /// The most common keyword of a printed code without an offset's letter; empty: none.
 std::string_view keyword_of(std::string_view code) {
-  const auto found =
-      std::find_if(kind_table.begin(), kind_table.end(), [&](const ContactKind& kind) { return printed(kind.code) == code; });
+  const auto found = std::find_if(kind_table.begin(), kind_table.end(),
+                                  [&](const ContactKind& kind) { return printed(kind.code) == code; });
   return found == kind_table.end() ? std::string_view() : found->name;
 }
 
@@ -216,7 +229,8 @@ std::string_view keyword_of(std::string_view code) {
 std::span<const ContactKind> contact_kinds() { return kind_table; }
 
 const ContactKind* find_contact_kind(std::string_view name) {
-  const auto found = std::find_if(kind_table.begin(), kind_table.end(), [&](const ContactKind& kind) { return kind.name == name; });
+  const auto found =
+      std::find_if(kind_table.begin(), kind_table.end(), [&](const ContactKind& kind) { return kind.name == name; });
   return found == kind_table.end() ? nullptr : &*found;
 }
 
@@ -237,10 +251,14 @@ std::string printed(ContactCode code, TieOffset offset) {
 
 std::string_view suffix(TieOffset offset) {
   switch (offset) {
-    case TieOffset::none: return "";
-    case TieOffset::penalty: return "_OFFSET";
-    case TieOffset::beam: return "_BEAM_OFFSET";
-    case TieOffset::constrained: return "_CONSTRAINED_OFFSET";
+    case TieOffset::none:
+      return "";
+    case TieOffset::penalty:
+      return "_OFFSET";
+    case TieOffset::beam:
+      return "_BEAM_OFFSET";
+    case TieOffset::constrained:
+      return "_CONSTRAINED_OFFSET";
   }
   return "";
 }
@@ -251,12 +269,18 @@ std::string keyword_of_printed(std::string_view code) {
   std::string base(code.size() < 2 ? std::string_view() : keyword_of(code.substr(1)));
   if (base.empty()) return {};
   switch (code.front()) {
-    case 'a': return "AUTOMATIC_" + base;
-    case 'm': return "FORMING_" + base;
-    case 'o': return base.append(suffix(TieOffset::penalty));
-    case 'b': return base.append(suffix(TieOffset::beam));
-    case 'c': return base.append(suffix(TieOffset::constrained));
-    default: return {};
+    case 'a':
+      return "AUTOMATIC_" + base;
+    case 'm':
+      return "FORMING_" + base;
+    case 'o':
+      return base.append(suffix(TieOffset::penalty));
+    case 'b':
+      return base.append(suffix(TieOffset::beam));
+    case 'c':
+      return base.append(suffix(TieOffset::constrained));
+    default:
+      return {};
   }
 }
 

@@ -94,22 +94,23 @@ enum class RunMethod : std::uint8_t { none, penalty, constraint, tie, tiebreak, 
 
 /// Abilities of a type.
 enum class Ability : std::uint16_t {
-  soft_2 = 1,              ///< has the segment-based contact of SOFT = 2; the solver switches others to SOFT = 1
-  reads_ignore = 2,        ///< reads IGNORE (contact rules, section 7)
-  edges = 4,               ///< beams are reference lines too, and edges contact edges
-  interior_edges = 8,      ///< also edges between shells
-  edges_only = 16,         ///< nodes and segments do not meet
-  friction_table = 32,     ///< FS = -2, *DEFINE_FRICTION
-  part_friction = 64,      ///< FS = -1, *PART_CONTACT
-  tells_surfaces = 128,    ///< says which of its forces act between which surfaces (automatic types)
-  interference = 256,      ///< an initial overlap is intended
-  measures_constraints = 512, ///< a transducer that measures ties and constraint contacts, not penalty contacts
-  thickness_curve = 1024,  ///< LCIDAB gives a thickness over time
+  soft_2 = 1,                  ///< has the segment-based contact of SOFT = 2; the solver switches others to SOFT = 1
+  reads_ignore = 2,            ///< reads IGNORE (contact rules, section 7)
+  edges = 4,                   ///< beams are reference lines too, and edges contact edges
+  interior_edges = 8,          ///< also edges between shells
+  edges_only = 16,             ///< nodes and segments do not meet
+  friction_table = 32,         ///< FS = -2, *DEFINE_FRICTION
+  part_friction = 64,          ///< FS = -1, *PART_CONTACT
+  tells_surfaces = 128,        ///< says which of its forces act between which surfaces (automatic types)
+  interference = 256,          ///< an initial overlap is intended
+  measures_constraints = 512,  ///< a transducer that measures ties and constraint contacts, not penalty contacts
+  thickness_curve = 1024,      ///< LCIDAB gives a thickness over time
 };
 
-/// One kind of contact: a row of the table of contact_kinds(), the only place where a contact's keyword or code is text.
+/// One kind of contact: a row of the table of contact_kinds(), the only place where a contact's keyword or code is
+/// text.
 struct ContactKind {
-  std::string_view name;  ///< the keyword after `*CONTACT_`, without option words and MORTAR
+  std::string_view name;                    ///< the keyword after `*CONTACT_`, without option words and MORTAR
   ContactCode code = ContactCode::unknown;  ///< of tiebreaks of automatic types that of the base type
   Treatment treatment = Treatment::none;
   Family family = Family::other;
@@ -118,8 +119,8 @@ struct ContactKind {
   TieForm tie = TieForm::none;
   TieOffset offset = TieOffset::none;
   RunMethod method = RunMethod::none;
-  std::string_view not_run = "";   ///< of RunMethod::none: why
-  std::string_view after_tie = ""; ///< name of the kind that a tiebreak becomes once its ties have failed
+  std::string_view not_run = "";    ///< of RunMethod::none: why
+  std::string_view after_tie = "";  ///< name of the kind that a tiebreak becomes once its ties have failed
 
   [[nodiscard]] constexpr bool can(Ability ability) const {
     return (abilities & static_cast<std::uint16_t>(ability)) != 0;

@@ -14,13 +14,13 @@ namespace gapcheck::model {
 struct ContactOptions {
   bool id = false;  ///< ID or TITLE
   bool mpp = false, mortar = false, smooth = false;
-  bool thermal = false;           ///< THERMAL or THERMAL_FRICTION
+  bool thermal = false;  ///< THERMAL or THERMAL_FRICTION
   bool thermal_friction = false, ortho_friction = false;
 };
 
 /// What the name of a *CONTACT keyword says.
 struct ContactName {
-  std::string bare;  ///< without option words, MORTAR last: "CONTACT_AUTOMATIC_SINGLE_SURFACE_MORTAR"
+  std::string bare;                   ///< without option words, MORTAR last: "CONTACT_AUTOMATIC_SINGLE_SURFACE_MORTAR"
   const ContactKind* kind = nullptr;  ///< the row of the table; nullptr: unknown, or a layout of its own
   bool own_layout = false;            ///< 2D, ENTITY, INTERIOR, …: no card of a 3D contact
   bool modifier = false;              ///< of these: not an interface of its own

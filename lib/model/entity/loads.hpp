@@ -29,8 +29,8 @@ struct PressureLoad {
   enum class Kind : std::uint8_t { segment, segment_set, shell, shell_set };
   Kind kind = Kind::segment;
   std::string keyword;
-  std::int64_t id = 0;                    ///< set or shell
-  std::array<std::int64_t, 4> nodes{};    ///< of a segment; a triangle has three, or repeats the third
+  std::int64_t id = 0;                  ///< set or shell
+  std::array<std::int64_t, 4> nodes{};  ///< of a segment; a triangle has three, or repeats the third
   std::int64_t curve = 0;
   double scale = 1;    ///< SF in the model's units
   double arrival = 0;  ///< AT: the curve begins at this time

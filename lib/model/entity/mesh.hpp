@@ -106,8 +106,8 @@ struct Shells : Elements<4> {
 
 /// What *ELEMENT_BEAM says besides part and end nodes.
 struct BeamValues {
-  NodeIndex third = none<NodeIndex>;      ///< N3, in the plane of the axes r and s
-  Vector orientation = Vector::Zero();    ///< _ORIENTATION: from the first node to a third one; zero: not given
+  NodeIndex third = none<NodeIndex>;       ///< N3, in the plane of the axes r and s
+  Vector orientation = Vector::Zero();     ///< _ORIENTATION: from the first node to a third one; zero: not given
   bool released = false, shifted = false;  ///< pin releases RT1 … RR2; _OFFSET
 };
 
@@ -123,13 +123,13 @@ struct Mesh {
   Shells shells;
   Elements<8> solids;
   Elements<8> thick_shells;
-  Elements<2> beams;                ///< the two end nodes
-  std::vector<BeamValues> beam_values;  ///< beside beams
-  Elements<2> discrete;             ///< springs and dampers; the second node may be none: the ground
+  Elements<2> beams;                            ///< the two end nodes
+  std::vector<BeamValues> beam_values;          ///< beside beams
+  Elements<2> discrete;                         ///< springs and dampers; the second node may be none: the ground
   std::vector<DiscreteValues> discrete_values;  ///< beside discrete
-  Elements<1> masses;               ///< *ELEMENT_MASS; part may be none
-  std::vector<double> mass_values;  ///< beside masses
-  Elements<1> particles;            ///< *ELEMENT_SPH
+  Elements<1> masses;                           ///< *ELEMENT_MASS; part may be none
+  std::vector<double> mass_values;              ///< beside masses
+  Elements<1> particles;                        ///< *ELEMENT_SPH
 };
 
 }  // namespace gapcheck::model

@@ -84,9 +84,9 @@ struct Section {
   double shrf = 1;                    ///< shells: factor on the transverse shear
   double beam_radius = 0;             ///< beams: outer diameter / 2 of a tube, otherwise √(A/π)
   double beam_area = 0;
-  std::optional<BeamSection> beam;    ///< where its constants are given, or follow from a rectangle or tube
-  bool torsional = false;             ///< discrete: DRO
-  bool limited = false;               ///< discrete: KD, V0, CL, FD, CDL or TDL are given
+  std::optional<BeamSection> beam;  ///< where its constants are given, or follow from a rectangle or tube
+  bool torsional = false;           ///< discrete: DRO
+  bool limited = false;             ///< discrete: KD, V0, CL, FD, CDL or TDL are given
   Place place;
 };
 
@@ -101,21 +101,22 @@ struct HourglassControl {
 /// Yield data of materials 003 and 024; stresses in the model's unit. Zero = not given.
 struct Plasticity {
   double sigy = 0, etan = 0, beta = 0;
-  double rate_c = 0, rate_p = 0;                  ///< Cowper and Symonds
-  std::int64_t lcss = 0;                          ///< curve (or table) of yield stress over plastic strain
-  std::vector<std::array<double, 2>> points = {}; ///< plastic strain, yield stress; EPSi and ESi as far as they are used
-  double failure_strain = 0;                      ///< FS, FAIL; 0 or from 1e20 on: none
-  std::int64_t lcsr = 0;                          ///< curve of a factor on the yield stress over the rate
-  bool viscoplastic = false;                      ///< VP = 1
-  double anisotropy = 1;                          ///< of 037: R as written, the Lankford parameter
+  double rate_c = 0, rate_p = 0;  ///< Cowper and Symonds
+  std::int64_t lcss = 0;          ///< curve (or table) of yield stress over plastic strain
+  std::vector<std::array<double, 2>> points =
+      {};                     ///< plastic strain, yield stress; EPSi and ESi as far as they are used
+  double failure_strain = 0;  ///< FS, FAIL; 0 or from 1e20 on: none
+  std::int64_t lcsr = 0;      ///< curve of a factor on the yield stress over the rate
+  bool viscoplastic = false;  ///< VP = 1
+  double anisotropy = 1;      ///< of 037: R as written, the Lankford parameter
 };
 
 /// Material of springs and dampers. Constants are for translation, in the model's units; for torsion multiply by the
 /// square of `length_factor`.
 struct DiscreteMaterial {
   enum class Kind : std::uint8_t {
-    spring,           ///< S01: force = constant x elongation
-    damper,           ///< S02: force = constant x its rate
+    spring,            ///< S01: force = constant x elongation
+    damper,            ///< S02: force = constant x its rate
     nonlinear_spring,  ///< S04: force by a curve over the elongation
   } kind = Kind::spring;
   double constant = 0;
@@ -127,12 +128,12 @@ struct Material {
   std::int64_t id = 0;
   std::string keyword;  ///< "MAT_ELASTIC"; numbers are resolved to names where the manual has both (MAT_001)
   double density = 0, young = 0, poisson = 0;
-  double bulk = 0;             ///< given, or E / (3 (1 - 2 ν))
+  double bulk = 0;               ///< given, or E / (3 (1 - 2 ν))
   bool stiffness_known = false;  ///< the elastic constants above were read, even if they are zero
-  bool rigid = false;          ///< MAT_RIGID (020)
-  bool null_material = false;  ///< MAT_NULL (009)
-  bool spotweld = false;       ///< MAT_SPOTWELD (100)
-  bool fabric = false;         ///< MAT_FABRIC (034)
+  bool rigid = false;            ///< MAT_RIGID (020)
+  bool null_material = false;    ///< MAT_NULL (009)
+  bool spotweld = false;         ///< MAT_SPOTWELD (100)
+  bool fabric = false;           ///< MAT_FABRIC (034)
   std::optional<Plasticity> plasticity;
   std::optional<DiscreteMaterial> discrete;
   BodyConstraint constraint;  ///< of rigid ones

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "keyword/card.hpp"
-#include "model/model.hpp"
 #include "model/entity/raw_sets.hpp"
+#include "model/model.hpp"
 
 namespace gapcheck::model {
 

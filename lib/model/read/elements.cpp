@@ -8,8 +8,8 @@
 
 #include "base/parallel.hpp"
 #include "keyword/rows.hpp"
-#include "model/read/cards.hpp"
 #include "model/entity/erase.hpp"
+#include "model/read/cards.hpp"
 
 namespace gapcheck::model {
 namespace {

@@ -123,8 +123,7 @@ void read_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   contact.tiebreak_option = card.integer("option");
   contact.tiebreak.normal = card.real("nfls") * stress;
   contact.tiebreak.shear = card.real("sfls") * stress;
-  contact.tiebreak.param =
-      card.real("param") * (contact.tiebreak_option == linear_damage ? units.length_factor : 1);
+  contact.tiebreak.param = card.real("param") * (contact.tiebreak_option == linear_damage ? units.length_factor : 1);
 }
 
 /// Strengths of *CONTACT_TIEBREAK_NODES (forces) and *CONTACT_TIEBREAK_SURFACE (stresses).
@@ -158,7 +157,8 @@ void read_type_cards(Context& context, CardReader& reader, Contact& contact) {
   const TypeCards cards = contact.kind->cards;
   check_type_card(reader, contact);
   switch (cards) {
-    case TypeCards::none: break;
+    case TypeCards::none:
+      break;
     case TypeCards::eroding:
       if (contact.cards.misread == 0)
         read_eroding(reader.next(*type_card(cards)), contact);
@@ -170,9 +170,13 @@ void read_type_cards(Context& context, CardReader& reader, Contact& contact) {
     case TypeCards::rigid:
     case TypeCards::composite:
     case TypeCards::contraction_joint:
-    case TypeCards::tied: reader.skip(); break;
+    case TypeCards::tied:
+      reader.skip();
+      break;
     case TypeCards::tiebreak_nodes:
-    case TypeCards::tiebreak_surface: read_old_tiebreak(context, reader, contact); break;
+    case TypeCards::tiebreak_surface:
+      read_old_tiebreak(context, reader, contact);
+      break;
     case TypeCards::tiebreak:
     case TypeCards::tiebreak_damping:
       read_tiebreak(context, reader, contact);
@@ -194,8 +198,7 @@ void read_type_cards(Context& context, CardReader& reader, Contact& contact) {
     case TypeCards::draw_bead_initialize:
       skip_cards(reader, contact, "the beads' points (POINT1, POINT2)",
                  reader.next(*type_card(cards)).integer("nbead"));
-      if (cards == TypeCards::draw_bead_initialize)
-        skip_cards(reader, contact, "the last card of the draw bead", 1);
+      if (cards == TypeCards::draw_bead_initialize) skip_cards(reader, contact, "the last card of the draw bead", 1);
       break;
   }
 }

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include "keyword/rows.hpp"
+#include "model/entity/erase.hpp"
 #include "model/read/cards.hpp"
 #include "model/read/elements.hpp"
-#include "model/entity/erase.hpp"
 #include "model/read/plies.hpp"
 
 namespace gapcheck::model {

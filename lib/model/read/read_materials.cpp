@@ -122,9 +122,7 @@ const ElasticFields* find_material(std::string_view name) {
 }
 
 /// CON1 and CON2 are in fields of reals. In a local system the second has six digits.
-std::int64_t constraint_code(double value) {
-  return value > 0 && value < 1e6 ? static_cast<std::int64_t>(value) : 0;
-}
+std::int64_t constraint_code(double value) { return value > 0 && value < 1e6 ? static_cast<std::int64_t>(value) : 0; }
 
 /// Bulk modulus from Young's modulus and Poisson's ratio; incompressible materials get that of ν = 0.4999.
 double bulk_modulus(double young, double poisson) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "keyword/rows.hpp"
+#include "model/entity/erase.hpp"
 #include "model/read/cards.hpp"
 #include "model/read/context.hpp"
-#include "model/entity/erase.hpp"
 
 namespace gapcheck::model {
 namespace {

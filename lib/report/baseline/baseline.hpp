@@ -15,7 +15,8 @@
 
 namespace gapcheck::report {
 
-/// The findings of a report as a baseline keeps them, in the report's order; without those that are left out on purpose.
+/// The findings of a report as a baseline keeps them, in the report's order; without those that are left out on
+/// purpose.
 [[nodiscard]] std::vector<KnownFinding> known_findings(const Report& report);
 
 /// A baseline file: JSON lines, the schema first, then one line per finding, sorted, so that version control shows what

@@ -6,8 +6,8 @@
 #include <span>
 #include <tuple>
 
-#include "report/text/check_c_view.hpp"
 #include "report/item/sums.hpp"
+#include "report/text/check_c_view.hpp"
 
 namespace gapcheck::report {
 namespace {
@@ -31,8 +31,8 @@ std::vector<Node> nodes_of(const Report& report, std::uint32_t position, bool li
   std::vector<Node> nodes;
   for (const Penetration& record : records_of(report, position)) {
     if (listed_only ? !listed_by_solver(record.kind) : record.kind == PenetrationKind::edge_zone) continue;
-    nodes.push_back({record.node, record.kind == PenetrationKind::edge, record.depth,
-                     record.kind == PenetrationKind::released});
+    nodes.push_back(
+        {record.node, record.kind == PenetrationKind::edge, record.depth, record.kind == PenetrationKind::released});
   }
   std::stable_sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) {
     return std::tuple(a.key(), -a.depth) < std::tuple(b.key(), -b.depth);
@@ -120,8 +120,8 @@ ContactComparison compare_contact(const ContactSide& first, const ContactSide& s
   sum.missing_in_second = second.contact == nullptr;
   for (const ContactSide* side : {&first, &second}) {
     if (side->contact == nullptr) continue;
-    sum.not_checked = sum.not_checked || !side->contact->not_checked.empty() ||
-                      (listed_only && side->contact->by_segments);
+    sum.not_checked =
+        sum.not_checked || !side->contact->not_checked.empty() || (listed_only && side->contact->by_segments);
     sum.tied = sum.tied || side->contact->ties_judged;
     sum.counts_only = sum.counts_only || unlisted_penetrations(*side->contact) > 0;
   }

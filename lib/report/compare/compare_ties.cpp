@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <map>
 
-#include "report/text/check_c_tables.hpp"
 #include "report/compare/compare.hpp"
+#include "report/text/check_c_tables.hpp"
 
 namespace gapcheck::report {
 namespace {

@@ -9,10 +9,10 @@ namespace gapcheck::report {
 
 /// One quantity of a run over time, as a result file prints it. Units of the model.
 struct Curve {
-  std::string file;      ///< "glstat"
-  std::string quantity;  ///< "energy"; curves of one file and quantity are comparable in size
-  std::string name;      ///< "rcforc contact 3 side A x-force"; unique within the run
-  int digits = 6;        ///< that the file prints of a number
+  std::string file;                   ///< "glstat"
+  std::string quantity;               ///< "energy"; curves of one file and quantity are comparable in size
+  std::string name;                   ///< "rcforc contact 3 side A x-force"; unique within the run
+  int digits = 6;                     ///< that the file prints of a number
   std::vector<double> times, values;  ///< ascending times, finite values
   std::uint64_t not_numbers = 0;      ///< NaN values of the run, left out
   std::int64_t contact = 0;           ///< whose curve it is; 0: no contact's

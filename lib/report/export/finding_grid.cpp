@@ -11,9 +11,9 @@
 
 #include "base/ids.hpp"
 #include "base/number.hpp"
+#include "report/export/exports_groups.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/describe_tie.hpp"
-#include "report/export/exports_groups.hpp"
 
 namespace gapcheck::report {
 namespace {

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "report/item/describe.hpp"
-#include "report/item/describe_tie.hpp"
 #include "report/export/exports.hpp"
 #include "report/export/exports_groups.hpp"
+#include "report/item/describe.hpp"
+#include "report/item/describe_tie.hpp"
 
 namespace gapcheck::report {
 namespace {

@@ -118,8 +118,7 @@ std::string vtu(const VtuGrid& grid) {
   for (const VtuCell type : grid.types) types.push_back(static_cast<std::uint8_t>(type));
   std::string text = fmt::format(fmt::runtime(head), "UnstructuredGrid");
   text += "<UnstructuredGrid>\n" + field_data(grid.words);
-  text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(),
-                      grid.types.size());
+  text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(), grid.types.size());
   text += "<Points>\n" + array("Float32", "Points", 3, single(points)) + "</Points>\n";
   text += "<Cells>\n" + integers("connectivity", 1, connectivity) + integers("offsets", 1, offsets) +
           array("UInt8", "types", 1, types) + "</Cells>\n";

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "report/item/describe.hpp"
 #include "report/format/formats.hpp"
+#include "report/item/describe.hpp"
 #include "report/item/item.hpp"
 #include "report/write/stream.hpp"
 #include "report/write/xml_text.hpp"
@@ -60,8 +60,9 @@ struct Columns {
 };
 
 void append_names(const Columns& columns, Stream& stream) {
-  stream.text("id,rule,severity,contact,node,part,element,element_part,penetration,remaining,contact_distance,"
-              "x,y,z,outcome,count,file,line,fingerprint,message");
+  stream.text(
+      "id,rule,severity,contact,node,part,element,element_part,penetration,remaining,contact_distance,"
+      "x,y,z,outcome,count,file,line,fingerprint,message");
   if (columns.baseline) stream.text(",baseline");
   if (columns.deck) stream.text(",deck");
   stream.text("\r\n");

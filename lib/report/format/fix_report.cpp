@@ -26,22 +26,25 @@ std::string file_and_line(const FixReport& report, std::uint32_t file, std::uint
 }
 
 void contacts(const FixReport& report, std::string& out) {
-  constexpr std::array<Column, 7> columns{{{"contact"}, {"nodes before"}, {"too deep"}, {"deepest"}, {"nodes after"},
-                                           {"too deep"}, {"deepest"}}};
-  append_table(columns, report.contacts.size(), [&](std::size_t i, Row<7>& row) {
-    const FixContact& c = report.contacts[i];
-    row = {std::to_string(c.id), std::to_string(c.before.penetrations), std::to_string(c.before.released),
-           number(c.before.deepest), std::to_string(c.after.penetrations), std::to_string(c.after.released),
-           number(c.after.deepest)};
-  }, "  ", out);
+  constexpr std::array<Column, 7> columns{
+      {{"contact"}, {"nodes before"}, {"too deep"}, {"deepest"}, {"nodes after"}, {"too deep"}, {"deepest"}}};
+  append_table(
+      columns, report.contacts.size(),
+      [&](std::size_t i, Row<7>& row) {
+        const FixContact& c = report.contacts[i];
+        row = {std::to_string(c.id),     std::to_string(c.before.penetrations), std::to_string(c.before.released),
+               number(c.before.deepest), std::to_string(c.after.penetrations),  std::to_string(c.after.released),
+               number(c.after.deepest)};
+      },
+      "  ", out);
   for (const FixContact& c : report.contacts)
     if (!c.not_checked.empty()) out += fmt::format("  contact {}: {}\n", c.id, printable(c.not_checked));
 }
 
 void moves(const FixReport& report, std::size_t top, std::string& out) {
   if (report.moved.empty()) return;
-  out += fmt::format("\n{} moved: at most {:.6g}, on average {:.6g}, together {:.6g}\n", plural(report.moved.size(), "node"),
-                     report.largest_move, report.mean_move(), report.total_move);
+  out += fmt::format("\n{} moved: at most {:.6g}, on average {:.6g}, together {:.6g}\n",
+                     plural(report.moved.size(), "node"), report.largest_move, report.mean_move(), report.total_move);
   out += fmt::format("{} touched, {} with a worse shape\n", plural(report.elements_touched, "element"),
                      report.elements_worsened);
   std::vector<const MovedNode*> list;
@@ -51,16 +54,19 @@ void moves(const FixReport& report, std::size_t top, std::string& out) {
   list.resize(std::min(top, list.size()));
   if (list.empty()) return;
   constexpr std::array<Column, 6> columns{{{"node"}, {"move"}, {"dx"}, {"dy"}, {"dz"}, {"line", Align::left}}};
-  append_table(columns, list.size(), [&](std::size_t i, Row<6>& row) {
-    const MovedNode& node = *list[i];
-    const Vector d = node.to - node.from;
-    row = {std::to_string(node.node),
-           number(node.distance()),
-           number(d.x()),
-           number(d.y()),
-           number(d.z()),
-           file_and_line(report, node.file, node.line) + (node.onto_tie ? "  (tied)" : "")};
-  }, "  ", out);
+  append_table(
+      columns, list.size(),
+      [&](std::size_t i, Row<6>& row) {
+        const MovedNode& node = *list[i];
+        const Vector d = node.to - node.from;
+        row = {std::to_string(node.node),
+               number(node.distance()),
+               number(d.x()),
+               number(d.y()),
+               number(d.z()),
+               file_and_line(report, node.file, node.line) + (node.onto_tie ? "  (tied)" : "")};
+      },
+      "  ", out);
   if (report.moved.size() > list.size()) out += fmt::format("  {} more\n", report.moved.size() - list.size());
 }
 
@@ -74,15 +80,18 @@ void remaining(const FixReport& report, std::size_t top, std::string& out) {
   if (count == 0) return;
   constexpr std::array<Column, 6> columns{
       {{"contact"}, {"node"}, {"element"}, {"penetration"}, {"why", Align::left}, {"line", Align::left}}};
-  append_table(columns, count, [&](std::size_t i, Row<6>& row) {
-    const UnfixedNode& node = report.unfixed[i];
-    row = {std::to_string(report.contacts[node.contact].id),
-           std::to_string(node.node),
-           std::to_string(node.element),
-           number(node.depth),
-           std::string(words(node.reason)),
-           file_and_line(report, node.file, node.line)};
-  }, "  ", out);
+  append_table(
+      columns, count,
+      [&](std::size_t i, Row<6>& row) {
+        const UnfixedNode& node = report.unfixed[i];
+        row = {std::to_string(report.contacts[node.contact].id),
+               std::to_string(node.node),
+               std::to_string(node.element),
+               number(node.depth),
+               std::string(words(node.reason)),
+               file_and_line(report, node.file, node.line)};
+      },
+      "  ", out);
   if (report.unfixed.size() > count) out += fmt::format("  {} more\n", report.unfixed.size() - count);
 }
 
@@ -98,7 +107,8 @@ void proposals(const FixReport& report, std::size_t top, std::string& out) {
                        part_name(p.other_part), plural(p.penetrations, "penetration"), p.deepest);
     if (p.not_searched)
       out += "    a thickness was searched for the first pairs only\n";
-    else if (p.thickness == 0) out += "    no thickness was found that helps\n";
+    else if (p.thickness == 0)
+      out += "    no thickness was found that helps\n";
     for (const FixAlternative& a : p.alternatives) {
       out += "    " + a.text + "\n";
       for (std::size_t at = 0; at < a.card.size();) {
@@ -108,7 +118,8 @@ void proposals(const FixReport& report, std::size_t top, std::string& out) {
       }
     }
   }
-  if (report.proposals.size() > count) out += fmt::format("  {} more pairs of parts\n", report.proposals.size() - count);
+  if (report.proposals.size() > count)
+    out += fmt::format("  {} more pairs of parts\n", report.proposals.size() - count);
 }
 
 std::string last_line(const FixReport& report) {
@@ -141,7 +152,8 @@ Json fix_contact_json(const FixContact& c) {
 }
 
 Json moved_json(const FixReport& report, const MovedNode& node) {
-  Json json{{"node", node.node}, {"from", vector_json(node.from)}, {"to", vector_json(node.to)}, {"move", node.distance()}};
+  Json json{
+      {"node", node.node}, {"from", vector_json(node.from)}, {"to", vector_json(node.to)}, {"move", node.distance()}};
   if (node.onto_tie) json["onto_tie"] = true;
   place_json(report, node.file, node.line, json);
   return json;
@@ -161,7 +173,10 @@ Json unfixed_json(const FixReport& report, const UnfixedNode& node) {
 }
 
 Json proposal_json(const FixProposal& p) {
-  Json json{{"contact", p.contact}, {"part", p.part}, {"other_part", p.other_part}, {"penetrations", p.penetrations},
+  Json json{{"contact", p.contact},
+            {"part", p.part},
+            {"other_part", p.other_part},
+            {"penetrations", p.penetrations},
             {"max_penetration", p.deepest}};
   if (p.thickness > 0) json["thickness"] = p.thickness;
   if (p.not_searched) json["not_searched"] = true;

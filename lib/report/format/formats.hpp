@@ -20,12 +20,12 @@ struct RuleText {
   std::string_view page;     ///< markdown
 };
 
-/// SARIF 2.1.0 (OASIS, sections 3.13 to 3.49): one run per deck, rules with their help, one result per finding with file and
-/// line, the node as a logical location, `partialFingerprints`. `version` is the program's.
+/// SARIF 2.1.0 (OASIS, sections 3.13 to 3.49): one run per deck, rules with their help, one result per finding with
+/// file and line, the node as a logical location, `partialFingerprints`. `version` is the program's.
 void sarif(const Reports& reports, std::string_view version, std::span<const RuleText> rules, const Sink& sink);
 
-/// JUnit: one suite per contact and one for the rest, a case per rule that found something there. A case fails if one of
-/// its findings is at least as severe as `limit`; without a limit none fails. A suite without findings has one case
+/// JUnit: one suite per contact and one for the rest, a case per rule that found something there. A case fails if one
+/// of its findings is at least as severe as `limit`; without a limit none fails. A suite without findings has one case
 /// that passes. Each case shows the first `top` findings and counts the others. With several decks the suites' names
 /// begin with the deck; one that was not audited is a suite with an error that says why.
 void junit(const Reports& reports, const Severity* limit, std::size_t top, const Sink& sink);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "report/item/describe.hpp"
 #include "report/format/formats.hpp"
+#include "report/item/describe.hpp"
 #include "report/item/item.hpp"
 #include "report/write/normal_path.hpp"
 #include "report/write/stream.hpp"

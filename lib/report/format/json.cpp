@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "report/baseline/baseline.hpp"
-#include "report/text/check_c_view.hpp"
+#include "report/format/json_run.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/fingerprint.hpp"
 #include "report/item/item.hpp"
+#include "report/text/check_c_view.hpp"
 #include "report/write/json_members.hpp"
-#include "report/format/json_run.hpp"
 #include "report/write/stream.hpp"
 #include "report/write/writers.hpp"
 
@@ -110,7 +110,8 @@ void append_penetration(const Report& report, const Penetration& record, const s
   if (placed) object.array("point", coordinates(record.point));
   if (placed && (record.outcome == Outcome::moved || record.moved_to != record.original))
     object.array("moved_to", coordinates(record.moved_to));
-  // The solver does not list nodes of the edge zone, so nothing happens to them yet. What it does with edges is not known.
+  // The solver does not list nodes of the edge zone, so nothing happens to them yet. What it does with edges is not
+  // known.
   if (record.kind != PenetrationKind::edge_zone && record.kind != PenetrationKind::edge)
     object.plain("outcome", name(record.outcome));
   if (record.node_rule != ThicknessRule::none || record.segment_rule != ThicknessRule::none) {
@@ -211,10 +212,12 @@ void append_findings(const Report& report, const std::vector<std::string>& files
 }
 
 /// The finding with this number, counted over the three lists.
-void append_ignored_finding(const Report& report, const std::vector<std::string>& files, std::size_t number, Buffer& out) {
+void append_ignored_finding(const Report& report, const std::vector<std::string>& files, std::size_t number,
+                            Buffer& out) {
   const Ignored& ignored = report.ignored;
   std::optional<BaselineState> state;
-  if (report.baseline && number < report.baseline->ignored_states.size()) state = report.baseline->ignored_states[number];
+  if (report.baseline && number < report.baseline->ignored_states.size())
+    state = report.baseline->ignored_states[number];
   const std::size_t ties = ignored.penetrations.size(), others = ties + ignored.tie_failures.size();
   if (number < ties)
     append_penetration(report, ignored.penetrations[number], files, state, out);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "report/item/describe.hpp"
 #include "report/format/formats.hpp"
+#include "report/item/describe.hpp"
 #include "report/item/item.hpp"
 #include "report/write/stream.hpp"
 #include "report/write/xml_text.hpp"
@@ -31,14 +31,16 @@ std::vector<Suite> suites_of(const Report& report, bool with_deck, const std::ve
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) suites[i] = {suite_name(report.contacts[i]), i, {}};
   suites.back().name = report.source == "deck" ? "model" : "run";
   for (const ItemGroup& group : groups)
-    suites[group.contact_position == no_position ? report.contacts.size() : group.contact_position]
-        .groups.push_back(&group);
+    suites[group.contact_position == no_position ? report.contacts.size() : group.contact_position].groups.push_back(
+        &group);
   if (with_deck)
     for (Suite& suite : suites) suite.name = xml_text(report.input + ": ") + suite.name;
   return suites;
 }
 
-bool fails(const ItemGroup& group, const Severity* limit) { return limit != nullptr && group.items > 0 && group.severity >= *limit; }
+bool fails(const ItemGroup& group, const Severity* limit) {
+  return limit != nullptr && group.items > 0 && group.severity >= *limit;
+}
 
 std::size_t failures(const Suite& suite, const Severity* limit) {
   std::size_t count = 0;
@@ -67,18 +69,19 @@ std::size_t cases(const Suite& suite) {
 }
 
 std::size_t skipped(const Suite& suite) {
-  return static_cast<std::size_t>(
-      std::count_if(suite.groups.begin(), suite.groups.end(), [](const ItemGroup* group) { return group->ignored > 0; }));
+  return static_cast<std::size_t>(std::count_if(suite.groups.begin(), suite.groups.end(),
+                                                [](const ItemGroup* group) { return group->ignored > 0; }));
 }
 
 void append_skipped_case(const Suite& suite, const ItemGroup& group, Stream& stream) {
   std::string why;
   for (const IgnoreSource* source : group.sources) why += (why.empty() ? "" : "; ") + describe(*source);
   if (group.sources.size() == ignore_sources_shown) why += "; …";
-  stream.text(fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">\n"
-                          "      <skipped message=\"{}\"/>\n    </testcase>\n",
-                          suite.name, xml_text(fmt::format("{} {} (ignored)", group.id, group.rule)),
-                          xml_text(fmt::format("{} left out on purpose by {}", group.ignored, why))));
+  stream.text(
+      fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">\n"
+                  "      <skipped message=\"{}\"/>\n    </testcase>\n",
+                  suite.name, xml_text(fmt::format("{} {} (ignored)", group.id, group.rule)),
+                  xml_text(fmt::format("{} left out on purpose by {}", group.ignored, why))));
 }
 
 void append_case(const Suite& suite, const ItemGroup& group, const Severity* limit, Stream& stream) {
@@ -94,15 +97,17 @@ void append_case(const Suite& suite, const ItemGroup& group, const Severity* lim
 }
 
 void append_suite(const Report& report, const Suite& suite, const Severity* limit, Stream& stream) {
-  stream.text(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"0\">\n",
-                          suite.name, cases(suite), failures(suite, limit), skipped(suite)));
+  stream.text(
+      fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\" time=\"0\">\n",
+                  suite.name, cases(suite), failures(suite, limit), skipped(suite)));
   if (suite.groups.empty()) {
     const bool contact = suite.contact_position != no_position;
     const std::string& why = contact ? report.contacts[suite.contact_position].not_checked : std::string();
     stream.text(fmt::format("    <testcase classname=\"{}\" name=\"no findings\" time=\"0\"", suite.name));
-    stream.text(why.empty() ? "/>\n"
-                            : fmt::format(">\n      <system-out>penetrations not checked: {}</system-out>\n    </testcase>\n",
-                                          xml_text(why)));
+    stream.text(why.empty()
+                    ? "/>\n"
+                    : fmt::format(">\n      <system-out>penetrations not checked: {}</system-out>\n    </testcase>\n",
+                                  xml_text(why)));
   }
   for (const ItemGroup* group : suite.groups) {
     if (has_case(*group)) append_case(suite, *group, limit, stream);
@@ -131,10 +136,12 @@ std::vector<Document> documents_of(const Reports& reports, std::size_t top) {
 
 void append_unread(const Unread& unread, Stream& stream) {
   const std::string name = xml_text(unread.deck);
-  stream.text(fmt::format("  <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" time=\"0\">\n"
-                          "    <testcase classname=\"{0}\" name=\"read\" time=\"0\">\n"
-                          "      <error message=\"{1}\" type=\"error\"/>\n"
-                          "    </testcase>\n  </testsuite>\n", name, xml_text(unread.reason)));
+  stream.text(
+      fmt::format("  <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" time=\"0\">\n"
+                  "    <testcase classname=\"{0}\" name=\"read\" time=\"0\">\n"
+                  "      <error message=\"{1}\" type=\"error\"/>\n"
+                  "    </testcase>\n  </testsuite>\n",
+                  name, xml_text(unread.reason)));
 }
 
 }  // namespace
@@ -151,10 +158,11 @@ void junit(const Reports& reports, const Severity* limit, std::size_t top, const
     }
   }
   Stream stream(sink);
-  stream.text(fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                          "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n",
-                          reports.several() ? "gapcheck" : xml_text(reports.all.front().input), tests, failed,
-                          reports.unread.size(), time));
+  stream.text(
+      fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                  "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n",
+                  reports.several() ? "gapcheck" : xml_text(reports.all.front().input), tests, failed,
+                  reports.unread.size(), time));
   for (const Document& document : documents)
     for (const Suite& suite : document.suites) append_suite(*document.report, suite, limit, stream);
   for (const Unread& unread : reports.unread) append_unread(unread, stream);

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "report/baseline/baseline.hpp"
+#include "report/format/formats.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/fingerprint.hpp"
-#include "report/format/formats.hpp"
 #include "report/item/item.hpp"
 #include "report/write/json_members.hpp"
 #include "report/write/normal_path.hpp"
@@ -16,7 +16,8 @@
 namespace gapcheck::report {
 namespace {
 
-/// A path as the reference of a URI: separators stay, everything that is not plain is escaped; absolute ones get a scheme.
+/// A path as the reference of a URI: separators stay, everything that is not plain is escaped; absolute ones get a
+/// scheme.
 std::string uri(std::string_view name) {
   const std::string path = normal_path(name);
   std::string out = path.starts_with('/') ? "file://" : "";
@@ -89,15 +90,14 @@ void append_properties(const Item& item, Members& result, Buffer& out) {
   if (item.element_part != 0) properties.integer("elementPart", item.element_part);
   if (item.penetration >= 0) properties.number("penetration", item.penetration);
   if (item.contact_distance >= 0) properties.number("contactDistance", item.contact_distance);
-  if (item.position) properties.array("position", std::array{item.position->x(), item.position->y(), item.position->z()});
+  if (item.position)
+    properties.array("position", std::array{item.position->x(), item.position->y(), item.position->z()});
   if (!item.outcome.empty()) properties.plain("outcome", item.outcome);
   properties.close();
 }
 
 /// In the words of SARIF.
-std::string_view baseline_state(BaselineState state) {
-  return state == BaselineState::worse ? "updated" : name(state);
-}
+std::string_view baseline_state(BaselineState state) { return state == BaselineState::worse ? "updated" : name(state); }
 
 /// Says why the finding does not count, and where that is written.
 void append_suppression(const IgnoreSource& source, Members& result, Buffer& out) {

@@ -1,7 +1,7 @@
-#include "report/text/check_c_view.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/describe_tie.hpp"
 #include "report/item/item.hpp"
+#include "report/text/check_c_view.hpp"
 #include "report/write/writers.hpp"
 
 namespace gapcheck::report {

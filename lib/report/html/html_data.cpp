@@ -11,11 +11,11 @@
 #include <map>
 #include <span>
 
-#include "report/write/base64.hpp"
 #include "report/baseline/baseline.hpp"
 #include "report/item/describe.hpp"
-#include "report/write/json_members.hpp"
 #include "report/item/sums.hpp"
+#include "report/write/base64.hpp"
+#include "report/write/json_members.hpp"
 #include "report/write/writers.hpp"
 
 namespace gapcheck::report {

@@ -5,10 +5,10 @@
 #include <tuple>
 #include <utility>
 
-#include "report/item/describe.hpp"
-#include "report/item/describe_tie.hpp"
 #include "report/export/exports_groups.hpp"
 #include "report/html/html_data.hpp"
+#include "report/item/describe.hpp"
+#include "report/item/describe_tie.hpp"
 
 namespace gapcheck::report {
 namespace {
@@ -27,7 +27,8 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const Report& report, std::size_t group) {
   std::vector<Candidate> list;
-  list.reserve(report.penetrations.size() + report.tie_failures.size() + report.findings.size() + report.ignored.size());
+  list.reserve(report.penetrations.size() + report.tie_failures.size() + report.findings.size() +
+               report.ignored.size());
   const auto add_all = [&](const auto& lists, bool ignored) {
     std::map<std::pair<std::int64_t, std::string_view>, std::size_t> found;
     const auto add = [&](std::int64_t contact, std::string_view rule, Severity severity, double depth) {

@@ -25,9 +25,9 @@ struct Item {
   std::string_view outcome;        ///< what the solver does with the node
   std::string_view file;
   std::uint32_t line = 0;
-  std::uint64_t count = 1;         ///< number of things that the line represents
+  std::uint64_t count = 1;  ///< number of things that the line represents
   std::uint64_t fingerprint = 0;
-  std::optional<BaselineState> state;  ///< only where there is a baseline
+  std::optional<BaselineState> state;     ///< only where there is a baseline
   const IgnoreSource* ignored = nullptr;  ///< what leaves it out; nullptr: nothing
 
   /// Not left out, and not equally bad in the baseline: what counts for exit codes and failures.
@@ -60,11 +60,11 @@ inline constexpr std::size_t reason_shown = 200;
 struct ItemGroup {
   std::uint32_t contact_position = no_position;
   std::string_view id, rule;
-  Severity severity = Severity::note;  ///< the most severe of `items`
-  std::size_t items = 0;    ///< those that are new or worse than the baseline
-  std::size_t known = 0;    ///< the others
-  std::size_t ignored = 0;  ///< left out on purpose, in neither of the two
-  std::vector<Item> shown;  ///< the first of `items`
+  Severity severity = Severity::note;        ///< the most severe of `items`
+  std::size_t items = 0;                     ///< those that are new or worse than the baseline
+  std::size_t known = 0;                     ///< the others
+  std::size_t ignored = 0;                   ///< left out on purpose, in neither of the two
+  std::vector<Item> shown;                   ///< the first of `items`
   std::vector<const IgnoreSource*> sources;  ///< of `ignored`, each once, at most ignore_sources_shown
 };
 

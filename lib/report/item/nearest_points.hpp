@@ -25,8 +25,8 @@ class NearestPoints {
   void build(std::size_t first, std::size_t end);
   void visit(std::size_t first, std::size_t end, Query& query) const;
 
-  std::vector<Point> points_;      // the median of every range is in its middle
-  std::vector<std::uint8_t> axis_; // along which the range around the point is halved
+  std::vector<Point> points_;       // the median of every range is in its middle
+  std::vector<std::uint8_t> axis_;  // along which the range around the point is halved
 };
 
 }  // namespace gapcheck::report

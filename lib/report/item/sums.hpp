@@ -19,9 +19,9 @@ struct PartPair {
 /// Sums of the records of one contact; lives as long as the records. Nodes of the edge zone count only in `edge_zone`.
 struct Sums {
   std::array<std::size_t, penetration_kinds> count{};  ///< by kind
-  const Penetration* deepest = nullptr;  ///< of all except the edge zone
-  std::vector<PartPair> pairs;           ///< deepest first, then by part ids; of nodes()
-  std::vector<PartPair> edge_pairs;      ///< the same of edges
+  const Penetration* deepest = nullptr;                ///< of all except the edge zone
+  std::vector<PartPair> pairs;                         ///< deepest first, then by part ids; of nodes()
+  std::vector<PartPair> edge_pairs;                    ///< the same of edges
   [[nodiscard]] std::size_t of(PenetrationKind kind) const { return count[static_cast<std::size_t>(kind)]; }
   /// Nodes in segments, whatever the contact.
   [[nodiscard]] std::size_t nodes() const {

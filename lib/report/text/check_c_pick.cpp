@@ -49,7 +49,6 @@ bool picks(const CheckCOptions& options, const TieFailure& failure) {
   return options.ptol <= 0 || failure.distance < 0 || failure.distance > options.ptol;
 }
 
-
 /// Leaves only the contacts of -sid; returns the new position of each old one.
 std::vector<std::uint32_t> keep_contacts(Report& report, const CheckCOptions& options) {
   std::vector<std::uint32_t> place(report.contacts.size(), no_position);

@@ -111,7 +111,8 @@ void append_ties(std::span<const TieFailure* const> failures, std::size_t limit,
   const std::size_t rows = std::min(limit, failures.size());
   if (std::any_of(failures.begin(), failures.end(), [](const TieFailure* t) { return t->allowed >= 0; }))
     return append_with_part(columns, pid, rows, cells, out);
-  append_with_part(without(columns, 4), pid, rows, [&](std::size_t i) { return without(cells(i), 4); }, out);
+  append_with_part(
+      without(columns, 4), pid, rows, [&](std::size_t i) { return without(cells(i), 4); }, out);
 }
 
 void append_buckets(std::string_view title, std::span<const double> values, std::string& out) {

@@ -6,11 +6,11 @@
 #include <array>
 #include <set>
 
-#include "report/text/check_c_tables.hpp"
 #include "report/item/contact_keyword.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/describe_tie.hpp"
 #include "report/item/sums.hpp"
+#include "report/text/check_c_tables.hpp"
 #include "report/text/text_run.hpp"
 
 namespace gapcheck::report {
@@ -88,7 +88,8 @@ void append_interface(const Report& report, std::uint32_t position, const CheckC
   append_kind(report, order, PenetrationKind::initial, "pen", options, out);
   append_kind(report, order, PenetrationKind::released, "below, too deep for contact", options, out);
   append_kind(report, order, PenetrationKind::edge_zone, "edge zone, not listed by the solver", options, out);
-  append_kind(report, order, PenetrationKind::segment, "segments with SOFT = 2, not listed by the solver", options, out);
+  append_kind(report, order, PenetrationKind::segment, "segments with SOFT = 2, not listed by the solver", options,
+              out);
   append_kind(report, order, PenetrationKind::mortar, "mortar segments, not listed by the solver", options, out);
   append_kind(report, order, PenetrationKind::edge, "edges, not listed by the solver", options, out);
   if (unlisted > 0) out += fmt::format("  pen, counted without a list: {}\n", nodes(unlisted));

@@ -7,15 +7,15 @@
 #include <string>
 
 #include "report/baseline/baseline.hpp"
-#include "report/text/check_c_tables.hpp"
-#include "report/text/check_c_view.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/describe_tie.hpp"
 #include "report/item/sums.hpp"
-#include "report/write/table.hpp"
+#include "report/text/check_c_tables.hpp"
+#include "report/text/check_c_view.hpp"
 #include "report/text/text_baseline.hpp"
 #include "report/text/text_ignored.hpp"
 #include "report/text/text_run.hpp"
+#include "report/write/table.hpp"
 #include "report/write/writers.hpp"
 
 namespace gapcheck::report {
@@ -95,8 +95,8 @@ void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
   row[9] = std::isfinite(record.t) ? fmt::format("{:.3f}", record.t) : "-";
   row[10] = name(record.feature);
   row[11] = record.kind == PenetrationKind::edge_zone ? "not listed"
-            : record.kind == PenetrationKind::edge     ? "-"
-                                                       : std::string(name(record.outcome));
+            : record.kind == PenetrationKind::edge    ? "-"
+                                                      : std::string(name(record.outcome));
   const Vector& x = record.moved_to;
   row[12] = record.outcome == Outcome::moved || x != record.original
                 ? fmt::format("{:.6g} {:.6g} {:.6g}", x[0], x[1], x[2])
@@ -264,8 +264,11 @@ void append_findings_of_rule(std::span<const Finding> findings, const TextOption
   out += fmt::format("\n{}", paint.bold(printable(first.id) + ' ' + printable(first.rule)));
   std::string_view before = " ";
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
-    const auto n = std::count_if(findings.begin(), findings.end(), [&](const auto& f) { return f.severity == severity; });
-    if (n > 0) out += before, out += paint.severity(severity, count(static_cast<std::uint64_t>(n), name(severity))), before = ", ";
+    const auto n =
+        std::count_if(findings.begin(), findings.end(), [&](const auto& f) { return f.severity == severity; });
+    if (n > 0)
+      out += before, out += paint.severity(severity, count(static_cast<std::uint64_t>(n), name(severity))),
+          before = ", ";
   }
   out += '\n';
   std::size_t single = 0, summed = 0, shown = 0;

@@ -46,8 +46,7 @@ std::string sleout_text(double time, std::uint64_t cycle, std::span<const Interf
 }
 
 std::string ncforc_text(double time, std::int64_t contact, std::span<const NodeForce> nodes) {
-  std::string text =
-      fmt::format("\n forces of contact{:10} on nodes, time={}\n", contact, scientific(time, 13, 5));
+  std::string text = fmt::format("\n forces of contact{:10} on nodes, time={}\n", contact, scientific(time, 13, 5));
   text += "      node      x-force      y-force      z-force     pressure       x-coor       y-coor       z-coor\n";
   for (const NodeForce& node : nodes) {
     text += fmt::format("{:10}", node.node);

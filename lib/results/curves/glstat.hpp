@@ -20,10 +20,10 @@ struct GlobalState {
   double kinetic = 0, internal = 0, springs = 0, hourglass = 0, damping = 0, sliding = 0;
   double external = 0;  ///< work
   double total = 0;
-  double ratio = 1;                  ///< total / initial energy, external work counted as initial
+  double ratio = 1;                                  ///< total / initial energy, external work counted as initial
   double eroded_internal = 0, eroded_hourglass = 0;  ///< of deleted elements; in internal and hourglass too
   double ratio_without_eroded = 1;                   ///< the same without these
-  Vector velocity = Vector::Zero();  ///< of the centre of mass
+  Vector velocity = Vector::Zero();                  ///< of the centre of mass
   struct Wall {
     std::int64_t number = 0;
     double energy = 0;

@@ -19,8 +19,8 @@ struct D3plotStateLayout {
   std::uint64_t globals = 0, parts = 0;
   std::uint64_t coordinates = 0, velocities = 0, solids = 0, beams = 0, shells = 0;  ///< 0: not there
   std::uint64_t deletion = 0;  ///< a word for each solid, thick shell, shell and beam, 0 if it is deleted; 0: absent
-  std::uint64_t solid_words = 0, beam_words = 0, shell_words = 0;                    ///< of one element
-  std::uint64_t layers = 0, layer_words = 0;                                         ///< of a shell
+  std::uint64_t solid_words = 0, beam_words = 0, shell_words = 0;  ///< of one element
+  std::uint64_t layers = 0, layer_words = 0;                       ///< of a shell
   bool layer_stress = false, layer_strain = false, shell_resultants = false, shell_thickness = false;
   std::vector<std::uint32_t> shells_with_values;  ///< positions; the others are rigid and have none
   unsigned dimensions = 3;

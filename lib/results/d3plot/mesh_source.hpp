@@ -15,7 +15,8 @@ namespace gapcheck::results {
 /// What the views need from a mesh: where nodes are and which part they belong to. Filled from a d3plot or a deck.
 struct MeshSource {
   std::unordered_map<std::int64_t, Vector> coordinates;  ///< node id → initial coordinates
-  std::unordered_map<std::int64_t, std::int64_t> parts;  ///< node id → part id of its first element (shells before solids)
+  std::unordered_map<std::int64_t, std::int64_t>
+      parts;  ///< node id → part id of its first element (shells before solids)
 };
 
 /// The mesh of the d3plot `named`; if that is empty, of a readable file named d3plot next to `beside` (a warning says

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
-#include "results/text/lines.hpp"
 #include "results/log/log_collector.hpp"
+#include "results/text/lines.hpp"
 
 namespace gapcheck::results {
 

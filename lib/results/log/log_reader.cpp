@@ -8,12 +8,12 @@
 
 #include "base/number.hpp"
 #include "results/log/contact_echo.hpp"
-#include "results/text/lines.hpp"
 #include "results/log/message_block.hpp"
 #include "results/log/message_records.hpp"
 #include "results/log/node_lines.hpp"
-#include "results/text/printed_number.hpp"
 #include "results/log/run_facts.hpp"
+#include "results/text/lines.hpp"
+#include "results/text/printed_number.hpp"
 
 namespace gapcheck::results {
 namespace {

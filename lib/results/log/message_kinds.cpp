@@ -130,9 +130,8 @@ std::optional<MessageKind::Label> MessageKind::label_of(std::string_view label) 
   constexpr std::size_t longest = 200;  // joined texts are not much longer
   const std::string wanted = plain_words(label.substr(label.size() - std::min(label.size(), longest)));
   if (const auto same = search([&](const std::string& known) { return plain_words(known) == wanted; })) return same;
-  return search([&](const std::string& known) {
-    return known.ends_with('#') && wanted.ends_with(' ' + plain_words(known));
-  });
+  return search(
+      [&](const std::string& known) { return known.ends_with('#') && wanted.ends_with(' ' + plain_words(known)); });
 }
 
 MessageKinds::MessageKinds() {

@@ -286,8 +286,10 @@ FromBlock<TieFailure> tie_failure_of(const MessageBlock& block, const MessageKin
     if (list.empty() && !unfinished.empty()) take({unfinished, block.lines[i]});
     unfinished = {};
     for (const Field& entry : list) {
-      if (entry.value.empty()) unfinished = entry.label;
-      else take(entry);
+      if (entry.value.empty())
+        unfinished = entry.label;
+      else
+        take(entry);
     }
   }
   result.record.reason = kind.reason;

@@ -2,8 +2,8 @@
 #include <string>
 #include <string_view>
 
-#include "results/text/lines.hpp"
 #include "results/log/log_collector.hpp"
+#include "results/text/lines.hpp"
 
 namespace gapcheck::results {
 

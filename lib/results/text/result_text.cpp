@@ -83,10 +83,11 @@ void ResultText::finish() {
   if (unreadable_.count > 0)
     diagnostics_.error(name_, unreadable_.first, "a number cannot be read and is left out" + others(unreadable_.count));
   if (open_legend_.count > 0)
-    diagnostics_.error(name_, open_legend_.first,
-                       "the legend has no {END LEGEND} before the results begin; the file is damaged: add that line, or "
-                       "write or copy the file again" +
-                           others(open_legend_.count));
+    diagnostics_.error(
+        name_, open_legend_.first,
+        "the legend has no {END LEGEND} before the results begin; the file is damaged: add that line, or "
+        "write or copy the file again" +
+            others(open_legend_.count));
   if (lines_.first_nul() > 0)
     diagnostics_.error(name_, lines_.first_nul(), "there are NUL bytes; the file is damaged or no text file");
   if (lines_.cut_lines() > 0)

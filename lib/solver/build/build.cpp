@@ -77,8 +77,9 @@ class Builder {
     if (named_.insert(*part->material).second)
       name_what_is_not_calculated(model_, model_.materials[*part->material], diagnostics_);
     if (kind == SectionKind::beam && material.value().failure_strain > 0)
-      diagnostics_.warning("", 0, fmt::format("{} {} and others of material {} do not fail (FS, FAIL)", what, id,
-                                              model_.materials[*part->material].id));
+      diagnostics_.warning("", 0,
+                           fmt::format("{} {} and others of material {} do not fail (FS, FAIL)", what, id,
+                                       model_.materials[*part->material].id));
     if (kind == SectionKind::beam) return Properties{&section, std::move(material).value()};
     const bool one_point = kind == SectionKind::shell ? section.elform == 0 || section.elform == 2
                                                       : section.elform <= 1 || section.elform == 10;
@@ -101,8 +102,9 @@ class Builder {
         const auto& [section, material] = found.value();
         const std::int64_t asked = section->nip, layers = std::clamp<std::int64_t>(asked, 1, 10);
         if (asked != layers)
-          diagnostics_.warning("", 0, fmt::format("part {}: NIP of its section is {}; {} points are calculated",
-                                                  model_.part(part).id.value, asked, layers));
+          diagnostics_.warning("", 0,
+                               fmt::format("part {}: NIP of its section is {}; {} points are calculated",
+                                           model_.part(part).id.value, asked, layers));
         ShellProperties all{
             material, gauss_rule(static_cast<int>(layers)), section->shrf, model_.controls.istupd != 0,
             element_control(model_, model_.part(part), settings_.shell_hourglass, diagnostics_).hourglass};

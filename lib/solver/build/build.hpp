@@ -20,10 +20,10 @@ struct BuildSettings {
 /// Reports what build_material() leaves out of a material: failure, VP, LCSR.
 void name_what_is_not_calculated(const model::Model& model, const model::Material& material, Diagnostics& diagnostics);
 
-/// The structure at rest that a model describes: shells, solids, beams, lumped masses and rigid bodies. Elements of other
-/// kinds, and shell or solid formulations other than the one-point ones, are reported in `diagnostics` (warnings); the
-/// former are left out, the latter calculated as the available element. Elements without part, section or material,
-/// missing materials and inverted elements are failures.
+/// The structure at rest that a model describes: shells, solids, beams, lumped masses and rigid bodies. Elements of
+/// other kinds, and shell or solid formulations other than the one-point ones, are reported in `diagnostics`
+/// (warnings); the former are left out, the latter calculated as the available element. Elements without part, section
+/// or material, missing materials and inverted elements are failures.
 [[nodiscard]] SolverResult<Structure> build_structure(const model::Model& model, const BuildSettings& settings,
                                                       Diagnostics& diagnostics);
 

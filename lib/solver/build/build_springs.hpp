@@ -3,8 +3,8 @@
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
-#include "solver/state/failure.hpp"
 #include "solver/condition/springs.hpp"
+#include "solver/state/failure.hpp"
 #include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver {

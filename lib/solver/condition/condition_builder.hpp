@@ -8,9 +8,9 @@
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
-#include "solver/state/motion.hpp"
 #include "solver/state/failure.hpp"
 #include "solver/state/force.hpp"
+#include "solver/state/motion.hpp"
 #include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver {

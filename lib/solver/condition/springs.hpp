@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "solver/state/force.hpp"
 #include "solver/rigid/rigid_bodies.hpp"
+#include "solver/state/force.hpp"
 
 namespace gapcheck::solver {
 

@@ -55,18 +55,24 @@ ContactChoice choose_method(const model::Contact& contact) {
   const contact::ContactType type = contact::classify(contact);
   if (contact.kind == nullptr || type.code == contact::ContactCode::unknown)
     return no("contacts of this kind are not calculated");
-  if (type.pairing == contact::Pairing::mortar || contact.options.mortar) return no("mortar contacts are not calculated");
+  if (type.pairing == contact::Pairing::mortar || contact.options.mortar)
+    return no("mortar contacts are not calculated");
   if (!contact.kind->not_run.empty()) return no(contact.kind->not_run);
   if (const std::string_view why = unsupported_option(contact.options); !why.empty()) return no(why);
   switch (contact.kind->method) {
-    case model::RunMethod::none: return no("contacts of this type are not calculated");
-    case model::RunMethod::transducer: return {ContactMethod::transducer, ""};
-    case model::RunMethod::tie: return choose_tie(contact, type);
-    case model::RunMethod::tiebreak: return choose_tiebreak(contact, type);
+    case model::RunMethod::none:
+      return no("contacts of this type are not calculated");
+    case model::RunMethod::transducer:
+      return {ContactMethod::transducer, ""};
+    case model::RunMethod::tie:
+      return choose_tie(contact, type);
+    case model::RunMethod::tiebreak:
+      return choose_tiebreak(contact, type);
     case model::RunMethod::constraint:
       if (contact::active_time(contact).by_curve) return no(times_by_curve);
       return {ContactMethod::constraint, ""};
-    case model::RunMethod::penalty: return choose_penalty(contact);
+    case model::RunMethod::penalty:
+      return choose_penalty(contact);
   }
   return no("contacts of this type are not calculated");
 }

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "contact/search/search.hpp"
 #include "contact/pair/tied_pairs.hpp"
+#include "contact/search/search.hpp"
 #include "solver/contact/contact_spring.hpp"
 
 namespace gapcheck::solver {

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/stiffness/segment_spring.hpp"
 #include "contact/pair/side_scene.hpp"
+#include "contact/stiffness/segment_spring.hpp"
 
 namespace gapcheck::solver {
 

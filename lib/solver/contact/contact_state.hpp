@@ -9,7 +9,7 @@ namespace gapcheck::solver {
 
 /// The action of one contact at the time of the last force evaluation, and since the start.
 struct ContactState {
-  ContactIndex contact;    ///< position in Model::contacts
+  ContactIndex contact;         ///< position in Model::contacts
   bool single_surface = false;  ///< then everything is side A
   /// Sum of the forces on the nodes of each side; they are opposite. Zero for single surfaces: undefined.
   Vector force_a = Vector::Zero(), force_b = Vector::Zero();

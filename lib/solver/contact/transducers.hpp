@@ -23,7 +23,7 @@ class Transducers {
   using Marks = std::vector<bool>;  ///< by node
   struct Transducer {
     ContactIndex contact;  ///< position in Model::contacts
-    bool between = false;       ///< it has two surfaces
+    bool between = false;  ///< it has two surfaces
     Marks a, b;
   };
   /// Adds a link; true: it is used up.

@@ -1,6 +1,6 @@
-#include "solver/element/shell.hpp"
-
 #include <utility>
+
+#include "solver/element/shell.hpp"
 
 namespace gapcheck::solver {
 namespace {

@@ -36,9 +36,8 @@ class SolidElements {
   [[nodiscard]] std::uint32_t origin(std::size_t solid) const { return origin_[solid]; }
   /// False: none ever fails.
   [[nodiscard]] bool can_fail() const {
-    return inverted_fail_ || std::any_of(properties_.begin(), properties_.end(), [](const SolidProperties& p) {
-             return p.material.failure_strain > 0;
-           });
+    return inverted_fail_ || std::any_of(properties_.begin(), properties_.end(),
+                                         [](const SolidProperties& p) { return p.material.failure_strain > 0; });
   }
   /// Its point has failed: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }

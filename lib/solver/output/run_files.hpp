@@ -7,9 +7,9 @@
 
 #include "contact/stiffness/element_sizes.hpp"
 #include "results/curves/contact_forces.hpp"
+#include "results/curves/glstat.hpp"
 #include "results/d3plot/d3plot_write.hpp"
 #include "results/text/file_header.hpp"
-#include "results/curves/glstat.hpp"
 #include "solver/output/part_masses.hpp"
 #include "solver/run.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "contact/surface/contact_surfaces.hpp"
 #include "contact/stiffness/element_sizes.hpp"
+#include "contact/surface/contact_surfaces.hpp"
 #include "records/report.hpp"
 #include "results/log/run_log.hpp"
 #include "solver/run.hpp"

@@ -158,8 +158,8 @@ std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, Conta
   const bool all =
       std::none_of(cards.begin(), cards.end(), [](const model::Contact& c) { return c.print_a || c.print_b; });
   const std::vector<ContactView> views = run.contacts();
-  const bool calculated = std::any_of(views.begin(), views.end(),
-                                      [&](const ContactView& view) { return view.state().contact == contact; });
+  const bool calculated =
+      std::any_of(views.begin(), views.end(), [&](const ContactView& view) { return view.state().contact == contact; });
   if (!calculated || !(all || card.print_a || card.print_b)) return std::nullopt;
   const State& state = run.stepper().state();
   std::vector<results::NodeForce> list;

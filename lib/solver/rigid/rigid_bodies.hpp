@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/ids.hpp"
-#include "solver/state/motion.hpp"
 #include "solver/rigid/rigid_body.hpp"
+#include "solver/state/motion.hpp"
 #include "solver/state/state.hpp"
 
 namespace gapcheck::solver {

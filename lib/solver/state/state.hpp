@@ -27,7 +27,7 @@ struct State {
   std::vector<bool> in_body;          ///< by node: it moves with a rigid body
   std::vector<BodyState> bodies;      ///< rigid bodies; forces act on their nodes or their centres
   double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
-  double coming = 0;  ///< the step that the elements allow next; known when other forces are called
+  double coming = 0;                  ///< the step that the elements allow next; known when other forces are called
   std::uint64_t cycle = 0;
   FailedElements failed;  ///< these no longer take part; their mass stays at their nodes
 };

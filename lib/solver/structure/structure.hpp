@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "solver/element/beam_elements.hpp"
-#include "solver/state/constraints.hpp"
-#include "solver/rigid/rigid_bodies.hpp"
 #include "solver/element/shell_elements.hpp"
 #include "solver/element/solid_elements.hpp"
+#include "solver/rigid/rigid_bodies.hpp"
+#include "solver/state/constraints.hpp"
 #include "solver/state/state.hpp"
 
 namespace gapcheck::solver {
@@ -22,7 +22,7 @@ struct Structure {
   RigidBodies rigid;
   Constraints constraints;                         ///< of nodes outside rigid bodies
   std::map<std::int64_t, std::size_t> body_of_id;  ///< rigid bodies by the ids of their parts or nodal rigid bodies
-  double added_mass = 0;  ///< by mass scaling
+  double added_mass = 0;                           ///< by mass scaling
   // Ids as in the deck, for messages.
   std::vector<std::int64_t> node_id, shell_id, solid_id, beam_id;
 };

@@ -55,7 +55,8 @@ Tie tie_of(const contact::JudgedNode& judged, const contact::ContactSurfaces& su
   else if (!constraint && sound)
     tie.offset = Turning::axes;
   tie.carries = tie.carries && turning != Turning::none;
-  tie.rotations = type.code == contact::ContactCode::tied_shell_edge && turning != Turning::none && turns(structure, tie.node);
+  tie.rotations =
+      type.code == contact::ContactCode::tied_shell_edge && turning != Turning::none && turns(structure, tie.node);
   if (tie.rotations) tie.rotation = turning;
   return tie;
 }

@@ -15,7 +15,8 @@ model::Model model_of(const std::string& text) {
 }
 
 TEST(CrossingPairs, FindsElementsThatPassThroughEachOther) {
-  model::Model model = model_of(plates_deck(Plate{.id = 1, .nx = 1, .ny = 1}, Plate{.id = 2, .z = 1, .x = 2, .y = 2, .nx = 1, .ny = 1}));
+  model::Model model =
+      model_of(plates_deck(Plate{.id = 1, .nx = 1, .ny = 1}, Plate{.id = 2, .z = 1, .x = 2, .y = 2, .nx = 1, .ny = 1}));
   EXPECT_TRUE(audit::crossing_pairs(model).empty());
   model.mesh.nodes.x[4].z() = -1;  // the corner of the upper plate over the middle of the lower one
   const auto pairs = audit::crossing_pairs(model);

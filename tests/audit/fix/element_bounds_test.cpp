@@ -14,7 +14,8 @@ struct One {
   std::vector<NodeIndex> nodes;
 
   explicit One(bool solid) {
-    const std::vector<Vector> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+    const std::vector<Vector> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                      {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
     x.assign(corners.begin(), corners.begin() + (solid ? 8 : 4));
     for (std::uint32_t i = 0; i < x.size(); ++i) nodes.push_back(NodeIndex{i});
     model.mesh.nodes.id.resize(x.size());
@@ -50,11 +51,11 @@ TEST(ElementBounds, SmallMovesAreFine) {
 TEST(ElementBounds, NamesTheNodeThatTurnsAnElementInsideOut) {
   One shell(false), brick(true);
   const std::vector<NodeIndex> first{NodeIndex{0}};
-  EXPECT_EQ(shell.offenders(0, {0.9, 0.9, 0}), first);      // a dart
-  EXPECT_EQ(shell.offenders(0, {0, 0, 0.9}), first);        // warp
-  EXPECT_EQ(shell.offenders(0, {-1.5, 0, 0}), first);       // an edge longer than twice
-  EXPECT_EQ(brick.offenders(0, {0, 0, 1.2}), first);        // through the opposite face
-  EXPECT_EQ(brick.offenders(0, {0, 0, 0.6}), first);        // an edge shorter than half
+  EXPECT_EQ(shell.offenders(0, {0.9, 0.9, 0}), first);  // a dart
+  EXPECT_EQ(shell.offenders(0, {0, 0, 0.9}), first);    // warp
+  EXPECT_EQ(shell.offenders(0, {-1.5, 0, 0}), first);   // an edge longer than twice
+  EXPECT_EQ(brick.offenders(0, {0, 0, 1.2}), first);    // through the opposite face
+  EXPECT_EQ(brick.offenders(0, {0, 0, 0.6}), first);    // an edge shorter than half
 }
 
 TEST(ElementBounds, NumbersThatAreNoneAreHeld) {

@@ -95,7 +95,8 @@ TEST(Fix, BoundaryConditionsHoldTheirDirections) {
   const std::string spc = "*BOUNDARY_SPC_NODE\n" + [&] {
     std::string rows;
     for (int j = 0; j <= 3; ++j)
-      for (int i = 0; i <= 3; ++i) rows += fmt::format("{:10}         0         0         0         1\n", lower.node(i, j));
+      for (int i = 0; i <= 3; ++i)
+        rows += fmt::format("{:10}         0         0         0         1\n", lower.node(i, j));
     return rows;
   }();
   const FixRun run = fix_text("*KEYWORD\n" + material + lower.deck() + upper.deck() + single_surface + spc + "*END\n");
@@ -233,9 +234,9 @@ double plane_total(const std::filesystem::path& path, double p) {
 
 TEST(Fix, MovesNoMoreThanTheOptimumOfParallelPlates) {
   const std::vector<std::pair<std::string, double>> plates{
-      {"two_plates", 0.3},    {"ignore_0", 0.3},      {"ignore_1", 0.3},          {"ignore_2", 0.3},
-      {"ignore_mpp", 0.3},    {"snlog_1", 0.3},       {"two_way_order", 0.3},     {"thickness_sst", 0.5},
-      {"thickness_th", 0.5},  {"thickness_sfst", 0.3}, {"thickness_shlthk_1", 0.3}, {"thickness_ssthk_1", 0.3},
+      {"two_plates", 0.3},        {"ignore_0", 0.3},       {"ignore_1", 0.3},           {"ignore_2", 0.3},
+      {"ignore_mpp", 0.3},        {"snlog_1", 0.3},        {"two_way_order", 0.3},      {"thickness_sst", 0.5},
+      {"thickness_th", 0.5},      {"thickness_sfst", 0.3}, {"thickness_shlthk_1", 0.3}, {"thickness_ssthk_1", 0.3},
       {"element_thickness", 0.1}, {"stray_part", 0.3}};
   for (const auto& [name, p] : plates) {
     const auto path = std::filesystem::path(GAPCHECK_ROOT) / "data" / (name + ".k");

@@ -46,7 +46,8 @@ TEST(HeldTies, OffsetFormsKeepTheirOffset) {
 }
 
 TEST(HeldTies, TiedNodesGoWithTheirSegments) {
-  const Plate lower{.id = 1}, upper{.id = 2, .z = 0.6, .x = 1, .y = 1}, patch{.id = 3, .z = -0.8, .x = 2, .y = 2, .nx = 1, .ny = 1};
+  const Plate lower{.id = 1}, upper{.id = 2, .z = 0.6, .x = 1, .y = 1},
+      patch{.id = 3, .z = -0.8, .x = 2, .y = 2, .nx = 1, .ny = 1};
   const std::string deck =
       "*KEYWORD\n" + material + lower.deck() + upper.deck() + patch.deck() +
       "*CONTACT_TIED_NODES_TO_SURFACE_OFFSET_ID\n         1\n         3         1         3         3\n\n\n"

@@ -34,7 +34,8 @@ TEST(FixHostile, ParametersStayAndTheOtherSideMoves) {
 
 TEST(FixHostile, NodesDefinedTwiceStay) {
   const std::string again = fmt::format("*NODE\n{:8}{:16}{:16}{:16}\n", upper.node(1, 1), 5, 5, 0.7);
-  const FixRun run = fix_text("*KEYWORD\n" + material + lower.deck() + upper.deck() + again + single_surface + "*END\n");
+  const FixRun run =
+      fix_text("*KEYWORD\n" + material + lower.deck() + upper.deck() + again + single_surface + "*END\n");
   EXPECT_EQ(run.moved(upper.node(1, 1)), nullptr);
 }
 
@@ -48,7 +49,8 @@ TEST(FixHostile, HugeCoordinatesAndMissingThings) {
   }
   EXPECT_TRUE(fix_text("*KEYWORD\n*END\n").report().moved.empty());
   EXPECT_TRUE(fix_text("*KEYWORD\n" + single_surface + "*END\n").report().moved.empty());
-  EXPECT_TRUE(fix_text("*KEYWORD\n" + lower.deck() + "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n        77        78         2         2\n\n\n*END\n")
+  EXPECT_TRUE(fix_text("*KEYWORD\n" + lower.deck() +
+                       "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n        77        78         2         2\n\n\n*END\n")
                   .report()
                   .moved.empty());
 }

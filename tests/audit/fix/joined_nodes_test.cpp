@@ -27,7 +27,9 @@ struct Read {
   audit::JoinedNodes joined;
   audit::UnreadConstraints unread;
   [[nodiscard]] NodeIndex node(std::int64_t id) const { return NodeIndex{*model.mesh.nodes.lookup.find(id)}; }
-  [[nodiscard]] bool together(std::int64_t a, std::int64_t b) const { return joined.leader(node(a)) == joined.leader(node(b)); }
+  [[nodiscard]] bool together(std::int64_t a, std::int64_t b) const {
+    return joined.leader(node(a)) == joined.leader(node(b));
+  }
 };
 
 Read read(const std::string& more) {
@@ -56,9 +58,11 @@ TEST(JoinedNodes, AreThoseOfWeldsRivetsAndSets) {
 }
 
 TEST(JoinedNodes, AreThoseOfWeldElements) {
-  const std::string beam = "*PART\nweld\n         7         7         7\n*SECTION_BEAM\n         7         9\n"
-                           "        1.        1.        0.        0.\n*MAT_SPOTWELD\n         7   7.85e-9  210000.       0.3\n"
-                           "*ELEMENT_BEAM\n" + fmt::format("{:8}{:8}{:8}{:8}{:8}\n", 90001, 7, middle.below, middle.above, 0);
+  const std::string beam =
+      "*PART\nweld\n         7         7         7\n*SECTION_BEAM\n         7         9\n"
+      "        1.        1.        0.        0.\n*MAT_SPOTWELD\n         7   7.85e-9  210000.       0.3\n"
+      "*ELEMENT_BEAM\n" +
+      fmt::format("{:8}{:8}{:8}{:8}{:8}\n", 90001, 7, middle.below, middle.above, 0);
   const Read r = read(beam);
   EXPECT_TRUE(r.together(middle.below, middle.above));
   EXPECT_FALSE(r.joined.by_keyword(r.node(middle.above)));
@@ -72,8 +76,9 @@ TEST(JoinedNodes, NothingIsJoinedWithoutThem) {
 }
 
 TEST(JoinedNodes, KeywordsThatNobodyReadsHoldTheirNodes) {
-  const Read r = read("*CONSTRAINED_TIED_NODES_FAILURE\n" + row(1001, 2001) + "*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED\n" +
-                      row(1002, 2002) + "*BOUNDARY_SLIDING_PLANE\n" + row(1003, 2003));
+  const Read r =
+      read("*CONSTRAINED_TIED_NODES_FAILURE\n" + row(1001, 2001) + "*CONSTRAINED_JOINT_STIFFNESS_GENERALIZED\n" +
+           row(1002, 2002) + "*BOUNDARY_SLIDING_PLANE\n" + row(1003, 2003));
   EXPECT_EQ(r.unread.keywords, (std::vector<std::string>{"CONSTRAINED_TIED_NODES_FAILURE"}));
   EXPECT_EQ(r.unread.unknown, (std::vector<std::string>{"BOUNDARY_SLIDING_PLANE"}));
   ASSERT_FALSE(r.unread.held.empty());
@@ -84,14 +89,18 @@ TEST(JoinedNodes, KeywordsThatNobodyReadsHoldTheirNodes) {
 /// What every keyword of the list promises of a correction: both nodes move alike or not at all.
 TEST(JoinedNodes, MoveTogether) {
   const std::string set = "*SET_NODE_LIST\n         9\n" + row(middle.below, middle.above);
-  const std::string beam = "*PART\nweld\n         7         7         7\n*SECTION_BEAM\n         7         9\n"
-                           "        1.        1.        0.        0.\n*MAT_SPOTWELD\n         7   7.85e-9  210000.       0.3\n"
-                           "*ELEMENT_BEAM\n" + fmt::format("{:8}{:8}{:8}{:8}{:8}\n", 90001, 7, middle.below, middle.above, 0);
-  const std::vector<std::string> keywords{
-      "*CONSTRAINED_SPOTWELD\n" + row(middle.below, middle.above), "*CONSTRAINED_RIVET\n" + row(middle.below, middle.above),
-      set + "*CONSTRAINED_NODE_SET\n" + row(9, 3), set + "*CONSTRAINED_GENERALIZED_WELD_SPOT\n         9\n\n",
-      set + "*CONSTRAINED_NODAL_RIGID_BODY\n        77         0         9\n",
-      set + "*CONSTRAINED_TIED_NODES_FAILURE\n         9\n", beam};
+  const std::string beam =
+      "*PART\nweld\n         7         7         7\n*SECTION_BEAM\n         7         9\n"
+      "        1.        1.        0.        0.\n*MAT_SPOTWELD\n         7   7.85e-9  210000.       0.3\n"
+      "*ELEMENT_BEAM\n" +
+      fmt::format("{:8}{:8}{:8}{:8}{:8}\n", 90001, 7, middle.below, middle.above, 0);
+  const std::vector<std::string> keywords{"*CONSTRAINED_SPOTWELD\n" + row(middle.below, middle.above),
+                                          "*CONSTRAINED_RIVET\n" + row(middle.below, middle.above),
+                                          set + "*CONSTRAINED_NODE_SET\n" + row(9, 3),
+                                          set + "*CONSTRAINED_GENERALIZED_WELD_SPOT\n         9\n\n",
+                                          set + "*CONSTRAINED_NODAL_RIGID_BODY\n        77         0         9\n",
+                                          set + "*CONSTRAINED_TIED_NODES_FAILURE\n         9\n",
+                                          beam};
   for (const std::string& keyword : keywords) {
     const FixRun run = fix_text(deck_with(keyword));
     EXPECT_LT((run.move(middle.below) - run.move(middle.above)).norm(), 1e-6) << keyword;
@@ -101,7 +110,8 @@ TEST(JoinedNodes, MoveTogether) {
     for (const UnfixedNode& node : run.report().unfixed) {
       if (node.node != middle.below && node.node != middle.above) continue;
       named = true;
-      EXPECT_TRUE(node.reason == HoldReason::constrained || node.reason == HoldReason::rigid) << keyword << name(node.reason);
+      EXPECT_TRUE(node.reason == HoldReason::constrained || node.reason == HoldReason::rigid)
+          << keyword << name(node.reason);
     }
     EXPECT_TRUE(named) << keyword;
   }
@@ -138,7 +148,8 @@ TEST(JoinedNodes, WhatHoldsOneHoldsAll) {
   audit::FixOptions options;
   options.locks = {{false, 3, 3}};
   const FixRun run = fix_text("*KEYWORD\n" + material + lower.deck() + upper.deck() + far.deck() + single_surface +
-                                  "*CONSTRAINED_RIVET\n" + row(upper.node(0, 0), far.node(0, 0)) + "*END\n", options);
+                                  "*CONSTRAINED_RIVET\n" + row(upper.node(0, 0), far.node(0, 0)) + "*END\n",
+                              options);
   EXPECT_EQ(run.moved(upper.node(0, 0)), nullptr);
   EXPECT_TRUE(complete(run.report()));
   EXPECT_LT(run.move(lower.node(0, 0)).z(), -0.25);
@@ -162,7 +173,9 @@ TEST(JoinedNodes, HangingNodesStayInTheMiddle) {
 }
 
 TEST(JoinedNodes, PrescribedMotionsHoldTheirNodes) {
-  const std::string curve = "*DEFINE_CURVE\n         1\n\n                 0.0                 0.0\n                 1.0                 1.0\n";
+  const std::string curve =
+      "*DEFINE_CURVE\n         1\n\n                 0.0                 0.0\n                 1.0                 "
+      "1.0\n";
   const std::string set = "*SET_NODE_LIST\n         9\n" + row(lower.node(1, 1), upper.node(2, 2));
   for (const std::string& motion :
        {"*BOUNDARY_PRESCRIBED_MOTION_NODE\n" + fmt::format("{:10}         3         2         1\n", upper.node(2, 2)),
@@ -175,7 +188,8 @@ TEST(JoinedNodes, PrescribedMotionsHoldTheirNodes) {
 }
 
 TEST(JoinedNodes, ExtraNodesOfRigidBodiesAreHeld) {
-  const std::string rigid = "*MAT_RIGID\n         5   7.85e-9  210000.       0.3\n*PART\nrigid\n         5         1         5\n";
+  const std::string rigid =
+      "*MAT_RIGID\n         5   7.85e-9  210000.       0.3\n*PART\nrigid\n         5         1         5\n";
   const FixRun run = fix_text(deck_with(rigid + "*CONSTRAINED_EXTRA_NODES_NODE\n" + row(5, middle.above)));
   EXPECT_EQ(run.moved(middle.above), nullptr);
   EXPECT_TRUE(complete(run.report()));

@@ -94,7 +94,8 @@ TEST(LeastMovement, IsOptimalOnRandomProblems) {
       EXPECT_LT(violation(c, moves), 1e-9);
       EXPECT_LT(c.multiplier * std::abs(violation(c, moves)), 1e-8);
       for (std::size_t i = 0; i < c.count; ++i)
-        expected[c.terms[i].node] += c.multiplier * c.terms[i].coefficient * mobility[c.terms[i].node].x() * c.direction;
+        expected[c.terms[i].node] +=
+            c.multiplier * c.terms[i].coefficient * mobility[c.terms[i].node].x() * c.direction;
     }
     for (std::size_t i = 0; i < moves.size(); ++i) EXPECT_LT((moves[i] - expected[i]).norm(), 1e-9);
   }

@@ -46,7 +46,8 @@ TEST(Mover, ShapeGoesBeforeFreedom) {
   // Shells so small that moving one node by the penetration would turn them over.
   audit::FixOptions options;
   options.limits.warp = 0.5;
-  const FixRun run = fix_text(plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.5, .x = 1.7, .y = 2.3, .nx = 1, .ny = 1}), options);
+  const FixRun run =
+      fix_text(plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.5, .x = 1.7, .y = 2.3, .nx = 1, .ny = 1}), options);
   for (const UnfixedNode& node : run.report().unfixed) EXPECT_EQ(node.reason, HoldReason::shape);
   Diagnostics diagnostics;
   const auto deck = keyword::read_deck_text(run.text, "deck.k", {}, diagnostics);

@@ -31,14 +31,16 @@ TEST(NodeLines, WritesOnlyWhatMoves) {
   audit::NodeLines lines(read.deck, read.model, read.x);
   const Vector to(1, 2, 3.25);
   EXPECT_TRUE(lines.check(NodeIndex{0}).ok());
-  EXPECT_EQ(lines.edit(NodeIndex{0}, to).text, "       1              1.              2.            3.25       0       0");
+  EXPECT_EQ(lines.edit(NodeIndex{0}, to).text,
+            "       1              1.              2.            3.25       0       0");
   EXPECT_EQ(lines.edit(NodeIndex{0}, to).line, 3u);
   EXPECT_EQ(lines.written(NodeIndex{0}, to), to);
   EXPECT_EQ(lines.written(NodeIndex{0}, read.x[0]), read.x[0]);
 }
 
 TEST(NodeLines, SaysWhatCannotBeRewritten) {
-  Read read("*KEYWORD\n*PARAMETER\nR h              3.0\n*NODE\n1,0.,0.,&h\n2,0.,0.,1.\n2,0.,0.,1.\n3,0.,0.,1.\n*END\n");
+  Read read(
+      "*KEYWORD\n*PARAMETER\nR h              3.0\n*NODE\n1,0.,0.,&h\n2,0.,0.,1.\n2,0.,0.,1.\n3,0.,0.,1.\n*END\n");
   audit::NodeLines lines(read.deck, read.model, read.x);
   EXPECT_EQ(lines.check(NodeIndex{0}).error().message, "&h is a parameter");
   EXPECT_EQ(lines.check(NodeIndex{1}).error().message, "it is defined more than once");
@@ -79,8 +81,8 @@ TEST_F(NodeLinesInFiles, UndoesThePlacementOfTheInclude) {
 
 TEST_F(NodeLinesInFiles, FilesReadTwiceStay) {
   write("part.k", "*KEYWORD\n*NODE\n       1              1.              2.              3.\n*END\n");
-  const std::string path = write("main.k",
-                                 "*KEYWORD\n*INCLUDE\npart.k\n*INCLUDE_TRANSFORM\npart.k\n       100\n\n\n\n*NODE\n5,1.,1.,1.\n*END\n");
+  const std::string path = write(
+      "main.k", "*KEYWORD\n*INCLUDE\npart.k\n*INCLUDE_TRANSFORM\npart.k\n       100\n\n\n\n*NODE\n5,1.,1.,1.\n*END\n");
   Diagnostics diagnostics;
   Read read(keyword::read_deck(path, {}, diagnostics));
   audit::NodeLines lines(read.deck, read.model, read.x);

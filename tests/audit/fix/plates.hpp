@@ -1,8 +1,8 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <string>
-
-#include <fmt/format.h>
 
 namespace gapcheck::audit_test {
 
@@ -30,14 +30,15 @@ struct Plate {
   }
   /// Part with section, mesh.
   [[nodiscard]] std::string deck() const {
-    return fmt::format("*PART\nplate\n{:10}{:10}         1\n*SECTION_SHELL\n{:10}         2\n{:10}{:10}{:10}{:10}\n", id, id,
-                       id, thickness, thickness, thickness, thickness) +
+    return fmt::format("*PART\nplate\n{:10}{:10}         1\n*SECTION_SHELL\n{:10}         2\n{:10}{:10}{:10}{:10}\n",
+                       id, id, id, thickness, thickness, thickness, thickness) +
            "*NODE\n" + nodes() + "*ELEMENT_SHELL\n" + elements();
   }
 };
 
 inline const std::string material = "*MAT_ELASTIC\n         1   7.85e-9  210000.       0.3\n";
-inline const std::string single_surface = "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n         1\n         0         0         5\n\n\n";
+inline const std::string single_surface =
+    "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n         1\n         0         0         5\n\n\n";
 
 /// Plates in one single-surface contact.
 template <class... Plates>

@@ -44,8 +44,8 @@ TEST(ThicknessTrial, TheDistanceOfTwoPlates) {
 TEST(ThicknessTrial, WhatAnotherPartHidesIsSearched) {
   // The small plate 3 hangs 0.3 above plate 1 and 0.4 below plate 2: its nodes are listed against plate 1 alone, though
   // plates 2 and 3 penetrate as well.
-  const std::string text = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7},
-                                       Plate{.id = 3, .z = 0.3, .x = 6, .y = 6, .nx = 1, .ny = 1});
+  const std::string text =
+      plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7}, Plate{.id = 3, .z = 0.3, .x = 6, .y = 6, .nx = 1, .ny = 1});
   model::Model model = read(text);
   const auto proposals = audit::propose(model, state_of(model));
   ASSERT_GE(proposals.size(), 2u);
@@ -56,7 +56,8 @@ TEST(ThicknessTrial, WhatAnotherPartHidesIsSearched) {
       if (part.id.value == p.part || part.id.value == p.other_part) part.contact.emplace().optt = p.thickness;
     }
     for (const Penetration& left : state_of(model).penetrations)
-      EXPECT_NE(std::minmax(left.part, left.element_part), std::minmax(p.part, p.other_part)) << p.part << " " << p.other_part;
+      EXPECT_NE(std::minmax(left.part, left.element_part), std::minmax(p.part, p.other_part))
+          << p.part << " " << p.other_part;
   }
 }
 
@@ -119,7 +120,8 @@ TEST(ThicknessTrial, SectionsOfTheProposalEndThePenetrations) {
   EXPECT_NE(thinner->text.find("softer"), std::string::npos);
   const std::string row = thinner->card.substr(thinner->card.find("       0.7"), 41);
   const std::string old = fmt::format("{:10}{:10}{:10}{:10}\n", 1.0, 1.0, 1.0, 1.0);
-  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += row.size()) text.replace(at, old.size(), row);
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += row.size())
+    text.replace(at, old.size(), row);
   audit::AuditOptions options;
   options.select = {"GC101", "GC102"};
   EXPECT_TRUE(run_text(text, options).report.penetrations.empty());

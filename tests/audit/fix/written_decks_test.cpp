@@ -1,5 +1,5 @@
-// Random scenes whose nodes are written in all the ways that a deck knows: what a correction writes reads back as it was
-// predicted, and everything that the report does not list is the same byte for byte.
+// Random scenes whose nodes are written in all the ways that a deck knows: what a correction writes reads back as it
+// was predicted, and everything that the report does not list is the same byte for byte.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -23,10 +23,10 @@ constexpr std::uint64_t seeds = 8;
 
 /// How the nodes stand in a file.
 struct Form {
-  std::string name, suffix;  ///< suffix: of *NODE
+  std::string name, suffix;      ///< suffix: of *NODE
   int id_width = 8, width = 16;  ///< 0: free format
   bool carriage_return = false, last_newline = true, comments = false, parameters = false, twice = false;
-  std::string codes;         ///< behind the coordinates
+  std::string codes;  ///< behind the coordinates
 };
 
 const std::vector<Form>& forms() {
@@ -50,25 +50,31 @@ constexpr std::array placements{Placement::plain, Placement::moved, Placement::t
 Vector in_file(Placement placement, const Vector& x) {
   const double angle = std::numbers::pi / 6;
   switch (placement) {
-    case Placement::moved: return x - Vector(100, -50, 8);
+    case Placement::moved:
+      return x - Vector(100, -50, 8);
     case Placement::turned:
-      return {std::cos(angle) * x.x() + std::sin(angle) * x.y(), std::cos(angle) * x.y() - std::sin(angle) * x.x(), x.z()};
-    case Placement::scaled: return x / 1000;
-    default: return x;
+      return {std::cos(angle) * x.x() + std::sin(angle) * x.y(), std::cos(angle) * x.y() - std::sin(angle) * x.x(),
+              x.z()};
+    case Placement::scaled:
+      return x / 1000;
+    default:
+      return x;
   }
 }
 
 std::string include_card(Placement placement, const std::string& file) {
   if (placement == Placement::plain) return "*INCLUDE\n" + file + "\n";
-  const std::string rest = fmt::format("\n\n{:>10}{:>10}{:>10}{:>10}{:>10}\n", placement == Placement::scaled ? "1000." : "1.",
-                                       "1.", "1.", "", 1);
+  const std::string rest = fmt::format("\n\n{:>10}{:>10}{:>10}{:>10}{:>10}\n",
+                                       placement == Placement::scaled ? "1000." : "1.", "1.", "1.", "", 1);
   const int transformation = placement == Placement::moved ? 7 : placement == Placement::turned ? 8 : 0;
-  return "*INCLUDE_TRANSFORM\n" + file + "\n" + rest + (transformation > 0 ? fmt::format("{:10}\n", transformation) : "\n");
+  return "*INCLUDE_TRANSFORM\n" + file + "\n" + rest +
+         (transformation > 0 ? fmt::format("{:10}\n", transformation) : "\n");
 }
 
 const std::string transformations =
     "*DEFINE_TRANSFORMATION\n         7\nTRANSL          100.      -50.        8.\n"
-    "*DEFINE_TRANSFORMATION\n         8\nROTATE            0.        0.        1.        0.        0.        0.       30.\n";
+    "*DEFINE_TRANSFORMATION\n         8\nROTATE            0.        0.        1.        0.        0.        0.       "
+    "30.\n";
 
 std::string node_line(const Form& form, const Scene::Node& node, const Vector& x) {
   if (form.width == 0) {
@@ -173,12 +179,14 @@ TEST_P(WrittenDecks, ReadBackAsPredicted) {
     std::map<std::string, std::set<std::size_t>> listed;
     for (const MovedNode& m : report.moved) listed[fs::path(report.files[m.file]).filename()].insert(m.line - 1);
     for (const std::string& name : names_) {
-      const auto old = lines_of(read_bytes(folder_ / "before" / name)), now = lines_of(read_bytes(folder_ / "after" / name));
+      const auto old = lines_of(read_bytes(folder_ / "before" / name)),
+                 now = lines_of(read_bytes(folder_ / "after" / name));
       ASSERT_EQ(old.size(), now.size()) << where;
       for (std::size_t i = 0; i < old.size(); ++i) {
         EXPECT_EQ(old[i] != now[i], listed[name].contains(i)) << where << " " << name << ":" << i + 1;
         EXPECT_EQ(old[i].ends_with('\r'), now[i].ends_with('\r')) << where;
-        EXPECT_EQ(old[i].substr(0, static_cast<std::size_t>(form.id_width)), now[i].substr(0, static_cast<std::size_t>(form.id_width)));
+        EXPECT_EQ(old[i].substr(0, static_cast<std::size_t>(form.id_width)),
+                  now[i].substr(0, static_cast<std::size_t>(form.id_width)));
         if (!form.codes.empty() && listed[name].contains(i)) {
           EXPECT_NE(now[i].find(form.codes), std::string::npos) << where;
         }
@@ -241,7 +249,8 @@ TEST(WrittenDecksFarAway, FewDecimalsAreEnough) {
       const std::string free = fmt::format("{},{},{},{}\n", node.id, node.x.x(), node.x.y(), node.x.z());
       const std::size_t at = text.find("\n" + free) + 1;
       ASSERT_NE(at, 0u);
-      text.replace(at, free.size(), fmt::format("{:8}{:16}{:16}{:16.1f}\n", node.id, node.x.x(), node.x.y(), node.x.z()));
+      text.replace(at, free.size(),
+                   fmt::format("{:8}{:16}{:16}{:16.1f}\n", node.id, node.x.x(), node.x.y(), node.x.z()));
     }
     const FixRun run = fix_text(text);
     EXPECT_FALSE(run.report().moved.empty()) << offset;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "audit/run.hpp"
 #include "base/parallel.hpp"
 #include "keyword/deck.hpp"
-#include "audit/run.hpp"
 
 namespace gapcheck::audit::element_mesh_test {
 namespace {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <set>
 
+#include "audit/run.hpp"
 #include "keyword/deck.hpp"
 #include "model/model.hpp"
-#include "audit/run.hpp"
 
 namespace gapcheck::audit::scene_mesh_test {
 namespace {

@@ -12,7 +12,8 @@
 
 namespace gapcheck::audit_test {
 
-/// A small deck in free format, built up piece by piece. Materials: 1 is elastic steel (mm, t, s), 2 the same but rigid.
+/// A small deck in free format, built up piece by piece. Materials: 1 is elastic steel (mm, t, s), 2 the same but
+/// rigid.
 class RuleDeck {
  public:
   RuleDeck& node(std::int64_t id, const Vector& x) {
@@ -42,7 +43,8 @@ class RuleDeck {
   RuleDeck& beam_part(std::int64_t id, double diameter, std::int64_t material = 1) {
     return part(id, material, fmt::format("*SECTION_BEAM\n{},1,1.0,2,1\n{},{},0,0\n", id, diameter, diameter));
   }
-  /// nx x ny quads of size dx x dy from `corner` in the plane z = const; ids of nodes and elements from `first` on, row by row.
+  /// nx x ny quads of size dx x dy from `corner` in the plane z = const; ids of nodes and elements from `first` on, row
+  /// by row.
   RuleDeck& plate(std::int64_t first, std::int64_t part, int nx, int ny, const Vector& corner, double dx, double dy) {
     for (int j = 0; j <= ny; ++j)
       for (int i = 0; i <= nx; ++i) node(first + j * (nx + 1) + i, corner + Vector(i * dx, j * dy, 0));
@@ -54,7 +56,8 @@ class RuleDeck {
     return *this;
   }
   /// nx x ny x nz bricks of size d from `corner`; ids of nodes and elements from `first` on.
-  RuleDeck& block(std::int64_t first, std::int64_t part, int nx, int ny, int nz, const Vector& corner, const Vector& d) {
+  RuleDeck& block(std::int64_t first, std::int64_t part, int nx, int ny, int nz, const Vector& corner,
+                  const Vector& d) {
     const auto id = [&](int i, int j, int k) { return first + (k * (ny + 1) + j) * (nx + 1) + i; };
     for (int k = 0; k <= nz; ++k)
       for (int j = 0; j <= ny; ++j)
@@ -64,8 +67,8 @@ class RuleDeck {
       for (int j = 0; j < ny; ++j)
         for (int i = 0; i < nx; ++i)
           solid(element++, part,
-                {id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1),
-                 id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1)});
+                {id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
+                 id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1)});
     return *this;
   }
   /// Keyword without `*`, then its lines as they stand.

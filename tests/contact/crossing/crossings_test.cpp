@@ -27,7 +27,8 @@ struct Grid {
   Vector corner, u, v;
   std::uint32_t n, m;
   /// The piece of the straight line x + s d, in the grid's plane, over element (i, j): an interval of s, or low > high.
-  [[nodiscard]] std::pair<double, double> piece(const Vector& x, const Vector& d, std::uint32_t i, std::uint32_t j) const {
+  [[nodiscard]] std::pair<double, double> piece(const Vector& x, const Vector& d, std::uint32_t i,
+                                                std::uint32_t j) const {
     double low = -1e300, high = 1e300;
     for (const auto& [side, place] : {std::pair(u, i), std::pair(v, j)}) {
       const double at = (x - corner).dot(side) / side.squaredNorm() - place, slope = d.dot(side) / side.squaredNorm();
@@ -91,8 +92,7 @@ Scene crumpled(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
   Scene scene;
-  for (int p = 0; p < 2; ++p)
-    scene.plate(scene.part(p + 1, 1), {0, 0, 0.3 * p}, {1, 0, 0}, {0, 1, 0}, 12, 12);
+  for (int p = 0; p < 2; ++p) scene.plate(scene.part(p + 1, 1), {0, 0, 0.3 * p}, {1, 0, 0}, {0, 1, 0}, 12, 12);
   for (Vector& x : scene.model.mesh.nodes.x) x += Vector(0.6 * unit(random), 0.6 * unit(random), 0.9 * unit(random));
   return scene;
 }

@@ -11,7 +11,8 @@ namespace {
 
 std::vector<EnclosedBody> enclosed(const Scene& scene, const CrossingOptions& options = {}) {
   CrossingCounters counters;
-  return find_enclosed_bodies(scene.model, [](PartIndex, PartIndex) { return ContactIndex{0}; }, options, counters);
+  return find_enclosed_bodies(
+      scene.model, [](PartIndex, PartIndex) { return ContactIndex{0}; }, options, counters);
 }
 
 /// An L of three bricks with common nodes: [0, 2] x [0, 2] x [0, 1] without the quarter x > 1, y > 1.
@@ -20,7 +21,8 @@ void add_l(Scene& scene, PartIndex part) {
   for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t i = 0; i < 3; ++i)
-        n[9 * k + 3 * j + i] = scene.node(Vector(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)));
+        n[9 * k + 3 * j + i] =
+            scene.node(Vector(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)));
   for (const std::size_t a : {0, 1, 3})
     scene.solid(part, {n[a], n[a + 1], n[a + 4], n[a + 3], n[a + 9], n[a + 10], n[a + 13], n[a + 12]});
 }

@@ -25,10 +25,14 @@ ContactType type_of(const ContactKind& kind) {
 
 std::string search_words(Treatment treatment) {
   switch (treatment) {
-    case Treatment::one_way: return "one-way";
-    case Treatment::two_way: return "two-way";
-    case Treatment::single_surface: return "single surface";
-    case Treatment::none: return "";
+    case Treatment::one_way:
+      return "one-way";
+    case Treatment::two_way:
+      return "two-way";
+    case Treatment::single_surface:
+      return "single surface";
+    case Treatment::none:
+      return "";
   }
   return "?";
 }
@@ -46,12 +50,18 @@ std::string audit_words(const ContactKind& kind, const ContactType& type) {
 
 std::string run_words(const ContactKind& kind) {
   switch (kind.method) {
-    case model::RunMethod::none: return "no";
-    case model::RunMethod::penalty: return "penalty";
-    case model::RunMethod::constraint: return "constraint";
-    case model::RunMethod::tie: return "tie";
-    case model::RunMethod::tiebreak: return kind.treatment == Treatment::single_surface ? "no" : "tie, then penalty";
-    case model::RunMethod::transducer: return "measures";
+    case model::RunMethod::none:
+      return "no";
+    case model::RunMethod::penalty:
+      return "penalty";
+    case model::RunMethod::constraint:
+      return "constraint";
+    case model::RunMethod::tie:
+      return "tie";
+    case model::RunMethod::tiebreak:
+      return kind.treatment == Treatment::single_surface ? "no" : "tie, then penalty";
+    case model::RunMethod::transducer:
+      return "measures";
   }
   return "?";
 }
@@ -69,7 +79,8 @@ std::string table() {
     if (row == rows.end()) row = rows.insert(rows.end(), {code + "@" + equal, ""});
     row->second += (row->second.empty() ? "" : ", ") + std::string(kind.name);
   }
-  std::string text = "| code | keyword (after `*CONTACT_`) | search | surfaces | audit | run |\n|---|---|---|---|---|---|\n";
+  std::string text =
+      "| code | keyword (after `*CONTACT_`) | search | surfaces | audit | run |\n|---|---|---|---|---|---|\n";
   for (const auto& [equal, keywords] : rows) {
     const std::size_t cut = equal.find('@');
     text += equal.substr(0, cut) + keywords + " | " + equal.substr(cut + 1) + " |\n";
@@ -124,7 +135,8 @@ TEST(ContactKinds, PrintedCodesLeadBackToTheirKeyword) {
   EXPECT_EQ(model::keyword_of_printed("a3"), "AUTOMATIC_SURFACE_TO_SURFACE");
   EXPECT_EQ(model::keyword_of_printed("o6"), "TIED_NODES_TO_SURFACE_OFFSET");
   EXPECT_EQ(model::keyword_of_printed("*"), "MORTAR");
-  for (const char* unknown : {"", "?", "99", "x3", "a", "o"}) EXPECT_EQ(model::keyword_of_printed(unknown), "") << unknown;
+  for (const char* unknown : {"", "?", "99", "x3", "a", "o"})
+    EXPECT_EQ(model::keyword_of_printed(unknown), "") << unknown;
 }
 
 /// Types with a card of their own as the manual lists them (contact rules, section 11; *CONTACT, card 4).

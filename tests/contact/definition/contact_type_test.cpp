@@ -64,8 +64,9 @@ TEST(ContactType, WhatMeetsWhat) {
   EXPECT_EQ(pairing("AUTOMATIC_GENERAL", 2), Pairing::nodes);
   EXPECT_EQ(pairing("AUTOMATIC_SINGLE_SURFACE_MORTAR", 2), Pairing::mortar);
   EXPECT_EQ(pairing("FORMING_SURFACE_TO_SURFACE_MORTAR"), Pairing::mortar);
-  for (const char* keyword : {"AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED", "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_MORTAR",
-                              "TIED_SURFACE_TO_SURFACE", "FORCE_TRANSDUCER_PENALTY", "RIGID_NODES_TO_RIGID_BODY"})
+  for (const char* keyword :
+       {"AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED", "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_MORTAR",
+        "TIED_SURFACE_TO_SURFACE", "FORCE_TRANSDUCER_PENALTY", "RIGID_NODES_TO_RIGID_BODY"})
     EXPECT_EQ(pairing(keyword), Pairing::none) << keyword;
 }
 
@@ -112,7 +113,8 @@ TEST(ContactType, OldTypesIgnoreThicknessUnlessAskedTo) {
   EXPECT_EQ(settings(c, type, controls).shlthk, 0);
   c.thkopt = 1;
   EXPECT_EQ(settings(c, type, controls).shlthk, 2);
-  EXPECT_EQ(settings(named("AUTOMATIC_SURFACE_TO_SURFACE"), classify(named("AUTOMATIC_SURFACE_TO_SURFACE")), {}).shlthk, 2);
+  EXPECT_EQ(settings(named("AUTOMATIC_SURFACE_TO_SURFACE"), classify(named("AUTOMATIC_SURFACE_TO_SURFACE")), {}).shlthk,
+            2);
 }
 
 TEST(ContactType, OnlyAutomaticTypesKnowIgnore) {

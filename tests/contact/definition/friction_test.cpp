@@ -48,7 +48,9 @@ struct FrictionOf : Scene {
   PartIndex a = part(1, 1), b = part(2, 1), c = part(3, 1);
   FrictionOf() { contact("AUTOMATIC_SINGLE_SURFACE"); }
   model::Contact& card() { return model.contacts[0]; }
-  model::FrictionLaw between(PartIndex node, PartIndex segment) { return Friction(model, card()).between(node, segment); }
+  model::FrictionLaw between(PartIndex node, PartIndex segment) {
+    return Friction(model, card()).between(node, segment);
+  }
 };
 
 TEST(Friction, OfTheContactCard) {

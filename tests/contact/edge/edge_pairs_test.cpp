@@ -37,8 +37,19 @@ struct Edges {
   explicit Edges(const model::Model& model)
       : surfaces(SurfaceStore(model).at(ContactIndex{0})),
         neighbours(surfaces.a.selection.segments, model.mesh, true),
-        scene{model,      model.contacts[0], surfaces.type, surfaces.settings, model.mesh.nodes.x,
-              surfaces.a.selection.segments, surfaces.a.nodes, neighbours, 2, {}, {}, -1, geometry::Mode::filtered},
+        scene{model,
+              model.contacts[0],
+              surfaces.type,
+              surfaces.settings,
+              model.mesh.nodes.x,
+              surfaces.a.selection.segments,
+              surfaces.a.nodes,
+              neighbours,
+              2,
+              {},
+              {},
+              -1,
+              geometry::Mode::filtered},
         list(surface_edges(scene, surfaces.type.interior_edges)) {}
   ContactSurfaces surfaces;
   Neighbours neighbours;

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/scene.hpp"
 #include "contact/surface/segment_elements.hpp"
 #include "contact/surface/surface.hpp"
-#include "contact/scene.hpp"
 
 namespace gapcheck::contact::mesh_index_test {
 namespace {
@@ -48,7 +48,9 @@ TEST(MeshIndex, SmallSurfacesAreThoseOfTheWholeMesh) {
     EXPECT_EQ(found[1].element, 0U);
     EXPECT_EQ(found[1].kind, model::ElementKind::solid);
   }
-  const ContactType two{.code = ContactCode::automatic_surface, .treatment = Treatment::two_way, .family = Family::automatic,
+  const ContactType two{.code = ContactCode::automatic_surface,
+                        .treatment = Treatment::two_way,
+                        .family = Family::automatic,
                         .not_checked = {}};
   const auto& x = mesh.nodes.x;
   const Selection part = select(scene.model, {3, 3, 0, true}, two, x, index);

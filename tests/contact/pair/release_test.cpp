@@ -7,7 +7,8 @@
 namespace gapcheck::contact::release_test {
 namespace {
 
-double depth(const std::string& keyword, const ReleasePair& pair, model::Contact c = {}, model::Controls controls = {}) {
+double depth(const std::string& keyword, const ReleasePair& pair, model::Contact c = {},
+             model::Controls controls = {}) {
   set_name("CONTACT_" + keyword, c);
   const ContactType type = classify(c);
   return release_depth(c, type, settings(c, type, controls), controls, pair);

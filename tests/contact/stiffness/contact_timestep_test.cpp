@@ -57,7 +57,8 @@ TEST(ContactTimestep, SolidsOnBothSides) {
   EXPECT_EQ(list[1].side, 'B');
 }
 
-// Two shells of different size side by side: k is weighted with A / 4, the mass counts all elements, in the contact or not.
+// Two shells of different size side by side: k is weighted with A / 4, the mass counts all elements, in the contact or
+// not.
 TEST(ContactTimestep, WeighsTheSegmentsAndCountsEveryMass) {
   Scene scene;
   const PartIndex part = scene.part(1, 1), other = scene.part(2, 1);
@@ -169,7 +170,8 @@ TEST(ContactTimestep, SpringsOfThinShellsMayBeUnstable) {
   const PredictedTimesteps thin = predict();
   EXPECT_DOUBLE_EQ(thin.run, 0.9 * 4 * std::sqrt(rho * 0.91 / (1.2 * bulk)));
   ASSERT_EQ(thin.unstable.size(), 1u);
-  EXPECT_DOUBLE_EQ(thin.unstable[0].limit.timestep, 2 * std::sqrt(rho * 16 * 0.1 / 4 / (0.1 * bulk * 16 / std::sqrt(32.0))));
+  EXPECT_DOUBLE_EQ(thin.unstable[0].limit.timestep,
+                   2 * std::sqrt(rho * 16 * 0.1 / 4 / (0.1 * bulk * 16 / std::sqrt(32.0))));
   EXPECT_EQ(thin.unstable[0].limit.node, NodeIndex(0));
   scene.model.sections[0].thickness.fill(0.3);  // the limit grows with the root of the thickness
   const PredictedTimesteps thick = predict();

@@ -9,7 +9,10 @@
 namespace gapcheck::contact::neighbours_test {
 namespace {
 
-const ContactType single{.code = ContactCode::automatic_single, .treatment = Treatment::single_surface, .family = Family::automatic, .not_checked = {}};
+const ContactType single{.code = ContactCode::automatic_single,
+                         .treatment = Treatment::single_surface,
+                         .family = Family::automatic,
+                         .not_checked = {}};
 
 struct Surface {
   Scene scene;

@@ -2,15 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/scene.hpp"
 #include "contact/surface/contact_surfaces.hpp"
 #include "contact/surface/segment_elements.hpp"
-#include "contact/scene.hpp"
 
 namespace gapcheck::contact::surface_test {
 namespace {
 
-const ContactType single{.code = ContactCode::automatic_single, .treatment = Treatment::single_surface, .family = Family::automatic, .not_checked = {}};
-const ContactType one_way{.code = ContactCode::automatic_nodes, .treatment = Treatment::one_way, .family = Family::automatic, .not_checked = {}};
+const ContactType single{.code = ContactCode::automatic_single,
+                         .treatment = Treatment::single_surface,
+                         .family = Family::automatic,
+                         .not_checked = {}};
+const ContactType one_way{.code = ContactCode::automatic_nodes,
+                          .treatment = Treatment::one_way,
+                          .family = Family::automatic,
+                          .not_checked = {}};
 
 Selection pick(const Scene& scene, std::int64_t id, std::int64_t type, const ContactType& contact = one_way) {
   MeshIndex index(scene.model);

@@ -50,7 +50,8 @@ TEST(Thickness, SidesWhoseShellThicknessIsIgnored) {
   const auto thickness = [&](bool b) {
     return shell_thickness(1, 10, nullptr, false, thickness_side(contact, settings, {}, b)).value;
   };
-  for (const auto& [flag, a, b] : {std::tuple{0, 2., 2.}, std::tuple{1, 2., 0.}, std::tuple{2, 0., 2.}, std::tuple{3, 0., 0.}}) {
+  for (const auto& [flag, a, b] :
+       {std::tuple{0, 2., 2.}, std::tuple{1, 2., 0.}, std::tuple{2, 0., 2.}, std::tuple{3, 0., 0.}}) {
     contact.ignroff = flag;
     EXPECT_EQ(thickness(false), a) << flag;
     EXPECT_EQ(thickness(true), b) << flag;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "contact/scene.hpp"
 #include "contact/tie/ties.hpp"
 #include "reference/tie_reference.hpp"
-#include "contact/scene.hpp"
 
 namespace gapcheck::contact::tie_candidates_test {
 namespace {

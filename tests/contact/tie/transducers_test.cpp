@@ -52,7 +52,8 @@ TEST(Transducers, NodesMeetTheSegmentsTheyBelongTo) {
 TEST(Transducers, MoreThanAreCompared) {
   const Row row;
   const Selection a = row.shells(0, 1), b = row.shells(4, 1);
-  const auto earlier = overlapping_transducers(row.scene.model.mesh, std::vector<Transducer>(max_transducers + 3, {&a, &b}));
+  const auto earlier =
+      overlapping_transducers(row.scene.model.mesh, std::vector<Transducer>(max_transducers + 3, {&a, &b}));
   ASSERT_EQ(earlier.size(), max_transducers + 3);
   EXPECT_EQ(earlier[max_transducers - 1], 0u);
   EXPECT_EQ(earlier[max_transducers], std::nullopt);

@@ -32,7 +32,8 @@ TEST(ContactName, ThermalAndFriction) {
 TEST(ContactName, MortarInAnyPlace) {
   EXPECT_EQ(parse_contact_name("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR_TIED").bare,
             "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIED_MORTAR");
-  EXPECT_EQ(parse_contact_name("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_MORTAR").kind->cards, TypeCards::tiebreak);
+  EXPECT_EQ(parse_contact_name("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_MORTAR").kind->cards,
+            TypeCards::tiebreak);
   EXPECT_TRUE(parse_contact_name("CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK_USER_MORTAR").known());
   EXPECT_TRUE(parse_contact_name("CONTACT_AUTOMATIC_SINGLE_SURFACE_MORTAR_ID").known());
 }

@@ -47,9 +47,9 @@ void expect_cards_1_to_3(const Contact& contact) {
 /// PENMAX is a length in old types, a multiple of the thickness in the others.
 TEST(Contacts, PenmaxOfIncludesInOtherUnits) {
   const std::string path = testing::TempDir() + "contact_include.k";
-  for (const auto& [name, factor] : {std::pair{"SURFACE_TO_SURFACE", 1000.}, std::pair{"AUTOMATIC_SURFACE_TO_SURFACE", 1.},
-                                     std::pair{"AUTOMATIC_SURFACE_TO_SURFACE_MORTAR", 1000.},
-                                     std::pair{"ERODING_SINGLE_SURFACE", 1.}}) {
+  for (const auto& [name, factor] :
+       {std::pair{"SURFACE_TO_SURFACE", 1000.}, std::pair{"AUTOMATIC_SURFACE_TO_SURFACE", 1.},
+        std::pair{"AUTOMATIC_SURFACE_TO_SURFACE_MORTAR", 1000.}, std::pair{"ERODING_SINGLE_SURFACE", 1.}}) {
     const std::string extra = std::string(name).starts_with("ERODING") ? "\n" : "";
     std::ofstream(path) << "*CONTACT_" << name << "\n" << cards_1_to_3 << extra << "\n       0.4\n";
     const Read read = read_text("*INCLUDE_TRANSFORM\n" + path + "\n100\n,,\n1.,1.,1000.\n\n");
@@ -178,8 +178,8 @@ TEST(Contacts, TiebreakOption) {
 }
 
 TEST(Contacts, CardOfErodingTypes) {
-  const Contact contact = only(
-      read_text("*CONTACT_ERODING_NODES_TO_SURFACE\n" + cards_1_to_3 + "         1         2         3\n"));
+  const Contact contact =
+      only(read_text("*CONTACT_ERODING_NODES_TO_SURFACE\n" + cards_1_to_3 + "         1         2         3\n"));
   EXPECT_EQ(contact.symmetry_faces, 1);
   EXPECT_EQ(contact.erosop, 2);
   EXPECT_EQ(contact.iadj, 3);

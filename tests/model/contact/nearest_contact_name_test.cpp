@@ -25,8 +25,8 @@ TEST(NearestContactName, LettersWordsAndOrder) {
 }
 
 TEST(NearestContactName, NothingNear) {
-  for (const std::string& name : {std::string("NO_SUCH_THING"), std::string("FOO"), std::string(), std::string("_"),
-                                  std::string(10000, 'A')})
+  for (const std::string& name :
+       {std::string("NO_SUCH_THING"), std::string("FOO"), std::string(), std::string("_"), std::string(10000, 'A')})
     EXPECT_EQ(nearest_contact_name("CONTACT_" + name), "") << name.substr(0, 20);
   EXPECT_EQ(nearest_contact_name("CONTACT"), "");
 }

@@ -1,7 +1,7 @@
 #include "model/entity/rigid_wall.hpp"
 
-#include "model/read/node_references.hpp"
 #include "model/read.hpp"
+#include "model/read/node_references.hpp"
 
 namespace gapcheck::model::rigid_wall_test {
 namespace {

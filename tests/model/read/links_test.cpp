@@ -29,9 +29,10 @@ ReadLinks read_links_of(const std::string& text) {
 }
 
 TEST(Links, NodeSets) {
-  const ReadLinks read = read_links_of(nodes_text(5) +
-                              "*SET_NODE_LIST\n4\n1,3,5\n*CONSTRAINED_NODE_SET\n         4         7\n4,3,0.5\n"
-                              "*CONSTRAINED_NODE_SET_ID\n77\n4,4\n");
+  const ReadLinks read =
+      read_links_of(nodes_text(5) +
+                    "*SET_NODE_LIST\n4\n1,3,5\n*CONSTRAINED_NODE_SET\n         4         7\n4,3,0.5\n"
+                    "*CONSTRAINED_NODE_SET_ID\n77\n4,4\n");
   EXPECT_EQ(read.text, "");
   ASSERT_EQ(read.links.joined.size(), 3u);
   EXPECT_EQ(read.links.joined[0].kind, NodeLink::Kind::node_set);
@@ -46,8 +47,9 @@ TEST(Links, NodeSets) {
 }
 
 TEST(Links, Rivets) {
-  const ReadLinks read = read_links_of(nodes_text(5) + "*CONSTRAINED_RIVET\n1,2\n         3         5        2.\n"
-                                              "*CONSTRAINED_RIVET_ID\n8\n4,5\n");
+  const ReadLinks read = read_links_of(nodes_text(5) +
+                                       "*CONSTRAINED_RIVET\n1,2\n         3         5        2.\n"
+                                       "*CONSTRAINED_RIVET_ID\n8\n4,5\n");
   EXPECT_EQ(read.text, "");
   ASSERT_EQ(read.links.joined.size(), 3u);
   EXPECT_EQ(read.links.joined[0].kind, NodeLink::Kind::rivet);
@@ -58,7 +60,8 @@ TEST(Links, Rivets) {
 }
 
 TEST(Links, HangingNodes) {
-  const ReadLinks read = read_links_of(nodes_text(5) + "*CONSTRAINED_ADAPTIVITY\n         3         1         5\n4,2,1\n");
+  const ReadLinks read =
+      read_links_of(nodes_text(5) + "*CONSTRAINED_ADAPTIVITY\n         3         1         5\n4,2,1\n");
   EXPECT_EQ(read.text, "");
   ASSERT_EQ(read.links.hanging.size(), 2u);
   EXPECT_EQ(read.links.hanging[0].node, NodeIndex{2});
@@ -67,8 +70,9 @@ TEST(Links, HangingNodes) {
 }
 
 TEST(Links, WhatIsNotThereIsNamed) {
-  const ReadLinks read = read_links_of(nodes_text(2) + "*CONSTRAINED_NODE_SET\n9,1\n*CONSTRAINED_RIVET\n1,9\n"
-                                              "*CONSTRAINED_ADAPTIVITY\n1,2,9\n8,1,2\n");
+  const ReadLinks read = read_links_of(nodes_text(2) +
+                                       "*CONSTRAINED_NODE_SET\n9,1\n*CONSTRAINED_RIVET\n1,9\n"
+                                       "*CONSTRAINED_ADAPTIVITY\n1,2,9\n8,1,2\n");
   EXPECT_TRUE(read.links.joined.empty());
   EXPECT_TRUE(read.links.hanging.empty());
   EXPECT_EQ(read.warnings, 4u) << read.text;
@@ -79,7 +83,8 @@ TEST(Links, Includes) {
   const std::string path = testing::TempDir() + "link_include.k";
   std::ofstream(path) << nodes_text(3) << "*SET_NODE_LIST\n4\n1,3\n*CONSTRAINED_NODE_SET\n4,7,5.\n"
                       << "*CONSTRAINED_RIVET\n1,2,5.\n*CONSTRAINED_ADAPTIVITY\n2,1,3\n";
-  const ReadLinks read = read_links_of(nodes_text(5) + "*INCLUDE_TRANSFORM\n" + path + "\n100,,,,10\n,,\n1.,0.001,1.\n\n");
+  const ReadLinks read =
+      read_links_of(nodes_text(5) + "*INCLUDE_TRANSFORM\n" + path + "\n100,,,,10\n,,\n1.,0.001,1.\n\n");
   EXPECT_EQ(read.text, "");
   ASSERT_EQ(read.links.joined.size(), 2u);
   EXPECT_EQ(read.links.joined[0].nodes, (std::vector{NodeIndex{5}, NodeIndex{7}}));

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "report/format/formats.hpp"
-#include "report/write/writers.hpp"
 #include "report/sample.hpp"
+#include "report/write/writers.hpp"
 
 namespace gapcheck::report::baseline_test {
 namespace {
@@ -101,8 +101,10 @@ TEST(Baseline, AnotherContactIsAnotherFinding) {
 
 TEST(Baseline, WordsWithoutNumbersWhereThereIsNoPosition) {
   Report before, after;
-  before.findings.push_back(make_finding("GC501", "duplicate-id", "node 12 is defined again (first in line 40 of a.k)"));
-  after.findings.push_back(make_finding("GC501", "duplicate-id", "node 9012 is defined again (first in line 3 of a.k)"));
+  before.findings.push_back(
+      make_finding("GC501", "duplicate-id", "node 12 is defined again (first in line 40 of a.k)"));
+  after.findings.push_back(
+      make_finding("GC501", "duplicate-id", "node 9012 is defined again (first in line 3 of a.k)"));
   EXPECT_EQ(outcome(before, after), "0 new, 0 worse, 1 unchanged, 0 gone");
   after.findings.push_back(after.findings[0]);
   EXPECT_EQ(outcome(before, after), "1 new, 0 worse, 1 unchanged, 0 gone");
@@ -112,14 +114,17 @@ TEST(Baseline, WordsWithoutNumbersWhereThereIsNoPosition) {
 
 TEST(Baseline, ThePathOfTheDeckIsNoPartOfWords) {
   Report before, after;
-  before.findings.push_back(make_finding("GC501", "duplicate-id", "node 12 is defined again (first in line 40 of V/a.k)"));
-  after.findings.push_back(make_finding("GC501", "duplicate-id", "node 12 is defined again (first in line 3 of /w/a.k)"));
+  before.findings.push_back(
+      make_finding("GC501", "duplicate-id", "node 12 is defined again (first in line 40 of V/a.k)"));
+  after.findings.push_back(
+      make_finding("GC501", "duplicate-id", "node 12 is defined again (first in line 3 of /w/a.k)"));
   EXPECT_EQ(outcome(before, after), "0 new, 0 worse, 1 unchanged, 0 gone");
   EXPECT_EQ(baseline_text(known_findings(before)), baseline_text(known_findings(after)));
-  const auto earlier = read_baseline("{\"schema\":\"gapcheck-baseline/1\"}\n{\"id\":\"GC501\",\"rule\":\"duplicate-id\","
-                                     "\"severity\":\"error\",\"message\":\"node 12 is defined again (first in line "
-                                     "of V/a.k)\"}\n",
-                                     "b");
+  const auto earlier = read_baseline(
+      "{\"schema\":\"gapcheck-baseline/1\"}\n{\"id\":\"GC501\",\"rule\":\"duplicate-id\","
+      "\"severity\":\"error\",\"message\":\"node 12 is defined again (first in line "
+      "of V/a.k)\"}\n",
+      "b");
   ASSERT_TRUE(earlier.ok());
   EXPECT_EQ(summary(compare_with_baseline(after, earlier.value(), all)), "0 new, 0 worse, 1 unchanged, 0 gone");
 }
@@ -216,8 +221,7 @@ TEST(Baseline, FormatsSayIt) {
   ASSERT_EQ(now.baseline->states, (std::vector{fresh, fresh, fresh, unchanged, fresh, fresh}));
   now.baseline->gone = known_findings(before);
   const auto json_report = nlohmann::json::parse(json(now));
-  EXPECT_EQ(json_report["summary"]["baseline"],
-            nlohmann::json::parse(R"({"new":5,"worse":0,"unchanged":1,"gone":1})"));
+  EXPECT_EQ(json_report["summary"]["baseline"], nlohmann::json::parse(R"({"new":5,"worse":0,"unchanged":1,"gone":1})"));
   EXPECT_EQ(json_report["findings"][3]["baseline"], "unchanged");
   EXPECT_EQ(json_report["gone"][0]["id"], "GC101");
   const auto log = nlohmann::json::parse(written([&](const Sink& sink) { sarif(now, "1", {}, sink); }));

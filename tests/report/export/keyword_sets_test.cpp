@@ -8,8 +8,8 @@
 
 #include "keyword/deck.hpp"
 #include "model/model.hpp"
-#include "report/item/describe.hpp"
 #include "report/export/exports.hpp"
+#include "report/item/describe.hpp"
 #include "report/sample.hpp"
 
 namespace gapcheck::report::keyword_sets_test {

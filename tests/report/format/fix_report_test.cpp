@@ -43,10 +43,11 @@ FixReport sample() {
 
 TEST(FixReport, TextNamesMovesAndWhatRemains) {
   const std::string text = fix_text(sample(), {});
-  for (const char* part : {"2 nodes moved: at most 0.3, on average 0.2, together 0.4", "an element would lose its shape",
-                           "mesh?.k:6  (tied)", "tied nodes off their segments: 1 before, 0 after", "SST = 0.5",
-                           "      $ card 3\n", "mesh.k: 2 lines changed, written to out/mesh.k",
-                           "4 nodes penetrating before, 1 after; 2 nodes moved in 1 file\n"})
+  for (const char* part :
+       {"2 nodes moved: at most 0.3, on average 0.2, together 0.4", "an element would lose its shape",
+        "mesh?.k:6  (tied)", "tied nodes off their segments: 1 before, 0 after", "SST = 0.5", "      $ card 3\n",
+        "mesh.k: 2 lines changed, written to out/mesh.k",
+        "4 nodes penetrating before, 1 after; 2 nodes moved in 1 file\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   EXPECT_LT(text.find("    12   0.3"), text.find("    11   0.1")) << text;  // the largest move first
 }
@@ -74,9 +75,13 @@ TEST(FixReport, SaysWhatWasNotSearched) {
   report.proposals.push_back({7, 1, 4, 2, 0.1, 0, true, {}});
   report.cut_short = true;
   const std::string text = fix_text(report, {});
-  EXPECT_NE(text.find("part 3: 2 penetrations, at most 0.1 deep\n    no thickness was found that helps"), std::string::npos) << text;
-  EXPECT_NE(text.find("part 4: 2 penetrations, at most 0.1 deep\n    a thickness was searched for the first pairs only"),
-            std::string::npos) << text;
+  EXPECT_NE(text.find("part 3: 2 penetrations, at most 0.1 deep\n    no thickness was found that helps"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(
+      text.find("part 4: 2 penetrations, at most 0.1 deep\n    a thickness was searched for the first pairs only"),
+      std::string::npos)
+      << text;
   const auto json = nlohmann::json::parse(fix_json(report));
   EXPECT_EQ(json["proposals"][2]["not_searched"], true);
   EXPECT_FALSE(json["proposals"][1].contains("not_searched"));

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "report/item/item.hpp"
-#include "report/write/writers.hpp"
 #include "report/sample.hpp"
+#include "report/write/writers.hpp"
 
 namespace gapcheck::report::formats_test {
 namespace {
@@ -93,8 +93,10 @@ TEST(Github, ErrorsFirstAndTheRestOfAGroupIsCounted) {
     lines.push_back(text.substr(at, text.find('\n', at) - at));
   // Five of GC102 in two and one more; GC501, GC503; then the warning and the note.
   ASSERT_EQ(lines.size(), 7U);
-  EXPECT_EQ(lines[0].rfind("::error file=mesh%2C \"new\" 100%25.k,line=1234,title=GC102 released-node::node 14", 0), 0U);
-  EXPECT_EQ(lines[2], "::error file=plates.k,line=34,title=GC102 released-node::3 more in contact 7: see the whole report");
+  EXPECT_EQ(lines[0].rfind("::error file=mesh%2C \"new\" 100%25.k,line=1234,title=GC102 released-node::node 14", 0),
+            0U);
+  EXPECT_EQ(lines[2],
+            "::error file=plates.k,line=34,title=GC102 released-node::3 more in contact 7: see the whole report");
   EXPECT_NE(text.find("two%0Alines, \"quoted\" <&> "), std::string::npos);
   EXPECT_EQ(lines[5].rfind("::warning ", 0), 0U);
   EXPECT_EQ(lines[6].rfind("::notice ", 0), 0U);
@@ -241,7 +243,8 @@ TEST(Ignored, JunitSkipsThem) {
   EXPECT_EQ(count_of(xml, "skipped=\"1\""), 3U);
   EXPECT_EQ(count_of(xml, "<testcase "), 8U);
   EXPECT_NE(xml.find("tests=\"8\" failures=\"5\""), xml.npos);
-  EXPECT_NE(xml.find("1 left out on purpose by gapcheck &lt;&amp;&gt;.toml:12: agreed, &quot;so&quot; &lt;it&gt; is"), xml.npos)
+  EXPECT_NE(xml.find("1 left out on purpose by gapcheck &lt;&amp;&gt;.toml:12: agreed, &quot;so&quot; &lt;it&gt; is"),
+            xml.npos)
       << xml;
   report.penetrations.clear();
   report.findings.clear();
@@ -252,8 +255,10 @@ TEST(Ignored, JunitSkipsThem) {
 
 TEST(Ignored, AreLeftOutOfListsOfFindings) {
   const Report report = with_ignored(), plain = sample_report();
-  EXPECT_EQ(written([&](const Sink& sink) { gitlab(report, sink); }), written([&](const Sink& sink) { gitlab(plain, sink); }));
-  EXPECT_EQ(written([&](const Sink& sink) { csv(report, sink); }), written([&](const Sink& sink) { csv(plain, sink); }));
+  EXPECT_EQ(written([&](const Sink& sink) { gitlab(report, sink); }),
+            written([&](const Sink& sink) { gitlab(plain, sink); }));
+  EXPECT_EQ(written([&](const Sink& sink) { csv(report, sink); }),
+            written([&](const Sink& sink) { csv(plain, sink); }));
   EXPECT_EQ(written([&](const Sink& sink) { github(report, 100, sink); }),
             written([&](const Sink& sink) { github(plain, 100, sink); }) +
                 "::notice file=mesh.k,line=9,title=ignored::3 left out on purpose by mesh.k:9 and 1 more\n");
@@ -261,7 +266,8 @@ TEST(Ignored, AreLeftOutOfListsOfFindings) {
 
 TEST(Ignored, TextNamesThePlacesAndListsTheFindings) {
   Report report = with_ignored();
-  const std::string short_text = text(report, {}), list = text(report, {.list = true}), quiet = text(report, {.quiet = true});
+  const std::string short_text = text(report, {}), list = text(report, {.list = true}),
+                    quiet = text(report, {.quiet = true});
   EXPECT_NE(short_text.find("\n3 ignored\n  mesh.k:9 (1)\n  gapcheck <&>.toml:12 (2) agreed, \"so\" <it> is\n"),
             std::string::npos)
       << short_text;

@@ -7,8 +7,8 @@
 
 #include "report/item/describe.hpp"
 #include "report/item/fingerprint.hpp"
-#include "report/write/writers.hpp"
 #include "report/sample.hpp"
+#include "report/write/writers.hpp"
 
 namespace gapcheck::report::json_test {
 namespace {
@@ -100,7 +100,8 @@ TEST(Json, FindingsSayWhatTheyKnow) {
   EXPECT_EQ(full["contact_distance"], 1.0);
   EXPECT_EQ(full["point"], Json({1.0, 2.0, 3.0}));
   EXPECT_EQ(full["count"], 12);
-  for (const char* key : {"node", "part", "element", "element_part", "penetration", "contact_distance", "point", "count"})
+  for (const char* key :
+       {"node", "part", "element", "element_part", "penetration", "contact_distance", "point", "count"})
     EXPECT_FALSE(bare.contains(key)) << key;
 }
 
@@ -180,7 +181,8 @@ TEST(Json, EmptyReport) {
 
 TEST(Json, StatisticsOnDemandOnly) {
   Report report = sample_report();
-  report.statistics = {{"bytes read", "1234"}, {"note", "a \"word\""}, {"note", "007"}, {"note", ""}, {"searches", "0"}};
+  report.statistics = {
+      {"bytes read", "1234"}, {"note", "a \"word\""}, {"note", "007"}, {"note", ""}, {"searches", "0"}};
   const auto written = [&](bool statistics) {
     std::string text;
     json(

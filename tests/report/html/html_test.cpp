@@ -104,7 +104,8 @@ TEST(Html, StatesOfFindings) {
   EXPECT_EQ(data["found"], 7);
   EXPECT_EQ(data["shown"], 7);
   std::string states;
-  for (const auto& at : data["findings"]["state"]) states += data["texts"][at.get<std::size_t>()].get<std::string>() + " ";
+  for (const auto& at : data["findings"]["state"])
+    states += data["texts"][at.get<std::size_t>()].get<std::string>() + " ";
   EXPECT_EQ(states, "new worse unchanged new unchanged ignored ignored ");
   EXPECT_EQ(data["texts"][data["findings"]["ignored_by"][5].get<std::size_t>()], "deck.k:9: </script>");
   EXPECT_EQ(data["findings"]["node"][5], 16);

@@ -11,7 +11,8 @@ namespace gapcheck::report::sums_test {
 namespace {
 
 /// The slow twin: every pair of parts asks all records.
-void expect_pairs(std::span<const Penetration> records, std::span<const PartPair> pairs, bool edges, std::size_t total) {
+void expect_pairs(std::span<const Penetration> records, std::span<const PartPair> pairs, bool edges,
+                  std::size_t total) {
   std::size_t in_pairs = 0;
   for (const PartPair& pair : pairs) {
     std::size_t nodes = 0;

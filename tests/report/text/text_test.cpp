@@ -5,8 +5,8 @@
 #include <regex>
 #include <sstream>
 
-#include "report/write/writers.hpp"
 #include "report/sample.hpp"
+#include "report/write/writers.hpp"
 
 namespace gapcheck::report::text_test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "results/read.hpp"
 #include "results/curves/contact_forces.hpp"
+#include "results/read.hpp"
 #include "results/said.hpp"
 
 namespace gapcheck::results::contact_forces_read_test {

@@ -10,8 +10,8 @@
 #include <iterator>
 #include <random>
 
-#include "results/d3plot_sample.hpp"
 #include "results/d3plot/d3plot_write.hpp"
+#include "results/d3plot_sample.hpp"
 
 namespace gapcheck::results::d3plot_states_test {
 namespace {

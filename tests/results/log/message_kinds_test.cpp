@@ -96,7 +96,8 @@ TEST(MessageKinds, LabelsOfAnEntryAndOfAll) {
   EXPECT_TRUE(labels("2", "third"));
   EXPECT_FALSE(labels("2", "the node"));
   EXPECT_TRUE(labels("40538", "slave node #"));
-  for (const char* label : {"Tracked  node   #", "surfa node #", "surfb node #", "since it is found nowhere. slave node #"})
+  for (const char* label :
+       {"Tracked  node   #", "surfa node #", "surfb node #", "since it is found nowhere. slave node #"})
     EXPECT_TRUE(labels("40538", label)) << label;
   for (const char* label : {"snode #", "slave node # of", "original coordinates of slave", ""})
     EXPECT_FALSE(labels("40538", label)) << label;

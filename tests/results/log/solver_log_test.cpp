@@ -69,14 +69,16 @@ TEST(SolverLog, WrappedLinesOfARecord) {
     ASSERT_EQ(read.report.penetrations.size(), 2u) << after;
     const Penetration &a = read.report.penetrations[0], &b = plain.report.penetrations[0];
     EXPECT_EQ(std::tuple(a.node, a.segment, a.s, a.t, a.depth, a.contact_distance, a.moved_to),
-              std::tuple(b.node, b.segment, b.s, b.t, b.depth, b.contact_distance, b.moved_to)) << after;
+              std::tuple(b.node, b.segment, b.s, b.t, b.depth, b.contact_distance, b.moved_to))
+        << after;
   };
   same(" 22124 22164 22165 22125\n", " 22124 22164\n 22165 22125\n");
   same(" 22124 22164 22165 22125\n", "     22124\n     22164\n     22165\n     22125\n");
   same("= -2.3980E-01 -8.0082E-02\n", "=\n      -2.3980E-01 -8.0082E-02\n");
   same("= -2.3980E-01 -8.0082E-02\n", "= -2.3980E-01\n      -8.0082E-02\n");
   same("penetrating node #  ", "Penetrating  node # ");
-  same("remaining distance to shell midsurface =  5.0000E-01\n", "remaining distance to shell midsurface =\n      5.0000E-01\n");
+  same("remaining distance to shell midsurface =  5.0000E-01\n",
+       "remaining distance to shell midsurface =\n      5.0000E-01\n");
 }
 
 TEST(SolverLog, IdsThatTouch) {

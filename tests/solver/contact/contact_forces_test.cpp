@@ -39,10 +39,13 @@ double discrete(double frequency, double dt) { return 2 / dt * std::asin(frequen
 // came.
 TEST(ContactForces, NodeReboundsFromHeldSegment) {
   const double v = 0.1, h = 0.05, dt = 1e-3;
-  ContactScene scene(node_over_quad(h, 2 * h, no_shooting), [&](Structure& s) {
-    hold_quad(s);
-    s.state.v[4].z() = -v;
-  }, steps(dt));
+  ContactScene scene(
+      node_over_quad(h, 2 * h, no_shooting),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].z() = -v;
+      },
+      steps(dt));
   const double w = discrete(std::sqrt(stiffness), dt);
   double deepest = 0, inside = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -60,7 +63,8 @@ TEST(ContactForces, NodeReboundsFromHeldSegment) {
 // Two free bodies: the segment's nodes of 1 each move as one of 4, the frequency is that of the reduced mass.
 TEST(ContactForces, TwoMassesReboundAndKeepMomentum) {
   const double v = 0.1, h = 0.05, dt = 1e-3;
-  ContactScene scene(node_over_quad(h + 1e-4, 2 * h, no_shooting), [&](Structure& s) { s.state.v[4].z() = -v; }, steps(dt));
+  ContactScene scene(
+      node_over_quad(h + 1e-4, 2 * h, no_shooting), [&](Structure& s) { s.state.v[4].z() = -v; }, steps(dt));
   const Vector before = scene.momentum();
   int inside = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -76,13 +80,17 @@ TEST(ContactForces, TwoMassesReboundAndKeepMomentum) {
   EXPECT_NEAR(scene.stepper->energies().ratio(), 1, 1e-10);
 }
 
-// Shooting-node logic: the first penetration moves the node 1.002 penetrations out, without force; the next one is forced.
+// Shooting-node logic: the first penetration moves the node 1.002 penetrations out, without force; the next one is
+// forced.
 TEST(ContactForces, ShootingNodeIsMovedOnce) {
   const double v = 0.1, h = 0.05, dt = 1e-2;
-  ContactScene scene(node_over_quad(h + 0.0005, 2 * h, shooting), [&](Structure& s) {
-    hold_quad(s);
-    s.state.v[4].z() = -v;
-  }, steps(dt));
+  ContactScene scene(
+      node_over_quad(h + 0.0005, 2 * h, shooting),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].z() = -v;
+      },
+      steps(dt));
   scene.step(2);  // at the second force evaluation the node is 0.0005 inside
   EXPECT_EQ(scene.result().moved, 1u);
   EXPECT_EQ(scene.result().touching, 0u);
@@ -96,10 +104,13 @@ TEST(ContactForces, ShootingNodeIsMovedOnce) {
 // A node that was moved and has left is moved again the next time.
 TEST(ContactForces, ShootingNodeIsRearmed) {
   const double h = 0.05, dt = 1e-2;
-  ContactScene scene(node_over_quad(h, 2 * h, shooting), [&](Structure& s) {
-    hold_quad(s);
-    s.state.v[4].z() = -0.01;
-  }, steps(dt));
+  ContactScene scene(
+      node_over_quad(h, 2 * h, shooting),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].z() = -0.01;
+      },
+      steps(dt));
   scene.step(400);
   EXPECT_EQ(scene.result().moved, 1u);
   EXPECT_GT(scene.state().v[4].z(), 0.0);
@@ -127,13 +138,17 @@ TEST(ContactForces, InitialPenetrationIsForcedWithSnlog) {
   EXPECT_NEAR(scene.state().v[4].z(), p * std::sqrt(stiffness), 1e-3 * p * std::sqrt(stiffness));
 }
 
-// IGNORE = 1: no force at the depth that was there; what goes deeper is forced from there; once out, all thickness is back.
+// IGNORE = 1: no force at the depth that was there; what goes deeper is forced from there; once out, all thickness is
+// back.
 TEST(ContactForces, IgnoredDepthIsForgivenUntilTheNodeLeaves) {
   const double h = 0.05, p = 0.2 * h, dt = 1e-3, v = 0.005;
-  ContactScene scene(node_over_quad(h - p, 2 * h, tracking), [&](Structure& s) {
-    hold_quad(s);
-    s.state.v[4].z() = -v;
-  }, steps(dt));
+  ContactScene scene(
+      node_over_quad(h - p, 2 * h, tracking),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].z() = -v;
+      },
+      steps(dt));
   scene.step();
   EXPECT_NEAR(scene.contacts->nodes(0).at(0).forgiven, p, 1e-15);
   EXPECT_EQ(scene.stepper->external().force[4].z(), 0);
@@ -148,10 +163,13 @@ TEST(ContactForces, IgnoredDepthIsForgivenUntilTheNodeLeaves) {
 // Too deep: no force on the way through to the other side; the node comes back only after it has left the whole zone.
 TEST(ContactForces, ReleasedNodePassesAndReturnsOutside) {
   const double h = 0.05, v = 0.05, dt = 1e-2;
-  ContactScene scene(node_over_quad(0.1 * h, 2 * h, no_shooting), [&](Structure& s) {
-    hold_quad(s);
-    s.state.v[4].z() = -v;
-  }, steps(dt));
+  ContactScene scene(
+      node_over_quad(0.1 * h, 2 * h, no_shooting),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].z() = -v;
+      },
+      steps(dt));
   ASSERT_EQ(scene.initial.penetrations.at(0).outcome, Outcome::released);
   while (scene.state().x[4].z() > -h) {
     scene.step();
@@ -166,10 +184,13 @@ TEST(ContactForces, ReleasedNodePassesAndReturnsOutside) {
 // A released node that turns back before it has left is let through again.
 TEST(ContactForces, ReleasedNodeThatTurnsBackIsNotCaught) {
   const double h = 0.05, v = 0.05;
-  ContactScene scene(node_over_quad(0.1 * h, 2 * h, no_shooting), [&](Structure& s) {
-    hold_quad(s);
-    s.state.v[4].z() = -v;
-  }, steps(1e-2));
+  ContactScene scene(
+      node_over_quad(0.1 * h, 2 * h, no_shooting),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].z() = -v;
+      },
+      steps(1e-2));
   scene.step(80);  // on the other side of the mid-surface, in the zone
   ASSERT_LT(scene.state().x[4].z(), -0.5 * h);
   const_cast<State&>(scene.state()).v[4].z() = v;
@@ -194,10 +215,13 @@ class Weight : public Force {
 TEST(ContactForces, BlockSlidesToRest) {
   const double h = 0.05, weight = 0.02, mu = 0.3, v = 0.03, dt = 1e-3;
   const double settled = h - weight / stiffness;
-  ContactScene scene(node_over_quad(settled, 2 * h, no_shooting, "", fmt::format("{0},{0}", mu)), [&](Structure& s) {
-    hold_quad(s);
-    s.state.v[4].x() = v;
-  }, steps(dt));
+  ContactScene scene(
+      node_over_quad(settled, 2 * h, no_shooting, "", fmt::format("{0},{0}", mu)),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].x() = v;
+      },
+      steps(dt));
   scene.stepper->add(std::make_unique<Weight>(weight));
   const double way = v * v / (2 * mu * weight);
   scene.step(8000);
@@ -219,7 +243,8 @@ TEST(ContactForces, StickLimit) {
   };
   const double h = 0.05, weight = 0.2, mu = 0.3;
   for (const double share : {0.45, 1.05}) {
-    ContactScene scene(node_over_quad(h - weight / stiffness, 2 * h, no_shooting, "", "0.3,0.3"), hold_quad, steps(1e-3));
+    ContactScene scene(node_over_quad(h - weight / stiffness, 2 * h, no_shooting, "", "0.3,0.3"), hold_quad,
+                       steps(1e-3));
     scene.stepper->add(std::make_unique<Weight>(weight));
     scene.stepper->add(std::make_unique<Pull>(share * mu * weight));
     scene.step(1000);
@@ -234,11 +259,13 @@ TEST(ContactForces, StickLimit) {
 // VC limits the friction force to VC times the segment's area.
 TEST(ContactForces, ViscousLimitOfFriction) {
   const double h = 0.05, weight = 0.2, limit = 0.01;
-  ContactScene scene(node_over_quad(h - weight / stiffness, 2 * h, no_shooting, "", fmt::format("0.3,0.3,0.,{}", limit)),
-                     [&](Structure& s) {
-                       hold_quad(s);
-                       s.state.v[4].x() = 0.05;
-                     }, steps(1e-3));
+  ContactScene scene(
+      node_over_quad(h - weight / stiffness, 2 * h, no_shooting, "", fmt::format("0.3,0.3,0.,{}", limit)),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].x() = 0.05;
+      },
+      steps(1e-3));
   scene.stepper->add(std::make_unique<Weight>(weight));
   scene.step(1000);
   EXPECT_NEAR(scene.stepper->external().force[4].x(), -limit, 1e-12);
@@ -247,13 +274,18 @@ TEST(ContactForces, ViscousLimitOfFriction) {
 // VDC percent of critical damping: the ratio of the speeds after and before of a damped half period.
 TEST(ContactForces, DampedRebound) {
   const double v = 0.1, h = 0.05, dt = 1e-4, percent = 20;
-  ContactScene scene(node_over_quad(h, 2 * h, no_shooting, "", fmt::format("0.,0.,0.,0.,{}", percent)), [&](Structure& s) {
-    hold_quad(s);
-    s.state.v[4].z() = -v;
-  }, steps(dt));
+  ContactScene scene(
+      node_over_quad(h, 2 * h, no_shooting, "", fmt::format("0.,0.,0.,0.,{}", percent)),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].z() = -v;
+      },
+      steps(dt));
   scene.step(20000);
-  // m = min(1, 4), reduced mass 4/5 in the frequency, as the rule has it; against a held segment the mass that moves is 1.
-  const double constant = percent / 100 * 2 * std::sqrt(stiffness * 5 / 4), damping = constant / 2, w0 = std::sqrt(stiffness);
+  // m = min(1, 4), reduced mass 4/5 in the frequency, as the rule has it; against a held segment the mass that moves
+  // is 1.
+  const double constant = percent / 100 * 2 * std::sqrt(stiffness * 5 / 4), damping = constant / 2,
+               w0 = std::sqrt(stiffness);
   const double w = std::sqrt(w0 * w0 - damping * damping);
   // The force is zero where k p = -c v: it leaves then, before the spring is straight.
   const double t = (pi - std::atan2(2 * damping * w, w0 * w0 - 2 * damping * damping)) / w;
@@ -267,12 +299,16 @@ TEST(ContactForces, DampedRebound) {
 TEST(ContactForces, BirthAndDeath) {
   const double h = 0.05, v = 0.05;
   // Card 2: BT and DT are its seventh and eighth field.
-  for (const auto& [times, free] : {std::pair{"0.,0.,0.,0.,0.,0,5.,0.", true}, std::pair{"0.,0.,0.,0.,0.,0,0.,.5", true},
-                                    std::pair{"0.,0.,0.,0.,0.,0,0.,100.", false}}) {
-    ContactScene scene(node_over_quad(2 * h, 2 * h, no_shooting, "", times), [&](Structure& s) {
-      hold_quad(s);
-      s.state.v[4].z() = -v;
-    }, steps(1e-2));
+  for (const auto& [times, free] :
+       {std::pair{"0.,0.,0.,0.,0.,0,5.,0.", true}, std::pair{"0.,0.,0.,0.,0.,0,0.,.5", true},
+        std::pair{"0.,0.,0.,0.,0.,0,0.,100.", false}}) {
+    ContactScene scene(
+        node_over_quad(2 * h, 2 * h, no_shooting, "", times),
+        [&](Structure& s) {
+          hold_quad(s);
+          s.state.v[4].z() = -v;
+        },
+        steps(1e-2));
     scene.step(400);
     EXPECT_EQ(scene.state().v[4].z() == -v, free) << times;
   }
@@ -320,7 +356,8 @@ std::string two_plates(const std::string& keyword, const std::string& options) {
   plate(2, 5, 7, 0.9, 0.06, 1001);
   return nodes + shells +
          "*PART\np\n1,1,1\n*PART\nq\n2,1,1\n*SECTION_SHELL\n1,2\n0.04\n*MAT_ELASTIC\n1,1.,1000.,0.3\n"
-         "*CONTROL_CONTACT\n0.1,0.\n*CONTACT_" + keyword + options;
+         "*CONTROL_CONTACT\n0.1,0.\n*CONTACT_" +
+         keyword + options;
 }
 
 const std::string single = "AUTOMATIC_SINGLE_SURFACE\n0,0,2\n0.2,0.1,3.\n\n";
@@ -340,8 +377,8 @@ std::vector<Vector> run_plates(const std::string& keyword, const std::string& op
   return all;
 }
 
-// Candidates of a search that is kept for many cycles, and pairs that sleep, change nothing: searching in each cycle gives
-// the same bits.
+// Candidates of a search that is kept for many cycles, and pairs that sleep, change nothing: searching in each cycle
+// gives the same bits.
 TEST(ContactForces, SearchInEveryCycleChangesNothing) {
   for (const std::string& keyword : {single, two_way})
     for (const int soft : {0, 1}) {
@@ -377,7 +414,8 @@ TEST(ContactForces, PlatesKeepMomentumAndEnergy) {
 // What is far away is not looked at, however much of it there is.
 TEST(ContactForces, FarPartsAddNoWork) {
   std::string far = "*NODE\n";
-  for (int i = 0; i < 4000; ++i) far += fmt::format("{},{},{},{}\n", 10001 + i, 100 + 0.16 * (i % 2), 0.16 * (i / 2), 0.0);
+  for (int i = 0; i < 4000; ++i)
+    far += fmt::format("{},{},{},{}\n", 10001 + i, 100 + 0.16 * (i % 2), 0.16 * (i / 2), 0.0);
   far += "*ELEMENT_SHELL\n";
   for (int i = 0; i + 3 < 4000; i += 2)
     far += fmt::format("{},3,{},{},{},{}\n", 10001 + i, 10001 + i, 10002 + i, 10004 + i, 10003 + i);
@@ -392,7 +430,8 @@ TEST(ContactForces, FarPartsAddNoWork) {
   };
   const ContactCounters alone = counters(""), with = counters(far);
   EXPECT_GT(alone.pairs, 0u);
-  EXPECT_NEAR(static_cast<double>(with.nodes), static_cast<double>(alone.nodes), 0.1 * static_cast<double>(alone.nodes));
+  EXPECT_NEAR(static_cast<double>(with.nodes), static_cast<double>(alone.nodes),
+              0.1 * static_cast<double>(alone.nodes));
   EXPECT_LE(with.candidates, 1.1 * static_cast<double>(alone.candidates));
 }
 

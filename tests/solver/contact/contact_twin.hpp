@@ -232,7 +232,8 @@ class ContactTwin {
     Real stiffness = 0;
     for (const Facet& own : facets_)
       if (own.has(n))
-        stiffness += 0.05L / (own.triangle() ? 3 : 4) * own.mass * facet.mass / (own.mass + facet.mass) / (step_ * step_);
+        stiffness +=
+            0.05L / (own.triangle() ? 3 : 4) * own.mass * facet.mass / (own.mass + facet.mass) / (step_ * step_);
     give(n, met, stiffness * (met.penetration - node.forgiven), forces);
   }
 

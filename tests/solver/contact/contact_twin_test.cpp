@@ -35,8 +35,7 @@ struct RandomScene {
     shells += fmt::format("{},{},{},{},{},{}\n", ++elements, part, n[0] + 1, n[1] + 1, n[2] + 1, n[3] + 1);
     double longest = std::max((x[n[2]] - x[n[0]]).norm(), (x[n[3]] - x[n[1]]).norm());
     if (n[2] == n[3]) longest = std::max(longest, (x[n[1]] - x[n[0]]).norm());
-    ContactTwin::Facet facet{n, part, false, thickness / 2, scale * bulk * area(n) / longest, 0,
-                             area(n) * thickness};
+    ContactTwin::Facet facet{n, part, false, thickness / 2, scale * bulk * area(n) / longest, 0, area(n) * thickness};
     facets.push_back(facet);
   }
   /// n x m shells, jittered; every third quad is cut into triangles.

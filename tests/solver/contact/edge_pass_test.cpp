@@ -9,8 +9,8 @@
 #include <string>
 
 #include "base/parallel.hpp"
-#include "solver/contact_scene.hpp"
 #include "solver/contact/edge_twin.hpp"
+#include "solver/contact_scene.hpp"
 
 namespace gapcheck::solver::edge_pass_test {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "contact/initial.hpp"
+#include "keyword/deck.hpp"
 #include "solver/contact/contact_pass.hpp"
 #include "solver/contact_scene.hpp"
-#include "keyword/deck.hpp"
 #include "solver/run_scene.hpp"
 
 namespace gapcheck::solver::segment_rule_test {
@@ -135,13 +135,13 @@ TEST(SegmentRule, SeesTheCornersOfTheOtherSide) {
 TEST(SegmentRule, EdgesOnlyWithDepth5) {
   for (const bool single : {true, false}) {
     const auto speed = [&](const std::string& a_card) {
-      ContactScene scene("*NODE\n1001,-1.,0.,-2.\n1002,1.,0.,-2.\n1003,1.,0.,0.\n1004,-1.,0.,0.\n"
-                         "2001,0.1,-1.,0.05\n2002,0.1,1.,0.05\n2003,0.1,1.,2.\n2004,0.1,-1.,2.\n"
-                         "*ELEMENT_SHELL\n1,1,1001,1002,1003,1004\n2,2,2001,2002,2003,2004\n*PART\np\n1,1,1\n"
-                         "*PART\np\n2,1,1\n" +
-                             elastic +
-                             contact_of(single ? "AUTOMATIC_SINGLE_SURFACE" : "AUTOMATIC_SURFACE_TO_SURFACE", a_card),
-                         down(0.1), steps(2e-3));
+      ContactScene scene(
+          "*NODE\n1001,-1.,0.,-2.\n1002,1.,0.,-2.\n1003,1.,0.,0.\n1004,-1.,0.,0.\n"
+          "2001,0.1,-1.,0.05\n2002,0.1,1.,0.05\n2003,0.1,1.,2.\n2004,0.1,-1.,2.\n"
+          "*ELEMENT_SHELL\n1,1,1001,1002,1003,1004\n2,2,2001,2002,2003,2004\n*PART\np\n1,1,1\n"
+          "*PART\np\n2,1,1\n" +
+              elastic + contact_of(single ? "AUTOMATIC_SINGLE_SURFACE" : "AUTOMATIC_SURFACE_TO_SURFACE", a_card),
+          down(0.1), steps(2e-3));
       EXPECT_TRUE(scene.stepper) << scene.why_not;
       run_balanced(scene, 1.5);
       EXPECT_NEAR(scene.stepper->energies().ratio(), 1, 0.01);
@@ -184,11 +184,11 @@ TEST(SegmentRule, BeyondTheBaselineItPushes) {
 
 TEST(SegmentRule, DprfacTakesTheBaselineAway) {
   for (const bool curve : {false, true}) {
-    ContactScene scene(sheet(1, 3, {0, 0, 0}, 1) + sheet(2, 2, {0.1, 0.15, 0.03}, 0.8) + elastic +
-                           "*DEFINE_CURVE\n7\n0.,0.01\n1.,0.01\n" +
-                           contact_of("AUTOMATIC_SURFACE_TO_SURFACE", "2",
-                                      fmt::format("0.\n1,0,{}\n", curve ? "-7." : "0.01")),
-                       {}, steps(1e-3));
+    ContactScene scene(
+        sheet(1, 3, {0, 0, 0}, 1) + sheet(2, 2, {0.1, 0.15, 0.03}, 0.8) + elastic +
+            "*DEFINE_CURVE\n7\n0.,0.01\n1.,0.01\n" +
+            contact_of("AUTOMATIC_SURFACE_TO_SURFACE", "2", fmt::format("0.\n1,0,{}\n", curve ? "-7." : "0.01")),
+        {}, steps(1e-3));
     ASSERT_TRUE(scene.stepper) << scene.why_not;
     scene.step(1);
     EXPECT_NEAR(scene.contacts->nodes(0)[0].forgiven, 0.01, 1e-9);
@@ -247,12 +247,13 @@ TEST(SegmentRule, StiffnessOfACorner) {
 // A fine sheet flat in a coarse one: its own springs make a uniform pressure, all springs together one on each patch.
 TEST(SegmentRule, FineOnCoarseIsUniform) {
   constexpr double distance = 0.05, way = 0.02;
-  ContactScene scene(sheet(1, 4, {0, 0, 0}, 1) + sheet(2, 16, {0, 0, distance}, 1) + elastic +
-                         contact_of("AUTOMATIC_SURFACE_TO_SURFACE"),
-                     [](Structure& s) {
-                       for (std::size_t i = 25; i < s.state.v.size(); ++i) s.state.v[i] = {0, 0, -way / 1e-3};
-                     },
-                     steps(1e-3));
+  ContactScene scene(
+      sheet(1, 4, {0, 0, 0}, 1) + sheet(2, 16, {0, 0, distance}, 1) + elastic +
+          contact_of("AUTOMATIC_SURFACE_TO_SURFACE"),
+      [](Structure& s) {
+        for (std::size_t i = 25; i < s.state.v.size(); ++i) s.state.v[i] = {0, 0, -way / 1e-3};
+      },
+      steps(1e-3));
   ASSERT_TRUE(scene.stepper) << scene.why_not;
   scene.step();
   ASSERT_TRUE(scene.stepper->begin_step().ok());
@@ -291,18 +292,19 @@ TEST(SegmentRule, ComesBackFromBehindAShell) {
 
 // A node whose nearest segment changes to one of another surface has not passed the first one.
 TEST(SegmentRule, StaysBetweenTwoSheets) {
-  ContactScene scene(sheet(1, 2, {0, 0, 0}, 1) + sheet(2, 2, {0, 0, 0.076}, 1) + sheet(3, 2, {0.2, 0.2, 0.0379}, 0.6) +
-                         "*SECTION_SHELL\n1,2\n0.04\n*MAT_ELASTIC\n1,1.,1000.,0.3\n*SET_PART_LIST\n1\n1,2,3\n" +
-                         contact_of("AUTOMATIC_SINGLE_SURFACE"),
-                     [](Structure& s) {
-                       for (std::size_t i = 0; i < s.state.v.size(); ++i) {
-                         if (s.state.x[i].z() > 0.03 && s.state.x[i].z() < 0.05)
-                           s.state.v[i] = {0, 0, 0.05};
-                         else
-                           s.constraints.hold(NodeIndex{static_cast<std::uint32_t>(i)}, 63);
-                       }
-                     },
-                     steps(1e-3));
+  ContactScene scene(
+      sheet(1, 2, {0, 0, 0}, 1) + sheet(2, 2, {0, 0, 0.076}, 1) + sheet(3, 2, {0.2, 0.2, 0.0379}, 0.6) +
+          "*SECTION_SHELL\n1,2\n0.04\n*MAT_ELASTIC\n1,1.,1000.,0.3\n*SET_PART_LIST\n1\n1,2,3\n" +
+          contact_of("AUTOMATIC_SINGLE_SURFACE"),
+      [](Structure& s) {
+        for (std::size_t i = 0; i < s.state.v.size(); ++i) {
+          if (s.state.x[i].z() > 0.03 && s.state.x[i].z() < 0.05)
+            s.state.v[i] = {0, 0, 0.05};
+          else
+            s.constraints.hold(NodeIndex{static_cast<std::uint32_t>(i)}, 63);
+        }
+      },
+      steps(1e-3));
   ASSERT_TRUE(scene.stepper) << scene.why_not;
   while (scene.state().time < 2) {
     scene.step();
@@ -381,12 +383,13 @@ TEST(SegmentRule, OtherSurfacesGoOnWithTheBaseline) {
 }
 
 TEST(SegmentRule, TellsOfIntersectingSegments) {
-  ContactScene scene("*NODE\n1001,-1.,0.,-2.\n1002,1.,0.,-2.\n1003,1.,0.,1.\n1004,-1.,0.,1.\n"
-                     "2001,-0.5,-1.,0.05\n2002,0.5,-1.,0.05\n2003,0.5,1.,0.05\n2004,-0.5,1.,0.05\n"
-                     "*ELEMENT_SHELL\n11,1,1001,1002,1003,1004\n12,2,2001,2002,2003,2004\n*PART\np\n1,1,1\n"
-                     "*PART\np\n2,1,1\n" +
-                         elastic + contact_of("AUTOMATIC_SURFACE_TO_SURFACE", "2", "0.\n1\n0,0.01\n"),
-                     {}, steps(1e-3));
+  ContactScene scene(
+      "*NODE\n1001,-1.,0.,-2.\n1002,1.,0.,-2.\n1003,1.,0.,1.\n1004,-1.,0.,1.\n"
+      "2001,-0.5,-1.,0.05\n2002,0.5,-1.,0.05\n2003,0.5,1.,0.05\n2004,-0.5,1.,0.05\n"
+      "*ELEMENT_SHELL\n11,1,1001,1002,1003,1004\n12,2,2001,2002,2003,2004\n*PART\np\n1,1,1\n"
+      "*PART\np\n2,1,1\n" +
+          elastic + contact_of("AUTOMATIC_SURFACE_TO_SURFACE", "2", "0.\n1\n0,0.01\n"),
+      {}, steps(1e-3));
   ASSERT_TRUE(scene.stepper) << scene.why_not;
   scene.step();
   const std::vector<ContactEvent> events = scene.contacts->take_events();

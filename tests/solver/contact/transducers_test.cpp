@@ -135,7 +135,8 @@ TEST(Transducers, ResultantsOfAPairAreItsForcesAndMoments) {
   Vector moment = Vector::Zero();
   for (const ContactLink& link : t.links()) {
     const Vector arm = link.tracked.of(t.scene.state().x);
-    moment += (link.exchanged ? -1 : 1) * (link.exchanged ? link.reference.of(t.scene.state().x) : arm).cross(link.force);
+    moment +=
+        (link.exchanged ? -1 : 1) * (link.exchanged ? link.reference.of(t.scene.state().x) : arm).cross(link.force);
   }
   expect_near(t.scene.result().moment_a, moment);
   EXPECT_GT(moment.norm(), 0);

@@ -25,8 +25,8 @@ std::string scaled(const std::string& deck, double dt2ms) {
   return deck + fmt::format("*CONTROL_TIMESTEP\n0.,0.9,0,0.,{}\n", dt2ms);
 }
 
-// A row of bricks, the first of them a tenth as long: with DT2MS below zero it alone gets mass, so much that its step is
-// TSSFAC |DT2MS|.
+// A row of bricks, the first of them a tenth as long: with DT2MS below zero it alone gets mass, so much that its step
+// is TSSFAC |DT2MS|.
 TEST(MassScaling, NegativeScalesShortElementsOnly) {
   std::string deck = brick_bar(3, {1, 1, 1}) + elastic_deck(solid_section, 1000, 0, 7);
   for (const std::string corner : {"\n1,0,0,0", "\n5,0,1,0", "\n9,0,0,1", "\n13,0,1,1"}) {

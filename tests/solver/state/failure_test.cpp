@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "solver/run_scene.hpp"
 #include "solver/output/run_states.hpp"
+#include "solver/run_scene.hpp"
 
 namespace gapcheck::solver::failure_test {
 namespace {

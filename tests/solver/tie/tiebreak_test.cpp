@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "results/log/solver_log.hpp"
-#include "solver/run_scene.hpp"
 #include "solver/output/run_files.hpp"
+#include "solver/run_scene.hpp"
 
 namespace gapcheck::solver::tiebreak_test {
 namespace {
@@ -157,8 +157,8 @@ TEST(Tiebreak, BecomesAContact) {
 
 /// Damping beyond all bounds leaves a spring that holds.
 TEST(TieEnd, HugeDampingStillTies) {
-  std::string text = node_on_shell("TIED_NODES_TO_SURFACE_OFFSET", "", "*LOAD_NODE_POINT\n5,3,1,1.\n",
-                                   "0.,0.1\n100.,0.1\n", 5);
+  std::string text =
+      node_on_shell("TIED_NODES_TO_SURFACE_OFFSET", "", "*LOAD_NODE_POINT\n5,3,1,1.\n", "0.,0.1\n100.,0.1\n", 5);
   const std::string cards = "1,1,4,3\n0.\n1.,1.\n";
   text.replace(text.find(cards), cards.size(), "1,1,4,3\n0.,0.,0.,0.,1e10\n1.,1.,-1.,-1.\n");
   RunScene scene(text);

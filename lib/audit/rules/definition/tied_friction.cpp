@@ -10,8 +10,7 @@ namespace {
 /// Ties without failure: the values of TIEBREAK types count once the tie is broken, and FS and FD of TIED_..._FAILURE
 /// are the stresses at failure.
 bool ignores_friction(const model::Contact& contact) {
-  return contact::classify(contact).family == contact::Family::tied &&
-         contact.kind->tie == model::TieForm::permanent;
+  return contact::classify(contact).family == contact::Family::tied && contact.kind->tie == model::TieForm::permanent;
 }
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {

@@ -29,7 +29,8 @@ void check_second_surfaces(const RuleIdentity& rule, Context& context, std::vect
         fmt::format(
             "SURFB of *{} is ignored: a second surface needs {}; remove SURFB, or measure with _PENALTY between "
             "surfaces of an AUTOMATIC contact",
-            contact.written, constraint ? model::two_sided_transducer : "an AUTOMATIC contact, and the deck has none")));
+            contact.written,
+            constraint ? model::two_sided_transducer : "an AUTOMATIC contact, and the deck has none")));
     return true;
   });
 }

@@ -7,9 +7,9 @@ namespace {
 
 std::string words(const IgnoreOutcome::Place& place) {
   const std::chrono::year_month_day day = place.until.value_or(std::chrono::year_month_day{});
-  const std::string held = fmt::format("the ignore of {} held until {:04}-{:02}-{:02}", place.rules,
-                                       static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
-                                       static_cast<unsigned>(day.day()));
+  const std::string held =
+      fmt::format("the ignore of {} held until {:04}-{:02}-{:02}", place.rules, static_cast<int>(day.year()),
+                  static_cast<unsigned>(day.month()), static_cast<unsigned>(day.day()));
   if (place.matched == 0) return held + " and would leave out nothing; remove it";
   return fmt::format("{}; the {} that it would leave out count{} again: mend {}, or give a later day", held,
                      place.matched == 1 ? "finding" : fmt::format("{} findings", place.matched),

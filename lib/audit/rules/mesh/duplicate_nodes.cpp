@@ -4,8 +4,8 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "audit/shared_results.hpp"
 #include "contact/surface/joined_nodes.hpp"
 #include "model/read/node_references.hpp"

@@ -10,8 +10,9 @@ namespace {
 void check_side(const RuleIdentity& rule, Context& context, Report& report, const model::Contact& contact, char side,
                 const contact::Selection& selection) {
   if (selection.empty_reason.empty() || selection.unknown_id || selection.unsupported) return;
-  report.findings.push_back(finding_at(
-      rule, context, contact, fmt::format("surface {} of *{} is empty: {}", side, contact.written, selection.empty_reason)));
+  report.findings.push_back(
+      finding_at(rule, context, contact,
+                 fmt::format("surface {} of *{} is empty: {}", side, contact.written, selection.empty_reason)));
 }
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "audit/members.hpp"
-#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "contact/definition/contact_type.hpp"
 #include "contact/mesh/element_nodes.hpp"
 #include "contact/surface/contact_surfaces.hpp"

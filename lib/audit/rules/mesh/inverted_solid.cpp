@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "audit/members.hpp"
-#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/mesh_finding.hpp"
 #include "model/entity/faces.hpp"
 
 namespace gapcheck::audit::rule::inverted_solid {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "audit/members.hpp"
-#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/mesh_finding.hpp"
 
 namespace gapcheck::audit::rule::sharp_corner {
 namespace {

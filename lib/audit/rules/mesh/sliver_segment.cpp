@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "audit/members.hpp"
-#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/mesh_finding.hpp"
 
 namespace gapcheck::audit::rule::sliver_segment {
 namespace {

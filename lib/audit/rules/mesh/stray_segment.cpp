@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "audit/members.hpp"
-#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/mesh_finding.hpp"
 
 namespace gapcheck::audit::rule::stray_segment {
 namespace {

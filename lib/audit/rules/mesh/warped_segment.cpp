@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "audit/members.hpp"
-#include "audit/shared/mesh_finding.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/mesh_finding.hpp"
 
 namespace gapcheck::audit::rule::warped_segment {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <set>
 
-#include "audit/shared/element_text.hpp"
 #include "audit/grouped.hpp"
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/element_text.hpp"
 #include "contact/surface/coincident.hpp"
 
 namespace gapcheck::audit::rule::coincident_surfaces {
@@ -74,8 +74,7 @@ void check_sets(const RuleIdentity& rule, Context& context, Report& report) {
                                          model.mesh.nodes.id[set->second.members[pairs[0].again][0].value]));
       f.count = pairs.size();
       if (context.options().members)
-        for (const Coincidence& pair : pairs)
-          add_segment(model.mesh.nodes, set->second.members[pair.again], f.members);
+        for (const Coincidence& pair : pairs) add_segment(model.mesh.nodes, set->second.members[pair.again], f.members);
       report.findings.push_back(std::move(f));
     }
   }

@@ -1,13 +1,13 @@
-#include "audit/members.hpp"
 #include "contact/crossing/crossed_edges.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
 
-#include "audit/shared/element_text.hpp"
 #include "audit/grouped.hpp"
+#include "audit/members.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/element_text.hpp"
 #include "audit/shared_results.hpp"
 
 namespace gapcheck::audit::rule::crossed_edges {
@@ -34,9 +34,11 @@ std::vector<std::pair<ContactIndex, EdgeCrossing>> all_crossed_edges(Context& co
   return all;
 }
 
-std::string describe(const model::Model& model, const contact::CrossingSegment& s, const std::array<NodeIndex, 2>& edge) {
+std::string describe(const model::Model& model, const contact::CrossingSegment& s,
+                     const std::array<NodeIndex, 2>& edge) {
   const auto& id = model.mesh.nodes.id;
-  const std::string element = fmt::format("{} ({})", element_text(model.mesh, {s.kind, s.element}), part_text(model, s.part));
+  const std::string element =
+      fmt::format("{} ({})", element_text(model.mesh, {s.kind, s.element}), part_text(model, s.part));
   if (s.kind == model::ElementKind::beam) return element;
   return fmt::format("the edge {}-{} of {}", id[edge[0].value], id[edge[1].value], element);
 }
@@ -63,8 +65,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
       report, std::move(found),
       [&](const Found& f) {
         const EdgeCrossing& c = crossings[f.item].second;
-        return words(f, fmt::format("{} and {} cross at {}; move one of them, or give them a common node",
-                                    describe(model, c.a, c.edge_a), describe(model, c.b, c.edge_b), point_text(c.point)));
+        return words(f,
+                     fmt::format("{} and {} cross at {}; move one of them, or give them a common node",
+                                 describe(model, c.a, c.edge_a), describe(model, c.b, c.edge_b), point_text(c.point)));
       },
       [&](const Found& f, std::uint64_t count) {
         const EdgeCrossing& c = crossings[f.item].second;

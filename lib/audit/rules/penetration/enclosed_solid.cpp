@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "audit/shared/element_text.hpp"
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/element_text.hpp"
 #include "audit/shared_results.hpp"
 #include "contact/crossing/enclosed_bodies.hpp"
 
@@ -87,8 +87,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
         return words(f, fmt::format("{} solid{} of {} (from solid {} on) lie{} wholly inside {}; cut the space out of "
                                     "{}, or exclude the pair from the contact",
                                     body.solids, one ? "" : "s", part_text(model, body.inner),
-                                    model.mesh.solids.id[body.first_solid], one ? "s" : "", part_text(model, body.outer),
-                                    part_text(model, body.outer)));
+                                    model.mesh.solids.id[body.first_solid], one ? "s" : "",
+                                    part_text(model, body.outer), part_text(model, body.outer)));
       },
       [&](const Found& f, std::uint64_t count) {
         const EnclosedBody& body = bodies[f.item];

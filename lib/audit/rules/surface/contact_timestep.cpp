@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "audit/shared/element_text.hpp"
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/element_text.hpp"
 #include "audit/shared_results.hpp"
 
 namespace gapcheck::audit::rule::contact_timestep {
@@ -11,9 +11,9 @@ namespace {
 /// "3.4E-07 (0.9 of shell 77)".
 std::string step_of_run(const model::Model& model, const contact::PredictedTimesteps& steps) {
   const bool scaled = std::abs(model.controls.dt2ms) > steps.element.timestep;
-  return fmt::format("{:.3E} ({:.6g} of {})", steps.run, model.controls.tssfac,
-                     scaled ? std::string("DT2MS")
-                            : element_text(model.mesh, {steps.element.kind, steps.element.element}));
+  return fmt::format(
+      "{:.3E} ({:.6g} of {})", steps.run, model.controls.tssfac,
+      scaled ? std::string("DT2MS") : element_text(model.mesh, {steps.element.kind, steps.element.element}));
 }
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
@@ -27,7 +27,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const PartIndex part = steps.unstable[i].limit.part;
     const bool solver_cares = side.type.starts_with('1') && side.type.size() == 2 && side.type >= "14" &&
                               side.type <= "16" && model.controls.ecdt == 0;
-    if (!solver_cares && context.part_chosen(part)) found.push_back({0, steps.run / steps.unstable[i].limit.timestep, i});
+    if (!solver_cares && context.part_chosen(part))
+      found.push_back({0, steps.run / steps.unstable[i].limit.timestep, i});
   }
   const auto words = [&](const Found& f) {
     const contact::UnstableSide& unstable = steps.unstable[f.item];
@@ -35,17 +36,19 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const std::uint32_t node = unstable.limit.node.value;
     Finding finding = finding_at(
         rule, context, model.contacts[side.contact],
-        fmt::format("side {}: contact springs are stable below a step of {:.3E} (node {}), but the run's step is {}; scale "
-                    "SF{} by {:.2g} or lower TSSFAC (the solver will print {:.3E})",
-                    side.side, unstable.limit.timestep, model.mesh.nodes.id[node], step_of_run(model, steps),
-                    side.side == 'A' ? 'S' : 'M', 1 / (f.weight * f.weight), side.timestep));
+        fmt::format(
+            "side {}: contact springs are stable below a step of {:.3E} (node {}), but the run's step is {}; scale "
+            "SF{} by {:.2g} or lower TSSFAC (the solver will print {:.3E})",
+            side.side, unstable.limit.timestep, model.mesh.nodes.id[node], step_of_run(model, steps),
+            side.side == 'A' ? 'S' : 'M', 1 / (f.weight * f.weight), side.timestep));
     finding.node = model.mesh.nodes.id[node];
     finding.part = model.part(unstable.limit.part).id.value;
     finding.point = model.mesh.nodes.x[node];
     return finding;
   };
   const auto rest = [&](const Found&, std::uint64_t count) {
-    return finding(rule, fmt::format("{} more sides of contacts whose springs are unstable at the run's step", count), "", 0);
+    return finding(rule, fmt::format("{} more sides of contacts whose springs are unstable at the run's step", count),
+                   "", 0);
   };
   add_grouped(report, std::move(found), words, rest);
 }

@@ -29,7 +29,8 @@ std::vector<StiffPart> by_stiffness(const model::Model& model, const contact::Co
     const double modulus = contact::contact_modulus(model, part);
     if (modulus > 0 && std::isfinite(modulus)) list.push_back({part, modulus});
   }
-  std::stable_sort(list.begin(), list.end(), [](const StiffPart& a, const StiffPart& b) { return a.modulus < b.modulus; });
+  std::stable_sort(list.begin(), list.end(),
+                   [](const StiffPart& a, const StiffPart& b) { return a.modulus < b.modulus; });
   return list;
 }
 
@@ -81,9 +82,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const std::int64_t soft = model.part(pair->soft.part).id.value, stiff = model.part(pair->stiff.part).id.value;
     Finding f = finding_at(
         rule, context, contact,
-        fmt::format("SOFT = 0, but part {} (K = {:.4g}) is {:.4g} times as stiff as part {} (K = {:.4g}): the springs are "
-                    "as weak as the soft part; set SOFT = 1",
-                    stiff, pair->stiff.modulus, pair->ratio(), soft, pair->soft.modulus));
+        fmt::format(
+            "SOFT = 0, but part {} (K = {:.4g}) is {:.4g} times as stiff as part {} (K = {:.4g}): the springs are "
+            "as weak as the soft part; set SOFT = 1",
+            stiff, pair->stiff.modulus, pair->ratio(), soft, pair->soft.modulus));
     f.part = soft;
     f.element_part = stiff;
     report.findings.push_back(std::move(f));

@@ -23,9 +23,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     if ((contact.soft != 0 && contact.soft != 1) || !contact::is_eroding(contact::classify(contact))) continue;
     const auto& predicted = context.results().timesteps();
     const double step = step_of(predicted.timesteps, i);
-    std::string message = "ECDT of *CONTROL_CONTACT is not set, so this eroding contact may set the time step of the run";
-    if (step < predicted.run)
-      message += fmt::format(": about {:.3E} instead of {:.3E}", step, predicted.run);
+    std::string message =
+        "ECDT of *CONTROL_CONTACT is not set, so this eroding contact may set the time step of the run";
+    if (step < predicted.run) message += fmt::format(": about {:.3E} instead of {:.3E}", step, predicted.run);
     report.findings.push_back(
         finding_at(rule, context, contact, message + "; set ECDT = 1, or lower SFS and SFM where that is too small"));
   }

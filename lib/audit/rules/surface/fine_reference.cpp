@@ -12,7 +12,8 @@ constexpr double factor = 1.5;
 /// One-way penalty contact. In forming types fine rigid tools are common practice, and ties hold either way.
 bool one_way(const contact::ContactType& type) {
   using contact::Family;
-  return type.treatment == contact::Treatment::one_way && (type.family == Family::old || type.family == Family::automatic);
+  return type.treatment == contact::Treatment::one_way &&
+         (type.family == Family::old || type.family == Family::automatic);
 }
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
@@ -27,9 +28,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     if (!(reference > 0) || !(tracked > factor * reference)) continue;
     report.findings.push_back(finding_at(
         rule, context, contact,
-        fmt::format("the reference side B is {:.3g} times finer than the tracked side A (mean edges {:.4g} and {:.4g}): its "
-                    "nodes pass between the tracked ones; exchange the sides, or take a two-way type",
-                    tracked / reference, reference, tracked)));
+        fmt::format(
+            "the reference side B is {:.3g} times finer than the tracked side A (mean edges {:.4g} and {:.4g}): its "
+            "nodes pass between the tracked ones; exchange the sides, or take a two-way type",
+            tracked / reference, reference, tracked)));
   }
 }
 

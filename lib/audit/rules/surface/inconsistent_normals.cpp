@@ -37,7 +37,8 @@ void check_side(const RuleIdentity& rule, Context& context, Report& report, Cont
   for (auto& [part, turned] : by_part) {
     const std::int64_t part_id = part == none<PartIndex> ? 0 : model.part(part).id.value;
     const std::int64_t element = contact::element_id(model.mesh, segments, turned.first.value);
-    std::string at = element != 0 ? fmt::format("element {}", element) : fmt::format("segment {}", turned.first.value + 1);
+    std::string at =
+        element != 0 ? fmt::format("element {}", element) : fmt::format("segment {}", turned.first.value + 1);
     Finding f = finding_at(
         rule, context, model.contact(contact),
         fmt::format("side {}{}: {} segment{} against {} neighbours (first: {}), and this type sees one side only; turn "

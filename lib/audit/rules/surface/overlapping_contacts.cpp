@@ -138,11 +138,13 @@ Finding words(const RuleIdentity& rule, Context& context, const Cover& one, cons
   const std::string others =
       overlap.pairs.size() > 1
           ? fmt::format(" and {}{} more pairs", overlap.pairs.size() >= most_part_pairs ? "at least " : "",
-                                  overlap.pairs.size() - 1)
-                    : "";
-  Finding f = finding_at(rule, context, second,
-                         fmt::format("{}{} are in contact {} already: their contact forces act twice; take them out of one "
-                                     "of the two", named, others, first.id.value));
+                        overlap.pairs.size() - 1)
+          : "";
+  Finding f =
+      finding_at(rule, context, second,
+                 fmt::format("{}{} are in contact {} already: their contact forces act twice; take them out of one "
+                             "of the two",
+                             named, others, first.id.value));
   f.part = a;
   f.element_part = b;
   f.count = overlap.pairs.size();
@@ -179,7 +181,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   const auto rest = [&](const Found&, std::uint64_t count) {
     return finding(rule, fmt::format("{} more pairs of contacts hold the same parts", count), "", 0);
   };
-  add_grouped(report, std::move(found), [&](const Found& f) { return findings[f.item]; }, rest);
+  add_grouped(
+      report, std::move(found), [&](const Found& f) { return findings[f.item]; }, rest);
 }
 
 }  // namespace

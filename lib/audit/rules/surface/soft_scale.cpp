@@ -17,9 +17,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     if (scale >= lowest * (1 - rounding) && scale <= highest * (1 + rounding)) continue;
     report.findings.push_back(finding_at(
         rule, context, contact,
-        fmt::format("SOFSCL = {:.6g} with SOFT = {} is {}; take 0.1, or 0.04 to 0.07 where the contact is unstable", scale,
-                    contact.soft,
-                    scale > highest ? "above 0.1: the springs may become unstable" : "below 0.04: the contact is soft")));
+        fmt::format(
+            "SOFSCL = {:.6g} with SOFT = {} is {}; take 0.1, or 0.04 to 0.07 where the contact is unstable", scale,
+            contact.soft,
+            scale > highest ? "above 0.1: the springs may become unstable" : "below 0.04: the contact is soft")));
   }
 }
 

@@ -107,8 +107,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const model::Part& part = model.parts[f.item];
     Finding finding = audit::finding(
         rule,
-        fmt::format("part {}{}{}{} ({}) is in no contact: whatever meets it passes through; put it into one", part.id.value,
-                    part.title.empty() ? "" : " \"", part.title, part.title.empty() ? "" : "\"", what(census, f.item)),
+        fmt::format("part {}{}{}{} ({}) is in no contact: whatever meets it passes through; put it into one",
+                    part.id.value, part.title.empty() ? "" : " \"", part.title, part.title.empty() ? "" : "\"",
+                    what(census, f.item)),
         context.path(part.place.file), part.place.line);
     finding.part = part.id.value;
     return finding;

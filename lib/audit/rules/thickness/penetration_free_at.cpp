@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "audit/rules.hpp"
 #include "audit/shared/contact_thickness.hpp"
 #include "audit/shared/free_thickness.hpp"
-#include "audit/rules.hpp"
 #include "audit/shared_results.hpp"
 
 namespace gapcheck::audit::rule::penetration_free_at {
@@ -29,20 +29,23 @@ std::string words(const Context& context, const FreeCard& card) {
                         segment_words(closest));
   const double recommended = recommended_millimetres * context.options().millimetre;
   if (card.value < recommended)
-    text += fmt::format("; below the {:.4g} ({} mm) at which a deck should be free", recommended, recommended_millimetres);
+    text +=
+        fmt::format("; below the {:.4g} ({} mm) at which a deck should be free", recommended, recommended_millimetres);
   return text;
 }
 
 std::string stuck_words(const FreeCard& card) {
   const Penetration& p = card.bound.stuck;
-  return fmt::format("no SST makes it free: {} of {} penetrating nodes lie on the segment itself or behind it, node {} {:.4g} "
-                     "behind {}; move them",
-                     card.bound.stuck_count, card.penetrations, p.node, std::max(0.0, -p.remaining()), segment_words(p));
+  return fmt::format(
+      "no SST makes it free: {} of {} penetrating nodes lie on the segment itself or behind it, node {} {:.4g} "
+      "behind {}; move them",
+      card.bound.stuck_count, card.penetrations, p.node, std::max(0.0, -p.remaining()), segment_words(p));
 }
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   const FreeCardScene scene{
-      context.model(), [&](ContactIndex contact) -> const contact::ContactSurfaces& { return context.surfaces(contact); },
+      context.model(),
+      [&](ContactIndex contact) -> const contact::ContactSurfaces& { return context.surfaces(contact); },
       [&](std::vector<contact::ThicknessChange> changes, const std::vector<ContactIndex>& chosen) {
         contact::SurfaceStore surfaces(context.model(), std::move(changes));
         contact::InitialState state = context.results().initial_if(surfaces, chosen);

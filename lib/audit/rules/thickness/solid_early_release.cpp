@@ -4,8 +4,8 @@
 #include <limits>
 #include <map>
 
-#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "contact/pair/pair.hpp"
 #include "contact/pair/release.hpp"
 
@@ -78,8 +78,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   const auto words = [&](const PartSegments& p) {
     const Releases& releases = of_contact.at(p.contact);
     const std::uint32_t worst = p.worst.item;
-    const std::string against = releases.any_shells() ? fmt::format("the thinnest shells hold to {:.4g}", releases.shells())
-                                                      : fmt::format("a tenth of its shortest edge is {:.4g}", releases.least(worst));
+    const std::string against = releases.any_shells()
+                                    ? fmt::format("the thinnest shells hold to {:.4g}", releases.shells())
+                                    : fmt::format("a tenth of its shortest edge is {:.4g}", releases.least(worst));
     return fmt::format(
         "{}: {} release nodes early, {} worst: at a depth of {:.4g}, where {}; coat the solids with SLDTHK on card B",
         part_name(model, p.part()), count_elements(p.worst.count), element_name(model.mesh, *p.segments, worst),

@@ -4,9 +4,9 @@
 #include <limits>
 #include <map>
 
-#include "audit/shared/contact_thickness.hpp"
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "records/thickness_source.hpp"
 
 namespace gapcheck::audit::rule::thickness_conflict {
@@ -99,14 +99,16 @@ Finding words(const RuleIdentity& rule, const Context& context, const Conflict& 
   const model::Model& model = context.model();
   const PartIndex part = part_of(model.mesh, *c.segments, c.segment), giver = c.nodes->part[c.slot];
   const std::int64_t node = model.mesh.nodes.id[c.nodes->node[c.slot].value];
-  const std::string with = part == giver ? "differ in thickness from their neighbours" : "share nodes with " + part_name(model, giver);
+  const std::string with =
+      part == giver ? "differ in thickness from their neighbours" : "share nodes with " + part_name(model, giver);
   Finding f = finding_at_segment(
       rule, context, model.contact(c.contact), *c.segments, c.segment,
-      fmt::format("{}: {} {}, and a node counts its largest thickness: {} has {:.4g} ({}), its node {} counts {:.4g} ({}); "
-                  "even them out with OPTT, SST or MST where that matters",
-                  part_name(model, part), count_elements(c.count), with, element_name(model.mesh, *c.segments, c.segment),
-                  2 * c.segments->half[c.segment], thickness_source(c.segments->rule[c.segment]), node, 2 * c.nodes->half[c.slot],
-                  thickness_source(c.nodes->rule[c.slot])));
+      fmt::format(
+          "{}: {} {}, and a node counts its largest thickness: {} has {:.4g} ({}), its node {} counts {:.4g} ({}); "
+          "even them out with OPTT, SST or MST where that matters",
+          part_name(model, part), count_elements(c.count), with, element_name(model.mesh, *c.segments, c.segment),
+          2 * c.segments->half[c.segment], thickness_source(c.segments->rule[c.segment]), node,
+          2 * c.nodes->half[c.slot], thickness_source(c.nodes->rule[c.slot])));
   f.node = node;
   f.count = c.count;
   return f;

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "records/thickness_source.hpp"
 
 namespace gapcheck::audit::rule::thickness_exceeds_mesh {
@@ -31,8 +31,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     return fmt::format(
         "{}: the contact thickness of {} is larger than their shortest edge, most at {}: {:.4g} ({}) and an edge of "
         "{:.4g}; T-joints and fillets penetrate themselves: lower it or coarsen the mesh",
-        part_name(model, p.part()), count_elements(p.worst.count), element_name(model.mesh, s, worst), 2 * s.half[worst],
-        thickness_source(s.rule[worst]), contact::shortest_edge(s.nodes[worst], model.mesh.nodes.x));
+        part_name(model, p.part()), count_elements(p.worst.count), element_name(model.mesh, s, worst),
+        2 * s.half[worst], thickness_source(s.rule[worst]), contact::shortest_edge(s.nodes[worst], model.mesh.nodes.x));
   };
   add_by_part(rule, context, report, parts, words, "parts that are thicker than their mesh is wide");
 }

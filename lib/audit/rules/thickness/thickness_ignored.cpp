@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/contact_thickness.hpp"
 
 namespace gapcheck::audit::rule::thickness_ignored {
 namespace {
@@ -22,7 +22,7 @@ const char* advice(const model::Contact& contact) {
 
 std::string message(const model::Contact& contact, const Worst& shells) {
   const bool card = contact.sst != 0 || contact.mst != 0;
-  const char* cause = contact.thkopt == 2                          ? "THKOPT = 2"
+  const char* cause = contact.thkopt == 2                         ? "THKOPT = 2"
                       : contact.thkopt == 0 && contact.shlthk > 0 ? "SHLTHK of card B needs THKOPT = 1"
                                                                   : "SHLTHK = 0";
   return fmt::format(

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/contact_thickness.hpp"
 
 namespace gapcheck::audit::rule::thickness_limited {
 namespace {
@@ -12,8 +12,8 @@ double unlimited(const model::Model& model, const contact::ThicknessSide& side, 
   const PartIndex index = part_of(model.mesh, s, i);
   if (index == none<PartIndex>) return 0;
   const model::Part& part = model.part(index);
-  return contact::shell_thickness(contact::element_thickness(model, s.element[i]), 0, part.contact ? &*part.contact : nullptr,
-                                  model.rigid(index), side)
+  return contact::shell_thickness(contact::element_thickness(model, s.element[i]), 0,
+                                  part.contact ? &*part.contact : nullptr, model.rigid(index), side)
       .value;
 }
 
@@ -41,10 +41,11 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const std::uint32_t worst = p.worst.item;
     const auto side = side_without_limit(model, model.contact(p.contact), context.surfaces(p.contact).settings);
     return fmt::format(
-        "{}: {} count only 0.4 of their shortest edge as thickness, {} the least: {:.4g} of {:.4g}; refine less, or set "
+        "{}: {} count only 0.4 of their shortest edge as thickness, {} the least: {:.4g} of {:.4g}; refine less, or "
+        "set "
         "SSTHK = 1 in *CONTROL_CONTACT",
-        part_name(model, p.part()), count_elements(p.worst.count), element_name(model.mesh, s, worst), 2 * s.half[worst],
-        unlimited(model, side, s, worst));
+        part_name(model, p.part()), count_elements(p.worst.count), element_name(model.mesh, s, worst),
+        2 * s.half[worst], unlimited(model, side, s, worst));
   };
   add_by_part(rule, context, report, parts, words, "parts that count less than their thickness");
 }

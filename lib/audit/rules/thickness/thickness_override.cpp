@@ -4,9 +4,9 @@
 #include <map>
 #include <unordered_set>
 
+#include "audit/rules.hpp"
 #include "audit/shared/contact_thickness.hpp"
 #include "audit/shared/records_of.hpp"
-#include "audit/rules.hpp"
 #include "audit/shared_results.hpp"
 #include "contact/pair/pair.hpp"
 #include "contact/pair/record_pair.hpp"
@@ -23,10 +23,14 @@ constexpr Source global_source = 2, first_part_source = 3, no_source = ~Source{0
 
 Source source(ThicknessRule rule, bool side_b, PartIndex part) {
   switch (rule) {
-    case ThicknessRule::contact_card: return side_b ? 1 : 0;
-    case ThicknessRule::global: return global_source;
-    case ThicknessRule::part_contact: return first_part_source + part.value;
-    default: return no_source;
+    case ThicknessRule::contact_card:
+      return side_b ? 1 : 0;
+    case ThicknessRule::global:
+      return global_source;
+    case ThicknessRule::part_contact:
+      return first_part_source + part.value;
+    default:
+      return no_source;
   }
 }
 
@@ -40,7 +44,7 @@ Far far(double half, double own) {
 /// One override in one contact, over the segments where it is far off.
 struct Override {
   double value = 0;
-  double thinnest = 0, thickest = 0;   ///< of the elements' own
+  double thinnest = 0, thickest = 0;  ///< of the elements' own
   bool above = false, below = false;
   std::uint64_t made = 0, hidden = 0;  ///< penetrations that exist only because of it, and that it hides
   const Penetration* deepest = nullptr;
@@ -94,7 +98,9 @@ PairSources sources(const Candidate& candidate, const model::Mesh& mesh, const P
   PairSources result;
   const auto pair = contact::find_pair(*candidate.given, mesh, record);
   if (!pair) return result;
-  const auto side = [](const contact::ContactSurfaces& s, bool b) -> const contact::ContactSide& { return b ? s.b : s.a; };
+  const auto side = [](const contact::ContactSurfaces& s, bool b) -> const contact::ContactSide& {
+    return b ? s.b : s.a;
+  };
   const contact::TrackedNodes& nodes = side(*candidate.given, pair->node_on_b).nodes;
   const contact::Segments& segments = side(*candidate.given, pair->segment_on_b).selection.segments;
   const double own_node = side(*candidate.own, pair->node_on_b).nodes.half[pair->slot.value];
@@ -103,8 +109,8 @@ PairSources sources(const Candidate& candidate, const model::Mesh& mesh, const P
   if (far(nodes.half[pair->slot.value], own_node) == way)
     result.node = source(nodes.rule[pair->slot.value], pair->node_on_b, nodes.part[pair->slot.value]);
   if (far(segments.half[pair->segment.value], own_segment) == way)
-    result.segment = source(segments.rule[pair->segment.value], pair->segment_on_b,
-                            part_of(mesh, segments, pair->segment.value));
+    result.segment =
+        source(segments.rule[pair->segment.value], pair->segment_on_b, part_of(mesh, segments, pair->segment.value));
   return result;
 }
 
@@ -169,7 +175,8 @@ class Overrides {
   void find_hidden() {
     std::vector<ContactIndex> chosen;
     for (const Candidate& candidate : candidates_)
-      if (std::any_of(candidate.overrides.begin(), candidate.overrides.end(), [](const auto& o) { return o.second.below; }))
+      if (std::any_of(candidate.overrides.begin(), candidate.overrides.end(),
+                      [](const auto& o) { return o.second.below; }))
         chosen.push_back(candidate.contact);
     if (chosen.empty()) return;
     hidden_ = context_.results().initial_if(own_, chosen);
@@ -192,10 +199,11 @@ class Overrides {
     const model::Contact& contact = model_.contact(candidate.contact);
     std::string message = fmt::format("{} where the elements have {}", name(from, o), own_range(o));
     if (o.made > 0)
-      message += fmt::format(": {} of {} penetrations exist only by it; lower it", o.made, penetrations(candidate.contact));
+      message +=
+          fmt::format(": {} of {} penetrations exist only by it; lower it", o.made, penetrations(candidate.contact));
     if (o.hidden > 0)
-      message += fmt::format(": it hides {} penetrations that the elements' own thickness has; raise it or move the nodes",
-                             o.hidden);
+      message += fmt::format(
+          ": it hides {} penetrations that the elements' own thickness has; raise it or move the nodes", o.hidden);
     Finding f = finding_at(rule_, context_, contact, std::move(message));
     if (from >= first_part_source) f.part = model_.parts[from - first_part_source].id.value;
     f.count = o.made + o.hidden;
@@ -222,9 +230,8 @@ class Overrides {
 
   [[nodiscard]] std::uint64_t penetrations(ContactIndex contact) {
     const auto records = records_of(context_.results().initial(), contact);
-    return static_cast<std::uint64_t>(std::count_if(records.begin(), records.end(), [](const Penetration& p) {
-      return listed_by_solver(p.kind);
-    }));
+    return static_cast<std::uint64_t>(
+        std::count_if(records.begin(), records.end(), [](const Penetration& p) { return listed_by_solver(p.kind); }));
   }
 
   const RuleIdentity& rule_;

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "audit/shared/contact_thickness.hpp"
 #include "audit/rules.hpp"
+#include "audit/shared/contact_thickness.hpp"
 #include "records/thickness_source.hpp"
 
 namespace gapcheck::audit::rule::thickness_too_thin {
@@ -9,8 +9,8 @@ namespace {
 
 /// Below this thickness, in millimetres, shells should be thickened for contact (contact rules, section 11).
 constexpr double least_millimetres = 0.5;
-/// Without units: share of the shortest edge. A time step is about edge / c, so a node at speed v moves v / c edges in it;
-/// 0.003 is 15 m/s in steel, a car that hits a wall.
+/// Without units: share of the shortest edge. A time step is about edge / c, so a node at speed v moves v / c edges in
+/// it; 0.003 is 15 m/s in steel, a car that hits a wall.
 constexpr double least_share_of_edge = 0.003;
 
 /// Required thickness over the shell segment's thickness; 0: thick enough, or not a shell.
@@ -45,10 +45,12 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   const auto words = [&](const PartSegments& p) {
     const contact::Segments& s = *p.segments;
     const std::uint32_t worst = p.worst.item;
-    const std::string limit = millimetre > 0 ? fmt::format("{:.4g} ({} mm)", least_millimetres * millimetre, least_millimetres)
-                                             : fmt::format("{} of their shortest edge", least_share_of_edge);
+    const std::string limit = millimetre > 0
+                                  ? fmt::format("{:.4g} ({} mm)", least_millimetres * millimetre, least_millimetres)
+                                  : fmt::format("{} of their shortest edge", least_share_of_edge);
     return fmt::format(
-        "{}: the contact thickness of {} is below {}, the thinnest is {} with {:.4g} ({}): nodes may pass through; raise it "
+        "{}: the contact thickness of {} is below {}, the thinnest is {} with {:.4g} ({}): nodes may pass through; "
+        "raise it "
         "with OPTT of *PART_CONTACT or SST",
         part_name(model, p.part()), count_elements(p.worst.count), limit, element_name(model.mesh, s, worst),
         2 * s.half[worst], thickness_source(s.rule[worst]));

@@ -39,8 +39,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
         finding_at(rule, context, model.contact(c),
                    fmt::format("type {} ties {} of shells or beams by their translations alone (of {} tied): they "
                                "turn freely and the joint is too soft; use {}{}",
-                               type.printed(), node_count(free), tied, model::recommended_keyword(model::ContactCode::tied_shell_edge),
-                               model::suffix(type.offset == contact::TieOffset::penalty ? contact::TieOffset::beam : contact::TieOffset::none)));
+                               type.printed(), node_count(free), tied,
+                               model::recommended_keyword(model::ContactCode::tied_shell_edge),
+                               model::suffix(type.offset == contact::TieOffset::penalty ? contact::TieOffset::beam
+                                                                                        : contact::TieOffset::none)));
     f.node = model.mesh.nodes.id[first.value];
     f.count = free;
     report.findings.push_back(std::move(f));

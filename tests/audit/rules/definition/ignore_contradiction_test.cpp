@@ -32,8 +32,8 @@ TEST(IgnoreContradiction, EqualValuesAndZerosAgree) {
 }
 
 TEST(IgnoreContradiction, OnlyTypesThatReadIt) {
-  for (const char* type : {"SURFACE_TO_SURFACE", "SINGLE_SURFACE", "FORMING_ONE_WAY_SURFACE_TO_SURFACE",
-                           "CONSTRAINT_NODES_TO_SURFACE"})
+  for (const char* type :
+       {"SURFACE_TO_SURFACE", "SINGLE_SURFACE", "FORMING_ONE_WAY_SURFACE_TO_SURFACE", "CONSTRAINT_NODES_TO_SURFACE"})
     EXPECT_EQ(listed(with_values(1, 2, 0, type)), 0U) << type;
   for (const char* type : {"AUTOMATIC_SURFACE_TO_SURFACE", "AUTOMATIC_SINGLE_SURFACE_MORTAR"})
     EXPECT_EQ(listed(with_values(1, 2, 0, type)), 1U) << type;

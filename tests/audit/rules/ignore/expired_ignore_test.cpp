@@ -24,9 +24,10 @@ TEST(ExpiredIgnore, FromTheDayAfterTheLastOn) {
   EXPECT_EQ(after.ignored.size(), 0U);
   EXPECT_EQ(after.penetrations.size(), before.penetrations.size() + 2) << "they count again";
   ASSERT_EQ(after.findings.size(), 1U);
-  EXPECT_EQ(after.findings[0].message,
-            "the ignore of GC101 held until 2027-03-01; the 2 findings that it would leave out count again: mend them, or "
-            "give a later day");
+  EXPECT_EQ(
+      after.findings[0].message,
+      "the ignore of GC101 held until 2027-03-01; the 2 findings that it would leave out count again: mend them, or "
+      "give a later day");
   EXPECT_EQ(after.findings[0].line, 1U);
 }
 
@@ -37,7 +38,8 @@ TEST(ExpiredIgnore, SaysWhereItIsNoLongerNeeded) {
   EXPECT_EQ(report.findings[0].message,
             "the ignore of GC102 held until 2020-03-01 and would leave out nothing; remove it");
   const Report one = on("$ gapcheck: ignore GC101 node=101 until=2020-03-01\n", year(2027) / 3 / 2);
-  EXPECT_NE(one.findings.at(0).message.find("the finding that it would leave out counts again: mend it"), std::string::npos);
+  EXPECT_NE(one.findings.at(0).message.find("the finding that it would leave out counts again: mend it"),
+            std::string::npos);
 }
 
 }  // namespace

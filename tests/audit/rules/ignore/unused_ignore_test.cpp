@@ -49,8 +49,9 @@ TEST(UnusedIgnore, OnlyWhatHadItsChance) {
   options.contacts = {};
   options.ignore = {"GC103"};
   EXPECT_EQ(unused(comment, options), 0U);
-  for (const auto set : {+[](audit::AuditOptions& o) { o.parts = {1}; }, +[](audit::AuditOptions& o) { o.ptol = 0.1; },
-                         +[](audit::AuditOptions& o) { o.rtol = 0.1; }, +[](audit::AuditOptions& o) { o.ratio = 0.1; }}) {
+  for (const auto set :
+       {+[](audit::AuditOptions& o) { o.parts = {1}; }, +[](audit::AuditOptions& o) { o.ptol = 0.1; },
+        +[](audit::AuditOptions& o) { o.rtol = 0.1; }, +[](audit::AuditOptions& o) { o.ratio = 0.1; }}) {
     options = {};
     set(options);
     EXPECT_EQ(unused(comment, options), 0U);

@@ -62,7 +62,8 @@ TEST(CoincidentSurfaces, SegmentSetsThatNameASegmentTwice) {
   const auto deck = [](const std::string& segments) {
     RuleDeck d = plate_and({20, 2, 5, 4});
     d.raw("SET_SEGMENT", "7\n" + segments);
-    return d.contact(3, "AUTOMATIC_SURFACE_TO_SURFACE", "7,2,0,3").contact(4, "AUTOMATIC_SURFACE_TO_SURFACE", "7,1,0,3");
+    return d.contact(3, "AUTOMATIC_SURFACE_TO_SURFACE", "7,2,0,3")
+        .contact(4, "AUTOMATIC_SURFACE_TO_SURFACE", "7,1,0,3");
   };
   EXPECT_EQ(listed(run_rule("GC111", deck("1,2,5,4\n2,3,6,5\n"))), 0U);
   const Report report = run_rule("GC111", deck("1,2,5,4\n2,3,6,5\n5,4,1,2\n4,5,2,1\n"));

@@ -11,7 +11,8 @@ RuleDeck beams(double height, double along = 5) {
   return deck;
 }
 
-std::size_t found(RuleDeck deck, const std::string& keyword, const std::string& card, const std::string& cards = "0.\n1.,1.\n") {
+std::size_t found(RuleDeck deck, const std::string& keyword, const std::string& card,
+                  const std::string& cards = "0.\n1.,1.\n") {
   return listed(run_rule("GC104", deck.contact(1, keyword, card, cards)));
 }
 
@@ -46,7 +47,8 @@ TEST(CrossedEdges, PlatesThatOverlapInOnePlane) {
   // Corner over corner: the rim at x = 20 crosses the one at y = 5, and y = 20 the one at x = 15.
   EXPECT_EQ(found(plates(0), "AUTOMATIC_GENERAL", "0,0,5,0"), 2U);
   EXPECT_EQ(found(plates(0.01), "AUTOMATIC_GENERAL", "0,0,5,0"), 0U);
-  // Type i26 also takes the edges between shells: x = 20 crosses y = 5 and y = 15 (20 and 10 long), y = 20 and y = 10 cross x = 15.
+  // Type i26 also takes the edges between shells: x = 20 crosses y = 5 and y = 15 (20 and 10 long), y = 20 and y = 10
+  // cross x = 15.
   EXPECT_EQ(found(plates(0), "AUTOMATIC_GENERAL_INTERIOR", "0,0,5,0"), 4U);
 }
 

@@ -9,8 +9,7 @@ const std::string single = "AUTOMATIC_SINGLE_SURFACE", everything = "0,0,5,0";
 RuleDeck& upright(RuleDeck& deck, std::int64_t first, std::int64_t part, int ny, int nz, const Vector& corner,
                   double lean = 0) {
   for (int k = 0; k <= nz; ++k)
-    for (int j = 0; j <= ny; ++j)
-      deck.node(first + k * (ny + 1) + j, corner + Vector(k * lean, j * 10, k * 10));
+    for (int j = 0; j <= ny; ++j) deck.node(first + k * (ny + 1) + j, corner + Vector(k * lean, j * 10, k * 10));
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j) {
       const std::int64_t n = first + k * (ny + 1) + j;
@@ -68,7 +67,11 @@ TEST(CrossedElements, MeshesThatCrossAlongTheirMeshLines) {
   EXPECT_EQ(found(plates({10 - 1.0 / 3, 0, -10}, 1.0 / 3)), 8U);
   // Through the diagonals of the quads: two triangles of one quad on either side.
   RuleDeck deck = plates({100, 0, 0});
-  deck.node(201, {0, 0, -5}).node(202, {20, 20, -5}).node(203, {20, 20, 5}).node(204, {0, 0, 5}).shell(200, 2, {201, 202, 203, 204});
+  deck.node(201, {0, 0, -5})
+      .node(202, {20, 20, -5})
+      .node(203, {20, 20, 5})
+      .node(204, {0, 0, 5})
+      .shell(200, 2, {201, 202, 203, 204});
   EXPECT_EQ(found(deck), 2U);
 }
 
@@ -79,7 +82,8 @@ TEST(CrossedElements, OneElementCutsSeveral) {
   const Report report = run_rule("GC103", deck.contact(1, single, everything));
   ASSERT_EQ(report.findings.size(), 2U);
   // At z = 0 the triangle reaches from x = 1.9 to 18.1.
-  for (const Finding& f : report.findings) EXPECT_NE(f.message.find("cross along 8.1,"), std::string::npos) << f.message;
+  for (const Finding& f : report.findings)
+    EXPECT_NE(f.message.find("cross along 8.1,"), std::string::npos) << f.message;
 }
 
 TEST(CrossedElements, OnlyContactsThatKeepApart) {

@@ -54,8 +54,9 @@ TEST(EnclosedSolid, InACavityIsOutside) {
       for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i)
           if (filled || i != 1 || j != 1 || k != 1)
-            deck.solid(element++, 1, {id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
-                                      id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1)});
+            deck.solid(element++, 1,
+                       {id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
+                        id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1)});
     return deck.block(1001, 2, 1, 1, 1, {2.5, 2.5, 2.5}, {1, 1, 1});
   };
   EXPECT_EQ(found(hollow(false)), 0U);

@@ -53,7 +53,10 @@ TEST(MortarPenetration, NegativeIgnoreLeavesOutSegmentsOfOnePart) {
 TEST(MortarPenetration, NothingLiesBesideAFreeEdge) {
   RuleDeck deck;
   deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 1, 1, Vector(0, 0, 0), 5, 5);
-  deck.node(101, Vector(5.8, 2.5, 0)).node(102, Vector(9, 0, 3)).node(103, Vector(9, 5, 3)).shell(101, 2, {101, 102, 103});
+  deck.node(101, Vector(5.8, 2.5, 0))
+      .node(102, Vector(9, 0, 3))
+      .node(103, Vector(9, 5, 3))
+      .shell(101, 2, {101, 102, 103});
   EXPECT_EQ(listed(run_rule("GC108", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE_MORTAR", everything))), 0U);
 }
 

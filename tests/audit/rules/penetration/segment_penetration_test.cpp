@@ -122,7 +122,10 @@ TEST(SegmentPenetration, BesideAFreeEdgeCountsUnlessEdgesAreSquare) {
   const auto beside = [](const std::string& cards) {
     RuleDeck deck;
     deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 1, 1, Vector(0, 0, 0), 5, 5);
-    deck.node(101, Vector(5.8, 2.5, 0)).node(102, Vector(9, 0, 3)).node(103, Vector(9, 5, 3)).shell(101, 2, {101, 102, 103});
+    deck.node(101, Vector(5.8, 2.5, 0))
+        .node(102, Vector(9, 0, 3))
+        .node(103, Vector(9, 5, 3))
+        .shell(101, 2, {101, 102, 103});
     return run_rule("GC107", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", cards));
   };
   const Report round = beside(soft_2);

@@ -32,7 +32,8 @@ TEST(ContactTimestep, ThinShellsAndStiffSprings) {
     EXPECT_EQ(f.contact, 2);
     EXPECT_EQ(f.node, 1);
     EXPECT_EQ(f.part, 1);
-    EXPECT_NE(f.message.find(fmt::format("below a step of {:.3E}", stable(thickness, sfs))), std::string::npos) << f.message;
+    EXPECT_NE(f.message.find(fmt::format("below a step of {:.3E}", stable(thickness, sfs))), std::string::npos)
+        << f.message;
     EXPECT_NE(f.message.find(fmt::format("{:.3E} (0.9 of shell", run)), std::string::npos) << f.message;
   }
   EXPECT_EQ(listed(run_rule("GC420", plate(1))), 0U);

@@ -4,7 +4,8 @@ namespace gapcheck::audit_test::dissimilar_stiffness_test {
 namespace {
 
 /// Part 1 of steel, part 2 of a material with this modulus and the same ratio.
-Report two_parts(double young, const std::string& keyword, const std::string& card1, int soft, const std::string& more = "") {
+Report two_parts(double young, const std::string& keyword, const std::string& card1, int soft,
+                 const std::string& more = "") {
   RuleDeck deck;
   deck.shell_part(1, 1).shell_part(2, 1, 7);
   deck.raw("MAT_ELASTIC", fmt::format("7,1.0e-9,{},0.3\n", young));
@@ -21,7 +22,8 @@ TEST(DissimilarStiffness, FromAFactorOfAHundredOn) {
   EXPECT_EQ(f.contact, 3);
   EXPECT_EQ(f.part, 2);
   EXPECT_EQ(f.element_part, 1);
-  EXPECT_NE(f.message.find("part 1 (K = 1.75e+05) is 100 times as stiff as part 2 (K = 1750)"), std::string::npos) << f.message;
+  EXPECT_NE(f.message.find("part 1 (K = 1.75e+05) is 100 times as stiff as part 2 (K = 1750)"), std::string::npos)
+      << f.message;
   EXPECT_EQ(listed(two_parts(2200, "AUTOMATIC_SINGLE_SURFACE", "0,0,5", 0)), 0U);
 }
 

@@ -6,7 +6,8 @@ namespace {
 Report eroding(const std::string& keyword, int soft, const std::string& controls) {
   RuleDeck deck;
   deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);
-  deck.contact(1, keyword, "0,0,5", fmt::format("0.\n1.,1.\n{}{}\n", keyword.starts_with("ERODING") ? "1,1\n" : "", soft));
+  deck.contact(1, keyword, "0,0,5",
+               fmt::format("0.\n1.,1.\n{}{}\n", keyword.starts_with("ERODING") ? "1,1\n" : "", soft));
   if (!controls.empty()) deck.raw("CONTROL_CONTACT", controls);
   return run_rule("GC419", deck);
 }

@@ -16,7 +16,8 @@ TEST(FineReference, ReferenceSideMustNotBeFiner) {
   const Report report = reference_with(2, "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE");
   ASSERT_EQ(listed(report), 1U);
   EXPECT_EQ(report.findings[0].contact, 8);
-  EXPECT_NE(report.findings[0].message.find("2 times finer than the tracked side A (mean edges 2 and 4)"), std::string::npos)
+  EXPECT_NE(report.findings[0].message.find("2 times finer than the tracked side A (mean edges 2 and 4)"),
+            std::string::npos)
       << report.findings[0].message;
   EXPECT_EQ(listed(reference_with(3, "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE")), 0U);
   EXPECT_EQ(listed(reference_with(8, "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE")), 0U);

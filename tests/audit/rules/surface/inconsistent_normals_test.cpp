@@ -27,7 +27,8 @@ TEST(InconsistentNormals, CountsTheFewer) {
   EXPECT_EQ(f.part, 2);
   EXPECT_EQ(f.element, 205);
   EXPECT_EQ(f.count, 2U);
-  EXPECT_NE(f.message.find("side B, part 2: 2 segments are oriented against their neighbours"), std::string::npos) << f.message;
+  EXPECT_NE(f.message.find("side B, part 2: 2 segments are oriented against their neighbours"), std::string::npos)
+      << f.message;
   EXPECT_EQ(listed(plate_with({}, "SURFACE_TO_SURFACE")), 0U);
   EXPECT_EQ(listed(plate_with({0, 1, 2, 3, 4, 5, 6, 7, 8}, "SURFACE_TO_SURFACE")), 0U);
 }

@@ -58,7 +58,8 @@ TEST(OverlappingContacts, PiecesOfParts) {
   for (const bool same : {true, false}) {
     RuleDeck deck = plates();
     deck.raw("SET_SEGMENT", "1\n101,102,105,104\n").raw("SET_SEGMENT", "2\n201,202,205,204\n");
-    deck.raw("SET_SEGMENT", same ? "3\n101,102,105,104\n" : "3\n102,103,106,105\n").raw("SET_SEGMENT", "4\n201,202,205,204\n");
+    deck.raw("SET_SEGMENT", same ? "3\n101,102,105,104\n" : "3\n102,103,106,105\n")
+        .raw("SET_SEGMENT", "4\n201,202,205,204\n");
     deck.contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "1,2,0,0").contact(2, "AUTOMATIC_SURFACE_TO_SURFACE", "3,4,0,0");
     EXPECT_EQ(listed(run_rule("GC422", deck)), same ? 1U : 0U);
   }

@@ -20,7 +20,8 @@ TEST(SoftScale, OutsideTheRecommendedRangeOnly) {
               std::string::npos)
         << report.findings[0].message;
   }
-  for (const char* good : {"1,0.1", "1,0.04", "2,0.07", "1,0.0", "0,0.2"}) EXPECT_EQ(listed(with_card_a(good)), 0U) << good;
+  for (const char* good : {"1,0.1", "1,0.04", "2,0.07", "1,0.0", "0,0.2"})
+    EXPECT_EQ(listed(with_card_a(good)), 0U) << good;
 }
 
 }  // namespace

@@ -38,9 +38,13 @@ RuleDeck plates(double lower, double upper, double gap) {
 std::string cards(double sst) { return fmt::format("0.\n1.,1.,{},{}\n", sst, sst); }
 
 TEST(PenetrationFreeAt, TwoPlates) {
-  const auto single = [](double sst) { return plates(1, 1, 0.7).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", cards(sst)); };
+  const auto single = [](double sst) {
+    return plates(1, 1, 0.7).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", cards(sst));
+  };
   verify(single, 0.7);
-  const auto two = [](double sst) { return plates(1, 1, 1. / 3).contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "1,2,3,3", cards(sst)); };
+  const auto two = [](double sst) {
+    return plates(1, 1, 1. / 3).contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "1,2,3,3", cards(sst));
+  };
   verify(two, 1. / 3);
   EXPECT_EQ(run_rule("GC308", single(0)).findings[0].count, 18U);
   EXPECT_EQ(listed(run_rule("GC308", plates(1, 1, 1).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"))), 0U);
@@ -93,7 +97,8 @@ TEST(PenetrationFreeAt, SafeWhereShellsAndSolidsAreMixed) {
 TEST(PenetrationFreeAt, NodesOnTheSegmentCannotBeFreed) {
   const Report report = run_rule("GC308", plates(1, 1, 0).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"));
   ASSERT_EQ(listed(report), 1U);
-  EXPECT_NE(report.findings[0].message.find("no SST makes it free: 18 of 18"), std::string::npos) << report.findings[0].message;
+  EXPECT_NE(report.findings[0].message.find("no SST makes it free: 18 of 18"), std::string::npos)
+      << report.findings[0].message;
   const Report behind = run_rule("GC308", on_block(-0.1, 0));
   ASSERT_EQ(listed(behind), 1U);
   EXPECT_NE(behind.findings[0].message.find("0.1 behind"), std::string::npos) << behind.findings[0].message;
@@ -103,7 +108,9 @@ TEST(PenetrationFreeAt, UnitsTellIfTheRecommendedValueIsReached) {
   audit::AuditOptions options;
   options.millimetre = 1;
   const auto message = [&](double gap) {
-    return run_rule("GC308", plates(1, 1, gap).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"), options).findings.at(0).message;
+    return run_rule("GC308", plates(1, 1, gap).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"), options)
+        .findings.at(0)
+        .message;
   };
   EXPECT_NE(message(0.4).find("0.5 mm"), std::string::npos);
   EXPECT_EQ(message(0.5).find("0.5 mm"), std::string::npos);

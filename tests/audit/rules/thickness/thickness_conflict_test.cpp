@@ -26,8 +26,9 @@ TEST(ThicknessConflict, ThinElementsWithNodesOfAThickOne) {
 }
 
 TEST(ThicknessConflict, OneThicknessForAllHasNone) {
-  EXPECT_EQ(listed(run_rule("GC307", joint(0.5, 3).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", "0.\n1.,1.,1.,1.\n"))),
-            0U);
+  EXPECT_EQ(
+      listed(run_rule("GC307", joint(0.5, 3).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", "0.\n1.,1.,1.,1.\n"))),
+      0U);
 }
 
 TEST(ThicknessConflict, OpttOnOneOfTwoPartsThatShareNodes) {
@@ -45,7 +46,8 @@ TEST(ThicknessConflict, OpttOnOneOfTwoPartsThatShareNodes) {
 
 TEST(ThicknessConflict, SstAndMstOfOnePartOnBothSides) {
   const auto both = [](const char* card3) {
-    return run_rule("GC307", joint(1, 1).contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "1,1,3,3", fmt::format("0.\n1.,1.,{}\n", card3)));
+    return run_rule("GC307", joint(1, 1).contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "1,1,3,3",
+                                                 fmt::format("0.\n1.,1.,{}\n", card3)));
   };
   EXPECT_EQ(listed(both("2.,2.")), 0U);
   EXPECT_EQ(listed(both("4.,1.")), 1U);

@@ -50,8 +50,10 @@ TEST(ThicknessLimited, TenPartsInFullAndOneLineForTheRest) {
   deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
   const Report report = run_rule("GC302", deck);
   ASSERT_EQ(report.findings.size(), 11U);
-  EXPECT_EQ(std::count_if(report.findings.begin(), report.findings.end(), [](const Finding& f) { return f.part == 12; }), 1);
-  const auto rest = std::find_if(report.findings.begin(), report.findings.end(), [](const Finding& f) { return f.part == 0; });
+  EXPECT_EQ(
+      std::count_if(report.findings.begin(), report.findings.end(), [](const Finding& f) { return f.part == 12; }), 1);
+  const auto rest =
+      std::find_if(report.findings.begin(), report.findings.end(), [](const Finding& f) { return f.part == 0; });
   ASSERT_NE(rest, report.findings.end());
   EXPECT_EQ(rest->count, 2U);
 }

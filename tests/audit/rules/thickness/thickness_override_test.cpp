@@ -4,7 +4,8 @@ namespace gapcheck::audit_test::thickness_override_test {
 namespace {
 
 // Two plates of nine nodes each with this thickness and gap; card 3 of the contact from SST on.
-RuleDeck plates(double thickness, double gap, const std::string& card3, const std::string& type = "AUTOMATIC_SINGLE_SURFACE") {
+RuleDeck plates(double thickness, double gap, const std::string& card3,
+                const std::string& type = "AUTOMATIC_SINGLE_SURFACE") {
   RuleDeck deck;
   deck.shell_part(1, thickness).shell_part(2, thickness).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);
   deck.plate(101, 2, 2, 2, Vector(0, 0, gap), 5, 5);
@@ -19,7 +20,8 @@ TEST(ThicknessOverride, SstThatMakesThePenetrations) {
   EXPECT_EQ(f.count, 18U);
   EXPECT_DOUBLE_EQ(f.contact_distance, 1);
   EXPECT_DOUBLE_EQ(f.penetration, 0.5);
-  EXPECT_NE(f.message.find("SST = 1 where the elements have 0.25: 18 of 18 penetrations exist only by it"), std::string::npos)
+  EXPECT_NE(f.message.find("SST = 1 where the elements have 0.25: 18 of 18 penetrations exist only by it"),
+            std::string::npos)
       << f.message;
 }
 
@@ -39,7 +41,8 @@ TEST(ThicknessOverride, SstThatHidesPenetrations) {
   ASSERT_EQ(listed(report), 1U);
   EXPECT_EQ(report.findings[0].count, 18U);
   EXPECT_NEAR(report.findings[0].penetration, 0.3, 1e-12);
-  EXPECT_NE(report.findings[0].message.find("SST = 0.1 where the elements have 1: it hides 18 penetrations"), std::string::npos)
+  EXPECT_NE(report.findings[0].message.find("SST = 0.1 where the elements have 1: it hides 18 penetrations"),
+            std::string::npos)
       << report.findings[0].message;
   EXPECT_EQ(listed(run_rule("GC301", plates(1, 1, "0.1,0.1"))), 0U);
 }
@@ -78,7 +81,8 @@ TEST(ThicknessOverride, GlobalThickness) {
   deck.raw("CONTROL_CONTACT", "0.1,0.0,2,0,1,0,1,0\n0,0,10,0,4.0,1,0,0\n0.,0.,0.,0.,1.,0.,0.\n");
   const Report report = run_rule("GC301", deck);
   ASSERT_EQ(listed(report), 1U);
-  EXPECT_NE(report.findings[0].message.find("TH of *CONTROL_CONTACT = 1"), std::string::npos) << report.findings[0].message;
+  EXPECT_NE(report.findings[0].message.find("TH of *CONTROL_CONTACT = 1"), std::string::npos)
+      << report.findings[0].message;
 }
 
 }  // namespace

@@ -8,8 +8,9 @@ namespace {
 // Six elements of 5 x 6.
 RuleDeck plate(double thickness, int material = 1) {
   RuleDeck deck;
-  return deck.shell_part(1, thickness, material).plate(1, 1, 3, 2, Vector(0, 0, 0), 5, 6).contact(
-      1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
+  return deck.shell_part(1, thickness, material)
+      .plate(1, 1, 3, 2, Vector(0, 0, 0), 5, 6)
+      .contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
 }
 
 audit::AuditOptions in_units(double millimetre) {
@@ -23,7 +24,8 @@ TEST(ThicknessTooThin, BelowHalfAMillimetreWithUnits) {
   ASSERT_EQ(listed(report), 1U);
   EXPECT_EQ(report.findings[0].count, 6U);
   EXPECT_EQ(report.findings[0].part, 1);
-  EXPECT_NE(report.findings[0].message.find("0.49 (element thickness)"), std::string::npos) << report.findings[0].message;
+  EXPECT_NE(report.findings[0].message.find("0.49 (element thickness)"), std::string::npos)
+      << report.findings[0].message;
   EXPECT_EQ(listed(run_rule("GC303", plate(0.5), in_units(1))), 0U);
   EXPECT_EQ(listed(run_rule("GC303", plate(0.0004), in_units(0.001))), 1U);
   EXPECT_EQ(listed(run_rule("GC303", plate(0.0006), in_units(0.001))), 0U);
