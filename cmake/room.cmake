@@ -8,6 +8,7 @@ function(gapcheck_room name)
   if(name IN_LIST GAPCHECK_PLAIN)
     set_target_properties(gapcheck_${name} PROPERTIES UNITY_BUILD OFF)
   endif()
+  gapcheck_twins(gapcheck_${name} sanitized threads)
 endfunction()
 
 # gapcheck_moderate(TARGET…): -O2 instead of -O3 for code that computes nothing: printing and reading options. It
@@ -29,4 +30,5 @@ function(gapcheck_test name)
   # Tests are compiled once and run once: less optimised they are there sooner.
   target_compile_options(gapcheck_test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   set_tests_properties(${name} PROPERTIES TIMEOUT 900)
+  gapcheck_twin_test(gapcheck_test_${name} sanitized ${name})
 endfunction()

@@ -1,12 +1,17 @@
 #!/usr/bin/env python3
-"""Adds up test results: scripts/count_tests.py BUILD…, where each build directory holds ctest.xml (ctest --output-junit)
-and results/*.xml (Google Test). A test that ran in several builds counts once: as failed if it failed in one of them, as
+"""Adds up test results: scripts/count_tests.py FOLDER…, where each folder holds ctest.xml (ctest --output-junit) and
+results/*.xml (Google Test). A test that also ran with sanitizers counts once: as failed if it failed in one of them, as
 passed if it passed in one. The last line is "N passed, N failed, N skipped"; exit code 1 if any failed or none ran."""
 import pathlib
 import sys
 import xml.etree.ElementTree as xml
 
 order = {'skipped': 0, 'passed': 1, 'failed': 2}
+
+
+def plain_name(name):
+    """That of the program without sanitizers."""
+    return name.removesuffix('_sanitized').removesuffix('_threads')
 
 
 def gtest_results(folder):
@@ -16,7 +21,7 @@ def gtest_results(folder):
             cases = xml.parse(file).getroot().iter('testcase')
         except xml.ParseError:
             continue
-        program = file.stem.split('.')[0].removeprefix('gapcheck_test_')
+        program = plain_name(file.stem.split('.')[0].removeprefix('gapcheck_test_'))
         for case in cases:
             result = 'passed'
             if case.find('failure') is not None or case.find('error') is not None:
@@ -29,7 +34,7 @@ def gtest_results(folder):
 def ctest_results(file):
     for case in xml.parse(file).getroot().iter('testcase'):
         status = case.get('status')
-        yield case.get('name'), {'run': 'passed', 'fail': 'failed'}.get(status, 'skipped')
+        yield plain_name(case.get('name')), {'run': 'passed', 'fail': 'failed'}.get(status, 'skipped')
 
 
 def main():

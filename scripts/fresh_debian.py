@@ -71,7 +71,7 @@ def run(tree, command, place):
 
 
 def spoken(seconds):
-    return f"{seconds:.1f} s" if seconds < 100 else f"{seconds / 60:.0f} min"
+    return f"{seconds:.1f} s" if seconds < 100 else f"{seconds:.0f} s"
 
 
 def main():
@@ -88,9 +88,13 @@ def main():
                 place += "/" + command[3:]
                 rows.append(f"| `{command}` | | |")
                 continue
+            start = time.time()
             last, status, seconds = run(tree, command, place)
             shown = last if command.startswith("./run") else ""
-            rows.append(f"| `{command.replace('/srv/gapcheck.git', 'ADDRESS')}` | {shown} | {spoken(seconds)} |")
+            packages = tree / "root/gapcheck/build/.packages"
+            first = command.startswith("./run") and packages.stat().st_mtime > start
+            parts = f", {spoken(packages.stat().st_mtime - start)} of it for packages" if first else ""
+            rows.append(f"| `{command.replace('/srv/gapcheck.git', 'ADDRESS')}` | {shown} | {spoken(seconds)}{parts} |")
             print(f"{command}: exit {status}, {seconds:.1f} s, {last}", flush=True)
         page = tree / "root/gapcheck/two_plates.html"
         rows.append(f"\nThe page `two_plates.html` has {page.stat().st_size / 1e6:.1f} MB. {machine()}; "

@@ -3,9 +3,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '%s\n' "$*" >&2; }
 
-# Installs the packages of packages.txt that are missing. A stamp in build/ keeps later calls short.
+# install_packages [LIST]: installs the packages of scripts/LIST.txt that are missing. A stamp in build/ keeps later calls
+# short.
 install_packages() {
-  local list=$root/scripts/packages.txt stamp=$root/build/.packages missing=() package
+  local list=$root/scripts/${1:-packages}.txt stamp=$root/build/.${1:-packages} missing=() package
   [[ $stamp -nt $list ]] && return
   while read -r package; do
     [[ -z $package || $package == '#'* ]] && continue
@@ -35,15 +36,21 @@ install_packages() {
   touch "$stamp"
 }
 
-# build PRESET TARGET…: configures build/PRESET once, then lets ninja decide what to do and says how far it is. In CI
-# (CI=true) warnings are errors; elsewhere a newer compiler's new warning must not stop the build.
+# build PRESET TARGET…: configures build/PRESET once, or again for options that it does not have yet, then lets ninja decide
+# what to do and says how far it is. `options` (an array of the caller): for CMake. In CI (CI=true) warnings are errors;
+# elsewhere a newer compiler's new warning must not stop the build.
 build() {
-  local preset=$1 folder=$root/build/$1 log=$root/build/$1.log options=()
+  local preset=$1 folder=$root/build/$1 log=$root/build/$1.log option configured=true
   shift
-  [[ ${CI:-} == true ]] && options=(-DGAPCHECK_WERROR=ON)
-  if [[ ! -f $folder/build.ninja ]]; then
+  [[ ${CI:-} == true ]] && options+=(-DGAPCHECK_WERROR=ON)
+  [[ -f $folder/build.ninja ]] || configured=false
+  for option in ${options[@]+"${options[@]}"}; do
+    option=${option#-D}
+    grep -qs "^${option%%=*}:BOOL=${option#*=}$" "$folder/CMakeCache.txt" || configured=false
+  done
+  if [[ $configured == false ]]; then
     say "Configuring $preset …"
-    if ! (cd "$root" && cmake --preset "$preset" "${options[@]}") >"$log" 2>&1; then
+    if ! (cd "$root" && cmake --preset "$preset" ${options[@]+"${options[@]}"}) >"$log" 2>&1; then
       cat "$log" >&2
       exit 2
     fi

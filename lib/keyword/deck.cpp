@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "base/number.hpp"
@@ -50,6 +51,48 @@ Format format_of(std::string_view options, Format inherited) {
 
 bool is_data(std::string_view line) { return !line.starts_with('$') && !trimmed(line).empty(); }
 
+/// The number of the first line with data in [begin, end), where `number` lines come before it; none without one.
+std::optional<std::uint32_t> first_data_line(std::string_view bytes, std::size_t begin, std::size_t end,
+                                             std::uint32_t number) {
+  for (std::size_t offset = begin; offset < end;) {
+    ++number;
+    if (is_data(line_at(bytes, offset, offset))) return number;
+  }
+  return std::nullopt;
+}
+
+/// The block of a keyword line, still without its data. *KEYWORD changes the format of the rest of its file.
+Block block_of(FileContext& context, std::string_view line) {
+  const auto name_end = std::min(line.find_first_of(" \t"), line.size());
+  Block block;
+  block.name = upper_case(line.substr(1, std::max<std::size_t>(name_end, 1) - 1));
+  if (block.name == "KEYWORD") context.format = format_of(line.substr(name_end), context.format);
+  block.format = context.format;
+  const char suffix = block.name.empty() ? '\0' : block.name.back();
+  if (suffix == '+') block.format = Format::long_fields;
+  if (suffix == '-') block.format = Format::standard;
+  if (suffix == '%') block.format = Format::i10;
+  if (suffix == '+' || suffix == '-' || suffix == '%') block.name.pop_back();
+  block.file = context.file;
+  block.transform = context.transform;
+  block.scope = context.scope;
+  return block;
+}
+
+/// Adds the comments to gapcheck of a file as far as it is read. The line of the first one too many; none if all fit.
+std::optional<std::uint32_t> add_directives(const FileContext& context, std::string_view bytes,
+                                            const std::vector<Mark>& comments, std::size_t read_to,
+                                            std::vector<Directive>& directives) {
+  for (const Mark& comment : comments) {
+    if (comment.offset >= read_to) break;
+    if (directives.size() == max_directives) return comment.line;
+    std::size_t next = 0;
+    if (const auto text = directive_text(line_at(bytes, comment.offset, next)))
+      directives.push_back({*text, context.file, comment.line, context.transform});
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<Deck> DeckReader::read_path(const std::string& path) {
@@ -79,7 +122,7 @@ Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
 Result<Deck> DeckReader::finish() {
   std::stable_sort(deck_.directives_.begin(), deck_.directives_.end(),
                    [](const Directive& a, const Directive& b) { return a.file.value < b.file.value; });
-  resolve_transforms();
+  transforms_.resolve(deck_.transforms_, deck_, diagnostics_);
   return std::move(deck_);
 }
 
@@ -140,36 +183,17 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
     read_to = mark.offset;
     break;
   }
-  add_directives(context, comments, read_to);
-}
-
-/// The comments to gapcheck as far as the file is read.
-void DeckReader::add_directives(const FileContext& context, const std::vector<Mark>& comments, std::size_t read_to) {
-  const std::string_view bytes = deck_.files_[context.file.value].bytes;
-  for (const Mark& comment : comments) {
-    if (comment.offset >= read_to) return;
-    if (deck_.directives_.size() == max_directives) {
-      diagnostics_.error(path_of(context.file), comment.line,
-                         "more than " + std::to_string(max_directives) +
-                             " comments that start with \"gapcheck:\"; the rest was not read");
-      return;
-    }
-    std::size_t next = 0;
-    if (const auto text = directive_text(line_at(bytes, comment.offset, next)))
-      deck_.directives_.push_back({*text, context.file, comment.line, context.transform});
-  }
+  if (const auto line = add_directives(context, bytes, comments, read_to, deck_.directives_))
+    diagnostics_.error(path_of(context.file), *line,
+                       "more than " + std::to_string(max_directives) +
+                           " comments that start with \"gapcheck:\"; the rest was not read");
 }
 
 void DeckReader::check_before_keywords(const FileContext& context, std::size_t begin, std::size_t end) {
   const std::string_view bytes = deck_.files_[context.file.value].bytes;
-  std::uint32_t number = 0;
-  for (std::size_t offset = begin; offset < end;) {
-    ++number;
-    if (!is_data(line_at(bytes, offset, offset))) continue;
-    diagnostics_.error(path_of(context.file), number,
+  if (const auto line = first_data_line(bytes, begin, end, 0))
+    diagnostics_.error(path_of(context.file), *line,
                        "data before the first keyword; start the file with *KEYWORD or remove the line");
-    return;
-  }
 }
 
 /// Skips one encrypted block; returns the position of the mark after it.
@@ -185,37 +209,15 @@ std::size_t DeckReader::pass_encrypted(const FileContext& context, const std::ve
   }
   diagnostics_.warning(path_of(context.file), begin.line,
                        "an encrypted block was passed over; what it holds is unknown");
-  std::uint32_t number = marks[at].line;
+  const std::uint32_t last = marks[at].line;
   std::size_t offset = 0;
   line_at(bytes, marks[at].offset, offset);
   ++at;
-  for (const std::size_t end = at < marks.size() ? marks[at].offset : bytes.size(); offset < end;) {
-    ++number;
-    if (!is_data(line_at(bytes, offset, offset))) continue;
-    diagnostics_.warning(path_of(context.file), number,
+  if (const auto line = first_data_line(bytes, offset, at < marks.size() ? marks[at].offset : bytes.size(), last))
+    diagnostics_.warning(path_of(context.file), *line,
                          "the lines between the encrypted block and the next keyword were passed over: their keyword "
                          "is encrypted");
-    break;
-  }
   return at;
-}
-
-/// The block of a keyword line, still without its data. *KEYWORD changes the format of the rest of its file.
-Block DeckReader::block_of(FileContext& context, std::string_view line) {
-  const auto name_end = std::min(line.find_first_of(" \t"), line.size());
-  Block block;
-  block.name = upper_case(line.substr(1, std::max<std::size_t>(name_end, 1) - 1));
-  if (block.name == "KEYWORD") context.format = format_of(line.substr(name_end), context.format);
-  block.format = context.format;
-  const char suffix = block.name.empty() ? '\0' : block.name.back();
-  if (suffix == '+') block.format = Format::long_fields;
-  if (suffix == '-') block.format = Format::standard;
-  if (suffix == '%') block.format = Format::i10;
-  if (suffix == '+' || suffix == '-' || suffix == '%') block.name.pop_back();
-  block.file = context.file;
-  block.transform = context.transform;
-  block.scope = context.scope;
-  return block;
 }
 
 /// Adds a block and follows it to other files; false if nothing after it must be read.
@@ -241,7 +243,7 @@ void DeckReader::dispatch(const FileContext& context, const Block& block) {
   } else if (name.starts_with("PARAMETER")) {
     read_parameters(block);
   } else if (name == "DEFINE_TRANSFORMATION" || name == "DEFINE_TRANSFORMATION_TITLE") {
-    transformations_.push_back(block.order);
+    transforms_.add_definition(block.order);
   } else if (name.starts_with("CASE_BEGIN") && !warned_of_cases_) {
     warned_of_cases_ = true;
     diagnostics_.warning(path_of(block.file), block.line,

@@ -1,42 +1,32 @@
 #pragma once
-#include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "keyword/card.hpp"
+#include "keyword/include_paths.hpp"
+#include "keyword/include_transforms.hpp"
 #include "keyword/scan.hpp"
 
 namespace gapcheck::keyword {
 
+/// What the blocks of one file share.
+struct FileContext {
+  FileIndex file;
+  Format format = Format::standard;
+  TransformIndex transform{0};
+  std::uint32_t scope = Parameters::global, depth = 0;
+};
+
 /// Builds a deck: follows includes, collects parameters, and resolves transformations once everything is read.
 class DeckReader {
  public:
-  DeckReader(const ReadOptions& options, Diagnostics& diagnostics) : options_(options), diagnostics_(diagnostics) {}
+  DeckReader(const ReadOptions& options, Diagnostics& diagnostics)
+      : options_(options), diagnostics_(diagnostics), paths_(options.include_directories) {}
   Result<Deck> read_path(const std::string& path);
   Result<Deck> read_text(std::string text, const std::string& name);
 
  private:
-  /// What the blocks of one file share.
-  struct FileContext {
-    FileIndex file;
-    Format format = Format::standard;
-    TransformIndex transform{0};
-    std::uint32_t scope = Parameters::global, depth = 0;
-  };
-  /// An *INCLUDE_TRANSFORM whose placement waits for its *DEFINE_TRANSFORMATION.
-  struct PendingTransform {
-    TransformIndex own, parent;
-    std::int64_t transformation = 0;
-    FileIndex file;
-    std::uint32_t line = 0;
-  };
-  struct IncludeName {
-    std::string name;
-    std::uint32_t line = 0;
-  };
-
   Result<Deck> finish();
 
   // deck.cpp: one file
@@ -45,27 +35,17 @@ class DeckReader {
   void read_file(FileContext context, const std::vector<Mark>& marks);
   void check_before_keywords(const FileContext& context, std::size_t begin, std::size_t end);
   std::size_t pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at);
-  void add_directives(const FileContext& context, const std::vector<Mark>& comments, std::size_t read_to);
-  [[nodiscard]] static Block block_of(FileContext& context, std::string_view line);
   bool add_block(Block block, const FileContext& context);
   void dispatch(const FileContext& context, const Block& block);
 
   // read_includes.cpp
   void read_include(const FileContext& context, const Block& block);
-  void read_include_path(const Block& block, bool relative);
-  void read_include_transform(const FileContext& context, const Block& block);
-  void read_include_auto_offset(const FileContext& context, const Block& block);
-  [[nodiscard]] std::optional<IncludeName> next_name(CardReader& reader);
+  void read_include_path(CardReader& reader, bool relative);
+  void open_transformed(const FileContext& context, CardReader& reader, const IncludeName& include);
   void open_include(const FileContext& context, const Block& block, const IncludeName& include,
                     TransformIndex transform);
-  [[nodiscard]] std::optional<std::string> find_include(const FileContext& context, const std::string& name) const;
   [[nodiscard]] std::shared_ptr<KeywordFile> map_include(const std::string& path, const std::string& canonical,
                                                          const Block& block, std::uint32_t line);
-  [[nodiscard]] bool may_include(const FileContext& context, const std::string& canonical, const Block& block,
-                                 const IncludeName& include);
-  TransformIndex add_transform(const FileContext& context, const Block& block, const Transform& own,
-                               std::int64_t transformation, std::uint32_t line);
-  void resolve_transforms();
 
   // read_parameters.cpp
   void read_parameters(const Block& block);
@@ -75,12 +55,11 @@ class DeckReader {
   const ReadOptions& options_;
   Diagnostics& diagnostics_;
   Deck deck_;
-  FileCache own_;                               ///< where the options give none
-  std::vector<std::string> canonical_;          ///< beside Deck::files_
-  std::vector<std::string> include_paths_;      ///< *INCLUDE_PATH and *INCLUDE_PATH_RELATIVE so far
-  std::vector<PendingTransform> pending_;       ///< enclosing ones first
-  std::vector<std::uint32_t> transformations_;  ///< positions of *DEFINE_TRANSFORMATION blocks
-  std::size_t includes_ = 0;                    ///< names of includes so far
+  FileCache own_;                       ///< where the options give none
+  std::vector<std::string> canonical_;  ///< beside Deck::files_
+  IncludePaths paths_;
+  IncludeTransforms transforms_;
+  std::size_t includes_ = 0;  ///< names of includes so far
   bool warned_of_cases_ = false;
   bool stopped_ = false;  ///< a limit was exceeded: nothing more is read
 };

@@ -176,7 +176,7 @@ TEST_F(AuditProgram, TheBaselineOfTheSettingsIsTheSameFromAnyFolder) {
   ASSERT_EQ(gapcheck("audit 'models/**/*.k' --quiet --write-baseline 'known/{deck}.base'").code, 1);
   ASSERT_TRUE(fs::exists(folder_ / "known/models/side/rear.base"));
   EXPECT_EQ(gapcheck("audit 'models/**/*.k' --quiet").code, 0);
-  const std::string program = "'" GAPCHECK_BINARY "' audit ";
+  const std::string program = GAPCHECK_PROGRAM " audit ";
   for (const char* decks :
        {"front.k", "front.k side/rear.k", "'**/*.k'", "../models/front.k", "\"$PWD/side/rear.k\""}) {
     const Ended run = shell("cd models && " + program + decks + " --quiet");

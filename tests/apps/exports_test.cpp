@@ -14,7 +14,7 @@ class Exports : public Program {
   /// One of the checks beside this file, with Debian's own Python: that has Debian's packages.
   [[nodiscard]] Ended check(const std::string& script, const std::string& options, const std::string& more = "") const {
     return shell("'" GAPCHECK_SYSTEM_PYTHON "' -B '" + (project / "tests/apps" / script).string() + "' " + options +
-                 " '" GAPCHECK_BINARY "' '" + project.string() + "' " + more);
+                 " " GAPCHECK_PROGRAM " '" + project.string() + "' " + more);
   }
   [[nodiscard]] std::string deck(const std::string& name) const {
     return "'" + (project / "data" / name).string() + "'";

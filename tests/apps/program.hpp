@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "program_names.hpp"
+
 namespace gapcheck {
 
 struct Ended {
@@ -51,10 +53,8 @@ class Program : public testing::Test {
     run.err = content(folder_ / ".stderr");
     return run;
   }
-  [[nodiscard]] Ended gapcheck(const std::string& arguments) const {
-    return shell("'" GAPCHECK_BINARY "' " + arguments);
-  }
-  [[nodiscard]] Ended check_c(const std::string& arguments) const { return shell("'" CHECK_C_BINARY "' " + arguments); }
+  [[nodiscard]] Ended gapcheck(const std::string& arguments) const { return shell(GAPCHECK_PROGRAM " " + arguments); }
+  [[nodiscard]] Ended check_c(const std::string& arguments) const { return shell(CHECK_C_PROGRAM " " + arguments); }
 
   /// Copies the files of a fixture into the folder.
   void use(const std::string& fixture) const {

@@ -120,7 +120,7 @@ TEST_F(SettingsProgram, ItIsLookedForUpwardsToTheRepository) {
   EXPECT_EQ(gapcheck("audit models/rear/deep/a.k --quiet").code, 1);
   EXPECT_EQ(gapcheck("audit ./models/../models/rear/a.k --quiet").code, 1);
   EXPECT_EQ(gapcheck("audit models/front/a.k --quiet").code, 0) << "a repository of its own";
-  EXPECT_EQ(shell("cd models/rear/deep && '" GAPCHECK_BINARY "' audit a.k --quiet").code, 1);
+  EXPECT_EQ(shell("cd models/rear/deep && " GAPCHECK_PROGRAM " audit a.k --quiet").code, 1);
   // The nearest one alone; a folder of that name is none.
   file("models/rear/gapcheck.toml", "fail-on = \"error\"\n");
   fs::create_directory(folder_ / "models/rear/deep/gapcheck.toml");
@@ -160,7 +160,7 @@ TEST_F(SettingsProgram, WhichFileWasUsedIsSaid) {
   EXPECT_EQ(json("'" + (folder_ / "two_plates.k").string() + "'")["settings"], (folder_ / "gapcheck.toml").string());
   EXPECT_NE(gapcheck("audit two_plates.k --stats").out.find("gapcheck.toml"), std::string::npos);
   fs::create_directory(folder_ / "below");
-  const Ended below = shell("cd below && '" GAPCHECK_BINARY "' audit ../two_plates.k --format json");
+  const Ended below = shell("cd below && " GAPCHECK_PROGRAM " audit ../two_plates.k --format json");
   EXPECT_EQ(Json::parse(below.out)["settings"], "../gapcheck.toml");
 }
 
@@ -276,7 +276,7 @@ TEST_F(SettingsProgram, FilesHaveLimitsOfTheirOwn) {
   file("models/gapcheck.toml", "[[include]]\npath = \"lib/**\"\nignore = \"GC101\"\n");
   EXPECT_EQ(count(json(audit), "GC101"), 0u);
   EXPECT_EQ(count(json("'" + (folder_ / "models/main.k").string() + "'"), "GC101"), 0u);
-  const Ended inside = shell("cd models/lib && '" GAPCHECK_BINARY "' audit ../main.k --select GC1 --format json");
+  const Ended inside = shell("cd models/lib && " GAPCHECK_PROGRAM " audit ../main.k --select GC1 --format json");
   EXPECT_EQ(count(Json::parse(inside.out), "GC101"), 0u);
 }
 
@@ -318,7 +318,7 @@ TEST_F(SettingsProgram, ABaselineIsWrittenBeforeItIsThere) {
   EXPECT_EQ(gapcheck("audit models/a.k --quiet --write-baseline other").code, 2);
   EXPECT_EQ(gapcheck("audit models/a.k --quiet --write-baseline ./known").code, 1);
   EXPECT_EQ(gapcheck("audit models/a.k --quiet").code, 0);
-  EXPECT_EQ(shell("cd models && '" GAPCHECK_BINARY "' audit a.k --quiet").code, 0) << "it is beside the settings";
+  EXPECT_EQ(shell("cd models && " GAPCHECK_PROGRAM " audit a.k --quiet").code, 0) << "it is beside the settings";
   const std::string part = "audit models/a.k --quiet --select GC1 --write-baseline ./known";
   EXPECT_EQ(gapcheck(part).code, 2) << "would lose the rest";
   settings("baseline = \"known\"\nfail-on = \"warning\"\nselect = \"GC1\"\n");

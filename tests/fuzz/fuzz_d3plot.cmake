@@ -6,6 +6,8 @@ if(NOT TARGET gapcheck_fuzz_replay_d3plot)
   add_test(NAME fuzz_replay_d3plot COMMAND gapcheck_fuzz_replay_d3plot --mutations 20000
            ${corpus}/single.d3plot ${corpus}/double.d3plot)
   set_tests_properties(fuzz_replay_d3plot PROPERTIES TIMEOUT 900)
+  gapcheck_twin_test(gapcheck_fuzz_replay_d3plot sanitized fuzz_replay_d3plot --mutations 20000 ${corpus}/single.d3plot
+                     ${corpus}/double.d3plot)
 endif()
 
 if(GAPCHECK_FUZZ AND CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND NOT TARGET gapcheck_fuzz_d3plot)

@@ -7,6 +7,8 @@ if(NOT TARGET gapcheck_fuzz_log_replay)
   add_test(NAME fuzz_log_replay
     COMMAND gapcheck_fuzz_log_replay --mutations 2000 ${corpus}/smp.messag ${corpus}/mpp.messag ${corpus}/contacts.d3hsp)
   set_tests_properties(fuzz_log_replay PROPERTIES TIMEOUT 900)
+  gapcheck_twin_test(gapcheck_fuzz_log_replay sanitized fuzz_log_replay --mutations 2000 ${corpus}/smp.messag
+                     ${corpus}/mpp.messag ${corpus}/contacts.d3hsp)
 endif()
 
 if(GAPCHECK_FUZZ AND CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND NOT TARGET gapcheck_fuzz_log)

@@ -8,6 +8,9 @@ if(NOT TARGET gapcheck_fuzz_results_replay)
     COMMAND gapcheck_fuzz_results_replay --mutations 3000 ${here}/corpus/run.glstat ${here}/corpus/run.rcforc
             ${here}/corpus/run.sleout ${here}/corpus/run.matsum ${here}/corpus/run.nodout)
   set_tests_properties(fuzz_results_replay PROPERTIES TIMEOUT 900)
+  gapcheck_twin_test(gapcheck_fuzz_results_replay sanitized fuzz_results_replay --mutations 3000
+                     ${here}/corpus/run.glstat ${here}/corpus/run.rcforc ${here}/corpus/run.sleout
+                     ${here}/corpus/run.matsum ${here}/corpus/run.nodout)
 endif()
 
 if(GAPCHECK_FUZZ AND CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND NOT TARGET gapcheck_fuzz_results)

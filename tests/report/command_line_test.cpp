@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "program_names.hpp"
+
 namespace gapcheck::command_line_test {
 namespace {
 
@@ -40,7 +42,7 @@ class CommandLine : public testing::Test {
   Outcome run(const std::string& arguments) const {
     const fs::path error_file = folder_ / "stderr";
     const std::string command =
-        "cd '" GAPCHECK_ROOT "' && '" GAPCHECK_BINARY "' " + arguments + " 2>'" + error_file.string() + "'";
+        "cd '" GAPCHECK_ROOT "' && " GAPCHECK_PROGRAM " " + arguments + " 2>'" + error_file.string() + "'";
     Outcome outcome;
     std::FILE* pipe = ::popen(command.c_str(), "r");
     if (pipe == nullptr) return outcome;

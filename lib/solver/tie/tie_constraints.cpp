@@ -18,9 +18,6 @@ constexpr double settled = 1e-13;
 /// Rounding moves a node less than this share of its segment from its position.
 constexpr double largest_drift = 1e-6;
 
-/// Neither zero nor too small to divide by.
-bool counts(double mass) { return mass > 0 && std::isfinite(1 / mass); }
-
 }  // namespace
 
 TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore& surfaces,
@@ -31,18 +28,11 @@ TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore&
   interfaces_ = tie_ranges(model, ties_, true);
   active_.assign(interfaces_.size(), false);
   for (const TieRange& interface : interfaces_) states_.emplace_back().contact = interface.contact;
-  for (const Tie& tie : ties_) {
-    varying_ = varying_ || tie.carries || tie.rotation == Turning::axes;
-    used_.push_back(tie.node);
-    used_.insert(used_.end(), tie.point.nodes.begin(), tie.point.nodes.end());
-  }
-  std::sort(used_.begin(), used_.end());
-  used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+  for (const Tie& tie : ties_) varying_ = varying_ || tie.carries || tie.rotation == Turning::axes;
   if (ties_.empty()) return;
   const std::size_t nodes = structure.state.x.size();
   system_ = std::make_unique<TieSystem>(ties_, nodes);
-  mobility_.assign(6 * nodes, 0);
-  for (std::vector<Vector>* vectors : {&free_v_, &free_w_, &v_, &w_}) vectors->assign(nodes, Vector::Zero());
+  nodes_.start(ties_, nodes);
   present_.resize(ties_.size());
   for (std::size_t t = 0; t < ties_.size(); ++t)
     equations_.push_back({&ties_[t], &present_[t].axes, Vector::Zero(), false});
@@ -51,7 +41,7 @@ TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore&
 void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnostics) {
   const State& state = structure_.state;
   const auto weightless = [&](NodeIndex node) {
-    return !counts(state.mass[node.value]) && (structure_.constraints.mask(node.value) & 7u) != 7u;
+    return !has_mass(state.mass[node.value]) && (structure_.constraints.mask(node.value) & 7u) != 7u;
   };
   const auto any_of = [](const Tie& tie, const auto& is) {
     if (is(tie.node)) return true;
@@ -120,43 +110,8 @@ void TieConstraints::place(const State& state) {
   });
 }
 
-/// Notes which degrees of freedom are held in the next step; true if that has changed.
-bool TieConstraints::hold(double time, double next) {
-  const bool first = held_.empty();
-  held_.resize(used_.size(), 0);
-  bool changed = first;
-  const State& state = structure_.state;
-  for (std::size_t i = 0; i < used_.size(); ++i) {
-    const std::uint32_t n = used_[i].value;
-    const std::uint8_t mask = structure_.constraints.mask(n, time, next);
-    if (!first && mask == held_[i]) continue;
-    changed = true;
-    held_[i] = mask;
-    for (unsigned freedom = 0; freedom < 6; ++freedom) {
-      const double mass = freedom < 3 ? state.mass[n] : state.inertia[n];
-      mobility_[6 * n + freedom] = (mask >> freedom & 1u) != 0 || !counts(mass) ? 0 : 1 / mass;
-    }
-  }
-  return changed;
-}
-
-void TieConstraints::free_velocities(const State& state, double mean, double next, const Forces& net) {
-  for (std::size_t i = 0; i < used_.size(); ++i) {
-    const std::uint32_t n = used_[i].value;
-    for (unsigned freedom = 0; freedom < 6; ++freedom) {
-      const int axis = static_cast<int>(freedom % 3);
-      const bool rotation = freedom >= 3;
-      const double before = (rotation ? state.w : state.v)[n][axis];
-      const double push = (rotation ? net.moment : net.force)[n][axis] * mean * mobility_[6 * n + freedom];
-      (rotation ? free_w_ : free_v_)[n][axis] = (held_[i] >> freedom & 1u) != 0
-                                                    ? structure_.constraints.velocity(n, freedom, state.time, next)
-                                                    : before + push;
-    }
-  }
-}
-
-/// The right sides of the equations: the positions at the end of the step, with the arms turned by the velocities v_
-/// and w_, and the rotation of the axes in the middle of the step.
+/// The right sides of the equations: the positions at the end of the step, with the arms turned by the velocities with
+/// ties, and the rotation of the axes in the middle of the step.
 Eigen::VectorXd TieConstraints::targets(const State& state, double next) {
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(system_->size()));
   parallel_for(ties_.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -166,9 +121,9 @@ Eigen::VectorXd TieConstraints::targets(const State& state, double next) {
       const Vector arm = state.x[tie.node.value] - tie.point.of(state.x);
       Vector velocity = Vector::Zero();
       if (tie.carries) {
-        const Vector spin = motion(tie, present_[t].axes, v_, w_).spin;
+        const Vector spin = motion(tie, present_[t].axes, nodes_.v(), nodes_.w()).spin;
         TieOffset offset = present_[t].offset;
-        offset.move(tie, SegmentAxes(tie.point.nodes, state.x, v_, next), spin, next);
+        offset.move(tie, SegmentAxes(tie.point.nodes, state.x, nodes_.v(), next), spin, next);
         velocity = (offset.value() - arm) / next - spin.cross(arm);
       } else {
         velocity = (present_[t].offset.value() - arm) / next;
@@ -176,8 +131,9 @@ Eigen::VectorXd TieConstraints::targets(const State& state, double next) {
       const auto row = static_cast<Eigen::Index>(system_->row(t));
       wanted.segment<3>(row) = velocity;
       if (tie.rotation == Turning::axes)
-        wanted.segment<3>(row + 3) = SegmentAxes(tie.point.nodes, state.x, v_, next / 2).spin(tie.point.nodes, v_) -
-                                     present_[t].axes.spin(tie.point.nodes, v_);
+        wanted.segment<3>(row + 3) =
+            SegmentAxes(tie.point.nodes, state.x, nodes_.v(), next / 2).spin(tie.point.nodes, nodes_.v()) -
+            present_[t].axes.spin(tie.point.nodes, nodes_.v());
     }
   });
   return wanted;
@@ -185,7 +141,7 @@ Eigen::VectorXd TieConstraints::targets(const State& state, double next) {
 
 /// Loads of all ties, and the velocities with them.
 void TieConstraints::put(const Eigen::VectorXd& lambda, double mean) {
-  for (const NodeIndex node : used_) v_[node.value] = free_v_[node.value], w_[node.value] = free_w_[node.value];
+  nodes_.start_from_free();
   for (std::size_t t = 0; t < ties_.size(); ++t) {
     const Tie& tie = ties_[t];
     TieLoads& loads = present_[t].loads;
@@ -193,15 +149,8 @@ void TieConstraints::put(const Eigen::VectorXd& lambda, double mean) {
     const Vector force = lambda.segment<3>(row) / mean;
     const Vector moment = tie.rotations ? Vector(lambda.segment<3>(row + 3) / mean) : Vector(Vector::Zero());
     loads.set(tie, present_[t].axes, equations_[t].arm, force, moment);
-    const auto push = [&](NodeIndex node, const Vector& on_node, const Vector& on_rotation) {
-      for (int axis = 0; axis < 3; ++axis) {
-        const std::size_t freedom = 6 * std::size_t{node.value} + static_cast<std::size_t>(axis);
-        v_[node.value][axis] += mean * mobility_[freedom] * on_node[axis];
-        w_[node.value][axis] += mean * mobility_[freedom + 3] * on_rotation[axis];
-      }
-    };
-    push(tie.node, loads.force, loads.moment);
-    for (std::size_t i = 0; i < 4; ++i) push(tie.point.nodes[i], loads.forces[i], loads.moments[i]);
+    nodes_.push(tie.node, loads.force, loads.moment, mean);
+    for (std::size_t i = 0; i < 4; ++i) nodes_.push(tie.point.nodes[i], loads.forces[i], loads.moments[i], mean);
   }
 }
 
@@ -266,19 +215,19 @@ void TieConstraints::react(const State& state, double mean, double next, Forces&
   const bool other_ties = activate(state);
   tell_ends(state.time);
   place(state);
-  const bool fresh = hold(state.time, next) || other_ties;
-  if (fresh || varying_) system_->set(equations_, mobility_, fresh);
+  const bool fresh = nodes_.hold(structure_, state.time, next) || other_ties;
+  if (fresh || varying_) system_->set(equations_, nodes_.mobility(), fresh);
   if (fresh) name_dependent(state.time);
-  free_velocities(state, mean, next, net);
+  nodes_.let_free(structure_, mean, next, net);
   Eigen::VectorXd at_rest(static_cast<Eigen::Index>(system_->size()));
   for (std::size_t t = 0; t < ties_.size(); ++t) {
-    const TieMotion free = motion(ties_[t], present_[t].axes, free_v_, free_w_);
+    const TieMotion free = motion(ties_[t], present_[t].axes, nodes_.free_v(), nodes_.free_w());
     const auto row = static_cast<Eigen::Index>(system_->row(t));
     const Vector spin = ties_[t].carries ? free.spin : Vector(Vector::Zero());
     at_rest.segment<3>(row) = free.velocity - spin.cross(equations_[t].arm);
     if (ties_[t].rotations) at_rest.segment<3>(row + 3) = free.turn;
   }
-  for (const NodeIndex node : used_) v_[node.value] = state.v[node.value], w_[node.value] = state.w[node.value];
+  nodes_.start_from(state);
   Eigen::VectorXd wanted = targets(state, next);
   for (int round = 0; round < most_turning_rounds; ++round) {
     put(system_->solve(wanted - at_rest), mean);

@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.hpp"
 #include "solver/state/force.hpp"
+#include "solver/tie/tie_nodes.hpp"
 #include "solver/tie/tie_system.hpp"
 
 namespace gapcheck::solver {
@@ -48,8 +49,6 @@ class TieConstraints : public Force, public ContactSource {
   void keep_sound(const model::Model& model, Diagnostics& diagnostics);
   bool activate(const State& state);
   void place(const State& state);
-  bool hold(double time, double next);
-  void free_velocities(const State& state, double mean, double next, const Forces& net);
   [[nodiscard]] Eigen::VectorXd targets(const State& state, double next);
   void put(const Eigen::VectorXd& lambda, double mean);
   void sum_up(const State& state, Forces& net, Forces& external);
@@ -63,10 +62,7 @@ class TieConstraints : public Force, public ContactSource {
   std::vector<TieRange> interfaces_;
   std::vector<bool> active_;  ///< by interface
   std::vector<ContactState> states_;
-  std::vector<NodeIndex> used_;
-  std::vector<std::uint8_t> held_;  ///< beside used_
-  Mobility mobility_;
-  std::vector<Vector> free_v_, free_w_, v_, w_;  ///< by node: without ties, and with them
+  TieNodes nodes_;
   std::vector<ContactEvent> events_;
   std::vector<std::pair<NodeIndex, PartIndex>> untied_;  ///< not reported yet
   Released released_;

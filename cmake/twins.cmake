@@ -1,0 +1,132 @@
+# Sanitized twins of libraries and programs, in the same build: with GAPCHECK_TWINS every room and library of the programs
+# is compiled a second time with the address, leak and undefined-behaviour sanitizers (kind "sanitized"), and what
+# gapcheck_test_threads needs a third time with the thread sanitizer (kind "threads"). Test programs are not compiled
+# again: their twins link the same objects with the sanitized libraries. That halves the time of ./test.
+option(GAPCHECK_TWINS "Build sanitized twins of libraries and tests (targets …_sanitized, …_threads)" OFF)
+
+# Left out: checks that the address sanitizer makes as well, or that cost the compiler most.
+set(GAPCHECK_TWIN_sanitized -O1 -g1 -UNDEBUG -fsanitize=address,undefined -fno-sanitize=null,object-size,vptr
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+set(GAPCHECK_TWIN_threads -O1 -g1 -UNDEBUG -fsanitize=thread -fno-omit-frame-pointer)
+# Compiled file by file, so that no file misses an include.
+set(GAPCHECK_PLAIN_TWINS gapcheck_base gapcheck_records gapcheck_keyword)
+
+# gapcheck_twins(TARGET KIND…): twins of a library TARGET of the present directory, made at the directory's end, when
+# nothing is added to it any more.
+function(gapcheck_twins target)
+  if(NOT GAPCHECK_TWINS)
+    return()
+  endif()
+  foreach(kind ${ARGN})
+    set_property(GLOBAL APPEND PROPERTY gapcheck_twins_${kind} ${target})
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL gapcheck_twin_library ${target} ${kind})")
+  endforeach()
+endfunction()
+
+# gapcheck_twin_test(TARGET KIND TEST ARGUMENT…): a twin of a test program, and test TEST_KIND that runs it.
+function(gapcheck_twin_test target kind test)
+  if(GAPCHECK_TWINS)
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL gapcheck_twin_program ${target} ${kind})")
+    set(arguments "${ARGN}")
+    list(TRANSFORM arguments PREPEND "[==[")
+    list(TRANSFORM arguments APPEND "]==]")
+    list(JOIN arguments " " arguments)
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL gapcheck_add_twin_test ${target} ${kind} ${test} ${arguments})")
+  endif()
+endfunction()
+
+function(gapcheck_add_twin_test target kind test)
+  add_test(NAME ${test}_${kind} COMMAND ${target}_${kind} ${ARGN})
+  set(environment ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1
+      GAPCHECK_STRESS_PAIRS=1000 GAPCHECK_RANDOM_FIELDS=100000)
+  # Random tests take fewer samples, and those of slow_tests.txt are left to the plain programs.
+  file(STRINGS ${PROJECT_SOURCE_DIR}/tests/slow_tests.txt slow REGEX "^[^#]")
+  list(JOIN slow ":" slow)
+  set(programs GAPCHECK_PROGRAM=$<TARGET_FILE:gapcheck>_${kind} CHECK_C_PROGRAM=$<TARGET_FILE:check-c>_${kind})
+  set_tests_properties(${test}_${kind} PROPERTIES TIMEOUT 900 LABELS ${kind}
+                       ENVIRONMENT "${environment};GTEST_FILTER=-${slow};${programs}")
+endfunction()
+
+# `out`: the libraries `links` with the names of those replaced that have a twin.
+function(gapcheck_twin_links kind out links)
+  get_property(twins GLOBAL PROPERTY gapcheck_twins_${kind})
+  list(JOIN twins "|" twins)
+  string(REGEX REPLACE "(^|[:;])(${twins})($|[>;])" "\\1\\2_${kind}\\3" links "${links}")
+  # Neighbours share a separator, and the first pass leaves every other one.
+  string(REGEX REPLACE "(^|[:;])(${twins})($|[>;])" "\\1\\2_${kind}\\3" links "${links}")
+  set(${out} "${links}" PARENT_SCOPE)
+endfunction()
+
+function(gapcheck_twin_library target kind)
+  set(twin ${target}_${kind})
+  get_target_property(sources ${target} SOURCES)
+  add_library(${twin} STATIC EXCLUDE_FROM_ALL ${sources})
+  foreach(property COMPILE_DEFINITIONS COMPILE_FEATURES INCLUDE_DIRECTORIES INTERFACE_INCLUDE_DIRECTORIES
+                   INTERFACE_COMPILE_FEATURES LINK_LIBRARIES INTERFACE_LINK_LIBRARIES MANUALLY_ADDED_DEPENDENCIES)
+    get_target_property(value ${target} ${property})
+    if(NOT value)
+      continue()
+    endif()
+    if(property MATCHES "LINK_LIBRARIES$")
+      gapcheck_twin_links(${kind} value "${value}")
+    endif()
+    if(property STREQUAL MANUALLY_ADDED_DEPENDENCIES)
+      add_dependencies(${twin} ${value})
+    else()
+      set_property(TARGET ${twin} PROPERTY ${property} "${value}")
+    endif()
+  endforeach()
+  # Instrumented std::variant and std::regex look uninitialised to g++ 12.
+  target_compile_options(${twin} PRIVATE ${GAPCHECK_TWIN_${kind}} -Wno-maybe-uninitialized)
+  if(target IN_LIST GAPCHECK_PLAIN_TWINS AND kind STREQUAL sanitized)
+    set_target_properties(${twin} PROPERTIES UNITY_BUILD OFF)
+  endif()
+endfunction()
+
+# All libraries with twins that a target links, directly or not.
+function(gapcheck_twins_below target kind out)
+  get_property(twins GLOBAL PROPERTY gapcheck_twins_${kind})
+  set(found "")
+  set(open ${target})
+  while(open)
+    list(POP_FRONT open next)
+    get_target_property(links ${next} LINK_LIBRARIES)
+    foreach(link ${links})
+      if(link IN_LIST twins AND NOT link IN_LIST found)
+        list(APPEND found ${link})
+      endif()
+      if(TARGET ${link} AND link MATCHES "^gapcheck_" AND NOT link IN_LIST seen AND NOT link STREQUAL gapcheck_flags)
+        list(APPEND seen ${link})
+        list(APPEND open ${link})
+      endif()
+    endforeach()
+  endwhile()
+  set(${out} "${found}" PARENT_SCOPE)
+endfunction()
+
+function(gapcheck_twin_program target kind)
+  set(twin ${target}_${kind})
+  add_executable(${twin} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${target}>)
+  set_target_properties(${twin} PROPERTIES LINKER_LANGUAGE CXX)
+  # The libraries come first and as a whole: of inline functions that both they and the program's objects hold, the linker
+  # takes the first, and that must be the sanitized one.
+  gapcheck_twins_below(${target} ${kind} libraries)
+  list(TRANSFORM libraries APPEND _${kind})
+  list(TRANSFORM libraries REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE files)
+  string(REGEX MATCH "-fsanitize=[a-z,]+" sanitizer "${GAPCHECK_TWIN_${kind}}")
+  target_link_options(${twin} PRIVATE ${sanitizer})
+  if(libraries)
+    target_link_options(${twin} PRIVATE -Wl,--whole-archive ${files} -Wl,--no-whole-archive)
+    set_property(TARGET ${twin} APPEND PROPERTY LINK_DEPENDS ${files})
+    add_dependencies(${twin} ${libraries})
+  endif()
+  get_target_property(links ${target} LINK_LIBRARIES)
+  gapcheck_twin_links(${kind} links "${links}")
+  set_property(TARGET ${twin} PROPERTY LINK_LIBRARIES "${links}")
+  add_dependencies(gapcheck_twins_of_${kind} ${twin})
+endfunction()
+
+if(GAPCHECK_TWINS)
+  add_custom_target(gapcheck_twins_of_sanitized)
+  add_custom_target(gapcheck_twins_of_threads)
+endif()
