@@ -76,7 +76,7 @@ Timesteps timesteps_of(const gapcheck::Timesteps& from) {
   steps.contact = from.contact_timestep;
   steps.element = from.element_timestep;
   for (const gapcheck::SurfaceTimestep& each : from.surface_timesteps)
-    steps.surfaces.push_back({each.contact, each.side, each.type, each.timestep, each.node, each.part, each.rough});
+    steps.surfaces.push_back({each.contact, each.side, each.type, each.timestep, each.node, each.part});
   return steps;
 }
 

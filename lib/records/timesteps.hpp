@@ -15,7 +15,6 @@ struct SurfaceTimestep {
   std::string type;                 ///< as printed, blanks out: "a3"
   double timestep = 0;              ///< 1e16: no limit
   std::int64_t node = 0, part = 0;  ///< controlling; 0: none known
-  bool rough = false;               ///< computed; the solver is known to print somewhat different values in such cases
 };
 
 /// Time steps that contact and elements allow, whether printed by the solver or computed from a deck. Zero: not known.

@@ -13,7 +13,6 @@ struct SurfaceTimestep {
   std::string type;                 ///< the contact's code: "a3"
   double timestep = 0;              ///< 1e16: no limit
   std::int64_t node = 0, part = 0;  ///< controlling; 0: unknown
-  bool rough = false;               ///< computed; the solver may print a somewhat different value
 };
 
 /// Time steps that contacts and elements allow, printed by the solver or computed from a deck, in the model's unit of

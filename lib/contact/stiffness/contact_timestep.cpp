@@ -30,20 +30,26 @@ NodeIndex lowest_node(const ContactSide& side) {
 }  // namespace
 
 TimestepEstimate::TimestepEstimate(const model::Model& model, const ElementSizes& sizes)
-    : model_(model), springs_(model, sizes), masses_(node_masses(model, sizes)), sums_(model.mesh.nodes.size()) {}
+    : model_(model),
+      springs_(model, sizes),
+      sizes_(sizes),
+      printed_masses_(node_masses(model, sizes, true)),
+      sums_(model.mesh.nodes.size()) {}
 
-NodeIndex TimestepEstimate::smallest(const Segments& s) {
+template <class SquaredStep>
+NodeIndex TimestepEstimate::smallest(const Segments& s, const std::vector<double>& masses,
+                                     const SquaredStep& squared_step) {
   // From here on `weighted` holds the squared step of a node that has springs, and infinity for all others.
-  const auto squared_step = [&](std::uint32_t n) {
-    const double k = sums_[n].value(), m = masses_[n];
-    const double squared = m > 0 && k > 0 ? m / (2 * k) : infinite;
+  const auto squared_at = [&](std::uint32_t n) {
+    const double k = sums_[n].value(), m = masses[n];
+    const double squared = m > 0 && k > 0 ? squared_step(m, k) : infinite;
     return squared > 0 ? squared : infinite;
   };
   double least = infinite;
   NodeIndex node = none<NodeIndex>;
   if (most_of_the_mesh(s)) {
     parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) sums_[n].weighted = squared_step(static_cast<std::uint32_t>(n));
+      for (std::size_t n = begin; n < end; ++n) sums_[n].weighted = squared_at(static_cast<std::uint32_t>(n));
     });
     for (const NodeStiffness& sum : sums_) least = std::min(least, sum.weighted);
     if (least == infinite) return node;
@@ -52,41 +58,50 @@ NodeIndex TimestepEstimate::smallest(const Segments& s) {
     return node;
   }
   for (const auto& nodes : s.nodes)
-    for (const NodeIndex n : nodes) least = std::min(least, squared_step(n.value));
+    for (const NodeIndex n : nodes) least = std::min(least, squared_at(n.value));
   if (least == infinite) return node;
   for (const auto& nodes : s.nodes)
     for (const NodeIndex n : nodes)
-      if (n < node && squared_step(n.value) <= least * (1 + equal_squared_steps)) node = n;
+      if (n < node && squared_at(n.value) <= least * (1 + equal_squared_steps)) node = n;
   return node;
 }
 
-SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLimit limit) {
+template <class SquaredStep>
+SideTimestep TimestepEstimate::find(const Segments& s, double scale, TimestepLimit limit,
+                                    const SquaredStep& squared_step) {
+  const bool printed = limit == TimestepLimit::printed;
+  if (!printed && masses_.empty()) masses_ = node_masses(model_, sizes_);
+  const std::vector<double>& masses = printed ? printed_masses_ : masses_;
   corners_.resize(s.size());
   parallel_for(s.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      // Beams have their own springs only in types 26, for which no estimate is known.
-      const SegmentSpring spring = s.element_kind[i] == model::ElementKind::beam
-                                       ? SegmentSpring{}
-                                       : springs_(s, i, scale, limit == TimestepLimit::printed);
+      // Beams have their own springs only in types 26; the printed step does not know them.
+      const SegmentSpring spring =
+          s.element_kind[i] == model::ElementKind::beam ? SegmentSpring{} : springs_(s, i, scale, printed);
       corners_[i] = {spring.weight, spring.weight * spring.stiffness};
     }
   });
+  const auto corners = [&](std::size_t i) { return printed ? s.nodes[i].size() : corner_count(s.nodes[i]); };
   sum_at_nodes(sums_, s.size(), [&](std::size_t i, const auto& add) {
     if (corners_[i].weight > 0)
-      for (std::size_t c = 0; c < corner_count(s.nodes[i]); ++c) add(s.nodes[i][c], corners_[i]);
+      for (std::size_t c = 0; c < corners(i); ++c) add(s.nodes[i][c], corners_[i]);
   });
   SideTimestep result;
-  result.node = smallest(s);
+  result.node = smallest(s, masses, squared_step);
   if (result.node != none<NodeIndex>) {
     NodeStiffness own;
     for (std::size_t i = 0; i < s.size(); ++i) {
-      if (!is_corner(s.nodes[i], result.node) || !(corners_[i].weight > 0)) continue;
-      if (result.part == none<PartIndex>) result.part = part_of(model_.mesh, s, i);
-      result.triangles = result.triangles || corner_count(s.nodes[i]) == 3;
-      own += corners_[i];
+      if (!(corners_[i].weight > 0)) continue;
+      for (std::size_t c = 0; c < corners(i); ++c) {
+        if (s.nodes[i][c] != result.node) continue;
+        if (result.part == none<PartIndex>) result.part = part_of(model_.mesh, s, i);
+        own += corners_[i];
+      }
     }
-    const double squared_period = masses_[result.node.value] / own.value();
-    result.timestep = limit == TimestepLimit::printed ? std::sqrt(squared_period / 2) : 2 * std::sqrt(squared_period);
+    result.mass = masses[result.node.value];
+    result.stiffness = own.value();
+    result.timestep = printed ? std::sqrt(squared_step(result.mass, result.stiffness))
+                              : 2 * std::sqrt(result.mass / result.stiffness);
   }
   if (most_of_the_mesh(s)) {
     parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
@@ -97,6 +112,15 @@ SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLim
   for (const auto& nodes : s.nodes)
     for (const NodeIndex n : nodes) sums_[n.value] = {};
   return result;
+}
+
+SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLimit limit) {
+  return find(s, scale, limit, [](double m, double k) { return m / (2 * k); });
+}
+
+SideTimestep TimestepEstimate::transducer_side(const Segments& s, double scale, const SideTimestep& other) {
+  return find(s, scale, TimestepLimit::printed,
+              [&](double m, double k) { return m * other.mass / ((m + other.mass) * std::min(k, other.stiffness)); });
 }
 
 bool has_timestep(const ContactType& type) {
@@ -127,22 +151,29 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
     const model::Contact& contact = model.contact(c);
     if (!contact.known || contact.own_layout || !has_timestep(classify(contact))) continue;
     const ContactSurfaces& s = surfaces.at(c);
-    const bool springs = s.type.code != ContactCode::transducer && contact.soft != 2;
-    const auto add = [&](char letter, const ContactSide& side, double factor) {
-      const double scale = model.controls.slsfac * factor;
-      SideTimestep found = estimate.side(side.selection.segments, scale);
+    if (contact.soft == 2) continue;  // the solver prints none
+    const bool transducer = s.type.code == ContactCode::transducer;
+    const double scale_a = model.controls.slsfac * contact.sfs, scale_b = model.controls.slsfac * contact.sfm;
+    const Segments &a = s.a.selection.segments, &b = s.b.selection.segments;
+    const auto add = [&](char letter, const ContactSide& side, SideTimestep found, double scale) {
       if (found.node == none<NodeIndex>) found.node = lowest_node(side);
       if (found.node == none<NodeIndex>) return;
       list.push_back({c.value, letter, s.type.printed(), found.timestep, model.mesh.nodes.id[found.node.value],
-                      found.part == none<PartIndex> ? 0 : model.part(found.part).id.value, found.triangles});
+                      found.part == none<PartIndex> ? 0 : model.part(found.part).id.value});
       if (found.timestep >= no_timestep_limit) return;
       if (least == 0 || found.timestep < least) least = found.timestep;
-      if (!springs || !(found.timestep < all.run)) return;
+      if (transducer || !(found.timestep < all.run)) return;
       const SideTimestep limit = estimate.side(side.selection.segments, scale, TimestepLimit::spring);
       if (limit.timestep < all.run) all.unstable.push_back({static_cast<std::uint32_t>(list.size() - 1), limit});
     };
-    add('A', s.a, contact.sfs);
-    if (s.two_sided()) add('B', s.b, contact.sfm);
+    SideTimestep of_a = estimate.side(a, scale_a), of_b = s.two_sided() ? estimate.side(b, scale_b) : SideTimestep{};
+    if (transducer && of_a.mass > 0 && of_b.mass > 0) {
+      const SideTimestep alone = of_a;
+      of_a = estimate.transducer_side(a, scale_a, of_b);
+      of_b = estimate.transducer_side(b, scale_b, alone);
+    }
+    add('A', s.a, of_a, scale_a);
+    if (s.two_sided()) add('B', s.b, of_b, scale_b);
   }
   return all;
 }

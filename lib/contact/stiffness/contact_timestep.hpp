@@ -17,16 +17,16 @@ struct SideTimestep {
   double timestep = no_timestep_limit;
   NodeIndex node = none<NodeIndex>;  ///< controlling; without a limit the lowest node of the surface
   PartIndex part = none<PartIndex>;  ///< of a segment at that node
-  bool triangles = false;            ///< a triangle is at that node: the solver's value differs somewhat
+  double mass = 0, stiffness = 0;    ///< of that node
 };
 
-/// Which limit is meant. `printed`: the one that the solver prints when it initialises, √(m / (2 k)) with K A / t for
-/// shells (contact rules, section 12.3). `spring`: 2 √(m / k) with the stiffness of the springs themselves (contact
-/// rules, section 6.1), the step at which a node oscillates without bound against a rigid surface.
+/// Which limit is meant. `printed`: the one that the solver prints when it initialises, √(m / (2 k)) with masses and
+/// stiffness of its own (contact rules, section 12.3). `spring`: 2 √(m / k) with the stiffness of the springs
+/// themselves (contact rules, section 6.1), the step at which a node oscillates without bound against a rigid surface.
 enum class TimestepLimit : std::uint8_t { printed, spring };
 
-/// Estimates the stable time step of contact springs: for each side the smallest limit of its nodes, with m the node's
-/// mass and k the weighted stiffness of the segments at the node.
+/// The time step of contact springs: for each side the smallest limit of its nodes, with m the node's mass and k the
+/// weighted stiffness of the segments at the node.
 /// Steps that differ by less than 1e-12 are equal; the lowest node controls. Source: contact rules, section 12.3.
 /// Not for use from several threads. Model and sizes must outlive it.
 class TimestepEstimate {
@@ -34,15 +34,25 @@ class TimestepEstimate {
   TimestepEstimate(const model::Model& model, const ElementSizes& sizes);
   /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top.
   [[nodiscard]] SideTimestep side(const Segments& segments, double scale, TimestepLimit limit = TimestepLimit::printed);
+  /// The printed step of one side of a transducer whose other side is controlled by a node with this mass and
+  /// stiffness: the least √(m M / ((m + M) min(k, K))).
+  [[nodiscard]] SideTimestep transducer_side(const Segments& segments, double scale, const SideTimestep& other);
 
  private:
-  [[nodiscard]] NodeIndex smallest(const Segments& segments);
+  template <class SquaredStep>
+  [[nodiscard]] SideTimestep find(const Segments& segments, double scale, TimestepLimit limit,
+                                  const SquaredStep& squared_step);
+  template <class SquaredStep>
+  [[nodiscard]] NodeIndex smallest(const Segments& segments, const std::vector<double>& masses,
+                                   const SquaredStep& squared_step);
   /// Then all nodes are visited, not the corners of the segments.
   [[nodiscard]] bool most_of_the_mesh(const Segments& segments) const { return segments.size() > sums_.size() / 8; }
 
   const model::Model& model_;
   SegmentSprings springs_;
-  std::vector<double> masses_;          // by node
+  const ElementSizes& sizes_;
+  std::vector<double> printed_masses_;  // by node
+  std::vector<double> masses_;          // by node; empty until the springs' own step is asked for
   std::vector<NodeStiffness> sums_;     // by node; zero between calls
   std::vector<NodeStiffness> corners_;  // by segment: what it adds at each corner
 };

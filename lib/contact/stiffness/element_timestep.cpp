@@ -33,6 +33,18 @@ std::vector<double> speeds(const model::Model& model, const Speed& speed) {
   return of_part;
 }
 
+/// By how much the linear bulk viscosity of one-point solids speeds up their sound at rest: the solver takes it for
+/// compression, so that L / c becomes L / (Q + √(Q² + c²)) with Q = q2 c (contact rules, section 13.1). The list of a
+/// run with fully integrated solids (ELFORM 2) has L / c.
+double bulk_viscosity_factor(const model::Model& model, const model::Part& part) {
+  if (!part.section) return 1;
+  const model::Section& section = model.sections[*part.section];
+  const bool one_point = section.elform == 0 || section.elform == 1 || section.elform == 10;
+  if (section.kind != model::SectionKind::solid || !one_point) return 1;
+  const double q2 = std::max(model.controls.bulk_q2, 0.0);
+  return q2 + std::sqrt(q2 * q2 + 1);
+}
+
 /// Length / speed of all elements of one kind; infinite for those that do not count.
 template <std::size_t N, class Length>
 std::vector<double> steps_of(const model::Elements<N>& elements, const std::vector<double>& speed,
@@ -58,8 +70,8 @@ void for_each_kind(const model::Model& model, const ElementSizes& sizes, const T
   const auto shell = speeds(model, [&](const model::Material& material, double density, const model::Part&) {
     return shell_sound_speed(material, density, model.controls.isdo);
   });
-  const auto solid = speeds(model, [](const model::Material& material, double density, const model::Part&) {
-    return solid_sound_speed(material, density);
+  const auto solid = speeds(model, [&](const model::Material& material, double density, const model::Part& part) {
+    return solid_sound_speed(material, density) * bulk_viscosity_factor(model, part);
   });
   const auto beam = speeds(model, [&](const model::Material& material, double density, const model::Part& part) {
     const bool discrete = part.section && model.sections[*part.section].elform == model::discrete_beam;

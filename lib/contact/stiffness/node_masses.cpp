@@ -21,13 +21,16 @@ class Densities {
 
 bool counts(double mass) { return mass > 0 && std::isfinite(mass); }
 
-void add_shells(const model::Mesh& mesh, const ElementSizes& sizes, const Densities& densities,
+/// `printed`: see node_masses().
+void add_shells(const model::Model& model, const ElementSizes& sizes, const Densities& densities, bool printed,
                 std::vector<double>& masses) {
+  const model::Mesh& mesh = model.mesh;
   sum_at_nodes(masses, mesh.shells.size(), [&](std::size_t i, const auto& add) {
     const double mass = densities.at(mesh.shells.part[i]) * sizes.shell_area[i] * sizes.shell_thickness[i];
     if (!counts(mass)) return;
     const auto& n = mesh.shells.nodes[i];
-    const std::size_t corners = n[2] == n[3] ? 3 : 4;
+    const bool all_listed = printed && model.rigid(mesh.shells.part[i]);
+    const std::size_t corners = n[2] == n[3] && !all_listed ? 3 : 4;
     for (std::size_t c = 0; c < corners; ++c) add(n[c], mass / static_cast<double>(corners));
   });
 }
@@ -69,11 +72,11 @@ double density(const model::Model& model, PartIndex part) {
   return sum / p.composite_thickness;
 }
 
-std::vector<double> node_masses(const model::Model& model, const ElementSizes& sizes) {
+std::vector<double> node_masses(const model::Model& model, const ElementSizes& sizes, bool printed) {
   const model::Mesh& mesh = model.mesh;
   std::vector<double> masses(mesh.nodes.size(), 0.0);
   const Densities densities(model);
-  add_shells(mesh, sizes, densities, masses);
+  add_shells(model, sizes, densities, printed, masses);
   add_solids(mesh.solids, sizes.solid_volume, densities, masses);
   add_solids(mesh.thick_shells, sizes.thick_shell_volume, densities, masses);
   sum_at_nodes(masses, mesh.beams.size(), [&](std::size_t i, const auto& add) {

@@ -7,8 +7,10 @@ namespace gapcheck::contact {
 
 /// Lumped mass of every node: shells ρ A t, solids and thick shells ρ V, beams ρ A L in equal shares to their nodes,
 /// and *ELEMENT_MASS. Rigid parts count like others. Elements whose mass is not a number are left out. One pass,
-/// linear.
-[[nodiscard]] std::vector<double> node_masses(const model::Model& model, const ElementSizes& sizes);
+/// linear. `printed`: as in the solver's printed contact time step, where a triangle of a rigid part has a quarter of
+/// its mass at each listed corner, and so a half at the third (contact rules, section 12.3).
+[[nodiscard]] std::vector<double> node_masses(const model::Model& model, const ElementSizes& sizes,
+                                              bool printed = false);
 
 /// Mass per volume of a part; plies of *PART_COMPOSITE together. 0 without a material.
 [[nodiscard]] double density(const model::Model& model, PartIndex part);

@@ -15,6 +15,12 @@ double longest_diagonal(const model::SegmentNodes& n, const std::vector<Vector>&
   return std::sqrt(corner_count(n) == 3 ? std::max(longest, squared(0, 1)) : longest);
 }
 
+/// Of a triangle as of the quad n1 n2 n3 n3.
+double shorter_diagonal(const model::SegmentNodes& n, const std::vector<Vector>& x) {
+  const auto squared = [&](std::size_t a, std::size_t b) { return (x[n[a].value] - x[n[b].value]).squaredNorm(); };
+  return std::sqrt(std::min(squared(0, 2), squared(1, 3)));
+}
+
 }  // namespace
 
 SegmentSprings::SegmentSprings(const model::Model& model, const ElementSizes& sizes) : model_(model), sizes_(sizes) {
@@ -48,15 +54,17 @@ SegmentSpring SegmentSprings::operator()(const Segments& s, std::size_t i, doubl
   double area = 0, stiffness = 0;
   if (s.element_kind[i] == model::ElementKind::shell) {
     area = sizes_.shell_area[e];
-    stiffness = printed ? shell_estimate_stiffness(scale, modulus, area, sizes_.shell_thickness[e])
-                        : shell_segment_stiffness(scale, modulus, area, longest_diagonal(s.nodes[i], x));
+    const double thickness = sizes_.shell_thickness[e];
+    stiffness =
+        printed ? shell_segment_stiffness(scale, modulus, area, std::max(thickness, shorter_diagonal(s.nodes[i], x)))
+                : shell_segment_stiffness(scale, modulus, area, longest_diagonal(s.nodes[i], x));
   } else {
     const bool thick = s.element_kind[i] == model::ElementKind::thick_shell;
     area = shell_area(s.nodes[i], x);
     stiffness = solid_segment_stiffness(scale, solid_modulus > 0 ? solid_modulus : modulus, area,
                                         (thick ? sizes_.thick_shell_volume : sizes_.solid_volume)[e]);
   }
-  const double weight = area / static_cast<double>(corner_count(s.nodes[i]));
+  const double weight = area / static_cast<double>(printed ? s.nodes[i].size() : corner_count(s.nodes[i]));
   if (!(weight > 0) || !std::isfinite(weight * stiffness)) return {};
   return {stiffness, weight};
 }

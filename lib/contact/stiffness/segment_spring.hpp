@@ -12,17 +12,19 @@ namespace gapcheck::contact {
 /// corners.
 struct SegmentSpring {
   double stiffness = 0;
-  double weight = 0;  ///< area / number of corners; 0: the segment gives no stiffness
+  /// Area / number of corners; 0: the segment gives no stiffness. Of the printed step: area / 4, at the four listed
+  /// corners, so that a triangle counts twice at its third node.
+  double weight = 0;
 };
 
 /// The input for the stiffness of all segments of a model. Model and sizes must outlive it.
 class SegmentSprings {
  public:
   SegmentSprings(const model::Model& model, const ElementSizes& sizes);
-  /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top. `printed`: K A / t for shells, as in the
-  /// solver's estimate of the time step, instead of K A / longest diagonal. `solid_modulus`: SLDSTF, replaces the
-  /// modulus of solids where it is positive. A beam counts as a shell strip as wide as its section is thick, which the
-  /// printed estimate leaves out. Source: contact rules, sections 6.1 and 12.3; for beams our own choice.
+  /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top. `printed`: K A / max(t, shorter diagonal) for
+  /// shells, as in the solver's printed time step, instead of K A / longest diagonal. `solid_modulus`: SLDSTF, replaces
+  /// the modulus of solids where it is positive. A beam counts as a shell strip as wide as its section is thick, which
+  /// the printed estimate leaves out. Source: contact rules, sections 6.1 and 12.3; for beams our own choice.
   [[nodiscard]] SegmentSpring operator()(const Segments& segments, std::size_t segment, double scale,
                                          bool printed = false, double solid_modulus = 0) const;
 

@@ -33,10 +33,6 @@ double shell_segment_stiffness(double scale, double modulus, double area, double
   return quotient(scale * modulus * area, longest_diagonal);
 }
 
-double shell_estimate_stiffness(double scale, double modulus, double area, double thickness) {
-  return quotient(scale * modulus * area, thickness);
-}
-
 double spring_stiffness(std::int64_t penopt, const PairStiffness& pair) {
   switch (penopt) {
     case 2:

@@ -7,7 +7,7 @@ namespace gapcheck::contact {
 
 // Penalty stiffness of contact, one function per formula. Units: those of the deck. A quotient whose divisor is not
 // positive is 0: the value is unknown, and no stiffness is better than an infinite one. Source: contact rules, section
-// 6; for the estimates of the printed time step: contact rules, section 12.3.
+// 6; for the printed time step: contact rules, section 12.3.
 
 /// Bulk modulus that contact uses for a material: K, or E / (3 (1 - 2 ν)); *MAT_FABRIC: Ea / (1 - ν²). 0 = unknown.
 [[nodiscard]] double contact_modulus(const model::Material& material);
@@ -16,10 +16,9 @@ namespace gapcheck::contact {
 
 /// SOFT = 0, segment of a solid: scale · K · A² / V. `scale` = SLSFAC · SFS (or SFM).
 [[nodiscard]] double solid_segment_stiffness(double scale, double modulus, double area, double volume);
-/// SOFT = 0, segment of a shell: scale · K · A / longest diagonal.
-[[nodiscard]] double shell_segment_stiffness(double scale, double modulus, double area, double longest_diagonal);
-/// A shell in the solver's estimate of the contact time step: scale · K · A / t, t of the section.
-[[nodiscard]] double shell_estimate_stiffness(double scale, double modulus, double area, double thickness);
+/// SOFT = 0, segment of a shell: scale · K · A / length; the length is the longest diagonal, in the printed time step
+/// the larger of thickness and shorter diagonal.
+[[nodiscard]] double shell_segment_stiffness(double scale, double modulus, double area, double length);
 
 /// Area-weighted stiffness of a node: Σ w k / Σ w over the segments at it, w = A / number of the segment's corners.
 struct NodeStiffness {

@@ -69,7 +69,6 @@ void append_timestep(const SurfaceTimestep& step, Members& entry) {
   entry.number("timestep", step.timestep);
   if (step.node != 0) entry.integer("node", step.node);
   if (step.part != 0) entry.integer("part", step.part);
-  if (step.rough) entry.raw("rough", "true");
 }
 
 }  // namespace

@@ -52,10 +52,13 @@ const Timesteps* timesteps(const Report& report) {
 void append_surface_timesteps(const Timesteps& steps, std::uint32_t contact, std::string& out) {
   for (const SurfaceTimestep& step : steps.surface_timesteps) {
     if (step.contact != contact) continue;
-    out += fmt::format("  surface {}: time step ", step.side);
-    out += step.timestep >= no_timestep_limit ? "without limit" : fmt::format("{:.3E}", step.timestep);
-    out += fmt::format(", controlled by node {} of part {}", id_or_dash(step.node), id_or_dash(step.part));
-    out += step.rough ? " (rough: triangles)\n" : "\n";
+    if (step.timestep >= no_timestep_limit) {
+      out += fmt::format("  surface {}: no time step limit: no node has both mass and a segment of shells or solids\n",
+                         step.side);
+      continue;
+    }
+    out += fmt::format("  surface {}: time step {:.3E}, controlled by node {} of part {}\n", step.side, step.timestep,
+                       id_or_dash(step.node), id_or_dash(step.part));
   }
 }
 

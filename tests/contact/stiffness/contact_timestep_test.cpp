@@ -18,7 +18,8 @@ std::vector<SurfaceTimestep> steps(const Scene& scene) {
   return predict_timesteps(scene.model, surfaces, all).timesteps.surface_timesteps;
 }
 
-// All shells alike: k = 0.1 K A / t everywhere, and a corner node has the mass ρ A t / 4, so Δt = t √(ρ / (0.8 K)).
+// All shells alike: k = 0.1 K A / d everywhere, with the diagonal d, and a corner node has the mass ρ A t / 4, so
+// Δt = √(ρ t d / (0.8 K)).
 TEST(ContactTimestep, PlateIsLimitedByItsLowestCorner) {
   Scene scene;
   const PartIndex part = scene.part(7, 0.5);
@@ -27,12 +28,27 @@ TEST(ContactTimestep, PlateIsLimitedByItsLowestCorner) {
   scene.contact("AUTOMATIC_SINGLE_SURFACE");
   const auto list = steps(scene);
   ASSERT_EQ(list.size(), 1u);
-  EXPECT_DOUBLE_EQ(list[0].timestep, 0.5 * std::sqrt(rho / (0.8 * bulk)));
+  EXPECT_DOUBLE_EQ(list[0].timestep, std::sqrt(rho * 0.5 * std::sqrt(13.0) / (0.8 * bulk)));
   EXPECT_EQ(list[0].node, scene.model.mesh.nodes.id[nodes[0].value]);
   EXPECT_EQ(list[0].part, 7);
   EXPECT_EQ(list[0].side, 'A');
   EXPECT_EQ(list[0].type, "13");
-  EXPECT_FALSE(list[0].rough);
+}
+
+// Shells thicker than their diagonal: k = 0.1 K A / t. Of a leaning quad the shorter diagonal counts.
+TEST(ContactTimestep, ThickShellsByTheirThicknessThinOnesByTheShorterDiagonal) {
+  for (const double thickness : {0.5, 5.0}) {
+    Scene scene;
+    const PartIndex part = scene.part(1, thickness);
+    scene.material(part, rho, bulk);
+    const auto at = [&](double x, double y) { return scene.node(Vector(x, y, 0)); };
+    scene.shell(part, {at(0, 0), at(2, 0), at(3, 2), at(1, 2)});  // A = 4, diagonals √13 and √5
+    scene.contact("AUTOMATIC_SINGLE_SURFACE");
+    const auto list = steps(scene);
+    ASSERT_EQ(list.size(), 1u);
+    const double k = 0.1 * bulk * 4 / std::max(thickness, std::sqrt(5.0));
+    EXPECT_DOUBLE_EQ(list[0].timestep, std::sqrt(rho * thickness * 4 / 4 / (2 * k)));
+  }
 }
 
 // A cube of side a: A² / V = a, so Δt = √(ρ a³ / 8 / (2 · 0.1 K a)); side B has SFM = 4 and half the step.
@@ -79,22 +95,90 @@ TEST(ContactTimestep, WeighsTheSegmentsAndCountsEveryMass) {
   scene.contact("AUTOMATIC_SINGLE_SURFACE").a = {1, 3, 0, true};
   const auto list = steps(scene);
   ASSERT_EQ(list.size(), 1u);
-  const double k = 0.1 * bulk * (2 * 2 + 6 * 6) / (2 + 6);  // k = 0.1 K A / t with A = 2 and 6
-  EXPECT_EQ(list[0].node, 2);                               // b: lighter than e
+  // k = 0.1 K A / d with A = 2 and 6, d = √5 and √13
+  const double k = 0.1 * bulk * (2 * 2 / std::sqrt(5.0) + 6 * 6 / std::sqrt(13.0)) / (2 + 6);
+  EXPECT_EQ(list[0].node, 2);  // b: lighter than e
   EXPECT_DOUBLE_EQ(list[0].timestep, std::sqrt(rho * (2 + 6) / 4 / (2 * k)));
 }
 
-TEST(ContactTimestep, TrianglesAreRough) {
+// A = 2, t = 1; of the quad n1 n2 n3 n3 the shorter diagonal is 2, so k = 0.1 K at each node. Deformable: a third of
+// the mass at each; rigid: a quarter at each listed corner, a half at the third.
+TEST(ContactTimestep, TrianglesByTheirListedCorners) {
+  for (const bool rigid : {false, true}) {
+    Scene scene;
+    const PartIndex part = scene.part(1, 1);
+    scene.material(part, rho, bulk).rigid = rigid;
+    const NodeIndex a = scene.node(Vector(0, 0, 0)), b = scene.node(Vector(2, 0, 0)), c = scene.node(Vector(0, 2, 0));
+    scene.shell(part, {a, b, c, c});
+    scene.contact("AUTOMATIC_SINGLE_SURFACE");
+    const auto list = steps(scene);
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].node, 1);
+    EXPECT_DOUBLE_EQ(list[0].timestep, std::sqrt(rho * 2 * (rigid ? 1 / 4.0 : 1 / 3.0) / (0.2 * bulk)));
+  }
+}
+
+// A triangle counts twice at its third node and once at the others. Only the shared node is light.
+TEST(ContactTimestep, TrianglesCountTwiceAtTheirThirdNode) {
+  for (const bool third : {false, true}) {
+    Scene scene;
+    const PartIndex part = scene.part(1, 1);
+    scene.material(part, rho, bulk);
+    const auto at = [&](double x, double y) { return scene.node(Vector(x, y, 0)); };
+    const NodeIndex shared = at(0, 0), a = at(-1, 0), b = at(-1, -1), c = at(0, -1), d = at(2, 0), e = at(0, 2);
+    scene.shell(part, {shared, a, b, c});  // A = 1, diagonals √2
+    if (third)
+      scene.shell(part, {d, e, shared, shared});  // A = 2; diagonals of the quad: 2 and 2
+    else
+      scene.shell(part, {shared, d, e, e});  // 2 and √8
+    for (const NodeIndex heavy : {a, b, c, d, e}) {
+      scene.model.mesh.masses.id.push_back(static_cast<std::int64_t>(heavy.value) + 1);
+      scene.model.mesh.masses.nodes.push_back({heavy});
+      scene.model.mesh.masses.part.push_back(none<PartIndex>);
+      scene.model.mesh.mass_values.push_back(1000);
+    }
+    scene.contact("AUTOMATIC_SINGLE_SURFACE");
+    const auto list = steps(scene);
+    ASSERT_EQ(list.size(), 1u);
+    const double times = third ? 2 : 1, quad = 0.1 * bulk / std::sqrt(2.0), triangle = 0.1 * bulk * 2 / 2;
+    const double k = (1 * quad + times * 2 * triangle) / (1 + times * 2), m = rho * (1 / 4.0 + 2 / 3.0);
+    EXPECT_EQ(list[0].node, 1);
+    EXPECT_DOUBLE_EQ(list[0].timestep, std::sqrt(m / (2 * k)));
+  }
+}
+
+// Cubes of 3 and 1 with side B's SFM = 4: m = ρ a³ / 8, k = 0.1 SF K a. Each side of a transducer prints
+// √(m M / ((m + M) min(k, K))) with the controlling node of the other; for equal nodes that is √(m / (2 k)).
+TEST(ContactTimestep, TransducersWithTwoSidesPrintThePair) {
+  Scene scene;
+  const PartIndex a = scene.part(1, 0), b = scene.part(2, 0);
+  scene.material(a, rho, bulk);
+  scene.material(b, rho, bulk);
+  scene.brick(a, Vector(0, 0, 0), Vector(3, 3, 3));
+  scene.brick(b, Vector(9, 0, 0), Vector(1, 1, 1));
+  auto& contact = scene.contact("FORCE_TRANSDUCER");
+  contact.a = {1, 3, 0, true};
+  contact.b = {2, 3, 0, true};
+  contact.sfm = 4;
+  const auto list = steps(scene);
+  ASSERT_EQ(list.size(), 2u);
+  const double m = rho * 27 / 8, other = rho / 8, k = 0.1 * bulk * 3, stiff = 0.4 * bulk;
+  const double step = std::sqrt(m * other / ((m + other) * std::min(k, stiff)));
+  EXPECT_DOUBLE_EQ(list[0].timestep, step);
+  EXPECT_DOUBLE_EQ(list[1].timestep, step);
+  contact.b = {0, 3, 0, false};  // one side alone prints as any other contact
+  const auto alone = steps(scene);
+  ASSERT_EQ(alone.size(), 1u);
+  EXPECT_DOUBLE_EQ(alone[0].timestep, std::sqrt(m / (2 * k)));
+}
+
+TEST(ContactTimestep, SegmentContactsPrintNone) {
   Scene scene;
   const PartIndex part = scene.part(1, 1);
   scene.material(part, rho, bulk);
-  const NodeIndex a = scene.node(Vector(0, 0, 0)), b = scene.node(Vector(2, 0, 0)), c = scene.node(Vector(0, 2, 0));
-  scene.shell(part, {a, b, c, c});
-  scene.contact("AUTOMATIC_SINGLE_SURFACE");
-  const auto list = steps(scene);
-  ASSERT_EQ(list.size(), 1u);
-  EXPECT_TRUE(list[0].rough);
-  EXPECT_DOUBLE_EQ(list[0].timestep, std::sqrt(rho * 2 / 3 / (0.2 * bulk * 2)));
+  scene.plate(part, Vector(0, 0, 0), Vector(2, 0, 0), Vector(0, 3, 0), 1, 1);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE").soft = 2;
+  EXPECT_TRUE(steps(scene).empty());
 }
 
 TEST(ContactTimestep, NodesAloneAndWeakMaterialsLimitNothing) {
@@ -144,8 +228,9 @@ TEST(ContactTimestep, LargeSurfacesAndSmallOnes) {
   scene.contact("AUTOMATIC_SINGLE_SURFACE");
   const auto many = steps(scene);
   ASSERT_EQ(many.size(), 3u);
-  EXPECT_NEAR(many[0].timestep, 0.3 * std::sqrt(rho / (0.8 * bulk)), 1e-12);
-  EXPECT_NEAR(many[1].timestep, 0.4 * std::sqrt(rho / (0.8 * bulk)), 1e-12);
+  const double diagonal = (Vector(1.1, 0.01, 0) - Vector(0.02, 0.9, 0)).norm();  // the shorter one
+  EXPECT_NEAR(many[0].timestep, std::sqrt(rho * 0.3 * diagonal / (0.8 * bulk)), 1e-12);
+  EXPECT_NEAR(many[1].timestep, std::sqrt(rho * 0.4 * diagonal / (0.8 * bulk)), 1e-12);
   EXPECT_EQ(many[1].node, 301 * 201 + 1);
   EXPECT_EQ(many[2].timestep, many[0].timestep);  // nothing is left over from the calls before
   const JobLimit one(1);

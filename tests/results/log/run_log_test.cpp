@@ -46,7 +46,7 @@ TEST(RunLog, TimeStepsAsInMessag) {
   ContactSummary contact;
   contact.id = 80086;
   Timesteps steps;
-  steps.surface_timesteps = {{0, 'A', "a3", 1.669e-7, 1, 1, false}, {0, 'B', "a3", 1.605e-6, 19394, 2, false}};
+  steps.surface_timesteps = {{0, 'A', "a3", 1.669e-7, 1, 1}, {0, 'B', "a3", 1.605e-6, 19394, 2}};
   const std::string text = surface_timesteps(steps, std::vector{contact});
   EXPECT_EQ(text.substr(0, text.find("\n The")),
             "\n"
@@ -83,7 +83,7 @@ TEST(RunLog, IsReadBack) {
   p.moved_to = {0, 0, 0.501};
   report.penetrations = {p};
   Timesteps steps;
-  steps.surface_timesteps = {{0, 'A', "a3", 1.669e-7, 1, 1, false}};
+  steps.surface_timesteps = {{0, 'A', "a3", 1.669e-7, 1, 1}};
   const std::string text =
       log_banner(header) + contact_definitions(std::vector{definition()}) + message_blocks(report) +
       surface_timesteps(steps, report.contacts) + smallest_timesteps(std::vector{ElementStep{"shell", 5, 2, 2.5e-7}}) +

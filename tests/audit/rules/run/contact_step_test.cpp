@@ -8,7 +8,7 @@ JudgedRun run_at(double step) {
   run.global(0).time_step = step / 2;
   run.global(1).time_step = step;
   run.log.contact_timestep = 1.669e-7;
-  run.log.surface_timesteps = {{0, 'A', "a3", 1.605e-6, 19394, 2, false}, {1, 'B', "a3", 1.669e-7, 51, 1, false}};
+  run.log.surface_timesteps = {{0, 'A', "a3", 1.605e-6, 19394, 2}, {1, 'B', "a3", 1.669e-7, 51, 1}};
   run.contacts.resize(2);
   run.contacts[0].id = 80086;
   run.contacts[1].id = 8009;

@@ -45,7 +45,7 @@ TEST(ContactTimestep, ReportsWhatTheSolverPrints) {
   ASSERT_TRUE(report.predicted);
   ASSERT_EQ(report.predicted->surface_timesteps.size(), 1U);
   const SurfaceTimestep& side = report.predicted->surface_timesteps[0];
-  EXPECT_NEAR(side.timestep, std::sqrt(rho / (0.8 * bulk)), 1e-12);
+  EXPECT_NEAR(side.timestep, std::sqrt(rho * std::sqrt(32.0) / (0.8 * bulk)), 1e-12);  // m / (2 k), k = 0.1 K A / d
   EXPECT_EQ(side.node, 1);
   EXPECT_EQ(side.part, 1);
   EXPECT_EQ(side.type, "13");
