@@ -65,14 +65,18 @@ struct Penetration {
   /// The node before the contact was initialised; edges: the point of the tracked edge that is nearest to the other
   /// one.
   Vector original = Vector::Zero();
-  Vector point = Vector::Zero();     ///< closest point of the segment or of the other edge
-  Vector moved_to = Vector::Zero();  ///< where the solver puts the node; as `original` where it does not move it
+  Vector point = Vector::Zero();  ///< closest point of the segment or of the other edge
+  /// Where the solver puts the node; outcome `kept`: where it recommends to put it (IGNORE = 2). Otherwise as
+  /// `original`.
+  Vector moved_to = Vector::Zero();
   std::uint32_t file = 0, line = 0;  ///< of the node; file is a position in Report::files, line 0 = unknown
   PenetrationKind kind = PenetrationKind::initial;
   Outcome outcome = Outcome::reported;
   Feature feature = Feature::face;
   ThicknessRule node_rule = ThicknessRule::none, segment_rule = ThicknessRule::none;
   [[nodiscard]] double remaining() const { return contact_distance - depth; }
+  /// `moved_to` is a recommendation.
+  [[nodiscard]] bool recommended() const { return outcome == Outcome::kept && moved_to != original; }
 };
 
 }  // namespace gapcheck

@@ -4,6 +4,15 @@
 
 namespace gapcheck {
 
+void InitialSummary::add(const InitialSummary& other) {
+  const bool first = messages + nodes + eliminated == 0;
+  least = first ? other.least : std::min(least, other.least);
+  greatest = first ? other.greatest : std::max(greatest, other.greatest);
+  messages += other.messages;
+  nodes += other.nodes;
+  eliminated += other.eliminated;
+}
+
 void count(const Penetration& record, ContactSummary& contact) {
   switch (record.kind) {
     case PenetrationKind::initial:

@@ -43,6 +43,14 @@ struct Finding {
   FindingMembers members = {};  ///< only on request; what a rule does not list may be missing
 };
 
+/// What the solver says of the initial penetrations of one contact, all its blocks together.
+struct InitialSummary {
+  std::uint64_t messages = 0, nodes = 0, eliminated = 0;
+  double least = 0, greatest = 0;  ///< penetration
+  /// Of another block of the same contact: its other side, or what was eliminated later.
+  void add(const InitialSummary& other);
+};
+
 /// One contact definition and what was found in it.
 struct ContactSummary {
   std::int64_t id = 0;
@@ -56,11 +64,12 @@ struct ContactSummary {
   std::uint64_t segment_penetrations = 0, mortar_penetrations = 0, edge_penetrations = 0;
   std::uint64_t ties = 0, untied = 0;
   std::uint64_t out_of_reach = 0;  ///< tracked nodes of parts and segments that are too far away to be meant to tie
-  std::uint64_t reported_penetrations = 0;  ///< a count given in the files without a list of nodes (MPP); 0: none
-  double contact_time_s = -1;               ///< CPU seconds spent in it; negative: unknown
-  std::string not_checked;                  ///< why neither penetrations nor ties were decided; empty: they were
-  bool ties_judged = false;                 ///< of a deck: its nodes were judged as ties, not as penetrations
-  bool by_segments = false;                 ///< judged segment against segment: the solver lists no nodes of it
+  std::uint64_t reported_penetrations = 0;        ///< a count given in the files without a list of nodes (MPP); 0: none
+  std::optional<InitialSummary> initial_summary;  ///< of the solver's files; none: they have none
+  double contact_time_s = -1;                     ///< CPU seconds spent in it; negative: unknown
+  std::string not_checked;                        ///< why neither penetrations nor ties were decided; empty: they were
+  bool ties_judged = false;                       ///< of a deck: its nodes were judged as ties, not as penetrations
+  bool by_segments = false;                       ///< judged segment against segment: the solver lists no nodes of it
   std::string file;
   std::uint32_t line = 0;
 };

@@ -31,6 +31,7 @@ class Deck:
         self.nodes, self.parts, self.contacts, self.controls = {}, [], [], []
         self.shells, self.solids, self.beams = [], [], []
         self.shell_thickness = {}  # element id -> thickness of its card
+        self.recommends = False  # IGNORE = 2: the solver says where a node should be
         self.expected, self.not_checked = [], []
         self.mesh_file = None  # name of an include file for nodes and elements
 
@@ -116,6 +117,7 @@ class Deck:
         self.controls.append(f"*SET_PART_LIST\n{sid:>10}\n" + card(*parts))
 
     def control_contact(self, shlthk=0, ssthk=0, th=0.0, ignore=0):
+        self.recommends = ignore == 2
         self.controls.append("\n".join(["*CONTROL_CONTACT", card(0.1, 0.0, 2, shlthk, 1, 0, 1),
                                         card(0, 0, 10, 0, 4.0, ssthk), card(0.0, 0.0, 0.0, 0.0, th), card(ignore)]))
 
@@ -127,8 +129,8 @@ class Deck:
         depth = h - distance
         entry = {"rule": rule, "contact": contact, "node": node, "penetration": depth, "contact_distance": h,
                  "outcome": outcome, "feature": feature}
-        if outcome == "moved":
-            entry["moved_to"] = [x + SHOOT * depth * d for x, d in zip(self.position(contact, node), direction)]
+        if outcome == "moved" or (outcome == "kept" and self.recommends):
+            entry["moved_to" if outcome == "moved" else "recommended"] = [x + SHOOT * depth * d for x, d in zip(self.position(contact, node), direction)]
         self.expected.append(entry)
 
     def position(self, contact, node):

@@ -64,8 +64,11 @@ void expect_same(const Penetration& p, const json& expected) {
   EXPECT_NEAR(p.contact_distance, h, 1e-9 * h);
   // A position is known to the digits of its coordinates only.
   const double scale = std::max(1.0, p.original.cwiseAbs().maxCoeff());
+  EXPECT_EQ(p.recommended(), expected.contains("recommended"));
   if (expected.contains("moved_to"))
     expect_same_point(p.moved_to, expected["moved_to"], scale);
+  else if (expected.contains("recommended"))
+    expect_same_point(p.moved_to, expected["recommended"], scale);
   else
     EXPECT_EQ(p.moved_to, p.original);
 }

@@ -76,9 +76,10 @@ struct Penetrations {
   std::span<const double> local;                  ///< n × 2: s and t of the closest point on the segment, -1 to 1
   std::span<const double> position;               ///< n × 3: the node before the contact was initialised
   std::span<const double> closest;                ///< n × 3: the closest point of the segment or of the other edge
-  std::span<const double> moved_to;             ///< n × 3: where the solver puts the node; `position` if nowhere else
-  std::span<const Outcome> outcome;             ///< n
-  std::span<const Feature> feature;             ///< n
+  std::span<const double> moved_to;  ///< n × 3: where the solver puts the node, or recommends to (outcome kept, IGNORE
+                                     ///< = 2); else `position`
+  std::span<const Outcome> outcome;  ///< n
+  std::span<const Feature> feature;  ///< n
   std::span<const ThicknessRule> node_rule;     ///< n: where the node's share of the contact distance comes from
   std::span<const ThicknessRule> segment_rule;  ///< n: the same of the segment
   std::span<const std::uint32_t> file;          ///< n, positions in Report::files, of the node

@@ -59,7 +59,8 @@ Penetration penetration_record(const PairScene& scene, ContactIndex contact, con
   p.line = mesh.nodes.line[node.value];
   p.kind = kind_of(scene, hit, pair, p.depth);
   p.outcome = outcome_of(p.kind, scene.settings);
-  if (p.outcome == Outcome::moved)
+  const bool recommended = p.outcome == Outcome::kept && scene.settings.ignore == 2;
+  if (p.outcome == Outcome::moved || recommended)
     p.moved_to = p.original + shooting_move * p.depth * free_direction(scene, hit.slot, hit.segment, pair);
   return p;
 }

@@ -60,9 +60,10 @@ double printing_error(double value) {
   return 0.5 * std::pow(10.0, std::floor(std::log10(value)) - 4) * (1 + 1e-6);
 }
 
-void only_one(const Node& node, bool in_first, std::int64_t contact, ContactComparison& sum,
+/// `knows_released`: the other source lists released nodes of this contact.
+void only_one(const Node& node, bool in_first, bool knows_released, std::int64_t contact, ContactComparison& sum,
               std::vector<Difference>& differences) {
-  if (node.released) return;
+  if (node.released && !knows_released) return;
   ++(in_first ? sum.only_first : sum.only_second);
   differences.push_back({contact, node.id, in_first ? node.depth : -1, in_first ? -1 : node.depth});
 }
@@ -83,12 +84,16 @@ void both(const Node& a, const Node& b, double tolerance, std::int64_t contact, 
 /// Iterates over both lists in parallel.
 void compare_nodes(std::span<const Node> a, std::span<const Node> b, double tolerance, ContactComparison& sum,
                    std::vector<Difference>& differences) {
+  const auto any_released = [](std::span<const Node> nodes) {
+    return std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.released; });
+  };
+  const bool known_in_a = any_released(a), known_in_b = any_released(b);
   std::size_t i = 0, k = 0;
   while (i < a.size() || k < b.size()) {
     if (k == b.size() || (i < a.size() && a[i].key() < b[k].key())) {
-      only_one(a[i++], true, sum.id, sum, differences);
+      only_one(a[i++], true, known_in_b, sum.id, sum, differences);
     } else if (i == a.size() || b[k].key() < a[i].key()) {
-      only_one(b[k++], false, sum.id, sum, differences);
+      only_one(b[k++], false, known_in_a, sum.id, sum, differences);
     } else {
       both(a[i++], b[k++], tolerance, sum.id, sum, differences);
     }

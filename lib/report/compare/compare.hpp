@@ -45,9 +45,10 @@ struct Comparison {
 
 /// Compares the initial-penetration records of two reports, contact by contact (by id), node by node; depths agree
 /// within `tolerance` (absolute; plus half a unit in the fifth digit, which is what messag prints). A node that one
-/// source calls released agrees with a record of the other, and is not a difference without one: it is not known
-/// whether the solver lists such a node. Nodes of the edge zone are left out: the solver never lists them. A contact
-/// that only one source has is a difference only if it has records. Untied nodes are compared as compare_ties() does.
+/// source calls released agrees with a record of the other; without one it is a difference only if the other source
+/// lists released nodes of this contact at all, for it is not known whether the solver does. Nodes of the edge zone are
+/// left out: the solver never lists them. A contact that only one source has is a difference only if it has records.
+/// Untied nodes are compared as compare_ties() does.
 [[nodiscard]] Comparison compare(const Report& first, const Report& second, double tolerance);
 
 /// Compares the untied nodes of one contact, by node and reason; positions in Report::contacts, nothing: the report has

@@ -41,6 +41,16 @@ void append_model(const ModelCounts& model, Buffer& out) {
   object.close();
 }
 
+void append_summary(const InitialSummary& summary, Members& object) {
+  object.object("initial_summary", [&](Members& entry) {
+    entry.integer("messages", summary.messages);
+    entry.integer("nodes", summary.nodes);
+    entry.integer("eliminated", summary.eliminated);
+    entry.number("least", summary.least);
+    entry.number("greatest", summary.greatest);
+  });
+}
+
 void append_contact(const Report& report, std::uint32_t position, Buffer& out) {
   const ContactSummary& contact = report.contacts[position];
   const bool deck = report.source == "deck";  // solver files do not know everything about a contact
@@ -68,6 +78,7 @@ void append_contact(const Report& report, std::uint32_t position, Buffer& out) {
   if (contact.reported_penetrations != 0) object.integer("reported_penetrations", contact.reported_penetrations);
   if (contact.contact_time_s >= 0) object.number("contact_time_s", contact.contact_time_s);
   append_predicted_timesteps(report, position, object, out);
+  if (contact.initial_summary) append_summary(*contact.initial_summary, object);
   if (!contact.not_checked.empty()) object.string("not_checked", contact.not_checked);
   if (!contact.file.empty()) object.string("file", contact.file);
   if (contact.line != 0) object.integer("line", contact.line);
@@ -109,7 +120,7 @@ void append_penetration(const Report& report, const Penetration& record, const s
   if (placed) object.array("original", coordinates(record.original));
   if (placed) object.array("point", coordinates(record.point));
   if (placed && (record.outcome == Outcome::moved || record.moved_to != record.original))
-    object.array("moved_to", coordinates(record.moved_to));
+    object.array(record.recommended() ? "recommended" : "moved_to", coordinates(record.moved_to));
   // The solver does not list nodes of the edge zone, so nothing happens to them yet. What it does with edges is not
   // known.
   if (record.kind != PenetrationKind::edge_zone && record.kind != PenetrationKind::edge)

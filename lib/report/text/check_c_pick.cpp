@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -101,6 +103,17 @@ bool known_selection(const std::string& sel) {
 std::uint64_t unlisted_penetrations(const ContactSummary& contact) {
   const std::uint64_t listed = contact.penetrations + contact.released;
   return contact.reported_penetrations > listed ? contact.reported_penetrations - listed : 0;
+}
+
+std::string summary_line(const ContactSummary& contact) {
+  if (!contact.initial_summary) return "";
+  const InitialSummary& said = *contact.initial_summary;
+  std::string line = fmt::format("the solver's summary: {} penetrating node{}", said.nodes, said.nodes == 1 ? "" : "s");
+  if (said.nodes + said.eliminated > 0) line += fmt::format(", {:.4g} to {:.4g}", said.least, said.greatest);
+  if (said.eliminated > 0) line += fmt::format(", {} eliminated", said.eliminated);
+  const std::uint64_t listed = contact.penetrations + contact.released;
+  if (listed > 0 && listed < said.nodes) line += fmt::format("; {} listed: the file is cut", listed);
+  return line;
 }
 
 bool knows_remaining(const Report& report, const Penetration& record) {

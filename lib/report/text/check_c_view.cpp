@@ -93,6 +93,7 @@ void append_interface(const Report& report, std::uint32_t position, const CheckC
   append_kind(report, order, PenetrationKind::mortar, "mortar segments, not listed by the solver", options, out);
   append_kind(report, order, PenetrationKind::edge, "edges, not listed by the solver", options, out);
   if (unlisted > 0) out += fmt::format("  pen, counted without a list: {}\n", nodes(unlisted));
+  if (const std::string said = summary_line(contact); !said.empty()) out += "  " + said + '\n';
   append_tie_warnings(ties, options, out);
   if (options.bucket) append_histograms(report, records, ties, options, out);
   if (options.psum && records.size() + ties.size() > 0) append_part_sums(order, ties, out);

@@ -40,6 +40,8 @@ struct CheckCOptions {
 
 /// Initial penetrations that the files count beyond those they list.
 [[nodiscard]] std::uint64_t unlisted_penetrations(const ContactSummary& contact);
+/// "the solver's summary: 18 nodes, 0.3 to 0.5, …" with what is missing from the list; empty: it gave none.
+[[nodiscard]] std::string summary_line(const ContactSummary& contact);
 
 /// False if the file does not say how far the node still is from the surface.
 [[nodiscard]] bool knows_remaining(const Report& report, const Penetration& record);

@@ -99,7 +99,7 @@ void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
                                                       : std::string(name(record.outcome));
   const Vector& x = record.moved_to;
   row[12] = record.outcome == Outcome::moved || x != record.original
-                ? fmt::format("{:.6g} {:.6g} {:.6g}", x[0], x[1], x[2])
+                ? fmt::format("{}{:.6g} {:.6g} {:.6g}", record.recommended() ? "recommended: " : "", x[0], x[1], x[2])
                 : "";
   if (record.element != 0 || n[0] != 0) return;
   // A line of a log that names little more than the node.
@@ -228,6 +228,7 @@ Sums append_contact_block(const Report& report, std::uint32_t position, const Te
   const std::uint64_t unlisted = unlisted_penetrations(contact);
   if (!records.empty() || unlisted > 0 || (contact.not_checked.empty() && !contact.ties_judged && ties.empty()))
     out += "  " + size_of(report, contact) + result_line(report, sum, unlisted, paint) + '\n';
+  if (const std::string said = summary_line(contact); !said.empty()) out += "  " + said + '\n';
   if (const Timesteps* steps = timesteps(report)) append_surface_timesteps(*steps, position, out);
   if (contact.ties > 0 || contact.ties_judged) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
   if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));

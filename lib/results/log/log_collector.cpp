@@ -72,6 +72,10 @@ void LogCollector::end_file() {
     else
       contact.in_message_files += contact.in_file;
     contact.in_file = 0;
+    // Files of one run repeat each other; the one that says most counts.
+    const std::optional<InitialSummary> said = std::exchange(contact.summary_in_file, std::nullopt);
+    std::optional<InitialSummary>& known = contact.summary.initial_summary;
+    if (said && (!known || said->nodes + said->eliminated > known->nodes + known->eliminated)) known = said;
   }
   // A negative limit applies to the files, any limit to the screen.
   const auto limit = static_cast<std::uint64_t>(message_limit_ < 0 ? -message_limit_ : message_limit_);
@@ -98,6 +102,14 @@ void LogCollector::set_type(std::uint32_t slot, std::string_view type, TypeSourc
 void LogCollector::count_penetrations(std::uint32_t slot, std::uint64_t count) {
   if (companion_) return;
   contacts_[slot].in_file = std::max(contacts_[slot].in_file, count);
+}
+
+void LogCollector::add_summary(std::uint32_t slot, const InitialSummary& summary) {
+  if (companion_) return;
+  std::optional<InitialSummary>& sum = contacts_[slot].summary_in_file;
+  if (!sum) sum.emplace();
+  sum->add(summary);
+  count_penetrations(slot, sum->nodes);
 }
 
 void LogCollector::add(const SurfaceTimestep& step) {

@@ -42,6 +42,9 @@ class LogCollector {
   /// A count of penetrations that the current file gives for an interface.
   void count_penetrations(std::uint32_t slot, std::uint64_t count);
 
+  /// A summary of initial penetrations in the current file.
+  void add_summary(std::uint32_t slot, const InitialSummary& summary);
+
   SolverRun& run() { return run_; }
   MessageLog& messages() { return messages_; }
   void add(const Penetration& record) { penetrations_.push_back(record); }
@@ -60,6 +63,7 @@ class LogCollector {
     bool timestep_a = false, timestep_b = false;
     // A d3hsp repeats what the message files say; message files of several ranks add up.
     std::uint64_t in_file = 0, in_message_files = 0, in_d3hsp = 0;
+    std::optional<InitialSummary> summary_in_file;
   };
 
   void sort_contacts(const LogOptions& options);

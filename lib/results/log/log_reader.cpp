@@ -102,7 +102,7 @@ class FileReader {
       case 'm':
       case 't':
       case 'r':
-        return echo_.surface_timestep(lines_, text);
+        return echo_.surface_timestep(lines_, text) || nodes_.initial_summary(lines_, text);
       case 'C':
         return echo_.interface_heading(lines_, text) || echo_.summary(lines_, text) || nodes_.mortar(lines_, text);
       case '1':

@@ -210,7 +210,7 @@ struct PenetrationReader {
     if (depth && remaining_known) p.contact_distance = p.depth + remaining;
     const bool st = coordinates_on_segment == 2;
     if (!st) p.s = p.t = std::numeric_limits<double>::quiet_NaN();
-    p.moved_to = modified ? target : p.original;
+    p.moved_to = modified || recommended ? target : p.original;
     p.outcome = recommended ? Outcome::kept : Outcome::reported;
     if (modified && original && p.moved_to != p.original) p.outcome = Outcome::moved;
     if (kind.record == BlockRecord::released) {

@@ -92,6 +92,39 @@ bool NodeLines::warning_summary(Lines& lines, std::string_view text) {
   return true;
 }
 
+bool NodeLines::initial_summary(Lines& lines, std::string_view text) {
+  if (!text.starts_with("summary of initial penetration for interface")) return false;
+  const auto id = id_behind(text, "interface");
+  InitialSummary summary;
+  constexpr int most_lines = 5;
+  lines.advance();
+  for (int i = 0; i < most_lines && !lines.done(); ++i, lines.advance()) {
+    const auto entry = field(lines.line());
+    if (!entry) break;
+    std::string_view value = entry->value;
+    const auto read_count = [&](std::uint64_t& count) {
+      if (const auto number = take_integer(value); number && *number > 0) count = static_cast<std::uint64_t>(*number);
+    };
+    const auto read_depth = [&](double& depth) {
+      if (const auto number = take_real(value)) depth = std::abs(*number);
+    };
+    if (entry->label == "number of warning messages")
+      read_count(summary.messages);
+    else if (entry->label == "number of penetrating nodes")
+      read_count(summary.nodes);
+    else if (entry->label == "number of penetrating node eliminated")
+      read_count(summary.eliminated);
+    else if (entry->label == "min penetration distance")
+      read_depth(summary.least);
+    else if (entry->label == "max penetration distance")
+      read_depth(summary.greatest);
+    else
+      break;
+  }
+  if (id) collector_.add_summary(collector_.slot(*id), summary);
+  return true;
+}
+
 bool NodeLines::mortar(Lines& lines, std::string_view text) {
   if (!text.starts_with("Contact sliding interface")) return false;
   const std::uint32_t first = lines.number();

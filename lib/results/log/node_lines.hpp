@@ -17,6 +17,8 @@ class NodeLines {
   bool count_line(std::string_view text);
   /// "Summary of warning messages for interface # = 2" and the count below it.
   bool warning_summary(Lines& lines, std::string_view text);
+  /// "summary of initial penetration for interface #= 1" and the counts and depths below it (SMP).
+  bool initial_summary(Lines& lines, std::string_view text);
   /// "Contact sliding interface 1010" and the lines of a mortar contact below it.
   bool mortar(Lines& lines, std::string_view text);
   /// Anything with "Moved node", "has penetration" or, outside of a d3hsp's echo, "penetrat": ids and numbers are taken

@@ -22,7 +22,13 @@ void coordinates(const char* which, std::int64_t node, const Vector& point, Buff
 
 void penetration(const Penetration& p, std::int64_t contact, Buffer& out) {
   const auto to = std::back_inserter(out);
-  fmt::format_to(to, " \n *** Warning 40565 (SOL+565)\n     Initialization\n");
+  if (p.kind ==
+      PenetrationKind::released)  // no list of the solver shows such a message: number and words are not known
+    fmt::format_to(to,
+                   " \n *** Warning\n     Penetrating node is released from contact since it is\n     too far below "
+                   "segment.\n");
+  else
+    fmt::format_to(to, " \n *** Warning 40565 (SOL+565)\n     Initialization\n");
   fmt::format_to(to, "     contact interface #                    = {}\n", contact);
   fmt::format_to(to, "     penetrating node #                     = {}\n", p.node);
   fmt::format_to(to, "     segment #                              = {}\n", p.segment_number);
@@ -34,6 +40,21 @@ void penetration(const Penetration& p, std::int64_t contact, Buffer& out) {
                  p.segment[3]);
   coordinates("original", p.node, p.original, out);
   if (p.outcome == Outcome::moved) coordinates("modified", p.node, p.moved_to, out);
+  if (p.recommended()) coordinates("recommended", p.node, p.moved_to, out);
+}
+
+/// The summary of a contact's initial penetrations as it follows their list.
+void summary(const InitialSummary& sum, std::int64_t contact, Buffer& out) {
+  const auto to = std::back_inserter(out);
+  fmt::format_to(to, " summary of initial penetration for interface #= {}\n", contact);
+  const auto count = [&](const char* label, std::uint64_t value) {
+    fmt::format_to(to, "   {:<44}= {}\n", label, value);
+  };
+  count("number of warning messages", sum.messages);
+  count("number of penetrating nodes", sum.nodes);
+  count("number of penetrating node eliminated", sum.eliminated);
+  fmt::format_to(to, "   {:<44}= {}\n", "min penetration distance", real(sum.least));
+  fmt::format_to(to, "   {:<44}= {}\n", "max penetration distance", real(sum.greatest));
 }
 
 /// Header and sentence of a tie message. Reasons without a known number are recognised by their words.
@@ -79,8 +100,16 @@ std::string message_blocks(const Report& report) {
   const auto id = [&](std::uint32_t contact) {
     return contact < report.contacts.size() ? report.contacts[contact].id : std::int64_t{0};
   };
-  for (const Penetration& record : report.penetrations)
-    if (record.kind == PenetrationKind::initial) penetration(record, id(record.contact), out);
+  for (auto record = report.penetrations.begin(); record != report.penetrations.end();) {
+    const std::uint32_t contact = record->contact;
+    InitialSummary sum;
+    for (; record != report.penetrations.end() && record->contact == contact; ++record) {
+      if (!listed_by_solver(record->kind)) continue;
+      penetration(*record, id(contact), out);
+      sum.add({1, 1, 0, record->depth, record->depth});
+    }
+    if (sum.nodes > 0) summary(sum, id(contact), out);
+  }
   for (const TieFailure& failure : report.tie_failures) tie(failure, id(failure.contact), out);
   return fmt::to_string(out);
 }

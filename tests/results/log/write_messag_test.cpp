@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <regex>
 
 #include "results/fixtures.hpp"
 #include "results/read.hpp"
@@ -92,7 +93,10 @@ TEST(WriteMessag, ReadingBackGivesThePrintedDigits) {
 
 TEST(WriteMessag, LayoutOfTheSolver) {
   const std::string& solver = fixtures::smp_penetrations;
-  const std::string written = write_messag(read_text(solver).report);
+  // The fixture was cut from a longer file, without the summaries.
+  const std::string written =
+      std::regex_replace(write_messag(read_text(solver).report),
+                         std::regex(" summary of initial penetration[^\n]*\n(   (number|min|max)[^\n]*\n)+"), "");
   const std::size_t begin = solver.find(" \n ***"), end = solver.find(" contracting");
   EXPECT_NE(written.find(solver.substr(begin, end - begin)), std::string::npos) << written;
 }
