@@ -25,6 +25,7 @@ contact::InitialState& SharedResults::initial() {
     options.segments = selection_.needs(Need::segment_penetrations);
     options.mortar = selection_.needs(Need::mortar_penetrations);
     options.edges = selection_.needs(Need::edge_penetrations);
+    options.moved_into = selection_.needs(Need::moved_nodes);
     initial_ = contact::initialise_contacts(selection_.model(), surfaces_, options, counters_);
   }
   return *initial_;

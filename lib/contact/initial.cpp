@@ -118,7 +118,8 @@ class Initialiser {
       note(c, fmt::format("DEPTH = {} also holds edges against edges, which was not done", depth));
     count_surfaces(sides, summary);
     PenetrationList list(state_.penetrations);
-    find_penetrations({model_, options_, *search_, ties_, present_, counters_}, c, sides, exclusions, list);
+    find_penetrations({model_, options_, *search_, ties_, present_, counters_}, c, sides, exclusions, list,
+                      state_.moved_into);
     for (const Penetration& p : list.records()) count(p, summary);
   }
 

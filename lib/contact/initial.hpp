@@ -25,7 +25,8 @@ struct InitialOptions {
   // Penetrations that move no nodes are searched only on request.
   bool segments = false;  ///< contacts with SOFT = 2
   bool mortar = false;
-  bool edges = false;  ///< edges against edges in types 26
+  bool edges = false;       ///< edges against edges in types 26
+  bool moved_into = false;  ///< searches again for the nodes that a contact has moved, once it has moved them all
 };
 
 struct InitialCounters {
@@ -39,9 +40,18 @@ struct InitialCounters {
   double surface_s = 0, search_s = 0;
 };
 
+/// A node that the solver moves out of one segment and into another, which shares no node with the first.
+struct MovedInto {
+  NodeIndex node;
+  std::int64_t element = 0, element_part = 0;  ///< ids of the element that it left and of its part; 0: unknown
+  double moved = 0;                            ///< by how much
+  Penetration into;                            ///< where it lands, `original` being where it was moved to
+};
+
 struct InitialState {
   std::vector<ContactSummary> contacts;   ///< beside Model::contacts; those not chosen have `not_checked` set
   std::vector<Penetration> penetrations;  ///< by contact, deepest first, then node id
+  std::vector<MovedInto> moved_into;      ///< only on request; by contact
   std::vector<JudgedNode> judged;         ///< nodes meant to tie; by contact, then node
   std::vector<std::string> notes;         ///< input that is not supported
   std::vector<Vector> x;                  ///< coordinates after the initialisation

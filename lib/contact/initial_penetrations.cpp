@@ -1,6 +1,7 @@
 #include "contact/initial_penetrations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <optional>
 
@@ -33,6 +34,43 @@ class SideSearch {
              const Exclusions& exclusions, PenetrationList& list)
       : of_(scene), contact_(contact), surfaces_(surfaces), exclusions_(exclusions), list_(list) {}
 
+  /// Once all nodes are moved: those that have landed in another segment.
+  void find_moved_into(bool exchanged, std::vector<MovedInto>& list) {
+    const std::vector<Hit>& left = left_[exchanged];
+    if (left.empty()) return;
+    const SideScene side(of_.model, contact_, surfaces_, exchanged, of_.present.x());
+    const PairScene& all = side.scene();
+    TrackedNodes nodes;
+    for (const Hit& hit : left) {
+      nodes.node.push_back(all.nodes.node[hit.slot.value]);
+      nodes.half.push_back(all.nodes.half[hit.slot.value]);
+      nodes.rule.push_back(all.nodes.rule[hit.slot.value]);
+      nodes.part.push_back(all.nodes.part[hit.slot.value]);
+      if (!all.nodes.shift.empty()) nodes.shift.push_back(all.nodes.shift[hit.slot.value]);
+    }
+    PairScene scene{all.model, all.contact,    all.type,         all.settings, all.x, all.segments,
+                    nodes,     all.neighbours, all.surface_type, all.solids,   {}};
+    scene.tolerance = of_.options.tolerance;
+    scene.mode = of_.options.mode;
+    scene.own = all.own;
+    scene.own_neighbours = all.own_neighbours;
+    const model::Mesh& mesh = of_.model.mesh;
+    for (const Hit& hit : search(scene, side.tracked())) {
+      const SegmentIndex from = left[hit.slot.value].segment;
+      const auto& a = all.segments.nodes[from.value];
+      const auto& b = all.segments.nodes[hit.segment.value];
+      if (std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end()) continue;
+      MovedInto found;
+      found.node = nodes.node[hit.slot.value];
+      found.element = element_id(mesh, all.segments, from.value);
+      if (const PartIndex part = part_of(mesh, all.segments, from.value); part != none<PartIndex>)
+        found.element_part = of_.model.part(part).id.value;
+      found.into = penetration_record(scene, contact_, hit);
+      found.moved = (scene.x[found.node.value] - mesh.nodes.x[found.node.value]).norm();
+      list.push_back(found);
+    }
+  }
+
   /// `exchanged`: side B's nodes in side A's segments.
   void run(bool exchanged) {
     const ContactType& type = surfaces_.type;
@@ -52,7 +90,7 @@ class SideSearch {
       std::erase_if(hits, [&](const Hit& hit) { return !hit.in_band || only_touches(scene, hit); });
     list_.keep_one_per_node(hits, nodes, of_.model.mesh.nodes.id);
     if (of_.options.edges && type.edges) add_edges(scene);
-    move_nodes(scene, hits, add_nodes(scene, hits));
+    move_nodes(scene, hits, add_nodes(scene, hits), left_[exchanged]);
   }
 
  private:
@@ -93,11 +131,15 @@ class SideSearch {
     return records;
   }
 
-  void move_nodes(const PairScene& scene, std::span<const Hit> hits, std::span<const Penetration> records) {
+  /// `left`: gets the hits whose nodes are moved, if that is asked for.
+  void move_nodes(const PairScene& scene, std::span<const Hit> hits, std::span<const Penetration> records,
+                  std::vector<Hit>& left) {
     if (of_.options.nodes_stay) return;
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const NodeIndex node = scene.nodes.node[hits[i].slot.value];
-      if (records[i].outcome == Outcome::moved) of_.present.move(node, records[i].moved_to);
+      if (records[i].outcome != Outcome::moved) continue;
+      of_.present.move(node, records[i].moved_to);
+      if (of_.options.moved_into) left.push_back(hits[i]);
     }
   }
 
@@ -106,6 +148,7 @@ class SideSearch {
   const ContactSurfaces& surfaces_;
   const Exclusions& exclusions_;
   PenetrationList& list_;
+  std::array<std::vector<Hit>, 2> left_;  ///< by side of the nodes: hits whose nodes were moved, ascending by slot
 };
 
 }  // namespace
@@ -115,10 +158,11 @@ bool searches_both_sides(const ContactType& type) {
 }
 
 void find_penetrations(const InitialSearch& scene, ContactIndex contact, const ContactSurfaces& surfaces,
-                       const Exclusions& exclusions, PenetrationList& list) {
+                       const Exclusions& exclusions, PenetrationList& list, std::vector<MovedInto>& moved_into) {
   SideSearch search(scene, contact, surfaces, exclusions, list);
   search.run(false);
   if (searches_both_sides(surfaces.type)) search.run(true);
+  for (const bool exchanged : {false, true}) search.find_moved_into(exchanged, moved_into);
   list.sort_deepest_first();
 }
 

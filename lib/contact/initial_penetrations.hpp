@@ -20,8 +20,9 @@ struct InitialSearch {
 [[nodiscard]] bool searches_both_sides(const ContactType& type);
 
 /// Adds the penetrations of one contact, deepest first, and moves the nodes that the solver moves: side A's nodes
-/// before side B's are searched. `surfaces`: of this contact on the present coordinates.
+/// before side B's are searched. `surfaces`: of this contact on the present coordinates. `moved_into`: gets the
+/// moved nodes that land in other segments, if the options ask for them.
 void find_penetrations(const InitialSearch& scene, ContactIndex contact, const ContactSurfaces& surfaces,
-                       const Exclusions& exclusions, PenetrationList& list);
+                       const Exclusions& exclusions, PenetrationList& list, std::vector<MovedInto>& moved_into);
 
 }  // namespace gapcheck::contact
