@@ -48,7 +48,8 @@ std::string run_summary(const solver::Run& run, solver::RunEnd end) {
   const solver::Energies& e = stepper.energies();
   std::string text = fmt::format("{} at time {:g}, cycle {}, after {}.\n\n", words(end), stepper.state().time,
                                  stepper.state().cycle, duration(run.seconds()));
-  text += row("kinetic energy", e.kinetic) + row("internal energy", e.internal) + row("hourglass energy", e.hourglass);
+  text += row("kinetic energy", e.printed_kinetic) + row("internal energy", e.internal) +
+          row("hourglass energy", e.hourglass);
   const auto add = [&](const char* label, double value) {
     if (value != 0) text += row(label, value);
   };
@@ -57,7 +58,8 @@ std::string run_summary(const solver::Run& run, solver::RunEnd end) {
   add("stonewall energy", e.absorbed.walls);
   add("damping energy", e.absorbed.damping);
   add("added mass", stepper.structure().added_mass);
-  text += row("external work", e.external) + row("total energy", e.total()) + row("energy ratio", e.ratio());
+  text += row("external work", e.external) + row("total energy", e.printed_total()) +
+          row("energy ratio", e.printed_ratio());
   return text + contact_rows(run);
 }
 

@@ -23,13 +23,13 @@ RunState state_of(const solver::Run& run) {
   state.end_time = run.end_time();
   state.step = stepper.next_step();
   state.cycle = stepper.state().cycle;
-  state.kinetic = energies.kinetic;
+  state.kinetic = energies.printed_kinetic;
   state.internal = energies.internal;
   state.hourglass = energies.hourglass;
   state.sliding = energies.absorbed.sliding();
   state.external = energies.external;
-  state.total = energies.total();
-  state.energy_ratio = energies.ratio();
+  state.total = energies.printed_total();
+  state.energy_ratio = energies.printed_ratio();
   state.seconds = run.seconds();
   for (const solver::ContactView& view : run.contacts()) {
     const solver::ContactState& from = view.state();

@@ -11,10 +11,11 @@ namespace {
 
 /// Result of one pass over the nodes.
 struct NodeSums {
-  double kinetic = 0, work = 0;
+  double kinetic = 0, printed_kinetic = 0, work = 0;
   std::uint32_t without_mass = no_position, not_a_number = no_position;
   void add(const NodeSums& other) {
     kinetic += other.kinetic;
+    printed_kinetic += other.printed_kinetic;
     work += other.work;
     without_mass = std::min(without_mass, other.without_mass);
     not_a_number = std::min(not_a_number, other.not_a_number);
@@ -48,6 +49,7 @@ void accelerate_node(const Freedoms& f, unsigned bits, const Imposed& imposed, d
       f.velocity[axis] += per_force * f.net[axis];
     }
   }
+  sums.printed_kinetic += f.mass / 2 * (first ? old.squaredNorm() : old.dot(f.velocity));
   sums.kinetic += f.mass / 2 * (first ? Vector(2 * old - f.velocity) : old).dot(f.velocity);
   sums.work += last_step / 2 * (f.before + f.external).dot(old);
 }
@@ -201,11 +203,15 @@ SolverStatus Stepper::accelerate(double next) {
   });
   const BodyEnergies bodies = structure_.rigid.accelerate(state, net_, mean, next, first);
   energies_.kinetic = sums.kinetic + bodies.kinetic;
+  energies_.printed_kinetic = std::max(sums.printed_kinetic + bodies.printed_kinetic, 0.0);
   work_ += sums.work + bodies.work;
   energies_.absorbed = {};
   for (const auto& other : others_) other->absorbed(energies_.absorbed);
   energies_.external = work_ + energies_.absorbed.sum();
-  if (first) energies_.initial = energies_.kinetic;
+  if (first) {
+    energies_.initial = energies_.kinetic;
+    energies_.printed_initial = energies_.printed_kinetic;
+  }
   if (sums.not_a_number != no_position)
     return Failure{Failure::Kind::not_a_number, fmt::format("the velocity of node {} is not a number at time {:g}",
                                                             structure_.node_id[sums.not_a_number], state.time)};

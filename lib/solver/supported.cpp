@@ -166,7 +166,7 @@ class Finder {
     if (of_beams && data.failure_strain > 0 && data.failure_strain < 1e20) name("beams do not fail (FS, FAIL)");
     if (data.failure_strain < 0) name("failure by a subroutine (FAIL < 0) is not calculated");
     if (data.lcsr != 0) name("the factor over the strain rate (LCSR) is not calculated");
-    if (data.viscoplastic) name("the viscoplastic rate (VP = 1) is not calculated");
+    if (data.viscous()) name("the viscoplastic rate (VP = 1) is not calculated");
   }
 
   void find_contacts() {

@@ -22,6 +22,7 @@ LIMIT = 120  # seconds; on an idle machine none takes more than 20
 # Script, arguments, what it writes. {NAME}: a path of the command line.
 RUNS = [
     ("scripts/count_findings.py", "{gapcheck} data --small", "docs/real-decks.md"),
+    ("scripts/impact_energy.py", "{test_solver} --small", "docs/theory/impact-energy.md"),
     ("scripts/pictures/terminal.py", "{gapcheck}", "docs/pictures/terminal.svg"),
     ("scripts/plot_workshop.py", "{gapcheck} --small", "docs/workshop/rebound_thickness.svg"),
     ("scripts/solver_accuracy.py", "{test_solver} --small", "docs/theory/solver-accuracy.md"),

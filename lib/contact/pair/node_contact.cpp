@@ -34,18 +34,19 @@ NodeAction advance(NodeContact& node, const ContactSettings& settings, const Nod
     node = {State::released, 0};
     return NodeAction::none;
   }
-  if (node.state == State::apart) return first_penetration(node, settings, encounter);
+  if (node.state == State::apart && !encounter.followed) return first_penetration(node, settings, encounter);
+  node.state = State::touching;
   node.forgiven = std::min(node.forgiven, encounter.penetration);
   return NodeAction::force;
 }
 
-NodeAction advance_from_baseline(NodeContact& node, const NodeEncounter& encounter, bool first, double reduction) {
+NodeAction advance_from_baseline(NodeContact& node, const NodeEncounter& encounter, double reduction) {
   if (!encounter.penetrates) {
     node = {};
     return NodeAction::none;
   }
   if (node.state == NodeContact::State::apart)
-    node = {NodeContact::State::touching, first ? encounter.penetration : 0};
+    node = {NodeContact::State::touching, encounter.followed ? 0 : encounter.penetration};
   else
     node.forgiven = std::min(node.forgiven, encounter.penetration) * (1 - reduction);
   return NodeAction::force;

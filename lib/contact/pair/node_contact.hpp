@@ -23,6 +23,7 @@ struct NodeEncounter {
   double penetration = 0;
   double release_depth = 0;  ///< beyond it the node is released
   bool movable = true;       ///< shooting-node logic may move it; nodes of rigid bodies are not free to be moved
+  bool followed = false;     ///< the segment had it in sight in the cycle before: see was_followed()
 };
 
 enum class NodeAction : std::uint8_t {
@@ -31,17 +32,24 @@ enum class NodeAction : std::uint8_t {
   move,   ///< to the free side of the contact surface, by `shooting_move` penetrations
 };
 
-/// What happens to a tracked node in a cycle, and what is remembered. "First" penetrations may occur at any time: with
-/// IGNORE = 0 the node is moved (SNLOG = 1: forced), with IGNORE = 1 or 2 its initial depth is forgiven; the forgiven
-/// depth only decreases with the penetration, and the thickness is full again once the node has left. A node that
-/// cannot be moved gets its force at once. Source: contact rules, sections 5 and 7.
+/// What happens to a tracked node in a cycle, and what is remembered. A node that was followed up to the surface is in
+/// ordinary contact: forced from its first penetration on. One that is found suddenly, at the start or later, is moved
+/// with IGNORE = 0 (SNLOG = 1: forced), and with IGNORE = 1 or 2 its depth is forgiven; the forgiven depth only
+/// decreases with the penetration, and the thickness is full again once the node has left. A node that cannot be moved
+/// gets its force at once. Source: contact rules, sections 5 and 7.
 [[nodiscard]] NodeAction advance(NodeContact& node, const ContactSettings& settings, const NodeEncounter& encounter);
 
-/// The same for SOFT = 2: the depth found in the `first` cycle is the force-free baseline. It only decreases with the
-/// penetration and loses the share `reduction` in every cycle. Later penetrations are forced from their first cycle on;
-/// nothing is moved or released. Source: contact rules, section 7.4.
-[[nodiscard]] NodeAction advance_from_baseline(NodeContact& node, const NodeEncounter& encounter, bool first,
-                                               double reduction);
+/// The same for SOFT = 2: the depth of a node that is found suddenly is the force-free baseline. It only decreases with
+/// the penetration and loses the share `reduction` in every cycle. Nothing is moved or released. Source: contact rules,
+/// section 7.4.
+[[nodiscard]] NodeAction advance_from_baseline(NodeContact& node, const NodeEncounter& encounter, double reduction);
+
+/// Whether a pair that penetrates now was in sight in the cycle before: apart, by a gap less than `zone`. `distance`:
+/// in that cycle, negative behind; `contact_distance`: from which on there is none; `tolerance`: of these lengths.
+/// Nodes, edges and the corners of segments are all asked this way. Source: contact rules, section 7.
+[[nodiscard]] inline bool was_followed(double distance, double contact_distance, double zone, double tolerance) {
+  return distance >= contact_distance - tolerance && distance < contact_distance + zone;
+}
 
 /// DPRFAC at a time: the share of the baseline lost in each cycle, 0 to 1. Negative: number of a curve over time.
 /// Source: contact rules, section 7.4.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/quad.hpp"
+#include "contact/pair/node_contact.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -15,6 +16,10 @@ constexpr double tolerance_in_ulps = 4;
 constexpr double band_end = 1.5 * (1 + relative_tolerance);
 /// Share of the shorter diagonal up to which an oriented shell segment sees nodes behind it.
 constexpr double shell_behind = 0.5;
+/// Faces look against each other if the cosine of their normals is below this: 84 degrees from opposite at most.
+constexpr double against = -0.1;
+/// A node counts as flush with a face from which it is no farther than this share of the face's shorter diagonal.
+constexpr double flush_share = 0.01;
 
 PairResult measure_line(const geometry::Facet& f, const Vector& q) {
   PairResult result;
@@ -32,13 +37,14 @@ PairResult measure_line(const geometry::Facet& f, const Vector& q) {
   return result;
 }
 
-PairResult measure(const PairScene& scene, SegmentIndex s, const geometry::Facet& facet, const Vector& q) {
+PairResult measure(const PairScene& scene, SlotIndex slot, SegmentIndex s, const geometry::Facet& facet,
+                   const Vector& q) {
   if (scene.line(s)) return measure_line(facet, q);
   PairResult result;
   result.closest = geometry::closest_point(facet, q);
   result.in_band = result.closest.in_band;
   result.distance = std::sqrt(result.closest.squared_distance);
-  if (scene.oriented(s) && !scene.in_front(s, result.closest, q)) result.distance = -result.distance;
+  if (scene.oriented(s) && !scene.in_front(slot, s, result.closest, q)) result.distance = -result.distance;
   return result;
 }
 
@@ -93,7 +99,23 @@ bool PairScene::beyond_square_edge(SegmentIndex s, const geometry::ClosestPoint&
   return free(i, next) || free((i + 3) % 4, i);
 }
 
-bool PairScene::in_front(SegmentIndex s, const geometry::ClosestPoint& closest, const Vector& query) const {
+bool PairScene::slides(SlotIndex slot, SegmentIndex segment, double distance) const {
+  if (own_neighbours == nullptr || segments.kind[segment.value] != SegmentKind::solid) return false;
+  const geometry::Facet plane = facet(segment);
+  if (!(std::abs(distance) <= flush_share * min_diagonal(plane))) return false;
+  const Vector face = quad_normal(plane.x).stableNormalized();
+  const std::span<const SegmentIndex> around = own_neighbours->at(nodes.node[slot.value]);
+  for (const SegmentIndex each : around) {
+    if (own->kind[each.value] != SegmentKind::solid) return false;
+    const auto& n = own->nodes[each.value];
+    const Vector normal = quad_normal(std::array{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]});
+    if (normal.stableNormalized().dot(face) < against) return false;
+  }
+  return !around.empty();
+}
+
+bool PairScene::in_front(SlotIndex slot, SegmentIndex s, const geometry::ClosestPoint& closest,
+                         const Vector& query) const {
   const auto sign = [&](SegmentIndex i) { return !flipped.empty() && flipped[i.value] ? -1.0 : 1.0; };
   if (closest.feature == Feature::face) return sign(s) * closest.gap >= 0;
   // On an edge or corner one facet's normal misleads: beside a convex edge a node is behind one facet and in front of
@@ -105,7 +127,8 @@ bool PairScene::in_front(SegmentIndex s, const geometry::ClosestPoint& closest, 
     const auto& n = segments.nodes[other.value];
     if (!oriented(other)) continue;
     if (closest.feature == Feature::edge && std::find(n.begin(), n.end(), b) == n.end()) continue;
-    if (sign(other) * quad_normal(facet(other).x).dot(query - closest.point) >= 0) return true;
+    const double height = sign(other) * quad_normal(facet(other).x).stableNormalized().dot(query - closest.point);
+    if (height >= 0 && (other == s || !slides(slot, other, height))) return true;
   }
   return false;
 }
@@ -127,7 +150,14 @@ double penetration_bound(const PairScene& scene, SlotIndex slot, SegmentIndex s,
 }
 
 PairResult measure_pair(const PairScene& scene, SlotIndex slot, SegmentIndex s) {
-  return measure(scene, s, scene.facet(s), scene.position(slot));
+  return measure(scene, slot, s, scene.facet(s), scene.position(slot));
+}
+
+bool was_followed(const PairScene& scene, SlotIndex slot, SegmentIndex segment, const geometry::Facet& facet,
+                  const Vector& query) {
+  const double h = scene.nodes.half[slot.value] + scene.segments.half[segment.value];
+  return was_followed(measure(scene, slot, segment, facet, query).distance, h, std::max(h, scene.behind(segment)),
+                      tolerance_of(scene, h, facet, query));
 }
 
 Vector free_direction(const PairScene& scene, SlotIndex slot, SegmentIndex segment, const PairResult& pair) {
@@ -142,7 +172,7 @@ PairResult decide_pair(const PairScene& scene, SlotIndex slot, SegmentIndex s) {
   const Vector q = scene.position(slot);
   const double h = scene.nodes.half[slot.value] + scene.segments.half[s.value];
   const double tolerance = tolerance_of(scene, h, facet, q);
-  PairResult result = measure(scene, s, facet, q);
+  PairResult result = measure(scene, slot, s, facet, q);
   if (scene.line(s)) {
     geometry::DecisionCounters once;
     result.penetrates = geometry::closer_than(facet.x[0], facet.x[1], q, h - tolerance, scene.mode, once);

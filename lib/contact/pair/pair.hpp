@@ -39,6 +39,8 @@ struct PairScene {
   std::vector<bool> flipped;     ///< by segment: oriented against its node order; empty: none
   double tolerance = -1;         ///< replaces the default tolerance; negative: default
   geometry::Mode mode = geometry::Mode::filtered;
+  const Segments* own = nullptr;               ///< of the tracked nodes' side; null: not known
+  const Neighbours* own_neighbours = nullptr;  ///< of these
 
   /// Corners of the reference surface, mid-surface offsets included.
   [[nodiscard]] geometry::Facet facet(SegmentIndex segment) const;
@@ -64,8 +66,14 @@ struct PairScene {
   [[nodiscard]] double reach(SegmentIndex segment, double largest_node_half) const;
   /// True if the closest point lies on a free edge of a shell surface that ends there (SHLEDG, SRNDE).
   [[nodiscard]] bool beyond_square_edge(SegmentIndex segment, const geometry::ClosestPoint& closest) const;
-  /// False if the query lies behind the segment, given its closest point.
-  [[nodiscard]] bool in_front(SegmentIndex segment, const geometry::ClosestPoint& closest, const Vector& query) const;
+  /// False if the query lies behind the segment, given its closest point; `slot`: the node there.
+  [[nodiscard]] bool in_front(SlotIndex slot, SegmentIndex segment, const geometry::ClosestPoint& closest,
+                              const Vector& query) const;
+  /// True if a corner or edge of a solid slides along the segment instead of pressing on it: it is `distance` away from
+  /// its plane, next to nothing, all segments at the node are faces of solids, and none of them looks against the
+  /// segment. At an edge of two flush blocks that tells the side face, in whose plane the node lies, from the end face,
+  /// which it meets.
+  [[nodiscard]] bool slides(SlotIndex slot, SegmentIndex segment, double distance) const;
 };
 
 /// The shorter diagonal of a facet; for a triangle the shorter of the sides at its third corner.
@@ -87,6 +95,12 @@ struct PairResult {
 
 /// The position of a tracked node relative to a segment, in double precision; `penetrates` is not set.
 [[nodiscard]] PairResult measure_pair(const PairScene& scene, SlotIndex slot, SegmentIndex segment);
+
+/// Whether the segment had the node in sight when they were here: in front of it, or at a shell on any side, with a gap
+/// less than the segment looks behind itself (shells: less than the contact distance). `facet`, `query`: segment and
+/// node in the cycle before the present one.
+[[nodiscard]] bool was_followed(const PairScene& scene, SlotIndex slot, SegmentIndex segment,
+                                const geometry::Facet& facet, const Vector& query);
 
 /// Unit vector from the segment to its free side at the node, given their relative position.
 [[nodiscard]] Vector free_direction(const PairScene& scene, SlotIndex slot, SegmentIndex segment,

@@ -109,6 +109,8 @@ struct Plasticity {
   std::int64_t lcsr = 0;      ///< curve of a factor on the yield stress over the rate
   bool viscoplastic = false;  ///< VP = 1
   double anisotropy = 1;      ///< of 037: R as written, the Lankford parameter
+  /// VP changes something: it does not without a rate.
+  [[nodiscard]] bool viscous() const { return viscoplastic && ((rate_c > 0 && rate_p > 0) || lcsr != 0); }
 };
 
 /// Material of springs and dampers. Constants are for translation, in the model's units; for torsion multiply by the

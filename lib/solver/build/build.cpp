@@ -81,8 +81,9 @@ class Builder {
                            fmt::format("{} {} and others of material {} do not fail (FS, FAIL)", what, id,
                                        model_.materials[*part->material].id));
     if (kind == SectionKind::beam) return Properties{&section, std::move(material).value()};
-    const bool one_point = kind == SectionKind::shell ? section.elform == 0 || section.elform == 2
-                                                      : section.elform <= 1 || section.elform == 10;
+    const bool one_point = kind == SectionKind::shell
+                               ? section.elform == 0 || section.elform == 2
+                               : section.elform == 0 || section.elform == 1 || section.elform == 10;
     if (!one_point)
       diagnostics_.warning(
           "", 0,

@@ -103,7 +103,7 @@ void name_what_is_not_calculated(const model::Model& model, const model::Materia
                         fmt::format("material {} (*{}): {}", material.id, material.keyword, what));
   };
   if (data.failure_strain < 0) warn("failure by a subroutine (FAIL < 0) is not calculated");
-  if (data.viscoplastic) warn("the viscoplastic rate (VP) is ignored; the total strain rate counts");
+  if (data.viscous()) warn("the viscoplastic rate (VP) is ignored; the total strain rate counts");
   if (data.lcsr != 0) warn("the curve LCSR over the rate is not calculated");
   const bool anisotropic = material.keyword == "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC";
   if (anisotropic && data.lcss != 0)

@@ -96,7 +96,7 @@ double ContactPass::advance_state(State& state, double used, ContactCounters& co
     }
   }
   pairs_.clear_lost();
-  rule_->end_cycle();
+  settler_.end_cycle();
   return longest;
 }
 
@@ -118,6 +118,7 @@ void ContactPass::continue_from(InterfacePass& before, const State& state, Conta
   if (old == nullptr) return before.deactivate(state, result);
   for (const SlotIndex slot : pairs_.continue_from(old->pairs_)) old->end_force(slot, state, result);
   rule_->continue_from(*old->rule_);
+  settler_.continue_from(old->settler_);
 }
 
 void ContactPass::deactivate(const State& state, ContactState& result) {
@@ -128,6 +129,7 @@ void ContactPass::deactivate(const State& state, ContactState& result) {
   blocks_.clear();
   pushes_.clear();
   rule_->forget();
+  settler_.forget();
 }
 
 std::vector<ContactNode> ContactPass::nodes() const {

@@ -75,6 +75,21 @@ Encounter measure_edges(const contact::PairScene& scene, const SurfaceEdge& e, c
   return result;
 }
 
+/// Whether two edges were in each other's sight in the cycle before.
+bool were_followed(const contact::PairScene& scene, const SurfaceEdge& e, const SurfaceEdge& f, const State& state) {
+  const auto ends_before = [&](const SurfaceEdge& edge) {
+    const geometry::Edge now = contact::ends_of(scene, edge);
+    return geometry::Edge{Vector(now[0] - state.dt * state.v[edge.a.value]),
+                          Vector(now[1] - state.dt * state.v[edge.b.value])};
+  };
+  const geometry::Edge x = ends_before(e), y = ends_before(f);
+  double largest = 0;
+  for (const geometry::Edge* edge : {&x, &y})
+    for (const Vector& end : *edge) largest = std::max(largest, end.cwiseAbs().maxCoeff());
+  const double h = half_sum(e, f), distance = std::sqrt(geometry::closest_points(x, y).squared_distance);
+  return contact::was_followed(distance, h, h, contact::default_tolerance(h, largest));
+}
+
 }  // namespace
 
 EdgePass::EdgePass(const ContactSetting& setting, ContactIndex contact, const contact::ContactSurfaces& surfaces,
@@ -141,7 +156,7 @@ void EdgePass::find_candidates(double margin, ContactCounters& counters) {
 
 NodeAction EdgePass::decide_action(NodeContact& memory, const contact::NodeEncounter& encounter) const {
   if (!scene_.type.by_segments()) return contact::advance(memory, scene_.settings, encounter);
-  return contact::advance_from_baseline(memory, encounter, first_, reduction_);
+  return contact::advance_from_baseline(memory, encounter, reduction_);
 }
 
 void EdgePass::advance_pair(std::uint32_t number, const State& state, double used, Block& block) {
@@ -155,11 +170,12 @@ void EdgePass::advance_pair(std::uint32_t number, const State& state, double use
   LinkWork work;
   if (was_active) touch->add_work(state, work);
   const SurfaceEdge &tracked = edges_[pair.tracked], &other = edges_[pair.other];
-  const Encounter encounter = measure_edges(scene_, tracked, other, pair.side);
+  Encounter encounter = measure_edges(scene_, tracked, other, pair.side);
   if (started) {
     pair.wake = used + encounter.distance - half_sum(tracked, other);
     if (!encounter.state.penetrates) return;
     touch = (pair.touch = std::make_unique<EdgeTouch>()).get();
+    encounter.state.followed = !first_ && were_followed(scene_, tracked, other, state);
   }
   touch->active = decide_action(touch->memory, encounter.state) == NodeAction::force;
   touch->penetration = encounter.state.penetration;

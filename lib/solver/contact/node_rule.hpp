@@ -18,9 +18,8 @@ class NodeRule {
   [[nodiscard]] virtual bool keeps_initial_memory() const = 0;
   /// The step that the stiffness follows, if it does.
   virtual void set_timestep(double timestep) = 0;
-  /// Called before and after all decisions of a cycle.
+  /// Called before all decisions of a cycle.
   virtual void begin_cycle(double /*time*/) {}
-  virtual void end_cycle() {}
 
   /// The spring between a node and a segment, and the penetration beyond which the node is released.
   [[nodiscard]] virtual ContactSprings::Spring spring(SlotIndex slot, SegmentIndex segment) const = 0;

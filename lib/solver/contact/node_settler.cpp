@@ -26,7 +26,7 @@ void NodeSettler::settle_node(SlotIndex slot, NodeMeeting& meeting, const State&
     block.work.add(tracked.link, speeds.node, speeds.of_segment(tracked.link.weights), state.dt);
   }
   rule_.bring_back(slot, meeting.contact ? &*meeting.contact : nullptr);
-  const contact::NodeEncounter encounter = encounter_of(slot, meeting, tracked);
+  const contact::NodeEncounter encounter = encounter_of(slot, meeting, tracked, state);
   tracked.penetration = encounter.penetration;
   const NodeAction action = rule_.decide_action(tracked.memory, encounter);
   tracked.active = action == NodeAction::force;
@@ -53,8 +53,8 @@ void NodeSettler::settle_node(SlotIndex slot, NodeMeeting& meeting, const State&
   block.released += tracked.released();
 }
 
-contact::NodeEncounter NodeSettler::encounter_of(SlotIndex slot, const NodeMeeting& meeting,
-                                                 TrackedNode& tracked) const {
+contact::NodeEncounter NodeSettler::encounter_of(SlotIndex slot, const NodeMeeting& meeting, TrackedNode& tracked,
+                                                 const State& state) const {
   contact::NodeEncounter encounter;
   encounter.in_zone = meeting.in_zone;
   if (!meeting.contact) return encounter;
@@ -69,7 +69,17 @@ contact::NodeEncounter NodeSettler::encounter_of(SlotIndex slot, const NodeMeeti
     tracked.pair.release_depth = rule_.release_depth(slot, segment);
   encounter.release_depth = tracked.pair.release_depth;
   encounter.movable = movable_[scene_.nodes.node[slot.value].value];
+  encounter.followed = tracked.memory.state == contact::NodeContact::State::apart && was_followed(slot, segment, state);
   return encounter;
+}
+
+bool NodeSettler::was_followed(SlotIndex slot, SegmentIndex segment, const State& state) const {
+  if (fresh_) return false;
+  // Velocities are those of the step that led here.
+  const PairVelocities speeds = pairs_.velocities(slot, segment, state);
+  geometry::Facet facet = scene_.facet(segment);
+  for (std::size_t corner = 0; corner < facet.x.size(); ++corner) facet.x[corner] -= state.dt * speeds.corners[corner];
+  return contact::was_followed(scene_, slot, segment, facet, scene_.position(slot) - state.dt * speeds.node);
 }
 
 SegmentLink NodeSettler::link_at(const SegmentContact& contact) const {

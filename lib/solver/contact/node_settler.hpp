@@ -20,9 +20,17 @@ class NodeSettler {
   /// Sets the node's state for this cycle. Adds its force to `pushes`, and its work, move and counts to `block`.
   void settle_node(SlotIndex slot, NodeMeeting& meeting, const State& state, PassBlock& block, PushList& pushes);
 
+  /// Call after the nodes of a cycle: from the next one on they may have been followed.
+  void end_cycle() { fresh_ = false; }
+  /// The contact is not active: what penetrates when it becomes active is found suddenly.
+  void forget() { fresh_ = true; }
+  void continue_from(const NodeSettler& before) { fresh_ = before.fresh_; }
+
  private:
-  [[nodiscard]] contact::NodeEncounter encounter_of(SlotIndex slot, const NodeMeeting& meeting,
-                                                    TrackedNode& tracked) const;
+  [[nodiscard]] contact::NodeEncounter encounter_of(SlotIndex slot, const NodeMeeting& meeting, TrackedNode& tracked,
+                                                    const State& state) const;
+  /// Whether the segment had the node in sight in the cycle before.
+  [[nodiscard]] bool was_followed(SlotIndex slot, SegmentIndex segment, const State& state) const;
   /// The link at the closest point, without forces.
   [[nodiscard]] SegmentLink link_at(const SegmentContact& contact) const;
   /// Parameters of the node's spring; its link must be set.
@@ -34,6 +42,7 @@ class NodeSettler {
   const contact::PairScene& scene_;
   NodeRule& rule_;
   contact::Friction friction_;
+  bool fresh_ = true;  ///< no cycle since the contact has become active
 };
 
 }  // namespace gapcheck::solver

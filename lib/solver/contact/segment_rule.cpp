@@ -108,13 +108,12 @@ void SegmentRule::bring_back(SlotIndex slot, SegmentContact* contact) {
 
 contact::NodeAction SegmentRule::decide_action(contact::NodeContact& memory,
                                                const contact::NodeEncounter& encounter) const {
-  return contact::advance_from_baseline(memory, encounter, first_, reduction_);
+  return contact::advance_from_baseline(memory, encounter, reduction_);
 }
 
 void SegmentRule::continue_from(const NodeRule& before) {
   const auto* old = dynamic_cast<const SegmentRule*>(&before);
   if (old == nullptr) return;
-  first_ = old->first_;
   const std::vector<NodeIndex>&was = old->scene_.nodes.node, &now = scene_.nodes.node;
   for (std::size_t slot = 0, from = 0; slot < now.size(); ++slot) {  // both ascend
     while (from < was.size() && was[from] < now[slot]) ++from;
@@ -122,9 +121,6 @@ void SegmentRule::continue_from(const NodeRule& before) {
   }
 }
 
-void SegmentRule::forget() {
-  side_.assign(side_.size(), {});
-  first_ = true;
-}
+void SegmentRule::forget() { side_.assign(side_.size(), {}); }
 
 }  // namespace gapcheck::solver

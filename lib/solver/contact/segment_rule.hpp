@@ -19,7 +19,6 @@ class SegmentRule final : public NodeRule {
   [[nodiscard]] bool keeps_initial_memory() const override { return false; }
   void set_timestep(double timestep) override { timestep_ = timestep; }
   void begin_cycle(double time) override;
-  void end_cycle() override { first_ = false; }
   [[nodiscard]] ContactSprings::Spring spring(SlotIndex slot, SegmentIndex segment) const override;
   [[nodiscard]] double release_depth(SlotIndex slot, SegmentIndex segment) const override;
   void bring_back(SlotIndex slot, SegmentContact* contact) override;
@@ -49,7 +48,6 @@ class SegmentRule final : public NodeRule {
   std::vector<double> mass_;  // by segment
   std::vector<Side> side_;    // by slot
   double timestep_ = 0, reduction_ = 0;
-  bool first_ = true;  ///< no cycle since the contact has become active
 };
 
 }  // namespace gapcheck::solver

@@ -20,10 +20,9 @@ Matrix update_solid_stress(const Material& material, const Matrix& gradient, dou
 
 BulkViscosity bulk_viscosity(const SolidProperties& properties, double density, double speed, double length,
                              double volume_rate) {
-  if (!(volume_rate < 0)) return {};
-  const double quadratic = properties.quadratic_viscosity * length * -volume_rate;
-  const double total = quadratic + properties.linear_viscosity * speed;
-  return {density * length * -volume_rate * total, total};
+  const double total =
+      properties.quadratic_viscosity * length * std::abs(volume_rate) + properties.linear_viscosity * speed;
+  return {volume_rate < 0 ? density * length * -volume_rate * total : 0, total};
 }
 
 void set_time_steps(const SolidProperties& properties, double density, double length, double squared_gradient,
@@ -32,10 +31,12 @@ void set_time_steps(const SolidProperties& properties, double density, double le
   const double speed = std::sqrt(material.wave_modulus() / density), q = viscosity.step_speed;
   forces.manual_step = length / (q + std::sqrt(q * q + speed * speed));
   // The strain energy is at most max(3 K, 2 G) |∇u|² / 2; each corner has 1 / corners of the mass. Damping at the
-  // fraction ξ of the critical shortens the step by √(1 + ξ²) − ξ; ξ = Q / c for the linear part of the viscosity.
+  // fraction ξ of the critical shortens the step by √(1 + ξ²) − ξ. The viscosity gives ρ l Q per volume rate where the
+  // stiffness gives at least K per volume strain, so that ξ is at most ω ρ l Q / (2 K).
   const double squared_frequency =
       std::max(3 * material.bulk(), 2 * material.shear()) / density * corners * squared_gradient;
-  const double fraction = speed > 0 ? q / speed : 0;
+  const double fraction =
+      material.bulk() > 0 ? std::sqrt(squared_frequency) * density * length * q / (2 * material.bulk()) : 0;
   forces.stable_step = 2 / std::sqrt(squared_frequency) * (std::sqrt(1 + fraction * fraction) - fraction);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <span>
 
 #include "solver/element/hourglass.hpp"
@@ -20,10 +21,20 @@ struct SolidCorners {
   std::array<Vector, 8> x, v;
 };
 
+/// Hourglass control by stiffness of one brick, set up where it is undeformed: the shapes are orthogonal to all linear
+/// displacements there, so that the amplitudes Σ shape · x vanish in every uniformly deformed and turned state and the
+/// energy ½ k Σ |amplitude|² depends on positions alone. A force with such an energy gives back what it takes.
+struct HourglassReference {
+  std::array<std::array<double, 8>, 4> shapes{};
+  double stiffness = 0;
+  double squared_frequency = 0;  ///< bound of the modes' highest frequency
+};
+
 /// The history of one solid besides its integration point.
 struct SolidState {
   double mass = 0;  ///< of the element; its density follows from it
   std::array<Vector, 4> hourglass{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
+  std::shared_ptr<const HourglassReference> reference;  ///< of bricks whose hourglass control is a stiffness
 };
 
 /// Internal forces on the corners (the solid pulls its nodes with the opposite) and what the step needs to know.
@@ -44,6 +55,11 @@ struct SolidForces {
 [[nodiscard]] SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
                                        SolidState& state, PointState& point);
 
+/// The reference of a brick at its corners `x`. The stiffness is scaled so that coefficient 1 lets the modes vibrate at
+/// the element's highest axial frequency, as in the shell. `mass`: of the element.
+[[nodiscard]] HourglassReference hourglass_reference(const SolidProperties& properties, const std::array<Vector, 8>& x,
+                                                     double mass);
+
 /// Tetrahedron with linear displacements; forces on the first four corners only.
 [[nodiscard]] SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
                                              SolidState& state, PointState& point);
@@ -58,10 +74,12 @@ struct SolidForces {
 Matrix update_solid_stress(const Material& material, const Matrix& gradient, double dt, PointState& point);
 
 /// Pressure of the bulk viscosity against compression (von Neumann and Richtmyer, with a linear term):
-/// q = ρ l (Q1 l ε̇² − Q2 c ε̇) for a volume rate ε̇ < 0, otherwise 0; and the damping that it adds to the time step.
+/// q = ρ l (Q1 l ε̇² − Q2 c ε̇) for a volume rate ε̇ < 0, otherwise 0; and the damping that it adds to the time step. The
+/// solver counts that in compression alone, but a step that switches with the sign of ε̇ feeds the vibration of a lone
+/// element, so here it counts always.
 struct BulkViscosity {
   double pressure = 0;
-  double step_speed = 0;  ///< Q = Q2 c + Q1 l |ε̇|
+  double step_speed = 0;  ///< Q = Q2 c + Q1 l |ε̇|, in expansion too
 };
 [[nodiscard]] BulkViscosity bulk_viscosity(const SolidProperties& properties, double density, double speed,
                                            double length, double volume_rate);

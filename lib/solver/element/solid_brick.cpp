@@ -72,29 +72,63 @@ double largest_face_area(const Corners& x) {
 /// Largest eigenvalue of a symmetric matrix, from above: the largest row sum.
 double eigenvalue_bound(const Matrix& m) { return m.cwiseAbs().rowwise().sum().maxCoeff(); }
 
-/// Updates the hourglass stresses to the end of the step; returns the work. The stiffness is scaled so that coefficient
-/// 1 lets the modes vibrate at the element's highest axial frequency, as in the shell.
-double update_hourglass(const SolidProperties& properties, const std::array<Vector, 4>& rates, const Matrix& rotation,
-                        double squared_gradient, double volume, double dt, SolidState& state) {
-  if (properties.hourglass.kind == HourglassKind::none || dt <= 0) return 0;
-  const Material& material = properties.material;
-  const double r = properties.hourglass.coefficient, modulus = material.wave_modulus();
+/// Updates the hourglass stresses of viscous control to the end of the step; returns the work.
+double update_viscous(const SolidProperties& properties, const std::array<Vector, 4>& rates, const Matrix& rotation,
+                      double volume, double dt, SolidState& state) {
+  if (properties.hourglass.kind != HourglassKind::viscous || dt <= 0) return 0;
   const double density = state.mass / volume;
-  const bool viscous = properties.hourglass.kind == HourglassKind::viscous;
-  const double factor = viscous ? r / 4 * std::sqrt(density * modulus) * std::pow(std::cbrt(volume), 2)
-                                : r / 24 * modulus * volume * squared_gradient * dt;
+  const double factor = properties.hourglass.coefficient / 4 * std::sqrt(density * properties.material.wave_modulus()) *
+                        std::pow(std::cbrt(volume), 2);
   double work = 0;
   for (std::size_t m = 0; m < 4; ++m) {
     const Vector before = rotation * state.hourglass[m];
-    state.hourglass[m] = viscous ? Vector(factor * rates[m]) : Vector(before + factor * rates[m]);
+    state.hourglass[m] = factor * rates[m];
     work += dt / 2 * rates[m].dot(before + state.hourglass[m]);
   }
+  return work;
+}
+
+/// The same for control by stiffness, and its forces.
+double add_stiffness(const HourglassReference& reference, const Corners& x, SolidState& state, SolidForces& out) {
+  if (!(reference.stiffness > 0)) return 0;
+  double work = 0;
+  for (std::size_t m = 0; m < 4; ++m) {
+    Vector amplitude = Vector::Zero();
+    for (std::size_t a = 0; a < 8; ++a) amplitude += reference.shapes[m][a] * x[a];
+    const Vector stress = reference.stiffness * amplitude;
+    work += (stress.squaredNorm() - state.hourglass[m].squaredNorm()) / (2 * reference.stiffness);
+    state.hourglass[m] = stress;
+    for (std::size_t a = 0; a < 8; ++a) out.force[a] += reference.shapes[m][a] * stress;
+  }
+  out.stable_step = std::min(out.stable_step, 2 / std::sqrt(reference.squared_frequency));
   return work;
 }
 
 }  // namespace
 
 double brick_volume(const std::array<Vector, 8>& x) { return volume_of(x, brick_volume_gradient(x)); }
+
+HourglassReference hourglass_reference(const SolidProperties& properties, const std::array<Vector, 8>& x, double mass) {
+  HourglassReference reference;
+  const Corners gradient = brick_volume_gradient(x);
+  const double volume = volume_of(x, gradient);
+  const std::array<Vector, 4> sums = shape_sums(x);
+  Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
+  for (std::size_t a = 0; a < 8; ++a) {
+    Eigen::Vector4d at;
+    for (std::size_t m = 0; m < 4; ++m) {
+      reference.shapes[m][a] = shapes[m][a] - gradient[a].dot(sums[m]) / volume;
+      at[static_cast<Eigen::Index>(m)] = reference.shapes[m][a];
+    }
+    products += at * at.transpose();
+  }
+  const double squared_gradient = outer_sum(gradient, gradient).trace() / (volume * volume);
+  reference.stiffness =
+      properties.hourglass.coefficient / 24 * properties.material.wave_modulus() * volume * squared_gradient;
+  // Each corner has an eighth of the mass; the largest eigenvalue of the products is at most their largest row sum.
+  reference.squared_frequency = reference.stiffness * products.cwiseAbs().rowwise().sum().maxCoeff() / (mass / 8);
+  return reference;
+}
 
 SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& corners, double dt, SolidState& state,
                          PointState& point) {
@@ -121,15 +155,17 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
                               end_shapes = shape_sums(corners.x);
   std::array<Vector, 4> rates;
   for (std::size_t m = 0; m < 4; ++m) rates[m] = v_shapes[m] - gradient * middle_shapes[m];
-  out.hourglass_work = update_hourglass(properties, rates, rotation, gram.trace(), out.volume, dt, state);
+  out.hourglass_work = update_viscous(properties, rates, rotation, out.volume, dt, state);
 
-  // f = σ b + Σ Q (shape − b · (shape · x) / V)
+  // f = σ b + Σ Q (shape − b · (shape · x) / V), Q of viscous control
   Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();
-  for (std::size_t m = 0; m < 4; ++m) stress -= state.hourglass[m] * end_shapes[m].transpose() / out.volume;
+  const bool viscous = properties.hourglass.kind == HourglassKind::viscous;
+  for (std::size_t m = 0; m < 4 && viscous; ++m) stress -= state.hourglass[m] * end_shapes[m].transpose() / out.volume;
   for (std::size_t a = 0; a < 8; ++a) {
     out.force[a] = stress * end[a];
-    for (std::size_t m = 0; m < 4; ++m) out.force[a] += shapes[m][a] * state.hourglass[m];
+    for (std::size_t m = 0; m < 4 && viscous; ++m) out.force[a] += shapes[m][a] * state.hourglass[m];
   }
+  if (state.reference != nullptr) out.hourglass_work += add_stiffness(*state.reference, corners.x, state, out);
   out.good = std::isfinite(out.force[0].sum() + out.force[6].sum());
   return out;
 }

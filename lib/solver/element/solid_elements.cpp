@@ -21,6 +21,13 @@ double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t p
   origin_.push_back(origin);
   SolidState solid;
   solid.mass = properties_[properties].material.density * volume;
+  const bool stiff = !four && properties_[properties].hourglass.kind == HourglassKind::stiffness;
+  const auto set_reference = [&] {
+    if (stiff)
+      solid.reference =
+          std::make_shared<HourglassReference>(hourglass_reference(properties_[properties], x, solid.mass));
+  };
+  set_reference();
   if (scaling.step > 0) {
     SolidCorners at_rest;
     at_rest.x = x;
@@ -32,6 +39,7 @@ double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t p
     const double own = solid.mass;
     solid.mass *= scaling.factor(steps.manual_step, steps.stable_step);
     if (added != nullptr) *added += solid.mass - own;
+    set_reference();
   }
   const std::size_t corners = four ? 4 : 8;
   for (std::size_t k = 0; k < corners; ++k) state.mass[nodes[k].value] += solid.mass / static_cast<double>(corners);

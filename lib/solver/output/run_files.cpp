@@ -218,9 +218,9 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
 SolverStatus RunFiles::plot(const Run& run) {
   const Stepper& stepper = run.stepper();
   results::D3plotState state = plot_state(run.model(), stepper.structure(), sizes_, masses_->motion(stepper.state()));
-  state.kinetic = stepper.energies().kinetic;
+  state.kinetic = stepper.energies().printed_kinetic;
   state.internal = stepper.energies().internal;
-  state.total = stepper.energies().total();
+  state.total = stepper.energies().printed_total();
   if (const Status appended = plot_->append(state); !appended.ok())
     return Failure{Failure::Kind::output, appended.error().file + ": " + appended.error().message};
   ++plotted_;

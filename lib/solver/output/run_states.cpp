@@ -65,23 +65,23 @@ results::GlobalState global_state(const Run& run) {
   global.cycle = stepper.state().cycle + 1;
   global.time = stepper.state().time;
   global.time_step = stepper.next_step();
-  global.kinetic = e.kinetic;
+  global.kinetic = e.printed_kinetic;
   global.internal = e.internal;
   global.hourglass = e.hourglass;
   global.springs = e.absorbed.springs;
   global.damping = e.absorbed.damping;
   global.sliding = e.absorbed.sliding();
   global.external = e.external;
-  global.total = e.total();
-  global.ratio = global.ratio_without_eroded = e.ratio();
+  global.total = e.printed_total();
+  global.ratio = global.ratio_without_eroded = e.printed_ratio();
   if (stepper.state().failed.count > 0) {
     for (const PartEnergy& part : part_energies(run.model(), stepper.structure())) {
       global.eroded_internal += part.eroded.internal;
       global.eroded_hourglass += part.eroded.hourglass;
     }
-    const double supplied = e.initial + e.external;
+    const double supplied = e.printed_initial + e.external;
     if (supplied != 0)
-      global.ratio_without_eroded = (e.total() - global.eroded_internal - global.eroded_hourglass) / supplied;
+      global.ratio_without_eroded = (e.printed_total() - global.eroded_internal - global.eroded_hourglass) / supplied;
   }
   if (!run.model().rigid_walls.empty()) global.walls.push_back({1, e.absorbed.walls});
   global.velocity = global_velocity(stepper.state());

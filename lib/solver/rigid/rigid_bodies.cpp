@@ -100,6 +100,7 @@ BodyEnergies RigidBodies::accelerate(const State& state, const Forces& net, doub
       const Push push = body.accelerate(force, torque, mean, entry.imposed(state.time, next), first);
       const Vector extra_force = net.body_force[b] + push.force, extra_torque = net.body_moment[b] + push.torque;
       energy[b].kinetic = push.kinetic;
+      energy[b].printed_kinetic = push.printed_kinetic;
       energy[b].work = state.dt / 2 * (entry.power + extra_force.dot(velocity) + extra_torque.dot(spin));
       entry.power = extra_force.dot(body.velocity()) + extra_torque.dot(body.angular_velocity());
       if (entry.strength.limited()) entry.failing = link_fails(entry, before, state, net, mean);
@@ -108,6 +109,7 @@ BodyEnergies RigidBodies::accelerate(const State& state, const Forces& net, doub
   BodyEnergies sum;
   for (const BodyEnergies& part : energy) {
     sum.kinetic += part.kinetic;
+    sum.printed_kinetic += part.printed_kinetic;
     sum.work += part.work;
   }
   return sum;

@@ -15,7 +15,7 @@ namespace gapcheck::solver {
 /// Result of accelerating all bodies: their kinetic energy, and the work of forces at their centres and of imposed
 /// motions in the last step.
 struct BodyEnergies {
-  double kinetic = 0, work = 0;
+  double kinetic = 0, printed_kinetic = 0, work = 0;
 };
 
 /// When a rigid link of two nodes fails: at (fn / normal)^p + (|fs| / shear)^q >= 1, with the tension fn along the link

@@ -68,6 +68,7 @@ Vector RigidBody::turn(const Vector& torque, double mean, const Imposed& imposed
 Push RigidBody::accelerate(const Vector& force, const Vector& torque, double mean, const Imposed& imposed, bool first) {
   Push push;
   Vector before = velocity_, spin_before = momentum_;
+  const Vector turn_before = angular_velocity();
   if (mass_ > 0) velocity_ += force / mass_ * mean;
   for (int axis = 0; axis < 3; ++axis) {
     if ((imposed.freedoms >> axis & 1u) == 0) continue;
@@ -79,6 +80,9 @@ Push RigidBody::accelerate(const Vector& force, const Vector& torque, double mea
     push.torque = turn(torque, mean, imposed);
   else
     momentum_ += torque * mean;
+  const double moving = first ? before.squaredNorm() : before.dot(velocity_);
+  const double turning = first ? spin_before.dot(turn_before) : spin_before.dot(angular_velocity());
+  push.printed_kinetic = mass_ / 2 * moving + turning / 2;
   if (first) {
     before = 2 * before - velocity_;
     spin_before = 2 * spin_before - momentum_;

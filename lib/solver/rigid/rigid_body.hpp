@@ -22,7 +22,7 @@ struct Imposed {
 
 /// Result of accelerating a body.
 struct Push {
-  double kinetic = 0;                                      ///< energy
+  double kinetic = 0, printed_kinetic = 0;                 ///< energies: see Energies
   Vector force = Vector::Zero(), torque = Vector::Zero();  ///< beyond the given ones: needed to impose motions
 };
 

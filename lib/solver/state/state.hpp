@@ -54,19 +54,27 @@ struct Absorbed {
   [[nodiscard]] double sum() const { return sliding() + walls + springs + damping; }
 };
 
-/// Energies at the time of the last force evaluation. Kinetic energy is ½ m v⁻·v⁺ with the velocities before and after
-/// it; with works by the trapezoidal rule the sum is then constant to rounding while the step is
-/// (Belytschko, Liu, Moran: Nonlinear Finite Elements, 6.2).
+/// Energies at the time of the last force evaluation, with two kinetic energies. That of the balance is ½ m v⁻·v⁺ with
+/// the velocities before and after the evaluation: with works by the trapezoidal rule the sum is then constant to
+/// rounding while the step is (Belytschko, Liu, Moran: Nonlinear Finite Elements, 6.2), but it may be negative. What is
+/// printed is ½ m v₀² of the initial velocity at the start, and later the same, but never below zero.
 struct Energies {
   double kinetic = 0, internal = 0, hourglass = 0;
+  double printed_kinetic = 0;
   Absorbed absorbed;
   double external = 0;  ///< work of loads and prescribed motion since the start
-  double initial = 0;   ///< kinetic energy at the start; less by ½ m (a dt/2)² than that of the initial velocity
+  double initial = 0;   ///< kinetic energy at the start
+  double printed_initial = 0;
   [[nodiscard]] double total() const { return kinetic + internal + hourglass + absorbed.sum(); }
   /// Total energy over initial energy plus external work; 1 when in balance or without energy.
   [[nodiscard]] double ratio() const {
     const double supplied = initial + external;
     return supplied == 0 ? 1 : total() / supplied;
+  }
+  [[nodiscard]] double printed_total() const { return total() + (printed_kinetic - kinetic); }
+  [[nodiscard]] double printed_ratio() const {
+    const double supplied = printed_initial + external;
+    return supplied == 0 ? 1 : printed_total() / supplied;
   }
 };
 

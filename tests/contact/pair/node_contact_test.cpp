@@ -28,6 +28,45 @@ TEST(NodeContact, ShootingNodeIsMovedThenForcedAndMovedAgainAfterItHasLeft) {
   EXPECT_EQ(advance(node, ignore(0), inside(0.02)), NodeAction::move);
 }
 
+// What a segment had in sight is neither moved nor forgiven; its force starts with the first overlap.
+TEST(NodeContact, FollowedNodesAreInOrdinaryContact) {
+  NodeEncounter followed = inside(0.1);
+  followed.followed = true;
+  for (const std::int64_t value : {0, 1, 2})
+    for (const std::int64_t snlog : {0, 1}) {
+      NodeContact node;
+      EXPECT_EQ(advance(node, ignore(value, snlog), followed), NodeAction::force);
+      EXPECT_EQ(node.forgiven, 0);
+      EXPECT_EQ(node.state, State::touching);
+      EXPECT_EQ(advance(node, ignore(value, snlog), inside(0.2)), NodeAction::force);
+      EXPECT_EQ(node.forgiven, 0);
+    }
+  NodeContact deep;
+  followed.release_depth = 0.05;
+  EXPECT_EQ(advance(deep, ignore(0), followed), NodeAction::none);
+  EXPECT_EQ(deep.state, State::released);
+}
+
+TEST(NodeContact, BaselineOfSegmentsIsWhatIsFoundSuddenly) {
+  NodeContact node;
+  EXPECT_EQ(advance_from_baseline(node, inside(0.1), 0), NodeAction::force);
+  EXPECT_EQ(node.forgiven, 0.1);
+  node = {};
+  NodeEncounter followed = inside(0.1);
+  followed.followed = true;
+  EXPECT_EQ(advance_from_baseline(node, followed, 0), NodeAction::force);
+  EXPECT_EQ(node.forgiven, 0);
+}
+
+TEST(NodeContact, InSightIsApartByLessThanTheZone) {
+  EXPECT_TRUE(was_followed(1.0, 1, 1, 0));
+  EXPECT_TRUE(was_followed(1.999, 1, 1, 0));
+  EXPECT_FALSE(was_followed(2.0, 1, 1, 0));      // jumped in from beyond
+  EXPECT_FALSE(was_followed(0.9, 1, 1, 1e-9));   // was inside, beside the segment
+  EXPECT_FALSE(was_followed(-0.1, 0, 1, 1e-9));  // was behind
+  EXPECT_TRUE(was_followed(-1e-17, 0, 1, 1e-9));
+}
+
 TEST(NodeContact, NodesThatCannotBeMovedAreForced) {
   NodeContact node;
   NodeEncounter fixed = inside(0.1);

@@ -55,12 +55,15 @@ class ContactTwin {
   /// One cycle at `x`, whose nodes it may move; forces on all nodes.
   std::vector<Point> cycle(std::vector<Vector>& x) {
     std::vector<Point> forces(x.size(), Point{0, 0, 0});
+    if (last_.empty()) last_ = x;
     if (single_) {
       side(x, forces, -1, -1);
     } else {
       side(x, forces, 1, 2);
       side(x, forces, 2, 1);
     }
+    last_ = x;
+    fresh_ = false;
     return forces;
   }
   /// That of the run, for SOFT = 2.
@@ -207,7 +210,20 @@ class ContactTwin {
       else
         act(n, nearest, in_zone, x, forces);
     }
-    first_ = first_ && b == 2;
+  }
+
+  /// The facet saw the node in the cycle before: outside, by less than the thickness (solids: see depth).
+  [[nodiscard]] bool followed(std::size_t n, const Facet& facet) const {
+    if (fresh_) return false;
+    const auto point = [&](std::size_t k) { return Point{last_[k].x(), last_[k].y(), last_[k].z()}; };
+    std::array<Point, 4> corners{};
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = point(facet.nodes[i]);
+    Meeting then;
+    meet(facet, corners, point(n), then);
+    const Real h = nodes_[n].half + facet.half;
+    const Point out = cross(minus(corners[2], corners[0]), minus(corners[3], corners[1]));
+    const Real distance = facet.solid && dot(out, then.from) < 0 ? -then.distance : then.distance;
+    return distance >= h * (1 - 1e-9L) - 1e-12L && distance < h + std::max(h, facet.solid ? facet.release : 0);
   }
 
   /// SOFT = 2: nothing is released or moved, and the side stays.
@@ -226,7 +242,7 @@ class ContactTwin {
       ++passed_;
     }
     node.side = met.from;
-    if (node.memory == Memory::apart && first_) node.forgiven = met.penetration;
+    if (node.memory == Memory::apart && !followed(n, facet)) node.forgiven = met.penetration;
     node.memory = Memory::touching;
     node.forgiven = std::min(node.forgiven, met.penetration);
     Real stiffness = 0;
@@ -263,7 +279,7 @@ class ContactTwin {
       node.forgiven = 0;
       return;
     }
-    const bool first = node.memory == Memory::apart;
+    const bool first = node.memory == Memory::apart && !followed(n, facet);
     node.memory = Memory::touching;
     if (first && start_ == Start::ignored) node.forgiven = met.penetration;
     node.forgiven = std::min(node.forgiven, met.penetration);
@@ -283,7 +299,8 @@ class ContactTwin {
   std::vector<Node> nodes_;
   std::size_t moved_ = 0, passed_ = 0;
   Real step_ = 0;
-  bool first_ = true;  ///< both sides of the first cycle
+  std::vector<Vector> last_;  ///< positions after the last cycle
+  bool fresh_ = true;         ///< in the first cycle
 };
 
 }  // namespace gapcheck::solver
