@@ -229,6 +229,11 @@ struct Pass {
     const double h = node_half + facet.half, depth = buried ? h + c.distance : h - c.distance;
     const double scale = std::max(query.cwiseAbs().maxCoeff(), c.point.cwiseAbs().maxCoeff());
     const double doubt = 1e-9 * (h + 1e-3 * scale);
+    // Next to a face of a solid the rules ask whether the node slides along it; this reference does not know.
+    const auto diagonal = [&](std::size_t i, std::size_t k) {
+      return (x[facet.nodes[k].value] - x[facet.nodes[i].value]).norm();
+    };
+    if (facet.solid && c.distance <= 0.0101 * std::min(diagonal(0, 2), diagonal(1, 3))) verdict.doubtful = true;
     if (depth < -doubt) return;
     if (std::abs(depth) <= doubt || std::abs(c.beyond_band) < 1e-7 || !c.certain || c.distance < 1e-12 * scale)
       verdict.doubtful = true;

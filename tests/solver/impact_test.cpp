@@ -116,6 +116,49 @@ TEST(Impact, EqualRodsExchangeTheirVelocities) {
   RecordProperty("rods_contact_time_order", fmt::format("{:.2f}", order));
 }
 
+/// A bar of 10 × n × n cubes along x, whose sides are shifted by `shift`.
+std::string bar(int part, int n, double start, double shift) {
+  constexpr double h = 0.4;
+  const int first = part * 10000;
+  const auto id = [&](int i, int j, int k) { return first + i * (n + 1) * (n + 1) + j * (n + 1) + k; };
+  std::string nodes = "*NODE\n", solids = "*ELEMENT_SOLID\n";
+  for (int i = 0; i <= 10; ++i)
+    for (int j = 0; j <= n; ++j)
+      for (int k = 0; k <= n; ++k)
+        nodes += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", id(i, j, k), start + i * h, shift + j * h, shift + k * h);
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k)
+        solids += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", id(i, j, k), part, id(i, j, k), id(i + 1, j, k),
+                              id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1), id(i + 1, j, k + 1),
+                              id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1));
+  return nodes + solids + fmt::format("*PART\nbar\n{},1,1\n", part);
+}
+
+// Equal bars, end to end and flush: the nodes of their ends lie in the planes of the other's sides, but meet its end.
+// The second flies on with the momentum of the first, by parts as by segments.
+TEST(Impact, FlushBarsHandOverTheirMomentum) {
+  for (const bool single : {false, true})
+    for (const int soft : {0, 1, 2})
+      for (const int n : {1, 2, 3})
+        for (const double shift : {0.0, 1e-6, -1e-6}) {
+          RunScene scene(bar(1, n, 0, 0) + bar(2, n, 4 + 1e-6, shift) + throws(1, speed) + rest(1.3) +
+                         (single
+                              ? fmt::format("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.\n1.,1.\n{}\n", soft)
+                              : fmt::format("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3\n0.\n1.,1.\n{}\n", soft)));
+          ASSERT_TRUE(scene.prepared()) << scene.message();
+          scene.go();
+          double handed = 0;
+          const State& state = scene.state();
+          for (std::size_t i = state.x.size() / 2; i < state.x.size(); ++i) handed += state.mass[i] * state.v[i].x();
+          handed /= scene.momentum().x();
+          EXPECT_GE(handed, 0.96) << "n " << n << " shift " << shift << " SOFT " << soft << " single " << single;
+          EXPECT_NEAR(scene.energies().ratio(), 1, 0.01);
+          if (shift == 0)
+            RecordProperty(fmt::format("handed_over_{}_soft_{}_{}", n, soft, single), fmt::format("{:.3f}", handed));
+        }
+}
+
 // Against a fixed wall: σ = ρ c v for 2 L / c, and the rod flies back with the speed it came with.
 TEST(Impact, RodAgainstRigidWall) {
   constexpr int n = 40;

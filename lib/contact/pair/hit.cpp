@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 namespace gapcheck::contact {
 namespace {
@@ -18,11 +20,7 @@ bool behind_another(const PairScene& scene, const Hit& hit, std::span<const Hit>
          std::any_of(hits.begin(), hits.end(), [&](const Hit& h) { return scene.oriented(h.segment) && nearer(h); });
 }
 
-}  // namespace
-
-std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits, std::span<const Hit> measured) {
-  // Hits in front need no comparison with others.
-  if (hits.size() == 1 && !std::signbit(hits[0].distance)) return hits[0];
+std::optional<Hit> choose_among(const PairScene& scene, std::span<const Hit> hits, std::span<const Hit> measured) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double in_band = infinity, outside = infinity;
   for (const Hit& hit : hits) {
@@ -39,6 +37,22 @@ std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits,
     if (!behind_another(scene, hit, hits, measured)) chosen = hit;
   }
   return chosen;
+}
+
+}  // namespace
+
+std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits, std::span<const Hit> measured) {
+  // Hits in front need no comparison with others.
+  if (hits.size() == 1 && !std::signbit(hits[0].distance)) return hits[0];
+  const auto slides = [&](const Hit& hit) { return scene.slides(hit.slot, hit.segment, hit.distance); };
+  const auto any_slides = [&](std::span<const Hit> list) { return std::any_of(list.begin(), list.end(), slides); };
+  const bool all_slide = std::all_of(hits.begin(), hits.end(), slides);
+  if (scene.own_neighbours == nullptr || all_slide || !(any_slides(hits) || any_slides(measured)))
+    return choose_among(scene, hits, measured);
+  std::vector<Hit> met, met_in_front;
+  std::remove_copy_if(hits.begin(), hits.end(), std::back_inserter(met), slides);
+  std::remove_copy_if(measured.begin(), measured.end(), std::back_inserter(met_in_front), slides);
+  return choose_among(scene, met, met_in_front);
 }
 
 }  // namespace gapcheck::contact

@@ -21,7 +21,8 @@ inline constexpr double equally_near = 1e-9;
 /// The hit that counts among all hits of one tracked node: in-band hits come first, then the smallest distance; of
 /// equally near segments the first. A node lies inside a body only if it is behind the body's nearest facet, since a
 /// node outside on another side may also be behind a farther one: hits behind others do not count. `measured`: the
-/// node's pairs with oriented facets that are not hits. Nothing: no hit counts.
+/// node's pairs with oriented facets that are not hits. If the node presses on one of the segments, those
+/// along which it only slides (PairScene::slides) count in neither list. Nothing: no hit counts.
 [[nodiscard]] std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits,
                                             std::span<const Hit> measured);
 

@@ -1,6 +1,15 @@
 #include "contact/pair/side_scene.hpp"
 
+#include <algorithm>
+
 namespace gapcheck::contact {
+namespace {
+
+bool has_solids(const Segments& segments) {
+  return std::find(segments.kind.begin(), segments.kind.end(), SegmentKind::solid) != segments.kind.end();
+}
+
+}  // namespace
 
 SideScene::SideScene(const model::Model& model, ContactIndex contact, const ContactSurfaces& surfaces, bool exchanged,
                      const std::vector<Vector>& x)
@@ -17,6 +26,12 @@ SideScene::SideScene(const model::Model& model, ContactIndex contact, const Cont
              neighbours_,
              exchanged || !surfaces.two_sided() ? model.contact(contact).a.type : model.contact(contact).b.type,
              solid_extents(reference_.selection.segments, model.mesh, x),
-             {}} {}
+             {}} {
+  const Segments& own = tracked_.selection.segments;
+  if (!has_solids(own) || !has_solids(reference_.selection.segments)) return;
+  if (&tracked_ != &reference_) own_.emplace(own, model.mesh);
+  scene_.own = &own;
+  scene_.own_neighbours = own_ ? &*own_ : &neighbours_;
+}
 
 }  // namespace gapcheck::contact

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "contact/pair/pair.hpp"
@@ -28,6 +29,7 @@ class SideScene {
  private:
   const ContactSide &tracked_, &reference_;
   Neighbours neighbours_;
+  std::optional<Neighbours> own_;  ///< of the tracked side, where solids meet solids of another side
   PairScene scene_;
 };
 
