@@ -27,6 +27,9 @@ std::string header(const SolverMessage& message) {
   return text + ", " + (message.kind.empty() ? "not understood" : printable(message.kind));
 }
 
+/// Of a message that is not understood so much is shown without being asked for.
+constexpr std::size_t longest_unknown = 400;
+
 }  // namespace
 
 std::string run_line(const SolverRun& run) {
@@ -99,7 +102,15 @@ void append_messages(const Report& report, bool list, std::string_view option, s
       out += "\n    " + printable(message.text) + '\n';
     }
     if (!list) out += fmt::format("  {}: {}\n", title, times(count));
+    if (!list && run.messages[i].kind.empty())
+      out += fmt::format("    {}\n", printable(beginning(run.messages[i].text, longest_unknown)));
   }
+  const bool unknown = std::any_of(run.messages.begin(), run.messages.end(),
+                                   [](const SolverMessage& message) { return message.kind.empty(); });
+  if (unknown)
+    out +=
+        "  not understood: please send its text and the solver's version, so that it will be; until then --messages "
+        "tells what it means\n";
   if (!list && !run.messages.empty()) out += fmt::format("  {} shows their text\n", option);
   if (run.counts_may_be_cut) out += "\nThe solver left messages out: every count here is \"at least\".\n";
 }

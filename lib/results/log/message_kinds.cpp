@@ -97,6 +97,10 @@ bool read_line(std::string_view line, std::vector<MessageKind>& kinds, Labels& c
   if (kinds.empty()) return false;
   if (key == "codes") return read_codes(value, kinds.back());
   if (key == "words") return read_words(value, kinds.back());
+  if (key == "wording") {
+    kinds.back().assumed = value == "assumed";
+    return kinds.back().assumed;
+  }
   return key == "record" && read_record(value, kinds.back());
 }
 

@@ -22,6 +22,7 @@ struct MessageKind {
   std::string name;
   std::vector<std::int64_t> codes;
   std::vector<std::vector<std::string>> words;  ///< one of these, all of its phrases; lower case, single blanks
+  bool assumed = false;                         ///< no file at hand shows the message: the words are a guess
   BlockRecord record = BlockRecord::none;
   TieReason reason = TieReason::not_found;
   std::array<std::vector<std::string>, label_count> labels;

@@ -50,6 +50,25 @@ TEST(MessageKinds, ByWordsOverLineBreaksAndCase) {
             "tied-too-far");
 }
 
+TEST(MessageKinds, SayWhereTheirWordsAreAssumed) {
+  MessageKinds kinds;
+  Diagnostics diagnostics;
+  kinds.add("kind guess\nwords would stretch\nwording assumed\nkind seen\nwords would bend\nwording known\n", "my.txt",
+            diagnostics);
+  EXPECT_EQ(diagnostics.sorted().size(), 1u) << "the wording is assumed, or there is no such line";
+  const auto assumed = [&](const std::string& text) {
+    const std::string bytes = " *** Warning\n     " + text + "\n";
+    Lines lines(bytes);
+    MessageBlock block;
+    read_message_block(lines, block);
+    const MessageKind* kind = kinds.find(block);
+    return kind != nullptr && kind->assumed;
+  };
+  EXPECT_TRUE(assumed("it would stretch"));
+  EXPECT_TRUE(assumed("Penetrating node is too far below segment"));
+  EXPECT_FALSE(assumed("Slave node is not constrained since it is too far from segment."));
+}
+
 TEST(MessageKinds, UsersEntriesComeFirst) {
   MessageKinds kinds;
   Diagnostics diagnostics;

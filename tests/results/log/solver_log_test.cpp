@@ -215,6 +215,38 @@ TEST(SolverLog, RigidWalls) {
   EXPECT_EQ(read.report.run->rigidwalls[0].depth, 39.5);
 }
 
+// As an R13 run prints it after the blocks of an interface; two blocks of one interface are its two sides.
+TEST(SolverLog, SummariesOfInitialPenetrations) {
+  const auto summary = [](int interface, int nodes, int eliminated, const char* least, const char* greatest) {
+    return fmt::format(
+        " summary of initial penetration for interface #= {}\n"
+        "   number of warning messages                  = {}\n"
+        "   number of penetrating nodes                 = {}\n"
+        "   number of penetrating node eliminated       = {}\n"
+        "   min penetration distance                    =  {}\n"
+        "   max penetration distance                    =  {}\n",
+        interface, nodes, nodes, eliminated, least, greatest);
+  };
+  const Read read =
+      read_text(fixtures::smp_penetrations + summary(1, 2128, 0, "5.0000E-01", "5.0000E-01") +
+                summary(1, 49, 0, "1.0000E-01", "6.0000E-01") + summary(7, 0, 562, "2.0000E-02", "3.0000E-02"));
+  const auto of = [&](std::int64_t id) {
+    for (const ContactSummary& contact : read.report.contacts)
+      if (contact.id == id) return contact;
+    return ContactSummary{};
+  };
+  ASSERT_TRUE(of(1).initial_summary);
+  EXPECT_EQ(of(1).initial_summary->nodes, 2177u);
+  EXPECT_EQ(of(1).initial_summary->messages, 2177u);
+  EXPECT_EQ(of(1).initial_summary->least, 0.1);
+  EXPECT_EQ(of(1).initial_summary->greatest, 0.6);
+  EXPECT_EQ(of(1).reported_penetrations, 2177u) << "more than are listed";
+  ASSERT_TRUE(of(7).initial_summary);
+  EXPECT_EQ(of(7).initial_summary->nodes, 0u);
+  EXPECT_EQ(of(7).initial_summary->eliminated, 562u);
+  EXPECT_TRUE(read.report.run->messages.empty()) << "the summaries are no messages of their own";
+}
+
 TEST(SolverLog, SurfaceTimestepsOfBothVocabularies) {
   const Read read = read_text(R"(
      slave surface of interface   = 10001

@@ -91,6 +91,43 @@ TEST(WriteMessag, ReadingBackGivesThePrintedDigits) {
   }
 }
 
+// Every outcome comes back: what was released, and where IGNORE = 2 recommends to put a node.
+TEST(WriteMessag, ReleasedNodesAndRecommendedPositionsComeBack) {
+  Report report;
+  report.contacts.resize(1);
+  report.contacts[0].id = 3;
+  Penetration kept;
+  kept.node = 5;
+  kept.segment_number = 2;
+  kept.segment = {11, 12, 13, 14};
+  kept.depth = 0.25;
+  kept.contact_distance = 1;
+  kept.original = Vector(1, 2, 0.75);
+  kept.point = Vector(1, 2, 0);
+  kept.moved_to = Vector(1, 2, 1.0005);
+  kept.outcome = Outcome::kept;
+  Penetration released = kept;
+  released.node = 6;
+  released.depth = 0.9;
+  released.original = released.moved_to = Vector(1, 2, 0.1);
+  released.kind = PenetrationKind::released;
+  released.outcome = Outcome::released;
+  report.penetrations = {released, kept};
+  const Report read = read_text(write_messag(report)).report;
+  ASSERT_EQ(read.penetrations.size(), 2u);
+  EXPECT_EQ(read.penetrations[0].node, 6);
+  EXPECT_EQ(read.penetrations[0].kind, PenetrationKind::released);
+  EXPECT_EQ(read.penetrations[0].outcome, Outcome::released);
+  EXPECT_EQ(read.penetrations[0].depth, 0.9);
+  EXPECT_EQ(read.penetrations[1].node, 5);
+  EXPECT_TRUE(read.penetrations[1].recommended());
+  EXPECT_EQ(read.penetrations[1].moved_to, kept.moved_to);
+  EXPECT_EQ(read.contacts[0].released, 1u);
+  ASSERT_TRUE(read.contacts[0].initial_summary);
+  EXPECT_EQ(read.contacts[0].initial_summary->nodes, 2u);
+  EXPECT_EQ(read.contacts[0].reported_penetrations, 2u) << "as many as are listed";
+}
+
 TEST(WriteMessag, LayoutOfTheSolver) {
   const std::string& solver = fixtures::smp_penetrations;
   // The fixture was cut from a longer file, without the summaries.
