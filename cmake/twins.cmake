@@ -4,7 +4,8 @@
 # again: their twins link the same objects with the sanitized libraries. That halves the time of ./test.
 option(GAPCHECK_TWINS "Build sanitized twins of libraries and tests (targets …_sanitized, …_threads)" OFF)
 
-# Eigen must take and free memory as in the objects that are not compiled again. Left out: checks that the address sanitizer makes as well, or that cost the compiler most.
+# Eigen must take and free memory as in the objects that are not compiled again. Left out: checks that the address
+# sanitizer makes as well, or that cost the compiler most.
 set(GAPCHECK_TWIN_sanitized -O1 -g1 -UNDEBUG -DEIGEN_MALLOC_ALREADY_ALIGNED=1 -fsanitize=address,undefined
     -fno-sanitize=null,object-size,vptr -fno-sanitize-recover=all -fno-omit-frame-pointer)
 set(GAPCHECK_TWIN_threads -O0 -g1 -UNDEBUG -fsanitize=thread -fno-omit-frame-pointer)

@@ -185,6 +185,9 @@ def penetrations():
     yield penetration("penetration_mid_face", """A shell starts 0.85 deep, more than 0.4 x (1 + 1): released. It passes
         the plate, meets a second one, and comes back into contact with the first from below.""",
                       gap=0.15, end=1.3, second=-4.0)
+    yield over_plate("penetration_sandwich", """A shell at rest between two plates, 0.3 deep in the lower one and 0.29 in
+        the upper one. It is moved out of the lower plate, into the upper one: its energy comes from nothing.""",
+                     0.7, 0.0, 0.1, second=1.41)
 
 
 # Depth: how deep a contact holds on --------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/stiffness/contact_timestep.hpp"
 #include "contact/surface/erosion.hpp"
 #include "contact/tie/ties.hpp"
 #include "solver/build/build_forces.hpp"
@@ -50,6 +51,22 @@ void name_tied_nodes_at_walls(const model::Model& model, const contact::InitialS
                     nodes));
 }
 
+/// Rigid parts alone allow any step: the least of DTINIT, LCTM at the start, and what the contact springs allow. 0:
+/// none.
+double step_without_elements(const model::Model& model, contact::SurfaceStore& surfaces) {
+  double least = 0;
+  const auto take = [&](double step) {
+    if (step > 0 && (least == 0 || step < least)) least = step;
+  };
+  const model::Controls& controls = model.controls;
+  take(controls.dtinit);
+  if (const auto curve = model.curves.find(controls.lctm); controls.lctm != 0 && curve != model.curves.end())
+    take(curve->second.at(0));
+  const std::vector<ContactIndex> all = positions<ContactIndex>(model.contacts.size()).list();
+  take(controls.tssfac * contact::predict_timesteps(model, surfaces, all).timesteps.contact_timestep);
+  return least;
+}
+
 }  // namespace
 
 template <class Contacts>
@@ -82,6 +99,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   step.time_step_factor = model.controls.tssfac;
   step.first_step = model.controls.dtinit;
   Structure& built = structure.value();
+  if (built.shells.size() + built.solids.size() + built.beams.size() == 0 && !(step.greatest_step > 0))
+    step.greatest_step = step_without_elements(model, surfaces);
   std::vector<std::unique_ptr<Force>> forces;
   if (const SolverStatus applied = apply_conditions(model, built, forces, diagnostics); !applied.ok())
     return applied.error();

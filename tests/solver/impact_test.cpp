@@ -159,6 +159,33 @@ TEST(Impact, FlushBarsHandOverTheirMomentum) {
         }
 }
 
+// Rigid parts have no step of their own: the springs between them give one, or DTINIT where it is smaller.
+TEST(Impact, RigidPartsRunAtTheStepOfTheirContact) {
+  for (const double dtinit : {0.0, 1e-4}) {
+    RunScene scene(
+        "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n5,0.2,0.2,0.11\n6,0.8,0.2,0.11\n"
+        "7,0.8,0.8,0.11\n8,0.2,0.8,0.11\n*ELEMENT_SHELL\n1,1,1,2,3,4\n2,2,5,6,7,8\n"
+        "*PART\na\n1,1,1\n*PART\nb\n2,1,1\n*SECTION_SHELL\n1,2\n0.1\n*MAT_RIGID\n1,1.,1000.,0.3\n"
+        "*INITIAL_VELOCITY_GENERATION\n2,2,0.,0.,0.,-2.\n0.,0.,0.,0.,0.,1.\n"
+        "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,3\n0.\n1.,1.\n0\n0.\n1,0\n*CONTROL_TERMINATION\n0.1,\n" +
+        fmt::format("*CONTROL_TIMESTEP\n{},0.9\n", dtinit));
+    ASSERT_TRUE(scene.prepared()) << scene.message();
+    const Vector before = scene.momentum();
+    double greatest = 0;
+    bool touched = false;
+    scene.go([&](const solver::Run& run) {
+      greatest = std::max(greatest, run.stepper().next_step());
+      touched = touched || run.contacts()[0].state().touching > 0;
+    });
+    EXPECT_TRUE(touched);
+    EXPECT_GT(greatest, 0);
+    EXPECT_LE(greatest, dtinit > 0 ? dtinit * (1 + 1e-12) : 1);
+    EXPECT_NEAR((scene.momentum() - before).norm(), 0, 1e-9 * before.norm());
+    EXPECT_NEAR(scene.energies().ratio(), 1, 0.02);
+    EXPECT_GT(scene.state().v[4].z() - scene.state().v[0].z(), 1.9) << "they part as fast as they met";
+  }
+}
+
 // Against a fixed wall: σ = ρ c v for 2 L / c, and the rod flies back with the speed it came with.
 TEST(Impact, RodAgainstRigidWall) {
   constexpr int n = 40;

@@ -288,5 +288,19 @@ TEST(Workshop, ReleasedShellReturnsFromOutside) {
   EXPECT_EQ(course.last().released, 0u);
 }
 
+// Moved out of the lower plate by 1.002 · 0.3 and into the upper one; the nearer plate pushes, and they change places
+// half-way.
+TEST(Workshop, SandwichGetsItsEnergyFromNothing) {
+  const Course course = calculate("penetration_sandwich");
+  ASSERT_EQ(course.initial.penetrations.size(), std::size_t{thrown_nodes});
+  for (const Penetration& p : course.initial.penetrations) EXPECT_EQ(p.outcome, Outcome::moved);
+  const double deep = 1 - (1.41 - 0.7 - 1.002 * 0.3), half_way = 1 - 1.41 / 2;
+  double fastest = 0;
+  for (const Sample& sample : course.samples) fastest = std::max(fastest, std::abs(sample.speed));
+  EXPECT_EQ(course.samples[0].speed, 0);
+  // They change places within a step of 0.06.
+  EXPECT_NEAR(fastest, frequency * std::sqrt(deep * deep - half_way * half_way), 0.05 * fastest);
+}
+
 }  // namespace
 }  // namespace gapcheck::solver::workshop_test

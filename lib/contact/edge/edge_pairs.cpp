@@ -201,6 +201,7 @@ std::vector<Penetration> edge_records(const PairScene& scene, ContactIndex conta
     p.original = p.moved_to = hit->closest.first;
     p.point = hit->closest.second;
     p.feature = Feature::edge;
+    p.outcome = scene.settings.ignore != 0 ? Outcome::kept : Outcome::forced;  // edges are not moved
     p.node_rule = s.rule[tracked.segment.value];
     p.segment_rule = s.rule[other.segment.value];
     p.file = all.origins.file(node.value).value;

@@ -87,7 +87,8 @@ struct Contact {
   std::int64_t symmetry_faces = 0;  ///< ISYM: 1 = faces on planes of symmetry are left out
   // MPP card
   std::optional<std::int64_t> mpp_ignore;
-  double parmax = 0;  ///< 0 = not given
+  double parmax = 0;            ///< 0 = not given
+  std::int64_t mpp_cparm8 = 0;  ///< CPARM8 of this card, which MPP alone reads
   // A
   std::int64_t soft = 0;
   double sofscl = 0.1;
@@ -108,6 +109,7 @@ struct Contact {
   std::int64_t tcso = 0, tiedid = 0, shledg = 0;
   // E
   std::int64_t sharec = 0, ipback = 0, srnde = 0;
+  std::int64_t cparm8 = 0;  ///< 2: spotweld beams take part in types 26 (SMP)
   // F, G
   std::int64_t ignroff = 0;  ///< IGNROFF: shell thickness is ignored on side B (1), A (2) or both (3)
   double shloff = 0;

@@ -50,6 +50,7 @@ void read_mpp(CardReader& reader, Contact& contact) {
   if (!has_card(reader, contact, "the MPP card")) return;
   const Card card = reader.next(contact_card_layout("MPP1"));
   if (!card.blank("ignore")) contact.mpp_ignore = card.integer("ignore");
+  contact.mpp_cparm8 = card.integer("cparm8");
   contact.parmax = card.real("parmax");
   if (trimmed(reader.peek()).starts_with('&')) reader.skip();
 }
@@ -248,6 +249,7 @@ void read_d(const Card& card, Contact& contact) {
 
 void read_e(const Card& card, Contact& contact) {
   contact.sharec = card.integer("sharec");
+  contact.cparm8 = card.integer("cparm8");
   contact.ipback = card.integer("ipback");
   contact.srnde = card.integer("srnde");
 }

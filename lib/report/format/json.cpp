@@ -121,9 +121,9 @@ void append_penetration(const Report& report, const Penetration& record, const s
   if (placed) object.array("point", coordinates(record.point));
   if (placed && (record.outcome == Outcome::moved || record.moved_to != record.original))
     object.array(record.recommended() ? "recommended" : "moved_to", coordinates(record.moved_to));
-  // The solver does not list nodes of the edge zone, so nothing happens to them yet. What it does with edges is not
-  // known.
-  if (record.kind != PenetrationKind::edge_zone && record.kind != PenetrationKind::edge)
+  // The solver does not list nodes of the edge zone, so nothing happens to them yet.
+  if (record.kind != PenetrationKind::edge_zone &&
+      (record.kind != PenetrationKind::edge || record.outcome != Outcome::reported))
     object.plain("outcome", name(record.outcome));
   if (record.node_rule != ThicknessRule::none || record.segment_rule != ThicknessRule::none) {
     object.key("cause");

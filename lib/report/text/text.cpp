@@ -94,9 +94,7 @@ void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
   row[8] = std::isfinite(record.s) ? fmt::format("{:.3f}", record.s) : "-";
   row[9] = std::isfinite(record.t) ? fmt::format("{:.3f}", record.t) : "-";
   row[10] = name(record.feature);
-  row[11] = record.kind == PenetrationKind::edge_zone ? "not listed"
-            : record.kind == PenetrationKind::edge    ? "-"
-                                                      : std::string(name(record.outcome));
+  row[11] = record.kind == PenetrationKind::edge_zone ? "not listed" : std::string(name(record.outcome));
   const Vector& x = record.moved_to;
   row[12] = record.outcome == Outcome::moved || x != record.original
                 ? fmt::format("{}{:.6g} {:.6g} {:.6g}", record.recommended() ? "recommended: " : "", x[0], x[1], x[2])

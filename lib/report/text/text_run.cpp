@@ -109,8 +109,7 @@ void append_messages(const Report& report, bool list, std::string_view option, s
                                    [](const SolverMessage& message) { return message.kind.empty(); });
   if (unknown)
     out +=
-        "  not understood: please send its text and the solver's version, so that it will be; until then --messages "
-        "tells what it means\n";
+        "  not understood: please send the text and the solver's version; --messages FILE adds a meaning of your own\n";
   if (!list && !run.messages.empty()) out += fmt::format("  {} shows their text\n", option);
   if (run.counts_may_be_cut) out += "\nThe solver left messages out: every count here is \"at least\".\n";
 }

@@ -37,6 +37,20 @@ TEST(EdgePenetration, CrossingBeamsAndNoneWhenTheyTouch) {
   EXPECT_EQ(listed(run_rule("GC109", crossing_beams(2, 4).contact(1, "AUTOMATIC_GENERAL", everything))), 0U);
 }
 
+// Edges are forced while nodes are moved, and kept with IGNORE.
+TEST(EdgePenetration, OutcomeIsThatOfTheRun) {
+  for (const auto& [card_b_and_c, outcome] :
+       {std::pair{"0.\n1,0\n", Outcome::forced}, std::pair{"0.,0,0,1\n1,0\n", Outcome::forced},
+        std::pair{"0.\n1,1\n", Outcome::kept}}) {
+    const Report report =
+        run_rule("GC109", crossing_beams(1.5, 4).contact(1, "AUTOMATIC_GENERAL", everything,
+                                                         std::string("0.\n1.,1.\n0\n") + card_b_and_c));
+    ASSERT_EQ(report.penetrations.size(), 1U);
+    EXPECT_EQ(report.penetrations[0].outcome, outcome) << card_b_and_c;
+    EXPECT_EQ(report.penetrations[0].moved_to, report.penetrations[0].original);
+  }
+}
+
 TEST(EdgePenetration, OnlyTypes26LookAtEdges) {
   EXPECT_EQ(listed(run_rule("GC109", crossing_beams(1.5).contact(1, "AUTOMATIC_SINGLE_SURFACE", everything))), 0U);
   EXPECT_EQ(listed(run_rule("GC109", crossing_beams(1.5).contact(1, "AUTOMATIC_GENERAL_INTERIOR", everything))), 1U);
