@@ -46,7 +46,8 @@ Json document(const Report& report, const Penetration& record) {
   if (record.element_part != 0) json["element_part"] = record.element_part;
   if (record.outcome == Outcome::moved || record.moved_to != record.original)
     json[record.outcome == Outcome::kept ? "recommended" : "moved_to"] = coordinates(record.moved_to);
-  if (record.kind != PenetrationKind::edge_zone && record.kind != PenetrationKind::edge)
+  if (record.kind != PenetrationKind::edge_zone &&
+      (record.kind != PenetrationKind::edge || record.outcome != Outcome::reported))
     json["outcome"] = name(record.outcome);
   if (cause.size() > 0) json["cause"] = to_text(cause);
   if (record.line != 0) {

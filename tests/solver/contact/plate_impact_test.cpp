@@ -77,8 +77,9 @@ struct Sum {
 
 /// Eight phases: the gap before the impact grows by an eighth of the way of one step.
 Sum over_phases(const Impact& impact) {
-  // The run ends when the plates have come apart and left the reach of each other.
-  const double first = 0.05 * impact.speed / 20, end = (first + 0.5) / impact.speed + 0.05;
+  // Until the last corner has come down, and the time of some impacts.
+  const double first = 0.05 * impact.speed / 20;
+  const double end = (first + 2 * side * impact.small * impact.tilt) / impact.speed + 0.05;
   RunScene probe(deck(impact, first, 1e-6));
   double step = 0;
   probe.go([&](const solver::Run& run) { step = run.stepper().next_step(); });
@@ -119,6 +120,7 @@ TEST_P(PlateImpact, LeavesNothingInTheContact) {
       for (const double tssfac : {0.9, 0.5, 0.1}) {
         const bool segments = soft == 2 && std::string(type) != "SINGLE_SURFACE";
         if (segments && std::string(type) != "SURFACE_TO_SURFACE") continue;  // no segment-based form
+        if (shape.large > 5 && tssfac < 0.5) continue;                        // takes long
         for (const auto& [snlog, ignore] : {std::pair{0, 0}, {1, 0}, {0, 1}, {0, 2}}) {
           Impact impact{type, shape.small, shape.large, snlog,      ignore,
                         soft, tssfac,      shape.speed, shape.tilt, shape.shift};
