@@ -45,6 +45,10 @@ function(gapcheck_add_twin_test target kind test)
   set(programs GAPCHECK_PROGRAM=$<TARGET_FILE:gapcheck>_${kind} CHECK_C_PROGRAM=$<TARGET_FILE:check-c>_${kind})
   set_tests_properties(${test}_${kind} PROPERTIES TIMEOUT 900 LABELS ${kind}
                        ENVIRONMENT "${environment};GTEST_FILTER=-${slow};${programs}")
+  # The longest one starts first, beside the others.
+  if(test STREQUAL solver)
+    set_tests_properties(${test}_${kind} PROPERTIES COST 1000)
+  endif()
 endfunction()
 
 # `out`: the libraries `links` with the names of those replaced that have a twin.

@@ -5,6 +5,7 @@
 #include <gapcheck/audit.hpp>
 #include <gapcheck/version.hpp>
 #include <gapcheck/write.hpp>
+#include <regex>
 #include <string>
 
 #include "api/new_folder.hpp"
@@ -39,8 +40,12 @@ TEST(ApiWrite, FormatsAreThoseOfTheRooms) {
   EXPECT_EQ(api::write(report.value(), Format::gitlab),
             written([&](const auto& sink) { report::gitlab(expected, sink); }));
   const gapcheck::Severity limit = gapcheck::Severity::error;
-  EXPECT_EQ(api::write(report.value(), Format::junit),
-            written([&](const auto& sink) { report::junit(expected, &limit, 5, sink); }));
+  // The two audits do not take the same time.
+  const auto timeless = [](const std::string& text) {
+    return std::regex_replace(text, std::regex(" time=\"[0-9.]+\""), "");
+  };
+  EXPECT_EQ(timeless(api::write(report.value(), Format::junit)),
+            timeless(written([&](const auto& sink) { report::junit(expected, &limit, 5, sink); })));
 }
 
 TEST(ApiWrite, EveryFormatHasTheFindings) {
