@@ -97,7 +97,7 @@ because = "bought,
  not ours"
 )",
                                "a/gapcheck.toml");
-  ASSERT_EQ(outcome.errors.size(), 1u) << "a line break in a text of one line is no TOML";
+  ASSERT_EQ(outcome.errors.size(), 1u) << "a line break in a text of one line is not valid TOML";
   const Outcome good = read(R"(
 [[include]]
 path = ["./lib/*.k", "dummy/"]
@@ -246,16 +246,16 @@ TEST(SettingsFile, AllErrorsAtOnce) {
 
 TEST(SettingsFile, FaultsOfSyntaxHaveTheirLine) {
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"ptol = 1\nptol = 2\n", "2: is no TOML: "},
-      {"ptol =\n", "1: is no TOML: "},
-      {"\n\nselect = [\"GC1\"\n", ": is no TOML: "},
-      {"units = \"mm\nptol = 1\n", "1: is no TOML: "},
-      {"ignore = []\n[[ignore]]\n", "2: is no TOML: "},
-      {"because = \"\xFF\"\n", "1: is no TOML: "},
-      {std::string("ptol = 1\0", 9), "1: is no TOML: "},
-      {"until = 2027-02-30\n", "1: is no TOML: "},
-      {"contact = 99999999999999999999\n", "1: is no TOML: "},
-      {"[.a]\n", "1: is no TOML: "},
+      {"ptol = 1\nptol = 2\n", "2: is not valid TOML: "},
+      {"ptol =\n", "1: is not valid TOML: "},
+      {"\n\nselect = [\"GC1\"\n", ": is not valid TOML: "},
+      {"units = \"mm\nptol = 1\n", "1: is not valid TOML: "},
+      {"ignore = []\n[[ignore]]\n", "2: is not valid TOML: "},
+      {"because = \"\xFF\"\n", "1: is not valid TOML: "},
+      {std::string("ptol = 1\0", 9), "1: is not valid TOML: "},
+      {"until = 2027-02-30\n", "1: is not valid TOML: "},
+      {"contact = 99999999999999999999\n", "1: is not valid TOML: "},
+      {"[.a]\n", "1: is not valid TOML: "},
   };
   for (const auto& [text, expected] : cases)
     EXPECT_NE(error_of(text).find(expected), std::string::npos) << error_of(text);

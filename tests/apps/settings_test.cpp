@@ -193,9 +193,9 @@ TEST_F(SettingsProgram, FilesThatAreNoSettings) {
   settings(std::string(1024 * 1024 + 1, '#'));
   expect("more than a megabyte");
   settings("because = \"\xFF\xFE\"\n");
-  expect("gapcheck.toml:1: is no TOML: ");
+  expect("gapcheck.toml:1: is not valid TOML: ");
   settings(content(folder_ / "two_plates.k"));
-  expect("gapcheck.toml:1: is no TOML: ");
+  expect("gapcheck.toml:1: is not valid TOML: ");
   if (::geteuid() == 0) return;  // root may read everything
   settings("");
   fs::permissions(folder_ / "gapcheck.toml", fs::perms::none);

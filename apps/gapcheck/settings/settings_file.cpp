@@ -277,7 +277,7 @@ Settings read_settings(std::string_view text, const std::string& path, Diagnosti
   const toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
     const toml::parse_error& error = parsed.error();
-    diagnostics.error(path, error.source().begin.line, fmt::format("is no TOML: {}", error.description()));
+    diagnostics.error(path, error.source().begin.line, fmt::format("is not valid TOML: {}", error.description()));
     return {path, {}, {}, {}};
   }
   return Reader(path, diagnostics).read(parsed.table());

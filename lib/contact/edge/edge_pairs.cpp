@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/parallel.hpp"
+#include "contact/definition/outcome.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -201,7 +202,8 @@ std::vector<Penetration> edge_records(const PairScene& scene, ContactIndex conta
     p.original = p.moved_to = hit->closest.first;
     p.point = hit->closest.second;
     p.feature = Feature::edge;
-    p.outcome = scene.settings.ignore != 0 ? Outcome::kept : Outcome::forced;  // edges are not moved
+    p.outcome = outcome(scene.settings);
+    if (p.outcome == Outcome::moved) p.outcome = Outcome::forced;  // edges are not moved
     p.node_rule = s.rule[tracked.segment.value];
     p.segment_rule = s.rule[other.segment.value];
     p.file = all.origins.file(node.value).value;

@@ -44,11 +44,11 @@ std::optional<Hit> choose_among(const PairScene& scene, std::span<const Hit> hit
 std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits, std::span<const Hit> measured) {
   // Hits in front need no comparison with others.
   if (hits.size() == 1 && !std::signbit(hits[0].distance)) return hits[0];
+  if (scene.own_neighbours == nullptr) return choose_among(scene, hits, measured);
   const auto slides = [&](const Hit& hit) { return scene.slides(hit.slot, hit.segment, hit.distance); };
   const auto any_slides = [&](std::span<const Hit> list) { return std::any_of(list.begin(), list.end(), slides); };
   const bool all_slide = std::all_of(hits.begin(), hits.end(), slides);
-  if (scene.own_neighbours == nullptr || all_slide || !(any_slides(hits) || any_slides(measured)))
-    return choose_among(scene, hits, measured);
+  if (all_slide || !(any_slides(hits) || any_slides(measured))) return choose_among(scene, hits, measured);
   std::vector<Hit> met, met_in_front;
   std::remove_copy_if(hits.begin(), hits.end(), std::back_inserter(met), slides);
   std::remove_copy_if(measured.begin(), measured.end(), std::back_inserter(met_in_front), slides);
