@@ -7,15 +7,12 @@
 #include "contact/pair/closest_segment.hpp"
 
 namespace gapcheck::contact {
-namespace {
 
-bool may_turn(const PairScene& scene) {
-  const auto orien = scene.model.controls.orien;
-  if (orien == 0) return false;
-  return orien >= 2 || scene.surface_type >= 2;
+bool solver_turns(const model::Controls& controls, std::int64_t surface_type) {
+  constexpr auto first_of_parts = static_cast<std::int64_t>(model::SurfaceType::part_set);
+  if (controls.orien == 0) return false;
+  return controls.orien >= 2 || surface_type >= first_of_parts;
 }
-
-}  // namespace
 
 std::vector<bool> flipped_segments(const PairScene& scene, const CandidateSearch& search) {
   const Segments& s = scene.segments;
@@ -26,7 +23,7 @@ std::vector<bool> flipped_segments(const PairScene& scene, const CandidateSearch
   bool any = false;
   for (const SegmentIndex i : all)
     if ((any = turns(i))) break;
-  if (!any || !may_turn(scene)) return {};
+  if (!any || !solver_turns(scene.model.controls, scene.surface_type)) return {};
   // One vote count per part; the last one is for segments without a known part.
   std::vector<std::atomic<std::int64_t>> votes(scene.model.parts.size() + 1);
   const auto ballot = [&](SegmentIndex i) -> std::atomic<std::int64_t>& {

@@ -1,10 +1,14 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "contact/pair/pair.hpp"
 #include "contact/search/search.hpp"
 
 namespace gapcheck::contact {
+
+/// True if the solver turns the segments of a surface of this type itself when the run starts.
+[[nodiscard]] bool solver_turns(const model::Controls& controls, std::int64_t surface_type);
 
 /// Which oriented shell segments face the wrong way: by segment, true = against its node order. Empty if none is
 /// flipped. The solver turns the segments of surfaces given by parts towards the other side (ORIEN of *CONTROL_CONTACT,

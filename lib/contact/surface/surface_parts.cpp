@@ -4,7 +4,8 @@
 #include <tuple>
 
 #include "base/parallel.hpp"
-#include "model/entity/faces.hpp"
+#include "contact/mesh/faces_at.hpp"
+#include "contact/mesh/mean_edge.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -14,21 +15,6 @@ void sort_unique(std::vector<PartIndex>& parts) {
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
   if (!parts.empty() && parts.back() == none<PartIndex>) parts.pop_back();
 }
-
-/// Sum and number of edge lengths.
-struct Edges {
-  double sum = 0;
-  std::uint64_t count = 0;
-  void add(const model::SegmentNodes& n, const std::vector<Vector>& x) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const NodeIndex a = n[i], b = n[(i + 1) % 4];
-      if (a == b) continue;
-      sum += (x[a.value] - x[b.value]).norm();
-      ++count;
-    }
-  }
-  [[nodiscard]] double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
-};
 
 /// An edge with its nodes in ascending order, and the direction in which the segment runs along it.
 struct HalfEdge {
@@ -99,51 +85,54 @@ bool whole_parts(const model::SurfaceInput& input) {
 
 double mean_edge(const model::Model& model, const ContactSide& side) {
   const std::vector<Vector>& x = model.mesh.nodes.x;
-  Edges edges;
+  MeanEdge edges;
   const Segments& s = side.selection.segments;
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] != SegmentKind::line) edges.add(s.nodes[i], x);
-  if (!side.nodes_only) return edges.mean();
+  if (!side.nodes_only) return edges.value();
   std::vector<bool> tracked(x.size(), false);
   for (const NodeIndex n : side.selection.nodes) tracked[n.value] = true;
-  const auto between = [&](const model::SegmentNodes& nodes) {
-    return std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex n) { return tracked[n.value]; });
-  };
-  for (const auto& nodes : model.mesh.shells.nodes)
-    if (between(nodes)) edges.add(nodes, x);
-  for (const auto& nodes : model.mesh.solids.nodes) {
-    if (std::none_of(nodes.begin(), nodes.end(), [&](NodeIndex n) { return tracked[n.value]; })) continue;
-    for (const model::SegmentNodes& face : model::SolidFaces(nodes))
-      if (between(face)) edges.add(face, x);
-  }
-  return edges.mean();
+  const auto is_tracked = [&](NodeIndex n) { return tracked[n.value]; };
+  for_each_face_at(model.mesh, is_tracked, [&](const model::SegmentNodes& face) {
+    if (std::all_of(face.begin(), face.end(), is_tracked)) edges.add(face, x);
+  });
+  return edges.value();
 }
 
-std::vector<Misoriented> misoriented_segments(const model::Mesh& mesh, const Segments& s) {
+void for_each_connected_surface(const Segments& s, const std::function<void(const ConnectedSurface&)>& visit) {
   const auto links = links_between(s);
   enum class Sense : std::uint8_t { unseen, same, turned };
   std::vector<Sense> sense(s.size(), Sense::unseen);
-  std::vector<Misoriented> found;
-  std::vector<SegmentIndex> surface;
+  ConnectedSurface surface;
   for (const SegmentIndex first : positions<SegmentIndex>(s.size())) {
     if (sense[first.value] != Sense::unseen) continue;
     sense[first.value] = Sense::same;
-    surface.assign(1, first);
+    std::vector<SegmentIndex>& segments = surface.segments;
+    segments.assign(1, first);
     std::size_t turned = 0;
-    for (std::size_t next = 0; next < surface.size(); ++next) {
-      const bool own = sense[surface[next].value] == Sense::turned;
-      for (const Link& link : links[surface[next].value]) {
+    for (std::size_t next = 0; next < segments.size(); ++next) {
+      const bool own = sense[segments[next].value] == Sense::turned;
+      for (const Link& link : links[segments[next].value]) {
         if (sense[link.other.value] != Sense::unseen) continue;
         const bool other = own != link.turned;
         sense[link.other.value] = other ? Sense::turned : Sense::same;
         turned += other ? 1 : 0;
-        surface.push_back(link.other);
+        segments.push_back(link.other);
       }
     }
-    const Sense fewer = 2 * turned <= surface.size() ? Sense::turned : Sense::same;
-    for (const SegmentIndex i : surface)
-      if (sense[i.value] == fewer) found.push_back({i, part_of(mesh, s, i.value)});
+    const Sense fewer = 2 * turned <= segments.size() ? Sense::turned : Sense::same;
+    surface.turned.clear();
+    for (const SegmentIndex i : segments)
+      if (sense[i.value] == fewer) surface.turned.push_back(i);
+    visit(surface);
   }
+}
+
+std::vector<Misoriented> misoriented_segments(const model::Mesh& mesh, const Segments& s) {
+  std::vector<Misoriented> found;
+  for_each_connected_surface(s, [&](const ConnectedSurface& surface) {
+    for (const SegmentIndex i : surface.turned) found.push_back({i, part_of(mesh, s, i.value)});
+  });
   std::sort(found.begin(), found.end(),
             [](const Misoriented& a, const Misoriented& b) { return a.segment < b.segment; });
   return found;

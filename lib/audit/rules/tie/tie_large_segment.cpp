@@ -7,7 +7,7 @@
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
 #include "audit/shared/tied_contacts.hpp"
-#include "model/entity/faces.hpp"
+#include "contact/mesh/faces_at.hpp"
 
 namespace gapcheck::audit::rule::tie_large_segment {
 namespace {
@@ -24,20 +24,15 @@ class ShortestEdges {
   ShortestEdges(const model::Mesh& mesh, const std::vector<NodeIndex>& nodes)
       : mesh_(mesh), shortest_(mesh.nodes.size(), not_asked) {
     for (const NodeIndex n : nodes) shortest_[n.value] = std::numeric_limits<double>::infinity();
-    for (const auto& shell : mesh.shells.nodes) visit_face(shell);
-    for (const auto& solid : mesh.solids.nodes) visit_solid(solid);
-    for (const auto& solid : mesh.thick_shells.nodes) visit_solid(solid);
+    contact::for_each_face_at(
+        mesh, [&](NodeIndex n) { return asked(n); }, [&](const model::SegmentNodes& face) { visit(face); });
   }
   [[nodiscard]] double at(NodeIndex node) const { return shortest_[node.value]; }
 
  private:
   static constexpr double not_asked = -1;
 
-  void visit_solid(const std::array<NodeIndex, 8>& solid) {
-    if (std::none_of(solid.begin(), solid.end(), [&](NodeIndex n) { return asked(n); })) return;
-    for (const model::SegmentNodes& face : model::SolidFaces(solid)) visit_face(face);
-  }
-  void visit_face(const model::SegmentNodes& face) {
+  void visit(const model::SegmentNodes& face) {
     for (std::size_t i = 0; i < 4; ++i) {
       const NodeIndex a = face[i], b = face[(i + 1) % 4];
       if (a == b || (!asked(a) && !asked(b))) continue;
