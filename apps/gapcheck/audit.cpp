@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "audit/registry.hpp"
+#include "audit/shared/length_unit.hpp"
 #include "audit_decks.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
@@ -19,11 +20,12 @@
 namespace gapcheck::app {
 namespace {
 
-/// Unit systems in use, as length-time-mass (pounds: force), with their unit of length in millimetres.
-const std::map<std::string, double> unit_systems{
-    {"mm-ms-kg", 1}, {"mm-s-t", 1},    {"mm-ms-g", 1},     {"mm-s-kg", 1},      {"cm-us-g", 10},
-    {"cm-s-g", 10},  {"m-s-kg", 1000}, {"in-s-lbf", 25.4}, {"ft-s-lbf", 304.8},
-};
+/// Known systems of units, with a millimetre in their unit of length.
+std::map<std::string, double> millimetres() {
+  std::map<std::string, double> systems;
+  for (const audit::UnitSystem& units : audit::unit_systems()) systems.emplace(units.name, 1e-3 / units.metre);
+  return systems;
+}
 
 void add_deck_selection(CLI::App& command, AuditArguments& arguments) {
   audit::AuditOptions& audit = arguments.audit;
@@ -51,7 +53,7 @@ void add_work(CLI::App& command, AuditArguments& arguments) {
       command.get_option("-I"), command.get_option("--missing-includes"),
       command
           .add_option("--units", arguments.units, "Of the deck, for rules that know millimetres: mm-ms-kg, m-s-kg, …")
-          ->check(CLI::IsMember(unit_systems))
+          ->check(CLI::IsMember(millimetres()))
           ->type_name("SYSTEM"),
       command.add_flag("--exact", arguments.audit.exact, "Decide everything in exact arithmetic (slow, same results)"),
       command.add_option("--jobs", arguments.jobs, "Threads; 0: as many as the machine has")
@@ -93,7 +95,7 @@ void add_audit(CLI::App& app, Action& action) {
       if (failures.any()) return static_cast<int>(failed);
       arguments->audit.severities = arguments->settings.severities;
       arguments->audit.today = today();
-      if (!arguments->units.empty()) arguments->audit.millimetre = 1 / unit_systems.at(arguments->units);
+      if (!arguments->units.empty()) arguments->audit.millimetre = millimetres().at(arguments->units);
       arguments->audit.scene = !arguments->output.html.empty();
       arguments->audit.mesh = !arguments->exports.vtu.empty();
       arguments->audit.members = !arguments->exports.sets.empty();

@@ -22,7 +22,7 @@ struct AuditOptions {
   double ptol = -1;                         ///< --ptol: replaces the default tolerance; negative = not given
   double rtol = -1;          ///< --rtol: only findings with a remaining distance below it; negative = not given
   double ratio = -1;         ///< --ratio: only findings with depth / contact distance above it; negative = not given
-  double millimetre = 0;     ///< --units: what a millimetre is in the deck's unit of length; 0 = not given
+  double millimetre = 0;     ///< --units: what a millimetre is in the deck's unit of length; 0 = not given: inferred
   bool exact = false;        ///< --exact: no floating-point filter
   bool brute_force = false;  ///< the slow search, for tests
   bool scene = false;        ///< fill Report::scene

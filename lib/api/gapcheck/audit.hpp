@@ -25,7 +25,7 @@ struct AuditOptions {
   std::optional<double> rtol = {};          ///< only penetrations with a smaller remaining distance
   std::optional<double> ratio = {};         ///< only penetrations deeper than this share of the contact distance
   std::map<std::string, Severity> severities = {};  ///< by rule id or name, instead of the rules' own
-  std::optional<double> millimetre = {};            ///< in the deck's unit of length, above 0; for rules that need it
+  std::optional<double> millimetre = {};            ///< in the deck's unit of length, above 0; none: inferred
   std::chrono::sys_days today{};                    ///< for ignores with a last day; 1970-01-01: none has expired
   bool exact = false;                               ///< no floating-point filter: slow, same results
   bool picture = false;                             ///< keep what Format::html needs to draw the mesh

@@ -183,6 +183,8 @@ struct Controls {
   std::int64_t ihq = 0;
   double qh = 0;
   Place hourglass_place;
+  // *CONTROL_UNITS
+  double length_unit = 0;  ///< metres in the unit of length; 0 = not given
   // *CONTROL_BULK_VISCOSITY
   double bulk_q1 = 1.5, bulk_q2 = 0.06;
   bool contact_given = false, shell_given = false;

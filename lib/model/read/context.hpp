@@ -111,6 +111,7 @@ void read_contact(Context& context, const Block& block, const Options& options);
 void read_control_contact(Context& context, const Block& block, const Options& options);
 void read_control_shell(Context& context, const Block& block, const Options& options);
 void read_control_timestep(Context& context, const Block& block, const Options& options);
+void read_control_units(Context& context, const Block& block, const Options& options);
 void read_control_termination(Context& context, const Block& block, const Options& options);
 void read_title(Context& context, const Block& block, const Options& options);
 void read_database(Context& context, const Block& block, const Options& options);

@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
 #include "model/read/context.hpp"
 #include "model/read/field_values.hpp"
 
@@ -7,6 +12,16 @@ namespace {
 /// The next card, or a blank one if the block has ended.
 Card next_card(CardReader& reader, std::string_view keyword, std::string_view card) {
   return reader.next(keyword::card_layout(keyword, card));
+}
+
+/// Metres in a unit of length by its name; 0: not a known name.
+double metres_in(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, double>, 6> units{
+      {{"", 1}, {"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"ft", 0.3048}}};
+  const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+  for (const auto& [unit, metres] : units)
+    if (std::equal(name.begin(), name.end(), unit.begin(), unit.end(), same)) return metres;
+  return 0;
 }
 
 }  // namespace
@@ -62,6 +77,13 @@ void read_control_timestep(Context& context, const Block& block, const Options&)
   controls.dtinit = card.real("dtinit") * context.transform(block).time_factor;
   controls.lctm = card.integer("lctm");
   controls.timestep_place = Context::place(block, block.line);
+}
+
+void read_control_units(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const double named = metres_in(next_card(reader, "CONTROL_UNITS", "card1").text("length"));
+  const double given = next_card(reader, "CONTROL_UNITS", "card2").real("length_scale");
+  context.model.controls.length_unit = (given > 0 ? given : named) / context.length(block, 1);
 }
 
 void read_control_termination(Context& context, const Block& block, const Options&) {

@@ -117,6 +117,7 @@ constexpr KeywordFamily keyword_families[] = {
     {"CONTROL_SHELL", Phase::rest, read_control_shell},
     {"CONTROL_TIMESTEP", Phase::rest, read_control_timestep},
     {"CONTROL_TERMINATION", Phase::rest, read_control_termination},
+    {"CONTROL_UNITS", Phase::rest, read_control_units},
     {"TITLE", Phase::rest, read_title},
     {"DATABASE_BINARY_D3PLOT", Phase::rest, read_database},
     {"DATABASE_GLSTAT", Phase::rest, read_database},

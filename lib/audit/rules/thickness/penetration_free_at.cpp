@@ -5,6 +5,7 @@
 #include "audit/rules.hpp"
 #include "audit/shared/contact_thickness.hpp"
 #include "audit/shared/free_thickness.hpp"
+#include "audit/shared/length_unit.hpp"
 #include "audit/shared_results.hpp"
 
 namespace gapcheck::audit::rule::penetration_free_at {
@@ -18,7 +19,7 @@ std::string segment_words(const Penetration& p) {
   return p.element != 0 ? fmt::format("element {}", p.element) : fmt::format("segment {}", p.segment_number);
 }
 
-std::string words(const Context& context, const FreeCard& card) {
+std::string words(const Context& context, const LengthUnit& unit, const FreeCard& card) {
   const model::Contact& contact = context.model().contact(card.contact);
   const bool single = contact::classify(contact).treatment == contact::Treatment::single_surface;
   std::string text =
@@ -27,10 +28,10 @@ std::string words(const Context& context, const FreeCard& card) {
   if (card.bound.free_count > 0)
     text += fmt::format("; the closest is node {}, {:.4g} from {}", closest.node, closest.remaining(),
                         segment_words(closest));
-  const double recommended = recommended_millimetres * context.options().millimetre;
+  const double recommended = recommended_millimetres * unit.millimetre;
   if (card.value < recommended)
-    text +=
-        fmt::format("; below the {:.4g} ({} mm) at which a deck should be free", recommended, recommended_millimetres);
+    text += fmt::format("; below the {:.4g} ({} mm{}) at which a deck should be free", recommended,
+                        recommended_millimetres, unit.clause());
   return text;
 }
 
@@ -55,10 +56,11 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   const std::vector<ContactIndex> contacts = contacts_with_thickness(rule, context);
   if (contacts.empty()) return;
   const FreeCards cards = free_cards(scene, contacts, context.results().initial());
+  const LengthUnit unit = length_unit(context);
   for (const FreeCard& card : cards.list) {
     const FreeThickness& b = card.bound;
     Finding f = finding_at(rule, context, context.model().contact(card.contact),
-                           b.stuck_count > 0 ? stuck_words(card) : words(context, card));
+                           b.stuck_count > 0 ? stuck_words(card) : words(context, unit, card));
     f.count = card.penetrations;
     if (b.count() > 0) {
       const Penetration& p = b.stuck_count > 0 ? b.stuck : b.closest;

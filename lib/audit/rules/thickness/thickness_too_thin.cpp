@@ -2,6 +2,7 @@
 
 #include "audit/rules.hpp"
 #include "audit/shared/contact_thickness.hpp"
+#include "audit/shared/length_unit.hpp"
 #include "records/thickness_source.hpp"
 
 namespace gapcheck::audit::rule::thickness_too_thin {
@@ -9,17 +10,16 @@ namespace {
 
 /// Below this thickness, in millimetres, shells should be thickened for contact (contact rules, section 11).
 constexpr double least_millimetres = 0.5;
-/// Without units: share of the shortest edge. A time step is about edge / c, so a node at speed v moves v / c edges in
-/// it; 0.003 is 15 m/s in steel, a car that hits a wall.
+/// Where the unit of length is not known: share of the shortest edge. A time step is about edge / c, so a node at speed
+/// v moves v / c edges in it; 0.003 is 15 m/s in steel, a car that hits a wall.
 constexpr double least_share_of_edge = 0.003;
 
 /// Required thickness over the shell segment's thickness; 0: thick enough, or not a shell.
-double thinness(const Context& context, const contact::ContactSettings& settings, const contact::Segments& s,
-                std::size_t i) {
+double thinness(const Context& context, double millimetre, const contact::ContactSettings& settings,
+                const contact::Segments& s, std::size_t i) {
   const model::Model& model = context.model();
   if (s.kind[i] != contact::SegmentKind::shell || s.element[i] == none<PartIndex>.value) return 0;
   const double t = 2 * s.half[i];
-  const double millimetre = context.options().millimetre;
   const double least = millimetre > 0 ? least_millimetres * millimetre
                                       : least_share_of_edge * contact::shortest_edge(s.nodes[i], model.mesh.nodes.x);
   if (!(t < least) || s.rule[i] == ThicknessRule::edge_limit) return 0;
@@ -32,22 +32,23 @@ double thinness(const Context& context, const contact::ContactSettings& settings
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
+  const LengthUnit unit = length_unit(context);
   std::vector<PartSegments> parts;
   for (const ContactIndex c : contacts_with_thickness(rule, context)) {
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
     if (surfaces.settings.shlthk == 0) continue;  // GC305
     for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
       const contact::Segments& s = side->selection.segments;
-      weigh_by_part(parts, context, c, s, [&](std::size_t i) { return thinness(context, surfaces.settings, s, i); });
+      weigh_by_part(parts, context, c, s,
+                    [&](std::size_t i) { return thinness(context, unit.millimetre, surfaces.settings, s, i); });
     }
   }
-  const double millimetre = context.options().millimetre;
   const auto words = [&](const PartSegments& p) {
     const contact::Segments& s = *p.segments;
     const std::uint32_t worst = p.worst.item;
-    const std::string limit = millimetre > 0
-                                  ? fmt::format("{:.4g} ({} mm)", least_millimetres * millimetre, least_millimetres)
-                                  : fmt::format("{} of their shortest edge", least_share_of_edge);
+    const std::string limit = unit.known() ? fmt::format("{:.4g} ({} mm{})", least_millimetres * unit.millimetre,
+                                                         least_millimetres, unit.clause())
+                                           : fmt::format("{} of their shortest edge", least_share_of_edge);
     return fmt::format(
         "{}: the contact thickness of {} is below {}, the thinnest is {} with {:.4g} ({}): nodes may pass through; "
         "raise it "

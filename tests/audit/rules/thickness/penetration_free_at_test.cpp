@@ -112,7 +112,10 @@ TEST(PenetrationFreeAt, UnitsTellIfTheRecommendedValueIsReached) {
         .findings.at(0)
         .message;
   };
-  EXPECT_NE(message(0.4).find("0.5 mm"), std::string::npos);
+  EXPECT_NE(message(0.4).find("0.5 mm)"), std::string::npos);
+  EXPECT_EQ(message(0.5).find("0.5 mm"), std::string::npos);
+  options.millimetre = 0;  // the plates are steel in mm, t and s
+  EXPECT_NE(message(0.4).find("0.5 mm, taking the unit of length for mm,"), std::string::npos) << message(0.4);
   EXPECT_EQ(message(0.5).find("0.5 mm"), std::string::npos);
 }
 

@@ -5,10 +5,12 @@
 namespace gapcheck::audit_test::thickness_too_thin_test {
 namespace {
 
-// Six elements of 5 x 6.
-RuleDeck plate(double thickness, int material = 1) {
+// Six elements of 5 x 6. Materials 3 and 4, which is rigid, tell no unit.
+RuleDeck plate(double thickness, int material = 3) {
   RuleDeck deck;
-  return deck.shell_part(1, thickness, material)
+  return deck.raw("MAT_ELASTIC", "3,1.,1.,0.3")
+      .raw("MAT_RIGID", "4,1.,1.,0.3")
+      .shell_part(1, thickness, material)
       .plate(1, 1, 3, 2, Vector(0, 0, 0), 5, 6)
       .contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
 }
@@ -34,8 +36,24 @@ TEST(ThicknessTooThin, BelowHalfAMillimetreWithUnits) {
 TEST(ThicknessTooThin, BelowAShareOfTheEdgeWithoutUnits) {
   EXPECT_EQ(listed(run_rule("GC303", plate(0.0149))), 1U);
   EXPECT_EQ(listed(run_rule("GC303", plate(0.0151))), 0U);
-  EXPECT_EQ(listed(run_rule("GC303", plate(0.0149, 2))), 0U);  // rigid elements set no time step
-  EXPECT_EQ(listed(run_rule("GC303", plate(0.0149, 2), in_units(1))), 1U);
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.0149, 4))), 0U);  // rigid elements set no time step
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.0149, 4), in_units(1))), 1U);
+}
+
+TEST(ThicknessTooThin, TheUnitOfTheDeck) {
+  // Material 1 is steel in mm, t and s.
+  const Report report = run_rule("GC303", plate(0.49, 1));
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_NE(report.findings[0].message.find(
+                "below 0.5 (0.5 mm, taking the unit of length for mm, because material 1 looks like steel)"),
+            std::string::npos)
+      << report.findings[0].message;
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.5, 1))), 0U);
+  // What the user says goes first: 0.49 is 490 mm then, and 0.49 m more than 0.003 of any edge.
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.49, 1), in_units(0.001))), 0U);
+  EXPECT_EQ(run_rule("GC303", plate(0.49, 1), in_units(1)).findings.at(0).message.find("taking"), std::string::npos);
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.00049).raw("CONTROL_UNITS", "m,s,kg"))), 1U);
+  EXPECT_EQ(listed(run_rule("GC303", plate(0.00051).raw("CONTROL_UNITS", "m,s,kg"))), 0U);
 }
 
 TEST(ThicknessTooThin, TheContactThicknessCounts) {
