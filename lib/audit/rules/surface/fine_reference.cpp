@@ -1,15 +1,13 @@
 #include <fmt/format.h>
 
 #include "audit/rules.hpp"
+#include "audit/shared/side_sizes.hpp"
 #include "contact/surface/surface_parts.hpp"
 
 namespace gapcheck::audit::rule::fine_reference {
 namespace {
 
-/// A reference side finer than this is a mistake rather than a matter of meshing.
-constexpr double factor = 1.5;
-
-/// One-way penalty contact. In forming types fine rigid tools are common practice, and ties hold either way.
+/// One-way penalty contact. In forming types fine rigid tools are common practice; ties have a rule of their own.
 bool one_way(const contact::ContactType& type) {
   using contact::Family;
   return type.treatment == contact::Treatment::one_way &&
@@ -24,14 +22,12 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const contact::ContactType type = contact::classify(contact);
     if (!one_way(type) || !type.checked()) continue;
     const contact::ContactSurfaces& surfaces = context.surfaces(i);
-    const double tracked = contact::mean_edge(model, surfaces.a), reference = contact::mean_edge(model, surfaces.b);
-    if (!(reference > 0) || !(tracked > factor * reference)) continue;
+    const SideSizes sizes{contact::mean_edge(model, surfaces.a), contact::mean_edge(model, surfaces.b)};
+    if (!sizes.reference_too_fine()) continue;
     report.findings.push_back(finding_at(
         rule, context, contact,
-        fmt::format(
-            "the reference side B is {:.3g} times finer than the tracked side A (mean edges {:.4g} and {:.4g}): its "
-            "nodes pass between the tracked ones; exchange the sides, or take a two-way type",
-            tracked / reference, reference, tracked)));
+        fmt::format("{}: its nodes pass between the tracked ones; exchange the sides, or take a two-way type",
+                    sizes.text())));
   }
 }
 
