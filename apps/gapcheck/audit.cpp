@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "as_if.hpp"
 #include "audit/registry.hpp"
 #include "audit/shared/length_unit.hpp"
 #include "audit_decks.hpp"
@@ -45,6 +46,13 @@ void add_deck_selection(CLI::App& command, AuditArguments& arguments) {
           ->check(amount)
           ->type_name("X")};
   for (CLI::Option* option : options) option->group("Selection");
+  add_list(
+      command, "--as-if", arguments.as_if,
+      "Audit as if all contacts had this value: SST=0.5, OPTT=0, …; 'thickness': the workshop's check, SST and MST "
+      "of 0.5 mm without OPTT and IGNORE")
+      ->check(CLI::Validator(check_assumption, ""))
+      ->type_name("FIELD=VALUE")
+      ->group("Selection");
 }
 
 void add_work(CLI::App& command, AuditArguments& arguments) {
@@ -96,6 +104,12 @@ void add_audit(CLI::App& app, Action& action) {
       arguments->audit.severities = arguments->settings.severities;
       arguments->audit.today = today();
       if (!arguments->units.empty()) arguments->audit.millimetre = millimetres().at(arguments->units);
+      auto as_if = assumptions(arguments->as_if, arguments->audit.millimetre);
+      if (!as_if) {
+        failures.add(as_if.error());
+        return static_cast<int>(failed);
+      }
+      arguments->audit.as_if = std::move(as_if).value();
       arguments->audit.scene = !arguments->output.html.empty();
       arguments->audit.mesh = !arguments->exports.vtu.empty();
       arguments->audit.members = !arguments->exports.sets.empty();

@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 /// Baseline findings that the audit did not look for are not gone. Limits by depth or part leave out more than a
 /// baseline can show.
 bool looked_for(const KnownFinding& known, const audit::AuditOptions& options) {
-  if (!options.parts.empty() || options.ptol >= 0 || options.rtol >= 0 || options.ratio >= 0) return false;
+  if (!options.parts.empty() || options.ptol >= 0 || options.rtol >= 0 || options.ratio >= 0 || !options.as_if.empty())
+    return false;
   const auto& ids = options.contacts;
   if (!ids.empty() && std::find(ids.begin(), ids.end(), known.contact) == ids.end()) return false;
   const RuleIdentity* rule = audit::find_rule(known.id);

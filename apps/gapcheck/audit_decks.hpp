@@ -14,6 +14,7 @@ namespace gapcheck::app {
 struct AuditArguments {
   std::vector<std::string> decks;  ///< paths and patterns
   std::string missing_includes = "error";
+  std::vector<std::string> as_if;
   std::string units;
   audit::AuditOptions audit;
   OutputOptions output;

@@ -216,6 +216,9 @@ void add_fix(CLI::App& app, Action& action) {
       ->type_name("DIR");
   command->add_flag("--dry-run", arguments->dry_run, "Write nothing but the report");
   add_choices(*command, *arguments);
+  command->add_flag(
+      "--recommended", arguments->fix.recommended,
+      "Move nodes of contacts with IGNORE = 2 to the coordinates that the solver recommends, and no others");
   command->add_flag("--free-welds", arguments->fix.free_welds,
                     "Nodes of spot welds, rivets and weld elements may move against each other");
   command->add_option("--format", arguments->format, "Of the report: text or json")

@@ -33,6 +33,7 @@ Result<audit::FixOptions> fix_settings(const FixOptions& options) {
       check.fault("priorities: a part's id is 1 or more, and its factor between 1e-6 and 1e6");
     settings.priorities.emplace_back(priority.part, priority.factor);
   }
+  settings.recommended = options.recommended;
   settings.free_welds = options.free_welds;
   if (!check.message().empty()) return plain_error(check.message());
   return settings;

@@ -172,6 +172,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   Report report;
   report.source = "deck";
   report.input = input;
+  for (const model::Assumption& a : options.as_if) report.as_if.push_back(fmt::format("{}={:g}", a.field, a.value));
   for (const keyword::SourceFile& file : deck.files()) report.files.push_back(file.path);
   report.model = counts(model);
   const Selection selection(model, options);
@@ -215,6 +216,7 @@ Result<Report> audit(Result<keyword::Deck> deck, Clock::time_point start, const 
   const auto model_start = Clock::now();
   auto model = model::read_model(deck.value(), diagnostics);
   if (!model) return model.error();
+  model::assume(options.as_if, model.value());
   const double model_s = since(model_start);
   Report report = make_report(input, deck.value(), model.value(), options);
   report.timing.read_s = read_s;

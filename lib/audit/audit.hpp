@@ -7,6 +7,7 @@
 #include "base/diagnostic.hpp"
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
+#include "model/assumption.hpp"
 #include "records/report.hpp"
 
 namespace gapcheck::audit {
@@ -17,6 +18,7 @@ struct AuditOptions {
   std::vector<std::int64_t> contacts;       ///< --contact; empty = all
   std::vector<std::int64_t> parts;          ///< --part: only nodes or segments of these parts; empty = all
   std::vector<IgnoreEntry> ignores;         ///< of a settings file; those of the deck's comments come first
+  std::vector<model::Assumption> as_if;     ///< --as-if: audits the deck as if it had these values
   Severities severities;                    ///< instead of those of the rules
   std::chrono::sys_days today{};            ///< date for ignores with a last day; 1970-01-01: none has expired
   double ptol = -1;                         ///< --ptol: replaces the default tolerance; negative = not given

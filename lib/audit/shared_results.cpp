@@ -26,6 +26,7 @@ contact::InitialState& SharedResults::initial() {
     options.mortar = selection_.needs(Need::mortar_penetrations);
     options.edges = selection_.needs(Need::edge_penetrations);
     options.moved_into = selection_.needs(Need::moved_nodes);
+    options.overlaps = selection_.needs(Need::intended_overlaps);
     initial_ = contact::initialise_contacts(selection_.model(), surfaces_, options, counters_);
   }
   return *initial_;

@@ -78,6 +78,8 @@ class Initialiser {
         tie_nodes(c);
       else if (is_searched(type, options_))
         list_penetrations(c);
+      else if (type.can(Ability::interference) && options_.overlaps)
+        list_overlaps(c);
       count_searches_since(before);
     }
   }
@@ -121,6 +123,18 @@ class Initialiser {
     find_penetrations({model_, options_, *search_, ties_, present_, counters_}, c, sides, exclusions, list,
                       state_.moved_into);
     for (const Penetration& p : list.records()) count(p, summary);
+  }
+
+  /// The nodes stay: the solver lets the overlap grow from nothing (contact rules, section 7).
+  void list_overlaps(ContactIndex c) {
+    const ContactSurfaces& sides = present_.at(c);
+    report_empty(c, sides);
+    InitialOptions options = options_;
+    options.nodes_stay = true;
+    std::vector<MovedInto> nothing;
+    PenetrationList list(state_.overlaps);
+    find_penetrations({model_, options, *search_, ties_, present_, counters_}, c, sides,
+                      Exclusions(model_, model_.contact(c).id), list, nothing);
   }
 
   void report_empty(ContactIndex c, const ContactSurfaces& surfaces) {

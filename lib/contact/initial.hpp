@@ -27,6 +27,7 @@ struct InitialOptions {
   bool mortar = false;
   bool edges = false;       ///< edges against edges in types 26
   bool moved_into = false;  ///< searches again for the nodes that a contact has moved, once it has moved them all
+  bool overlaps = false;    ///< the intended overlaps of INTERFERENCE contacts
 };
 
 struct InitialCounters {
@@ -52,6 +53,7 @@ struct InitialState {
   std::vector<ContactSummary> contacts;   ///< beside Model::contacts; those not chosen have `not_checked` set
   std::vector<Penetration> penetrations;  ///< by contact, deepest first, then node id
   std::vector<MovedInto> moved_into;      ///< only on request; by contact
+  std::vector<Penetration> overlaps;      ///< only on request; intended, so no penetrations: INTERFERENCE contacts
   std::vector<JudgedNode> judged;         ///< nodes meant to tie; by contact, then node
   std::vector<std::string> notes;         ///< input that is not supported
   std::vector<Vector> x;                  ///< coordinates after the initialisation

@@ -95,6 +95,7 @@ using Severities = std::map<std::string, Severity, std::less<>>;
 struct Report {
   std::string source;              ///< "deck"
   std::string input;               ///< as given by the user
+  std::vector<std::string> as_if;  ///< values that replaced the deck's: "SST=0.5"
   std::string settings;            ///< path of the settings file that was used; empty: none
   Severities severities;           ///< of the records; `findings` already have theirs
   std::vector<std::string> files;  ///< what Penetration::file points into

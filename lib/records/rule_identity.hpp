@@ -17,6 +17,7 @@ enum class Need : std::uint8_t {
   mortar_penetrations,   ///< segments in segments, mortar contacts
   edge_penetrations,     ///< edges near edges, types 26
   moved_nodes,           ///< where the nodes land that the solver moves
+  intended_overlaps,     ///< of INTERFERENCE contacts
   ties,                  ///< nodes that tie and nodes that do not
   run_files,             ///< what a run has written
   ignores,               ///< which findings were left out on purpose

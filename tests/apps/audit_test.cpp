@@ -134,6 +134,33 @@ TEST_F(AuditProgram, FilesThatSeveralDecksWouldWrite) {
   EXPECT_NE(own.err.find("is the deck itself"), std::string::npos) << own.err;
 }
 
+/// The plates of 1 are 0.7 apart.
+TEST_F(AuditProgram, AsIfTheDeckHadOtherValues) {
+  const auto warnings = [&](const std::string& options) {
+    const Ended run = gapcheck("audit models/front.k --select GC101 --quiet " + options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.out.substr(std::string("models/front.k: ").size());
+  };
+  EXPECT_EQ(warnings("--as-if SST=0.71"), "0 errors, 18 warnings, 0 notes in 1 contact, as if SST=0.71\n");
+  EXPECT_EQ(warnings("--as-if sst=0.69,OPTT=0"), "nothing found in 1 contact, as if SST=0.69, OPTT=0\n");
+  EXPECT_EQ(warnings("--as-if thickness --units mm-ms-kg"),
+            "nothing found in 1 contact, as if SST=0.5, MST=0.5, OPTT=0, IGNORE=0\n");
+  EXPECT_EQ(warnings("--as-if thickness --units cm-s-g"),
+            "nothing found in 1 contact, as if SST=0.05, MST=0.05, OPTT=0, IGNORE=0\n");
+  const Ended json = gapcheck("audit models/front.k --as-if SST=0.71 --format json");
+  EXPECT_EQ(nlohmann::json::parse(json.out)["as_if"], nlohmann::json::array({"SST=0.71"}));
+  EXPECT_FALSE(nlohmann::json::parse(gapcheck("audit models/front.k --format json").out).contains("as_if"));
+}
+
+TEST_F(AuditProgram, AsIfRefusesWhatItDoesNotKnow) {
+  for (const auto& [option, words] :
+       {std::pair{"thickness", "Give --units"}, {"SSST=1", "one of the fields"}, {"SST=", "not a number"}}) {
+    const Ended run = gapcheck(std::string("audit models/front.k --as-if ") + option);
+    EXPECT_EQ(run.code, 2) << option;
+    EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+  }
+}
+
 TEST_F(AuditProgram, ABaselineForEachDeck) {
   EXPECT_EQ(gapcheck("audit 'models/**/*.k' --write-baseline 'known/{deck}' --fail-on warning --quiet").code, 1);
   EXPECT_EQ(gapcheck("audit 'models/**/*.k' --baseline 'known/{deck}' --fail-on warning --quiet").code, 0);

@@ -56,7 +56,7 @@ Settings read_file(const std::string& path, Diagnostics& diagnostics) {
     return {path, {}, {}, {}};
   }
   if (file.value().bytes().size() > largest_file) {
-    diagnostics.error(path, 0, "is no settings file: it has more than a megabyte");
+    diagnostics.error(path, 0, "is not a settings file: it has more than a megabyte");
     return {path, {}, {}, {}};
   }
   Settings settings = read_settings(file.value().bytes(), path, diagnostics);

@@ -28,8 +28,9 @@ struct FixOptions {
   Includes includes = {};
   std::vector<Lock> locks = {};
   std::vector<Priority> priorities = {};
-  bool free_welds = false;  ///< nodes of spot welds, rivets and weld elements may move against each other
-  std::size_t jobs = 0;     ///< as AuditOptions::jobs
+  bool recommended = false;  ///< nodes of contacts with IGNORE = 2 go where the solver recommends; no others move
+  bool free_welds = false;   ///< nodes of spot welds, rivets and weld elements may move against each other
+  std::size_t jobs = 0;      ///< as AuditOptions::jobs
 };
 
 /// One contact before and after the correction.

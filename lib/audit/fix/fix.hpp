@@ -17,6 +17,8 @@ namespace gapcheck::audit {
 struct FixOptions {
   std::vector<Lock> locks;                                  ///< --lock
   std::vector<std::pair<std::int64_t, double>> priorities;  ///< --priority: part id and factor, positive
+  /// --recommended: nodes of contacts with IGNORE = 2 go where the solver recommends, and nothing else moves.
+  bool recommended = false;
   bool free_welds = false;  ///< --free-welds: nodes of spot welds, rivets and weld elements may move against each other
   ShapeLimits limits;
   std::uint32_t rounds = 40;  ///< searches of the contacts at most
@@ -40,8 +42,9 @@ struct Fix {
 /// the side of the segment on which the deck has it, and is cleared by 1.002 times its penetration, as the solver does.
 /// Ties stay together; nodes that must not move stay; elements keep their shape (ShapeLimits). The coordinates are
 /// judged as rounded in the deck's lines. Never more nodes penetrate afterwards than before. Contacts that judge
-/// segments (SOFT = 2, mortar) are left alone. Errors: the deck cannot be read as a model, has unread keywords that
-/// move or create nodes, or lacks something that the options name.
+/// segments (SOFT = 2, mortar) are left alone. With FixOptions::recommended no least movement is sought, elements may
+/// lose their shape, and what the moves make penetrate is reported as unfixed. Errors: the deck cannot be read as a
+/// model, has unread keywords that move or create nodes, or lacks something that the options name.
 [[nodiscard]] Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& options,
                                            Diagnostics& diagnostics);
 

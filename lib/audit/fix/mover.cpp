@@ -1,6 +1,7 @@
 #include "audit/fix/mover.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace gapcheck::audit {
@@ -31,6 +32,7 @@ Mover::Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const
 void Mover::run() {
   before_ = judge(start_.deck);
   crossings_before_ = crossing_pairs(model_);
+  if (options_.recommended) return move_as_recommended();
   start_again();
   start_on_ties();
   search(options_.work);
@@ -46,6 +48,26 @@ void Mover::run() {
     crossings_after_ = crossings_before_.size();
   }
   model_.mesh.nodes.x = best_.written;
+}
+
+/// Each node by its deepest record.
+void Mover::move_as_recommended() {
+  std::map<NodeIndex, const Penetration*> deepest;
+  for (const Penetration& p : before_.state.penetrations) {
+    const auto node = model_.mesh.nodes.lookup.find(p.node);
+    if (!node || !to_be_fixed(p.kind) || !p.recommended()) continue;
+    const Penetration*& known = deepest[NodeIndex{*node}];
+    if (known == nullptr || p.depth > known->depth) known = &p;
+  }
+  std::vector<NodeIndex> nodes;
+  for (const auto& [node, record] : deepest) nodes.push_back(node);
+  writable_.hold_others(nodes, start_.freedoms);
+  std::vector<Vector> x = start_.deck;
+  for (const auto& [node, record] : deepest)
+    if (!start_.freedoms.held(node)) x[node.value] = record->moved_to;
+  const std::vector<Vector> written = writable_.written(x);
+  best_ = {x, written, judge(written)};
+  crossings_after_ = crossing_pairs(model_).size();
 }
 
 /// Tied nodes first move onto their segments, as in the solver.

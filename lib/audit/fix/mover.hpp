@@ -45,6 +45,7 @@ class Mover {
   }
 
  private:
+  void move_as_recommended();
   void start_on_ties();
   void start_again();
   void search(std::uint64_t work);

@@ -96,7 +96,8 @@ class Proposer {
     for (const auto& [contact, count] : pairs_of_contact_)
       if (count == 1) alone.push_back(contact);
     for (const FreeCard& card : trial_.cards(alone, state_))
-      if (card.bound.stuck_count == 0) card_[card.contact] = rounded_down(card.value);
+      if (card.bound.stuck_count + card.bound.coated_count == 0 && !card.optt)
+        card_[card.contact] = rounded_down(card.value);
   }
 
   FixProposal proposal(const PairKey& key, const std::vector<Penetration>& records) {

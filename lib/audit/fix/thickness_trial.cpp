@@ -52,7 +52,7 @@ std::vector<FreeCard> ThicknessTrial::cards(std::span<const ContactIndex> contac
       [&](std::vector<contact::ThicknessChange> changes, const std::vector<ContactIndex>& chosen) {
         return search(std::move(changes), chosen);
       }};
-  return free_cards(scene, contacts, state).list;
+  return free_cards(scene, contacts, state);
 }
 
 contact::InitialState ThicknessTrial::search(std::vector<contact::ThicknessChange> changes,
@@ -73,7 +73,7 @@ double ThicknessTrial::free_optt(ContactIndex contact, std::int64_t a, std::int6
   const auto part_a = model_.part_of_id.find(a), part_b = model_.part_of_id.find(b);
   if (part_a == model_.part_of_id.end() || part_b == model_.part_of_id.end()) return 0;
   const auto limit = [&](std::span<const Penetration> some) {
-    return free_thickness(some, [&](const Penetration& p) { return halves_of_optt(model_, p); });
+    return free_thickness(some, [&](const Penetration& p) { return DistanceRule{halves_of_optt(model_, p), 0}; });
   };
   const auto others = [&](std::span<const Penetration> some) {
     return std::count_if(some.begin(), some.end(),

@@ -15,14 +15,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// SST and MST give these their thickness: shells, beams, and nodes without any element.
-bool takes_card(ThicknessRule rule) {
-  return rule != ThicknessRule::none && rule != ThicknessRule::part_contact && rule != ThicknessRule::solid_coating;
-}
+/// SST and MST give these their thickness once OPTT is 0: shells, beams, and nodes without any element.
+bool takes_card(ThicknessRule rule) { return rule != ThicknessRule::none && rule != ThicknessRule::solid_coating; }
 
 /// What SST and MST would change in the surfaces of a contact.
 struct Reach {
-  bool fixed = false;              ///< something keeps its thickness for any SST: OPTT, SLDTHK
+  bool optt = false;               ///< something has its thickness from OPTT
   std::array<bool, 2> segments{};  ///< whether any segment of side A, B uses it
   double thinnest = infinity;      ///< present thickness of what SST replaces
 };
@@ -30,7 +28,7 @@ struct Reach {
 Reach reach_of_card(const model::Model& model, const contact::ContactSurfaces& surfaces) {
   Reach reach;
   const auto add = [&](ThicknessRule rule, double half) {
-    if (rule == ThicknessRule::part_contact || rule == ThicknessRule::solid_coating) reach.fixed = true;
+    if (rule == ThicknessRule::part_contact) reach.optt = true;
     reach.thinnest = std::min(reach.thinnest, 2 * half);
   };
   for (const bool b : {false, true}) {
@@ -43,21 +41,27 @@ Reach reach_of_card(const model::Model& model, const contact::ContactSurfaces& s
     }
     const contact::TrackedNodes& nodes = side.nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (nodes.rule[i] != ThicknessRule::none || !solid_part(model, nodes.part[i])) add(nodes.rule[i], nodes.half[i]);
+      if (takes_card(nodes.rule[i]) || (nodes.rule[i] == ThicknessRule::none && !solid_part(model, nodes.part[i])))
+        add(nodes.rule[i], nodes.half[i]);
   }
   return reach;
 }
 
 FreeThickness bound(const model::Model& model, const contact::ContactSurfaces& surfaces, const Reach& reach,
-                    std::span<const Penetration> records) {
+                    double coating, std::span<const Penetration> records) {
   const auto segments_take = [&](const Penetration& p) {
     if (!surfaces.two_sided() || reach.segments[0] == reach.segments[1]) return reach.segments[0];
     const auto pair = find_pair(surfaces, model.mesh, p);
     return !pair || reach.segments[pair->segment_on_b];
   };
   return free_thickness(records, [&](const Penetration& p) {
-    const bool node = takes_card(p.node_rule) || (p.node_rule == ThicknessRule::none && !solid_part(model, p.part));
-    return (node ? 0.5 : 0.0) + (segments_take(p) ? 0.5 : 0.0);
+    DistanceRule distance;
+    const auto coat = [&](ThicknessRule rule) { return rule == ThicknessRule::solid_coating; };
+    if (takes_card(p.node_rule) || (p.node_rule == ThicknessRule::none && !solid_part(model, p.part)))
+      distance.share += 0.5;
+    if (!coat(p.segment_rule) && segments_take(p)) distance.share += 0.5;
+    distance.fixed = (coat(p.node_rule) ? 0.5 * coating : 0) + (coat(p.segment_rule) ? 0.5 * coating : 0);
+    return distance;
   });
 }
 
@@ -73,22 +77,17 @@ class CardSearch {
     const Reach reach = reach_of_card(scene_.model, surfaces);
     const bool moves = contact::outcome(surfaces.settings) == Outcome::moved;
     const bool moved_before = moved_;
-    if (reach.fixed) {
-      ++found_.fixed;
-      moved_ = moved_ || moves;
-      return;
-    }
-    const FreeThickness b = bound(scene_.model, surfaces, reach, records);
+    const FreeThickness b = bound(scene_.model, surfaces, reach, coating(i), records);
     if (b.count() == 0) return;  // notes only
     moved_ = moved_ || moves;
     const bool two_way = surfaces.type.treatment == contact::Treatment::two_way;
     // With this SST some pairs would come nearer than they are now, or were checked after others had been moved.
     const bool incomplete = b.value > reach.thinnest || (moves && two_way) || moved_before;
-    const FreeCard card{i, b, b.value, b.count()};
-    if (b.stuck_count == 0 && incomplete)
+    const FreeCard card{i, b, b.value, reach.optt, b.count()};
+    if (b.stuck_count + b.coated_count == 0 && incomplete)
       open_.push_back({card, reach});
     else
-      found_.list.push_back(card);
+      found_.push_back(card);
   }
 
   /// One more search with the SST found so far shows what else is as near.
@@ -97,52 +96,60 @@ class CardSearch {
     std::vector<contact::ThicknessChange> changes(scene_.model.contacts.size());
     std::vector<ContactIndex> chosen;
     for (const Open& open : open_) {
-      changes[open.card.contact.value].card = open.card.value;
+      changes[open.card.contact.value] = {open.card.optt, open.card.value};
       chosen.push_back(open.card.contact);
     }
     const contact::InitialState state = scene_.search(std::move(changes), chosen);
     for (Open& open : open_) {
       FreeCard& card = open.card;
-      const FreeThickness b =
-          bound(scene_.model, scene_.surfaces(card.contact), open.reach, records_of(state, card.contact));
+      const FreeThickness b = bound(scene_.model, scene_.surfaces(card.contact), open.reach, coating(card.contact),
+                                    records_of(state, card.contact));
       card.value = std::min(card.value, b.value);
       if (b.count() > 0) card.bound = b;
-      found_.list.push_back(card);
+      found_.push_back(card);
     }
   }
 
-  [[nodiscard]] FreeCards take() { return std::move(found_); }
+  [[nodiscard]] std::vector<FreeCard> take() { return std::move(found_); }
 
  private:
   struct Open {
     FreeCard card;
     Reach reach;
   };
+  [[nodiscard]] double coating(ContactIndex i) const { return std::abs(scene_.model.contact(i).sldthk); }
+
   const FreeCardScene& scene_;
   const contact::InitialState& state_;
   std::vector<Open> open_;
-  FreeCards found_;
+  std::vector<FreeCard> found_;
   bool moved_ = false;  ///< some earlier contact has moved nodes
 };
 
 }  // namespace
 
 FreeThickness free_thickness(std::span<const Penetration> records,
-                             const std::function<double(const Penetration&)>& share) {
-  const auto thickness = [&](const Penetration& p) { return p.remaining() / share(p); };
-  constexpr std::uint64_t free = 0, stuck = 1;
+                             const std::function<DistanceRule(const Penetration&)>& distance) {
+  const auto thickness = [](const Penetration& p, const DistanceRule& d) {
+    return (p.remaining() - d.fixed) / d.share;
+  };
+  constexpr std::uint64_t free = 0, stuck = 1, coated = 2;
   const auto found = worst_by_key(records.size(), [&](std::size_t i) {
     const Penetration& p = records[i];
     if (!listed_by_solver(p.kind)) return Weighed{};
     const double on_it = contact::default_tolerance(p.contact_distance, p.original.cwiseAbs().maxCoeff());
-    if (!(p.remaining() > on_it) || share(p) == 0) return Weighed{stuck, p.depth};
-    return Weighed{free, 1 / thickness(p)};
+    const DistanceRule d = distance(p);
+    if (!(p.remaining() > on_it) || (d.share == 0 && d.fixed == 0)) return Weighed{stuck, p.depth};
+    if (!(p.remaining() > d.fixed + on_it) || d.share == 0) return Weighed{coated, d.fixed / p.remaining()};
+    return Weighed{free, 1 / thickness(p, d)};
   });
   FreeThickness result;
   for (const Worst& w : found) {
     const Penetration& p = records[w.item];
     if (w.key == free)
-      result.closest = p, result.value = thickness(p), result.free_count = w.count;
+      result.closest = p, result.value = thickness(p, distance(p)), result.free_count = w.count;
+    else if (w.key == coated)
+      result.coated = p, result.coat_factor = p.remaining() / distance(p).fixed, result.coated_count = w.count;
     else
       result.stuck = p, result.stuck_count = w.count;
   }
@@ -165,8 +172,8 @@ double rounded_down(double value) {
   return std::floor(value / unit * (1 + 1e-12)) * unit;
 }
 
-FreeCards free_cards(const FreeCardScene& scene, std::span<const ContactIndex> contacts,
-                     const contact::InitialState& state) {
+std::vector<FreeCard> free_cards(const FreeCardScene& scene, std::span<const ContactIndex> contacts,
+                                 const contact::InitialState& state) {
   CardSearch search(scene, state);
   for (const ContactIndex contact : contacts) search.first_look(contact);
   search.look_again();

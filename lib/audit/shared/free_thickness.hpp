@@ -11,20 +11,28 @@
 
 namespace gapcheck::audit {
 
+/// How the contact distance of a record depends on a thickness t: fixed + share · t.
+struct DistanceRule {
+  double share = 0;  ///< a half from a node that takes t, a half from a segment
+  double fixed = 0;  ///< half the coating of a solid (SLDTHK) on either side
+};
+
 /// What records say about a thickness at which no node penetrates.
 struct FreeThickness {
   double value = std::numeric_limits<double>::infinity();  ///< no listed node is nearer to any segment
   std::uint64_t free_count = 0, stuck_count = 0;           ///< records that a thickness sets free, and the others
-  Penetration closest;  ///< the record that sets the value; only if free_count is above 0
-  Penetration stuck;    ///< deepest node on its segment or behind it; only if stuck_count is above 0
-  [[nodiscard]] std::uint64_t count() const { return free_count + stuck_count; }
+  std::uint64_t coated_count = 0;  ///< records that penetrate with any thickness, because of a coating
+  Penetration closest;             ///< the record that sets the value; only if free_count is above 0
+  Penetration stuck;               ///< deepest node on its segment or behind it; only if stuck_count is above 0
+  Penetration coated;              ///< of coated_count the one whose coating must shrink most; only if there is one
+  double coat_factor = 1;          ///< by which it must shrink
+  [[nodiscard]] std::uint64_t count() const { return free_count + stuck_count + coated_count; }
 };
 
-/// The largest thickness at which none of the records would exist. `share(p)`: the contact distance of a record as a
-/// multiple of the thickness: a half from a node that takes it, a half from a segment. Records that are only notes do
-/// not count. A pure function of the records: only a search can say whether other nodes come nearer with it.
+/// The largest thickness at which none of the records would exist. Records that are only notes do not count. A pure
+/// function of the records: only a search can say whether other nodes come nearer with it.
 [[nodiscard]] FreeThickness free_thickness(std::span<const Penetration> records,
-                                           const std::function<double(const Penetration&)>& share);
+                                           const std::function<DistanceRule(const Penetration&)>& distance);
 
 /// True for the parts of solids and thick shells, which have no contact thickness of their own.
 [[nodiscard]] bool solid_part(const model::Model& model, PartIndex part);
@@ -37,7 +45,8 @@ struct FreeThickness {
 struct FreeCard {
   ContactIndex contact;
   FreeThickness bound;
-  double value = 0;                ///< SST; only where nothing is stuck
+  double value = 0;                ///< SST; only where nothing is stuck and no coating holds
+  bool optt = false;               ///< parts have OPTT, which is to be 0
   std::uint64_t penetrations = 0;  ///< as the deck is
 };
 
@@ -50,14 +59,10 @@ struct FreeCardScene {
   std::function<contact::InitialState(std::vector<contact::ThicknessChange>, const std::vector<ContactIndex>&)> search;
 };
 
-struct FreeCards {
-  std::vector<FreeCard> list;  ///< contacts with penetrations; those that needed another search come last
-  std::uint64_t fixed = 0;     ///< contacts with thicknesses that SST does not replace: OPTT, SLDTHK
-};
-
-/// Finds it for the contacts given (ascending); `state`: of the initialisation as the deck is. If SST would
-/// thicken something, or nodes were moved, one more search with all values found so far shows what else is as near.
-[[nodiscard]] FreeCards free_cards(const FreeCardScene& scene, std::span<const ContactIndex> contacts,
-                                   const contact::InitialState& state);
+/// Finds it for those of the contacts given (ascending) that have penetrations; those that needed another search come
+/// last. `state`: of the initialisation as the deck is. If SST would thicken something, or nodes were moved, one more
+/// search with all values found so far shows what else is as near.
+[[nodiscard]] std::vector<FreeCard> free_cards(const FreeCardScene& scene, std::span<const ContactIndex> contacts,
+                                               const contact::InitialState& state);
 
 }  // namespace gapcheck::audit

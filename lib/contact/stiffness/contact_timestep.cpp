@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "base/parallel.hpp"
@@ -100,8 +101,7 @@ SideTimestep TimestepEstimate::find(const Segments& s, double scale, TimestepLim
     }
     result.mass = masses[result.node.value];
     result.stiffness = own.value();
-    result.timestep = printed ? std::sqrt(squared_step(result.mass, result.stiffness))
-                              : 2 * std::sqrt(result.mass / result.stiffness);
+    result.timestep = std::sqrt(squared_step(result.mass, result.stiffness));
   }
   if (most_of_the_mesh(s)) {
     parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
@@ -115,12 +115,16 @@ SideTimestep TimestepEstimate::find(const Segments& s, double scale, TimestepLim
 }
 
 SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLimit limit) {
-  return find(s, scale, limit, [](double m, double k) { return m / (2 * k); });
+  const double squared = limit == TimestepLimit::printed ? 0.5 : 4;
+  return find(s, scale, limit, [&](double m, double k) { return squared * m / k; });
 }
 
-SideTimestep TimestepEstimate::transducer_side(const Segments& s, double scale, const SideTimestep& other) {
-  return find(s, scale, TimestepLimit::printed,
-              [&](double m, double k) { return m * other.mass / ((m + other.mass) * std::min(k, other.stiffness)); });
+SideTimestep TimestepEstimate::side_against(const Segments& s, double scale, const SideTimestep& other,
+                                            TimestepLimit limit) {
+  const double squared = limit == TimestepLimit::printed ? 1 : 4;
+  return find(s, scale, limit, [&](double m, double k) {
+    return squared * m * other.mass / ((m + other.mass) * std::min(k, other.stiffness));
+  });
 }
 
 bool has_timestep(const ContactType& type) {
@@ -155,6 +159,20 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
     const bool transducer = s.type.code == ContactCode::transducer;
     const double scale_a = model.controls.slsfac * contact.sfs, scale_b = model.controls.slsfac * contact.sfm;
     const Segments &a = s.a.selection.segments, &b = s.b.selection.segments;
+    // The springs that a side's nodes have against the other side's, or its own.
+    const auto unstable = [&](char letter, const Segments& segments, double scale) -> std::optional<UnstableSide> {
+      const auto surface = static_cast<std::uint32_t>(list.size() - 1);
+      const SideTimestep alone = estimate.side(segments, scale, TimestepLimit::spring);
+      if (alone.timestep < all.run) return UnstableSide{surface, alone, true};
+      SideTimestep other = alone;
+      if (s.two_sided())
+        other = letter == 'A' ? estimate.side(b, scale_b, TimestepLimit::spring)
+                              : estimate.side(a, scale_a, TimestepLimit::spring);
+      if (!(other.mass > 0) || (other.part != none<PartIndex> && model.rigid(other.part))) return std::nullopt;
+      const SideTimestep pair = estimate.side_against(segments, scale, other, TimestepLimit::spring);
+      if (!(pair.timestep < all.run) || model.rigid(pair.part)) return std::nullopt;
+      return UnstableSide{surface, pair, false};
+    };
     const auto add = [&](char letter, const ContactSide& side, SideTimestep found, double scale) {
       if (found.node == none<NodeIndex>) found.node = lowest_node(side);
       if (found.node == none<NodeIndex>) return;
@@ -163,14 +181,14 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
       if (found.timestep >= no_timestep_limit) return;
       if (least == 0 || found.timestep < least) least = found.timestep;
       if (transducer || !(found.timestep < all.run)) return;
-      const SideTimestep limit = estimate.side(side.selection.segments, scale, TimestepLimit::spring);
-      if (limit.timestep < all.run) all.unstable.push_back({static_cast<std::uint32_t>(list.size() - 1), limit});
+      if (const auto found_unstable = unstable(letter, side.selection.segments, scale))
+        all.unstable.push_back(*found_unstable);
     };
     SideTimestep of_a = estimate.side(a, scale_a), of_b = s.two_sided() ? estimate.side(b, scale_b) : SideTimestep{};
     if (transducer && of_a.mass > 0 && of_b.mass > 0) {
       const SideTimestep alone = of_a;
-      of_a = estimate.transducer_side(a, scale_a, of_b);
-      of_b = estimate.transducer_side(b, scale_b, alone);
+      of_a = estimate.side_against(a, scale_a, of_b, TimestepLimit::printed);
+      of_b = estimate.side_against(b, scale_b, alone, TimestepLimit::printed);
     }
     add('A', s.a, of_a, scale_a);
     if (s.two_sided()) add('B', s.b, of_b, scale_b);

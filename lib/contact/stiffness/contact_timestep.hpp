@@ -34,9 +34,10 @@ class TimestepEstimate {
   TimestepEstimate(const model::Model& model, const ElementSizes& sizes);
   /// `scale`: SLSFAC · SFS (or SFM); SSF of *PART_CONTACT goes on top.
   [[nodiscard]] SideTimestep side(const Segments& segments, double scale, TimestepLimit limit = TimestepLimit::printed);
-  /// The printed step of one side of a transducer whose other side is controlled by a node with this mass and
-  /// stiffness: the least √(m M / ((m + M) min(k, K))).
-  [[nodiscard]] SideTimestep transducer_side(const Segments& segments, double scale, const SideTimestep& other);
+  /// The same against a free node of the other side with its mass M and stiffness K: the least of
+  /// √(m M / ((m + M) min(k, K))), as printed for transducers, or of twice that for springs.
+  [[nodiscard]] SideTimestep side_against(const Segments& segments, double scale, const SideTimestep& other,
+                                          TimestepLimit limit);
 
  private:
   template <class SquaredStep>
@@ -65,6 +66,7 @@ class TimestepEstimate {
 struct UnstableSide {
   std::uint32_t surface = 0;  ///< position in Timesteps::surface_timesteps
   SideTimestep limit;         ///< of the springs
+  bool alone = true;          ///< even against a surface that does not move; false: only against free nodes
 };
 
 /// Time steps of contacts and of the elements.

@@ -85,6 +85,8 @@ struct Contact {
   std::int64_t erosop = 0;          ///< EROSOP: 1 = surfaces follow the remaining elements
   std::int64_t iadj = 0;            ///< IADJ: 1 = also inside a body
   std::int64_t symmetry_faces = 0;  ///< ISYM: 1 = faces on planes of symmetry are left out
+  // Card 4 of INTERFERENCE types: curves that scale the stiffness, in dynamic relaxation and in the run
+  std::int64_t interference_curve_relaxation = 0, interference_curve = 0;
   // MPP card
   std::optional<std::int64_t> mpp_ignore;
   double parmax = 0;            ///< 0 = not given

@@ -115,6 +115,11 @@ void read_eroding(const Card& card, Contact& contact) {
   contact.iadj = card.integer("iadj");
 }
 
+void read_interference(const Card& card, Contact& contact) {
+  contact.interference_curve_relaxation = card.integer("lcid1");
+  contact.interference_curve = card.integer("lcid2");
+}
+
 /// OPTION and the strengths of *CONTACT_AUTOMATIC_…_TIEBREAK.
 void read_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   const auto& units = context.transform(reader.block());
@@ -167,6 +172,8 @@ void read_type_cards(Context& context, CardReader& reader, Contact& contact) {
         reader.skip();
       break;
     case TypeCards::interference_card:
+      read_interference(reader.next(*type_card(cards)), contact);
+      break;
     case TypeCards::constraint:
     case TypeCards::rigid:
     case TypeCards::composite:

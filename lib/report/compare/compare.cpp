@@ -147,9 +147,9 @@ ContactComparison compare_contact(const ContactSide& first, const ContactSide& s
 }  // namespace
 
 bool Comparison::equal() const {
-  return std::all_of(contacts.begin(), contacts.end(), [](const ContactComparison& contact) {
-    return contact.depth_differs + contact.only_first + contact.only_second == 0 && contact.ties_equal();
-  });
+  return timesteps.differ == 0 && std::all_of(contacts.begin(), contacts.end(), [](const ContactComparison& contact) {
+           return contact.depth_differs + contact.only_first + contact.only_second == 0 && contact.ties_equal();
+         });
 }
 
 bool same_depth(double first, double second, double tolerance) {
@@ -174,6 +174,7 @@ Comparison compare(const Report& first, const Report& second, double tolerance) 
   for (std::uint32_t i = 0; i < second.contacts.size(); ++i)
     if (!in_first.contains(second.contacts[i].id) && in_second.at(second.contacts[i].id) == i)
       add(second.contacts[i].id);
+  result.timesteps = compare_timesteps(first, second);
   return result;
 }
 

@@ -36,10 +36,25 @@ struct TieDifference {
   std::optional<TieReason> first, second;  ///< nothing: not untied in that source
 };
 
+/// A side of a contact with other time steps, or with the same one but another controlling node.
+struct TimestepDifference {
+  std::int64_t contact = 0;
+  char side = 'A';
+  double first = 0, second = 0;                  ///< surface time steps
+  std::int64_t node_first = 0, node_second = 0;  ///< controlling; 0: none known
+};
+
+/// How the surface time steps agree that both sources have, printed or predicted.
+struct TimestepComparison {
+  std::uint64_t agree = 0, other_node = 0, differ = 0, only_first = 0, only_second = 0;  ///< sides of contacts
+  std::vector<TimestepDifference> differences;                                           ///< by contact, then side
+};
+
 struct Comparison {
   std::vector<ContactComparison> contacts;     ///< as in the first report, then what only the second has
   std::vector<Difference> differences;         ///< by contact, then largest first
   std::vector<TieDifference> tie_differences;  ///< by contact, then node
+  TimestepComparison timesteps;
   [[nodiscard]] bool equal() const;
 };
 
@@ -58,6 +73,11 @@ struct Comparison {
 void compare_ties(const Report& first, std::optional<std::uint32_t> in_first, const Report& second,
                   std::optional<std::uint32_t> in_second, ContactComparison& sum,
                   std::vector<TieDifference>& differences);
+
+/// Compares the surface time steps of two reports, by contact id and side; nothing if one has none. Steps agree within
+/// half a unit in the fourth digit, which is what the solver prints. Of nodes that are equal to that precision the
+/// solver names any, so another node is told apart but is no difference.
+[[nodiscard]] TimestepComparison compare_timesteps(const Report& first, const Report& second);
 
 /// Two depths are the same: `tolerance` apart, plus half a unit in the fifth digit of the larger one.
 [[nodiscard]] bool same_depth(double first, double second, double tolerance);

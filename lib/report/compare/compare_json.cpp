@@ -63,6 +63,19 @@ Json curves_json(const CurveComparison& curves) {
   return json;
 }
 
+Json timesteps_json(const TimestepComparison& steps) {
+  Json json{{"agree", steps.agree},           {"other_node", steps.other_node},   {"differ", steps.differ},
+            {"only_first", steps.only_first}, {"only_second", steps.only_second}, {"differences", Json::array()}};
+  for (const TimestepDifference& d : steps.differences)
+    json["differences"].push_back({{"contact", d.contact},
+                                   {"side", std::string(1, d.side)},
+                                   {"first", d.first},
+                                   {"second", d.second},
+                                   {"node_first", d.node_first},
+                                   {"node_second", d.node_second}});
+  return json;
+}
+
 }  // namespace
 
 std::string comparison_json(const Comparison& comparison, const Report& first, const Report& second,
@@ -84,6 +97,8 @@ std::string comparison_json(const Comparison& comparison, const Report& first, c
     json["tie_differences"] = Json::array();
     for (const TieDifference& d : comparison.tie_differences) json["tie_differences"].push_back(tie_json(d));
   }
+  const TimestepComparison& steps = comparison.timesteps;
+  if (steps.agree + steps.other_node + steps.differ > 0) json["timesteps"] = timesteps_json(steps);
   if (curves != nullptr) json["curves"] = curves_json(*curves);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }

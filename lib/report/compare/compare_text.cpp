@@ -105,6 +105,33 @@ void append_tie_differences(std::span<const TieDifference> differences, std::siz
       "  ", out);
 }
 
+void append_timesteps(const TimestepComparison& steps, std::size_t top, std::string& out) {
+  const std::uint64_t compared = steps.agree + steps.other_node + steps.differ;
+  if (compared == 0) return;
+  out += fmt::format("\nsurface time steps: {} compared, {} differ{}", compared, steps.differ,
+                     steps.differ == 1 ? "s" : "");
+  if (steps.other_node > 0) out += fmt::format(", {} with another node of the same step", steps.other_node);
+  if (steps.only_first + steps.only_second > 0)
+    out += fmt::format(", {} only in A, {} only in B", steps.only_first, steps.only_second);
+  out += '\n';
+  constexpr std::array columns{Column{"contact"}, Column{"side", Align::left}, Column{"A"}, Column{"node"}, Column{"B"},
+                               Column{"node"}};
+  const auto step = [](double value) {
+    return value < no_timestep_limit ? fmt::format("{:.3E}", value) : std::string("no limit");
+  };
+  const std::size_t rows = std::min(top, steps.differences.size());
+  if (rows == 0) return;
+  append_table(
+      columns, rows,
+      [&](std::size_t i, auto& row) {
+        const TimestepDifference& d = steps.differences[i];
+        row = {fmt::format("{}", d.contact),    std::string(1, d.side), step(d.first),
+               fmt::format("{}", d.node_first), step(d.second),         fmt::format("{}", d.node_second)};
+      },
+      "  ", out);
+  if (rows < steps.differences.size()) out += fmt::format("  … and {} more\n", steps.differences.size() - rows);
+}
+
 /// Calls `append` with the consecutive entries of one contact.
 template <class Difference, class Append>
 void by_contact(std::span<const Difference> rest, const Append& append) {
@@ -168,6 +195,7 @@ std::string comparison_text(const Comparison& comparison, const Report& first, c
   append_tie_counts(comparison, out);
   by_contact(std::span(comparison.differences), [&](auto part) { append_differences(part, top, out); });
   by_contact(std::span(comparison.tie_differences), [&](auto part) { append_tie_differences(part, top, out); });
+  append_timesteps(comparison.timesteps, top, out);
   if (curves != nullptr) append_curves(*curves, top, out);
   const auto open = std::count_if(comparison.contacts.begin(), comparison.contacts.end(),
                                   [](const ContactComparison& c) { return c.not_checked && !c.ties_compared; });

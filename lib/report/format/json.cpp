@@ -293,6 +293,12 @@ void append_report(const Report& report, bool statistics, Stream& stream) {
   stream.text(json_string(report.source));
   stream.text(",\"input\":");
   stream.text(json_string(report.input));
+  if (!report.as_if.empty()) {
+    stream.text(",\"as_if\":[");
+    for (std::size_t i = 0; i < report.as_if.size(); ++i)
+      stream.text((i > 0 ? "," : "") + json_string(report.as_if[i]));
+    stream.text("]");
+  }
   if (!report.settings.empty()) stream.text(",\"settings\":" + json_string(report.settings));
   if (report.run) {
     stream.text(",\n\"run\":");

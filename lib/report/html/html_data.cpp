@@ -77,7 +77,8 @@ void add_head(const Report& report, const HtmlOptions& options, std::size_t show
   const Totals total = totals(report);
   data.string("version", options.version);
   data.string("source", report.source);
-  data.string("input", report.input);
+  data.string("input", report.as_if.empty() ? report.input
+                                            : fmt::format("{} as if {}", report.input, fmt::join(report.as_if, ", ")));
   data.object("totals", [&](Members& object) {
     object.integer("errors", total.errors);
     object.integer("warnings", total.warnings);

@@ -79,10 +79,14 @@ void append_message(const Penetration& record, Out& out) {
   if (record.kind == PenetrationKind::edge_zone) append(", but beside every segment's search band", out);
   if (record.kind == PenetrationKind::mortar && record.contact_distance > 0)
     fmt::format_to(end, FMT_COMPILE(", {:.3g} % of it"), 100 * record.depth / record.contact_distance);
-  if (record.node_rule == ThicknessRule::none && record.segment_rule == ThicknessRule::none) return;
-  const bool bare = record.kind != PenetrationKind::released && record.kind != PenetrationKind::edge_zone;
-  append(bare ? ": thickness from " : "; thickness from ", out);
-  append_cause(record, out);
+  if (record.node_rule != ThicknessRule::none || record.segment_rule != ThicknessRule::none) {
+    const bool bare = record.kind != PenetrationKind::released && record.kind != PenetrationKind::edge_zone;
+    append(bare ? ": thickness from " : "; thickness from ", out);
+    append_cause(record, out);
+  }
+  if (record.recommended())
+    fmt::format_to(end, FMT_COMPILE("; the solver recommends {:.6g} {:.6g} {:.6g}"), record.moved_to[0],
+                   record.moved_to[1], record.moved_to[2]);
 }
 
 std::string_view beginning(std::string_view text, std::size_t longest) {

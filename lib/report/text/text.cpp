@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -299,10 +300,16 @@ std::string numbers_of(const Totals& sum, const Paint& paint) {
                                              count(sum.notes, "note")));
 }
 
+/// "as if SST=0.5, OPTT=0"; empty for the deck as it is.
+std::string as_if(const Report& report) {
+  return report.as_if.empty() ? std::string() : fmt::format("as if {}", fmt::join(report.as_if, ", "));
+}
+
 /// The line that --quiet keeps.
 std::string verdict(const Report& report, const Paint& paint) {
   std::string line = printable(report.input) + ": " + numbers_of(totals(report), paint);
   line += " in " + count(report.contacts.size(), "contact");
+  if (const std::string assumed = as_if(report); !assumed.empty()) line += ", " + assumed;
   const auto open =
       static_cast<std::size_t>(std::count_if(report.contacts.begin(), report.contacts.end(),
                                              [](const auto& contact) { return !contact.not_checked.empty(); }));
@@ -354,6 +361,7 @@ std::string text(const Report& report, const TextOptions& options) {
   if (options.quiet) return verdict(report, paint);
   std::string out = paint.bold(printable(report.input)) + '\n';
   out += report.run ? run_line(*report.run) : "  " + model_line(report.model) + '\n';
+  if (const std::string assumed = as_if(report); !assumed.empty()) out += "  " + assumed + '\n';
   Sums total;
   for (std::uint32_t i = 0; i < report.contacts.size(); ++i) {
     const Sums sum = append_contact_block(report, i, options, paint, out);

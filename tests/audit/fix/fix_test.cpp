@@ -53,6 +53,48 @@ TEST(Fix, OneLockedTheOtherGoesAllTheWay) {
   EXPECT_EQ(penetrations(run.text), 0u);
 }
 
+/// Two plates, 0.7 apart, and a third one that nothing touches, in a contact with this IGNORE.
+std::string plates_with_ignore(const char* ignore) {
+  const Plate lower{.id = 1}, upper{.id = 2, .z = 0.7, .x = 2}, far{.id = 3, .z = 9};
+  std::string deck = plates_deck(lower, upper, far);
+  return deck.replace(deck.find("*END"), 4, std::string("*CONTROL_CONTACT\n\n\n\n") + ignore + "\n*END");
+}
+
+TEST(Fix, AsTheSolverRecommends) {
+  audit::FixOptions options;
+  options.recommended = true;
+  const FixRun run = fix_text(plates_with_ignore("         2"), options);
+  EXPECT_TRUE(complete(run.report()));
+  const Plate lower{.id = 1}, upper{.id = 2};
+  // The plates overlap where 2 <= x <= 15: three columns of nodes of each.
+  EXPECT_EQ(run.report().moved.size(), 24U);
+  for (int j = 0; j <= 3; ++j) {
+    for (int i = 0; i < 3; ++i) EXPECT_LT((run.move(upper.node(i, j)) - Vector(0, 0, clear * 0.3)).norm(), 1e-6);
+    for (int i = 1; i <= 3; ++i) EXPECT_LT((run.move(lower.node(i, j)) - Vector(0, 0, -clear * 0.3)).norm(), 1e-6);
+    EXPECT_EQ(run.moved(lower.node(0, j)), nullptr);
+  }
+  EXPECT_EQ(penetrations(run.text), 0U);
+}
+
+TEST(Fix, RecommendsNothingWithoutIgnore2) {
+  audit::FixOptions options;
+  options.recommended = true;
+  const FixRun run = fix_text(plates_with_ignore("         1"), options);
+  EXPECT_TRUE(run.report().moved.empty());
+  EXPECT_EQ(run.report().unfixed.size(), 24U);
+}
+
+TEST(Fix, RecommendedNodesThatAreHeldStay) {
+  audit::FixOptions options;
+  options.recommended = true;
+  options.locks = {{false, 1, 1}};
+  const FixRun run = fix_text(plates_with_ignore("         2"), options);
+  EXPECT_EQ(run.report().moved.size(), 12U);
+  // Above x = 15 the upper plate rises towards its edge, which nothing was below: the others have left the lower one.
+  ASSERT_EQ(run.report().unfixed.size(), 4U);
+  for (const UnfixedNode& node : run.report().unfixed) EXPECT_EQ((node.node - 1001) % 4, 3) << node.node;
+}
+
 TEST(Fix, PriorityHoldsAPartBack) {
   const Plate lower{.id = 1}, upper{.id = 2, .z = 0.7};
   audit::FixOptions options;

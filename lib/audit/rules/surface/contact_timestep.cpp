@@ -37,10 +37,12 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     Finding finding = finding_at(
         rule, context, model.contacts[side.contact],
         fmt::format(
-            "side {}: contact springs are stable below a step of {:.3E} (node {}), but the run's step is {}; scale "
+            "side {}: contact springs are stable below a step of {:.3E} (node {}{}), but the run's step is {}; scale "
             "SF{} by {:.2g} or lower TSSFAC (the solver will print {:.3E})",
-            side.side, unstable.limit.timestep, model.mesh.nodes.id[node], step_of_run(model, steps),
-            side.side == 'A' ? 'S' : 'M', 1 / (f.weight * f.weight), side.timestep));
+            side.side, unstable.limit.timestep, model.mesh.nodes.id[node],
+            unstable.alone ? "" : " against nodes as light", step_of_run(model, steps), side.side == 'A' ? 'S' : 'M',
+            1 / (f.weight * f.weight), side.timestep));
+    if (!unstable.alone) finding.severity = Severity::note;
     finding.node = model.mesh.nodes.id[node];
     finding.part = model.part(unstable.limit.part).id.value;
     finding.point = model.mesh.nodes.x[node];

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "audit/rules.hpp"
 #include "audit/shared/contact_thickness.hpp"
@@ -22,8 +23,8 @@ std::string segment_words(const Penetration& p) {
 std::string words(const Context& context, const LengthUnit& unit, const FreeCard& card) {
   const model::Contact& contact = context.model().contact(card.contact);
   const bool single = contact::classify(contact).treatment == contact::Treatment::single_surface;
-  std::string text =
-      fmt::format("free of penetrations with {} <= {:.4g}", single ? "SST" : "SST = MST", rounded_down(card.value));
+  std::string text = fmt::format("free of penetrations with {}{} <= {:.4g}", card.optt ? "OPTT = 0 and " : "",
+                                 single ? "SST" : "SST = MST", rounded_down(card.value));
   const Penetration& closest = card.bound.closest;
   if (card.bound.free_count > 0)
     text += fmt::format("; the closest is node {}, {:.4g} from {}", closest.node, closest.remaining(),
@@ -43,6 +44,21 @@ std::string stuck_words(const FreeCard& card) {
       card.bound.stuck_count, card.penetrations, p.node, std::max(0.0, -p.remaining()), segment_words(p));
 }
 
+std::string coated_words(const Context& context, const FreeCard& card) {
+  const double coating = std::abs(context.model().contact(card.contact).sldthk);
+  const Penetration& p = card.bound.coated;
+  return fmt::format(
+      "no SST makes it free: the coating SLDTHK = {:g} of solids alone makes {} of {} nodes penetrate; with SLDTHK <= "
+      "{:.4g} it would not (node {}, {:.4g} from {})",
+      coating, card.bound.coated_count, card.penetrations, rounded_down(coating * card.bound.coat_factor), p.node,
+      p.remaining(), segment_words(p));
+}
+
+/// The record that the words are about.
+const Penetration& shown(const FreeThickness& b) {
+  return b.stuck_count > 0 ? b.stuck : b.coated_count > 0 ? b.coated : b.closest;
+}
+
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   const FreeCardScene scene{
       context.model(),
@@ -55,15 +71,16 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
       }};
   const std::vector<ContactIndex> contacts = contacts_with_thickness(rule, context);
   if (contacts.empty()) return;
-  const FreeCards cards = free_cards(scene, contacts, context.results().initial());
   const LengthUnit unit = length_unit(context);
-  for (const FreeCard& card : cards.list) {
+  for (const FreeCard& card : free_cards(scene, contacts, context.results().initial())) {
     const FreeThickness& b = card.bound;
     Finding f = finding_at(rule, context, context.model().contact(card.contact),
-                           b.stuck_count > 0 ? stuck_words(card) : words(context, unit, card));
+                           b.stuck_count > 0    ? stuck_words(card)
+                           : b.coated_count > 0 ? coated_words(context, card)
+                                                : words(context, unit, card));
     f.count = card.penetrations;
     if (b.count() > 0) {
-      const Penetration& p = b.stuck_count > 0 ? b.stuck : b.closest;
+      const Penetration& p = shown(b);
       f.node = p.node;
       f.part = p.part;
       f.element = p.element;
@@ -72,8 +89,6 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     }
     report.findings.push_back(std::move(f));
   }
-  if (cards.fixed > 0)
-    context.skipped(rule, fmt::format("{} contacts with OPTT or SLDTHK, which SST does not replace", cards.fixed));
 }
 
 }  // namespace

@@ -40,6 +40,43 @@ TEST(ContactTimestep, ThinShellsAndStiffSprings) {
   EXPECT_EQ(listed(run_rule("GC420", plate(1, "AUTOMATIC_SINGLE_SURFACE", "100.", 2))), 0U);
 }
 
+// Two nodes of the same mass on one spring swing faster than one of them against a wall, by the root of two.
+TEST(ContactTimestep, NoteOnFreePairs) {
+  const double run = 0.9 * 4 * std::sqrt(rho * 0.91 / young);
+  const double thin = 0.3;
+  ASSERT_GT(stable(thin, 1), run);
+  ASSERT_LT(stable(thin, 1) / std::sqrt(2), run);
+  const Report report = run_rule("GC420", plate(thin));
+  ASSERT_EQ(report.findings.size(), 1U);
+  EXPECT_EQ(report.findings[0].severity, Severity::note);
+  EXPECT_NE(report.findings[0].message.find(
+                fmt::format("below a step of {:.3E} (node 1 against nodes as light)", stable(thin, 1) / std::sqrt(2))),
+            std::string::npos)
+      << report.findings[0].message;
+}
+
+/// A thin plate, and another one of a material of its own, in one contact.
+Report two_sides(double thin, double thick, std::int64_t material) {
+  RuleDeck deck;
+  deck.shell_part(1, thin).shell_part(2, thick, material);
+  deck.plate(1, 1, 3, 3, Vector(0, 0, 0), 4, 4).plate(101, 2, 3, 3, Vector(0, 0, 20), 4, 4);
+  return run_rule("GC420", deck.contact(2, "AUTOMATIC_SURFACE_TO_SURFACE", "1,2,3,3"));
+}
+
+TEST(ContactTimestep, PairsOfDifferentMass) {
+  const double run = 0.9 * 4 * std::sqrt(rho * 0.91 / young);
+  // Side B is four times as heavy: m M / (m + M) = 0.8 m for both.
+  const double pair = stable(0.2, 1) * std::sqrt(0.8);
+  ASSERT_LT(pair, run);
+  ASSERT_GT(stable(0.2, 1), run);
+  const Report report = two_sides(0.2, 0.8, 1);
+  ASSERT_EQ(report.findings.size(), 2U);
+  for (const Finding& f : report.findings)
+    EXPECT_NE(f.message.find(fmt::format("contact springs are stable below a step of {:.3E}", pair)), std::string::npos)
+        << f.message;
+  EXPECT_EQ(listed(two_sides(0.2, 0.8, 2)), 0U);  // a rigid side does not swing
+}
+
 TEST(ContactTimestep, ReportsWhatTheSolverPrints) {
   const Report report = run_rule("GC420", plate(1));
   ASSERT_TRUE(report.predicted);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <functional>
 
 #include "audit/rules/rule_deck.hpp"
@@ -119,14 +118,55 @@ TEST(PenetrationFreeAt, UnitsTellIfTheRecommendedValueIsReached) {
   EXPECT_EQ(message(0.5).find("0.5 mm"), std::string::npos);
 }
 
-TEST(PenetrationFreeAt, PartsWithOpttAreLeftOut) {
+/// Plates 0.5 apart; part 3 has this OPTT (0: none).
+RuleDeck with_optt(double optt, double sst) {
   RuleDeck deck;
   deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).plate(101, 3, 2, 2, Vector(0, 0, 0.5), 5, 5);
-  deck.raw("SECTION_SHELL", "3,2,0.833,5\n0.25\n").raw("PART_CONTACT", "part 3\n3,3,1\n0.,0.,0.,0.,1.\n");
-  const Report report = run_rule("GC308", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"));
-  EXPECT_EQ(listed(report), 0U);
-  EXPECT_TRUE(std::any_of(report.statistics.begin(), report.statistics.end(),
-                          [](const auto& s) { return s.second.find("GC308: 1 contacts with OPTT") == 0; }));
+  deck.raw("SECTION_SHELL", "3,2,0.833,5\n0.25\n");
+  deck.raw("PART_CONTACT", fmt::format("part 3\n3,3,1\n0.,0.,0.,0.,{}\n", optt));
+  return deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0", cards(sst));
+}
+
+TEST(PenetrationFreeAt, OpttIsMeantToGo) {
+  const Report report = run_rule("GC308", with_optt(1, 0));
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_NE(report.findings[0].message.find("free of penetrations with OPTT = 0 and SST <= 0.5;"), std::string::npos)
+      << report.findings[0].message;
+  EXPECT_EQ(penetrations(with_optt(0, 0.5)), 0U);
+  EXPECT_GT(penetrations(with_optt(0, 0.505)), 0U);
+}
+
+TEST(PenetrationFreeAt, WithoutOpttThinPartsBecomeThicker) {
+  // OPTT keeps two foils 0.1 apart free that SST = 0.5 would not.
+  const auto make = [](double optt, double sst) {
+    RuleDeck deck = with_optt(1, sst);
+    deck.raw("PART_CONTACT", fmt::format("part 4\n4,3,1\n0.,0.,0.,0.,{}\n", optt));
+    return deck.plate(201, 4, 2, 2, Vector(0, 0, 40), 5, 5).plate(301, 4, 2, 2, Vector(0, 0, 40.1), 5, 5);
+  };
+  const Report report = run_rule("GC308", make(0.05, 0));
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_NE(report.findings[0].message.find("OPTT = 0 and SST <= 0.1;"), std::string::npos)
+      << report.findings[0].message;
+}
+
+/// A plate above a block whose faces are coated.
+RuleDeck coated(double gap, double coating, double sst) {
+  RuleDeck deck;
+  deck.solid_part(1).shell_part(2, 1).block(1, 1, 2, 2, 1, Vector(0, 0, -5), Vector(5, 5, 5));
+  deck.plate(101, 2, 2, 2, Vector(0, 0, gap), 5, 5);
+  return deck.contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "2,1,3,3",
+                      cards(sst) + "0\n" + fmt::format(",,,,,,{}\n", coating));
+}
+
+TEST(PenetrationFreeAt, CoatedSolidsKeepTheirHalf) {
+  // d = 0.55 = 0.2 / 2 + SST / 2
+  verify([](double sst) { return coated(0.55, 0.2, sst); }, 0.9);
+  const Report report = run_rule("GC308", coated(0.3, 0.8, 0));
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_NE(report.findings[0].message.find("SLDTHK = 0.8 of solids alone makes 9 of 9 nodes penetrate; with SLDTHK "
+                                            "<= 0.6"),
+            std::string::npos)
+      << report.findings[0].message;
 }
 
 }  // namespace
