@@ -1,6 +1,9 @@
 #include "solver/contact/segment_rule.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/quad.hpp"
 #include "contact/stiffness/segment_mass.hpp"
@@ -29,16 +32,23 @@ Joint joint(const model::SegmentNodes& a, const model::SegmentNodes& b) {
   return found;
 }
 
+/// Cosine below which no segment at a node faces the other one.
+constexpr double edge_on = 0.01;
+
 }  // namespace
 
 SegmentRule::SegmentRule(const ContactSetting& setting, const TrackedPairs& pairs)
-    : model_(setting.model), scene_(pairs.scene()), node_mass_(setting.masses.mass), side_(scene_.nodes.size()) {
+    : model_(setting.model),
+      scene_(pairs.scene()),
+      own_segments_(pairs.side().tracked().selection.segments),
+      node_mass_(setting.masses.mass),
+      side_(scene_.nodes.size()) {
   const model::Contact& card = scene_.contact;
   const double scale = model_.controls.slsfac * (pairs.exchanged() ? card.sfm : card.sfs);
   const auto mass = [&](const contact::Segments& segments, std::size_t i) {
     return contact::segment_mass(model_, setting.masses.sizes, node_mass_, segments, i);
   };
-  const contact::Segments& own = pairs.side().tracked().selection.segments;
+  const contact::Segments& own = own_segments_;
   const contact::Neighbours around(own, model_.mesh);
   for (const NodeIndex node : scene_.nodes.node) {
     start_.push_back(static_cast<std::uint32_t>(own_.size()));
@@ -49,9 +59,9 @@ SegmentRule::SegmentRule(const ContactSetting& setting, const TrackedPairs& pair
       const auto* options =
           part != none<PartIndex> && model_.part(part).contact ? &*model_.part(part).contact : nullptr;
       const double factor = options != nullptr && options->ssf > 0 ? options->ssf : 1;
-      own_.push_back({mass(own, i), scale * factor / static_cast<double>(corner_count(own.nodes[i]))});
+      own_.push_back({at, mass(own, i), scale * factor / static_cast<double>(corner_count(own.nodes[i]))});
     }
-    if (own_.size() == start_.back()) own_.push_back({node_mass_[node.value], scale});
+    if (own_.size() == start_.back()) own_.push_back({none<SegmentIndex>, node_mass_[node.value], scale});
   }
   start_.push_back(static_cast<std::uint32_t>(own_.size()));
   for (std::size_t s = 0; s < scene_.segments.size(); ++s) mass_.push_back(mass(scene_.segments, s));
@@ -59,10 +69,23 @@ SegmentRule::SegmentRule(const ContactSetting& setting, const TrackedPairs& pair
 
 void SegmentRule::begin_cycle(double time) { reduction_ = contact::baseline_reduction(model_, scene_.contact, time); }
 
+double SegmentRule::facing(SegmentIndex own, const Vector& normal) const {
+  if (own == none<SegmentIndex>) return 1;
+  return std::abs(quad_normal(own_segments_.nodes[own.value], scene_.x).stableNormalized().dot(normal));
+}
+
 ContactSprings::Spring SegmentRule::spring(SlotIndex slot, SegmentIndex segment) const {
   ContactSprings::Spring spring;
-  for (std::uint32_t i = start_[slot.value]; i < start_[slot.value + 1]; ++i)
-    spring.stiffness += contact::soft_2_stiffness(own_[i].share, own_[i].mass, mass_[segment.value], timestep_);
+  const std::span<const Own> own =
+      std::span(own_).subspan(start_[slot.value], start_[slot.value + 1] - start_[slot.value]);
+  const Vector normal = quad_normal(scene_.facet(segment).x).stableNormalized();
+  double most = 0;
+  for (const Own& o : own) most = std::max(most, facing(o.segment, normal));
+  for (const Own& o : own) {
+    // Of an edge or tip that no segment has in front of it, all count.
+    const double share = most > edge_on ? facing(o.segment, normal) / most : 1;
+    spring.stiffness += contact::soft_2_stiffness(share * o.share, o.mass, mass_[segment.value], timestep_);
+  }
   spring.node_mass = node_mass_[scene_.nodes.node[slot.value].value];
   const model::SegmentNodes& corners = scene_.segments.nodes[segment.value];
   for (std::size_t c = 0; c < corner_count(corners); ++c) spring.segment_mass += node_mass_[corners[c].value];

@@ -9,8 +9,9 @@ namespace gapcheck::solver {
 
 /// The rule of segment-based contact (SOFT = 2): the corners of one side's segments in the other side's segments; both
 /// ways make all corners of each pair. Every segment gives each of its corners its share of the pair's stiffness, so
-/// the node's spring follows its share of the surface. The initial depth is the baseline; nothing is moved or released,
-/// and a node that has passed a shell is still pushed back to where it came from.
+/// the node's spring follows its share of the surface; segments that do not face the other one, such as the sides of a
+/// block beside the face that it stands on, give less or nothing. The initial depth is the baseline; nothing is moved
+/// or released, and a node that has passed a shell is still pushed back to where it came from.
 class SegmentRule final : public NodeRule {
  public:
   /// All references must outlive it.
@@ -28,10 +29,13 @@ class SegmentRule final : public NodeRule {
   void forget() override;
 
  private:
-  /// A segment at a tracked node: mass, and scale over its number of corners.
+  /// A segment at a tracked node: mass, and scale over its number of corners. None: the node has no segment.
   struct Own {
+    SegmentIndex segment = none<SegmentIndex>;
     double mass = 0, share = 0;
   };
+  /// How much a segment at a node faces the other side's segment with this normal: 1 if it looks at it, 0 across.
+  [[nodiscard]] double facing(SegmentIndex own, const Vector& normal) const;
   /// Where a tracked node was when last in the zone.
   struct Side {
     Vector direction = Vector::Zero();          ///< from the segment to the node; zero: it was outside
@@ -42,6 +46,7 @@ class SegmentRule final : public NodeRule {
 
   const model::Model& model_;
   const contact::PairScene& scene_;
+  const contact::Segments& own_segments_;
   const std::vector<double>& node_mass_;
   std::vector<std::uint32_t> start_;  // by slot: position in own_
   std::vector<Own> own_;
