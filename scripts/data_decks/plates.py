@@ -118,15 +118,14 @@ def t_joint():
 
 
 def clean():
-    deck = Deck("clean", """Plates that touch and no more: thicknesses 0.1 and 0.2, mid-surfaces 0.15 apart. In binary
-        the distance is 1.4999999999999991e-01, below the contact distance; the tolerance keeps such a node out. SFS is 0.4, since the full
-        contact stiffness would be too much for the corner nodes of such thin plates.""")
-    deck.part(1, "lower plate", thickness=0.1)
-    deck.part(2, "upper plate", thickness=0.2)
-    assert 1.25 - 1.1 < 0.05 + 0.1
+    deck = Deck("clean", """Plates that touch and no more: thicknesses 0.6 and 1, mid-surfaces 0.8 apart. In binary
+        the distance is 7.9999999999999982e-01, below the contact distance; the tolerance keeps such a node out.""")
+    deck.part(1, "lower plate", thickness=0.6)
+    deck.part(2, "upper plate", thickness=1.0)
+    assert 1.9 - 1.1 < 0.3 + 0.5
     deck.plate(1, (3, 3), 5.0, (0.0, 0.0, 1.1))
-    deck.plate(2, (3, 3), 5.0, (1.5, 2.0, 1.25))
-    deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5, card3=(0.4, 0.4))
+    deck.plate(2, (3, 3), 5.0, (1.5, 2.0, 1.9))
+    deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5)
     return deck
 
 

@@ -257,10 +257,16 @@ TEST(ContactTimestep, SpringsOfThinShellsMayBeUnstable) {
   ASSERT_EQ(thin.unstable.size(), 1u);
   EXPECT_DOUBLE_EQ(thin.unstable[0].limit.timestep,
                    2 * std::sqrt(rho * 16 * 0.1 / 4 / (0.1 * bulk * 16 / std::sqrt(32.0))));
+  EXPECT_TRUE(thin.unstable[0].alone);
   EXPECT_EQ(thin.unstable[0].limit.node, NodeIndex(0));
   scene.model.sections[0].thickness.fill(0.3);  // the limit grows with the root of the thickness
   const PredictedTimesteps thick = predict();
-  EXPECT_TRUE(thick.unstable.empty());
+  ASSERT_EQ(thick.unstable.size(), 1u);  // but only against a node that is as light: by the root of two
+  EXPECT_FALSE(thick.unstable[0].alone);
+  EXPECT_DOUBLE_EQ(thick.unstable[0].limit.timestep,
+                   std::sqrt(2.0) * std::sqrt(rho * 16 * 0.3 / 4 / (0.1 * bulk * 16 / std::sqrt(32.0))));
+  scene.model.sections[0].thickness.fill(0.4);
+  EXPECT_TRUE(predict().unstable.empty());
   EXPECT_LT(thick.timesteps.contact_timestep, thick.run);  // although the solver's cautious number is exceeded
 }
 
