@@ -103,7 +103,7 @@ double Stepper::element_step(const Summary& shells, const Summary& solids, const
   const auto consider = [&](const Summary& part, const auto& elements, StepControl::Kind kind) {
     if (part.manual_at != no_position) take(factor * part.manual_step, kind, elements.origin(part.manual_at));
     if (part.stable_at != no_position && settings_.bounded_step)
-      take(part.stable_step, kind, elements.origin(part.stable_at));
+      take(part.stable_step / step_slack, kind, elements.origin(part.stable_at));
   };
   consider(shells, structure_.shells, StepControl::Kind::shell);
   consider(solids, structure_.solids, StepControl::Kind::solid);
@@ -155,6 +155,8 @@ SolverStatus Stepper::evaluate(double& next) {
     next = limit;
     control_ = {};
   }
+  // A step that follows every vibration of its elements feeds it: it knows their shape at its start only.
+  if (state.dt > 0 && next > state.dt) next = std::max(state.dt, next / step_slack);
   if (!(next > settings_.least_step) || !std::isfinite(next))
     return Failure{Failure::Kind::zero_time_step,
                    fmt::format("the time step at time {:g} is {:g}; set a greatest step where no element limits it",

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "model/contact/contact.hpp"
+#include "solver/state/summary.hpp"
 
 namespace gapcheck::solver {
 
@@ -19,7 +20,7 @@ struct MassScaling {
 
   /// Factor on an element's own mass, from its steps: the manual's and the bound of its frequency.
   [[nodiscard]] double factor(double manual_step, double stable_step) const {
-    const double own = std::min(step_factor * manual_step, stable_step);
+    const double own = std::min(step_factor * manual_step, stable_step / step_slack);
     if (!(step > 0) || !(own > 0) || (!all && own >= step)) return 1;
     return step / own * (step / own);
   }

@@ -26,10 +26,14 @@ struct ShellCorners {
   std::array<Vector, 4> x, v, w;
 };
 
+/// A number for each hourglass mode of a quad: membrane x, y, deflection, rotation x, y.
+using HourglassModes = std::array<double, 5>;
+
 /// The history of one shell besides its integration points.
 struct ShellState {
   double thickness = 0;
-  std::array<double, 5> hourglass{};  ///< generalised stresses: membrane x, y, deflection, rotation x, y
+  HourglassModes hourglass{};  ///< generalised stresses
+  HourglassModes stiffness{};  ///< of quads whose hourglass control is a stiffness; zero: there is none
 };
 
 /// Internal forces on the corners (the shell pulls its nodes with the opposite) and what the step needs to know.
@@ -46,6 +50,12 @@ struct ShellForces {
 /// (x − dt v / 2), forces at its end, so a rigid motion causes no strain. dt = 0: forces of the present stresses.
 [[nodiscard]] ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                       ShellState& state, std::span<PointState> points);
+
+/// Stiffness of the modes of a quad with undeformed corners `x` (Belytschko, Lin and Tsay, eq. 24). It stays constant,
+/// so that the stresses Q have the energy Σ Q² / (2 stiffness): a stiffness that follows the shape has none, and gives
+/// back more or less than it takes.
+[[nodiscard]] HourglassModes hourglass_stiffness(const ShellProperties& properties, const std::array<Vector, 4>& x,
+                                                 double thickness);
 
 /// Triangle with constant membrane strain, constant curvature and a transverse shear made from the mean rotations
 /// along its sides (after Kennedy, Belytschko and Lin 1986). Corner 3 repeats corner 2 and gets no force.

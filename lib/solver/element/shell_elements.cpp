@@ -31,10 +31,15 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
   origin_.push_back(origin);
   ShellState shell;
   shell.thickness = thickness;
-  state_.push_back(shell);
-  const std::size_t corners = triangle(size() - 1) ? 3 : 4;
-  // With corners 3 and 4 equal this is the triangle's area too.
   const std::vector<Vector>& x = state.x;
+  const std::size_t corners = triangle(size() - 1) ? 3 : 4;
+  if (corners == 4) {
+    std::array<Vector, 4> places;
+    for (std::size_t k = 0; k < 4; ++k) places[k] = x[nodes[k].value];
+    shell.stiffness = hourglass_stiffness(properties_[properties], places, thickness);
+  }
+  state_.push_back(shell);
+  // With corners 3 and 4 equal this is the triangle's area too.
   const double area = quad_normal(nodes, x).norm() / 2;
   double factor = 1;
   if (scaling.step > 0) {

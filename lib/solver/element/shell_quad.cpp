@@ -73,38 +73,30 @@ Field field_of(const QuadFrame& frame, const std::array<Vector, 4>& v) {
 
 /// Rates of the five hourglass modes. The corners of a warped quad move out of step in x and y when it only rotates
 /// about y and x; that part is not hourglassing.
-std::array<double, 5> hourglass_rates(const QuadFrame& frame, const Field& v, const Field& w) {
+HourglassModes hourglass_rates(const QuadFrame& frame, const Field& v, const Field& w) {
   return {v.hourglass.x() + frame.warp * v.dx.z(), v.hourglass.y() + frame.warp * v.dy.z(), v.hourglass.z(),
           w.hourglass.x(), w.hourglass.y()};
 }
 
-/// Stiffness (Belytschko, Lin and Tsay, eq. 24) or viscosity of the modes.
-std::array<double, 5> hourglass_moduli(const ShellProperties& properties, const QuadFrame& frame, double thickness) {
+/// Viscosity of the modes.
+HourglassModes hourglass_viscosity(const ShellProperties& properties, double area, double thickness) {
   const Material& material = properties.material;
   const double r = properties.hourglass.coefficient, squared_thickness = thickness * thickness;
-  if (properties.hourglass.kind == HourglassKind::viscous) {
-    const double speed = std::sqrt(material.plate_modulus() / material.density);
-    const double membrane = r / 4 * material.density * speed * thickness * std::sqrt(frame.area);
-    const double bending = membrane * squared_thickness / 12;
-    return {membrane, membrane, membrane * std::min(1.0, squared_thickness / frame.area), bending, bending};
-  }
-  const double squared_gradient =
-      2 * (frame.bx1 * frame.bx1 + frame.bx2 * frame.bx2 + frame.by1 * frame.by1 + frame.by2 * frame.by2);
-  const double common = r * thickness * frame.area * squared_gradient;
-  const double membrane = common * material.young / 8;
-  const double deflection = common * properties.shear_factor * material.shear() * squared_thickness / 12;
-  const double bending = common * material.young * squared_thickness / 192;
-  return {membrane, membrane, deflection, bending, bending};
+  const double speed = std::sqrt(material.plate_modulus() / material.density);
+  const double membrane = r / 4 * material.density * speed * thickness * std::sqrt(area);
+  const double bending = membrane * squared_thickness / 12;
+  return {membrane, membrane, membrane * std::min(1.0, squared_thickness / area), bending, bending};
 }
 
 /// Updates the hourglass stresses to the end of the step; returns the work.
-double update_hourglass(const ShellProperties& properties, const QuadFrame& middle, const std::array<double, 5>& rates,
+double update_hourglass(const ShellProperties& properties, const QuadFrame& middle, const HourglassModes& rates,
                         double dt, ShellState& state) {
   if (properties.hourglass.kind == HourglassKind::none || dt <= 0) return 0;
   const bool viscous = properties.hourglass.kind == HourglassKind::viscous;
-  const std::array<double, 5> moduli = hourglass_moduli(properties, middle, state.thickness);
+  const HourglassModes moduli =
+      viscous ? hourglass_viscosity(properties, middle.area, state.thickness) : state.stiffness;
   double work = 0;
-  for (std::size_t i = 0; i < 5; ++i) {
+  for (std::size_t i = 0; i < rates.size(); ++i) {
     const double before = state.hourglass[i];
     state.hourglass[i] = viscous ? moduli[i] * rates[i] : before + moduli[i] * rates[i] * dt;
     work += dt * rates[i] * (before + state.hourglass[i]) / 2;
@@ -128,8 +120,7 @@ ShellStrain strain_of(const QuadFrame& frame, const Field& v, const Field& w, co
 }
 
 /// Spreads resultants and hourglass stresses to the corners; the transpose of the strain operators.
-void spread(const QuadFrame& frame, const ShellResultants& n, const std::array<double, 5>& hourglass,
-            ShellForces& out) {
+void spread(const QuadFrame& frame, const ShellResultants& n, const HourglassModes& hourglass, ShellForces& out) {
   const double area = frame.area;
   const auto global = [&](double x, double y, double z) { return Vector(x * frame.e1 + y * frame.e2 + z * frame.e3); };
   const auto force = [&](double bx, double by) {
@@ -159,8 +150,37 @@ void spread(const QuadFrame& frame, const ShellResultants& n, const std::array<d
   out.moment[3] = -moment2 + shear + gamma[3] * mode_moment;
 }
 
+/// By how much the largest eigenvalue of a P + b Q may exceed a, for projections P and Q onto spaces between whose
+/// directions cos² is at most `overlap`, and b below a.
+double excess(double a, double b, double overlap) {
+  const double half = (a - b) / 2;
+  return std::sqrt(half * half + a * b * overlap) - half;
+}
+
+/// Shortens the stable step where hourglass modes take part in the element's own: in skewed and warped quads.
+void count_hourglass(const ShellProperties& properties, const QuadFrame& frame, double gradient,
+                     const ShellState& state, ShellForces& out) {
+  if (properties.hourglass.kind == HourglassKind::none) return;
+  const bool viscous = properties.hourglass.kind == HourglassKind::viscous;
+  const HourglassModes moduli =
+      viscous ? hourglass_viscosity(properties, frame.area, state.thickness) : state.stiffness;
+  const double inertia = rotational_inertia(frame.area, state.thickness);
+  const double modulus = std::max({moduli[0], moduli[2], moduli[3] / inertia});
+  // The modes are (1, −1, 1, −1), which no linear motion has a part in, minus linear ones of at most this length.
+  const double linear1 = frame.shape_x * frame.bx1 + frame.shape_y * frame.by1;
+  const double linear2 = frame.shape_x * frame.bx2 + frame.shape_y * frame.by2;
+  const double linear =
+      std::sqrt(2 * (linear1 * linear1 + linear2 * linear2)) + std::abs(frame.warp) * std::sqrt(gradient);
+  const double size = 4 + linear * linear, mass = properties.material.density * frame.area * state.thickness / 4;
+  // Stable: ω² dt² ≤ 4 for a stiffness, 2 c dt ≤ 4 for a viscosity, since velocities lag by half a step.
+  const double dt = out.stable_step, part = size * modulus / mass * (viscous ? 2 * dt : dt * dt);
+  const double whole = 4 + excess(4, part, linear * linear / size);
+  out.stable_step *= viscous ? 4 / whole : std::sqrt(4 / whole);
+}
+
 void set_steps(const ShellProperties& properties, const std::array<Vector, 4>& x, const QuadFrame& frame,
-               double thickness, ShellForces& out) {
+               const ShellState& state, ShellForces& out) {
+  const double thickness = state.thickness;
   const double squared_side = std::max(std::max((x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm()),
                                        std::max((x[3] - x[2]).squaredNorm(), (x[0] - x[3]).squaredNorm()));
   Gram gradient;
@@ -171,9 +191,24 @@ void set_steps(const ShellProperties& properties, const std::array<Vector, 4>& x
   const double rotation = 0.25 / rotational_inertia(frame.area, thickness);
   set_time_steps(properties,
                  {4, frame.area, thickness, frame.area * frame.area / squared_side, largest, largest + rotation}, out);
+  count_hourglass(properties, frame, largest, state, out);
 }
 
 }  // namespace
+
+HourglassModes hourglass_stiffness(const ShellProperties& properties, const std::array<Vector, 4>& x,
+                                   double thickness) {
+  if (properties.hourglass.kind != HourglassKind::stiffness) return {};
+  const QuadFrame frame = make_frames(x, x)[0];
+  const Material& material = properties.material;
+  const double squared_gradient =
+      2 * (frame.bx1 * frame.bx1 + frame.bx2 * frame.bx2 + frame.by1 * frame.by1 + frame.by2 * frame.by2);
+  const double common = properties.hourglass.coefficient * thickness * frame.area * squared_gradient;
+  const double squared_thickness = thickness * thickness, membrane = common * material.young / 8;
+  const double deflection = common * properties.shear_factor * material.shear() * squared_thickness / 12;
+  const double bending = common * material.young * squared_thickness / 192;
+  return {membrane, membrane, deflection, bending, bending};
+}
 
 ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt, ShellState& state,
                         std::span<PointState> points) {
@@ -186,7 +221,7 @@ ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& c
   const ShellResultants resultants =
       integrate_layers(properties, strain_of(middle, v, w, corners.w, dt), dt, state.thickness, points);
   spread(end, resultants, state.hourglass, out);
-  set_steps(properties, corners.x, end, state.thickness, out);
+  set_steps(properties, corners.x, end, state, out);
   out.good = end.area > 0 && std::isfinite(out.force[0].sum() + out.force[1].sum() + out.moment[0].sum());
   return out;
 }

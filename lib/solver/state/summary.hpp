@@ -9,6 +9,10 @@
 
 namespace gapcheck::solver {
 
+/// Steps stay below the bound of stability by this factor. They grow only when they can and stay below their limit by
+/// as much.
+constexpr double step_slack = 1.01;
+
 /// Results of one pass over elements of a kind besides their forces.
 struct Summary {
   double manual_step = std::numeric_limits<double>::infinity();

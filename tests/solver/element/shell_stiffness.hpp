@@ -13,18 +13,24 @@ inline Material elastic_material(double young, double poisson, double density = 
   return {MaterialKind::elastic, density, young, poisson, {}, 0, 0, 0};
 }
 
-/// An element with what it remembers.
+/// An element with what it remembers; undeformed where its first step finds it.
 struct OneShell {
   ShellProperties properties;
   ShellKernel kernel = quad_forces;
   ShellState state;
   std::vector<PointState> points;
+  bool started = false;
 
   OneShell(ShellProperties all, double thickness, ShellKernel function = quad_forces)
       : properties(std::move(all)), kernel(function), points(properties.layers.size()) {
     state.thickness = thickness;
   }
-  ShellForces step(const ShellCorners& corners, double dt) { return kernel(properties, corners, dt, state, points); }
+  ShellForces step(const ShellCorners& corners, double dt) {
+    if (!started && kernel == quad_forces)
+      state.stiffness = hourglass_stiffness(properties, corners.x, state.thickness);
+    started = true;
+    return kernel(properties, corners, dt, state, points);
+  }
 };
 
 inline ShellCorners at_rest(const std::array<Vector, 4>& x) {

@@ -289,6 +289,43 @@ TEST(Shell, StableStepIsABound) {
     }
 }
 
+// The same with hourglass control, in skewed and warped quads: its modes share directions with the element's own.
+TEST(Shell, StableStepCountsHourglassControl) {
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> number(-0.35, 0.35);
+  int decided = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::array<Vector, 4> x{Vector(0, 0, 0), {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    for (Vector& corner : x) corner += Vector(number(random), number(random), trial % 2 == 0 ? 0 : number(random) / 4);
+    constexpr double h = 0.05;
+    ShellProperties properties = elastic_shell();
+    properties.hourglass.coefficient = trial % 3 == 0 ? 0.1 : 1;
+    OneShell shell(properties, h);
+    const double share = shell_area(x) * h / 4, inertia = share * rotational_inertia(shell_area(x), h);
+    Eigen::VectorXd root(24);
+    for (int i = 0; i < 24; ++i) root[i] = 1 / std::sqrt(i % 6 < 3 ? share : inertia);
+    const Eigen::MatrixXd k = shell_stiffness(shell, x);
+    const Eigen::MatrixXd scaled = root.asDiagonal() * (k + k.transpose()) / 2 * root.asDiagonal();
+    const double highest = std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues()[23]);
+    EXPECT_LE(shell.step(at_rest(x), 0).stable_step, 2 / highest * (1 + 1e-5)) << trial;
+    properties.hourglass.kind = HourglassKind::none;
+    decided += OneShell(properties, h).step(at_rest(x), 0).stable_step > 2 / highest;
+  }
+  EXPECT_GT(decided, 20);
+}
+
+// A viscosity that lags half a step adds 2 c dt to ω² dt²; none of it in rectangles.
+TEST(Shell, StableStepCountsHourglassViscosity) {
+  const auto step = [](HourglassKind kind, const std::array<Vector, 4>& x) {
+    return OneShell(elastic_shell(poisson, kind), thickness).step(at_rest(x), 0).stable_step;
+  };
+  const std::array<Vector, 4> rectangle{Vector(0, 0, 0), {2, 0, 0}, {2, 1, 0}, {0, 1, 0}},
+      trapezoid{Vector(0, 0, 0), {2, 0, 0}, {1.2, 1, 0}, {0.8, 1, 0}};
+  EXPECT_EQ(step(HourglassKind::viscous, rectangle), step(HourglassKind::none, rectangle));
+  EXPECT_EQ(step(HourglassKind::stiffness, rectangle), step(HourglassKind::none, rectangle));
+  EXPECT_LT(step(HourglassKind::viscous, trapezoid), 0.99 * step(HourglassKind::none, trapezoid));
+}
+
 // L = A / longest side (triangles: twice that), c² = E / (ρ (1 − ν²)).
 TEST(Shell, ManualTimeStep) {
   const double speed = std::sqrt(young / (1 - poisson * poisson));
