@@ -98,10 +98,10 @@ TEST_P(ContactPatch, SpringsByMaterialFavourTheEdges) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ContactPatch, testing::Values(By::parts, By::segments, By::single_surface),
-                         [](const auto& info) {
-                           return info.param == By::parts      ? "parts"
-                                  : info.param == By::segments ? "segments"
-                                                               : "single_surface";
+                         [](const auto& by) {
+                           return by.param == By::parts      ? "parts"
+                                  : by.param == By::segments ? "segments"
+                                                             : "single_surface";
                          });
 
 }  // namespace
