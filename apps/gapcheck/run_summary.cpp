@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "run_progress.hpp"
+#include "solver/output/state_balance.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -41,6 +44,18 @@ std::string contact_rows(const solver::Run& run) {
   return text;
 }
 
+/// Whose energy by its state is not the work that it took.
+std::string fault_lines(const solver::StateBalance& balance) {
+  std::string text;
+  for (const solver::HeldEnergy& held : balance.faults())
+    text += fmt::format("  {} {} {:.4g}, {:.1f} % of the largest energy: work {:.4g}, state {:.4g}\n", name(held),
+                        held.created() > 0 ? "created" : "lost", std::abs(held.created()),
+                        100 * std::abs(held.created()) / balance.largest, held.work, held.state);
+  for (const solver::HeldEnergy& held : balance.held)
+    if (!held.covered) text += fmt::format("  {} has no energy of its state; its work is taken\n", name(held));
+  return text.empty() ? "" : "\n" + text;
+}
+
 }  // namespace
 
 std::string run_summary(const solver::Run& run, solver::RunEnd end) {
@@ -60,7 +75,9 @@ std::string run_summary(const solver::Run& run, solver::RunEnd end) {
   add("added mass", stepper.structure().added_mass);
   text += row("external work", e.external) + row("total energy", e.printed_total()) +
           row("energy ratio", e.printed_ratio());
-  return text + contact_rows(run);
+  const solver::StateBalance balance = state_balance(run);
+  text += row("by the state", balance.ratio);
+  return text + contact_rows(run) + fault_lines(balance);
 }
 
 std::string run_statistics(const solver::Run& run) {

@@ -10,6 +10,7 @@
 #include "api/convert.hpp"
 #include "api/option_check.hpp"
 #include "solver/output/run_files.hpp"
+#include "solver/output/state_balance.hpp"
 #include "solver/supported.hpp"
 
 namespace gapcheck::api {
@@ -115,6 +116,10 @@ Result<RunSummary> calculated(solver::Run& run, contact::SurfaceStore& surfaces,
     summary.failure = status.error().message;
   }
   summary.state = state_of(run);
+  const solver::StateBalance balance = state_balance(run);
+  summary.state_energy_ratio = balance.ratio;
+  for (const solver::HeldEnergy& held : balance.held)
+    summary.energies.push_back({name(held), held.work, held.state, held.covered});
   summary.files = written.names();
   summary.plotted_states = written.plotted_states();
   summary.diagnostics = listed(diagnostics);

@@ -224,6 +224,12 @@ SolverStatus Stepper::accelerate(double next) {
   return {};
 }
 
+Absorbed Stepper::held() const {
+  Absorbed energy;
+  for (const auto& other : others_) other->held(energy);
+  return energy;
+}
+
 SolverStatus Stepper::check_energy() {
   const Energies& e = energies_;
   largest_energy_ = std::max(largest_energy_,

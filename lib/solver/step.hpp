@@ -60,6 +60,10 @@ class Stepper {
   [[nodiscard]] const std::vector<ElementFailure>& failures() const { return failures_; }
   /// At the time of the last force evaluation: that at which the last step began.
   [[nodiscard]] const Energies& energies() const { return energies_; }
+  /// The energies of the other forces at that time, by their state.
+  [[nodiscard]] Absorbed held() const;
+  /// The largest sum of energies so far.
+  [[nodiscard]] double largest_energy() const { return largest_energy_; }
   /// Sum of internal and other forces at that time, and the forces added by constraints.
   [[nodiscard]] const Forces& net() const { return net_; }
   [[nodiscard]] const Forces& external() const { return external_; }

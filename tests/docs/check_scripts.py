@@ -27,6 +27,7 @@ RUNS = [
     ("scripts/plot_workshop.py", "{gapcheck} --small", "docs/workshop/rebound_thickness.svg"),
     ("scripts/solver_accuracy.py", "{test_solver} --small", "docs/theory/solver-accuracy.md"),
     ("scripts/solver_runs.py", "{gapcheck} data/workshop --small", "docs/solver-runs.md"),
+    ("scripts/state_energy.py", "{gapcheck} --small", "docs/theory/state-energy.md"),
     ("scripts/tie_accuracy.py", "{test_solver} --small", "docs/theory/solver-ties.md"),
     ("tests/bench/decisions.py", "{build} work docs/decision-speed.md --rounds 1 --count 50", "docs/decision-speed.md"),
     ("tests/bench/fix_tables.py", "{gapcheck}", "docs/fix.md"),

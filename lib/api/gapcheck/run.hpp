@@ -53,11 +53,22 @@ enum class RunEnd : std::uint8_t {
   failed,   ///< it cannot go on
 };
 
+/// The energy of the elements of a part, of a contact or of all discrete springs, since the start: by the work that it
+/// took from the nodes, and by what its present state stores and what it has dissipated. State above work: it has
+/// created energy; below: some has vanished.
+struct RunEnergy {
+  std::string name;  ///< "contact 3", "shells of part 7", "discrete springs"
+  double work = 0, state = 0;
+  bool covered = true;  ///< false: no state tells its energy (constraints, tiebreaks)
+};
+
 /// What became of a run.
 struct RunSummary {
   RunEnd end = RunEnd::failed;
   std::string failure;                  ///< why it failed; empty: it did not
   RunState state;                       ///< the last one
+  double state_energy_ratio = 1;        ///< RunState::energy_ratio with the energies of the state
+  std::vector<RunEnergy> energies;      ///< of parts, springs and contacts
   std::vector<std::string> files;       ///< names of the files in the directory; further d3plot files are d3plot01, …
   std::size_t plotted_states = 0;       ///< in the d3plot
   std::vector<Diagnostic> diagnostics;  ///< what is calculated in another way than the deck says, by file and line

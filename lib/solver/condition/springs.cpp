@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace gapcheck::solver {
@@ -38,6 +39,20 @@ double SpringLaw::force(double elongation) const {
   return sum + f0 + (f1 - f0) * (elongation - u0) / (u1 - u0);
 }
 
+double SpringLaw::energy(double elongation) const {
+  // Linear between points and beyond the first and the last: the trapezoidal rule is exact between breaks.
+  std::vector<double> breaks{0};
+  const auto inside = [&](double u) { return elongation > 0 ? u > 0 && u < elongation : u < 0 && u > elongation; };
+  for (const auto& point : curve)
+    if (inside(point[0])) breaks.push_back(point[0]);
+  breaks.push_back(elongation);
+  if (elongation < 0) std::sort(breaks.begin(), breaks.end(), std::greater<>());
+  double sum = 0;
+  for (std::size_t i = 1; i < breaks.size(); ++i)
+    sum += (breaks[i] - breaks[i - 1]) * (force(breaks[i]) + force(breaks[i - 1])) / 2;
+  return sum;
+}
+
 double SpringLaw::largest_stiffness() const {
   double largest = 0;
   for (std::size_t i = 1; i < curve.size(); ++i)
@@ -52,12 +67,21 @@ Springs::Springs(std::vector<SpringLaw> laws, std::vector<SpringInput> springs, 
     Spring spring;
     spring.ground = state.x[input.a.value];
     if (input.b != none<NodeIndex>) spring.length = (state.x[input.b.value] - spring.ground).norm();
-    spring.elongation = input.offset;
+    if (spring.length > 0) spring.elongation = input.offset;
     spring.input = input;
     springs_.push_back(std::move(spring));
   }
   step_ = limit_step(state, rigid);
+  initial_ = stored();
 }
+
+double Springs::stored() const {
+  double sum = 0;
+  for (const Spring& spring : springs_) sum += spring.input.scale * laws_[spring.input.law].energy(spring.elongation);
+  return sum;
+}
+
+void Springs::held(Absorbed& energy) const { energy.springs += stored() - initial_ + damped_; }
 
 double Springs::limit_step(const State& state, const RigidBodies& rigid) const {
   struct Sums {
@@ -102,10 +126,12 @@ Vector Springs::translation(const State& state, Spring& spring) const {
   const Vector along = length > 0 ? Vector(way / length) : Vector(Vector::Zero());
   if (spring.length > 0) {
     spring.elongation = length - spring.length + input.offset;
+    spring.damping = input.scale * law.damping * rate.dot(along) * along;
     spring.tension = input.scale * (law.force(spring.elongation) + law.damping * rate.dot(along));
     return spring.tension * along;
   }
   spring.elongation = length;
+  spring.damping = input.scale * law.damping * rate;
   const Vector pull = input.scale * (law.force(length) * along + law.damping * rate);
   spring.tension = pull.norm();
   return pull;
@@ -119,6 +145,7 @@ Vector Springs::torsion(const State& state, Spring& spring) const {
   if (!(length > 0)) return Vector::Zero();
   const double rate = relative(state.w, input).dot(way) / length;
   spring.elongation += rate * state.dt;
+  spring.damping = input.scale * law.damping * rate / length * way;
   spring.tension = input.scale * (law.force(spring.elongation) + law.damping * rate);
   return spring.tension / length * way;
 }
@@ -126,12 +153,14 @@ Vector Springs::torsion(const State& state, Spring& spring) const {
 void Springs::add(State& state, Forces& forces) {
   for (Spring& spring : springs_) {
     const SpringInput& input = spring.input;
+    const Vector damping = spring.damping;
     const Vector pull = input.torsional ? torsion(state, spring) : translation(state, spring);
     std::vector<Vector>& target = input.torsional ? forces.moment : forces.force;
     target[input.a.value] += pull;
     if (input.b != none<NodeIndex>) target[input.b.value] -= pull;
     const Vector rate = relative(input.torsional ? state.w : state.v, input);
     energy_ += state.dt / 2 * (spring.pull + pull).dot(rate);
+    damped_ += state.dt / 2 * (damping + spring.damping).dot(rate);
     spring.pull = pull;
   }
 }

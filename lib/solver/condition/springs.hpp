@@ -17,6 +17,8 @@ struct SpringLaw {
   std::vector<std::array<double, 2>> curve;
 
   [[nodiscard]] double force(double elongation) const;
+  /// ∫ F du from zero, without damping.
+  [[nodiscard]] double energy(double elongation) const;
   /// The largest |dF/du|.
   [[nodiscard]] double largest_stiffness() const;
 };
@@ -40,6 +42,7 @@ class Springs : public Force {
 
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override { work.springs += energy_; }
+  void held(Absorbed& energy) const override;
   /// An upper bound from the masses at the nodes; elements at the same nodes are left 0.9 of their own step.
   [[nodiscard]] double stable_step() const override { return step_; }
 
@@ -54,15 +57,19 @@ class Springs : public Force {
     Vector ground = Vector::Zero();  ///< position of node b if there is none
     double length = 0;               ///< at the start
     double tension = 0, elongation = 0;
-    Vector pull = Vector::Zero();  ///< force or moment on a; b has the opposite
+    Vector pull = Vector::Zero();     ///< force or moment on a; b has the opposite
+    Vector damping = Vector::Zero();  ///< the part of it by dampers
   };
   [[nodiscard]] double limit_step(const State& state, const RigidBodies& rigid) const;
+  [[nodiscard]] double stored() const;
+  // They return the pull, and set its part by the damper.
   [[nodiscard]] Vector translation(const State& state, Spring& spring) const;
   [[nodiscard]] Vector torsion(const State& state, Spring& spring) const;
 
   std::vector<SpringLaw> laws_;
   std::vector<Spring> springs_;
-  double energy_ = 0;
+  double energy_ = 0, damped_ = 0;  ///< work since the start; what dampers took of it
+  double initial_ = 0;              ///< stored at the start
   double step_ = 0;
 };
 

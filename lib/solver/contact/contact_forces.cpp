@@ -140,6 +140,7 @@ void ContactForces::advance_interface(ContactInterface& interface, State& state,
     // It may be the node or a corner of the segment, or both.
     margin_.add(2 * pass->advance_state(state, margin_.used() + growth, counters_) * rounding_of_motion);
     pass->add_forces(state, forces, result);
+    if (state.cycle == 0) result.lost -= pass->stored();
   }
 }
 
@@ -158,6 +159,12 @@ std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
+}
+
+std::optional<double> ContactForces::stored(std::size_t position) const {
+  double sum = 0;
+  for (const auto& pass : interfaces_[position].passes()) sum += pass->stored();
+  return sum;
 }
 
 void ContactForces::links(std::size_t position, std::vector<ContactLink>& links) const {

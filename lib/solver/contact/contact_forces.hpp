@@ -36,6 +36,7 @@ class ContactForces : public Force, public ContactSource {
   [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
   [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
   void links(std::size_t position, std::vector<ContactLink>& links) const override;
+  [[nodiscard]] std::optional<double> stored(std::size_t position) const override;
   [[nodiscard]] std::vector<ContactEvent> take_events() override { return std::exchange(events_, {}); }
   [[nodiscard]] const ContactCounters& counters() const { return counters_; }
 

@@ -20,6 +20,8 @@ struct LinkForce {
   Vector friction = Vector::Zero();
   double push = 0, damping = 0;  ///< along the normal
   [[nodiscard]] Vector force() const { return (push + damping) * normal + friction; }
+  /// The energy of its spring at the depth that set the push.
+  [[nodiscard]] double stored(double depth) const { return push * depth / 2; }
   /// Sets push, damping and friction along `normal`. `depth`: penetration that gives force; `velocity`: of the tracked
   /// point relative to the other one; `before`: friction of the last step; `dt`: that step.
   void set_forces(const LinkSpring& spring, double depth, const Vector& velocity, const Vector& before, double dt);

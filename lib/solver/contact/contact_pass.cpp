@@ -111,6 +111,7 @@ void ContactPass::end_force(SlotIndex slot, const State& state, ContactState& re
   LinkWork work;
   pairs_.add_work(slot, state, work);
   add_energies(work, pairs_.exchanged(), result);
+  result.lost += pairs_.node(slot).stored();
 }
 
 void ContactPass::continue_from(InterfacePass& before, const State& state, ContactState& result) {
@@ -130,6 +131,12 @@ void ContactPass::deactivate(const State& state, ContactState& result) {
   pushes_.clear();
   rule_->forget();
   settler_.forget();
+}
+
+double ContactPass::stored() const {
+  double sum = 0;
+  for (const SlotIndex slot : positions<SlotIndex>(pairs_.size())) sum += pairs_.node(slot).stored();
+  return sum;
 }
 
 std::vector<ContactNode> ContactPass::nodes() const {

@@ -32,6 +32,7 @@ class ContactPass final : public InterfacePass {
   void add_forces(const State& state, Forces& forces, ContactState& result) const override;
   void continue_from(InterfacePass& before, const State& state, ContactState& result) override;
   void deactivate(const State& state, ContactState& result) override;
+  [[nodiscard]] double stored() const override;
   [[nodiscard]] std::vector<ContactNode> nodes() const override;
   void add_links(std::vector<ContactLink>& links) const override;
 

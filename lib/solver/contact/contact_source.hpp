@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,6 +48,8 @@ class ContactSource {
   [[nodiscard]] virtual std::vector<ContactNode> nodes(std::size_t position) const = 0;
   /// Adds its forces at the time of the last force evaluation.
   virtual void links(std::size_t position, std::vector<ContactLink>& links) const = 0;
+  /// The energy that one of them stores in its springs; nothing: it cannot be told from the state.
+  [[nodiscard]] virtual std::optional<double> stored(std::size_t /*position*/) const { return std::nullopt; }
   /// Events since the last call.
   [[nodiscard]] virtual std::vector<ContactEvent> take_events() { return {}; }
 };
@@ -57,6 +60,7 @@ struct ContactView {
   std::size_t position = 0;
   [[nodiscard]] const ContactState& state() const { return source->states()[position]; }
   [[nodiscard]] std::vector<ContactNode> nodes() const { return source->nodes(position); }
+  [[nodiscard]] std::optional<double> stored() const { return source->stored(position); }
 };
 
 }  // namespace gapcheck::solver

@@ -18,6 +18,10 @@ struct ContactState {
   /// Work taken from the nodes of each side (energy_a + energy_b is what the contact stores and has dissipated), and
   /// the parts due to friction and damping.
   double energy_a = 0, energy_b = 0, friction = 0, damping = 0;
+  /// Energy of springs that ended while they pushed (released nodes, contacts that end), less what springs had at the
+  /// start of the run, which nobody paid for.
+  double lost = 0;
+  [[nodiscard]] double work() const { return energy_a + energy_b; }
   std::uint64_t touching = 0, released = 0;  ///< tracked nodes with a force; without one because they were too deep
   std::uint64_t moved = 0;                   ///< shooting nodes since the start
 };

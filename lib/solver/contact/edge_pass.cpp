@@ -166,6 +166,7 @@ void EdgePass::advance_pair(std::uint32_t number, const State& state, double use
   ++block.checked;
   EdgeTouch* touch = pair.touch.get();
   const bool started = touch == nullptr, was_active = !started && touch->active;
+  const double stored = started ? 0 : touch->stored();
   const Vector friction = was_active ? touch->force.friction : Vector(Vector::Zero());
   LinkWork work;
   if (was_active) touch->add_work(state, work);
@@ -195,7 +196,9 @@ void EdgePass::advance_pair(std::uint32_t number, const State& state, double use
     touch->force = {};
   }
   touch->work = work;
-  block.released += touch->memory.state == NodeContact::State::released;
+  const bool released = touch->memory.state == NodeContact::State::released;
+  block.released += released;
+  if (released) block.lost += stored;
   if (was_active || touch->active) block.busy.push_back(number);
 }
 
@@ -205,6 +208,7 @@ double EdgePass::advance_state(State& state, double used, ContactCounters& count
   parallel_for(blocks_.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
       blocks_[b].checked = blocks_[b].released = 0;
+      blocks_[b].lost = 0;
       blocks_[b].busy.clear();
       for (std::size_t i = b * pairs_per_block; i < std::min(pairs_.size(), (b + 1) * pairs_per_block); ++i)
         advance_pair(static_cast<std::uint32_t>(i), state, used, blocks_[b]);
@@ -218,6 +222,7 @@ double EdgePass::advance_state(State& state, double used, ContactCounters& count
 void EdgePass::add_forces(const State& state, Forces& forces, ContactState& result) const {
   for (const Block& block : blocks_) {
     result.released += block.released;
+    result.lost += block.lost;
     for (const std::uint32_t number : block.busy) {
       const EdgePair& pair = pairs_[number];
       const EdgeTouch& touch = *pair.touch;
@@ -273,6 +278,7 @@ void EdgePass::deactivate(const State& state, ContactState& result) {
       LinkWork work;
       pair.touch->add_work(state, work);
       add_energies(work, exchanged(pair), result);
+      result.lost += pair.touch->stored();
     }
     pair.touch.reset();
     pair.side.setZero();
@@ -280,6 +286,13 @@ void EdgePass::deactivate(const State& state, ContactState& result) {
   }
   blocks_.clear();
   first_ = true;
+}
+
+double EdgePass::stored() const {
+  double sum = 0;
+  for (const EdgePair& pair : pairs_)
+    if (pair.touch) sum += pair.touch->stored();
+  return sum;
 }
 
 std::vector<ContactNode> EdgePass::nodes() const {

@@ -25,6 +25,8 @@ struct EdgeTouch {
   void add_work(const State& state, LinkWork& sum) const {
     sum.add(force, point[0].of(state.v), point[1].of(state.v), state.dt);
   }
+  /// The energy of the spring.
+  [[nodiscard]] double stored() const { return active ? force.stored(penetration - memory.forgiven) : 0; }
   [[nodiscard]] bool apart() const { return !active && memory.state == contact::NodeContact::State::apart; }
 };
 
@@ -56,6 +58,7 @@ class EdgePass final : public InterfacePass {
   void add_forces(const State& state, Forces& forces, ContactState& result) const override;
   void continue_from(InterfacePass& before, const State& state, ContactState& result) override;
   void deactivate(const State& state, ContactState& result) override;
+  [[nodiscard]] double stored() const override;
   [[nodiscard]] std::vector<ContactNode> nodes() const override;
   void add_links(std::vector<ContactLink>& links) const override;
 
@@ -63,6 +66,7 @@ class EdgePass final : public InterfacePass {
   /// Results of checking consecutive pairs, besides the pairs.
   struct Block {
     std::uint64_t checked = 0, released = 0;
+    double lost = 0;                  ///< energy of springs of edges that are released now
     std::vector<std::uint32_t> busy;  ///< pairs whose force acts or has ended in this cycle
   };
 

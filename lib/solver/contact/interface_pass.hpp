@@ -41,6 +41,8 @@ class InterfacePass {
   }
   /// The contact is not active: forces end, memory is lost.
   virtual void deactivate(const State& state, ContactState& result) = 0;
+  /// The energy of its springs at that time.
+  [[nodiscard]] virtual double stored() const = 0;
   /// The nodes that it affects.
   [[nodiscard]] virtual std::vector<ContactNode> nodes() const = 0;
   /// Adds its forces at the time of the last advance_state().

@@ -20,6 +20,7 @@ void NodeSettler::settle_node(SlotIndex slot, NodeMeeting& meeting, const State&
                               PushList& pushes) {
   TrackedNode& tracked = pairs_.node(slot);
   const bool was_active = tracked.active;
+  const double stored = tracked.stored();
   PairVelocities speeds;
   if (was_active) {
     speeds = pairs_.velocities(slot, tracked.link.segment, state);
@@ -50,6 +51,7 @@ void NodeSettler::settle_node(SlotIndex slot, NodeMeeting& meeting, const State&
     block.moves.push_back({slot, contact::shooting_move * encounter.penetration * meeting.contact->direction()});
     tracked.sleep = 0;
   }
+  if (tracked.released()) block.lost += stored;
   block.released += tracked.released();
 }
 

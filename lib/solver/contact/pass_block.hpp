@@ -31,6 +31,7 @@ struct PassBlock {
   PairCounts counts;
   std::uint64_t released = 0, touching = 0;
   LinkWork work;
+  double lost = 0;  ///< energy of springs of nodes that are released now
   std::vector<NodeMove> moves;
 
   void clear() {
@@ -38,6 +39,7 @@ struct PassBlock {
     counts = {};
     released = touching = 0;
     work = {};
+    lost = 0;
     moves.clear();
   }
   /// All of its nodes, `places` of them, sleep in this cycle: nothing has changed, and released nodes stay so.
@@ -54,6 +56,7 @@ struct PassBlock {
     result.moved += moves.size();
     result.released += released;
     result.touching += touching;
+    result.lost += lost;
     add_energies(work, exchanged, result);
   }
 };

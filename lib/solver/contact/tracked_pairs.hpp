@@ -40,6 +40,8 @@ struct TrackedNode {
   double lead = 0;   ///< until this much is used up no other segment is as near as that of `link`
   PairData pair;     ///< with the segment of the last penetration
   SegmentLink link;
+  /// The energy of the spring.
+  [[nodiscard]] double stored() const { return active ? link.stored(penetration - memory.forgiven) : 0; }
   [[nodiscard]] bool released() const { return memory.state == contact::NodeContact::State::released; }
 };
 

@@ -46,6 +46,7 @@ double bending_step(const BeamProperties& properties, double length, double star
 
 /// The axial stress after a strain increment.
 void update_axial_stress(const Material& material, double increment, double dt, BeamState& state) {
+  const double start = state.stress;
   state.stress += material.young * increment;
   if (material.kind != MaterialKind::plastic) return;
   const YieldLaw yield = material.yield_at(dt > 0 ? std::abs(increment) / dt : 0);
@@ -57,6 +58,7 @@ void update_axial_stress(const Material& material, double increment, double dt, 
   state.stress -= sign * material.young * plastic;
   state.back_stress += sign * kinematic * plastic;
   state.plastic_strain += plastic;
+  state.plastic_work += sign * plastic * (start + state.stress) / 2;
 }
 
 /// Turns the axes with the beam and adds the rotations of the ends relative to them.
@@ -80,6 +82,24 @@ void turn_axes(const BeamEnds& ends, const Vector& way, const Vector& along, dou
 
 }  // namespace
 
+double stored_energy(const BeamProperties& properties, const BeamState& state, double length) {
+  const Material& material = properties.material;
+  const model::BeamSection& section = properties.section;
+  if (!material.has_stress()) return 0;
+  if (properties.truss) return section.area * length * state.stress * state.stress / (2 * material.young);
+  const double elongation = length - state.length;
+  double energy = (material.young * section.area * elongation * elongation +
+                   material.shear() * section.torsion * state.twist * state.twist) /
+                  (2 * state.length);
+  const auto add = [&](double moment_of_area, const std::array<double, 2>& turn) {
+    const Bending plane = bending(properties, moment_of_area, state.length);
+    energy += plane.first / 2 * (turn[0] * turn[0] + turn[1] * turn[1]) + plane.second * turn[0] * turn[1];
+  };
+  add(section.iss, state.turn_s);
+  add(section.itt, state.turn_t);
+  return energy;
+}
+
 double beam_mass(const BeamProperties& properties, double length) {
   return length * (properties.material.density * properties.section.area + properties.section.line_mass);
 }
@@ -98,7 +118,9 @@ BeamForces truss_forces(const BeamProperties& properties, const BeamEnds& ends, 
   forces.manual_step = forces.stable_step = axial_step(properties, length);
   const Material& material = properties.material;
   if (!material.has_stress()) return forces;
+  const double flowed = state.plastic_work;
   update_axial_stress(material, 2 * (length - before) / (length + before), dt, state);
+  forces.dissipated = properties.section.area * (length + before) / 2 * (state.plastic_work - flowed);
   const double area = properties.section.area, half_mass = beam_mass(properties, state.length) / 2;
   forces.axial = state.stress * area;
   forces.force[1] = forces.axial / length * way;

@@ -25,12 +25,14 @@ struct BeamState {
   double twist = 0;                                        ///< of end 2 relative to end 1
   std::array<double, 2> turn_s{}, turn_t{};                ///< of the ends about s and t, relative to their line
   double stress = 0, back_stress = 0, plastic_strain = 0;  ///< of trusses
+  double plastic_work = 0;                                 ///< per volume, since the start; of trusses
 };
 
 /// Internal forces on the ends (the beam pulls its nodes with the opposite) and what the step needs to know.
 struct BeamForces {
   std::array<Vector, 2> force{Vector::Zero(), Vector::Zero()}, moment{Vector::Zero(), Vector::Zero()};
   double axial = 0;        ///< tension
+  double dissipated = 0;   ///< in this step: plastic work
   double manual_step = 0;  ///< length / √(E/ρ)
   double stable_step = 0;  ///< 2 / the element's highest frequency
   bool good = false;       ///< false: no length, or not a number
@@ -47,6 +49,10 @@ struct BeamForces {
 /// the middle of the step, forces at its end.
 [[nodiscard]] BeamForces resultant_beam_forces(const BeamProperties& properties, const BeamEnds& ends, double dt,
                                                BeamState& state);
+
+/// The energy that a beam of the present `length` stores: of its axial stress (trusses), or of its elongation, twist
+/// and rotations.
+[[nodiscard]] double stored_energy(const BeamProperties& properties, const BeamState& state, double length);
 
 /// Mass of a beam of this length.
 [[nodiscard]] double beam_mass(const BeamProperties& properties, double length);

@@ -54,6 +54,7 @@ Summary BeamElements::update_one(const State& state, std::size_t beam) {
   Summary summary;
   summary.manual_step = forces.manual_step;
   summary.stable_step = forces.stable_step;
+  summary.dissipated = forces.dissipated;
   if (!forces.good) summary.bad = static_cast<std::uint32_t>(beam);
   for (std::size_t k = 0; k < 2; ++k) {
     Vector &force = force_[2 * beam + k], &moment = moment_[2 * beam + k];
@@ -66,6 +67,11 @@ Summary BeamElements::update_one(const State& state, std::size_t beam) {
   summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(beam);
   energy_[beam].add(summary);
   return summary;
+}
+
+double BeamElements::stored(std::size_t beam, const std::vector<Vector>& x) const {
+  const auto& [a, b] = nodes_[beam];
+  return stored_energy(properties(beam), state_[beam], (x[b.value] - x[a.value]).norm());
 }
 
 Summary BeamElements::update(const State& state) {

@@ -39,6 +39,8 @@ class BeamElements {
   [[nodiscard]] const std::array<NodeIndex, 2>& nodes(std::size_t beam) const { return nodes_[beam]; }
   [[nodiscard]] const BeamProperties& properties(std::size_t beam) const { return properties_[which_[beam]]; }
   [[nodiscard]] const ElementEnergy& energy(std::size_t beam) const { return energy_[beam]; }
+  /// The energy that it stores, with all nodes at `x`.
+  [[nodiscard]] double stored(std::size_t beam, const std::vector<Vector>& x) const;
   [[nodiscard]] const BeamState& state(std::size_t beam) const { return state_[beam]; }
   /// Tension at the last evaluation.
   [[nodiscard]] double axial(std::size_t beam) const { return axial_[beam]; }

@@ -17,7 +17,9 @@ ShellResultants integrate_layers(const ShellProperties& properties, const ShellS
                                 strain.xy + z * strain.bend_xy,
                                 strain.yz,
                                 strain.zx};
+      const double before = points[i].plastic_work;
       through += weight / 2 * update_plane_stress(properties.material, increment, dt, points[i]);
+      sum.plastic_work += half * weight * (points[i].plastic_work - before);
     }
     const Symmetric& stress = points[i].stress;
     const double share = half * weight, lever = share * z;
@@ -35,6 +37,19 @@ ShellResultants integrate_layers(const ShellProperties& properties, const ShellS
   sum.yz *= properties.shear_factor;
   sum.zx *= properties.shear_factor;
   return sum;
+}
+
+double stored_energy(const ShellProperties& properties, const ShellState& state, double area,
+                     std::span<const PointState> points) {
+  double energy = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Symmetric stress = points[i].stress;
+    for (const std::size_t transverse : {yz, zx}) stress[transverse] *= std::sqrt(properties.shear_factor);
+    energy += area * state.thickness / 2 * properties.layers[i].weight * elastic_energy(properties.material, stress);
+  }
+  for (std::size_t i = 0; i < state.hourglass.size(); ++i)
+    if (state.stiffness[i] > 0) energy += state.hourglass[i] * state.hourglass[i] / (2 * state.stiffness[i]);
+  return energy;
 }
 
 void set_time_steps(const ShellProperties& properties, const ShellShape& shape, ShellForces& forces) {

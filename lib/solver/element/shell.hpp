@@ -40,6 +40,7 @@ struct ShellState {
 struct ShellForces {
   std::array<Vector, 4> force, moment;
   double hourglass_work = 0;  ///< in this step
+  double dissipated = 0;      ///< in this step: plastic work, and work of viscous hourglass control
   double manual_step = 0;     ///< characteristic length / wave speed, as in the solver manual
   double stable_step = 0;     ///< 2 / an upper bound of the element's highest frequency
   bool good = false;          ///< false: no area, or not a number
@@ -80,7 +81,12 @@ struct ShellResultants {
   double xx = 0, yy = 0, xy = 0;
   double bend_xx = 0, bend_yy = 0, bend_xy = 0;
   double yz = 0, zx = 0;
+  double plastic_work = 0;  ///< of the step, per area
 };
+
+/// The energy that a shell of this area stores: ½ σ : C⁻¹ : σ of its layers, and that of its hourglass stiffness.
+[[nodiscard]] double stored_energy(const ShellProperties& properties, const ShellState& state, double area,
+                                   std::span<const PointState> points);
 
 /// Updates the layers' stresses and integrates them through the thickness, which follows if the section says so.
 [[nodiscard]] ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& strain, double dt,

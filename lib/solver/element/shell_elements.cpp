@@ -104,6 +104,7 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
     summary.stable_step *= step_factor_[shell];
   }
   summary.hourglass_work = forces.hourglass_work;
+  summary.dissipated = forces.dissipated;
   if (!forces.good) summary.bad = static_cast<std::uint32_t>(shell);
   for (std::size_t k = 0; k < 4; ++k) {
     Vector &force = force_[4 * shell + k], &moment = moment_[4 * shell + k];
@@ -115,6 +116,10 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
   summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(shell);
   energy_[shell].add(summary);
   return summary;
+}
+
+double ShellElements::stored(std::size_t shell, const std::vector<Vector>& x) const {
+  return stored_energy(properties(shell), state_[shell], quad_normal(nodes_[shell], x).norm() / 2, points(shell));
 }
 
 Summary ShellElements::update(const State& state) {

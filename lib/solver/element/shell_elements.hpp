@@ -47,6 +47,8 @@ class ShellElements {
   /// All its layers have failed: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t shell) const { return failed_[shell]; }
   [[nodiscard]] const ElementEnergy& energy(std::size_t shell) const { return energy_[shell]; }
+  /// The energy that its stresses store, with all nodes at `x`.
+  [[nodiscard]] double stored(std::size_t shell, const std::vector<Vector>& x) const;
   [[nodiscard]] const ShellState& state(std::size_t shell) const { return state_[shell]; }
   [[nodiscard]] std::span<const PointState> points(std::size_t shell) const {
     return {points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]};

@@ -220,6 +220,8 @@ ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& c
   out.hourglass_work = update_hourglass(properties, middle, hourglass_rates(middle, v, w), dt, state);
   const ShellResultants resultants =
       integrate_layers(properties, strain_of(middle, v, w, corners.w, dt), dt, state.thickness, points);
+  out.dissipated = middle.area * resultants.plastic_work;
+  if (properties.hourglass.kind == HourglassKind::viscous) out.dissipated += out.hourglass_work;
   spread(end, resultants, state.hourglass, out);
   set_steps(properties, corners.x, end, state, out);
   out.good = end.area > 0 && std::isfinite(out.force[0].sum() + out.force[1].sum() + out.moment[0].sum());

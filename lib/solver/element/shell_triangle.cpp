@@ -116,7 +116,9 @@ ShellForces triangle_forces(const ShellProperties& properties, const ShellCorner
   for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
   const TriangleFrame middle = make_frame(middle_x), end = make_frame(corners.x);
   const ShellStrain strain = strain_of(middle, corners, dt);
-  spread(end, integrate_layers(properties, strain, dt, state.thickness, points), out);
+  const ShellResultants resultants = integrate_layers(properties, strain, dt, state.thickness, points);
+  out.dissipated = middle.area * resultants.plastic_work;
+  spread(end, resultants, out);
   set_steps(properties, end, state.thickness, out);
   out.good = end.area > 0 && std::isfinite(out.force[0].sum() + out.force[1].sum() + out.moment[0].sum());
   return out;

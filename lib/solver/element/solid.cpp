@@ -1,6 +1,7 @@
 #include "solver/element/solid.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace gapcheck::solver {
 
@@ -23,6 +24,19 @@ BulkViscosity bulk_viscosity(const SolidProperties& properties, double density, 
   const double total =
       properties.quadratic_viscosity * length * std::abs(volume_rate) + properties.linear_viscosity * speed;
   return {volume_rate < 0 ? density * length * -volume_rate * total : 0, total};
+}
+
+double viscous_work(double pressure, double volume_change, SolidState& state) {
+  const double before = std::exchange(state.viscous_pressure, pressure);
+  return -(before + pressure) / 2 * volume_change;
+}
+
+double stored_energy(const SolidProperties& properties, const SolidState& state, double volume,
+                     const PointState& point) {
+  double energy = volume * elastic_energy(properties.material, point.stress);
+  if (state.reference && state.reference->stiffness > 0)
+    for (const Vector& stress : state.hourglass) energy += stress.squaredNorm() / (2 * state.reference->stiffness);
+  return energy;
 }
 
 void set_time_steps(const SolidProperties& properties, double density, double length, double squared_gradient,

@@ -35,6 +35,7 @@ struct SolidState {
   double mass = 0;  ///< of the element; its density follows from it
   std::array<Vector, 4> hourglass{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
   std::shared_ptr<const HourglassReference> reference;  ///< of bricks whose hourglass control is a stiffness
+  double viscous_pressure = 0;                          ///< of the bulk viscosity
 };
 
 /// Internal forces on the corners (the solid pulls its nodes with the opposite) and what the step needs to know.
@@ -42,6 +43,7 @@ struct SolidForces {
   std::array<Vector, 8> force;
   double volume = 0;          ///< at the end of the step
   double hourglass_work = 0;  ///< in this step
+  double dissipated = 0;      ///< in this step: plastic work, and work of viscous hourglass control and bulk viscosity
   double manual_step = 0;     ///< characteristic length / wave speed with bulk viscosity, as in the solver manual
   double stable_step = 0;     ///< 2 / an upper bound of the element's highest frequency, bulk viscosity included
   bool good = false;          ///< false: volume not above zero, or not a number
@@ -70,6 +72,10 @@ struct SolidForces {
 /// right-hand normal points to.
 [[nodiscard]] double tetrahedron_volume(const std::array<Vector, 8>& x);
 
+/// The energy that a solid of this volume stores: ½ σ : C⁻¹ : σ, and that of its hourglass stiffness.
+[[nodiscard]] double stored_energy(const SolidProperties& properties, const SolidState& state, double volume,
+                                   const PointState& point);
+
 /// Stress at the end of the step for a velocity gradient in its middle, with the spin's rotation.
 Matrix update_solid_stress(const Material& material, const Matrix& gradient, double dt, PointState& point);
 
@@ -83,6 +89,9 @@ struct BulkViscosity {
 };
 [[nodiscard]] BulkViscosity bulk_viscosity(const SolidProperties& properties, double density, double speed,
                                            double length, double volume_rate);
+
+/// Sets the pressure of the bulk viscosity to the end of the step; returns its work over a change of volume.
+[[nodiscard]] double viscous_work(double pressure, double volume_change, SolidState& state);
 
 /// Sets both time steps; `squared_gradient`: the largest eigenvalue of Σ b bᵀ, `corners`: 4 or 8.
 void set_time_steps(const SolidProperties& properties, double density, double length, double squared_gradient,

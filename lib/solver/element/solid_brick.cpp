@@ -143,6 +143,7 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
     return out;
   }
   const Matrix gradient = outer_sum(corners.v, middle) / middle_volume;
+  const double flowed = point.plastic_work;
   const Matrix rotation = update_solid_stress(properties.material, gradient, dt, point);
 
   const Matrix gram = outer_sum(end, end) / (out.volume * out.volume);
@@ -156,6 +157,8 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
   std::array<Vector, 4> rates;
   for (std::size_t m = 0; m < 4; ++m) rates[m] = v_shapes[m] - gradient * middle_shapes[m];
   out.hourglass_work = update_viscous(properties, rates, rotation, out.volume, dt, state);
+  out.dissipated = middle_volume * (point.plastic_work - flowed) + out.hourglass_work +
+                   viscous_work(viscosity.pressure, dt * middle_volume * gradient.trace(), state);
 
   // f = σ b + Σ Q (shape − b · (shape · x) / V), Q of viscous control
   Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();

@@ -85,6 +85,7 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
     summary.bad = static_cast<std::uint32_t>(solid);
   }
   summary.hourglass_work = forces.hourglass_work;
+  summary.dissipated = forces.dissipated;
   for (std::size_t k = 0; k < 8; ++k) {
     Vector& force = force_[8 * solid + k];
     summary.work += state.dt / 2 * (force + forces.force[k]).dot(corners.v[k]);
@@ -93,6 +94,13 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(solid);
   energy_[solid].add(summary);
   return summary;
+}
+
+double SolidElements::stored(std::size_t solid, const std::vector<Vector>& x) const {
+  std::array<Vector, 8> places;
+  for (std::size_t k = 0; k < 8; ++k) places[k] = x[nodes_[solid][k].value];
+  const double volume = model::is_tetrahedron(nodes_[solid]) ? tetrahedron_volume(places) : brick_volume(places);
+  return stored_energy(properties(solid), state_[solid], volume, points_[solid]);
 }
 
 Summary SolidElements::update(const State& state) {

@@ -43,7 +43,10 @@ class SolidElements {
   [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }
   /// A solid that loses its volume also fails, instead of ending the run.
   void let_inverted_fail() { inverted_fail_ = true; }
+  [[nodiscard]] const SolidProperties& properties(std::size_t solid) const { return properties_[which_[solid]]; }
   [[nodiscard]] const ElementEnergy& energy(std::size_t solid) const { return energy_[solid]; }
+  /// The energy that its stress stores, with all nodes at `x`.
+  [[nodiscard]] double stored(std::size_t solid, const std::vector<Vector>& x) const;
   [[nodiscard]] const PointState& point(std::size_t solid) const { return points_[solid]; }
 
  private:

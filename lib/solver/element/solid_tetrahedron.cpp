@@ -40,11 +40,14 @@ SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCor
     gram += end[a] * end[a].transpose() / (out.volume * out.volume);
     squared_face = std::max(squared_face, 9 * end[a].squaredNorm());
   }
+  const double flowed = point.plastic_work;
   update_solid_stress(properties.material, gradient, dt, point);
   const double density = state.mass / out.volume;
   const double length = 3 * out.volume / std::sqrt(squared_face);  // the shortest height
   const double speed = std::sqrt(properties.material.wave_modulus() / density);
   const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, gradient.trace());
+  out.dissipated = middle_volume * (point.plastic_work - flowed) +
+                   viscous_work(viscosity.pressure, dt * middle_volume * gradient.trace(), state);
   set_time_steps(properties, density, length, gram.cwiseAbs().rowwise().sum().maxCoeff(), 4, viscosity, out);
   const Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();
   for (std::size_t a = 0; a < 4; ++a) out.force[a] = stress * end[a];

@@ -55,6 +55,8 @@ Returned radial_return(const Material& material, const Symmetric& trial, const Y
     point.back_stress[i] += shift_part * xi[i];
   }
   point.plastic_strain += increment;
+  // The mean stress of the step on the plastic strain 3/2 Δε̄ ξ/q: with it the elastic energy adds up to the whole work.
+  point.plastic_work += 0.75 * increment / size * (contract(start.stress, xi) + contract(point.stress, xi));
   const double theta = 1 - stress_part;
   const double theta_bar = 3 * shear / (3 * shear + kinematic + slope) - (1 - theta);
   const double normal_zz = xi[zz] * xi[zz] * 1.5 / (size * size);
@@ -146,6 +148,12 @@ Material plastic_kinematic(double density, double young, double poisson, double 
   material.yield = YieldCurve(yield, beta * plastic_slope);
   material.kinematic_slope = (1 - beta) * plastic_slope;
   return material;
+}
+
+double elastic_energy(const Material& material, const Symmetric& stress) {
+  if (!material.has_stress()) return 0;
+  const double sum = trace(stress), nu = material.poisson;
+  return ((1 + nu) * contract(stress, stress) - nu * sum * sum) / (2 * material.young);
 }
 
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {

@@ -11,6 +11,7 @@ struct PointState {
   Symmetric stress{};
   Symmetric back_stress{};    ///< centre of the yield surface, deviatoric
   double plastic_strain = 0;  ///< effective
+  double plastic_work = 0;    ///< per volume, since the start
   bool failed = false;        ///< no stress from then on
 };
 
@@ -58,6 +59,9 @@ struct Material {
 /// Isotropic bilinear law of material 003: Eₚ = E Eₜ / (E − Eₜ), β shares it between growth (1) and shift (0).
 [[nodiscard]] Material plastic_kinematic(double density, double young, double poisson, double yield, double tangent,
                                          double beta);
+
+/// Elastic energy per volume of a stress: ½ σ : C⁻¹ : σ. Zero for materials without stress.
+[[nodiscard]] double elastic_energy(const Material& material, const Symmetric& stress);
 
 /// Adds the strain increment (over dt) to a point in three dimensions. Plasticity: radial return to the von Mises
 /// cylinder (Wilkins; Krieg and Key), exact for a piecewise linear curve. Null, rigid and failed: stress stays zero.

@@ -81,6 +81,11 @@ double update_anisotropic_plane_stress(const Material& material, const Symmetric
     for (const std::size_t i : {yz, zx}) stress[i] /= 1 + parts.transverse_stiffness * t;
     point.plastic_strain += t * parts.size(t);
     plastic = t * parts.pressure_weight * pressure;
+    // t ∂(q²/2)/∂σ is the plastic strain; as in the isotropic law the mean stress of the step works on it.
+    const double mean = (start[xx] + start[yy]) / 4 + pressure / 2, mean_half = (start[xx] - start[yy]) / 4 + half / 2;
+    point.plastic_work += t * (parts.pressure_weight * mean * pressure +
+                               parts.shear_weight * (mean_half * half + (start[xy] + stress[xy]) / 2 * stress[xy]) +
+                               1.5 * ((start[yz] + stress[yz]) * stress[yz] + (start[zx] + stress[zx]) * stress[zx]));
   }
   return -nu / material.young * (stress[xx] + stress[yy] - start[xx] - start[yy]) - plastic;
 }

@@ -22,6 +22,9 @@ class Force {
   /// Adds the work that this force took from the structure since the start, by its row of the energy balance; up to
   /// state.time, by the trapezoidal rule over each step: -dt/2 (force before + force now) . velocity.
   virtual void absorbed(Absorbed& /*work*/) const {}
+  /// The same by the state: the energy that this force stores now, beyond that at the start, and what it has
+  /// dissipated. A force that only dissipates, or of which the state says nothing, has taken its work.
+  virtual void held(Absorbed& energy) const { absorbed(energy); }
   /// The longest stable step for this force; called after add().
   [[nodiscard]] virtual double stable_step() const { return std::numeric_limits<double>::infinity(); }
 };

@@ -18,6 +18,7 @@ struct Summary {
   double manual_step = std::numeric_limits<double>::infinity();
   double stable_step = std::numeric_limits<double>::infinity();
   double work = 0, hourglass_work = 0;                             ///< of the step; work includes the hourglass work
+  double dissipated = 0;                                           ///< by plastic flow and viscosities in the step
   std::uint64_t failed = 0;                                        ///< elements that fail now
   std::uint32_t bad = no_position;                                 ///< first element without a usable shape
   std::uint32_t manual_at = no_position, stable_at = no_position;  ///< the first elements with these steps
@@ -34,13 +35,16 @@ struct Summary {
   }
 };
 
-/// What one element has stored and dissipated since the start.
+/// The work that one element has taken since the start.
 struct ElementEnergy {
   double internal = 0, hourglass = 0;
+  double dissipated = 0;  ///< of both, by plastic flow and viscosities: what no state gives back
   void add(const Summary& step) {
     internal += step.work - step.hourglass_work;
     hourglass += step.hourglass_work;
+    dissipated += step.dissipated;
   }
+  [[nodiscard]] double sum() const { return internal + hourglass; }
 };
 
 /// Calls body(begin, end) → Part on fixed blocks of [0, count) in parallel and adds the parts up in the order of the

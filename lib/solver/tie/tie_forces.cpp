@@ -161,9 +161,11 @@ void TieForces::calculate(Spring& spring, const State& state, bool active) {
   spring.on_node = -half * spring.loads.on_node(tie, state);
   spring.on_segment = -half * spring.loads.on_segment(tie, state);
   spring.damped = 0;
+  spring.lost = 0;
   if (!active || spring.damage.broken) {
     spring.loads = {};
     spring.active = false;
+    spring.lost = std::exchange(spring.stored, 0);
     return;
   }
   const SegmentAxes axes(tie.point.nodes, state.x);
@@ -191,6 +193,7 @@ void TieForces::calculate(Spring& spring, const State& state, bool active) {
     force = share * (force - whole) + whole;
     damping *= share;
   }
+  spring.stored = (spring.stiffness * stretch.squaredNorm() + spring.rotational * spring.turned.squaredNorm()) / 2;
   spring.loads.set(tie, axes, arm, force + damping, -spring.rotational * spring.turned);
   if (spring.damage.broken) spring.active = false;
   spring.damped = -state.dt * damping.dot(velocity);
@@ -224,8 +227,19 @@ void TieForces::add(State& state, Forces& forces) {
       result.energy_a += spring.on_node;
       result.energy_b += spring.on_segment;
       result.damping += spring.damped;
+      result.lost += spring.lost;
     }
   }
+}
+
+std::optional<double> TieForces::stored(std::size_t position) const {
+  const TieRange& interface = interfaces_[position];
+  double sum = 0;
+  for (std::size_t i = interface.first; i < interface.last; ++i) {
+    if (springs_[i].strength.limited()) return std::nullopt;
+    sum += springs_[i].stored;
+  }
+  return sum;
 }
 
 double TieForces::stable_step() const {

@@ -31,6 +31,8 @@ class TieForces : public Force, public ContactSource {
   [[nodiscard]] std::span<const ContactState> states() const override { return states_; }
   [[nodiscard]] std::vector<ContactNode> nodes(std::size_t position) const override;
   void links(std::size_t position, std::vector<ContactLink>& links) const override;
+  /// Nothing for tiebreaks: what damage takes does not follow from the state.
+  [[nodiscard]] std::optional<double> stored(std::size_t position) const override;
   [[nodiscard]] std::vector<ContactEvent> take_events() override;
 
  private:
@@ -46,6 +48,7 @@ class TieForces : public Force, public ContactSource {
     Vector turned = Vector::Zero();  ///< rotation of the node relative to the segment
     TieLoads loads;
     double on_node = 0, on_segment = 0, damped = 0;  ///< work taken in the last step
+    double stored = 0, lost = 0;                     ///< energy, and what the end of the tie in this step left of it
   };
   void build(const State& state);
   void find_strength(const TieRange& interface, const contact::SideScene& side, const std::vector<Vector>& x);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "solver/output/state_balance.hpp"
 #include "solver/run_scene.hpp"
 
 namespace gapcheck::solver::free_motion_test {
@@ -60,6 +61,7 @@ struct Course {
   double least = 1e300, greatest = 0;  ///< kinetic energy over the initial one
   double early = 0;                    ///< the greatest in the first thousand cycles
   double ratio = 1;
+  double created = 0;  ///< by the elements, by their state, at the end, over the largest energy
 };
 
 Course calculate(const std::string& deck, std::uint64_t cycles) {
@@ -77,6 +79,8 @@ Course calculate(const std::string& deck, std::uint64_t cycles) {
     if (run.stepper().state().cycle < 1000) course.early = course.greatest;
     course.ratio = e.ratio();
   });
+  const StateBalance balance = state_balance(scene.run());
+  course.created = balance.created() / balance.largest;
   return course;
 }
 
@@ -93,8 +97,10 @@ std::string spin(double rate) {
   return fmt::format("*INITIAL_VELOCITY_GENERATION\n1,2,{},0.,0.,0.\n0.,0.,0.,1.,2.,3.\n", rate);
 }
 
-void expect_constant(const Course& course, const std::string& name) {
-  EXPECT_GT(course.least, 0.999);
+/// `least`: vibration takes its share of the rotation, in ten million cycles of a plate 0.2 %.
+void expect_constant(const Course& course, const std::string& name, double least = 0.999) {
+  EXPECT_NEAR(course.created, 0, 1e-3);
+  EXPECT_GT(course.least, least);
   EXPECT_LT(course.greatest, 1.001);
   testing::Test::RecordProperty(name, fmt::format("{:.6f} {:.6f}", course.least, course.greatest));
 }
@@ -111,7 +117,8 @@ TEST_P(FreeRotation, OfSkewedQuadsKeepsItsEnergy) {
   const auto [ihq, rate] = GetParam();
   const Course course = calculate(plate(2, false) + hourglass(ihq) + spin(rate), cycles());
   const std::string name = fmt::format("free_rotation_quads_ihq_{}_spin_{:g}", ihq, rate);
-  if (ihq > 3) return expect_constant(course, name);
+  if (ihq > 3) return expect_constant(course, name, 0.995);
+  EXPECT_NEAR(course.created, 0, 1e-3);
   EXPECT_LT(course.greatest, 1.001);
   EXPECT_GT(course.least, 0.2);
   RecordProperty(name, fmt::format("{:.6f} {:.6f}", course.least, course.greatest));
@@ -120,7 +127,7 @@ TEST_P(FreeRotation, OfSkewedQuadsKeepsItsEnergy) {
 TEST_P(FreeRotation, OfTrianglesKeepsItsEnergy) {
   const auto [ihq, rate] = GetParam();
   expect_constant(calculate(plate(2, true) + hourglass(ihq) + spin(rate), cycles()),
-                  fmt::format("free_rotation_triangles_ihq_{}_spin_{:g}", ihq, rate));
+                  fmt::format("free_rotation_triangles_ihq_{}_spin_{:g}", ihq, rate), 0.995);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FreeRotation, testing::Combine(testing::Values(1, 2, 3, 4, 5), testing::Values(2., 10.)),
@@ -146,6 +153,7 @@ TEST_P(FreeVibration, OfPlatesGainsNothing) {
     const Course course = calculate(plate(2, triangles, skew) + hourglass(ihq) + velocities(9, 1), cycles());
     EXPECT_LT(course.greatest, 1.001);
     EXPECT_NEAR(course.ratio, 1, 1e-3);
+    EXPECT_NEAR(course.created, 0, 1e-3);
     RecordProperty(fmt::format("free_vibration_{}_ihq_{}_skew_{:g}", triangles ? "triangles" : "quads", ihq, skew),
                    fmt::format("{:.6f}", course.greatest));
   }
