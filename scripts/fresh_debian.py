@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "tests/bench"))
 from page import machine, section  # noqa: E402
 
-# What a user types as root in the new system; the repository stands in for the address that they clone.
+# What a user types as root in the new system; the repository replaces the address that they clone.
 COMMANDS = [
     "apt-get update",
     "apt-get install -y --no-install-recommends git",

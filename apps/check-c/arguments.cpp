@@ -57,7 +57,7 @@ Status set_ids(const Value& text, std::vector<std::int64_t>& ids) {
 }
 
 Status set_selection(Arguments& arguments, const Value& text) {
-  if (!report::known_selection(text)) return plain_error("is no warning type; check-c -help lists them");
+  if (!report::known_selection(text)) return plain_error("is not a warning type; check-c -help lists them");
   arguments.view.sel = text;
   return {};
 }

@@ -27,7 +27,7 @@ namespace {
 std::string check_rule(const std::string& text, bool of_runs) {
   for (const auto& rule : audit::rules())
     if (rule.of_runs() == of_runs && audit::selected(rule, {text}, {})) return "";
-  return fmt::format("'{}' is no rule on {}; gapcheck rules lists them", text, of_runs ? "runs" : "decks");
+  return fmt::format("'{}' is not a rule on {}; gapcheck rules lists them", text, of_runs ? "runs" : "decks");
 }
 
 }  // namespace

@@ -21,12 +21,12 @@ Result<audit::AuditOptions> settings_of(const AuditOptions& options) {
   check.amount("rtol", options.rtol);
   check.amount("ratio", options.ratio);
   check.amount("millimetre", options.millimetre);
-  if (options.millimetre == 0) check.fault("millimetre: 0 is no length");
+  if (options.millimetre == 0) check.fault("millimetre: 0 is not a length");
   audit::AuditOptions settings;
   for (const auto& [name, severity] : options.severities) {
     const auto* rule = audit::find_rule(name);
     if (rule == nullptr)
-      check.fault(fmt::format("severities: '{}' is no rule", name));
+      check.fault(fmt::format("severities: '{}' is not a rule", name));
     else
       settings.severities.emplace(rule->id, converted(severity));
   }

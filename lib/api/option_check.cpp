@@ -21,7 +21,7 @@ void OptionCheck::rules(std::string_view option, const std::vector<std::string>&
     if (std::none_of(all.begin(), all.end(), [&](const auto& rule) {
           return rule.of_runs() == of_runs && audit::selected(rule, {pattern}, {});
         }))
-      fault(fmt::format("{}: '{}' is no rule on {}", option, pattern, of_runs ? "runs" : "decks"));
+      fault(fmt::format("{}: '{}' is not a rule on {}", option, pattern, of_runs ? "runs" : "decks"));
 }
 
 void OptionCheck::contacts(const std::vector<std::int64_t>& ids, const std::vector<const gapcheck::Report*>& reports,

@@ -112,7 +112,8 @@ class Parser {
     else if (of_ignores)
       wrong_ = quoted(pattern) + " is about ignores and cannot be ignored by a comment; use --ignore";
     else
-      wrong_ = quoted(pattern) + " is no rule" + did_you_mean(nearest_rule(pattern)) + " (gapcheck rules lists them)";
+      wrong_ =
+          quoted(pattern) + " is not a rule" + did_you_mean(nearest_rule(pattern)) + " (gapcheck rules lists them)";
   }
 
   static std::string_view nearest_rule(std::string_view pattern) {
@@ -180,7 +181,7 @@ class Parser {
         }
       }
     }
-    wrong_ = quoted(text) + " is no day; write until=YYYY-MM-DD";
+    wrong_ = quoted(text) + " is not a day; write until=YYYY-MM-DD";
   }
 
   /// An id from 1; otherwise says what is wrong.
@@ -190,7 +191,7 @@ class Parser {
     if (error == std::errc::result_out_of_range)
       wrong_ = quoted(text) + " is larger than any id";
     else if (error != std::errc{} || stop != text.data() + text.size() || value < 1)
-      wrong_ = fmt::format("{} is no id; write {}=3 or {}=1-500,803", quoted(text), key, key);
+      wrong_ = fmt::format("{} is not an id; write {}=3 or {}=1-500,803", quoted(text), key, key);
     return wrong_.empty() ? std::optional(value) : std::nullopt;
   }
 

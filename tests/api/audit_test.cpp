@@ -238,15 +238,15 @@ TEST(ApiAudit, OptionsThatCannotBeMeantAreErrors) {
     const auto report = api::audit_deck(data("two_plates.k"), options);
     return report.ok() ? std::string("accepted") : report.error().message;
   };
-  EXPECT_EQ(message([](auto& o) { o.select = {"GC1", "GC7"}; }), "select: 'GC7' is no rule on decks");
-  EXPECT_EQ(message([](auto& o) { o.ignore = {"energy-ratio"}; }), "ignore: 'energy-ratio' is no rule on decks");
-  EXPECT_EQ(message([](auto& o) { o.severities = {{"GC1", api::Severity::note}}; }), "severities: 'GC1' is no rule");
+  EXPECT_EQ(message([](auto& o) { o.select = {"GC1", "GC7"}; }), "select: 'GC7' is not a rule on decks");
+  EXPECT_EQ(message([](auto& o) { o.ignore = {"energy-ratio"}; }), "ignore: 'energy-ratio' is not a rule on decks");
+  EXPECT_EQ(message([](auto& o) { o.severities = {{"GC1", api::Severity::note}}; }), "severities: 'GC1' is not a rule");
   EXPECT_EQ(message([](auto& o) { o.ptol = -1; }), "ptol: -1 is not a number of 0 or more");
   EXPECT_EQ(message([](auto& o) { o.rtol = std::numeric_limits<double>::quiet_NaN(); }),
             "rtol: nan is not a number of 0 or more");
   EXPECT_EQ(message([](auto& o) { o.ratio = std::numeric_limits<double>::infinity(); }),
             "ratio: inf is not a number of 0 or more");
-  EXPECT_EQ(message([](auto& o) { o.millimetre = 0; }), "millimetre: 0 is no length");
+  EXPECT_EQ(message([](auto& o) { o.millimetre = 0; }), "millimetre: 0 is not a length");
   EXPECT_EQ(message([](auto& o) { o.contacts = {1, 99}; }), "contact 99: the deck has no such contact");
   EXPECT_EQ(message([](auto& o) { o.contacts = {1}; }), "accepted");
 }

@@ -83,7 +83,7 @@ TEST(ApiReadRun, WhatCannotBeReadIsAnError) {
   EXPECT_NE(empty.value().diagnostics.front().message.find("is empty"), std::string::npos);
   api::RunReadOptions options;
   options.select = {"GC101"};
-  EXPECT_EQ(message({fixture("smp/messag")}, options), "select: 'GC101' is no rule on runs");
+  EXPECT_EQ(message({fixture("smp/messag")}, options), "select: 'GC101' is not a rule on runs");
   options = {};
   options.rtol = -2;
   EXPECT_EQ(message({fixture("smp/messag")}, options), "rtol: -2 is not a number of 0 or more");

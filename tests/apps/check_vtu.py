@@ -183,7 +183,7 @@ class Checker:
         path.write_text("\n".join(two) + "\n")
         drawn = self.folder / "nan.vtu"
         run = subprocess.run([self.gapcheck, "audit", path, "--quiet", "--vtu", drawn], capture_output=True)
-        assert run.returncode == 2, "a coordinate that is no number is an error"
+        assert run.returncode == 2, "a coordinate that is not a number is an error"
         assert len(self.open(drawn).cells) == 18
 
     def check_log(self):

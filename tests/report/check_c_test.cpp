@@ -87,7 +87,7 @@ TEST(CheckC, PickAgreesWithTheOptionsTakenOneByOne) {
     ties += (t.contact == 1 || t.contact == 3) && (t.distance < 0 || t.distance > 0.05);
   EXPECT_EQ(picked.tie_failures.size(), ties);
   EXPECT_EQ(picked.run->surface_timesteps.size(), 2u);
-  EXPECT_TRUE(picked.run->rigidwalls.empty()) << "a rigid wall is no interface";
+  EXPECT_TRUE(picked.run->rigidwalls.empty()) << "a rigid wall is not an interface";
 }
 
 TEST(CheckC, CountsOfContactsFollowTheRecords) {

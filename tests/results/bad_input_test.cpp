@@ -99,7 +99,7 @@ TEST(BadInput, NumbersThatRunTogetherAndExponentsWithoutLetter) {
 TEST(BadInput, OverflowOfAField) {
   const Read depth = read_text(replaced(fixtures::smp_penetrations, "= -5.0000E-01", "= ***********"));
   EXPECT_EQ(depth.report.penetrations.size(), 2u);
-  EXPECT_NE(first_error(depth).find("messag:9: the value of 'penetration' is no number: '***********'"),
+  EXPECT_NE(first_error(depth).find("messag:9: the value of 'penetration' is not a number: '***********'"),
             std::string::npos)
       << first_error(depth);
   // Without its node it is no record; its text is listed.

@@ -145,7 +145,7 @@ class Reader {
       const std::uint32_t line = key.source().begin.line;
       const RuleIdentity* rule = audit::find_rule(key.str());
       if (rule == nullptr || rule->of_runs()) {
-        error(line, fmt::format("'{}' is no rule on decks; gapcheck rules lists them", key.str().substr(0, 64)));
+        error(line, fmt::format("'{}' is not a rule on decks; gapcheck rules lists them", key.str().substr(0, 64)));
         continue;
       }
       const auto* word = value.as_string();

@@ -23,7 +23,7 @@ struct Timesteps {
   std::vector<SurfaceTimestep> surfaces;  ///< by contact in deck order, side A before side B
 };
 
-/// One warning or error of the solver that is no penetration and no tie.
+/// One warning or error of the solver that is neither a penetration nor a tie.
 struct SolverMessage {
   Severity severity = Severity::warning;
   std::int64_t code = 0;    ///< 40565

@@ -61,7 +61,7 @@ std::string missing_reference(const Model& model, const SurfaceInput& side) {
 void check_side(Context& context, const Contact& contact, const SurfaceInput& side, std::string_view name) {
   if (side.type < 0 || side.type > static_cast<std::int64_t>(SurfaceType::branch)) {
     context.warning(contact.place,
-                    fmt::format("contact {}: {} is no type of surface for {} (0 to 7); the side is taken as empty",
+                    fmt::format("contact {}: {} is not a type of surface for {} (0 to 7); the side is taken as empty",
                                 contact.id.value, side.type, name));
     return;
   }

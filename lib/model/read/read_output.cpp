@@ -74,7 +74,7 @@ void read_database(Context& context, const Block& block, const Options&) {
   if (interval > 0 && std::isfinite(interval))
     interval_of(block.name, output) = interval;
   else if (interval != 0)
-    output.notes.push_back({place, fmt::format("*{}: DT = {:g} is no interval", block.name, interval)});
+    output.notes.push_back({place, fmt::format("*{}: DT = {:g} is not an interval", block.name, interval)});
 }
 
 void read_history_nodes(Context& context, const Block& block, const Options& options) {

@@ -81,7 +81,7 @@ void read_advanced(Context& context, CardReader& reader, RawSet& set) {
     if (ids[i] == 0) continue;
     const std::int64_t type = ids[i + 1] == 0 ? 1 : ids[i + 1];
     if (type < 1 || type > 7) {
-      context.error(set.place, fmt::format("set {}: {} is no type of set (1 to 7)", set.id, type));
+      context.error(set.place, fmt::format("set {}: {} is not a type of set (1 to 7)", set.id, type));
       continue;
     }
     set.clauses.push_back({Source::sets, types[type - 1], false, {ids[i]}});

@@ -198,7 +198,7 @@ Result<std::vector<KnownFinding>> read_baseline(std::string_view text, const std
     if (number == 1) {
       const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
       if (!json.is_object() || !json.contains("schema") || json["schema"] != std::string(schema))
-        return error(fmt::format("this is no baseline: the first line must be {{\"schema\":\"{}\"}}", schema));
+        return error(fmt::format("this is not a baseline: the first line must be {{\"schema\":\"{}\"}}", schema));
       continue;
     }
     if (line.find_first_not_of(" \t\r") == line.npos) continue;

@@ -76,7 +76,7 @@ void compare_ties(const Report& first, std::optional<std::uint32_t> in_first, co
 
 /// Compares the surface time steps of two reports, by contact id and side; nothing if one has none. Steps agree within
 /// half a unit in the fourth digit, which is what the solver prints. Of nodes that are equal to that precision the
-/// solver names any, so another node is told apart but is no difference.
+/// solver names any, so another node is told apart but is not a difference.
 [[nodiscard]] TimestepComparison compare_timesteps(const Report& first, const Report& second);
 
 /// Two depths are the same: `tolerance` apart, plus half a unit in the fifth digit of the larger one.

@@ -236,7 +236,7 @@ class GeometryReader {
       x = {};
       for (unsigned k = 0; k < header_.dimensions(); ++k) x[k] = words_.real(at++);
       if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-        return fail(fmt::format("damaged: a coordinate of node {} is no number", plot.node_ids[i]));
+        return fail(fmt::format("damaged: a coordinate of node {} is not a number", plot.node_ids[i]));
     }
     return true;
   }

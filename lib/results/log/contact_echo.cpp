@@ -111,7 +111,7 @@ bool ContactEcho::summary(Lines& lines, std::string_view text) {
     if (row.starts_with("***")) return true;
     if (row.empty() || row.starts_with("Order #")) continue;
     if (summary_row(lines.line())) continue;
-    collector_.error(lines.number(), "is no row of the contact summary (order, contact ID, type, title)");
+    collector_.error(lines.number(), "is not a row of the contact summary (order, contact ID, type, title)");
     return true;
   }
   collector_.error(first, "the file ends inside the contact summary");

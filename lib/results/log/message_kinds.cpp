@@ -154,7 +154,7 @@ void MessageKinds::add(std::string_view text, const std::string& file, Diagnosti
     if (!read_line(line, added, common))
       diagnostics.error(
           file, lines.number(),
-          fmt::format("'{}' is no line of a table of message kinds; see docs/solver-files.md", line.substr(0, 80)));
+          fmt::format("'{}' is not a line of a table of message kinds; see docs/solver-files.md", line.substr(0, 80)));
     if (lines_of_kinds.size() < added.size()) lines_of_kinds.push_back(lines.number());
   }
   for (std::size_t i = 0; i < added.size(); ++i) {

@@ -49,8 +49,8 @@ class Values {
  private:
   bool unreadable(std::string_view text, std::string_view label) {
     if (fault_.what.empty())
-      fault_ = {block_.line_of(line_),
-                fmt::format("the value of '{}' is no number: '{}'", label.substr(0, 40), trimmed(text).substr(0, 40))};
+      fault_ = {block_.line_of(line_), fmt::format("the value of '{}' is not a number: '{}'", label.substr(0, 40),
+                                                   trimmed(text).substr(0, 40))};
     return false;
   }
 

@@ -131,7 +131,7 @@ bool RunFacts::contact_limit(std::string_view text, std::uint32_t line) {
   std::string_view rest = text.substr(at + words.size());
   const auto limit = take_real(rest);
   if (!limit) {
-    collector_.error(line, "the time step that should not be exceeded is no number");
+    collector_.error(line, "the time step that should not be exceeded is not a number");
     return true;
   }
   if (run_.contact_timestep == 0 || *limit < run_.contact_timestep) run_.contact_timestep = *limit;

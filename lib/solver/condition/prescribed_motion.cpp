@@ -43,7 +43,7 @@ std::optional<Directions> along_vector(ConditionBuilder& builder, const model::P
     }
   builder.fail(
       Failure::Kind::not_calculated, motion.keyword, motion.place,
-      fmt::format("DOF {} along a vector that is no axis is not calculated; use DOF {}, which also holds what is "
+      fmt::format("DOF {} along a vector that is not an axis is not calculated; use DOF {}, which also holds what is "
                   "across it",
                   motion.freedom, -motion.freedom));
   return std::nullopt;

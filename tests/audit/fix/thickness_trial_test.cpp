@@ -88,7 +88,7 @@ TEST(ThicknessTrial, SectionsThatCount) {
   EXPECT_FALSE(sections(card));
 }
 
-// SFT of a part stands in for SFST and SFMT: 0.9 × 0.7777 is at most 0.7, and 0.95 × 0.7368.
+// SFT of a part replaces SFST and SFMT: 0.9 × 0.7777 is at most 0.7, and 0.95 × 0.7368.
 TEST(ThicknessTrial, SectionsWithTheScaleOfThePart) {
   const auto sections = [](double scale_b) {
     std::string text = plates_deck(Plate{.id = 1}, Plate{.id = 2, .z = 0.7});

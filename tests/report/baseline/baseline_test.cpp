@@ -18,7 +18,7 @@ using enum BaselineState;
 
 const LookedFor all = [](const KnownFinding&) { return true; };
 
-/// `before` written to a file and read back, then held against `now`.
+/// `before` written to a file and read back, then compared with `now`.
 BaselineComparison compared(const Report& before, const Report& now) {
   const auto read = read_baseline(baseline_text(known_findings(before)), "baseline");
   EXPECT_TRUE(read.ok()) << (read.ok() ? "" : read.error().message);

@@ -250,7 +250,7 @@ TEST(Ignored, JunitSkipsThem) {
   report.findings.clear();
   const std::string left = text();
   EXPECT_EQ(count_of(left, "<failure "), 0U);
-  EXPECT_EQ(count_of(left, "<testcase "), 3U) << "what is left out is no finding";
+  EXPECT_EQ(count_of(left, "<testcase "), 3U) << "what is left out is not a finding";
 }
 
 TEST(Ignored, AreLeftOutOfListsOfFindings) {

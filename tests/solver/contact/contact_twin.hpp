@@ -206,7 +206,7 @@ class ContactTwin {
         nearest.penetration = bound - here.distance;
       }
       if (start_ == Start::segments)
-        press(n, nearest, forces);
+        press(n, nearest, before, forces);
       else
         act(n, nearest, in_zone, x, forces);
     }
@@ -226,8 +226,22 @@ class ContactTwin {
     return distance >= h * (1 - 1e-9L) - 1e-12L && distance < h + std::max(h, facet.solid ? facet.release : 0);
   }
 
-  /// SOFT = 2: nothing is released or moved, and the side stays.
-  void press(std::size_t n, Meeting met, std::vector<Point>& forces) {
+  /// Of the angle between two facets, whichever way they look.
+  static Real cosine(const Facet& a, const Facet& b, const std::vector<Vector>& x) {
+    const auto normal = [&](const Facet& facet) {
+      const auto point = [&](std::size_t i) {
+        const Vector& p = x[facet.nodes[i]];
+        return Point{p.x(), p.y(), p.z()};
+      };
+      return cross(minus(point(2), point(0)), minus(point(3), point(1)));
+    };
+    const Point m = normal(a), n = normal(b);
+    return std::abs(dot(m, n)) / std::sqrt(dot(m, m) * dot(n, n));
+  }
+
+  /// SOFT = 2: nothing is released or moved, and the side stays. Facets that face the other one most give their whole
+  /// share.
+  void press(std::size_t n, Meeting met, const std::vector<Vector>& x, std::vector<Point>& forces) {
     Node& node = nodes_[n];
     if (met.facet == nullptr) {
       node.memory = Memory::apart;
@@ -245,11 +259,13 @@ class ContactTwin {
     if (node.memory == Memory::apart && !followed(n, facet)) node.forgiven = met.penetration;
     node.memory = Memory::touching;
     node.forgiven = std::min(node.forgiven, met.penetration);
-    Real stiffness = 0;
+    Real stiffness = 0, best = 0;
+    for (const Facet& own : facets_)
+      if (own.has(n)) best = std::max(best, cosine(own, facet, x));
     for (const Facet& own : facets_)
       if (own.has(n))
-        stiffness +=
-            0.05L / (own.triangle() ? 3 : 4) * own.mass * facet.mass / (own.mass + facet.mass) / (step_ * step_);
+        stiffness += (best > 0.01L ? cosine(own, facet, x) / best : 1) * 0.05L / (own.triangle() ? 3 : 4) * own.mass *
+                     facet.mass / (own.mass + facet.mass) / (step_ * step_);
     give(n, met, stiffness * (met.penetration - node.forgiven), forces);
   }
 

@@ -74,7 +74,7 @@ TEST(Tiebreak, FailsByTheCriterion) {
   // Stresses, on the area of the segment; powers are 2.
   EXPECT_NEAR(pull(automatic, "2,1.5,1.", 0, 1).force, 1.5, 0.03);
   EXPECT_NEAR(pull(automatic, "2,1.,1.", 1, 1).force, std::sqrt(0.5), 0.02);
-  // Zero is no limit, and compression never counts.
+  // Zero is not a limit, and compression never counts.
   EXPECT_EQ(pull(old_type, "0.,1.", 0, 1).force, 0);
   EXPECT_EQ(pull(old_type, "0.1,0.", 0, -1).force, 0);
 }

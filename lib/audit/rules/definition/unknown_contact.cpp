@@ -15,7 +15,7 @@ constexpr std::size_t shown = 100;
 constexpr std::size_t names_looked_up = 100;
 
 std::string words(const model::Contact& contact, bool look_up) {
-  std::string text = fmt::format("*{}{} is no contact keyword", contact.written.substr(0, shown),
+  std::string text = fmt::format("*{}{} is not a contact keyword", contact.written.substr(0, shown),
                                  contact.written.size() > shown ? "..." : "");
   const std::string nearest = look_up ? model::nearest_contact_name(contact.written) : std::string();
   return nearest.empty() ? text + "; correct the name" : text + "; did you mean *" + nearest + "?";

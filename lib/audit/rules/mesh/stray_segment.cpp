@@ -21,7 +21,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
       [&](const Found& f) {
         Finding at =
             segment_finding(rule, context, *mesh, f.item,
-                            fmt::format("{} is no face of any element: it has no material and no thickness, so "
+                            fmt::format("{} is not a face of any element: it has no material and no thickness, so "
                                         "contact gives it no stiffness; make the set from the elements' faces anew",
                                         segment_name(*mesh, f.item)));
         at.node = context.model().mesh.nodes.id[mesh->nodes(f.item)[0].value];
@@ -29,7 +29,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
       },
       [&](const Found& f, std::uint64_t count) {
         return segments_finding(rule, context, *mesh, f.item,
-                                fmt::format("{} more segments of this contact are no faces of any element", count));
+                                fmt::format("{} more segments of this contact are not faces of any element", count));
       },
       collect_segments(context, [&](const Found& f, const auto& add) { add(mesh->nodes(f.item)); }));
 }

@@ -12,7 +12,7 @@ TEST(BadIgnore, CommentsThatAreNotUnderstood) {
   ASSERT_EQ(report.findings.size(), 1U);
   EXPECT_EQ(report.findings[0].line, 2U);
   EXPECT_EQ(report.findings[0].severity, Severity::warning);
-  EXPECT_NE(report.findings[0].message.find("\"GC109999\" is no rule"), std::string::npos);
+  EXPECT_NE(report.findings[0].message.find("\"GC109999\" is not a rule"), std::string::npos);
   EXPECT_EQ(listed(with_comment("$ gapcheck: GC101")), 1U);
   EXPECT_EQ(listed(with_comment("$ gapcheck: ignore GC101 node")), 1U);
   EXPECT_EQ(listed(with_comment("$ gapcheck: ignore GC101 x\n$ gapcheck: ignore GC101 y")), 2U);

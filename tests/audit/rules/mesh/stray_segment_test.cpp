@@ -18,7 +18,7 @@ TEST(StraySegment, NoElementHasTheseCorners) {
   ASSERT_EQ(listed(report), 1U);
   EXPECT_EQ(report.findings[0].contact, 3);
   EXPECT_EQ(report.findings[0].node, 1);
-  EXPECT_NE(report.findings[0].message.find("segment 1 3 9 7 is no face"), std::string::npos)
+  EXPECT_NE(report.findings[0].message.find("segment 1 3 9 7 is not a face"), std::string::npos)
       << report.findings[0].message;
 }
 

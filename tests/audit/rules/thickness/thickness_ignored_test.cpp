@@ -40,7 +40,7 @@ TEST(ThicknessIgnored, NotWithShlthkOnCardBOrGlobally) {
   EXPECT_NE(report.findings[0].message.find("THKOPT = 2"), std::string::npos);
 }
 
-// *CONTROL_CONTACT is no help where THKOPT is not 0.
+// *CONTROL_CONTACT is of no help where THKOPT is not 0.
 TEST(ThicknessIgnored, AdviceThatHelps) {
   const auto message = [](int thkopt) {
     const std::string cards = fmt::format("0.\n1.,1.\n0,0.1,0,0.,0,0,0,0\n0.,{},0\n", thkopt);

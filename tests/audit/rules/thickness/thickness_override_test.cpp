@@ -27,7 +27,7 @@ TEST(ThicknessOverride, SstThatMakesThePenetrations) {
 
 TEST(ThicknessOverride, NotWhereTheElementsWouldPenetrateAsWell) {
   EXPECT_EQ(listed(run_rule("GC301", plates(0.25, 0.24, "1.,1."))), 0U);
-  EXPECT_EQ(listed(run_rule("GC301", plates(0.25, 0.25, "1.,1."))), 1U);  // touching is no penetration
+  EXPECT_EQ(listed(run_rule("GC301", plates(0.25, 0.25, "1.,1."))), 1U);  // touching is not a penetration
 }
 
 TEST(ThicknessOverride, NotNearTheRealThicknessAndNotWithoutPenetrations) {
