@@ -64,7 +64,8 @@ contact::NodeEncounter NodeSettler::encounter_of(SlotIndex slot, const NodeMeeti
   encounter.penetrates = true;
   encounter.penetration =
       scene_.nodes.half[slot.value] + scene_.segments.half[segment.value] - meeting.contact->distance;
-  if (tracked.pair.segment != segment)
+  // The spring of SOFT = 2 depends on how the two lie when they meet.
+  if (tracked.pair.segment != segment || tracked.memory.state == contact::NodeContact::State::apart)
     tracked.pair = {segment, rule_.release_depth(slot, segment), rule_.spring(slot, segment)};
   // A depth that follows the segment's shape or a thickness over time is that of this cycle.
   else if (scene_.contact.penchk == 2 || scene_.contact.airbag_thickness > 0)

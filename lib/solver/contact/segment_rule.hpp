@@ -10,8 +10,9 @@ namespace gapcheck::solver {
 /// The rule of segment-based contact (SOFT = 2): the corners of one side's segments in the other side's segments; both
 /// ways make all corners of each pair. Every segment gives each of its corners its share of the pair's stiffness, so
 /// the node's spring follows its share of the surface; segments that do not face the other one, such as the sides of a
-/// block beside the face that it stands on, give less or nothing. The initial depth is the baseline; nothing is moved
-/// or released, and a node that has passed a shell is still pushed back to where it came from.
+/// block beside the face that it stands on, give less or nothing. A pair keeps the spring that it began with. The
+/// initial depth is the baseline; nothing is moved or released, and a node that has passed a shell is still pushed back
+/// to where it came from.
 class SegmentRule final : public NodeRule {
  public:
   /// All references must outlive it.

@@ -64,7 +64,6 @@ std::size_t TrackedPairs::find_candidates(const contact::CandidateSearch& search
     found[slot.value] = true;
     TrackedNode& tracked = node(slot);
     tracked.sleep = tracked.lead = 0;
-    tracked.pair.segment = none<SegmentIndex>;
   }
   lost_.clear();
   for (const SlotIndex slot : positions<SlotIndex>(nodes_.size()))

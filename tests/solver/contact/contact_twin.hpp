@@ -66,8 +66,12 @@ class ContactTwin {
     fresh_ = false;
     return forces;
   }
-  /// That of the run, for SOFT = 2.
-  void set_step(Real step) { step_ = step; }
+  /// That of the run, for SOFT = 2. Another step changes all springs.
+  void set_step(Real step) {
+    if (step != step_)
+      for (Node& node : nodes_) node.facet = nullptr;
+    step_ = step;
+  }
   [[nodiscard]] Memory memory(std::size_t node) const { return nodes_[node].memory; }
   [[nodiscard]] std::size_t moved() const { return moved_; }
   /// Nodes behind the mid-surface of what they touch, SOFT = 2.
@@ -78,7 +82,9 @@ class ContactTwin {
     Real half = 0, stiffness = 0, forgiven = 0;
     std::set<std::size_t> own;  ///< nodes of its elements
     Memory memory = Memory::apart;
-    Point side{};  ///< where the node was last seen from the facet, SOFT = 2
+    Point side{};                  ///< where the node was last seen from the facet, SOFT = 2
+    const Facet* facet = nullptr;  ///< what it was last in contact with, SOFT = 2
+    Real shared = 0;               ///< stiffness of the spring to it
   };
   struct Meeting {
     const Facet* facet = nullptr;
@@ -247,6 +253,7 @@ class ContactTwin {
       node.memory = Memory::apart;
       node.forgiven = 0;
       node.side = {};
+      node.facet = nullptr;
       return;
     }
     const Facet& facet = *met.facet;
@@ -259,14 +266,18 @@ class ContactTwin {
     if (node.memory == Memory::apart && !followed(n, facet)) node.forgiven = met.penetration;
     node.memory = Memory::touching;
     node.forgiven = std::min(node.forgiven, met.penetration);
-    Real stiffness = 0, best = 0;
-    for (const Facet& own : facets_)
-      if (own.has(n)) best = std::max(best, cosine(own, facet, x));
-    for (const Facet& own : facets_)
-      if (own.has(n))
-        stiffness += (best > 0.01L ? cosine(own, facet, x) / best : 1) * 0.05L / (own.triangle() ? 3 : 4) * own.mass *
-                     facet.mass / (own.mass + facet.mass) / (step_ * step_);
-    give(n, met, stiffness * (met.penetration - node.forgiven), forces);
+    if (node.facet != met.facet) {  // the spring of a pair stays what it was when the pair began
+      node.facet = met.facet;
+      node.shared = 0;
+      Real best = 0;
+      for (const Facet& own : facets_)
+        if (own.has(n)) best = std::max(best, cosine(own, facet, x));
+      for (const Facet& own : facets_)
+        if (own.has(n))
+          node.shared += (best > 0.01L ? cosine(own, facet, x) / best : 1) * 0.05L / (own.triangle() ? 3 : 4) *
+                         own.mass * facet.mass / (own.mass + facet.mass) / (step_ * step_);
+    }
+    give(n, met, node.shared * (met.penetration - node.forgiven), forces);
   }
 
   static void give(std::size_t n, const Meeting& met, Real force, std::vector<Point>& forces) {
@@ -280,7 +291,7 @@ class ContactTwin {
   void act(std::size_t n, const Meeting& met, bool in_zone, std::vector<Vector>& x, std::vector<Point>& forces) {
     Node& node = nodes_[n];
     if (node.memory == Memory::released) {
-      if (!in_zone) node = {node.half, node.stiffness, 0, node.own, Memory::apart, {}};
+      if (!in_zone) node = {node.half, node.stiffness, 0, node.own, Memory::apart, {}, nullptr, 0};
       return;
     }
     if (met.facet == nullptr) {
