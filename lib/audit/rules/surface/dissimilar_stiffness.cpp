@@ -12,9 +12,17 @@
 namespace gapcheck::audit::rule::dissimilar_stiffness {
 namespace {
 
-/// Limit of the ratio of the bulk moduli; the workshop's example has exactly this (contact rules, section 11).
-constexpr double dissimilar = 100;
+/// A stiff part can press with about its yield stress, this share of its bulk modulus (steel: 350 of 175000).
+constexpr double yield_share = 0.002;
+/// A node is given up at this share of the element's thickness (PENMAX of solids; contact rules, section 5).
+constexpr double given_up = 0.5;
 constexpr double rounding = 1e-9;
+
+/// The ratio of the bulk moduli from which on the soft part's springs, SLSFAC SF K A / h, let a stiff part sink in
+/// until it is given up: yield_share K_stiff A = SLSFAC SF K_soft A / h · given_up h.
+double dissimilar(const model::Model& model, const model::Contact& contact) {
+  return given_up / yield_share * model.controls.slsfac * std::min(contact.sfs, contact.sfm);
+}
 
 /// A part of a side and the modulus that contact takes for it.
 struct StiffPart {
@@ -39,14 +47,14 @@ struct PartPair {
   [[nodiscard]] double ratio() const { return stiff.modulus / soft.modulus; }
 };
 
-/// The pair with the largest ratio from `dissimilar` on that the deck does not exclude.
-std::optional<PartPair> worst(const std::vector<StiffPart>& softer, const std::vector<StiffPart>& stiffer,
+/// The pair with the largest ratio from `limit` on that the deck does not exclude.
+std::optional<PartPair> worst(double limit, const std::vector<StiffPart>& softer, const std::vector<StiffPart>& stiffer,
                               const contact::Exclusions& exclusions, const Context& context) {
   std::optional<PartPair> found;
   for (const StiffPart& soft : softer) {
     for (auto stiff = stiffer.rbegin(); stiff != stiffer.rend(); ++stiff) {
       const PartPair pair{soft, *stiff};
-      if (pair.ratio() < dissimilar * (1 - rounding) || (found && pair.ratio() <= found->ratio())) break;
+      if (pair.ratio() < limit * (1 - rounding) || (found && pair.ratio() <= found->ratio())) break;
       if (exclusions.excluded(soft.part, stiff->part)) continue;
       if (context.part_chosen(soft.part) || context.part_chosen(stiff->part)) found = pair;
     }
@@ -68,15 +76,16 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     if (contact.soft != 0 || !contact.known || contact.own_layout || !penalty(contact::classify(contact))) continue;
     const contact::ContactSurfaces& surfaces = context.surfaces(i);
     const contact::Exclusions exclusions(model, contact.id);
+    const double limit = dissimilar(model, contact);
     const auto a = by_stiffness(model, surfaces.a);
     std::optional<PartPair> pair;
     if (surfaces.two_sided()) {
       const auto b = by_stiffness(model, surfaces.b);
-      pair = worst(a, b, exclusions, context);
-      const auto other = worst(b, a, exclusions, context);
+      pair = worst(limit, a, b, exclusions, context);
+      const auto other = worst(limit, b, a, exclusions, context);
       if (other && (!pair || other->ratio() > pair->ratio())) pair = other;
     } else {
-      pair = worst(a, a, exclusions, context);
+      pair = worst(limit, a, a, exclusions, context);
     }
     if (!pair) continue;
     const std::int64_t soft = model.part(pair->soft.part).id.value, stiff = model.part(pair->stiff.part).id.value;
