@@ -4,13 +4,13 @@
 
 #include <utility>
 
+#include "audit/shared/length_unit.hpp"
+
 namespace gapcheck::app {
 namespace {
 
-/// `--as-if thickness`: a deck should be free of penetrations with this SST, in millimetres. Source: contact rules,
-/// section 11.
+/// `--as-if thickness`: audit::recommended_millimetres without OPTT and IGNORE.
 constexpr std::string_view workshop_check = "thickness";
-constexpr double workshop_thickness = 0.5;
 
 }  // namespace
 
@@ -33,8 +33,8 @@ Result<std::vector<model::Assumption>> assumptions(const std::vector<std::string
       return plain_error(
           fmt::format("--as-if {0}: {1} mm in which unit? Give --units, or --as-if "
                       "SST=…,MST=…,OPTT=0,IGNORE=0",
-                      workshop_check, workshop_thickness));
-    const double thickness = workshop_thickness * millimetre;
+                      workshop_check, audit::recommended_millimetres));
+    const double thickness = audit::recommended_millimetres * millimetre;
     for (const auto& [field, value] :
          {std::pair<const char*, double>{"SST", thickness}, {"MST", thickness}, {"OPTT", 0}, {"IGNORE", 0}})
       list.push_back({field, value});

@@ -10,6 +10,10 @@ namespace gapcheck::audit {
 
 class Context;
 
+/// Thinner shells should be thickened for contact, and with this SST a deck should be free of penetrations, in
+/// millimetres. Source: contact rules, section 11.
+inline constexpr double recommended_millimetres = 0.5;
+
 /// A system of units in use.
 struct UnitSystem {
   std::string_view name;           ///< length-time-mass; pounds: force

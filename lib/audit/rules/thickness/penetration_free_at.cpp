@@ -12,10 +12,6 @@
 namespace gapcheck::audit::rule::penetration_free_at {
 namespace {
 
-/// The workshop's check: a deck should be free of penetrations at about this SST, in millimetres.
-/// Source: contact rules, section 11.
-constexpr double recommended_millimetres = 0.5;
-
 std::string segment_words(const Penetration& p) {
   return p.element != 0 ? fmt::format("element {}", p.element) : fmt::format("segment {}", p.segment_number);
 }

@@ -8,8 +8,6 @@
 namespace gapcheck::audit::rule::thickness_too_thin {
 namespace {
 
-/// Below this thickness, in millimetres, shells should be thickened for contact (contact rules, section 11).
-constexpr double least_millimetres = 0.5;
 /// Where the unit of length is not known: share of the shortest edge. A time step is about edge / c, so a node at speed
 /// v moves v / c edges in it; 0.003 is 15 m/s in steel, a car that hits a wall.
 constexpr double least_share_of_edge = 0.003;
@@ -20,7 +18,7 @@ double thinness(const Context& context, double millimetre, const contact::Contac
   const model::Model& model = context.model();
   if (s.kind[i] != contact::SegmentKind::shell || s.element[i] == none<PartIndex>.value) return 0;
   const double t = 2 * s.half[i];
-  const double least = millimetre > 0 ? least_millimetres * millimetre
+  const double least = millimetre > 0 ? recommended_millimetres * millimetre
                                       : least_share_of_edge * contact::shortest_edge(s.nodes[i], model.mesh.nodes.x);
   if (!(t < least) || s.rule[i] == ThicknessRule::edge_limit) return 0;
   const PartIndex part = part_of(model.mesh, s, i);
@@ -46,8 +44,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   const auto words = [&](const PartSegments& p) {
     const contact::Segments& s = *p.segments;
     const std::uint32_t worst = p.worst.item;
-    const std::string limit = unit.known() ? fmt::format("{:.4g} ({} mm{})", least_millimetres * unit.millimetre,
-                                                         least_millimetres, unit.clause())
+    const std::string limit = unit.known() ? fmt::format("{:.4g} ({} mm{})", recommended_millimetres * unit.millimetre,
+                                                         recommended_millimetres, unit.clause())
                                            : fmt::format("{} of their shortest edge", least_share_of_edge);
     return fmt::format(
         "{}: the contact thickness of {} is below {}, the thinnest is {} with {:.4g} ({}): nodes may pass through; "
