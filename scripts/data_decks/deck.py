@@ -33,6 +33,8 @@ class Deck:
         self.shell_thickness = {}  # element id -> thickness of its card
         self.recommends = False  # IGNORE = 2: the solver says where a node should be
         self.expected, self.not_checked = [], []
+        self.other_findings = {}  # name of the rule -> number of findings
+        self.reads_ignore = set()  # ids of contacts whose type has IGNORE
         self.mesh_file = None  # name of an include file for nodes and elements
 
     # Mesh ------------------------------------------------------------------------------------------------------
@@ -102,6 +104,8 @@ class Deck:
     def contact(self, keyword, cid, a, b=None, title="", a_type=3, b_type=3, card3=(), soft=None, card_b=None,
                 card_c=None, mpp_ignore=None, extra=()):
         """a, b: part ids (type 3) or part set ids (type 2). card_b and card_c are fields of the optional cards."""
+        if keyword.startswith("AUTOMATIC"):
+            self.reads_ignore.add(cid)
         name = f"*CONTACT_{keyword}" + ("_MPP" if mpp_ignore is not None else "") + "_ID"
         lines = [name, f"{cid:>10}{title}"]
         if mpp_ignore is not None:
@@ -146,6 +150,20 @@ class Deck:
     def expect_edge_zone(self, contact, node, h, distance, feature):
         self.expect(contact, node, h, distance, outcome="reported", feature=feature, rule="edge-zone-penetration")
 
+    def expect_others(self, **counts):
+        """Findings of rules on definitions, ties and crossings: number by name of the rule, with _ for -."""
+        self.other_findings.update({name.replace("_", "-"): count for name, count in counts.items()})
+
+    def others(self):
+        """Each contact with penetrations is audited with less thickness too; IGNORE is recommended where it would help."""
+        penetrated = {e["contact"] for e in self.expected}
+        counts = dict(self.other_findings)
+        if penetrated:
+            counts["penetration-free-at"] = len(penetrated)
+        if any(e["outcome"] in ("moved", "forced") and e["contact"] in self.reads_ignore for e in self.expected):
+            counts["ignore-recommended"] = 1
+        return dict(sorted(counts.items()))
+
     # Output ----------------------------------------------------------------------------------------------------
 
     def write(self, folder):
@@ -157,7 +175,7 @@ class Deck:
         rows = ",\n".join("    " + json.dumps(entry) for entry in sorted(
             self.expected, key=lambda e: (e["contact"], e["node"])))
         body = '{\n  "findings": [' + ("\n" + rows + "\n  " if rows else "") + "],\n"
-        body += f'  "not_checked": {json.dumps(self.not_checked)}\n}}\n'
+        body += f'  "others": {json.dumps(self.others())},\n  "not_checked": {json.dumps(self.not_checked)}\n}}\n'
         (folder / f"{self.name}.expected.json").write_text(body, encoding="ascii")
 
     def header(self):
@@ -171,7 +189,9 @@ class Deck:
             span = high if low == high else f"{low} to {high}"
             lines.append(f"$   contact {contact}: {len(depths)} x {rule} ({outcome}), penetration {span}")
         lines += [f"$   contact {c}: not checked" for c in self.not_checked]
-        if not groups and not self.not_checked:
+        others = self.others()
+        lines += [f"$   {count} x {name}" for name, count in others.items()]
+        if not groups and not others and not self.not_checked:
             lines.append("$   none")
         return lines
 

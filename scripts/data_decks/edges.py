@@ -38,6 +38,7 @@ def corner_node():
     deck.expect(1, near, 2.0, 0.7, unit([0.6, 0.2, 0.3]), feature="corner")
     beyond, _ = deck.fin(2, (-1.2, -0.4, 0.6), (-6.0, -6.0, 0.6), 2)
     deck.expect_edge_zone(1, beyond, 2.0, 1.4, "corner")
+    deck.expect_others(fine_reference=1)
     return deck
 
 

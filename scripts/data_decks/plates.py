@@ -87,6 +87,7 @@ def two_plates_crossing():
         elif distance < 1.0:
             deck.expect(1, node, 1.0, distance, direction)
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5)
+    deck.expect_others(crossed_elements=7)
     return deck
 
 
@@ -114,6 +115,7 @@ def t_joint():
         for j in range(4):
             deck.shell(2, [below[j], below[j + 1], above[j + 1], above[j]])
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5)
+    deck.expect_others(thickness_limited=2)
     return deck
 
 
@@ -210,6 +212,7 @@ def soft2_not_checked():
     stacked(deck, 0.7)
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5, soft=2)
     deck.not_checked.append(1)
+    deck.expect_others(segment_penetration=18)
     return deck
 
 
@@ -219,6 +222,7 @@ def mortar_not_checked():
     stacked(deck, 0.7)
     deck.contact("AUTOMATIC_SINGLE_SURFACE_MORTAR", 1, 0, title="all parts", a_type=5)
     deck.not_checked.append(1)
+    deck.expect_others(mortar_penetration=18)
     return deck
 
 
@@ -240,6 +244,8 @@ def tied_then_contact():
     deck.contact("TIED_SURFACE_TO_SURFACE_OFFSET", 1, 2, 1, "tie")
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 2, 0, title="all parts", a_type=5, card_c=(1, 1))
     expect_both(deck, 2, above, below, 1.0, 0.7, "kept")
+    # Seven nodes project beyond the lower plate; the corner is too far from it to be meant.
+    deck.expect_others(tie_offset=9, tie_rotations=1, tie_by_part=1, untied_node=6)
     return deck
 
 

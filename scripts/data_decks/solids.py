@@ -23,6 +23,7 @@ def solid_on_solid():
     for (_, _, k), node in upper.items():
         if k == 0:
             deck.expect(1, node, 0.0, 3.9 - 4.0, UP)
+    deck.expect_others(crossed_elements=8)
     return deck
 
 
@@ -38,6 +39,7 @@ def solid_single_surface():
         if k == 0:
             deck.expect(1, node, 0.0, 3.9 - 4.0, UP)
     deck.expect(1, lower[1, 1, 1], 0.0, 3.9 - 4.0, DOWN)
+    deck.expect_others(crossed_elements=8)
     return deck
 
 
@@ -53,6 +55,7 @@ def solid_deep_released():
         if k == 0:
             deck.expect_released(1, node, 0.0, 3.0 - 4.0)
     deck.expect_released(1, lower[1, 1, 1], 0.0, 3.0 - 4.0)
+    deck.expect_others(crossed_elements=8)
     return deck
 
 
@@ -79,6 +82,7 @@ def shell_on_solid_sldthk():
     deck.contact("AUTOMATIC_NODES_TO_SURFACE", 1, 2, 1, "plate on block", card_b=(0.0, 0, 0, 0, 0, 0, 0.4))
     for node in plate:
         deck.expect(1, node, 0.5 + 0.2, 4.3 - 4.0, UP)
+    deck.expect_others(thickness_too_thin=1)
     return deck
 
 
@@ -93,6 +97,7 @@ def solid_tapered():
     deck.part(2, "fin", thickness=0.2)
     deck.fin(2, (3.0, 1.5, 2.05), (3.0, 2.5, 2.05), 1)
     deck.contact("AUTOMATIC_NODES_TO_SURFACE", 1, 2, 1, "fin on wedge")
+    deck.expect_others(thickness_too_thin=1)
     return deck
 
 
@@ -110,6 +115,7 @@ def solid_row():
 
     deck.block(1, (8, 1, 1), (1.0, 4.0, 4.0), (0.3, 0.2, 0.1), turn)
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5)
+    deck.expect_others(solid_early_release=1)
     return deck
 
 

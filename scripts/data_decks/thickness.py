@@ -12,6 +12,7 @@ def thickness_sst():
     deck.contact("AUTOMATIC_SURFACE_TO_SURFACE", 2, 2, 1, "SST and MST", card3=(1.0, 1.0, 1.0, 1.0))
     for node in upper:
         deck.expect(2, node, 1.0, 0.5, UP)
+    deck.expect_others(thickness_override=2, thickness_too_thin=2, contact_timestep=4, overlapping_contacts=1)
     return deck
 
 
@@ -23,6 +24,7 @@ def thickness_sfst():
     deck.contact("AUTOMATIC_SURFACE_TO_SURFACE", 2, 2, 1, "scaled", card3=(1.0, 1.0, 0.0, 0.0, 2.0, 2.0))
     for node in upper:
         deck.expect(2, node, 1.0, 0.7, UP)
+    deck.expect_others(overlapping_contacts=1)
     return deck
 
 
@@ -39,6 +41,7 @@ def thickness_optt():
     for contact, h in ((1, 0.1 + 0.5), (2, 0.05 + 0.5)):
         for node in upper:
             deck.expect(contact, node, h, 0.5, outcome="kept")
+    deck.expect_others(thickness_override=2, thickness_too_thin=2, contact_timestep=4, overlapping_contacts=1)
     return deck
 
 
@@ -50,6 +53,7 @@ def thickness_th():
     deck.contact("AUTOMATIC_SURFACE_TO_SURFACE", 1, 2, 1, "TH")
     for node in upper:
         deck.expect(1, node, 1.0, 0.5, UP)
+    deck.expect_others(thickness_override=1, contact_timestep=2)
     return deck
 
 
@@ -61,6 +65,8 @@ def ssthk(value, h):
     deck.control_contact(ssthk=value)
     deck.contact("AUTOMATIC_SINGLE_SURFACE", 1, 0, title="all parts", a_type=5)
     expect_both(deck, 1, above, below, h, 0.7)
+    if value == 0:
+        deck.expect_others(thickness_limited=2)
     return deck
 
 
@@ -77,6 +83,7 @@ def thickness_shlthk_0():
         plates 1 thick, 0.7 apart, and nothing is found.""")
     inside(deck, 0.7)
     deck.contact("SURFACE_TO_SURFACE", 1, 2, 1, "no thickness")
+    deck.expect_others(thickness_ignored=1)
     return deck
 
 
@@ -102,6 +109,7 @@ def element_thickness():
         deck.expect(1, node, 0.6 + 0.1, 0.6, UP)
     for node in below:
         deck.expect(1, node, 0.6 + 0.1, 0.6, DOWN)
+    deck.expect_others(thickness_too_thin=1, contact_timestep=1)
     return deck
 
 
