@@ -13,7 +13,8 @@ import subprocess
 import sys
 import tempfile
 
-from plot_workshop import svg
+from chart import svg
+from state_energy import notes, ratios
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE, PICTURES = ROOT / "docs" / "solver-runs.md", ROOT / "docs" / "solver-runs"
@@ -161,6 +162,7 @@ def run(program, decks, folder, name, deck, until, front, more, view, interval):
     ratio = energies["total energy / initial energy"]
     total = energies["total energy."][-1]
     row = (f"| {name} | {end[1]} | {int(end[2]):,} | {min(ratio):.4f} to {max(ratio):.4f} | "
+           f"{ratios(done.stdout)[1]:.4f} | {notes(done.stdout)} | "
            f"{100 * energies['hourglass energy '][-1] / total:.1f} % | "
            f"{100 * energies['sliding interface energy'][-1] / total:.2f} % | "
            f"{max((f for _, f in curve), default=0):.4g} | {strain:.3g} |")
@@ -184,11 +186,12 @@ Units are those of the decks. The pictures show the last state, coloured by plas
 Contact forces are the magnitudes summed over all nodes of both sides and halved, since a single-surface contact has no
 resultant.
 
-| deck | end time | cycles | energy ratio | hourglass share | sliding share | largest contact force | plastic strain |
-|---|---:|---:|---|---:|---:|---:|---:|
+| deck | end time | cycles | energy ratio | by the state | who parts from the works | hourglass share | sliding share | largest contact force | plastic strain |
+|---|---:|---:|---|---:|---|---:|---:|---:|---:|
 """ + "\n".join(row for row, _ in done) + """
 
-Shares are of the total energy at the end. The deck of roll_forming comes without `*PART`: its parts were added with the
+Shares are of the total energy at the end. "By the state" is the ratio at the end from the energy that elements and contacts
+store ([energy of the state](theory/state-energy.md)). The deck of roll_forming comes without `*PART`: its parts were added with the
 sections and materials of the same numbers, and mesh refinement (`*CONTROL_ADAPTIVE`) is left out. Its yield curve is
 used as given: from 0 to 13 over a plastic strain of 1, where SIGY is 201. So the strip has hardly any strength and is
 drawn out to a thread: the run is in balance, but it is not the intended forming. The nodes of rigid bodies and welds of

@@ -16,15 +16,24 @@ FAULT = re.compile(r"^  (.+?) (created|lost) (\S+), (\S+) % of the largest energ
 UNKNOWN = re.compile(r"^  (.+?) has no energy of its state", re.MULTILINE)
 
 
+def ratios(text):
+    """By the works and by the state, from what a run prints at its end."""
+    return tuple(float(re.search(rf"^  {label} +(\S+)$", text, re.MULTILINE)[1])
+                 for label in ("energy ratio", "by the state"))
+
+
+def notes(text):
+    """Who parts from the works, and who is not covered."""
+    found = [f"{name} {did} {share} %" for name, did, _, share in FAULT.findall(text)]
+    return ", ".join(found + [f"{name} not covered" for name in UNKNOWN.findall(text)])
+
+
 def row(program, deck):
     with tempfile.TemporaryDirectory() as folder:
         text = subprocess.run([program, "run", deck, "-o", folder], check=True, text=True, stdout=subprocess.PIPE,
                               stderr=subprocess.DEVNULL).stdout
-    ratio = {label: float(re.search(rf"^  {label} +(\S+)$", text, re.MULTILINE)[1])
-             for label in ("energy ratio", "by the state")}
-    notes = [f"{name} {did} {share} %" for name, did, _, share in FAULT.findall(text)]
-    notes += [f"{name} not covered" for name in UNKNOWN.findall(text)]
-    return f"| {deck.stem} | {ratio['energy ratio']:.5g} | {ratio['by the state']:.5g} | {', '.join(notes)} |"
+    works, state = ratios(text)
+    return f"| {deck.stem} | {works:.5g} | {state:.5g} | {notes(text)} |"
 
 
 def main():

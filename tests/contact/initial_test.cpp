@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "contact/scene.hpp"
 
@@ -199,6 +201,93 @@ TEST(Initial, OrientedSurfaceTurnsTowardsTheOtherSide) {
   ASSERT_EQ(state.penetrations.size(), 1U);
   EXPECT_NEAR(state.penetrations[0].depth, 0.25, 1e-12);
   EXPECT_NEAR(state.penetrations[0].moved_to.z(), 0.25 * 0.002, 1e-12);
+}
+
+TEST(Initial, BandBeyondTheEndOfABeam) {
+  // A beam of length 10 and a corner of a thin plate 2.4 (s = 1.48) or 2.6 (s = 1.52) beyond its end.
+  for (const double beyond : {2.4, 2.6}) {
+    Scene scene;
+    const PartIndex p = scene.part(1, 0);
+    scene.model.sections[0].beam_radius = 3;
+    auto& beams = scene.model.mesh.beams;
+    beams.id = {1};
+    beams.nodes = {{scene.node({0, 0, 0}), scene.node({10, 0, 0})}};
+    beams.part = {p};
+    beams.line = {0};
+    const auto corner = scene.plate(scene.part(2, 0.1), {10 + beyond, 0, 0}, 10 * ex, 10 * ey, 1, 1)[0];
+    scene.contact("AUTOMATIC_GENERAL");
+    int listed = 0;
+    for (const Penetration& found : scene.run().penetrations) {
+      if (found.node != corner.value + 1) continue;
+      ++listed;
+      EXPECT_EQ(found.kind, beyond < 2.5 ? PenetrationKind::initial : PenetrationKind::edge_zone) << beyond;
+      EXPECT_NEAR(found.depth, 3.05 - beyond, 1e-12);
+    }
+    EXPECT_EQ(listed, 1) << beyond;
+  }
+}
+
+// Of two segments that are equally near, the first one counts.
+TEST(Initial, FirstOfEquallyNearSegments) {
+  for (const double along : {10., 20., 30.}) {
+    Scene scene;
+    scene.plate(scene.part(1, 1), {0, 0, 0}, 10 * ex, 10 * ey, 4, 1);
+    scene.model.sets.nodes[5].members = {scene.node({along, 5, 0.3})};
+    auto& c = scene.contact("AUTOMATIC_NODES_TO_SURFACE");
+    c.a = {5, 4, 0, true};
+    c.b = {1, 3, 0, true};
+    const InitialState state = scene.run();
+    ASSERT_EQ(state.penetrations.size(), 1U);
+    EXPECT_EQ(state.penetrations[0].element, std::lround(along / 10)) << along;
+  }
+}
+
+/// Nodes on both sides of an old contact's plate, whose normals look down: three above, one below, without thickness.
+InitialState nodes_around(std::int64_t orien, bool by_segments) {
+  Scene scene;
+  const PartIndex plate = scene.part(1, 1);
+  scene.plate(plate, {0, 0, 0}, 10 * ey, 10 * ex, 2, 2);
+  std::vector<NodeIndex> nodes;
+  for (const double z : {2.0, 3.0, 1.0, -0.25}) nodes.push_back(scene.node({7 + z, 8, z}));
+  scene.model.sets.nodes[5].members = nodes;
+  scene.model.sets.segments[6].members = scene.model.mesh.shells.nodes;
+  scene.model.controls.orien = orien;
+  auto& c = scene.contact("NODES_TO_SURFACE");
+  c.a = {5, 4, 0, true};
+  if (by_segments)
+    c.b = {6, 0, 0, true};
+  else
+    c.b = {1, 3, 0, true};
+  return scene.run();
+}
+
+// ORIEN of *CONTROL_CONTACT: 1 turns surfaces given by parts, 2 also those of segments, 0 none.
+TEST(Initial, SurfacesThatTheSolverTurns) {
+  for (const auto& [orien, by_segments, turned] :
+       {std::tuple{1, false, true}, std::tuple{1, true, false}, std::tuple{2, true, true}, std::tuple{2, false, true},
+        std::tuple{0, false, false}, std::tuple{0, true, false}}) {
+    const InitialState state = nodes_around(orien, by_segments);
+    double deepest = 0;
+    for (const Penetration& found : state.penetrations) deepest = std::max(deepest, found.depth);
+    EXPECT_EQ(state.penetrations.size(), turned ? 1U : 3U) << orien << by_segments;
+    EXPECT_NEAR(deepest, turned ? 0.25 : 3, 1e-12) << orien << by_segments;
+  }
+}
+
+// An oriented shell sees nodes behind it up to half of its shorter diagonal.
+TEST(Initial, DepthBehindOrientedShells) {
+  const double limit = std::sqrt(200.) / 2;
+  for (const double depth : {0.99 * limit, 1.01 * limit}) {
+    Scene scene;
+    scene.plate(scene.part(1, 1), {0, 0, 0}, 10 * ex, 10 * ey, 1, 1);
+    std::vector<NodeIndex> nodes{scene.node({5, 5, -depth})};
+    for (const double z : {1.0, 2.0, 3.0}) nodes.push_back(scene.node({5, 4, z}));
+    scene.model.sets.nodes[5].members = nodes;
+    auto& c = scene.contact("NODES_TO_SURFACE");
+    c.a = {5, 4, 0, true};
+    c.b = {1, 3, 0, true};
+    EXPECT_EQ(scene.run().penetrations.size(), depth < limit ? 1U : 0U) << depth;
+  }
 }
 
 TEST(Initial, SquareEdgesEndTheSurface) {

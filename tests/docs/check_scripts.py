@@ -23,6 +23,7 @@ LIMIT = 120  # seconds; on an idle machine none takes more than 20
 RUNS = [
     ("scripts/count_findings.py", "{gapcheck} data --small", "docs/real-decks.md"),
     ("scripts/impact_energy.py", "{test_solver} --small", "docs/theory/impact-energy.md"),
+    ("scripts/long_runs.py", "{gapcheck} --small", "docs/theory/long-runs.md"),
     ("scripts/pictures/terminal.py", "{gapcheck}", "docs/pictures/terminal.svg"),
     ("scripts/plot_workshop.py", "{gapcheck} --small", "docs/workshop/rebound_thickness.svg"),
     ("scripts/solver_accuracy.py", "{test_solver} --small", "docs/theory/solver-accuracy.md"),
@@ -59,7 +60,7 @@ LOADED_ONLY = {
     "tests/bench/work_precision/work_precision.py": "builds a program of its own",
 }
 # These write no page of docs/.
-OTHERS = {"scripts/make_workshop.py", "scripts/pictures/paraview_grid.py"}
+OTHERS = {"scripts/make_workshop.py", "scripts/mutate.py", "scripts/pictures/paraview_grid.py"}
 LOAD = "import runpy, sys; sys.path.insert(0, sys.argv[2]); runpy.run_path(sys.argv[1], run_name='loaded')"
 
 

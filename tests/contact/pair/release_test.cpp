@@ -26,6 +26,8 @@ TEST(Release, AutomaticTypes) {
   model::Contact c;
   c.penmax = 0.1;
   EXPECT_DOUBLE_EQ(depth("AUTOMATIC_SINGLE_SURFACE", shells, c), 0.1 * 3);
+  EXPECT_DOUBLE_EQ(depth("AUTOMATIC_GENERAL", shells, c), 0.1 * 3);
+  EXPECT_DOUBLE_EQ(depth("SINGLE_SURFACE", shells, c), 0.4 * 3) << "type 4 has no PENMAX";
 }
 
 TEST(Release, OldTypesByPenchk) {

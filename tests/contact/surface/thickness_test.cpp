@@ -42,6 +42,30 @@ TEST(Thickness, ScaleOfThePartStandsInForThatOfTheContact) {
   EXPECT_DOUBLE_EQ(beam_thickness(1, &part, side).value, 1.6);
 }
 
+// TH_SF multiplies what elements have, and no thickness of a card.
+TEST(Thickness, GlobalScale) {
+  model::Contact contact;
+  contact.sfst = 2;
+  ContactSettings settings;
+  settings.shlthk = 2;
+  model::Controls controls;
+  model::PartContact part;
+  const auto thickness = [&](bool b) {
+    return shell_thickness(1.5, 10, &part, false, thickness_side(contact, settings, controls, b)).value;
+  };
+  EXPECT_DOUBLE_EQ(thickness(false), 1.5 * 2);
+  controls.th_sf = 0.7;
+  EXPECT_DOUBLE_EQ(thickness(false), 1.5 * 2 * 0.7);
+  EXPECT_DOUBLE_EQ(thickness(true), 1.5 * 0.7);
+  EXPECT_DOUBLE_EQ(beam_thickness(0.5, &part, thickness_side(contact, settings, controls, false)).value, 2 * 0.7);
+  part.sft = 0.8;
+  EXPECT_DOUBLE_EQ(thickness(false), 1.5 * 0.8 * 0.7);
+  controls.th = 3;
+  EXPECT_DOUBLE_EQ(thickness(false), 3);
+  contact.mst = 0.25;
+  EXPECT_DOUBLE_EQ(thickness(true), 0.25);
+}
+
 TEST(Thickness, SidesWhoseShellThicknessIsIgnored) {
   model::Contact contact;
   contact.sst = contact.mst = 2;

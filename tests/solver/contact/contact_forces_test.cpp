@@ -244,6 +244,27 @@ TEST(ContactForces, BlockSlidesToRest) {
   EXPECT_NEAR(scene.stepper->energies().ratio(), 1, 1e-6);
 }
 
+// The coefficient falls from FS to FD with the speed: dv/dt = -g (FD + (FS - FD) exp(-DC v)).
+TEST(ContactForces, FrictionDecaysWithTheSpeed) {
+  const double h = 0.05, weight = 0.02, fs = 0.3, fd = 0.1, dc = 60, v = 0.03, dt = 1e-3;
+  ContactScene scene(
+      node_over_quad(h - weight / stiffness, 2 * h, no_shooting, "", fmt::format("{},{},{}", fs, fd, dc)),
+      [&](Structure& s) {
+        hold_quad(s);
+        s.state.v[4].x() = v;
+      },
+      steps(dt));
+  scene.stepper->add(std::make_unique<Weight>(weight));
+  double speed = v;
+  for (int i = 0; i < 5000; ++i) {
+    const auto slope = [&](double u) { return -weight * (fd + (fs - fd) * std::exp(-dc * u)); };
+    speed += dt * slope(speed + dt / 2 * slope(speed));
+  }
+  scene.step(5000);
+  ASSERT_GT(speed, 0.3 * v) << "it still slides";
+  EXPECT_NEAR(scene.state().v[4].x(), speed, 0.01 * v);
+}
+
 // Below μ N a force does not move it, above it does.
 TEST(ContactForces, StickLimit) {
   class Pull : public Force {

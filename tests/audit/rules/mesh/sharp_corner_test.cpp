@@ -34,7 +34,8 @@ TEST(SharpCorner, BelowThirtyDegrees) {
     EXPECT_NE(report.findings[0].message.find("shell 1 of part 1 and shell 3 of part 1 meet at 20.0 degrees"),
               std::string::npos)
         << report.findings[0].message;
-    EXPECT_EQ(listed(hinge(40, turned)), 0U);
+    EXPECT_EQ(listed(hinge(29.9, turned)), 2U);
+    EXPECT_EQ(listed(hinge(30.1, turned)), 0U);
     EXPECT_EQ(listed(hinge(180, turned)), 0U);
   }
 }

@@ -14,7 +14,7 @@ Report strip(double width) {
   return run_rule("GC511", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"));
 }
 
-// sqrt(100) / sqrt(3) = 5.77, sqrt(100) / sqrt(5) = 4.47.
+// sqrt(100) / sqrt(3) = 5.77; 5.02 and 4.98 at widths of 0.397 and 0.403.
 TEST(UnevenMesh, MoreThanFiveTimes) {
   const Report report = strip(0.3);
   ASSERT_EQ(listed(report), 2U);
@@ -22,7 +22,8 @@ TEST(UnevenMesh, MoreThanFiveTimes) {
   EXPECT_EQ(report.findings[1].element, 2);
   EXPECT_NE(report.findings[0].message.find("shell 1 of part 1 is 5.77 times as large as shell 3"), std::string::npos)
       << report.findings[0].message;
-  EXPECT_EQ(listed(strip(0.5)), 0U);
+  EXPECT_EQ(listed(strip(0.397)), 2U);
+  EXPECT_EQ(listed(strip(0.403)), 0U);
 }
 
 TEST(UnevenMesh, OnlyWithACommonEdge) {

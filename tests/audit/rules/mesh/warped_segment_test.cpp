@@ -12,7 +12,7 @@ RuleDeck raised(double height) {
   return deck;
 }
 
-// cos a = 1 / (1 + (h / 10)²): 30.5 degrees at 4, 15.9 at 2.
+// cos a = 1 / (1 + (h / 10)²): 30.5 degrees at 4, 19.9 at 2.519, 20.1 at 2.546.
 TEST(WarpedSegment, BeyondTwentyDegreesOnly) {
   const Report report = run_rule("GC504", raised(4));
   ASSERT_EQ(listed(report), 1U);
@@ -21,7 +21,8 @@ TEST(WarpedSegment, BeyondTwentyDegreesOnly) {
   EXPECT_EQ(report.findings[0].contact, 1);
   EXPECT_NE(report.findings[0].message.find("shell 7 of part 1 is warped by 30.5 degrees"), std::string::npos)
       << report.findings[0].message;
-  EXPECT_EQ(listed(run_rule("GC504", raised(2))), 0U);
+  EXPECT_EQ(listed(run_rule("GC504", raised(2.546))), 1U);
+  EXPECT_EQ(listed(run_rule("GC504", raised(2.519))), 0U);
 }
 
 TEST(WarpedSegment, OfChosenPartsAndContactsOnly) {

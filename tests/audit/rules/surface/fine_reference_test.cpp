@@ -19,7 +19,8 @@ TEST(FineReference, ReferenceSideMustNotBeFiner) {
   EXPECT_NE(report.findings[0].message.find("2 times finer than the tracked side A (mean edges 2 and 4)"),
             std::string::npos)
       << report.findings[0].message;
-  EXPECT_EQ(listed(reference_with(3, "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE")), 0U);
+  EXPECT_EQ(listed(reference_with(2.66, "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE")), 1U) << "1.504 times";
+  EXPECT_EQ(listed(reference_with(2.68, "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE")), 0U) << "1.493 times";
   EXPECT_EQ(listed(reference_with(8, "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE")), 0U);
 }
 
