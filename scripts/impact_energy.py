@@ -31,6 +31,10 @@ def measured(program, chosen):
                     yield match.groups(), tuple(float(number) for number in value.split())
 
 
+def percent(share):
+    return f"{round(100 * share, 1) + 0.0:.1f} %"  # no "-0.0"
+
+
 def table(program, chosen):
     rows = {}
     for (shape, kind, soft, tssfac, *start), numbers in measured(program, chosen):
@@ -43,8 +47,8 @@ def table(program, chosen):
             same = [start for start, others in starts.items() if others == numbers]
             names = "all starts" if len(same) == len(STARTS) else ", ".join(STARTS[start] for start in same)
             mean, least, greatest, cycles = numbers
-            lines.append(f"| {shape} | {kind} | {soft} | {tssfac} | {100 * mean:.1f} % | {100 * least:.1f} % | "
-                         f"{100 * greatest:.1f} % | {cycles:.0f} | {names} |")
+            lines.append(f"| {shape} | {kind} | {soft} | {tssfac} | {percent(mean)} | {percent(least)} | "
+                         f"{percent(greatest)} | {cycles:.0f} | {names} |")
             for start in same:
                 del starts[start]
     return "\n".join(lines) + "\n"

@@ -26,8 +26,11 @@ def run(program, deck, folder, *options):
     folder.mkdir()
     path = folder / "deck.k"
     path.write_text("*KEYWORD\n" + deck + "*END\n", encoding="ascii")
-    return subprocess.run([program, "run", path, "-o", folder / "run", *options], check=True, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+    text = subprocess.run([program, "run", path, "-o", folder / "run", *options], text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL).stdout
+    if not re.search(r"^(Normal end|Ended)", text, re.MULTILINE):
+        raise RuntimeError(f"{path} was not run")
+    return text
 
 
 def cubes(part, start, counts, side, shift=(0.0, 0.0, 0.0)):
@@ -173,9 +176,9 @@ def breathes():
 
 def bodies():
     """Decks by name, those that turn and those that vibrate."""
-    turning = {f"bricks, IHQ {ihq}": block(2) + SPIN + hourglass(ihq) for ihq in (4, 5, 1, 2, 3)}
-    turning["skewed quads, IHQ 4"] = plate(False, 1) + SPIN + hourglass(4)
-    turning["triangles"] = plate(True, 1) + SPIN
+    turning = {"bricks, IHQ 4": block(2) + SPIN + hourglass(4), "skewed quads, IHQ 4": plate(False, 1) + SPIN + hourglass(4),
+               "triangles": plate(True, 1) + SPIN}
+    turning.update({f"bricks, IHQ {ihq}": block(2) + SPIN + hourglass(ihq) for ihq in (1, 2, 3, 5)})
     vibrating = {"square quads, IHQ 4": plate(False, 0) + shaken() + hourglass(4),
                  "skewed quads, IHQ 4": plate(False, 1) + shaken() + hourglass(4),
                  "triangles": plate(True, 1) + shaken(), "one brick": block(1) + breathes()}
@@ -203,14 +206,16 @@ def body_table(program, folder, cycles, most):
             place = folder / f"{motion}_{number}"
             text = run(program, f"{deck}*CONTROL_TERMINATION\n1e9\n*DATABASE_GLSTAT\n{3e-8 * cycles:g}\n", place,
                        "--cycles", str(cycles))
-            curve = kinetic_energy(place, cycles)
+            early = re.search(r"^Ended with an error at time \S+, cycle (\d+)", text, re.MULTILINE)
+            curve = kinetic_energy(place, int(early[1]) if early else cycles)
             rows.append(f"| {name} | {motion} | {min(share for _, share in curve):.5f} | "
-                        f"{max(share for _, share in curve):.5f} | {notes(text) or 'nobody'} |")
-            if name not in ("bricks, IHQ 1", "bricks, IHQ 2", "bricks, IHQ 3"):  # as IHQ 4 and 5
+                        f"{max(share for _, share in curve):.5f} | "
+                        f"{f'ends with an error in cycle {int(early[1]):,}' if early else notes(text) or 'nobody'} |")
+            if len(curves) < 4:
                 curves[name] = curve
         picture = svg(curves, "million cycles", "largest kinetic energy over the initial one")
         (PICTURES / f"{motion}.svg").write_text(picture, encoding="ascii")
-    head = ["| body | motion | least | greatest | created or lost energy |", "|---|---|---:|---:|---|"]
+    head = ["| body | motion | least | greatest | end, and who differs |", "|---|---|---:|---:|---|"]
     return "\n".join(head + rows) + "\n"
 
 

@@ -236,10 +236,15 @@ SolverStatus Stepper::check_energy() {
                              std::abs(e.kinetic) + std::abs(e.internal) + std::abs(e.hourglass) + std::abs(e.external));
   const double excess = e.total() - e.initial - e.external;
   if (settings_.energy_tolerance <= 0 || std::abs(excess) <= settings_.energy_tolerance * largest_energy_) return {};
+  // Viscous control lets hourglass modes creep: what turns or is pressed for long ends in them.
+  const char* what_to_do =
+      std::abs(e.hourglass) > std::abs(e.internal)
+          ? "hourglass energy exceeds internal energy: try hourglass control by stiffness (IHQ = 4 "
+            "or 5), or a smaller time step factor"
+          : "try a smaller time step factor";
   return Failure{Failure::Kind::energy_ratio,
-                 fmt::format("the energies at time {:g} are out of balance by {:g} (energy ratio {:g}); try a smaller "
-                             "time step factor",
-                             structure_.state.time, excess, e.ratio())};
+                 fmt::format("the energies at time {:g} are out of balance by {:g} (energy ratio {:g}); {}",
+                             structure_.state.time, excess, e.ratio(), what_to_do)};
 }
 
 void Stepper::move(double next) {
