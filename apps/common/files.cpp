@@ -43,7 +43,7 @@ Status replace_file(const std::string& path, std::string_view text) {
 std::string line_of(std::string_view program, const Diagnostic& diagnostic) {
   std::string line = fmt::format("{}: {}: ", program, report::name(diagnostic.severity));
   if (!diagnostic.file.empty()) {
-    line += report::printable(diagnostic.file);
+    line += report::printable_path(diagnostic.file);
     if (diagnostic.line != 0) line += fmt::format(":{}", diagnostic.line);
     line += ": ";
   }

@@ -111,7 +111,7 @@ Status make_folders(const AuditArguments& arguments, AuditArguments& own) {
 
 /// "known/a: cannot be opened: …"
 std::string reason_of(const Diagnostic& why) {
-  std::string place = report::printable(why.file);
+  std::string place = report::printable_path(why.file);
   if (why.line != 0) place += fmt::format(":{}", why.line);
   return (place.empty() ? "" : place + ": ") + report::printable(why.message);
 }

@@ -122,7 +122,7 @@ int compare_sources(CompareArguments arguments) {
                    : report::comparison_text(comparison, *first, *second, arguments.top, compared));
   if (arguments.stats)
     for (const Report* source : {&*first, &*second})
-      std::fputs((report::printable(source->input) + '\n' + report::statistics(*source)).c_str(), stderr);
+      std::fputs((report::printable_path(source->input) + '\n' + report::statistics(*source)).c_str(), stderr);
   Status written = output.close();
   if (written.ok()) written = curves.write_plots(arguments.top);
   failures.add(written);

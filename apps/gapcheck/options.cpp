@@ -138,7 +138,7 @@ Status write(const report::Reports& reports, const OutputOptions& options) {
     write_format(reports, options, [&output](std::string_view piece) { return output.write(piece); });
     if (options.text.stats)
       for (const Report& report : reports.all) {
-        if (reports.several()) std::fputs((report::printable(report.input) + "\n").c_str(), stderr);
+        if (reports.several()) std::fputs((report::printable_path(report.input) + "\n").c_str(), stderr);
         std::fputs(report::statistics(report).c_str(), stderr);
       }
   }

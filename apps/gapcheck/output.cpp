@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/files.hpp"
+#include "common/terminal.hpp"
 
 namespace gapcheck::app {
 
@@ -35,7 +36,7 @@ Status Output::close() {
 
 bool Output::color() const {
   const char* no_color = std::getenv("NO_COLOR");
-  return file_ == stdout && ::isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
+  return file_ == stdout && obeys_escapes(STDOUT_FILENO) && (no_color == nullptr || *no_color == '\0');
 }
 
 void print(const Diagnostic& diagnostic) { std::fputs(line_of("gapcheck", diagnostic).c_str(), stderr); }

@@ -20,7 +20,7 @@ class Output {
   bool write(std::string_view text);
   /// Finishes writing; the first failure, if there was any.
   [[nodiscard]] Status close();
-  /// Use ANSI colours: a terminal, and NO_COLOR is not set.
+  /// Use ANSI colours: a terminal that is not dumb, and NO_COLOR is not set.
   [[nodiscard]] bool color() const;
 
  private:

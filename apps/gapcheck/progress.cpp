@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <utility>
 
+#include "common/terminal.hpp"
+
 namespace gapcheck::app {
 
 Progress::Progress(std::string what, bool wanted) {
-  if (wanted && ::isatty(STDERR_FILENO) != 0) thread_ = std::thread([this, what = std::move(what)] { run(what); });
+  if (wanted && obeys_escapes(STDERR_FILENO)) thread_ = std::thread([this, what = std::move(what)] { run(what); });
 }
 
 Progress::~Progress() {

@@ -155,6 +155,7 @@ int run_deck(const RunArguments& arguments) {
     if (!model) print(model.error());
     return failed;
   }
+  keyword::note_missing_end(deck.value(), diagnostics);
   tell_output_notes(deck.value(), model.value(), diagnostics);
   Failures failures(print);
   tell_unsupported(solver::unsupported(deck.value(), model.value()), arguments, failures);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "common/terminal.hpp"
+
 namespace gapcheck::app {
 
 std::string duration(double seconds) {
@@ -16,7 +18,7 @@ std::string duration(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
-RunProgress::RunProgress(bool wanted) : wanted_(wanted && ::isatty(STDERR_FILENO) != 0) {}
+RunProgress::RunProgress(bool wanted) : wanted_(wanted && obeys_escapes(STDERR_FILENO)) {}
 
 RunProgress::~RunProgress() {
   if (shown_) std::fputs("\r\x1b[K", stderr);

@@ -142,6 +142,7 @@ Result<RunSummary> run_deck(const std::string& deck, const std::string& director
   if (!read) return error_of(read.error(), diagnostics);
   const auto model = model::read_model(read.value(), diagnostics);
   if (!model) return error_of(model.error(), diagnostics);
+  keyword::note_missing_end(read.value(), diagnostics);
   add_output_notes(read.value(), model.value(), diagnostics);
   add_unsupported(solver::unsupported(read.value(), model.value()), options.ignore_unsupported, diagnostics);
   if (diagnostics.has_errors()) return first_error(diagnostics);

@@ -212,6 +212,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
 Result<Report> audit(Result<keyword::Deck> deck, Clock::time_point start, const std::string& input,
                      const AuditOptions& options, Diagnostics& diagnostics) {
   if (!deck) return deck.error();
+  keyword::note_missing_end(deck.value(), diagnostics);
   const double read_s = since(start);
   const auto model_start = Clock::now();
   auto model = model::read_model(deck.value(), diagnostics);

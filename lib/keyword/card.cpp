@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "keyword/line_ends.hpp"
 
 namespace gapcheck::keyword {
 namespace {
@@ -234,7 +235,7 @@ void CardReader::advance() {
     const auto end = rest_.find('\n');
     current_ = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    if (current_.ends_with('\r')) current_.remove_suffix(1);
+    current_ = without_returns(current_);
     line_ = next_line_++;
     if (!current_.starts_with('$')) return;
   }

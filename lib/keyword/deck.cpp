@@ -8,6 +8,7 @@
 
 #include "base/number.hpp"
 #include "keyword/deck_reader.hpp"
+#include "keyword/line_ends.hpp"
 #include "keyword/upper_case.hpp"
 
 namespace gapcheck::keyword {
@@ -19,11 +20,22 @@ constexpr std::size_t max_directives = 1'000'000;
 
 /// An error if a file cannot be a keyword file.
 Status check_text(std::string_view bytes, const std::string& name) {
-  const auto error = [&](const char* what) { return Diagnostic{Severity::error, name, 0, what}; };
+  const auto error = [&](const std::string& what) { return Diagnostic{Severity::error, name, 0, what}; };
   if (bytes.empty()) return error("is empty; give a keyword file");
   if (bytes.substr(0, 4096).find('\0') != std::string_view::npos)
     return error("is not a keyword file (it is binary or in a wide encoding); give the text file with the keywords");
+  if (const std::string ends = foreign_line_ends(bytes); !ends.empty()) return error(about_line_ends(ends));
   return {};
+}
+
+/// An error if the lines that structure a file are not those of a deck.
+Status check_keywords(const std::vector<Mark>& marks, const std::string& name) {
+  const bool any = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
+    return mark.kind == Mark::Kind::keyword || mark.kind == Mark::Kind::encrypted_begin;
+  });
+  if (any) return {};
+  return Diagnostic{Severity::error, name, 0,
+                    "holds no keyword (no line of it starts with *); give an LS-DYNA keyword file"};
 }
 
 /// The letter after `NAME=` among the options of *KEYWORD; NUL if absent.
@@ -63,7 +75,7 @@ std::optional<std::uint32_t> first_data_line(std::string_view bytes, std::size_t
 
 /// The block of a keyword line, still without its data. *KEYWORD changes the format of the rest of its file.
 Block block_of(FileContext& context, std::string_view line) {
-  const auto name_end = std::min(line.find_first_of(" \t"), line.size());
+  const auto name_end = std::min({line.find_first_of(" \t"), foreign_break(line), line.size()});
   Block block;
   block.name = upper_case(line.substr(1, std::max<std::size_t>(name_end, 1) - 1));
   if (block.name == "KEYWORD") context.format = format_of(line.substr(name_end), context.format);
@@ -85,12 +97,36 @@ std::optional<std::uint32_t> add_directives(const FileContext& context, std::str
                                             std::vector<Directive>& directives) {
   for (const Mark& comment : comments) {
     if (comment.offset >= read_to) break;
+    if (comment.kind != Mark::Kind::directive) continue;
     if (directives.size() == max_directives) return comment.line;
     std::size_t next = 0;
     if (const auto text = directive_text(line_at(bytes, comment.offset, next)))
       directives.push_back({*text, context.file, comment.line, context.transform});
   }
   return std::nullopt;
+}
+
+/// An error for keywords and comments before `read_to` with line breaks that are no line ends; one for all of them.
+void check_breaks(const std::string& path, const std::vector<Mark>& marks, std::size_t read_to,
+                  Diagnostics& diagnostics) {
+  std::uint32_t first = 0;
+  std::size_t count = 0;
+  for (const Mark& mark : marks) {
+    if (mark.kind != Mark::Kind::foreign_break || mark.offset >= read_to) continue;
+    if (count++ == 0) first = mark.line;
+  }
+  if (count == 0) return;
+  const std::string which = count > 1 ? ", the first of " + std::to_string(count) + " such lines" : "";
+  diagnostics.error(path, first,
+                    "holds a line break that is neither LF nor CR LF (CR, U+0085, U+2028 or U+2029)" + which +
+                        "; what follows it is not read; convert the line ends of the file");
+}
+
+/// An error for data between `begin` and the first keyword at `end`.
+void check_before_keywords(const SourceFile& file, std::size_t begin, std::size_t end, Diagnostics& diagnostics) {
+  if (const auto line = first_data_line(file.bytes, begin, end, 0))
+    diagnostics.error(file.path, *line,
+                      "data before the first keyword; start the file with *KEYWORD or remove the line");
 }
 
 }  // namespace
@@ -101,6 +137,7 @@ Result<Deck> DeckReader::read_path(const std::string& path) {
   const auto file = open_file(path, canonical_.back());
   if (!file) return file.error();
   if (const Status status = check_text(file.value()->bytes(), path); !status.ok()) return status.error();
+  if (const Status status = check_keywords(file.value()->marks(), path); !status.ok()) return status.error();
   FileContext context;
   context.file = add_file(path, file.value()->bytes(), nullptr, 0);
   context.scope = deck_.parameters_.add_scope(Parameters::global);
@@ -112,10 +149,12 @@ Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
   if (const Status status = check_text(text, name); !status.ok()) return status.error();
   deck_.texts_.push_back(std::move(text));
   canonical_.emplace_back();
+  const std::vector<Mark> marks = marks_of_file(deck_.texts_.back());
+  if (const Status status = check_keywords(marks, name); !status.ok()) return status.error();
   FileContext context;
   context.file = add_file(name, deck_.texts_.back(), nullptr, 0);
   context.scope = deck_.parameters_.add_scope(Parameters::global);
-  read_file(context, marks_of_file(deck_.texts_.back()));
+  read_file(context, marks);
   return finish();
 }
 
@@ -155,13 +194,16 @@ FileIndex DeckReader::add_file(const std::string& path, std::string_view bytes, 
 void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) {
   const std::string_view bytes = deck_.files_[context.file.value].bytes;
   const std::size_t begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
-  const auto directive = [](const Mark& mark) { return mark.kind == Mark::Kind::directive; };
+  const auto beside = [](const Mark& mark) {
+    return mark.kind == Mark::Kind::directive || mark.kind == Mark::Kind::foreign_break;
+  };
   std::vector<Mark> structure, comments;
-  if (std::any_of(lines.begin(), lines.end(), directive))
+  if (std::any_of(lines.begin(), lines.end(), beside))
     std::partition_copy(lines.begin(), lines.end(), std::back_inserter(comments), std::back_inserter(structure),
-                        directive);
+                        beside);
   const std::vector<Mark>& marks = comments.empty() ? lines : structure;
-  check_before_keywords(context, begin, marks.empty() ? bytes.size() : marks.front().offset);
+  check_before_keywords(deck_.file(context.file), begin, marks.empty() ? bytes.size() : marks.front().offset,
+                        diagnostics_);
   std::size_t read_to = bytes.size();
   for (std::size_t at = 0; at < marks.size() && !stopped_;) {
     const Mark& mark = marks[at];
@@ -183,17 +225,11 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
     read_to = mark.offset;
     break;
   }
+  check_breaks(path_of(context.file), comments, read_to, diagnostics_);
   if (const auto line = add_directives(context, bytes, comments, read_to, deck_.directives_))
     diagnostics_.error(path_of(context.file), *line,
                        "more than " + std::to_string(max_directives) +
                            " comments that start with \"gapcheck:\"; the rest was not read");
-}
-
-void DeckReader::check_before_keywords(const FileContext& context, std::size_t begin, std::size_t end) {
-  const std::string_view bytes = deck_.files_[context.file.value].bytes;
-  if (const auto line = first_data_line(bytes, begin, end, 0))
-    diagnostics_.error(path_of(context.file), *line,
-                       "data before the first keyword; start the file with *KEYWORD or remove the line");
 }
 
 /// Skips one encrypted block; returns the position of the mark after it.
@@ -232,6 +268,7 @@ bool DeckReader::add_block(Block block, const FileContext& context) {
   }
   block.order = static_cast<std::uint32_t>(deck_.blocks_.size());
   deck_.blocks_.push_back(block);
+  deck_.ended_ = deck_.ended_ || (block.name == "END" && block.file == FileIndex(0));
   dispatch(context, block);
   return block.name != "END" && !stopped_;
 }
@@ -249,6 +286,12 @@ void DeckReader::dispatch(const FileContext& context, const Block& block) {
     diagnostics_.warning(path_of(block.file), block.line,
                          "*CASE: the keywords of all cases are read as one model; split the deck to check one case");
   }
+}
+
+void note_missing_end(const Deck& deck, Diagnostics& diagnostics) {
+  if (deck.ended() || deck.counters().encrypted_blocks > 0) return;
+  diagnostics.add(
+      {Severity::note, deck.file(FileIndex(0)).path, 0, "ends without *END; if it was cut, what followed is missing"});
 }
 
 Result<Deck> read_deck(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics) {

@@ -69,6 +69,8 @@ class Deck {
   [[nodiscard]] const SourceFile& file(FileIndex index) const { return files_[index.value]; }
   /// By file and line; only from what is read, so not after *END.
   [[nodiscard]] std::span<const Directive> directives() const { return directives_; }
+  /// Whether the main file has *END.
+  [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[nodiscard]] const Transform& transform(TransformIndex index) const { return transforms_[index.value]; }
   [[nodiscard]] const DeckCounters& counters() const { return counters_; }
@@ -88,14 +90,19 @@ class Deck {
   Parameters parameters_;
   std::vector<Transform> transforms_{Transform{}};
   DeckCounters counters_;
+  bool ended_ = false;
 };
 
-/// Reads a deck with its includes. Errors that stop it (main file missing, binary, empty) come as the result's error;
-/// all others go to `diagnostics` with file and line, and reading continues, so that all are reported at once.
+/// Reads a deck with its includes. Errors that stop it (main file missing, binary, empty, without a keyword) come as
+/// the result's error; all others go to `diagnostics` with file and line, and reading continues, so that all are
+/// reported at once.
 Result<Deck> read_deck(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics);
 
 /// The same for a deck in memory; `name` replaces the file name; includes are looked up in the working directory.
 Result<Deck> read_deck_text(std::string text, const std::string& name, const ReadOptions& options,
                             Diagnostics& diagnostics);
+
+/// A note if the main file ends without *END: the solver reads it all the same, but it may have been cut.
+void note_missing_end(const Deck& deck, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::keyword

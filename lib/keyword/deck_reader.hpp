@@ -33,7 +33,6 @@ class DeckReader {
   [[nodiscard]] Result<std::shared_ptr<KeywordFile>> open_file(const std::string& path, const std::string& canonical);
   FileIndex add_file(const std::string& path, std::string_view bytes, const FileContext* includer, std::uint32_t line);
   void read_file(FileContext context, const std::vector<Mark>& marks);
-  void check_before_keywords(const FileContext& context, std::size_t begin, std::size_t end);
   std::size_t pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at);
   bool add_block(Block block, const FileContext& context);
   void dispatch(const FileContext& context, const Block& block);

@@ -2,6 +2,7 @@
 
 #include "base/number.hpp"
 #include "keyword/deck_reader.hpp"
+#include "keyword/line_ends.hpp"
 
 namespace gapcheck::keyword {
 namespace {
@@ -11,7 +12,9 @@ std::string beside(const std::string& file, const std::string& name) {
 }
 
 std::string problem_of(std::string_view bytes) {
-  return bytes.substr(0, 4096).find('\0') == std::string_view::npos ? "" : "is not a keyword file; it is binary";
+  if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) return "is not a keyword file; it is binary";
+  const std::string ends = foreign_line_ends(bytes);
+  return ends.empty() ? "" : about_line_ends(ends);
 }
 
 /// Why the file `canonical` cannot be included in the file `at` of `files`; empty: it can. `canonicals`: beside

@@ -35,10 +35,11 @@ bool is_blank(std::string_view line) {
 std::string_view line_from(std::string_view body, std::size_t at, std::size_t& next) {
   const char* start = body.data() + at;
   const void* newline = std::memchr(start, '\n', body.size() - at);
-  const std::size_t length =
+  std::size_t length =
       newline != nullptr ? static_cast<std::size_t>(static_cast<const char*>(newline) - start) : body.size() - at;
   next = at + length + 1;
-  return {start, length > 0 && start[length - 1] == '\r' ? length - 1 : length};
+  while (length > 0 && start[length - 1] == '\r') --length;
+  return {start, length};
 }
 
 bool is_row(std::string_view line) { return !line.starts_with('$') && !is_blank(line); }

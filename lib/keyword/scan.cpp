@@ -1,9 +1,9 @@
 #include "keyword/scan.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/parallel.hpp"
+#include "keyword/line_ends.hpp"
 
 namespace gapcheck::keyword {
 namespace {
@@ -43,12 +43,13 @@ FilePiece scan_piece(std::string_view bytes, std::size_t begin, std::size_t end)
   std::size_t offset = begin;
   while (offset < end) {
     const char first = bytes[offset];
+    const std::size_t newline = std::min(bytes.find('\n', offset), bytes.size());
     if (first == '*' || first == '-' || (first == '$' && may_be_directive(bytes, offset)))
       if (const auto kind = kind_of(bytes.substr(offset))) piece.marks.push_back({*kind, piece.lines, offset});
+    if ((first == '*' || first == '$') && foreign_break(bytes.substr(offset, newline - offset)) != bytes.npos)
+      piece.marks.push_back({Mark::Kind::foreign_break, piece.lines, offset});
     ++piece.lines;
-    const void* newline = std::memchr(bytes.data() + offset, '\n', bytes.size() - offset);
-    if (newline == nullptr) break;
-    offset = static_cast<std::size_t>(static_cast<const char*>(newline) - bytes.data()) + 1;
+    offset = newline + 1;
   }
   return piece;
 }
@@ -91,9 +92,7 @@ std::optional<std::string_view> directive_text(std::string_view line) {
 std::string_view line_at(std::string_view bytes, std::size_t offset, std::size_t& next) {
   const auto end = std::min(bytes.find('\n', offset), bytes.size());
   next = std::min(end + 1, bytes.size());
-  auto line = bytes.substr(offset, end - offset);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
+  return without_returns(bytes.substr(offset, end - offset));
 }
 
 }  // namespace gapcheck::keyword

@@ -8,9 +8,16 @@
 namespace gapcheck::keyword {
 
 /// A line that structures a file: one that starts with `*`, or the first or last line of an encrypted block; or a
-/// comment for gapcheck.
+/// comment for gapcheck; or a keyword or comment with a line break in it that is no line end (line_ends.hpp), beside
+/// its other mark.
 struct Mark {
-  enum class Kind : std::uint8_t { keyword, encrypted_begin, encrypted_end, directive } kind = Kind::keyword;
+  enum class Kind : std::uint8_t {
+    keyword,
+    encrypted_begin,
+    encrypted_end,
+    directive,
+    foreign_break
+  } kind = Kind::keyword;
   std::uint32_t line = 0;  ///< from 1
   std::size_t offset = 0;  ///< of the line's first character
 };
@@ -21,7 +28,8 @@ std::vector<Mark> find_marks(std::string_view bytes);
 /// The text after `$ gapcheck:` in a line; blanks before the name and its case do not matter. Nothing in other lines.
 std::optional<std::string_view> directive_text(std::string_view line);
 
-/// The line that starts at `offset`, without its line end; `next` is where the following line starts.
+/// The line that starts at `offset`, without its line end (LF, CR LF, CR CR LF); `next` is where the following line
+/// starts.
 std::string_view line_at(std::string_view bytes, std::size_t offset, std::size_t& next);
 
 }  // namespace gapcheck::keyword

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/number.hpp"
+#include "keyword/line_ends.hpp"
 
 namespace gapcheck::keyword {
 namespace {
@@ -128,8 +129,7 @@ std::string_view LineIndex::line(std::uint32_t number) const {
   const std::size_t end = number < starts_.size() ? starts_[number] : bytes_.size();
   std::string_view line = bytes_.substr(begin, end - begin);
   if (line.ends_with('\n')) line.remove_suffix(1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
+  return without_returns(line);
 }
 
 std::string with_lines(std::string_view bytes, const LineIndex& index, std::span<const LineEdit> edits) {

@@ -19,6 +19,7 @@
 #include "model/entity/rigid_wall.hpp"
 #include "model/entity/sets.hpp"
 #include "model/entity/weld.hpp"
+#include "model/unknown_keyword.hpp"
 
 namespace gapcheck::model {
 
@@ -69,6 +70,8 @@ struct Model {
   Output output;
   std::vector<std::string> files;                         ///< paths, by FileIndex
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
+  std::vector<UnknownKeyword> unknown_keywords;           ///< one per name, by their first place; at most a thousand
+  std::uint64_t more_unknown_keywords = 0;                ///< names beyond these
   std::map<std::string, std::uint64_t> skipped_keywords;  ///< name → blocks that were not used
   std::uint64_t skipped_bytes = 0;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 #include <tuple>
 
@@ -120,8 +121,19 @@ class Finder {
   }
 
   void find_keywords() {
+    // What the solver need not calculate may be a misspelt form of what it must.
+    std::map<std::string_view, std::string> misspelt;
+    for (const model::UnknownKeyword& unknown : model_.unknown_keywords)
+      if (misspelt.size() < model::unknown_keywords_looked_up)
+        misspelt.emplace(unknown.name, model::nearest_keyword(unknown));
     for (const keyword::Block& block : deck_.blocks()) {
       const Entry* known = find(bare(block.name));
+      if (const auto unknown = misspelt.find(block.name); unknown != misspelt.end()) {
+        add(block.name, {block.file, block.line},
+            unknown->second.empty() ? "it is not a known keyword"
+                                    : fmt::format("it is not a known keyword; did you mean *{}?", unknown->second));
+        continue;
+      }
       if (known != nullptr && known->treatment != Treatment::refused) continue;
       add(block.name, {block.file, block.line},
           known != nullptr ? std::string(known->why) : "the solver does not know this keyword");

@@ -55,6 +55,42 @@ TEST(Deck, FilesThatAreNoDecks) {
   EXPECT_NE(problem(directory.path()).find("directory"), std::string::npos);
 }
 
+TEST(Deck, TextWithoutAKeyword) {
+  for (const char* text : {"hello world\n", "$ only\n$ comments\n", " *NODE\n", "\n"}) {
+    Diagnostics diagnostics;
+    const auto deck = read_deck_text(text, "notes.txt", {}, diagnostics);
+    ASSERT_FALSE(deck.ok()) << text;
+    EXPECT_EQ(deck.error().message, "holds no keyword (no line of it starts with *); give an LS-DYNA keyword file");
+    EXPECT_EQ(deck.error().file, "notes.txt");
+  }
+  const TemporaryDirectory directory;
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_deck(directory.write("notes.txt", "hello\n"), {}, diagnostics).ok());
+  // An include may hold nothing but comments.
+  directory.write("empty.k", "$ later\n");
+  EXPECT_TRUE(read_deck(directory.write("main.k", "*INCLUDE\nempty.k\n*END\n"), {}, diagnostics).ok());
+  EXPECT_EQ(reports(diagnostics), "");
+}
+
+TEST(Deck, ANoteIfTheMainFileHasNoEnd) {
+  const auto note = [](const Deck& deck) {
+    Diagnostics diagnostics;
+    note_missing_end(deck, diagnostics);
+    EXPECT_EQ(count_errors(diagnostics), 0U);
+    return reports(diagnostics);
+  };
+  EXPECT_EQ(note(TextDeck("*KEYWORD\n*NODE\n1\n*END\n").deck), "");
+  EXPECT_NE(note(TextDeck("*KEYWORD\n*NODE\n1\n").deck).find("ends without *END"), std::string::npos);
+  EXPECT_EQ(note(TextDeck("*NODE\n-----BEGIN PGP MESSAGE-----\nx\n-----END PGP MESSAGE-----\n").deck), "");
+  const TemporaryDirectory directory;
+  directory.write("part.k", "*NODE\n1\n");
+  directory.write("ended.k", "*NODE\n1\n*END\n");
+  Diagnostics diagnostics;
+  EXPECT_EQ(note(read_deck(directory.write("a.k", "*INCLUDE\npart.k\n*END\n"), {}, diagnostics).value()), "");
+  EXPECT_NE(note(read_deck(directory.write("b.k", "*INCLUDE\nended.k\n"), {}, diagnostics).value()), "")
+      << "the end of an include is not that of the deck";
+}
+
 TEST(Deck, EncryptedBlocksArePassedOver) {
   TextDeck deck(
       "*KEYWORD\n*NODE\n       1\n-----BEGIN PGP MESSAGE-----\nVersion: 1\n\nabcdef\n-----END PGP MESSAGE-----\n"

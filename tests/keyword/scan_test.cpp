@@ -18,6 +18,9 @@ std::vector<Mark> marks_by_lines(const std::string& text) {
     const auto end = std::min(text.find('\n', at), text.size());
     const std::string line = text.substr(at, end - at);
     if (line.starts_with("*")) marks.push_back({Mark::Kind::keyword, number, at});
+    const auto last = line.find_last_not_of('\r');
+    if (line.find_first_of("*$") == 0 && line.find('\r') < last && last != std::string::npos)
+      marks.push_back({Mark::Kind::foreign_break, number, at});
     if (line.starts_with("-----BEGIN PGP MESSAGE-----")) marks.push_back({Mark::Kind::encrypted_begin, number, at});
     if (line.starts_with("-----END PGP MESSAGE-----")) marks.push_back({Mark::Kind::encrypted_end, number, at});
     static const std::regex directive("^\\$[ \t]*gapcheck:.*", std::regex::icase);
@@ -42,7 +45,7 @@ TEST(Scan, SmallTexts) {
   for (const char* text :
        {"", "\n", "*", "*A", "*A\n", "\n*A", " *A\n*B\n\n*C", "-----BEGIN PGP MESSAGE-----\n-\n----",
         "$*\n*\n**\r\n-----END PGP MESSAGE-----", "$gapcheck:", "$\t GapCheck: x\n$gapcheck :\n $gapcheck:\n$ gapcheck",
-        "$ \n$", "$ gapcheck\n: ignore\n$gapcheck:\n"})
+        "$ \n$", "$ gapcheck\n: ignore\n$gapcheck:\n", "$\ra\n*A\r\r\n*B\rC\r\nD\rE\n"})
     expect_same(text);
 }
 

@@ -187,6 +187,8 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   auto read = model::read_model(deck, diagnostics);
   if (!read) return read.error();
   model::Model& model = read.value();
+  keyword::note_missing_end(deck, diagnostics);
+  model::report_unknown_keywords(model, diagnostics);
   if (const Status status = check_choice(model, options); !status.ok()) return status.error();
   const std::vector<Vector> x = model.mesh.nodes.x;
   NodeLines lines(deck, model, x);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "keyword/line_ends.hpp"
 #include "model/read/cards.hpp"
 #include "model/read/context.hpp"
 
@@ -36,9 +37,7 @@ void for_each_line(const Block& block, const Visit& visit) {
   std::uint32_t number = block.line + 1;
   for (std::size_t at = 0; at < block.body.size(); ++number) {
     const std::size_t end = std::min(block.body.find('\n', at), block.body.size());
-    std::string_view line = block.body.substr(at, end - at);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    visit(line, number);
+    visit(keyword::without_returns(block.body.substr(at, end - at)), number);
     at = end + 1;
   }
 }

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "keyword/known_keywords.hpp"
 #include "model/read/context.hpp"
 
 namespace gapcheck::model {
@@ -135,7 +136,9 @@ constexpr KeywordFamily keyword_families[] = {
 struct Plan {
   Read read = nullptr;  ///< nullptr: skipped
   Phase phase = Phase::rest;
-  Options options;
+  Options options = {};
+  keyword::Standing standing = keyword::Standing::known;
+  std::size_t unknown = 0;  ///< position in Model::unknown_keywords, if the name is not known and there is room
 };
 
 bool contains_word(std::string_view words, std::string_view word) {
@@ -156,7 +159,9 @@ Plan plan_for(std::string_view name) {
     if (matches && (family == nullptr || candidate.name.size() > family->name.size())) family = &candidate;
   }
   if (family == nullptr || family->read == nullptr) return {};
-  Plan plan{family->read, family->phase, {}};
+  Plan plan;
+  plan.read = family->read;
+  plan.phase = family->phase;
   std::string_view rest = name.substr(family->name.size());
   while (!rest.empty()) {
     rest.remove_prefix(1);
@@ -168,6 +173,27 @@ Plan plan_for(std::string_view name) {
     rest.remove_prefix(cut);
   }
   return plan;
+}
+
+/// The plan for a name, and an entry among the unknown keywords if it is none of the manual's.
+Plan plan_for_new(const Block& block, Model& model) {
+  Plan plan = plan_for(block.name);
+  if (block.name.empty()) return plan;  // an error of its own
+  plan.standing = keyword::standing_of(block.name);
+  if (plan.standing == keyword::Standing::known) return plan;
+  // What is said of the unknown name says the same.
+  if (plan.read == warn_unread) plan.read = nullptr;
+  plan.unknown = model.unknown_keywords.size();
+  if (plan.unknown >= most_unknown_keywords)
+    ++model.more_unknown_keywords;
+  else
+    model.unknown_keywords.push_back({block.name, Context::place(block, block.line), 0, plan.read != nullptr});
+  return plan;
+}
+
+void count_unknown(const Plan& plan, Model& model) {
+  if (plan.standing != keyword::Standing::known && plan.unknown < model.unknown_keywords.size())
+    ++model.unknown_keywords[plan.unknown].count;
 }
 
 void skip_block(const Block& block, Model& model) {
@@ -184,8 +210,9 @@ void read_blocks(Context& context) {
   std::array<std::vector<PlannedBlock>, phases> planned;
   for (const Block& block : context.deck.blocks()) {
     const auto [entry, is_new] = plans.try_emplace(block.name);
-    if (is_new) entry->second = plan_for(block.name);
+    if (is_new) entry->second = plan_for_new(block, context.model);
     const Plan& plan = entry->second;
+    count_unknown(plan, context.model);
     if (plan.read == nullptr || plan.read == warn_unread) skip_block(block, context.model);
     if (plan.read != nullptr) planned[static_cast<std::size_t>(plan.phase)].push_back({&block, &plan});
   }

@@ -190,7 +190,7 @@ void append_curves(const CurveComparison& curves, std::size_t top, std::string& 
 
 std::string comparison_text(const Comparison& comparison, const Report& first, const Report& second, std::size_t top,
                             const CurveComparison* curves) {
-  std::string out = fmt::format("A: {}\nB: {}\n\n", printable(first.input), printable(second.input));
+  std::string out = fmt::format("A: {}\nB: {}\n\n", printable_path(first.input), printable_path(second.input));
   append_contacts(comparison, out);
   append_tie_counts(comparison, out);
   by_contact(std::span(comparison.differences), [&](auto part) { append_differences(part, top, out); });

@@ -8,6 +8,7 @@
 #include "report/format/formats.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/item.hpp"
+#include "report/write/harmless.hpp"
 #include "report/write/stream.hpp"
 #include "report/write/xml_text.hpp"
 
@@ -20,7 +21,10 @@ class Line {
   explicit Line(Buffer& out) : out_(out) {}
   void text(std::string_view bytes) {
     comma();
-    const std::string text = plain_text(bytes);
+    std::string text = plain_text(bytes);
+    // Spreadsheets calculate what begins so.
+    if (!text.empty() && std::string_view("=+-@\t").find(text.front()) != std::string_view::npos)
+      text.insert(text.begin(), '\'');
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) return out_.append(std::string_view(text));
     out_.push_back('"');
     for (const char c : text) {
@@ -83,12 +87,12 @@ void append_lines(const Report& report, const Columns& columns, Stream& stream) 
       line.number(item.position ? (*item.position)[axis] : 0, item.position.has_value());
     line.text(item.outcome);
     line.id(static_cast<std::int64_t>(item.count));
-    line.text(item.file);
+    line.text(harmless_path(item.file));
     line.id(item.line);
     line.text(fmt::format(FMT_COMPILE("{:016x}"), item.fingerprint));
     line.text(item.message);
     if (columns.baseline) line.text(item.state ? name(*item.state) : "");
-    if (columns.deck) line.text(report.input);
+    if (columns.deck) line.text(harmless_path(report.input));
     line.end();
     stream.pause();
     return stream.open();

@@ -22,7 +22,7 @@ std::string plural(std::uint64_t count, std::string_view thing) {
 }
 
 std::string file_and_line(const FixReport& report, std::uint32_t file, std::uint32_t line) {
-  return file < report.files.size() ? fmt::format("{}:{}", printable(report.files[file]), line) : "";
+  return file < report.files.size() ? fmt::format("{}:{}", printable_path(report.files[file]), line) : "";
 }
 
 void contacts(const FixReport& report, std::string& out) {
@@ -190,7 +190,7 @@ Json proposal_json(const FixProposal& p) {
 std::string fix_text(const FixReport& report, const FixTextOptions& options) {
   std::string out;
   if (!options.quiet) {
-    out = fmt::format("{}\n\n", printable(report.input));
+    out = fmt::format("{}\n\n", printable_path(report.input));
     contacts(report, out);
     moves(report, options.top, out);
     remaining(report, options.top, out);

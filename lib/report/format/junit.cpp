@@ -8,6 +8,7 @@
 #include "report/format/formats.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/item.hpp"
+#include "report/write/harmless.hpp"
 #include "report/write/stream.hpp"
 #include "report/write/xml_text.hpp"
 
@@ -22,7 +23,7 @@ struct Suite {
 
 std::string suite_name(const ContactSummary& contact) {
   const std::string title = contact.title.empty() ? "" : ": " + contact.title;
-  return xml_text(fmt::format("contact {}{}", contact.id, title));
+  return xml_attribute(fmt::format("contact {}{}", contact.id, title));
 }
 
 /// One per contact in deck order, then one for findings without a contact.
@@ -34,7 +35,7 @@ std::vector<Suite> suites_of(const Report& report, bool with_deck, const std::ve
     suites[group.contact_position == no_position ? report.contacts.size() : group.contact_position].groups.push_back(
         &group);
   if (with_deck)
-    for (Suite& suite : suites) suite.name = xml_text(report.input + ": ") + suite.name;
+    for (Suite& suite : suites) suite.name = xml_attribute(harmless_path(report.input) + ": ") + suite.name;
   return suites;
 }
 
@@ -51,7 +52,7 @@ std::size_t failures(const Suite& suite, const Severity* limit) {
 std::string body(const ItemGroup& group) {
   std::string text;
   for (const Item& item : group.shown) {
-    const std::string place = item.line == 0 ? "" : fmt::format("{}:{}: ", item.file, item.line);
+    const std::string place = item.line == 0 ? "" : fmt::format("{}:{}: ", harmless_path(item.file), item.line);
     text += xml_text(fmt::format("{}{}\n", place, item.message));
   }
   if (group.items > group.shown.size()) text += fmt::format("and {} more\n", group.items - group.shown.size());
@@ -80,12 +81,12 @@ void append_skipped_case(const Suite& suite, const ItemGroup& group, Stream& str
   stream.text(
       fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">\n"
                   "      <skipped message=\"{}\"/>\n    </testcase>\n",
-                  suite.name, xml_text(fmt::format("{} {} (ignored)", group.id, group.rule)),
-                  xml_text(fmt::format("{} left out on purpose by {}", group.ignored, why))));
+                  suite.name, xml_attribute(fmt::format("{} {} (ignored)", group.id, group.rule)),
+                  xml_attribute(fmt::format("{} left out on purpose by {}", group.ignored, why))));
 }
 
 void append_case(const Suite& suite, const ItemGroup& group, const Severity* limit, Stream& stream) {
-  const std::string name = xml_text(fmt::format("{} {}", group.id, group.rule));
+  const std::string name = xml_attribute(fmt::format("{} {}", group.id, group.rule));
   stream.text(fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">\n", suite.name, name));
   if (fails(group, limit)) {
     stream.text(fmt::format("      <failure message=\"{} found\" type=\"{}\">{}</failure>\n", group.items,
@@ -135,13 +136,13 @@ std::vector<Document> documents_of(const Reports& reports, std::size_t top) {
 }
 
 void append_unread(const Unread& unread, Stream& stream) {
-  const std::string name = xml_text(unread.deck);
+  const std::string name = xml_attribute(harmless_path(unread.deck));
   stream.text(
       fmt::format("  <testsuite name=\"{0}\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\" time=\"0\">\n"
                   "    <testcase classname=\"{0}\" name=\"read\" time=\"0\">\n"
                   "      <error message=\"{1}\" type=\"error\"/>\n"
                   "    </testcase>\n  </testsuite>\n",
-                  name, xml_text(unread.reason)));
+                  name, xml_attribute(unread.reason)));
 }
 
 }  // namespace
@@ -161,8 +162,8 @@ void junit(const Reports& reports, const Severity* limit, std::size_t top, const
   stream.text(
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                   "<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n",
-                  reports.several() ? "gapcheck" : xml_text(reports.all.front().input), tests, failed,
-                  reports.unread.size(), time));
+                  reports.several() ? "gapcheck" : xml_attribute(harmless_path(reports.all.front().input)), tests,
+                  failed, reports.unread.size(), time));
   for (const Document& document : documents)
     for (const Suite& suite : document.suites) append_suite(*document.report, suite, limit, stream);
   for (const Unread& unread : reports.unread) append_unread(unread, stream);

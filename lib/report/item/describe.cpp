@@ -100,11 +100,4 @@ std::string shortened(std::string_view text, std::size_t longest) {
   return std::string(beginning(text, longest)) + "…";
 }
 
-std::string printable(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return result;
-}
-
 }  // namespace gapcheck::report

@@ -7,6 +7,7 @@
 
 #include "records/record_rules.hpp"
 #include "records/report.hpp"
+#include "report/write/harmless.hpp"
 
 namespace gapcheck::report {
 
@@ -29,8 +30,5 @@ void append_message(const Penetration& record, fmt::memory_buffer& out);
 
 /// The same as a copy, followed by "…" if something is left out.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t longest);
-
-/// Text of a deck made safe for a terminal: control characters become '?'.
-[[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace gapcheck::report

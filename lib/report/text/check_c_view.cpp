@@ -134,7 +134,7 @@ Report top_only(const Report& picked, const CheckCOptions& options) {
 }
 
 std::string check_c_text(const Report& picked, const CheckCOptions& options) {
-  std::string out = printable(picked.input) + '\n';
+  std::string out = printable_path(picked.input) + '\n';
   if (picked.run) out += run_line(*picked.run);
   for (std::uint32_t i = 0; i < picked.contacts.size(); ++i) append_interface(picked, i, options, out);
   if (picked.run) {

@@ -161,7 +161,7 @@ std::string contact_title(const ContactSummary& contact, const Paint& paint) {
   if (!contact.title.empty()) line += fmt::format(" \"{}\"", printable(contact.title));
   if (!contact.type.empty()) line += fmt::format("  type {}", printable(contact.type));
   if (!contact.keyword.empty()) line += "  " + printable(contact.keyword);
-  if (!contact.file.empty()) line += "  " + printable(contact.file);
+  if (!contact.file.empty()) line += "  " + printable_path(contact.file);
   if (!contact.file.empty() && contact.line != 0) line += fmt::format(":{}", contact.line);
   return line + '\n';
 }
@@ -247,8 +247,8 @@ Sums append_contact_block(const Report& report, std::uint32_t position, const Te
 
 std::string finding_place(const Finding& finding) {
   if (finding.file.empty()) return "";
-  if (finding.line == 0) return printable(finding.file) + ": ";
-  return fmt::format("{}:{}: ", printable(finding.file), finding.line);
+  if (finding.line == 0) return printable_path(finding.file) + ": ";
+  return fmt::format("{}:{}: ", printable_path(finding.file), finding.line);
 }
 
 void append_finding_line(const Finding& finding, std::string& out) {
@@ -307,7 +307,7 @@ std::string as_if(const Report& report) {
 
 /// The line that --quiet keeps.
 std::string verdict(const Report& report, const Paint& paint) {
-  std::string line = printable(report.input) + ": " + numbers_of(totals(report), paint);
+  std::string line = printable_path(report.input) + ": " + numbers_of(totals(report), paint);
   line += " in " + count(report.contacts.size(), "contact");
   if (const std::string assumed = as_if(report); !assumed.empty()) line += ", " + assumed;
   const auto open =
@@ -359,7 +359,7 @@ std::string statistics(const Report& report) {
 std::string text(const Report& report, const TextOptions& options) {
   const Paint paint{options.color};
   if (options.quiet) return verdict(report, paint);
-  std::string out = paint.bold(printable(report.input)) + '\n';
+  std::string out = paint.bold(printable_path(report.input)) + '\n';
   out += report.run ? run_line(*report.run) : "  " + model_line(report.model) + '\n';
   if (const std::string assumed = as_if(report); !assumed.empty()) out += "  " + assumed + '\n';
   Sums total;

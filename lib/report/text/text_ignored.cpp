@@ -15,7 +15,7 @@ namespace {
 
 /// "deck.k:14 (10) welded on purpose".
 std::string source_line(const IgnoreSource& source, bool whole) {
-  std::string line = "  " + printable(source.file);
+  std::string line = "  " + printable_path(source.file);
   if (source.line != 0) line += fmt::format(":{}", source.line);
   line += fmt::format(" ({})", source.matched);
   if (source.reason.empty()) return line + '\n';

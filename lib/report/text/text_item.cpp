@@ -8,7 +8,7 @@ namespace gapcheck::report {
 
 std::string line_of(const Item& item, std::size_t indent) {
   std::string line = fmt::format("{:{}}{} {}: ", "", indent, printable(item.id), printable(item.rule));
-  if (!item.file.empty()) line += printable(item.file);
+  if (!item.file.empty()) line += printable_path(item.file);
   if (!item.file.empty() && item.line != 0) line += fmt::format(":{}", item.line);
   if (!item.file.empty()) line += ": ";
   if (item.contact != 0) line += fmt::format("contact {}: ", item.contact);

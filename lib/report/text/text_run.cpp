@@ -16,7 +16,7 @@ std::string times(std::uint64_t count) { return fmt::format("{} time{}", count, 
 
 std::string message_place(const Report& report, const SolverMessage& message) {
   if (message.line == 0 || message.file >= report.files.size()) return "";
-  return fmt::format("  {}:{}", printable(report.files[message.file]), message.line);
+  return fmt::format("  {}:{}", printable_path(report.files[message.file]), message.line);
 }
 
 /// "Warning 60303 (IMP), implicit-gap-flag".

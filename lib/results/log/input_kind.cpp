@@ -20,19 +20,6 @@ bool deck_extension(const fs::path& path) {
   return extension == ".k" || extension == ".key" || extension == ".dyn";
 }
 
-/// The first line that is neither empty nor a comment is a keyword.
-bool begins_as_deck(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(text.size(), end + 1));
-    if (line.find_first_not_of(" \t\r") == std::string_view::npos || line.front() == '$') continue;
-    // Solver files indent lines that begin with a star.
-    return line.size() > 1 && line[0] == '*' && std::isalpha(static_cast<unsigned char>(line[1])) != 0;
-  }
-  return false;
-}
-
 /// mes0000, mes0001, …
 bool rank_file(const std::string& name) {
   return name.size() >= 7 && name.starts_with("mes") &&
@@ -57,6 +44,19 @@ Result<InputKind> files_of(const std::string& directory) {
 }
 
 }  // namespace
+
+bool begins_as_deck(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(text.size(), end + 1));
+    if (line.find_first_not_of(" \t") == std::string_view::npos || line.front() == '$') continue;
+    // Solver files indent lines that begin with a star.
+    return line.size() > 1 && line[0] == '*' && std::isalpha(static_cast<unsigned char>(line[1])) != 0;
+  }
+  return false;
+}
 
 Result<InputKind> recognise(const std::string& path) {
   std::error_code error;

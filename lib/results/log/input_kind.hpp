@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
@@ -12,6 +13,9 @@ struct InputKind {
   bool directory = false;
   std::vector<std::string> files;  ///< of a run: the files to read
 };
+
+/// Whether the first line that is neither empty nor a comment of a deck (`$`) is a keyword.
+[[nodiscard]] bool begins_as_deck(std::string_view text);
 
 /// A keyword deck has the extension .k, .key or .dyn, or begins with `*` (after comments, `$`). A directory means its
 /// messag, else its mesNNNN files, else its d3hsp. Every other file is solver output. Errors: no such file, or a

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/mapped_file.hpp"
+#include "results/log/input_kind.hpp"
 #include "results/log/log_collector.hpp"
 #include "results/log/log_reader.hpp"
 #include "results/log/message_kinds.hpp"
@@ -68,6 +69,8 @@ class LogFilesReader {
     }
     auto mapped = MappedFile::open(path);
     if (!mapped) return mapped.error();
+    if (!companion && begins_as_deck(mapped.value().bytes()))
+      return Diagnostic{Severity::error, path, 0, "is a keyword deck, not a solver's log; use gapcheck audit"};
     opened_ = true;
     text(mapped.value().bytes(), {path, companion, true});
     return {};

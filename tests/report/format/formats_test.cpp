@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -164,6 +166,25 @@ TEST(Csv, EveryLineHasTheColumnsOfTheHead) {
   EXPECT_EQ(at(4, "penetration"), "");
 }
 
+TEST(Csv, NothingThatASpreadsheetCalculates) {
+  Report report = sample_report();
+  report.input = "@deck.k";
+  report.files[1] = "=cmd.k";
+  report.findings[0].message = "=HYPERLINK(1)";
+  report.findings[0].file = "+mesh.k";
+  std::vector<Report> both{report, report};
+  const auto rows = read_csv(written([&](const Sink& sink) { csv(Reports(both, {}), sink); }));
+  std::set<std::string> fields;
+  for (const auto& row : rows)
+    for (const std::string& field : row) {
+      fields.insert(field);
+      const bool number = !field.empty() && std::isdigit(static_cast<unsigned char>(field.back())) != 0;
+      EXPECT_TRUE(number || field.find_first_of("=+-@") != 0) << field;
+    }
+  for (const char* field : {"./=cmd.k", "./+mesh.k", "./@deck.k", "'=HYPERLINK(1)"})
+    EXPECT_TRUE(fields.contains(field)) << field;
+}
+
 /// Numbers of the tags in a JUnit file and its counts.
 std::size_t count_of(const std::string& text, std::string_view part) {
   std::size_t count = 0;
@@ -192,6 +213,23 @@ TEST(Junit, OneSuitePerContactAndFailuresAsTheLimitHasThem) {
   const std::string xml = written([&](const Sink& sink) { junit(clean, &note, 5, sink); });
   EXPECT_EQ(count_of(xml, "name=\"no findings\""), 3U);
   EXPECT_NE(xml.find("penetrations not checked: SOFT = 2"), std::string::npos);
+}
+
+TEST(Junit, NewlinesOfAttributesAndCommandsInNames) {
+  Report report = sample_report();
+  report.input = "two\nlines.k";
+  report.contacts[0].title = "a\tb";
+  report.files[1] = "::error file=x::mesh.k";
+  report.findings[0].file = "::warning::deck.k";
+  const Severity note = Severity::note;
+  const std::string xml = written([&](const Sink& sink) { junit(report, &note, 100, sink); });
+  EXPECT_NE(xml.find("<testsuites name=\"two&#10;lines.k\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("contact 7: a&#9;b\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("./::error file=x::mesh.k:1234: "), std::string::npos) << xml;
+  for (std::size_t at = 0; at != std::string::npos; at = xml.find('\n', at + 1)) {
+    const std::size_t first = xml.find_first_not_of(" \n", at);
+    EXPECT_NE(xml.compare(std::min(first, xml.size()), 2, "::"), 0) << xml.substr(at, 80);
+  }
 }
 
 /// The sample with one penetration, one tie and one finding left out, by two places.

@@ -34,7 +34,7 @@ class InputKindTest : public testing::Test {
 
 TEST_F(InputKindTest, DecksByExtensionOrFirstLine) {
   for (const char* name : {"a.k", "a.KEY", "a.dyn"}) EXPECT_TRUE(recognise(write(name, "")).value().deck) << name;
-  for (const char* text : {"*KEYWORD\n", "$ comment\n\n \n*NODE\n"})
+  for (const char* text : {"*KEYWORD\n", "$ comment\n\n \n*NODE\n", "$ comment\r*NODE\r", "\xEF\xBB\xBF*KEYWORD\n"})
     EXPECT_TRUE(recognise(write("plain", text)).value().deck) << text;
   for (const char* text : {"", " *** Warning 40565\n", "*\n", "Date: 1\n*KEYWORD\n"}) {
     const InputKind kind = recognise(write("plain", text)).value();
