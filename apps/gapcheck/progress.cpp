@@ -4,12 +4,18 @@
 
 #include <chrono>
 #include <cstdio>
+#include <system_error>
 #include <utility>
 
 namespace gapcheck::app {
 
 Progress::Progress(std::string what, bool wanted) {
-  if (wanted && ::isatty(STDERR_FILENO) != 0) thread_ = std::thread([this, what = std::move(what)] { run(what); });
+  if (!wanted || ::isatty(STDERR_FILENO) == 0) return;
+  try {
+    thread_ = std::thread([this, what = std::move(what)] { run(what); });
+  } catch (const std::system_error&) {
+    // No thread is to be had: then without the line.
+  }
 }
 
 Progress::~Progress() {

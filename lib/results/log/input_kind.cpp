@@ -6,7 +6,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
+#include "results/text/lines.hpp"
 
 namespace gapcheck::results {
 namespace {
@@ -21,12 +22,10 @@ bool deck_extension(const fs::path& path) {
 }
 
 /// The first line that is neither empty nor a comment is a keyword.
-bool begins_as_deck(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(text.size(), end + 1));
-    if (line.find_first_not_of(" \t\r") == std::string_view::npos || line.front() == '$') continue;
+bool begins_as_deck(FileBytes& file) {
+  for (Lines lines(file); !lines.done(); lines.advance()) {
+    const std::string_view line = lines.line();
+    if (line.find_first_not_of(" \t") == std::string_view::npos || line.front() == '$') continue;
     // Solver files indent lines that begin with a star.
     return line.size() > 1 && line[0] == '*' && std::isalpha(static_cast<unsigned char>(line[1])) != 0;
   }
@@ -61,10 +60,10 @@ Result<InputKind> files_of(const std::string& directory) {
 Result<InputKind> recognise(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return files_of(path);
-  const auto file = MappedFile::open(path);
+  auto file = FileBytes::begin(path);
   if (!file) return file.error();
   InputKind kind;
-  kind.deck = deck_extension(path) || begins_as_deck(file.value().bytes());
+  kind.deck = deck_extension(path) || begins_as_deck(file.value());
   if (!kind.deck) kind.files = {path};
   return kind;
 }

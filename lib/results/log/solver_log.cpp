@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <set>
 
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
 #include "results/log/log_collector.hpp"
 #include "results/log/log_reader.hpp"
 #include "results/log/message_kinds.hpp"
@@ -23,7 +23,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 void add_kinds(const LogOptions& options, MessageKinds& kinds, Diagnostics& diagnostics) {
   for (const std::string& path : options.message_files) {
-    auto file = MappedFile::open(path);
+    auto file = FileBytes::open(path);
     if (file)
       kinds.add(file.value().bytes(), path, diagnostics);
     else
@@ -53,7 +53,9 @@ class LogFilesReader {
     add_kinds(options, kinds_, diagnostics);
   }
 
-  void text(std::string_view text, const LogFile& file) {
+  /// `text`: in memory, or a file.
+  template <class Text>
+  void read(Text&& text, const LogFile& file) {
     if (read_log_file(text, file, kinds_, collector_))
       any_log_ = true;
     else
@@ -66,10 +68,10 @@ class LogFilesReader {
       if (!companion) diagnostics_.warning(path, 0, "was given before; it is read once");
       return {};
     }
-    auto mapped = MappedFile::open(path);
-    if (!mapped) return mapped.error();
+    auto file = FileBytes::begin(path);
+    if (!file) return file.error();
     opened_ = true;
-    text(mapped.value().bytes(), {path, companion, true});
+    read(file.value(), {path, companion});
     return {};
   }
 
@@ -122,7 +124,7 @@ Result<Report> read_solver_logs(const std::vector<std::string>& paths, const Log
 Report read_solver_log_text(std::string_view text, const std::string& name, const LogOptions& options,
                             Diagnostics& diagnostics) {
   LogFilesReader reader(options, diagnostics);
-  reader.text(text, {name, false, false});
+  reader.read(text, {name, false});
   Report report = reader.finish(options);
   report.input = name;
   return report;
