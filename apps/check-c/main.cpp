@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -170,7 +171,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("check-c: error: not enough memory\n", stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "check-c: error: %s\n", error.what());
+    const bool no_thread = std::strstr(error.what(), "pthread_create") != nullptr;
+    std::fprintf(stderr, "check-c: error: %s%s\n", error.what(), no_thread ? "; with --jobs 1 none is needed" : "");
   }
   return gapcheck::check_c::failed;
 }

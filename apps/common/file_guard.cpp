@@ -65,8 +65,7 @@ void add_deck_files(const std::string& deck, DeckFiles& files, const std::vector
 }
 
 void add_run_files(const std::string& directory, std::vector<ReadInput>& read) {
-  for (const std::string& file : results::result_files(directory))
-    read.push_back({file, "a file of the run"});
+  for (const std::string& file : results::result_files(directory)) read.push_back({file, "a file of the run"});
 }
 
 Status check_outputs(const std::vector<ReadInput>& read, const std::vector<PlannedOutput>& outputs) {

@@ -2,6 +2,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <sstream>
@@ -50,7 +51,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fputs("gapcheck: error: not enough memory\n", stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "gapcheck: error: %s\n", error.what());
+    const bool no_thread = std::strstr(error.what(), "pthread_create") != nullptr;
+    std::fprintf(stderr, "gapcheck: error: %s%s\n", error.what(), no_thread ? "; with --jobs 1 none is needed" : "");
   }
   return gapcheck::app::failed;
 }

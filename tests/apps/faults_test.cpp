@@ -379,14 +379,21 @@ TEST_F(Faults, WithoutThreads) {
   const bool root = ::geteuid() == 0;
   if (root && ::access("/usr/bin/setpriv", X_OK) != 0) GTEST_SKIP() << "root has no limit of processes";
   const std::string other = root ? "setpriv --reuid 65534 --regid 65534 --clear-groups --bounding-set=-all " : "";
-  for (const char* words : {"G audit D --jobs 1 --quiet", "G fix D --dry-run --jobs 1 --quiet",
-                            "G run D -o /dev/null/x --cycles 1 --jobs 1", "G compare D D2 --jobs 1"}) {
+  // Large enough for several pieces of work in each loop.
+  plates("p.k", 150);
+  fs::permissions(folder_, fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
+  for (const char* words :
+       {"G audit p.k --list --jobs 1", "G audit D --jobs 1 --quiet", "G fix D --dry-run --jobs 1", "C --deck p.k -help",
+        "G run p.k -o /dev/null/x --cycles 1 --jobs 1", "G compare p.k D --jobs 1"}) {
     const Ended run = shell(other + "prlimit --nproc=1 " + call(words));
     const Ended free = shell(call(words));
     EXPECT_EQ(run.code, free.code) << words << ": " << run.err;
-    EXPECT_EQ(run.out, free.out) << words;
+    EXPECT_TRUE(run.out == free.out) << words;
     EXPECT_EQ(run.err, free.err) << words;
   }
+  const Ended refused = shell(other + "prlimit --nproc=1 " + call("G audit p.k --jobs 4"));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("with --jobs 1 none is needed"), std::string::npos) << refused.err;
 }
 
 }  // namespace
