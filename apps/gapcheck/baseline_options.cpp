@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/mapped_file.hpp"
-#include "common/files.hpp"
+#include "base/file_bytes.hpp"
+#include "base/file_writer.hpp"
 
 namespace gapcheck::app {
 
@@ -32,7 +32,7 @@ Result<Baseline> read(const BaselineOptions& options) {
   if (options.compare.empty()) return Baseline();
   std::error_code failed;
   if (options.by_settings && same_file(options) && !std::filesystem::exists(options.compare, failed)) return Baseline();
-  const auto file = MappedFile::open(options.compare);
+  const auto file = FileBytes::open(options.compare);
   if (!file) {
     Diagnostic why = file.error();
     if (!std::filesystem::exists(options.compare, failed)) why.message += "; --write-baseline writes a first one";
@@ -51,7 +51,7 @@ Status write(const Report& report, const BaselineOptions& options, bool complete
   if (options.write.empty()) return {};
   if (!complete)
     return Diagnostic{Severity::error, options.write, 0, "not written: the deck was not read without errors"};
-  return replace_file(options.write, report::baseline_text(report::known_findings(report)));
+  return write_file(options.write, report::baseline_text(report::known_findings(report)));
 }
 
 }  // namespace gapcheck::app

@@ -10,7 +10,8 @@
 #include <system_error>
 #include <utility>
 
-#include "common/files.hpp"
+#include "base/file_writer.hpp"
+#include "common/file_guard.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "report/compare/plot_svg.hpp"
@@ -86,16 +87,19 @@ std::string CurvesOfBoth::plot(const report::CurvePair& pair) const {
 
 Status CurvesOfBoth::write_plots(std::size_t top) const {
   if (arguments_.svg.empty() || !comparison_) return {};
+  const bool named = !arguments_.names.empty();
+  std::vector<PlannedOutput> outputs;
+  for (const report::CurvePair& pair : comparison_->pairs) {
+    if (outputs.size() == top || (!named && pair.verdict != report::CurvePair::Verdict::differs)) break;
+    outputs.push_back({"--svg", (fs::path(arguments_.svg) / file_name(pair.name)).string()});
+  }
+  std::vector<ReadInput> read;
+  for (const std::string& directory : {first_name_, second_name_}) add_run_files(directory, read);
+  if (Status free = check_outputs(read, outputs); !free.ok()) return free;
   std::error_code failed;
   fs::create_directories(arguments_.svg, failed);
-  const bool named = !arguments_.names.empty();
-  std::size_t written = 0;
-  for (const report::CurvePair& pair : comparison_->pairs) {
-    if (written == top || (!named && pair.verdict != report::CurvePair::Verdict::differs)) break;
-    const std::string path = (fs::path(arguments_.svg) / file_name(pair.name)).string();
-    if (Status plotted = write_file(path, plot(pair)); !plotted.ok()) return plotted;
-    ++written;
-  }
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+    if (Status plotted = write_file(outputs[i].path, plot(comparison_->pairs[i])); !plotted.ok()) return plotted;
   return {};
 }
 

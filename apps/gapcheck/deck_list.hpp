@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
-#include "deck_files.hpp"
+#include "common/deck_files.hpp"
 
 namespace gapcheck::app {
 

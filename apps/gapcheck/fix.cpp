@@ -15,10 +15,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/file_writer.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
-#include "common/files.hpp"
 #include "common/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -118,16 +118,25 @@ Status check_report(const keyword::Deck& deck, const FixArguments& arguments, co
   return check_outputs(read, outputs);
 }
 
+/// All files or none, unless a name cannot be taken over at the end.
 Status write_files(const keyword::Deck& deck, const audit::Fix& fix) {
+  if (Status same = deck.unchanged(); !same.ok()) return same;
+  std::vector<FileWriter> writers;
   for (std::size_t i = 0; i < fix.files.size(); ++i) {
     const std::string& path = fix.report.changed[i].written;
     std::error_code error;
     fs::create_directories(fs::path(path).parent_path(), error);
     const std::string_view bytes = deck.file(fix.files[i].file).bytes;
     const keyword::LineIndex index(bytes);
-    if (Status written = replace_file(path, keyword::with_lines(bytes, index, fix.files[i].edits)); !written.ok())
-      return written;
+    auto writer = FileWriter::create(path);
+    if (!writer) return writer.error();
+    writer.value().write(keyword::with_lines(bytes, index, fix.files[i].edits));
+    if (Status written = writer.value().finish(); !written.ok()) return written;
+    writers.push_back(std::move(writer).value());
   }
+  if (Status same = deck.unchanged(); !same.ok()) return same;
+  for (FileWriter& writer : writers)
+    if (Status written = writer.commit(); !written.ok()) return written;
   return {};
 }
 

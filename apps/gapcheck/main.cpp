@@ -2,15 +2,29 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 
 #include "command_line.hpp"
+#include "common/signals.hpp"
 #include "output.hpp"
 
 namespace gapcheck::app {
 namespace {
+
+/// What --help and --version ask for.
+int show_text_of(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream text;
+  app.exit(error, text, text);
+  Output output("");
+  output.write(text.str());
+  const Status shown = output.close();
+  if (!shown.ok()) print(shown.error());
+  return shown.ok() ? clean : failed;
+}
 
 int run(int argc, char** argv) {
   CLI::App app;
@@ -19,8 +33,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
-      return app.exit(error) == 0 ? clean : failed;
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return show_text_of(app, error);
     print(plain_error(std::string(error.what()) + "; see gapcheck --help"));
     return failed;
   }
@@ -33,11 +46,13 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   // Nothing here may allocate any more.
   try {
+    gapcheck::app::prepare_process();
     return gapcheck::app::run(argc, argv);
   } catch (const std::bad_alloc&) {
     std::fputs("gapcheck: error: not enough memory\n", stderr);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "gapcheck: error: %s\n", error.what());
+    const bool no_thread = std::strstr(error.what(), "pthread_create") != nullptr;
+    std::fprintf(stderr, "gapcheck: error: %s%s\n", error.what(), no_thread ? "; with --jobs 1 none is needed" : "");
   }
   return gapcheck::app::failed;
 }

@@ -11,9 +11,9 @@
 #include <optional>
 
 #include "audit/registry.hpp"
+#include "base/file_writer.hpp"
 #include "base/number.hpp"
 #include "commands.hpp"
-#include "common/files.hpp"
 #include "common/version.hpp"
 #include "output.hpp"
 #include "report/export/finding_grid.hpp"

@@ -3,40 +3,39 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <utility>
 
-#include "common/files.hpp"
+#include "common/message_line.hpp"
+#include "common/standard_output.hpp"
 #include "common/terminal.hpp"
 
 namespace gapcheck::app {
 
-Output::Output(std::string path) : path_(std::move(path)) {
-  file_ = path_.empty() ? stdout : std::fopen(path_.c_str(), "wb");
-  if (file_ == nullptr) error_ = errno;
-}
-
-Output::~Output() {
-  if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+Output::Output(const std::string& path) {
+  if (path.empty()) return;
+  if (auto file = FileWriter::create(path))
+    file_.emplace(std::move(file).value());
+  else
+    status_ = file.error();
 }
 
 bool Output::write(std::string_view text) {
-  if (error_ == 0 && std::fwrite(text.data(), 1, text.size(), file_) != text.size()) error_ = errno != 0 ? errno : EIO;
-  return error_ == 0;
+  if (!status_.ok()) return false;
+  if (file_) return file_->write(text);
+  status_ = write_to_standard_output(text);
+  return status_.ok();
 }
 
 Status Output::close() {
-  if (error_ == 0 && std::fflush(file_) != 0) error_ = errno;
-  if (error_ == 0) return {};
-  return Diagnostic{Severity::error, path_.empty() ? "standard output" : path_, 0,
-                    fmt::format("cannot be written: {}", std::strerror(error_))};
+  if (status_.ok() && file_) status_ = file_->commit();
+  return status_;
 }
 
 bool Output::color() const {
   const char* no_color = std::getenv("NO_COLOR");
-  return file_ == stdout && obeys_escapes(STDOUT_FILENO) && (no_color == nullptr || *no_color == '\0');
+  return !file_ && status_.ok() && obeys_escapes(STDOUT_FILENO) && (no_color == nullptr || *no_color == '\0');
 }
 
 void print(const Diagnostic& diagnostic) { std::fputs(line_of("gapcheck", diagnostic).c_str(), stderr); }

@@ -1,21 +1,19 @@
 #pragma once
-#include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/diagnostic.hpp"
+#include "base/file_writer.hpp"
 #include "base/result.hpp"
 
 namespace gapcheck::app {
 
-/// Where results go: standard output or a file. Remembers the first failure.
+/// Where results go: standard output or a file, which changes when all of it is written. Remembers the first failure.
 class Output {
  public:
   /// Empty path: standard output.
-  explicit Output(std::string path);
-  ~Output();
-  Output(const Output&) = delete;
-  Output& operator=(const Output&) = delete;
+  explicit Output(const std::string& path);
   /// False from the first failure on.
   bool write(std::string_view text);
   /// Finishes writing; the first failure, if there was any.
@@ -24,9 +22,8 @@ class Output {
   [[nodiscard]] bool color() const;
 
  private:
-  std::string path_;
-  std::FILE* file_ = nullptr;
-  int error_ = 0;
+  std::optional<FileWriter> file_;  ///< none: standard output
+  Status status_;
 };
 
 /// "gapcheck: error: FILE:LINE: message" on standard error; empty file and line 0 are left out.

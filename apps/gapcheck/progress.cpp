@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <system_error>
 #include <utility>
 
 #include "common/terminal.hpp"
@@ -11,7 +12,12 @@
 namespace gapcheck::app {
 
 Progress::Progress(std::string what, bool wanted) {
-  if (wanted && obeys_escapes(STDERR_FILENO)) thread_ = std::thread([this, what = std::move(what)] { run(what); });
+  if (!wanted || !obeys_escapes(STDERR_FILENO)) return;
+  try {
+    thread_ = std::thread([this, what = std::move(what)] { run(what); });
+  } catch (const std::system_error&) {
+    // No thread is to be had: then without the line.
+  }
 }
 
 Progress::~Progress() {

@@ -4,9 +4,6 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
-#include <atomic>
-#include <csignal>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,12 +11,14 @@
 
 #include "base/parallel.hpp"
 #include "commands.hpp"
+#include "common/signals.hpp"
 #include "common/version.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
 #include "report/item/describe.hpp"
+#include "results/d3plot/run_folder.hpp"
 #include "run_progress.hpp"
 #include "run_summary.hpp"
 #include "run_vtu.hpp"
@@ -39,29 +38,7 @@ struct RunArguments {
   double until = 0;
   std::uint64_t cycles = 0;
   std::size_t jobs = 0;
-  bool ignore_unsupported = false, vtu = false, quiet = false, stats = false;
-};
-
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
-
-extern "C" void interrupt(int) { interrupted = true; }
-
-/// Ctrl-C asks the run to end while this lives; a second one kills.
-class Interruptible {
- public:
-  Interruptible() {
-    struct sigaction action {};
-    action.sa_handler = interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    ::sigaction(SIGINT, &action, &before_);
-  }
-  ~Interruptible() { ::sigaction(SIGINT, &before_, nullptr); }
-  Interruptible(const Interruptible&) = delete;
-  Interruptible& operator=(const Interruptible&) = delete;
-
- private:
-  struct sigaction before_ {};
+  bool ignore_unsupported = false, force = false, vtu = false, quiet = false, stats = false;
 };
 
 /// Files and the progress line.
@@ -96,6 +73,20 @@ void tell_output_notes(const keyword::Deck& deck, const model::Model& model, Dia
     diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
 }
 
+/// The summary to standard output; errors to standard error.
+int tell_end(const solver::Run& run, solver::RunEnd end, const RunArguments& arguments) {
+  Failures failures(print);
+  if (!run.status().ok()) failures.add(plain_error(run.status().error().message));
+  if (end == solver::RunEnd::signal)
+    failures.add(plain_error(
+        fmt::format("terminated by {}; the files end at time {:g}", EndRequest::name(), run.stepper().state().time)));
+  Output output("");
+  if (!arguments.quiet) output.write(run_summary(run, end));
+  if (arguments.stats) output.write(run_statistics(run));
+  failures.add(output.close());
+  return failures.any() || end == solver::RunEnd::failed ? failed : clean;
+}
+
 /// Steps to the end and reports the result.
 int calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArguments& arguments) {
   solver::RunFilesSettings settings;
@@ -108,6 +99,8 @@ int calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArgume
       return series->add(state, at);
     };
   }
+  // From here on there are files that need an end.
+  const EndRequest end_request;
   auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
   if (!files) {
     print(plain_error(files.error().message));
@@ -115,21 +108,23 @@ int calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArgume
   }
   solver::RunEnd end{};
   {
-    const Interruptible interruptible;
     Watch watch(files.value(), !arguments.quiet);
     end = run.go(watch);
   }
-  if (!run.status().ok()) print(plain_error(run.status().error().message));
-  if (!arguments.quiet) std::fputs(run_summary(run, end).c_str(), stdout);
-  if (arguments.stats) std::fputs(run_statistics(run).c_str(), stdout);
-  return end == solver::RunEnd::failed ? failed : clean;
+  return tell_end(run, end, arguments);
 }
 
-/// An error if the run would write over what it reads.
+/// An error if the run would write over what it reads, or over results that others took days to calculate.
 Status check_directory(const keyword::Deck& deck, const RunArguments& arguments) {
   std::vector<ReadInput> read{{arguments.settings_path, "the settings file"}};
   add_deck_files(deck, read);
-  return check_outputs(read, planned_run_outputs(arguments.directory, arguments.vtu));
+  if (Status status = check_outputs(read, planned_run_outputs(arguments.directory, arguments.vtu)); !status.ok())
+    return status;
+  const std::vector<std::string> foreign = results::foreign_results(arguments.directory);
+  if (foreign.empty() || arguments.force) return {};
+  return plain_error(fmt::format(
+      "-o: {} would be replaced{}, and gapcheck did not write it; give another directory, or --force", foreign.front(),
+      foreign.size() > 1 ? fmt::format(", as would {} more results", foreign.size() - 1) : ""));
 }
 
 int run_deck(const RunArguments& arguments) {
@@ -137,7 +132,7 @@ int run_deck(const RunArguments& arguments) {
   Diagnostics diagnostics;
   std::optional<Progress> reading;
   reading.emplace("reading " + report::printable(arguments.deck), !arguments.quiet);
-  const auto deck = keyword::read_deck(arguments.deck, arguments.read, diagnostics);
+  auto deck = keyword::read_deck(arguments.deck, arguments.read, diagnostics);
   if (!deck) {
     reading.reset();
     print(deck.error());
@@ -156,6 +151,7 @@ int run_deck(const RunArguments& arguments) {
     return failed;
   }
   keyword::note_missing_end(deck.value(), diagnostics);
+  deck.value().drop_text([](std::string_view) { return true; });
   tell_output_notes(deck.value(), model.value(), diagnostics);
   Failures failures(print);
   tell_unsupported(solver::unsupported(deck.value(), model.value()), arguments, failures);
@@ -166,7 +162,8 @@ int run_deck(const RunArguments& arguments) {
   solver::RunSettings settings;
   settings.until = arguments.until;
   settings.cycles = arguments.cycles;
-  settings.stop = [] { return interrupted.load(); };
+  settings.stop = [] { return EndRequest::name() != nullptr; };
+  settings.stop_means = solver::RunEnd::signal;
   contact::SurfaceStore surfaces(model.value());
   auto run = solver::Run::prepare(model.value(), surfaces, settings, diagnostics);
   print(diagnostics, arguments.quiet);
@@ -194,6 +191,8 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("--cycles", arguments->cycles, "End after so many cycles")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}).description(""))
       ->type_name("N");
+  command->add_flag("--force", arguments->force,
+                    "Replace results in the directory that gapcheck did not write, such as LS-DYNA's");
   command->add_flag("--ignore-unsupported", arguments->ignore_unsupported,
                     "Run without the keywords that are not calculated");
   command->add_flag("--vtu", arguments->vtu, "Also write each plot state as a .vtu file, and run.pvd that lists them");

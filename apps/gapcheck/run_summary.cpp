@@ -22,6 +22,8 @@ const char* words(solver::RunEnd end) {
       return "Ended by the smallest step that DTMIN allows";
     case solver::RunEnd::stopped:
       return "Stopped on request";
+    case solver::RunEnd::signal:
+      return "Terminated by a signal";
     case solver::RunEnd::failed:
       break;
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "common/files.hpp"
 #include "solver/output/plot.hpp"
 
 namespace gapcheck::app {

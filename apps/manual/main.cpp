@@ -5,8 +5,8 @@
 #include <exception>
 #include <string>
 
+#include "base/file_writer.hpp"
 #include "common/failures.hpp"
-#include "common/files.hpp"
 #include "common/version.hpp"
 #include "completion.hpp"
 #include "man_page.hpp"
@@ -20,9 +20,7 @@ void complain(const Diagnostic& error) {
 
 int run(const std::string& folder) {
   app::Failures failures(complain);
-  const auto write = [&](const std::string& path, const std::string& text) {
-    failures.add(app::write_file(path, text));
-  };
+  const auto write = [&](const std::string& path, const std::string& text) { failures.add(write_file(path, text)); };
   for (const ProgramText& program : {gapcheck_text(), check_c_text()}) {
     write(fmt::format("{}/{}.1", folder, program.name), man_page(program, app::version()));
     write(fmt::format("{}/{}.bash", folder, program.name), bash_completion(program));

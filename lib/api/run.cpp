@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <gapcheck/run.hpp>
 #include <gapcheck/version.hpp>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "api/convert.hpp"
 #include "api/option_check.hpp"
+#include "results/d3plot/run_folder.hpp"
 #include "solver/output/run_files.hpp"
 #include "solver/output/state_balance.hpp"
 #include "solver/supported.hpp"
@@ -76,6 +79,7 @@ RunEnd end_of(solver::RunEnd end) {
     case solver::RunEnd::step:
       return RunEnd::step;
     case solver::RunEnd::stopped:
+    case solver::RunEnd::signal:
       return RunEnd::stopped;
     case solver::RunEnd::failed:
       break;
@@ -132,17 +136,31 @@ std::string run_fault(const RunOptions& options) {
   return check.message();
 }
 
+/// Files in the directory that must not be replaced.
+std::string directory_fault(const std::string& directory, const keyword::Deck& deck, const RunOptions& options) {
+  for (const std::string& file : results::result_files(directory))
+    for (const keyword::SourceFile& source : deck.files())
+      if (std::error_code failed; std::filesystem::equivalent(file, source.path, failed))
+        return file + " is a file of the deck; give another directory";
+  const auto foreign = results::foreign_results(directory);
+  if (options.replace_foreign || foreign.empty()) return "";
+  return foreign.front() + " is not a result of gapcheck; give another directory, or replace_foreign";
+}
+
 }  // namespace
 
 Result<RunSummary> run_deck(const std::string& deck, const std::string& directory, const RunOptions& options) {
   if (std::string fault = run_fault(options); !fault.empty()) return plain_error(std::move(fault));
   const Jobs jobs(options.jobs);
   gapcheck::Diagnostics diagnostics;
-  const auto read = keyword::read_deck(deck, read_options(options.includes), diagnostics);
+  auto read = keyword::read_deck(deck, read_options(options.includes), diagnostics);
   if (!read) return error_of(read.error(), diagnostics);
+  if (std::string fault = directory_fault(directory, read.value(), options); !fault.empty())
+    return plain_error(std::move(fault));
   const auto model = model::read_model(read.value(), diagnostics);
   if (!model) return error_of(model.error(), diagnostics);
   keyword::note_missing_end(read.value(), diagnostics);
+  read.value().drop_text([](std::string_view) { return true; });
   add_output_notes(read.value(), model.value(), diagnostics);
   add_unsupported(solver::unsupported(read.value(), model.value()), options.ignore_unsupported, diagnostics);
   if (diagnostics.has_errors()) return first_error(diagnostics);

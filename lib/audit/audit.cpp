@@ -14,6 +14,7 @@
 #include "audit/run_rules.hpp"
 #include "audit/shared_results.hpp"
 #include "contact/tie/record_tie.hpp"
+#include "model/read/node_references.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -217,6 +218,7 @@ Result<Report> audit(Result<keyword::Deck> deck, Clock::time_point start, const 
   const auto model_start = Clock::now();
   auto model = model::read_model(deck.value(), diagnostics);
   if (!model) return model.error();
+  deck.value().drop_text(model::is_mesh);
   model::assume(options.as_if, model.value());
   const double model_s = since(model_start);
   Report report = make_report(input, deck.value(), model.value(), options);

@@ -37,12 +37,18 @@ class JobLimit {
   tbb::global_control control_;
 };
 
+/// With a limit of one, nothing here starts a thread: oneTBB would even then, and end the process where none is to be
+/// had.
+inline bool one_thread() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) <= 1;
+}
+
 /// Calls body(begin, end) on disjoint pieces of [0, count), in any order and on any thread. The pieces are at least
 /// `grain` long if possible. The body must not depend on how the range is split.
 template <class Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
   if (count == 0) return;
-  if (count <= grain) {
+  if (count <= grain || one_thread()) {
     body(std::size_t{0}, count);
     return;
   }
@@ -70,7 +76,10 @@ void parallel_sort(Iterator first, Iterator last, const Less& less = {}) {
 #ifdef GAPCHECK_PLAIN_THREADS
   std::sort(first, last, less);
 #else
-  tbb::parallel_sort(first, last, less);
+  if (one_thread())
+    std::sort(first, last, less);
+  else
+    tbb::parallel_sort(first, last, less);
 #endif
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -101,7 +102,7 @@ std::optional<std::uint32_t> add_directives(const FileContext& context, std::str
     if (directives.size() == max_directives) return comment.line;
     std::size_t next = 0;
     if (const auto text = directive_text(line_at(bytes, comment.offset, next)))
-      directives.push_back({*text, context.file, comment.line, context.transform});
+      directives.push_back({std::string(*text), context.file, comment.line, context.transform});
   }
   return std::nullopt;
 }
@@ -171,9 +172,9 @@ Result<std::shared_ptr<KeywordFile>> DeckReader::open_file(const std::string& pa
   const std::uint64_t shared = cache.shared();
   auto file = cache.open(path, canonical);
   if (!file) return file;
-  if (std::find(deck_.mapped_.begin(), deck_.mapped_.end(), file.value()) == deck_.mapped_.end()) {
+  if (std::find(deck_.read_.begin(), deck_.read_.end(), file.value()) == deck_.read_.end()) {
     deck_.counters_.shared_files += cache.shared() - shared;
-    deck_.mapped_.push_back(file.value());
+    deck_.read_.push_back(file.value());
   }
   return file;
 }
@@ -292,6 +293,29 @@ void note_missing_end(const Deck& deck, Diagnostics& diagnostics) {
   if (deck.ended() || deck.counters().encrypted_blocks > 0) return;
   diagnostics.add(
       {Severity::note, deck.file(FileIndex(0)).path, 0, "ends without *END; if it was cut, what followed is missing"});
+}
+
+void Deck::drop_text(const std::function<bool(std::string_view name)>& done) {
+  constexpr std::size_t worth_it = std::size_t{1} << 16;
+  std::map<const char*, KeywordFile*> by_address;
+  for (const auto& file : read_)
+    if (!file->bytes().empty()) by_address.emplace(file->bytes().data(), file.get());
+  for (Block& block : blocks_) {
+    if (block.body.size() < worth_it || !done(block.name)) continue;
+    auto file = by_address.upper_bound(block.body.data());
+    if (file == by_address.begin()) continue;  // of a text in memory, as below
+    const auto& [first, of] = *--file;
+    if (block.body.data() >= first + of->bytes().size()) continue;
+    of->drop(block.body);
+    block.body = {};
+    files_[block.file.value].bytes = {};
+  }
+}
+
+Status Deck::unchanged() const {
+  for (const auto& file : read_)
+    if (Status same = file->unchanged(); !same.ok()) return same;
+  return {};
 }
 
 Result<Deck> read_deck(const std::string& path, const ReadOptions& options, Diagnostics& diagnostics) {

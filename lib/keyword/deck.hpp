@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -40,7 +41,7 @@ struct Block {
 
 /// A comment for gapcheck: `$ gapcheck: …`.
 struct Directive {
-  std::string_view text;  ///< after the colon, to the end of the line
+  std::string text;  ///< after the colon, to the end of the line
   FileIndex file;
   std::uint32_t line = 0;
   TransformIndex transform{0};
@@ -74,15 +75,15 @@ class Deck {
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[nodiscard]] const Transform& transform(TransformIndex index) const { return transforms_[index.value]; }
   [[nodiscard]] const DeckCounters& counters() const { return counters_; }
-  /// Releases the memory of the files' pages once everything has been read. All views stay valid; pages used again are
-  /// read again.
-  void release_pages() const {
-    for (const auto& file : mapped_) file->release();
-  }
+  /// Frees the text of long blocks whose names `done` accepts, once nobody needs it any more: their bodies become
+  /// empty, as do the bytes of their files.
+  void drop_text(const std::function<bool(std::string_view name)>& done);
+  /// An error if a file of the deck has been written to since it was read.
+  [[nodiscard]] Status unchanged() const;
 
  private:
   friend class DeckReader;
-  std::vector<std::shared_ptr<KeywordFile>> mapped_;
+  std::vector<std::shared_ptr<KeywordFile>> read_;
   std::vector<std::string> texts_;  ///< bytes of decks given as text
   std::vector<SourceFile> files_;
   std::vector<Block> blocks_;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
 #include "base/result.hpp"
 #include "keyword/scan.hpp"
 
@@ -15,32 +15,47 @@ namespace gapcheck::keyword {
 /// The lines that structure a file; a byte order mark at its start is not one of them.
 [[nodiscard]] std::vector<Mark> marks_of_file(std::string_view bytes);
 
-/// A file on disk and the lines that structure it, found only once.
-class KeywordFile {
- public:
-  explicit KeywordFile(MappedFile mapping) : mapping_(std::move(mapping)) {}
-  [[nodiscard]] std::string_view bytes() const { return mapping_.bytes(); }
-  [[nodiscard]] const std::vector<Mark>& marks();
-  /// Releases the memory of the pages; they can be read again.
-  void release() const { mapping_.release(); }
-
- private:
-  MappedFile mapping_;
-  std::vector<Mark> marks_;
-  bool scanned_ = false;
+/// The lines that structure a file, once they have been found.
+struct FileScan {
+  std::vector<Mark> marks;
+  bool done = false;
 };
 
-/// Files of one or more decks, each mapped and scanned once however often it is included. Keeps them all. Not for use
-/// by two threads at a time. A file that changes after it was opened here is not read again.
+/// A file in memory and the lines that structure it, found only once.
+class KeywordFile {
+ public:
+  KeywordFile(FileBytes file, std::shared_ptr<FileScan> scan) : file_(std::move(file)), scan_(std::move(scan)) {}
+  [[nodiscard]] std::string_view bytes() const { return file_.bytes(); }
+  [[nodiscard]] const std::vector<Mark>& marks();
+  /// Frees the memory of a part of the bytes, which must not be used any more.
+  void drop(std::string_view part);
+  [[nodiscard]] bool complete() const { return complete_; }
+  /// An error if the file on disk has been written to since it was read.
+  [[nodiscard]] Status unchanged() const { return file_.unchanged(); }
+
+ private:
+  FileBytes file_;
+  std::shared_ptr<FileScan> scan_;
+  bool complete_ = true;
+};
+
+/// Files of one or more decks, each scanned once however often it is included. A file stays in memory as long as a deck
+/// uses it; a later deck reads it again, and scans it again if it has changed. Not for use by two threads at a time.
 class FileCache {
  public:
-  /// `canonical` identifies files. Errors: those of MappedFile::open(), which are not kept.
+  /// `canonical` identifies files. Errors: those of FileBytes::open(), and a file that changes while it is read. They
+  /// are not kept.
   Result<std::shared_ptr<KeywordFile>> open(const std::string& path, const std::string& canonical);
   /// How often a file was already in the cache.
   [[nodiscard]] std::uint64_t shared() const { return shared_; }
 
  private:
-  std::map<std::string, std::shared_ptr<KeywordFile>> files_;
+  struct Entry {
+    std::weak_ptr<KeywordFile> file;
+    FileStamp stamp;
+    std::shared_ptr<FileScan> scan;
+  };
+  std::map<std::string, Entry> files_;
   std::uint64_t shared_ = 0;
 };
 

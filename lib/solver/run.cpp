@@ -152,7 +152,7 @@ std::optional<RunEnd> Run::end_reached() const {
   const model::Controls& controls = model_->controls;
   if (controls.endeng > 0 && std::abs(stepper_->energies().ratio() - 1) > controls.endeng / 100) return RunEnd::energy;
   if (controls.dtmin > 0 && stepper_->next_step() < controls.dtmin * first_step_) return RunEnd::step;
-  if (settings_.stop && settings_.stop()) return RunEnd::stopped;
+  if (settings_.stop && settings_.stop()) return settings_.stop_means;
   return std::nullopt;
 }
 

@@ -15,21 +15,23 @@
 
 namespace gapcheck::solver {
 
-struct RunSettings {
-  double until = 0;          ///< end time; 0: ENDTIM of *CONTROL_TERMINATION
-  std::uint64_t cycles = 0;  ///< largest number of steps; 0: no limit
-  BuildSettings build;
-  StepSettings step;
-  std::function<bool()> stop;  ///< called before every step; true ends the run
-};
-
 enum class RunEnd : std::uint8_t {
   time,
   cycles,
   energy,   ///< ENDENG: the energy ratio has changed by this many percent
   step,     ///< DTMIN: the step has fallen to this fraction of the first one
   stopped,  ///< on request
+  signal,   ///< on request of a signal that asks the process to end
   failed,
+};
+
+struct RunSettings {
+  double until = 0;          ///< end time; 0: ENDTIM of *CONTROL_TERMINATION
+  std::uint64_t cycles = 0;  ///< largest number of steps; 0: no limit
+  BuildSettings build;
+  StepSettings step;
+  std::function<bool()> stop;           ///< called before every step; true ends the run
+  RunEnd stop_means = RunEnd::stopped;  ///< what it is then, if not that
 };
 
 /// A calculation from a model to its end. The model must outlive it.

@@ -28,6 +28,27 @@ TEST(ApiRun, RunsToItsEnd) {
   EXPECT_GE(run.value().files.size(), 5u);
 }
 
+TEST(ApiRun, ReplacesOnlyItsOwnResults) {
+  const NewFolder folder;
+  api::RunOptions options;
+  options.cycles = 1;
+  fs::create_directories(folder / "out");
+  fs::copy_file(data("two_plates.k"), folder / "out/glstat");
+  const std::string deck = content(folder / "out/glstat");
+  const auto foreign = api::run_deck(data("two_plates.k"), folder / "out", options);
+  ASSERT_FALSE(foreign.ok());
+  EXPECT_NE(foreign.error().message.find("out/glstat is not a result of gapcheck"), std::string::npos);
+  options.replace_foreign = true;
+  const auto itself = api::run_deck(folder / "out/glstat", folder / "out", options);
+  ASSERT_FALSE(itself.ok());
+  EXPECT_NE(itself.error().message.find("out/glstat is a file of the deck"), std::string::npos);
+  EXPECT_EQ(content(folder / "out/glstat"), deck);
+  EXPECT_TRUE(api::run_deck(data("two_plates.k"), folder / "out", options).ok());
+  EXPECT_NE(content(folder / "out/glstat"), deck);
+  options.replace_foreign = false;
+  EXPECT_TRUE(api::run_deck(data("two_plates.k"), folder / "out", options).ok());
+}
+
 TEST(ApiRun, IsWatchedAndStopped) {
   const NewFolder folder;
   api::RunOptions options;

@@ -82,6 +82,42 @@ TEST_F(OutputGuard, MessagAndCompare) {
   refuses("compare messag D/m.k --output messag", "--output messag is one of those compared");
 }
 
+TEST_F(OutputGuard, CheckC) {
+  use("smp");
+  const std::string log = content(folder_ / "messag");
+  const auto refuses = [&](const std::string& arguments, const std::string& why) {
+    const auto before = all_files();
+    const Ended run = check_c(arguments);
+    EXPECT_EQ(run.code, 2) << arguments;
+    EXPECT_NE(run.err.find(why), std::string::npos) << arguments << ": " << run.err;
+    EXPECT_EQ(run.out, "") << arguments;
+    EXPECT_EQ(all_files(), before) << arguments;
+  };
+  for (const auto& [option, name] : {std::pair("-key", "check-c.key"), std::pair("-ani", "check-c.ses"),
+                                     std::pair("-a4sel", "check-c.ses"), std::pair("-medina", "check-c.prt")}) {
+    const std::string words = std::string(option) + ": " + name + " is ";
+    fs::rename(folder_ / "messag", folder_ / name);
+    refuses(std::string(option) + ' ' + name, words + "a file that is read");
+    refuses(std::string(option) + " ./D/../" + name, words + "a file that is read");
+    fs::rename(folder_ / name, folder_ / "messag");
+    fs::create_symlink("messag", folder_ / name);
+    refuses(std::string(option) + " messag", words + "a file that is read, messag");
+    fs::remove(folder_ / name);
+    fs::create_hard_link(folder_ / "d3hsp", folder_ / name);
+    refuses(std::string(option) + " messag", words + "a file of the run, d3hsp");
+    fs::remove(folder_ / name);
+    fs::create_hard_link(folder_ / "D/mesh.inc", folder_ / name);
+    refuses(std::string(option) + " --deck D/m.k messag", words + "a file that D/m.k includes");
+    fs::remove(folder_ / name);
+    file("table", "kind soft2-intersection\ncodes 49999\n");
+    fs::create_symlink("table", folder_ / name);
+    refuses(std::string(option) + " --messages table messag", words + "a table of messages");
+    fs::remove(folder_ / name);
+  }
+  EXPECT_EQ(check_c("-key -a4sel -medina messag").code, 1);
+  EXPECT_EQ(check_c("-key -a4sel -medina messag").code, 1) << "its own old files are replaced";
+}
+
 TEST_F(OutputGuard, StreamsTakeWhatComes) {
   const Ended run = gapcheck("audit D/m.k --quiet --output /dev/stdout --html /dev/null --key /dev/null");
   EXPECT_EQ(run.code, 0) << run.err;

@@ -88,10 +88,57 @@ TEST_F(RunCommand, NeverWritesOverItsInput) {
     refuses("main.k -o ./out", "is a file that the deck includes", path);
     fs::remove(folder_ / path);
   }
+  file("deck.k", plates);
+  for (const char* name : {"messag", "d3hsp", "d3plot03", "sleout"}) {
+    const std::string path = std::string("out/") + name;
+    fs::create_hard_link(folder_ / "deck.k", folder_ / path);
+    refuses("deck.k -o out --force", "-o " + path + " is the deck itself, deck.k; give another directory", "deck.k");
+    fs::remove(folder_ / path);
+    fs::create_symlink("../deck.k", folder_ / path);
+    refuses("deck.k -o out --force", "-o " + path + " is the deck itself, deck.k", "deck.k");
+    fs::remove(folder_ / path);
+  }
   file("out/state_0001.vtu", plates);
   refuses("out/state_0001.vtu -o out --vtu", "is the deck itself", "out/state_0001.vtu");
   EXPECT_EQ(gapcheck("run out/state_0001.vtu -o out --cycles 1 --quiet").code, 0) << "no grids are written";
   EXPECT_EQ(gapcheck("run out/state_0001.vtu -o out --cycles 1 --quiet").code, 0) << "its own old files are replaced";
+}
+
+TEST_F(RunCommand, ResultsOfOthersAreReplacedOnlyByForce) {
+  const std::string words = "run " + data("two_plates.k") + " -o out --cycles 1 --quiet";
+  fs::create_directories(folder_ / "out");
+  const std::string solver = " a title\n                         ls-dyna mpp.123456 d          date 01/01/2024\n";
+  for (const char* name : {"messag", "d3hsp", "glstat", "matsum", "nodout", "rcforc", "sleout", "ncforc", "d3plot"}) {
+    file(std::string("out/") + name, solver);
+    const Ended run = gapcheck(words);
+    EXPECT_EQ(run.code, 2) << name;
+    EXPECT_EQ(run.err, std::string("gapcheck: error: -o: out/") + name +
+                           " would be replaced, and gapcheck did not write it; give another directory, or --force\n");
+    EXPECT_EQ(content(folder_ / "out" / name), solver);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "out"), fs::directory_iterator()), 1) << name;
+    EXPECT_EQ(gapcheck(words + " --force").code, 0) << name;
+    EXPECT_EQ(gapcheck(words).code, 0) << name << ": now they are gapcheck's own";
+    fs::remove_all(folder_ / "out");
+    fs::create_directories(folder_ / "out");
+  }
+  file("out/d3plot01", "states of another run");
+  file("out/glstat", solver);
+  EXPECT_NE(gapcheck(words).err.find("out/d3plot01 would be replaced, as would 1 more results"), std::string::npos);
+}
+
+// Otherwise readers would take them for states of the new run.
+TEST_F(RunCommand, StatesOfALongerRunAreRemoved) {
+  ASSERT_EQ(gapcheck("run " + data("two_plates.k") + " -o out --cycles 1 --quiet").code, 0);
+  const std::string states = content(folder_ / "out/d3plot01");
+  for (const char* name : {"out/d3plot02", "out/d3plot03", "out/d3plot05"}) file(name, states);
+  const auto count = [&] {
+    const auto plot = results::D3plotStates::open((folder_ / "out/d3plot").string());
+    return plot.ok() ? plot.value().size() : 0;
+  };
+  const std::size_t before = count();
+  EXPECT_EQ(gapcheck("run " + data("two_plates.k") + " -o out --cycles 1 --quiet").code, 0);
+  EXPECT_EQ(count() * 3, before);
+  for (const char* name : {"out/d3plot02", "out/d3plot03", "out/d3plot05"}) EXPECT_FALSE(fs::exists(folder_ / name));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ from page import machine, run_once, section
 
 
 def own_memory(command):
-    """Largest anonymous resident memory in MB of one run, looked at every 10 ms: what the mapped deck takes is not in it."""
+    """Largest anonymous resident memory in MB of one run, looked at every 10 ms."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
     most = 0
     while process.poll() is None:

@@ -72,5 +72,50 @@ TEST(FileCache, WhatCannotBeOpenedIsTriedAgain) {
   EXPECT_EQ(cache.shared(), 0u);
 }
 
+TEST(FileCache, AFileThatHasChangedIsReadAndScannedAgain) {
+  TemporaryDirectory directory;
+  FileCache cache;
+  ReadOptions options;
+  options.cache = &cache;
+  Diagnostics diagnostics;
+  const std::string path = directory.write("main.k", "*KEYWORD\n*NODE\n1,0,0,0\n");
+  EXPECT_EQ(read_deck(path, options, diagnostics).value().blocks().size(), 2u);
+  directory.write("main.k", "*KEYWORD\n*PART\n*TITLE\n*NODE\n");
+  const auto deck = read_deck(path, options, diagnostics);
+  EXPECT_EQ(deck.value().blocks().size(), 4u);
+  EXPECT_EQ(cache.shared(), 0u);
+  EXPECT_TRUE(deck.value().unchanged().ok());
+  directory.write("main.k", "*KEYWORD\n");
+  EXPECT_FALSE(deck.value().unchanged().ok());
+  EXPECT_EQ(deck.value().blocks()[1].name, "PART") << "the text is that of the reading";
+}
+
+TEST(FileCache, DroppedTextIsReadAgainForTheNextDeck) {
+  TemporaryDirectory directory;
+  std::string nodes;
+  for (int i = 1; i <= 20000; ++i) nodes += std::to_string(i) + ",0,0,0\n";
+  directory.write("mesh.k", "*NODE\n" + nodes + "*SET_NODE\n1\n2,3\n*NODE\n7,0,0,0\n");
+  const std::string path = directory.write("main.k", "*KEYWORD\n*INCLUDE\nmesh.k\n*PART\na\n1\n");
+  FileCache cache;
+  ReadOptions options;
+  options.cache = &cache;
+  Diagnostics diagnostics;
+  auto first = read_deck(path, options, diagnostics);
+  ASSERT_TRUE(first.ok());
+  Deck& deck = first.value();
+  deck.drop_text([](std::string_view name) { return name == "NODE"; });
+  ASSERT_EQ(deck.blocks().size(), 6u);
+  EXPECT_EQ(deck.blocks()[2].name, "NODE");
+  EXPECT_EQ(deck.blocks()[2].body, "");
+  EXPECT_EQ(deck.blocks()[3].body, "1\n2,3\n");
+  EXPECT_EQ(deck.blocks()[4].body, "7,0,0,0\n") << "too short to be worth it";
+  EXPECT_EQ(deck.blocks()[5].body, "a\n1\n");
+  EXPECT_EQ(deck.files()[1].bytes, "");
+  const auto second = read_deck(path, options, diagnostics);
+  ASSERT_TRUE(second.ok());
+  EXPECT_EQ(second.value().blocks()[2].body, nodes);
+  EXPECT_EQ(second.value().counters().shared_files, 2u) << "they are not scanned again";
+}
+
 }  // namespace
 }  // namespace gapcheck::keyword::file_cache_test

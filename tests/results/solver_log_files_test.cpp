@@ -140,5 +140,34 @@ TEST(SolverLogFiles, FilesThatCannotBeOpened) {
   EXPECT_TRUE(diagnostics.has_errors());
 }
 
+// Only a part of a long log is in memory at a time.
+TEST(SolverLogFiles, ALongFileIsReadAsItsText) {
+  const Folder folder("long");
+  Report report;
+  report.contacts.emplace_back().id = 5;
+  std::string text;
+  for (int i = 0; text.size() < 30'000'000; ++i) {
+    Penetration p;
+    p.node = 1 + i;
+    p.segment = {1, 2, 3, 4};
+    p.depth = 0.25;
+    p.contact_distance = 1;
+    report.penetrations.assign(1, p);
+    text += write_messag(report);
+    if (i % 7 == 0) text += "       9 t 1.0000E-01 dt 1.0E-03 write d3plot file\n" + std::string(3000, ' ') + "\n";
+  }
+  Diagnostics diagnostics, expected_diagnostics;
+  const auto file = read_solver_logs({folder.write("messag", text)}, {}, diagnostics);
+  const Report expected = read_solver_log_text(text, "messag", {}, expected_diagnostics);
+  ASSERT_TRUE(file);
+  ASSERT_EQ(file.value().penetrations.size(), expected.penetrations.size());
+  for (std::size_t i = 0; i < expected.penetrations.size(); ++i) {
+    EXPECT_EQ(file.value().penetrations[i].node, expected.penetrations[i].node);
+    EXPECT_EQ(file.value().penetrations[i].depth, expected.penetrations[i].depth);
+    EXPECT_EQ(file.value().penetrations[i].line, expected.penetrations[i].line);
+  }
+  EXPECT_EQ(diagnostics.sorted().size(), expected_diagnostics.sorted().size());
+}
+
 }  // namespace
 }  // namespace gapcheck::results::solver_log_files_test

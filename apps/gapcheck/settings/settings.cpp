@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "audit/ignore_demand.hpp"
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 
@@ -50,7 +50,7 @@ void check_options(const Settings& settings, Diagnostics& diagnostics) {
 }
 
 Settings read_file(const std::string& path, Diagnostics& diagnostics) {
-  const auto file = MappedFile::open(path);
+  const auto file = FileBytes::open(path);
   if (!file) {
     diagnostics.add(file.error());
     return {path, {}, {}, {}};

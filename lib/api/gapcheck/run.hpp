@@ -37,6 +37,7 @@ struct RunOptions {
   double until = 0;                 ///< end time; 0: that of the deck
   std::uint64_t cycles = 0;         ///< ends after so many cycles; 0: as the deck says
   bool ignore_unsupported = false;  ///< run without the keywords that are not calculated; else they are an error
+  bool replace_foreign = false;     ///< replace results in the directory that gapcheck did not write; else an error
   /// Called in every cycle by the thread of run_deck(), which waits for it. False ends the run one cycle later, with a
   /// last state in the files and a last call. The state is valid during the call. It must not throw. Empty: no calls.
   std::function<bool(const RunState&)> watch = {};
@@ -75,10 +76,12 @@ struct RunSummary {
 };
 
 /// Runs a keyword deck with the verification solver and writes messag, d3hsp, glstat, rcforc, d3plot, … into
-/// `directory`, which is made if it is not there; files of these names are replaced. Errors: the deck cannot be read in
-/// full, has no end time, or holds what is not calculated (all of it is in Error::diagnostics, with file and line); the
-/// directory or a file in it cannot be written; an option with no valid number. A run that begins and fails later is a
-/// result with RunEnd::failed. May be called from several threads at once, each with a directory of its own.
+/// `directory`, which is made if it is not there; gapcheck's own files of these names are replaced, but never a file of
+/// the deck. Errors: the deck
+/// cannot be read in full, has no end time, or holds what is not calculated (all of it is in Error::diagnostics, with
+/// file and line); the directory or a file in it cannot be written; an option with no valid number. A run that begins
+/// and fails later is a result with RunEnd::failed. May be called from several threads at once, each with a directory
+/// of its own.
 ///
 ///     const auto run = gapcheck::api::run_deck("model.k", "out", {.cycles = 100});
 ///     if (!run) return fail(run.error());

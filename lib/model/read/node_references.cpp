@@ -10,14 +10,6 @@
 namespace gapcheck::model {
 namespace {
 
-/// Keywords that only define positions, or that the model holds in another form.
-bool is_mesh(std::string_view name) {
-  constexpr std::array<std::string_view, 9> mesh{"NODE",           "ELEMENT_SHELL",  "ELEMENT_SOLID",
-                                                 "ELEMENT_TSHELL", "ELEMENT_SPH",    "SET_",
-                                                 "CONTACT_",       "INITIAL_STRESS", "INITIAL_STRAIN"};
-  return std::any_of(mesh.begin(), mesh.end(), [&](std::string_view family) { return name.starts_with(family); });
-}
-
 bool holds_nodes(IdKind kind) { return kind == IdKind::node || kind == IdKind::set; }
 
 /// The cards of a keyword that can hold nodes or node sets. Constraints and elements with unknown cards are read as
@@ -72,6 +64,13 @@ class References {
 };
 
 }  // namespace
+
+bool is_mesh(std::string_view name) {
+  constexpr std::array<std::string_view, 9> mesh{"NODE",           "ELEMENT_SHELL",  "ELEMENT_SOLID",
+                                                 "ELEMENT_TSHELL", "ELEMENT_SPH",    "SET_",
+                                                 "CONTACT_",       "INITIAL_STRESS", "INITIAL_STRAIN"};
+  return std::any_of(mesh.begin(), mesh.end(), [&](std::string_view family) { return name.starts_with(family); });
+}
 
 std::vector<std::uint8_t> referenced_nodes(const keyword::Deck& deck, const Model& model, std::string_view family) {
   return referenced_nodes(deck, model, [&](std::string_view name) { return name.starts_with(family); });

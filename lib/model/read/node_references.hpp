@@ -9,6 +9,10 @@
 
 namespace gapcheck::model {
 
+/// Keywords that only define positions, or that the model holds in another form: nobody reads their text again once
+/// there is a model, except to correct it.
+[[nodiscard]] bool is_mesh(std::string_view name);
+
 /// Nodes that keywords other than mesh keywords refer to: parallel to Nodes, 1 for every node whose id is in a node
 /// field, or whose node set is in a set field, of a block whose name begins with `family` (empty: any). Elements,
 /// nodes, sets and contacts are skipped. A line is read as each of the keyword's cards, so that too many nodes are

@@ -248,7 +248,6 @@ Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics) {
   for (const keyword::SourceFile& file : deck.files()) model.files.push_back(file.path);
   Context context{deck, diagnostics, model, {}, {}, {}, 0};
   read_blocks(context);
-  deck.release_pages();
   sort_faults(model.faults);
   return Result<Model>(std::move(model));
 }

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
 
 namespace gapcheck::results {
 
@@ -18,7 +18,7 @@ RunResults read_run_results(const std::string& directory, bool nodes, Diagnostic
       run.missing.emplace_back(name);
       return;
     }
-    const auto file = MappedFile::open(path);
+    const auto file = FileBytes::open(path);
     if (file)
       take(file.value().bytes(), path);
     else

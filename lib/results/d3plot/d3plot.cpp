@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
 #include "results/d3plot/d3plot_header.hpp"
 #include "results/d3plot/d3plot_words.hpp"
 
@@ -331,17 +331,23 @@ bool looks_like_femzip(std::string_view bytes, const D3plotHeader& header) {
   return false;
 }
 
-Result<D3plot> read(std::string_view bytes, const std::string& name, const std::string& family) {
+/// What the header and the marks of compressed files lie in.
+constexpr std::size_t head_bytes = std::size_t{1} << 16;
+
+/// `head`: the beginning of the file; `make_words`: all of it.
+template <class MakeWords>
+Result<D3plot> read(std::string_view head, const std::string& name, const MakeWords& make_words) {
   const auto failure = [&](std::string problem) { return Diagnostic{Severity::error, name, 0, std::move(problem)}; };
-  if (bytes.empty()) return failure("is empty and no d3plot");
-  if (has_gzip_mark(bytes)) return failure("is compressed (gzip); unpack it first");
-  const auto header = read_d3plot_header(bytes);
+  if (head.empty()) return failure("is empty and no d3plot");
+  if (has_gzip_mark(head)) return failure("is compressed (gzip); unpack it first");
+  const auto header = read_d3plot_header(head);
   if (!header) return failure("is not a d3plot: no word size and byte order gives control words that make sense");
-  D3plotWords words(bytes, family, header->form);
+  D3plotWords words = make_words(header->form);
   GeometryReader reader(*header, words);
   D3plot plot;
   if (reader.read(plot)) return plot;
-  if (looks_like_femzip(bytes, *header)) return failure("is compressed (FEMZIP); unpack it with femunzip first");
+  if (!words.status().ok()) return words.status().error();
+  if (looks_like_femzip(head, *header)) return failure("is compressed (FEMZIP); unpack it with femunzip first");
   return failure(reader.problem());
 }
 
@@ -351,11 +357,15 @@ Result<D3plot> read_d3plot(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     return Diagnostic{Severity::error, path, 0, "is a directory; give the d3plot file inside it"};
-  const auto file = MappedFile::open(path);
+  auto file = FileBytes::begin(path);
   if (!file) return file.error();
-  return read(file.value().bytes(), path, path);
+  if (const Status head = file.value().load(head_bytes); !head.ok()) return head.error();
+  return read(file.value().bytes(), path,
+              [&](WordForm form) { return D3plotWords(std::move(file).value(), path, form); });
 }
 
-Result<D3plot> read_d3plot_bytes(std::string_view bytes, const std::string& name) { return read(bytes, name, {}); }
+Result<D3plot> read_d3plot_bytes(std::string_view bytes, const std::string& name) {
+  return read(bytes, name, [&](WordForm form) { return D3plotWords(bytes, form); });
+}
 
 }  // namespace gapcheck::results

@@ -37,6 +37,7 @@ enum Place : std::size_t {
   title = 0,
   title_words = 10,
   file_type = 11,
+  release = 13,
   ndim = 15,
   numnp = 16,
   icode = 17,

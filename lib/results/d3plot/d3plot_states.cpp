@@ -191,7 +191,7 @@ Result<D3plotStates> D3plotStates::open(const std::string& path) {
   if (!mesh) return mesh.error();
   D3plotStates states;
   states.mesh_ = std::move(mesh).value();
-  auto file = MappedFile::open(path);
+  auto file = FileBytes::open(path);
   if (!file) return file.error();
   states.files_.push_back(std::move(file).value());
   const std::string_view bytes = states.files_[0].bytes();
@@ -207,7 +207,7 @@ Result<D3plotStates> D3plotStates::open(const std::string& path) {
   std::uint64_t start = states.mesh_.geometry_words;
   for (std::uint32_t member = 0;; ++member) {
     if (member > 0) {
-      auto next = MappedFile::open(fmt::format("{}{:02}", path, member));
+      auto next = FileBytes::open(fmt::format("{}{:02}", path, member));
       if (!next) break;
       states.files_.push_back(std::move(next).value());
     }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
 #include "base/result.hpp"
 #include "results/d3plot/d3plot.hpp"
 #include "results/d3plot/d3plot_state.hpp"
@@ -52,7 +52,7 @@ class D3plotStates {
   D3plotStateLayout layout_;
   std::size_t word_bytes_ = 4;
   bool swapped_ = false;
-  std::vector<MappedFile> files_;
+  std::vector<FileBytes> files_;
   std::vector<Place> places_;
   std::vector<double> times_;
 };

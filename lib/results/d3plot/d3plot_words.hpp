@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
+#include "base/result.hpp"
 
 namespace gapcheck::results {
 
@@ -44,33 +45,50 @@ inline double real(const char* at, WordForm form) {
 
 }  // namespace words
 
-/// A database as one row of words. Files of the family after the first are opened when `reach` asks for more than is
-/// loaded: only after a file that ends with a whole block, since only such a file can be continued.
+/// A database as one row of words. Files are read as far as `reach` asks for, and those of the family after the first
+/// opened: only after a file that ends with a whole block, since only such a file can be continued.
 class D3plotWords {
  public:
   static constexpr std::size_t block_words = 512;
 
-  /// `first` must outlive the words. `family`: path of the first file; empty: there are no others.
-  D3plotWords(std::string_view first, std::string family, WordForm form)
-      : form_(form), family_(std::move(family)), members_{{0, first}}, size_(first.size() / form.bytes) {}
+  /// A database in memory, which must outlive the words.
+  D3plotWords(std::string_view bytes, WordForm form)
+      : form_(form), members_{{0, bytes.data(), bytes.size()}}, size_(bytes.size() / form.bytes) {}
+  /// A database on disk; `path`: of the first file.
+  D3plotWords(FileBytes first, std::string path, WordForm form)
+      : form_(form),
+        family_(std::move(path)),
+        members_{{0, first.bytes().data(), first.size()}},
+        size_(first.size() / form.bytes) {
+    files_.push_back(std::move(first));
+  }
 
   [[nodiscard]] WordForm form() const { return form_; }
   /// Number of words so far.
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  /// True if words [0, count) exist; opens further files if necessary.
+  /// True if words [0, count) exist and can be used; reads on, and opens further files, if necessary.
   bool reach(std::uint64_t count) {
     while (size_ < count)
       if (!open_next()) return false;
-    return true;
+    for (std::size_t i = complete_; i < files_.size(); ++i) {
+      if (!status_.ok() || count <= members_[i].first_word) break;
+      const std::uint64_t words = std::min(count - members_[i].first_word, members_[i].size / form_.bytes);
+      status_ = files_[i].load(words * form_.bytes);
+    }
+    complete_ = files_.empty() ? 0 : files_.size() - 1;
+    return status_.ok();
   }
-  /// Word `at` < size().
+  /// Not ok() if a file could not be read as far as it went when it was opened.
+  [[nodiscard]] const Status& status() const { return status_; }
+  /// Word `at`, which reach() has made usable.
   [[nodiscard]] std::int64_t integer(std::uint64_t at) const { return words::integer(place(at), form_); }
   [[nodiscard]] double real(std::uint64_t at) const { return words::real(place(at), form_); }
 
  private:
   struct Member {
     std::uint64_t first_word;
-    std::string_view bytes;
+    const char* data;
+    std::size_t size;
   };
 
   [[nodiscard]] const char* place(std::uint64_t at) const {
@@ -78,26 +96,28 @@ class D3plotWords {
     if (members_.size() > 1)
       member = &*std::prev(std::upper_bound(members_.begin(), members_.end(), at,
                                             [](std::uint64_t word, const Member& m) { return word < m.first_word; }));
-    return member->bytes.data() + (at - member->first_word) * form_.bytes;
+    return member->data + (at - member->first_word) * form_.bytes;
   }
 
   bool open_next() {
-    const std::string_view last = members_.back().bytes;
-    if (family_.empty() || last.empty() || last.size() % (block_words * form_.bytes) != 0) return false;
+    const std::size_t last = members_.back().size;
+    if (family_.empty() || last == 0 || last % (block_words * form_.bytes) != 0) return false;
     const std::string number = std::to_string(members_.size());
-    auto file = MappedFile::open(family_ + (number.size() < 2 ? "0" : "") + number);
+    auto file = FileBytes::begin(family_ + (number.size() < 2 ? "0" : "") + number);
     if (!file) return false;
     files_.push_back(std::move(file).value());
-    members_.push_back({size_, files_.back().bytes()});
-    size_ += files_.back().bytes().size() / form_.bytes;
+    members_.push_back({size_, files_.back().bytes().data(), files_.back().size()});
+    size_ += files_.back().size() / form_.bytes;
     return true;
   }
 
   WordForm form_;
   std::string family_;
-  std::vector<MappedFile> files_;
+  std::vector<FileBytes> files_;  ///< beside the members; of a database in memory none
   std::vector<Member> members_;
   std::uint64_t size_;
+  std::size_t complete_ = 0;  ///< files that have been read to their end
+  Status status_;
 };
 
 }  // namespace gapcheck::results

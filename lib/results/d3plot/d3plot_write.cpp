@@ -13,6 +13,7 @@
 #include "results/d3plot/d3plot_buffer.hpp"
 #include "results/d3plot/d3plot_header.hpp"
 #include "results/d3plot/d3plot_words.hpp"
+#include "results/d3plot/run_folder.hpp"
 
 namespace gapcheck::results {
 namespace {
@@ -95,7 +96,12 @@ class GeometryWriter {
     for (std::size_t i = 0; i < 4; ++i) words[control_words::ioshl + i] = 1000;
     count_materials(words);
     words[control_words::nmmat] = count(parts_.size());
-    for (std::size_t i = control_words::title_words; i < words.size(); ++i) out_.integer(words[i]);
+    for (std::size_t i = control_words::title_words; i < words.size(); ++i) {
+      if (i == control_words::release)
+        out_.text(d3plot_mark, static_cast<std::size_t>(word_bytes_));
+      else
+        out_.integer(words[i]);
+    }
   }
 
   /// Parts by their elements; the sum over the kinds is the number of parts.
@@ -202,10 +208,23 @@ bool write_bytes(std::FILE* file, std::string_view bytes) {
   return std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
 }
 
-void remove_members(const std::string& path) {
+/// The files of an older family, also behind a gap: the new one may fill it, and they would be taken for its states.
+/// The first file too, so that what is linked to it stays.
+void remove_family(const std::string& path) {
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  for (std::uint32_t member = 1; std::filesystem::remove(member_path(path, member), ignored); ++member) {
+  fs::remove(path, ignored);
+  const fs::path first(path);
+  const std::string name = first.filename().string();
+  std::vector<fs::path> members;
+  const fs::path folder = first.has_parent_path() ? first.parent_path() : fs::path(".");
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+    const std::string other = entry->path().filename().string();
+    if (other.size() > name.size() && other.starts_with(name) &&
+        other.find_first_not_of("0123456789", name.size()) == std::string::npos)
+      members.push_back(entry->path());
   }
+  for (const fs::path& member : members) fs::remove(member, ignored);
 }
 
 }  // namespace
@@ -223,7 +242,7 @@ Result<D3plotWriter> D3plotWriter::create(const std::string& path, const D3plot&
   writer.beams_ = mesh.beams.ids.size();
   writer.shells_ = mesh.shells.ids.size();
   writer.parts_ = parts.size();
-  remove_members(path);
+  remove_family(path);
   errno = 0;
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "wb"));
   GeometryWriter geometry(mesh, parts, writer.settings_);

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
+#include "results/text/lines.hpp"
 
 namespace gapcheck::results {
 namespace {
@@ -45,12 +46,11 @@ Result<InputKind> files_of(const std::string& directory) {
 
 }  // namespace
 
-bool begins_as_deck(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(text.size(), end + 1));
+bool begins_as_deck(FileBytes& file) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  for (Lines lines(file); !lines.done(); lines.advance()) {
+    std::string_view line = lines.line();
+    if (lines.number() == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
     if (line.find_first_not_of(" \t") == std::string_view::npos || line.front() == '$') continue;
     // Solver files indent lines that begin with a star.
     return line.size() > 1 && line[0] == '*' && std::isalpha(static_cast<unsigned char>(line[1])) != 0;
@@ -61,10 +61,10 @@ bool begins_as_deck(std::string_view text) {
 Result<InputKind> recognise(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return files_of(path);
-  const auto file = MappedFile::open(path);
+  auto file = FileBytes::begin(path);
   if (!file) return file.error();
   InputKind kind;
-  kind.deck = deck_extension(path) || begins_as_deck(file.value().bytes());
+  kind.deck = deck_extension(path) || begins_as_deck(file.value());
   if (!kind.deck) kind.files = {path};
   return kind;
 }

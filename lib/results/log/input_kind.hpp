@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "base/file_bytes.hpp"
 #include "base/result.hpp"
 
 namespace gapcheck::results {
@@ -15,7 +15,8 @@ struct InputKind {
 };
 
 /// Whether the first line that is neither empty nor a comment of a deck (`$`) is a keyword.
-[[nodiscard]] bool begins_as_deck(std::string_view text);
+/// Reads on as far as that takes.
+[[nodiscard]] bool begins_as_deck(FileBytes& file);
 
 /// A keyword deck has the extension .k, .key or .dyn, or begins with `*` (after comments, `$`). A directory means its
 /// messag, else its mesNNNN files, else its d3hsp. Every other file is solver output. Errors: no such file, or a

@@ -1,7 +1,6 @@
 #include "results/log/log_reader.hpp"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -18,11 +17,11 @@
 namespace gapcheck::results {
 namespace {
 
-constexpr std::size_t release_step = std::size_t{64} << 20;
+constexpr std::size_t release_step = std::size_t{4} << 20, head_size = std::size_t{1} << 16;
 
 /// A d3plot, an archive, UTF-16: many bytes that do not occur in text.
 bool is_binary(std::string_view text) {
-  const std::string_view head = text.substr(0, std::size_t{1} << 16);
+  const std::string_view head = text.substr(0, head_size);
   const auto controls = std::count_if(head.begin(), head.end(), [](char c) {
     return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
   });
@@ -31,12 +30,13 @@ bool is_binary(std::string_view text) {
 
 class FileReader {
  public:
-  FileReader(std::string_view text, const LogFile& file, const MessageKinds& kinds, LogCollector& collector)
-      : text_(text),
-        file_(file),
+  /// `bytes`: of a file on disk, otherwise null.
+  FileReader(Lines lines, std::size_t size, FileBytes* bytes, const MessageKinds& kinds, LogCollector& collector)
+      : lines_(std::move(lines)),
+        size_(size),
+        bytes_(bytes),
         kinds_(kinds),
         collector_(collector),
-        lines_(text),
         echo_(collector),
         facts_(collector),
         nodes_(collector) {}
@@ -45,6 +45,7 @@ class FileReader {
     std::string_view before;
     while (!lines_.done()) {
       const std::string_view line = lines_.line();
+      release_before(before.empty() ? line : before);
       if (is_candidate(line) && dispatch(line, before)) {
         recognised_ = true;
         before = line;
@@ -53,7 +54,6 @@ class FileReader {
       before = line;
       last_open_ = lines_.open();
       lines_.advance();
-      release_pages();
     }
     note_end();
     return recognised_;
@@ -62,11 +62,12 @@ class FileReader {
  private:
   static bool is_candidate(std::string_view line) { return line.find_first_not_of(" \t") != std::string_view::npos; }
 
-  /// Line numbers are kept, pages already read are not: memory grows only with what is found.
-  void release_pages() {
-    if (!file_.mapped || lines_.offset() < released_ + release_step) return;
-    const std::size_t end = lines_.offset() / release_step * release_step;
-    ::madvise(const_cast<char*>(text_.data()) + released_, end - released_, MADV_DONTNEED);
+  /// Line numbers are kept, text already read is not: memory grows only with what is found. `view`: the first text
+  /// that is still used.
+  void release_before(std::string_view view) {
+    if (bytes_ == nullptr || lines_.offset() < released_ + 2 * release_step || view.empty()) return;
+    const auto end = static_cast<std::size_t>(view.data() - bytes_->bytes().data()) / release_step * release_step;
+    if (end > released_) bytes_->release(released_, end);
     released_ = end;
   }
 
@@ -80,7 +81,8 @@ class FileReader {
       collector_.error(lines_.first_nul(), "holds NUL bytes: the file is damaged; what could be read was read");
     if (last_open_ && recognised_)
       collector_.warning(last, "the last line has no end: the file may have been cut, or is still written");
-    collector_.count_bytes(text_.size(), last);
+    if (!lines_.status().ok()) collector_.error(last, lines_.status().error().message);
+    collector_.count_bytes(size_, last);
   }
 
   /// Consumes the line and those that belong to it; false: it has no meaning, and is still the current one.
@@ -180,7 +182,6 @@ class FileReader {
 
   bool read_block() {
     read_message_block(lines_, block_);
-    release_pages();
     if (collector_.companion()) return true;
     collector_.messages().count_block(block_.code);
     const MessageKind* kind = kinds_.find(block_);
@@ -244,11 +245,11 @@ class FileReader {
               joined_text(block_, MessageLog::longest_text), 1, collector_.file(), block_.line});
   }
 
-  std::string_view text_;
-  const LogFile& file_;
+  Lines lines_;
+  std::size_t size_;
+  FileBytes* bytes_;
   const MessageKinds& kinds_;
   LogCollector& collector_;
-  Lines lines_;
   ContactEcho echo_;
   RunFacts facts_;
   NodeLines nodes_;
@@ -257,19 +258,37 @@ class FileReader {
   bool recognised_ = false, last_open_ = false;
 };
 
+/// `head`: the beginning, which says what it is. `read`: reads the whole and says whether it was a log.
+template <class Read>
+bool read_if_text(std::string_view head, const LogFile& file, LogCollector& collector, const Read& read) {
+  collector.begin_file(file.name, file.companion);
+  bool recognised = true;
+  if (head.empty())
+    collector.error(0, "is empty; give the messag, mesNNNN or d3hsp file of a run");
+  else if (is_binary(head))
+    collector.error(0, "is binary, no text; give the messag, mesNNNN or d3hsp file of a run");
+  else
+    recognised = read();
+  collector.end_file();
+  return recognised;
+}
+
 }  // namespace
 
 bool read_log_file(std::string_view text, const LogFile& file, const MessageKinds& kinds, LogCollector& collector) {
-  collector.begin_file(file.name, file.companion);
-  bool recognised = true;
-  if (text.empty())
-    collector.error(0, "is empty; give the messag, mesNNNN or d3hsp file of a run");
-  else if (is_binary(text))
-    collector.error(0, "is binary, no text; give the messag, mesNNNN or d3hsp file of a run");
-  else
-    recognised = FileReader(text, file, kinds, collector).read();
-  collector.end_file();
-  return recognised;
+  return read_if_text(text, file, collector,
+                      [&] { return FileReader(Lines(text), text.size(), nullptr, kinds, collector).read(); });
+}
+
+bool read_log_file(FileBytes& bytes, const LogFile& file, const MessageKinds& kinds, LogCollector& collector) {
+  if (const Status head = bytes.load(head_size); !head.ok()) {
+    collector.begin_file(file.name, file.companion);
+    collector.error(0, head.error().message);
+    collector.end_file();
+    return true;
+  }
+  return read_if_text(bytes.bytes(), file, collector,
+                      [&] { return FileReader(Lines(bytes), bytes.size(), &bytes, kinds, collector).read(); });
 }
 
 }  // namespace gapcheck::results

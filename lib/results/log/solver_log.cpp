@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <set>
 
-#include "base/mapped_file.hpp"
+#include "base/file_bytes.hpp"
 #include "results/log/input_kind.hpp"
 #include "results/log/log_collector.hpp"
 #include "results/log/log_reader.hpp"
@@ -24,7 +24,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 void add_kinds(const LogOptions& options, MessageKinds& kinds, Diagnostics& diagnostics) {
   for (const std::string& path : options.message_files) {
-    auto file = MappedFile::open(path);
+    auto file = FileBytes::open(path);
     if (file)
       kinds.add(file.value().bytes(), path, diagnostics);
     else
@@ -54,7 +54,9 @@ class LogFilesReader {
     add_kinds(options, kinds_, diagnostics);
   }
 
-  void text(std::string_view text, const LogFile& file) {
+  /// `text`: in memory, or a file.
+  template <class Text>
+  void read(Text&& text, const LogFile& file) {
     if (read_log_file(text, file, kinds_, collector_))
       any_log_ = true;
     else
@@ -67,12 +69,12 @@ class LogFilesReader {
       if (!companion) diagnostics_.warning(path, 0, "was given before; it is read once");
       return {};
     }
-    auto mapped = MappedFile::open(path);
-    if (!mapped) return mapped.error();
-    if (!companion && begins_as_deck(mapped.value().bytes()))
+    auto file = FileBytes::begin(path);
+    if (!file) return file.error();
+    if (!companion && begins_as_deck(file.value()))
       return Diagnostic{Severity::error, path, 0, "is a keyword deck, not a solver's log; use gapcheck audit"};
     opened_ = true;
-    text(mapped.value().bytes(), {path, companion, true});
+    read(file.value(), {path, companion});
     return {};
   }
 
@@ -125,7 +127,7 @@ Result<Report> read_solver_logs(const std::vector<std::string>& paths, const Log
 Report read_solver_log_text(std::string_view text, const std::string& name, const LogOptions& options,
                             Diagnostics& diagnostics) {
   LogFilesReader reader(options, diagnostics);
-  reader.text(text, {name, false, false});
+  reader.read(text, {name, false});
   Report report = reader.finish(options);
   report.input = name;
   return report;

@@ -11,18 +11,18 @@ constexpr std::size_t rare_step = std::size_t{1} << 18;
 
 }  // namespace
 
-std::size_t Lines::Ahead::find(std::size_t begin, std::size_t end) {
+std::size_t Lines::Ahead::find(std::string_view text, std::size_t begin, std::size_t end) {
   if (known_ && found_ >= begin) return std::min(found_, end);
   known_ = false;
   searched_ = std::max(searched_, begin);
   while (searched_ < end) {
-    const std::size_t until = text_.size() - searched_ > step_ ? searched_ + step_ : text_.size();
-    const void* hit = std::memchr(text_.data() + searched_, wanted_, until - searched_);
+    const std::size_t until = text.size() - searched_ > step_ ? searched_ + step_ : text.size();
+    const void* hit = std::memchr(text.data() + searched_, wanted_, until - searched_);
     if (hit == nullptr) {
       searched_ = until;
       continue;
     }
-    found_ = static_cast<std::size_t>(static_cast<const char*>(hit) - text_.data());
+    found_ = static_cast<std::size_t>(static_cast<const char*>(hit) - text.data());
     searched_ = found_ + 1;
     known_ = true;
     return std::min(found_, end);
@@ -31,18 +31,43 @@ std::size_t Lines::Ahead::find(std::size_t begin, std::size_t end) {
 }
 
 Lines::Lines(std::string_view text)
-    : text_(text), feeds_(text, '\n', text.size()), returns_(text, '\r', rare_step), nuls_(text, '\0', rare_step) {
+    : text_(text),
+      feeds_('\n', std::numeric_limits<std::size_t>::max()),
+      returns_('\r', rare_step),
+      nuls_('\0', rare_step) {
   advance();
 }
 
+Lines::Lines(FileBytes& file) : Lines(std::string_view()) {
+  file_ = &file;
+  text_ = file.bytes();
+  done_ = false;
+  advance();
+}
+
+/// True if there is more text.
+bool Lines::read_on() {
+  if (file_ == nullptr || !status_.ok() || text_.size() == file_->size()) return false;
+  status_ = file_->load(text_.size() + 1);
+  text_ = file_->bytes();
+  return status_.ok();
+}
+
+/// The next line feed, or the end of the text.
+std::size_t Lines::next_feed() {
+  std::size_t feed = feeds_.find(text_, next_, text_.size());
+  while (feed == text_.size() && read_on()) feed = feeds_.find(text_, next_, text_.size());
+  return feed;
+}
+
 void Lines::advance() {
-  if (next_ >= text_.size()) {
+  if (next_ >= text_.size() && !read_on()) {
     done_ = true;
     line_ = {};
     return;
   }
   if (number_ < std::numeric_limits<std::uint32_t>::max()) ++number_;
-  const std::size_t begin = next_, feed = feeds_.find(begin, text_.size()), end = returns_.find(begin, feed);
+  const std::size_t begin = next_, feed = next_feed(), end = returns_.find(text_, begin, feed);
   open_ = end == text_.size();
   next_ = open_ ? end : end + 1;
   if (end < feed && feed < text_.size()) {
@@ -58,7 +83,7 @@ void Lines::check_line(std::size_t begin, std::size_t end) {
     line_ = line_.substr(0, longest);
     if (cut_lines_++ == 0) first_cut_ = number_;
   }
-  if (nuls_.find(begin, end) == end) return;
+  if (nuls_.find(text_, begin, end) == end) return;
   if (first_nul_ == 0) first_nul_ = number_;
   while (!line_.empty() && line_.front() == '\0') line_.remove_prefix(1);
   while (!line_.empty() && line_.back() == '\0') line_.remove_suffix(1);

@@ -3,17 +3,21 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/file_bytes.hpp"
+#include "base/result.hpp"
+
 namespace gapcheck::results {
 
-/// Iterates over the lines of a text in memory without copying. LF, CR LF, CR CR LF and CR all end a line; leading and
-/// trailing NUL bytes of a line are left out. The text must outlive the views. Work is linear in the size for any
-/// input.
+/// Iterates over the lines of a text in memory without copying, or of a file that is read as far as they go. LF, CR LF,
+/// CR CR LF and CR all end a line; leading and trailing NUL bytes of a line are left out. The text must outlive the
+/// views. Work is linear in the size for any input.
 class Lines {
  public:
   /// Longer lines are cut to this many bytes (see `cut_lines`).
   static constexpr std::size_t longest = std::size_t{1} << 16;
 
   explicit Lines(std::string_view text);
+  explicit Lines(FileBytes& file);
   [[nodiscard]] bool done() const { return done_; }
   /// The current line without its end; only while not done().
   [[nodiscard]] std::string_view line() const { return line_; }
@@ -29,25 +33,30 @@ class Lines {
   /// Bytes up to the end of the current line.
   [[nodiscard]] std::size_t offset() const { return next_; }
   void advance();
+  /// Not ok() if the file could not be read to its end: the lines end where it failed.
+  [[nodiscard]] const Status& status() const { return status_; }
 
  private:
   /// Searches one character in steps just ahead of the reader: rare ones cost next to nothing, no byte is searched
   /// twice, and pages far ahead stay untouched.
   class Ahead {
    public:
-    Ahead(std::string_view text, char wanted, std::size_t step) : text_(text), wanted_(wanted), step_(step) {}
-    /// Position of the first one in [begin, end), or `end`. `begin` must not decrease.
-    std::size_t find(std::size_t begin, std::size_t end);
+    Ahead(char wanted, std::size_t step) : wanted_(wanted), step_(step) {}
+    /// Position of the first one in [begin, end) of the text, or `end`. `begin` must not decrease; the text may grow.
+    std::size_t find(std::string_view text, std::size_t begin, std::size_t end);
 
    private:
-    std::string_view text_;
     char wanted_;
     std::size_t step_, found_ = 0, searched_ = 0;
     bool known_ = false;
   };
 
+  bool read_on();
+  [[nodiscard]] std::size_t next_feed();
   void check_line(std::size_t begin, std::size_t end);
 
+  FileBytes* file_ = nullptr;
+  Status status_;
   std::string_view text_, line_;
   Ahead feeds_, returns_, nuls_;
   std::size_t next_ = 0;

@@ -46,6 +46,8 @@ const char* reason(RunEnd end) {
       return "the smallest step that DTMIN allows";
     case RunEnd::stopped:
       return "termination on request";
+    case RunEnd::signal:
+      return "terminated by a signal";
     case RunEnd::failed:
       break;
   }
@@ -188,7 +190,8 @@ SolverStatus RunFiles::log_end(const Run& run, RunEnd end) {
   const State& state = run.stepper().state();
   std::string text;
   if (!run.status().ok()) text = results::error_block(run.status().error().message);
-  return log(text + results::log_end(end != RunEnd::failed, reason(end), state.time, state.cycle + 1));
+  return log(text + results::log_end(end != RunEnd::failed && end != RunEnd::signal, reason(end), state.time,
+                                     state.cycle + 1));
 }
 
 std::string RunFiles::state_text(std::size_t which, const Run& run) const {

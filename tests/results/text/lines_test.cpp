@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <random>
 #include <string>
 #include <vector>
@@ -97,6 +100,52 @@ TEST(Lines, ManyCarriageReturnsAreLinear) {
   std::size_t count = 0;
   for (Lines lines(text); !lines.done(); lines.advance()) ++count;
   EXPECT_EQ(count, 4'000'001u);
+}
+
+/// A file for one test.
+std::string file_with(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + "gapcheck_lines_" + name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+// Lines of all lengths, also longer than what is read at once.
+TEST(Lines, OfAFileAreThoseOfItsText) {
+  std::mt19937 random(11);
+  std::string text;
+  while (text.size() < 25'000'000) {
+    const std::size_t length = random() % 50 == 0 ? random() % 6'000'000 : random() % 100'000;
+    text.append(length, static_cast<char>('a' + random() % 26));
+    text += std::array{"\n", "\r\n", "\r\r\n", "\r", "\n\n"}[random() % 5];
+  }
+  const std::string path = file_with("same", text);
+  auto file = FileBytes::begin(path);
+  ASSERT_TRUE(file.ok());
+  Lines expected(text);
+  for (Lines lines(file.value()); !lines.done(); lines.advance(), expected.advance()) {
+    ASSERT_FALSE(expected.done());
+    ASSERT_EQ(lines.line(), expected.line());
+    ASSERT_EQ(lines.offset(), expected.offset());
+    ASSERT_EQ(lines.number(), expected.number());
+    ASSERT_EQ(lines.open(), expected.open());
+  }
+  EXPECT_TRUE(expected.done());
+  std::filesystem::remove(path);
+}
+
+TEST(Lines, OfAFileThatBecomesShorterEndWhereItFails) {
+  std::string text;
+  while (text.size() < 20'000'000) text += "a line of the log\n";
+  const std::string path = file_with("shorter", text);
+  auto file = FileBytes::begin(path);
+  ASSERT_TRUE(file.ok());
+  Lines lines(file.value());
+  std::filesystem::resize_file(path, 10'000'000);
+  for (; !lines.done(); lines.advance()) ASSERT_TRUE(text.substr(0, 18).starts_with(lines.line()));
+  EXPECT_FALSE(lines.status().ok());
+  EXPECT_LE(lines.offset(), 10'000'000u);
+  EXPECT_GT(lines.offset(), 1'000'000u);
+  std::filesystem::remove(path);
 }
 
 }  // namespace

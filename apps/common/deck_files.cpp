@@ -1,4 +1,4 @@
-#include "deck_files.hpp"
+#include "common/deck_files.hpp"
 
 namespace gapcheck::app {
 

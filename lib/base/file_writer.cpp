@@ -1,0 +1,211 @@
+#include "base/file_writer.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <random>
+#include <system_error>
+#include <utility>
+
+namespace gapcheck {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The name of an uncommitted file. A signal handler may read the list at any time: entries never change and are never
+/// freed, which costs a hundred bytes per file written.
+struct ListedName {
+  const std::string path;
+  std::atomic<bool> exists = true;
+  ListedName* next = nullptr;
+};
+std::atomic<ListedName*> listed_names = nullptr;
+std::atomic<bool> ending = false;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<ListedName*>::is_always_lock_free);
+
+ListedName& list_name(const std::string& path) {
+  auto* name = new ListedName{path, true, listed_names.load()};
+  while (!listed_names.compare_exchange_weak(name->next, name)) {
+  }
+  return *name;
+}
+
+std::string random_name() {
+  std::random_device random;
+  return fmt::format(".gapcheck-{:08x}{:08x}", random(), random());
+}
+
+/// Where a path leads, even if there is no file yet; none for /dev/stdout and its like, whose target belongs to whoever
+/// opened it.
+std::optional<fs::path> target_of(fs::path path) {
+  constexpr int most_links = 40;
+  std::error_code error;
+  for (int links = 0; links < most_links; ++links) {
+    for (const std::string_view stream : {"/dev/", "/proc/"})
+      if (path.native().starts_with(stream)) return std::nullopt;
+    if (!fs::is_symlink(path, error)) return path;
+    const fs::path to = fs::read_symlink(path, error);
+    if (error) return path;
+    path = to.is_absolute() ? to : path.parent_path() / to;
+  }
+  return std::nullopt;  // links in a round, which cannot be opened
+}
+
+/// The folder takes no new files, but that says nothing about the file itself.
+bool closed_folder(int error) { return error == EACCES || error == EPERM || error == EROFS; }
+
+/// Errors of fsync() where there is nothing to bring to a disk.
+bool means_no_disk(int error) { return error == EINVAL || error == ENOTSUP || error == ENOSYS || error == EROFS; }
+
+}  // namespace
+
+/// A new file in the folder of the target, deleted unless it was kept.
+class FileWriter::Temporary {
+ public:
+  explicit Temporary(const fs::path& target) : Temporary(list_name((target.parent_path() / random_name()).string())) {}
+  ~Temporary() {
+    if (!exists_) return;
+    ::unlink(path().c_str());
+    exists_ = false;
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  /// -1: it could not be made, for this reason.
+  [[nodiscard]] int fd() const { return fd_; }
+  [[nodiscard]] int error() const { return error_; }
+  /// It has another name now.
+  void keep() { exists_ = false; }
+
+ private:
+  explicit Temporary(ListedName& name)
+      : path_(name.path),
+        exists_(name.exists),
+        fd_(::open(path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666)),
+        error_(errno) {
+    // A handler that has read the list before this will not delete the file.
+    if (fd_ < 0) exists_ = false;
+    if (fd_ >= 0 && ending) ::unlink(path().c_str());
+  }
+
+  const std::string& path_;
+  std::atomic<bool>& exists_;
+  int fd_, error_;
+};
+
+FileWriter::FileWriter(std::string path, std::string target) : path_(std::move(path)), target_(std::move(target)) {}
+FileWriter::FileWriter(FileWriter&& other) noexcept = default;
+FileWriter::~FileWriter() = default;
+
+Diagnostic FileWriter::failure(int error) const {
+  return {Severity::error, path_, 0, fmt::format("cannot be written: {}", std::strerror(error != 0 ? error : EIO))};
+}
+
+Status FileWriter::open_directly() {
+  temporary_.reset();
+  errno = 0;
+  file_.reset(std::fopen(path_.c_str(), "wbe"));
+  if (!file_) return failure(errno);
+  return {};
+}
+
+Result<FileWriter> FileWriter::create(const std::string& path) {
+  const auto target = target_of(path);
+  FileWriter writer(path, target ? target->string() : path);
+  struct stat old {};
+  const bool exists = ::stat(path.c_str(), &old) == 0;
+  writer.replaces_ = exists;
+  if (exists && S_ISDIR(old.st_mode)) return writer.failure(EISDIR);
+  // Write-protected files stay, although their folder would let them be replaced.
+  if (exists && ::access(path.c_str(), W_OK) != 0) return writer.failure(errno);
+  const bool direct = !target || path.empty() || (exists && !S_ISREG(old.st_mode));
+  if (!direct) {
+    writer.temporary_ = std::make_unique<Temporary>(*target);
+    const int fd = writer.temporary_->fd();
+    if (fd >= 0) {
+      writer.file_.reset(::fdopen(fd, "wb"));
+      if (!writer.file_) {
+        const int error = errno;
+        ::close(fd);
+        return writer.failure(error);
+      }
+      if (exists && ::fchown(fd, old.st_uid, old.st_gid) != 0) errno = 0;  // only some may
+      if (exists) ::fchmod(fd, old.st_mode & 07777);
+      return Result<FileWriter>(std::move(writer));
+    }
+    if (!exists || !closed_folder(writer.temporary_->error())) return writer.failure(writer.temporary_->error());
+  }
+  if (const Status opened = writer.open_directly(); !opened.ok()) return opened.error();
+  return Result<FileWriter>(std::move(writer));
+}
+
+bool FileWriter::write(std::string_view text) {
+  errno = 0;
+  if (error_ == 0 && std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size())
+    error_ = errno != 0 ? errno : EIO;
+  return error_ == 0;
+}
+
+Status FileWriter::finish() {
+  if (file_) {
+    errno = 0;
+    if (error_ == 0 && std::fflush(file_.get()) != 0) error_ = errno;
+    if (error_ == 0 && temporary_ && replaces_ && ::fsync(::fileno(file_.get())) != 0 && !means_no_disk(errno))
+      error_ = errno;
+    if (std::fclose(file_.release()) != 0 && error_ == 0) error_ = errno != 0 ? errno : EIO;
+  }
+  if (error_ != 0) {
+    temporary_.reset();
+    return failure(error_);
+  }
+  return {};
+}
+
+/// The text into the old file, for names that cannot be taken over: mount points, as containers have them.
+int FileWriter::put_over() {
+  const std::unique_ptr<std::FILE, Close> from(std::fopen(temporary_->path().c_str(), "rbe"));
+  std::unique_ptr<std::FILE, Close> to(std::fopen(target_.c_str(), "wbe"));
+  if (!from || !to) return errno;
+  std::array<char, 65536> buffer{};
+  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), from.get())) > 0;)
+    if (std::fwrite(buffer.data(), 1, n, to.get()) != n) return errno;
+  if (std::ferror(from.get()) != 0) return EIO;
+  return std::fclose(to.release()) != 0 ? errno : 0;
+}
+
+Status FileWriter::commit() {
+  if (Status finished = finish(); !finished.ok()) return finished;
+  if (!temporary_) return {};
+  if (::rename(temporary_->path().c_str(), target_.c_str()) == 0) {
+    temporary_->keep();
+  } else {
+    error_ = errno == EBUSY ? put_over() : errno;
+  }
+  temporary_.reset();
+  if (error_ != 0) return failure(error_);
+  return {};
+}
+
+Status write_file(const std::string& path, std::string_view text) {
+  auto writer = FileWriter::create(path);
+  if (!writer) return writer.error();
+  writer.value().write(text);
+  return writer.value().commit();
+}
+
+void remove_uncommitted_files() noexcept {
+  ending = true;
+  for (const ListedName* name = listed_names; name != nullptr; name = name->next)
+    if (name->exists) ::unlink(name->path.c_str());
+}
+
+}  // namespace gapcheck
