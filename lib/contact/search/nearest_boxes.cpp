@@ -19,22 +19,36 @@ namespace {
 
 /// Points whose pairs are held at a time.
 constexpr std::size_t points_per_block = 20000;
-constexpr std::size_t sampled_boxes = 64, sampled_points = 4096;
+/// How many boxes and points are sampled: first, and to confirm that there are too many.
+constexpr std::array<std::array<std::size_t, 2>, 2> samples{{{64, 4096}, {256, 65536}}};
 
-/// Whether the share of pairs that `meet(box, point)` finds among a sample is too large.
+/// Some of the positions below `count`, the same at each call. Not evenly spaced: nodes and elements are numbered
+/// alike, and equal steps through both would meet too often.
+std::vector<std::size_t> sampled_positions(std::size_t count, std::size_t most, std::uint64_t seed) {
+  std::vector<std::size_t> list(std::min(count, most));
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::uint64_t z = seed + (i + 1) * 0x9E3779B97F4A7C15ULL;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
+    list[i] = count <= most ? i : static_cast<std::size_t>((z ^ (z >> 31)) % count);
+  }
+  return list;
+}
+
+/// Whether the share of pairs that `meet(box, point)` finds among samples is too large.
 template <class Meet>
 bool too_many(std::size_t points, std::size_t boxes, const Meet& meet) {
   const double all = static_cast<double>(points) * static_cast<double>(boxes);
   if (!(all > crowd_pairs)) return false;
-  const std::size_t box_step = boxes / sampled_boxes + 1, point_step = points / sampled_points + 1;
-  double sampled = 0, met = 0;
-  for (std::size_t b = 0; b < boxes; b += box_step)
-    for (std::size_t p = 0; p < points; p += point_step) {
-      met += meet(b, p) ? 1 : 0;
-      ++sampled;
-    }
-  const double share = met / sampled;
-  return share * all > crowd_pairs && share * static_cast<double>(boxes) > crowd_pairs_each;
+  return std::all_of(samples.begin(), samples.end(), [&](const auto& size) {
+    const std::vector<std::size_t> some_boxes = sampled_positions(boxes, size[0], size[0]);
+    const std::vector<std::size_t> some_points = sampled_positions(points, size[1], size[1]);
+    std::size_t met = 0;
+    for (const std::size_t b : some_boxes)
+      for (const std::size_t p : some_points) met += meet(b, p) ? 1 : 0;
+    const double share = static_cast<double>(met) / static_cast<double>(some_boxes.size() * some_points.size());
+    return share * all > crowd_pairs && share * static_cast<double>(boxes) > crowd_pairs_each;
+  });
 }
 
 double squared_distance(const Bounds& box, const Vector& x) {

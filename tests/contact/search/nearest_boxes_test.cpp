@@ -97,6 +97,20 @@ TEST(NearestBoxes, CrowdedOnlyIfManyPairsAndManyToEach) {
   EXPECT_FALSE(crowded(boxes));
 }
 
+// Boxes in the order of the points: any step through both lists must not meet more often than all of them do.
+TEST(NearestBoxes, AMeshInOrderIsNotCrowded) {
+  for (const std::size_t count : {1U << 18, 262'080U, 1'000'000U}) {
+    std::vector<Vector> points(count);
+    std::vector<Bounds> boxes(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      points[i] = Vector(static_cast<double>(i), 0, 0);
+      boxes[i] = {points[i] - Vector(6, 1, 1), points[i] + Vector(6, 1, 1)};
+    }
+    EXPECT_FALSE(crowded(points, boxes)) << count;
+    EXPECT_FALSE(crowded(boxes)) << count;
+  }
+}
+
 TEST(NearestBoxes, PairsOfBoxesHoldTheNearestOfEach) {
   std::mt19937_64 random(9);
   const std::vector<Bounds> cores = random_cores(random, 300), boxes = all_grown(cores, 0.5);
