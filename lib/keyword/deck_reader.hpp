@@ -1,12 +1,12 @@
 #pragma once
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "keyword/card.hpp"
 #include "keyword/include_paths.hpp"
 #include "keyword/include_transforms.hpp"
+#include "keyword/repeated_includes.hpp"
 #include "keyword/scan.hpp"
 
 namespace gapcheck::keyword {
@@ -43,7 +43,6 @@ class DeckReader {
   void read_include(const FileContext& context, const Block& block);
   void read_include_path(CardReader& reader, bool relative);
   void open_transformed(const FileContext& context, CardReader& reader, const IncludeName& include);
-  bool repeats_too_much(const std::string& canonical, std::uint64_t bytes, const Block& block, std::uint32_t line);
   void open_include(const FileContext& context, const Block& block, const IncludeName& include,
                     TransformIndex transform);
   [[nodiscard]] std::shared_ptr<KeywordFile> map_include(const std::string& path, const std::string& canonical,
@@ -57,13 +56,12 @@ class DeckReader {
   const ReadOptions& options_;
   Diagnostics& diagnostics_;
   Deck deck_;
-  FileCache own_;                             ///< where the options give none
-  std::vector<std::string> canonical_;        ///< beside Deck::files_
-  std::unordered_set<std::string> included_;  ///< canonical names
+  FileCache own_;                       ///< where the options give none
+  std::vector<std::string> canonical_;  ///< beside Deck::files_
+  RepeatedIncludes repeats_;
   IncludePaths paths_;
   IncludeTransforms transforms_;
-  std::size_t includes_ = 0;          ///< names of includes so far
-  std::uint64_t repeated_bytes_ = 0;  ///< of files that were included before
+  std::size_t includes_ = 0;  ///< names of includes so far
   bool warned_of_cases_ = false;
   bool stopped_ = false;  ///< a limit was exceeded: nothing more is read
 };

@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <filesystem>
 
 #include "base/number.hpp"
@@ -8,9 +5,6 @@
 
 namespace gapcheck::keyword {
 namespace {
-
-/// Repeating small parts of a large deck is no mistake.
-constexpr std::uint64_t repeat_share = 10;
 
 std::string beside(const std::string& file, const std::string& name) {
   return (std::filesystem::path(file).parent_path() / name).string();
@@ -93,26 +87,6 @@ std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, co
   return nullptr;
 }
 
-/// True, with the reason reported, if reading a file once more would exceed the bound on bytes that are read again.
-bool DeckReader::repeats_too_much(const std::string& canonical, std::uint64_t bytes, const Block& block,
-                                  std::uint32_t line) {
-  if (included_.insert(canonical).second) return false;
-  const std::uint64_t different = deck_.counters_.bytes - repeated_bytes_;
-  const std::uint64_t most = std::max(options_.max_repeated_bytes, repeat_share * different);
-  repeated_bytes_ += bytes;
-  if (repeated_bytes_ <= most) return false;
-  constexpr double megabyte = 1e6;
-  diagnostics_.error(
-      path_of(block.file), line,
-      fmt::format(
-          "the includes repeat files: {:.1f} MB of different files have become {:.1f} MB, and at most {:.3g} MB "
-          "are read again; the rest was not read; include each file once",
-          static_cast<double>(different) / megabyte, static_cast<double>(different + repeated_bytes_) / megabyte,
-          static_cast<double>(most) / megabyte));
-  stopped_ = true;
-  return true;
-}
-
 void DeckReader::open_include(const FileContext& context, const Block& block, const IncludeName& include,
                               TransformIndex transform) {
   if (stopped_) return;
@@ -141,16 +115,17 @@ void DeckReader::open_include(const FileContext& context, const Block& block, co
   }
   std::error_code error;
   const std::string canonical = std::filesystem::canonical(*path, error).string();
-  const std::string reason =
-      context.depth >= options_.max_include_depth
-          ? "includes are nested more than " + std::to_string(options_.max_include_depth) + " deep"
-          : reason_against(canonical, context.file, deck_.files_, canonical_);
+  std::string reason = context.depth >= options_.max_include_depth
+                           ? "includes are nested more than " + std::to_string(options_.max_include_depth) + " deep"
+                           : reason_against(canonical, context.file, deck_.files_, canonical_);
+  if (reason.empty()) reason = repeats_.reason_against(canonical, deck_.counters_.bytes, options_.max_repeated_bytes);
   if (!reason.empty()) {
     diagnostics_.error(path_of(block.file), include.line, "include \"" + include.name + "\" was not read: " + reason);
+    stopped_ = repeats_.exceeded();
     return;
   }
   const auto file = map_include(*path, canonical, block, include.line);
-  if (file == nullptr || repeats_too_much(canonical, file->bytes().size(), block, include.line)) return;
+  if (file == nullptr) return;
   canonical_.push_back(canonical);
   FileContext inner = context;
   inner.file = add_file(*path, file->bytes(), &context, include.line);
