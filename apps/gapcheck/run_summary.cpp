@@ -43,6 +43,10 @@ std::string contact_rows(const solver::Run& run) {
                         run.model().contact(c.contact).id.value, c.touching, c.released, c.moved, c.energy_a,
                         c.energy_b, c.friction);
   }
+  if (run.contact_counters().crowded > 0)
+    text +=
+        "  Some contacts are so thick that their nodes were compared to the nearest segments only; gapcheck audit "
+        "names them.\n";
   return text;
 }
 

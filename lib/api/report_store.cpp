@@ -30,6 +30,7 @@ Contact contact_of(const ContactSummary& from) {
   contact.untied = from.untied;
   contact.out_of_reach = from.out_of_reach;
   contact.reported_penetrations = from.reported_penetrations;
+  contact.judged_nearest = from.judged_nearest;
   contact.not_checked = from.not_checked;
   contact.file = from.file;
   contact.line = from.line;

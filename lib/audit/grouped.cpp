@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/parallel.hpp"
 
@@ -12,7 +13,8 @@ void add_grouped(Report& report, std::vector<Found> found, const std::function<F
                  const std::function<Finding(const Found&, std::uint64_t)>& rest, const Collect& collect) {
   parallel_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     if (a.group != b.group) return a.group < b.group;
-    return a.weight != b.weight ? a.weight > b.weight : a.item < b.item;
+    if (a.weight != b.weight) return a.weight > b.weight;
+    return std::tie(a.ids, a.item) < std::tie(b.ids, b.item);
   });
   for (std::size_t first = 0; first < found.size();) {
     std::size_t end = first;

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -13,9 +14,16 @@ namespace gapcheck::audit {
 /// One thing that a rule found, before it becomes a message.
 struct Found {
   std::int64_t group = 0;  ///< things of one group are counted together; groups are reported ascending
-  double weight = 0;       ///< the heaviest of a group are reported in full; equal ones by item
+  double weight = 0;       ///< the heaviest of a group are reported in full; equal ones by ids
   std::uint64_t item = 0;  ///< by which the rule finds it again
+  /// Equally heavy ones are reported by this, then by item: ids, so that the order of the deck's rows does not matter.
+  std::array<std::int64_t, 2> ids{};
 };
+
+/// A weight that rounding in the last digits does not change, for things that are equally heavy by construction.
+[[nodiscard]] inline double rough_weight(double weight) {
+  return static_cast<double>(static_cast<float>(std::clamp(weight, -1e38, 1e38)));
+}
 
 /// The group of two parts, in whichever order.
 [[nodiscard]] inline std::int64_t part_pair(PartIndex a, PartIndex b) {

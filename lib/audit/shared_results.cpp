@@ -9,6 +9,8 @@ contact::InitialOptions SharedResults::initial_options() const {
   options.tolerance = given.ptol;
   options.mode = given.exact ? geometry::Mode::exact : geometry::Mode::filtered;
   options.brute_force = given.brute_force;
+  constexpr std::size_t most_listed = 1'000'000;
+  options.most_listed = most_listed;
   return options;
 }
 

@@ -6,8 +6,10 @@
 
 #include "base/stopwatch.hpp"
 #include "contact/definition/exclusions.hpp"
+#include "contact/edge/edge_pairs.hpp"
 #include "contact/initial_penetrations.hpp"
 #include "contact/present_surfaces.hpp"
+#include "contact/search/nearest_boxes.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -81,6 +83,7 @@ class Initialiser {
       else if (type.can(Ability::interference) && options_.overlaps)
         list_overlaps(c);
       count_searches_since(before);
+      note_crowd_since(c, before);
     }
   }
 
@@ -123,6 +126,18 @@ class Initialiser {
     find_penetrations({model_, options_, *search_, ties_, present_, counters_}, c, sides, exclusions, list,
                       state_.moved_into);
     for (const Penetration& p : list.records()) count(p, summary);
+    if (state_.penetrations.size() > options_.most_listed) list_fewer(c, list.records().size());
+  }
+
+  /// Drops the shallowest of a contact's penetrations, which are the last ones.
+  void list_fewer(ContactIndex c, std::size_t found) {
+    ContactSummary& summary = state_.contacts[c.value];
+    summary.reported_penetrations = summary.penetrations + summary.released;
+    const std::size_t before = state_.penetrations.size() - found;
+    state_.penetrations.resize(std::max(before, options_.most_listed));
+    note(c, fmt::format("of its {} penetrations the {} deepest are listed, since all contacts have more than {}; the "
+                        "others are counted",
+                        found, state_.penetrations.size() - before, options_.most_listed));
   }
 
   /// The nodes stay: the solver lets the overlap grow from nothing (contact rules, section 7).
@@ -157,6 +172,20 @@ class Initialiser {
     if (searches == 0) return;
     ++counters_.contacts_searched;
     if (counters_.sweep.searches_culled - before.searches_culled == searches) ++counters_.contacts_culled;
+  }
+
+  void note_crowd_since(ContactIndex c, const SweepCounters& before) {
+    const std::uint64_t nodes = counters_.sweep.crowded_nodes - before.crowded_nodes;
+    const std::uint64_t edges = counters_.sweep.crowded_edges - before.crowded_edges;
+    state_.contacts[c.value].judged_nearest = nodes + edges;
+    const auto say = [&](std::uint64_t count, const char* what, const char* others, std::uint32_t most) {
+      if (count > 0)
+        note(c, fmt::format("{} {} are within the contact distance of more than {:g} {} each on average; each was "
+                            "compared to the {} nearest only: reduce the contact thickness to less than an element",
+                            count, what, crowd_pairs_each, others, most));
+    };
+    say(nodes, "nodes", "segments", most_candidates);
+    say(edges, "edges", "others", most_edges_each);
   }
 
   const model::Model& model_;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ struct InitialOptions {
   bool edges = false;       ///< edges against edges in types 26
   bool moved_into = false;  ///< searches again for the nodes that a contact has moved, once it has moved them all
   bool overlaps = false;    ///< the intended overlaps of INTERFERENCE contacts
+  /// Penetrations that are listed; those beyond are only counted (ContactSummary::reported_penetrations).
+  std::size_t most_listed = std::numeric_limits<std::size_t>::max();
 };
 
 struct InitialCounters {

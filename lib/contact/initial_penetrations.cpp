@@ -118,7 +118,8 @@ class SideSearch {
     of_.counters.edges += edges.size();
     const BoxSearch search = of_.options.brute_force ? BoxSearch::brute_force : BoxSearch::tree;
     const EdgeRules rules(scene, exclusions_, of_.ties);
-    const auto hits = penetrating_edges(scene, edges, rules, search, of_.counters.decisions);
+    const auto hits =
+        penetrating_edges(scene, edges, rules, search, of_.counters.decisions, of_.counters.sweep.crowded_edges);
     list_.add(edge_records(scene, contact_, edges, hits));
   }
 

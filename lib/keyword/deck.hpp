@@ -52,6 +52,8 @@ struct ReadOptions {
   bool skip_missing_includes = false;            ///< then each is a warning
   std::uint32_t max_include_depth = 64;
   std::uint32_t max_files = 10000;
+  /// How many bytes of files that were included before are read again, or ten times those of the different files.
+  std::uint64_t max_repeated_bytes = 50'000'000;
   FileCache* cache = nullptr;  ///< files shared with other decks; must outlive the reading
 };
 

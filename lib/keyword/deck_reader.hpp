@@ -6,6 +6,7 @@
 #include "keyword/card.hpp"
 #include "keyword/include_paths.hpp"
 #include "keyword/include_transforms.hpp"
+#include "keyword/repeated_includes.hpp"
 #include "keyword/scan.hpp"
 
 namespace gapcheck::keyword {
@@ -56,6 +57,7 @@ class DeckReader {
   Deck deck_;
   FileCache own_;                       ///< where the options give none
   std::vector<std::string> canonical_;  ///< beside Deck::files_
+  RepeatedIncludes repeats_;
   IncludePaths paths_;
   IncludeTransforms transforms_;
   std::size_t includes_ = 0;  ///< names of includes so far

@@ -118,12 +118,13 @@ void DeckReader::open_include(const FileContext& context, const Block& block, co
   }
   std::error_code error;
   const std::string canonical = std::filesystem::canonical(*path, error).string();
-  const std::string reason =
-      context.depth >= options_.max_include_depth
-          ? "includes are nested more than " + std::to_string(options_.max_include_depth) + " deep"
-          : reason_against(canonical, context.file, deck_.files_, canonical_);
+  std::string reason = context.depth >= options_.max_include_depth
+                           ? "includes are nested more than " + std::to_string(options_.max_include_depth) + " deep"
+                           : reason_against(canonical, context.file, deck_.files_, canonical_);
+  if (reason.empty()) reason = repeats_.reason_against(canonical, deck_.counters_.bytes, options_.max_repeated_bytes);
   if (!reason.empty()) {
     diagnostics_.error(path_of(block.file), include.line, "include \"" + include.name + "\" was not read: " + reason);
+    stopped_ = repeats_.exceeded();
     return;
   }
   const auto file = map_include(*path, canonical, block, include.line);

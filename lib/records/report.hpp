@@ -68,8 +68,9 @@ struct ContactSummary {
   std::optional<InitialSummary> initial_summary;  ///< of the solver's files; none: they have none
   double contact_time_s = -1;                     ///< CPU seconds spent in it; negative: unknown
   std::string not_checked;                        ///< why neither penetrations nor ties were decided; empty: they were
-  bool ties_judged = false;                       ///< of a deck: its nodes were judged as ties, not as penetrations
-  bool by_segments = false;                       ///< judged segment against segment: the solver lists no nodes of it
+  std::uint64_t judged_nearest = 0;  ///< nodes and edges that meet too many others: compared to the nearest only
+  bool ties_judged = false;          ///< of a deck: its nodes were judged as ties, not as penetrations
+  bool by_segments = false;          ///< judged segment against segment: the solver lists no nodes of it
   std::string file;
   std::uint32_t line = 0;
 };

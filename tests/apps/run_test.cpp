@@ -44,6 +44,24 @@ TEST_F(RunCommand, ItsMessagesAreTheAudits) {
   }
 }
 
+// Keywords that only modify contacts are no contacts in d3hsp, and it can be read again.
+TEST_F(RunCommand, ModifiersAreNotInTheContactSummary) {
+  std::string deck = content(project / "data/two_plates.k");
+  for (const char* modifier : {"INTERIOR", "AUTO_MOVE", "ADD_WEAR"}) {
+    const std::string more = "*CONTACT_" + std::string(modifier) + "\n         1\n*END";
+    std::string with = deck;
+    with.replace(with.rfind("*END"), 4, more);
+    file("deck.k", with);
+    const Ended run = gapcheck("run deck.k -o out --cycles 2 --quiet --ignore-unsupported");
+    ASSERT_EQ(run.code, 0) << modifier << run.err;
+    const Ended read = gapcheck("messag out/d3hsp --fail-on never");
+    EXPECT_EQ(read.code, 0) << modifier << read.err;
+    EXPECT_EQ(read.err.find("error"), std::string::npos) << modifier << read.err;
+    EXPECT_NE(read.out.find("in 1 contact"), std::string::npos) << modifier << read.out;
+    std::filesystem::remove_all(folder_ / "out");
+  }
+}
+
 TEST_F(RunCommand, GridsForVtk) {
   const Ended run = gapcheck("run " + data("two_plates.k") + " -o out --cycles 3 --vtu");
   EXPECT_EQ(run.code, 0) << run.err;

@@ -35,6 +35,24 @@ TEST(Initial, ParallelPlatesPenetrateByThicknessLessGap) {
   }
 }
 
+// The list of a deck whose contacts all hold the same mesh is bounded; what is not listed is counted and said.
+TEST(Initial, PenetrationsBeyondTheLimitAreCounted) {
+  Scene scene = two_plates(0.7);
+  for (int i = 0; i < 3; ++i) scene.contact("AUTOMATIC_SINGLE_SURFACE").ignore = 1;
+  InitialOptions options;
+  options.most_listed = 10;
+  const InitialState state = scene.run(options);
+  EXPECT_EQ(state.penetrations.size(), 10U);
+  EXPECT_EQ(state.contacts[0].reported_penetrations, 0U);
+  EXPECT_EQ(state.contacts[1].reported_penetrations, 8U);
+  EXPECT_EQ(state.contacts[2].reported_penetrations, 8U);
+  ASSERT_EQ(state.notes.size(), 2U);
+  EXPECT_EQ(state.notes[0],
+            "contact 2: of its 8 penetrations the 2 deepest are listed, since all contacts have more than 10; the "
+            "others are counted");
+  EXPECT_EQ(scene.run().penetrations.size(), 24U);
+}
+
 TEST(Initial, TouchingPlatesDoNotPenetrate) {
   Scene scene = two_plates(1.0);
   scene.contact("AUTOMATIC_SINGLE_SURFACE");

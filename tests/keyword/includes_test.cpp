@@ -138,6 +138,38 @@ TEST_F(Includes, DepthAndNumberAreBounded) {
   EXPECT_EQ(count_errors(more), 1u) << reports(more);
 }
 
+// A file included again and again is a mistake that small files can make large.
+TEST_F(Includes, BytesOfRepeatedFilesAreBounded) {
+  const std::string leaf = "*NODE\n" + std::string(990, '$') + "\n";
+  directory.write("leaf.k", leaf);
+  std::string ten;
+  for (int i = 0; i < 10; ++i) ten += "*INCLUDE\nleaf.k\n";
+  directory.write("ten.k", ten);
+  std::string main;
+  for (int i = 0; i < 10; ++i) main += "*INCLUDE\nten.k\n";
+  directory.write("main.k", main);
+  ReadOptions options;
+  options.max_repeated_bytes = 50'000;
+  read("main.k", options);
+  EXPECT_EQ(deck.files().size(), 57u) << "reading ends at the bound";
+  const std::string all = reports(diagnostics);
+  EXPECT_NE(all.find("ten.k:2: include \"leaf.k\" was not read: the includes repeat files: 0.0 MB of different files "
+                     "have become 0.1 MB, and at most 0.05 MB are read again; nothing more was read; include each file "
+                     "once"),
+            std::string::npos)
+      << all;
+  EXPECT_EQ(count_errors(diagnostics), 1u) << all;
+  // Ten times the bytes of the different files are no mistake.
+  directory.write("large.k", "*NODE\n" + std::string(20'000, '$') + "\n");
+  directory.write("main.k", "*INCLUDE\nlarge.k\n" + main);
+  options.max_repeated_bytes = 0;
+  Diagnostics none;
+  const auto whole = read_deck(directory.path("main.k"), options, none);
+  ASSERT_TRUE(whole.ok());
+  EXPECT_EQ(whole.value().files().size(), 112u) << reports(none);
+  EXPECT_EQ(count_errors(none), 0u) << reports(none);
+}
+
 TEST_F(Includes, ManyMissingOnesAndPathsAreBounded) {
   std::string text = "*INCLUDE_PATH\n";
   for (int i = 0; i < 1000; ++i) text += "path" + std::to_string(i) + "\n";

@@ -26,8 +26,9 @@ struct Contact {
   std::uint64_t ties = 0, untied = 0;
   std::uint64_t out_of_reach = 0;           ///< tracked nodes that are too far away to be meant to tie
   std::uint64_t reported_penetrations = 0;  ///< a count in the solver's files without a list of nodes (MPP); 0: none
-  std::string not_checked;                  ///< why neither penetrations nor ties were decided; empty: they were
-  std::string file;                         ///< of the definition; empty: unknown
+  std::uint64_t judged_nearest = 0;  ///< nodes and edges within reach of too many others: only the nearest counted
+  std::string not_checked;           ///< why neither penetrations nor ties were decided; empty: they were
+  std::string file;                  ///< of the definition; empty: unknown
   std::uint32_t line = 0;
 };
 

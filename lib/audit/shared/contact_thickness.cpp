@@ -52,7 +52,7 @@ void weigh_by_part(std::vector<PartSegments>& list, const Context& context, Cont
     const double weight = weigh(i);
     if (!(weight > 0)) return Weighed{};
     const PartIndex part = part_of(model.mesh, segments, i);
-    return Weighed{part.value, part == none<PartIndex> ? 0 : weight};
+    return Weighed{part.value, part == none<PartIndex> ? 0 : rough_weight(weight), element_id(model.mesh, segments, i)};
   });
   for (const Worst& worst : all) {
     const PartSegments part{contact, &segments, worst};
@@ -65,7 +65,8 @@ void add_by_part(const RuleIdentity& rule, const Context& context, Report& repor
                  const std::string& others) {
   const model::Model& model = context.model();
   std::vector<Found> found;
-  for (std::size_t i = 0; i < list.size(); ++i) found.push_back({list[i].contact.value, list[i].worst.weight, i});
+  for (std::size_t i = 0; i < list.size(); ++i)
+    found.push_back({list[i].contact.value, list[i].worst.weight, i, {model.part(list[i].part()).id.value}});
   add_grouped(
       report, std::move(found),
       [&](const Found& f) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -12,14 +13,17 @@ namespace gapcheck::audit {
 /// The weight of one thing, and the key with which it is counted.
 struct Weighed {
   std::uint64_t key = 0;
-  double weight = 0;  ///< not above 0: it does not count
+  double weight = 0;    ///< not above 0: it does not count
+  std::int64_t id = 0;  ///< of equally heavy things the smallest is taken, whatever their order
 };
 
-/// The things of one key: how many there are, and the heaviest (of equal ones the first).
+/// The things of one key: how many there are, and the heaviest (of equal ones that with the smallest id, then the
+/// first).
 struct Worst {
   std::uint64_t key = 0, count = 0;
   double weight = 0;
   std::uint32_t item = 0;
+  std::int64_t id = 0;
 };
 
 /// Weighs the things 0 … count - 1 in parallel with `weigh(i)` → Weighed; one Worst per key that has any, ascending by
@@ -29,8 +33,9 @@ template <class Weigh>
   constexpr std::size_t grain = 8192;
   const auto add = [](Worst& into, const Worst& other) {
     into.count += other.count;
-    if (other.weight > into.weight || (other.weight == into.weight && other.item < into.item))
-      into.weight = other.weight, into.item = other.item;
+    const bool before = std::tie(other.id, other.item) < std::tie(into.id, into.item);
+    if (other.weight > into.weight || (other.weight == into.weight && before))
+      into.weight = other.weight, into.item = other.item, into.id = other.id;
   };
   tbb::enumerable_thread_specific<std::vector<Worst>> runs;
   parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
@@ -38,7 +43,7 @@ template <class Weigh>
     for (std::size_t i = begin; i < end; ++i) {
       const Weighed w = weigh(i);
       if (!(w.weight > 0)) continue;
-      const Worst one{w.key, 1, w.weight, static_cast<std::uint32_t>(i)};
+      const Worst one{w.key, 1, w.weight, static_cast<std::uint32_t>(i), w.id};
       if (!mine.empty() && mine.back().key == w.key)
         add(mine.back(), one);
       else

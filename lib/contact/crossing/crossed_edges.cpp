@@ -25,7 +25,8 @@ std::vector<EdgeCrossing> find_crossed_edges(const model::Model& model, ContactI
     return CrossingSegment{s.nodes[i], s.element_kind[i], s.element[i], part_of(model.mesh, s, i)};
   };
   std::vector<EdgeCrossing> found;
-  for (const EdgeHit& hit : penetrating_edges(scene, edges, allowed, options.search, counters.decisions)) {
+  std::uint64_t crowded = 0;  // lines as thin as these are only if thousands lie on each other
+  for (const EdgeHit& hit : penetrating_edges(scene, edges, allowed, options.search, counters.decisions, crowded)) {
     const SurfaceEdge &e = edges[hit.tracked], &f = edges[hit.other];
     found.push_back({element(e), element(f), {e.a, e.b}, {f.a, f.b}, hit.closest.first});
   }

@@ -298,13 +298,16 @@ bool CrossingPairs::counts(PartIndex a, PartIndex b) const {
   return !exclusions_.excluded(a, b);
 }
 
-std::vector<Crossing> find_crossings(const model::Model& model, ContactIndex contact, const ContactSurfaces& surfaces,
-                                     const CrossingOptions& options, CrossingCounters& counters) {
+namespace {
+
+/// Those of one contact. `pairs`: of this contact.
+std::vector<Crossing> crossings_of(const model::Model& model, const CrossingPairs& pairs, ContactIndex contact,
+                                   const ContactSurfaces& surfaces, const CrossingOptions& options,
+                                   CrossingCounters& counters) {
   std::vector<Crossing> found;
   const Segments& segments_a = surfaces.a.selection.segments;
   const Segments& segments_b = surfaces.two_sided() ? surfaces.b.selection.segments : segments_a;
   if (segments_a.size() == 0 || segments_b.size() == 0) return found;
-  const CrossingPairs pairs(model, model.contact(contact).id);
   Side a(segments_a, model, pairs, surfaces.type.edges, options);
   std::optional<Side> other;
   if (surfaces.two_sided()) {
@@ -334,14 +337,26 @@ std::vector<Crossing> find_crossings(const model::Model& model, ContactIndex con
   return found;
 }
 
+}  // namespace
+
+std::vector<Crossing> find_crossings(const model::Model& model, ContactIndex contact, const ContactSurfaces& surfaces,
+                                     const CrossingOptions& options, CrossingCounters& counters) {
+  return crossings_of(model, CrossingPairs(model, model.contact(contact).id), contact, surfaces, options, counters);
+}
+
 std::vector<Crossing> find_crossings(const model::Model& model, std::span<const ContactIndex> contacts,
                                      SurfaceStore& surfaces, const CrossingOptions& options,
                                      CrossingCounters& counters) {
   std::vector<Crossing> all;
   std::set<std::pair<ElementKey, ElementKey>> seen;
+  std::optional<CrossingPairs> pairs;  // what parts are is found once
   for (const ContactIndex i : contacts) {
     if (classify(model.contact(i)).pairing == Pairing::none) continue;
-    for (const Crossing& crossing : find_crossings(model, i, surfaces.at(i), options, counters))
+    if (pairs)
+      pairs->turn_to(model, model.contact(i).id);
+    else
+      pairs.emplace(model, model.contact(i).id);
+    for (const Crossing& crossing : crossings_of(model, *pairs, i, surfaces.at(i), options, counters))
       if (seen.emplace(key(crossing.a), key(crossing.b)).second) all.push_back(crossing);
   }
   return all;

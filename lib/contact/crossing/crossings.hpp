@@ -48,6 +48,8 @@ struct CrossingCounters {
 class CrossingPairs {
  public:
   CrossingPairs(const model::Model& model, ContactId contact);
+  /// From here on those of another contact.
+  void turn_to(const model::Model& model, ContactId contact) { exclusions_ = Exclusions(model, contact); }
   /// False for spotwelds, which are meant to be inside other parts.
   [[nodiscard]] bool takes_part(PartIndex part) const { return part == none<PartIndex> || !spotweld_[part.value]; }
   [[nodiscard]] bool counts(PartIndex a, PartIndex b) const;

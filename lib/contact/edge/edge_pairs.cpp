@@ -10,6 +10,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/definition/outcome.hpp"
+#include "contact/search/nearest_boxes.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -126,9 +127,18 @@ std::vector<SurfaceEdge> surface_edges(const PairScene& scene, bool interior) {
   return edges;
 }
 
+bool visit_edge_boxes(const std::vector<Bounds>& boxes, const BoxPairVisit& visit, BoxSearch search) {
+  const bool nearest_only = search == BoxSearch::tree && crowded(boxes);
+  if (nearest_only)
+    for_each_near_box_pair(boxes, most_edges_each, visit);
+  else
+    for_each_box_pair(boxes, visit, search);
+  return nearest_only;
+}
+
 std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector<SurfaceEdge>& edges,
                                        const EdgePairFilter& allowed, BoxSearch search,
-                                       geometry::DecisionCounters& decisions) {
+                                       geometry::DecisionCounters& decisions, std::uint64_t& crowded_edges) {
   std::vector<Bounds> boxes;
   boxes.reserve(edges.size());
   for (const SurfaceEdge& edge : edges) boxes.push_back(box_of(edge));
@@ -138,21 +148,19 @@ std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector
   };
   tbb::enumerable_thread_specific<Mine> found;
   const auto line = [&](std::uint32_t e) { return scene.line(edges[e].segment); };
-  for_each_box_pair(
-      boxes,
-      [&](std::uint32_t i, std::uint32_t k) {
-        const bool swap = line(k) && !line(i);
-        const std::uint32_t tracked = swap ? k : i, other = swap ? i : k;
-        const SurfaceEdge &e = edges[tracked], &f = edges[other];
-        if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return;
-        const EdgeMeeting meeting = meet_edges(scene, e.x, f.x, e.half + f.half);
-        if (!meeting.between) return;
-        Mine& mine = found.local();
-        ++mine.stages[static_cast<std::size_t>(meeting.stage)];
-        if (meeting.penetrates && !edges_are_joined(scene, e, f) && allowed(e, f))
-          mine.hits.push_back({tracked, other, meeting.closest});
-      },
-      search);
+  const auto visit = [&](std::uint32_t i, std::uint32_t k) {
+    const bool swap = line(k) && !line(i);
+    const std::uint32_t tracked = swap ? k : i, other = swap ? i : k;
+    const SurfaceEdge &e = edges[tracked], &f = edges[other];
+    if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return;
+    const EdgeMeeting meeting = meet_edges(scene, e.x, f.x, e.half + f.half);
+    if (!meeting.between) return;
+    Mine& mine = found.local();
+    ++mine.stages[static_cast<std::size_t>(meeting.stage)];
+    if (meeting.penetrates && !edges_are_joined(scene, e, f) && allowed(e, f))
+      mine.hits.push_back({tracked, other, meeting.closest});
+  };
+  if (visit_edge_boxes(boxes, visit, search)) crowded_edges += edges.size();
   std::vector<EdgeHit> all;
   for (const Mine& mine : found) {
     all.insert(all.end(), mine.hits.begin(), mine.hits.end());

@@ -63,6 +63,14 @@ class EdgeRules {
   return place <= 0 ? edge.a : edge.b;
 }
 
+/// To how many others an edge is compared where too many are within the contact thickness: the nearest ones.
+inline constexpr std::uint32_t most_edges_each = 32;
+
+/// Visits the pairs of edges whose boxes, grown by half their thickness, meet; if these are too many (crowded()), only
+/// those of each edge with the `most_edges_each` others that are nearest to it. True if so; never by brute force.
+[[nodiscard]] bool visit_edge_boxes(const std::vector<Bounds>& boxes, const BoxPairVisit& visit,
+                                    BoxSearch search = BoxSearch::tree);
+
 /// Two edges that penetrate each other between their ends.
 struct EdgeHit {
   std::uint32_t tracked = 0, other = 0;  ///< positions in the list of edges
@@ -75,10 +83,12 @@ using EdgePairFilter = std::function<bool(const SurfaceEdge&, const SurfaceEdge&
 /// Pairs of edges that are nearer to each other than h = half + half, decided exactly, with their nearest points
 /// between the ends of both. Where an end is nearest, or penetrates nearly as deep, it is a case for nodes and
 /// segments. Edges with a common node, or in the ring around each other's segment, are left out. Of a beam and a shell
-/// edge the beam is tracked, otherwise the first. Ascending by tracked, then other edge.
+/// edge the beam is tracked, otherwise the first. Ascending by tracked, then other edge. `crowded_edges`: rises by
+/// their number if there are too many pairs (visit_edge_boxes()).
 [[nodiscard]] std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector<SurfaceEdge>& edges,
                                                      const EdgePairFilter& allowed, BoxSearch search,
-                                                     geometry::DecisionCounters& decisions);
+                                                     geometry::DecisionCounters& decisions,
+                                                     std::uint64_t& crowded_edges);
 
 /// The hits as records of contact number `contact`, one for each node: the deepest of the edges whose nearest end it
 /// is.

@@ -12,6 +12,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/pair/hidden_faces.hpp"
+#include "contact/search/nearest_boxes.hpp"
 #include "geometry/pair_batch.hpp"
 
 namespace gapcheck::contact {
@@ -105,13 +106,18 @@ class PairSweep {
   }
 
   void keep(const Hit& hit, bool penetrates) {
-    if (allowed_(hit.slot, hit.segment, penetrates)) (penetrates ? hits_ : measured_).push_back(hit);
+    if (!allowed_(hit.slot, hit.segment, penetrates)) return;
+    (penetrates ? hits_ : measured_).push_back(hit);
+    if (hits_.size() + measured_.size() < full_) return;
+    drop_farther(scene_, hits_, measured_);
+    full_ = std::max(full_, 2 * (hits_.size() + measured_.size()));
   }
 
   const PairScene& scene_;
   const PairFilter& allowed_;
   std::array<Waiting, 2> waiting_{Waiting{geometry::PairBatch(false)}, Waiting{geometry::PairBatch(true)}};
   std::vector<Hit> hits_, measured_;
+  std::size_t full_ = std::size_t{1} << 18;  ///< pairs held before those that cannot count are dropped
   std::array<std::uint64_t, 4> stages_{};
 };
 
@@ -136,14 +142,17 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
   const Segments& s = scene.segments;
   ++counters.searches;
   std::vector<Bounds> boxes(s.size());
+  const auto core = [&](std::size_t i) {
+    Bounds box;
+    for (const NodeIndex n : s.nodes[i]) box.add(scene.x[n.value]);
+    return box;
+  };
   constexpr std::size_t grain = 4096;
   parallel_for(s.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto segment = to_index<SegmentIndex>(i);
-      Bounds box;
-      for (const NodeIndex n : s.nodes[i]) box.add(scene.x[n.value]);
       if (scene.passive(segment)) continue;
-      boxes[i] = grown(box, reach(segment) + (s.offset.empty() ? 0 : std::abs(s.offset[i])));
+      boxes[i] = grown(core(i), reach(segment) + (s.offset.empty() ? 0 : std::abs(s.offset[i])));
     }
   });
   // Cull by the boxes of the two sides before anything is sorted.
@@ -177,7 +186,7 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
     return;
   }
   std::atomic<std::uint64_t> pairs{0};
-  search.run(points, boxes, [&](std::uint32_t box, std::span<const std::uint32_t> inside) {
+  const CandidateSink sink = [&](std::uint32_t box, std::span<const std::uint32_t> inside) {
     static thread_local std::vector<SlotIndex> local;
     local.clear();
     const auto& corners = s.nodes[box];
@@ -185,7 +194,16 @@ void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
       if (!is_corner(corners, scene.nodes.node[slots[p].value])) local.push_back(slots[p]);
     pairs.fetch_add(local.size(), std::memory_order_relaxed);
     if (!local.empty()) visit(SegmentIndex{box}, local);
-  });
+  };
+  if (!search.exhaustive() && crowded(points, boxes)) {
+    counters.crowded_nodes += points.size();
+    std::vector<Bounds> cores(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      if (!boxes[i].empty()) cores[i] = core(i);
+    run_nearest(points, boxes, cores, sink);
+  } else {
+    search.run(points, boxes, sink);
+  }
   counters.candidate_pairs += pairs;
 }
 

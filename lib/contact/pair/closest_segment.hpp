@@ -11,7 +11,8 @@ namespace gapcheck::contact {
 /// What a sweep left out and how much it checked.
 struct SweepCounters {
   std::uint64_t candidate_pairs = 0, points_culled = 0, segments_culled = 0;
-  std::uint64_t searches = 0, searches_culled = 0;  ///< culled by the boxes of the two sides
+  std::uint64_t searches = 0, searches_culled = 0;     ///< culled by the boxes of the two sides
+  std::uint64_t crowded_nodes = 0, crowded_edges = 0;  ///< compared to the nearest segments or edges only
 };
 
 /// Whether a pair counts, given whether it penetrates. Called from any thread.
@@ -24,7 +25,7 @@ using PairFilter = std::function<bool(SlotIndex, SegmentIndex, bool penetrates)>
                                                 geometry::DecisionCounters& decisions);
 
 /// Calls visit(segment, slots) for all pairs whose node lies within `reach(segment)` of the segment's box;
-/// concurrently.
+/// concurrently. If these are too many (crowded()), only for the segments nearest to each node.
 void for_each_candidate(const PairScene& scene, const CandidateSearch& search,
                         const std::function<double(SegmentIndex)>& reach, SweepCounters& counters,
                         const std::function<void(SegmentIndex, std::span<const SlotIndex>)>& visit);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace gapcheck::contact {
@@ -53,6 +54,62 @@ std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits,
   std::remove_copy_if(hits.begin(), hits.end(), std::back_inserter(met), slides);
   std::remove_copy_if(measured.begin(), measured.end(), std::back_inserter(met_in_front), slides);
   return choose_among(scene, met, met_in_front);
+}
+
+namespace {
+
+/// A hit, or a pair with an oriented facet, in the order in which drop_farther() looks at them.
+struct OrderedHit {
+  enum class Kind : std::uint8_t { kept, in_band, outside } kind;
+  std::uint32_t body;  ///< none: two-sided, and never the nearest facet of a body
+  Hit hit;
+};
+
+std::vector<OrderedHit> in_order(const PairScene& scene, const std::vector<Hit>& hits, bool penetrate) {
+  std::vector<OrderedHit> list;
+  list.reserve(hits.size());
+  for (const Hit& hit : hits) {
+    using Kind = OrderedHit::Kind;
+    const bool always = (penetrate && std::signbit(hit.distance)) || scene.slides(hit.slot, hit.segment, hit.distance);
+    const std::uint32_t body = !scene.oriented(hit.segment) ? no_position
+                               : scene.solids.empty()       ? 0
+                                                            : scene.solids.body[hit.segment.value];
+    list.push_back({always ? Kind::kept : penetrate && hit.in_band ? Kind::in_band : Kind::outside, body, hit});
+  }
+  std::sort(list.begin(), list.end(), [](const OrderedHit& l, const OrderedHit& r) {
+    return std::tuple(l.hit.slot, l.kind, l.body, std::abs(l.hit.distance), l.hit.segment) <
+           std::tuple(r.hit.slot, r.kind, r.body, std::abs(r.hit.distance), r.hit.segment);
+  });
+  return list;
+}
+
+}  // namespace
+
+void drop_farther(const PairScene& scene, std::vector<Hit>& hits, std::vector<Hit>& measured) {
+  using Kind = OrderedHit::Kind;
+  const auto drop = [&](std::vector<Hit>& from, bool penetrate) {
+    const std::vector<OrderedHit> list = in_order(scene, from, penetrate);
+    from.clear();
+    SegmentIndex least = none<SegmentIndex>;  // of the nearer ones of one slot, kind and body
+    bool any_in_band = false;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const auto& [kind, body, hit] = list[i];
+      const bool new_slot = i == 0 || list[i - 1].hit.slot != hit.slot;
+      const bool nearest = new_slot || list[i - 1].kind != kind || list[i - 1].body != body;
+      any_in_band = (any_in_band && !new_slot) || kind == Kind::in_band;
+      // Of equally near segments the first counts; hits outside the band count where none is in it.
+      const bool chosen_by_segment = penetrate && (kind == Kind::in_band || !any_in_band);
+      const bool of_body = nearest && body != no_position;
+      if (nearest || hit.segment < least) {
+        least = hit.segment;
+        if (kind == Kind::kept || chosen_by_segment || of_body) from.push_back(hit);
+      } else if (kind == Kind::kept) {
+        from.push_back(hit);
+      }
+    }
+  };
+  drop(hits, true);
+  drop(measured, false);
 }
 
 }  // namespace gapcheck::contact

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "contact/pair/pair.hpp"
 
@@ -25,5 +26,10 @@ inline constexpr double equally_near = 1e-9;
 /// along which it only slides (PairScene::slides) count in neither list. Nothing: no hit counts.
 [[nodiscard]] std::optional<Hit> choose_hit(const PairScene& scene, std::span<const Hit> hits,
                                             std::span<const Hit> measured);
+
+/// Drops what cannot change the choice of choose_hit() for any node, now or with further pairs: farther hits in front,
+/// and pairs with facets of a body to which the node has a nearer one. Keeps no order. So a node that penetrates
+/// thousands of segments needs memory for a few.
+void drop_farther(const PairScene& scene, std::vector<Hit>& hits, std::vector<Hit>& measured);
 
 }  // namespace gapcheck::contact

@@ -28,6 +28,15 @@ struct BoxPack {
     for (std::size_t k = 0; k < 3; ++k) box.low[k] = low[k][i], box.high[k] = high[k][i];
     return box;
   }
+  /// From box i to a point.
+  [[nodiscard]] float squared_distance(std::uint32_t i, const std::array<float, 3>& point) const {
+    float sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float away = std::max({low[k][i] - point[k], point[k] - high[k][i], 0.0F});
+      sum += away * away;
+    }
+    return sum;
+  }
   [[nodiscard]] FloatBox hull() const {
     FloatBox box;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -59,11 +68,47 @@ class BoxTree {
     return order_[leaf * BoxPack::width + i];
   }
 
+  /// How many boxes a leaf has.
+  [[nodiscard]] std::uint32_t filled(std::uint32_t leaf) const {
+    return static_cast<std::uint32_t>(
+        std::min<std::size_t>(BoxPack::width, order_.size() - std::size_t{leaf} * BoxPack::width));
+  }
+
   /// Calls visit(leaf) for all leaves from number `first` on whose hull meets the box.
   template <class Visit>
   void leaves_meeting(const FloatBox& box, std::uint32_t first, const Visit& visit) const {
     if (leaves() == 1) visit(0U);
     if (leaves() > 1) descend(levels_.size() - 1, 0, box, first, visit);
+  }
+
+  /// Calls visit(leaf, squared distance of its hull) for the leaves, the nearest to the point first, until it returns
+  /// false. `point`: after the map.
+  template <class Visit>
+  void leaves_by_distance(const std::array<float, 3>& point, const Visit& visit) const {
+    struct Place {
+      float squared = 0;
+      std::uint32_t level = 0, node = 0;
+      bool operator<(const Place& other) const { return squared > other.squared; }  // the nearest on top
+    };
+    static thread_local std::vector<Place> waiting;
+    waiting.clear();
+    if (leaves() > 0) waiting.push_back({0, static_cast<std::uint32_t>(levels_.size() - 1), 0});
+    while (!waiting.empty()) {
+      std::pop_heap(waiting.begin(), waiting.end());
+      const Place place = waiting.back();
+      waiting.pop_back();
+      if (place.level == 0) {
+        if (!visit(place.node, place.squared)) return;
+        continue;
+      }
+      const BoxPack& children = levels_[place.level][place.node];
+      for (std::uint32_t i = 0; i < BoxPack::width; ++i) {
+        const std::uint32_t child = place.node * BoxPack::width + i;
+        if (child >= levels_[place.level - 1].size()) break;
+        waiting.push_back({children.squared_distance(i, point), place.level - 1, child});
+        std::push_heap(waiting.begin(), waiting.end());
+      }
+    }
   }
 
  private:

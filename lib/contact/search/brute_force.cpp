@@ -9,6 +9,7 @@ namespace {
 class BruteForce final : public CandidateSearch {
  public:
   [[nodiscard]] std::string_view name() const override { return "brute force"; }
+  [[nodiscard]] bool exhaustive() const override { return true; }
   void run(std::span<const Vector> points, std::span<const Bounds> boxes, const CandidateSink& sink) const override {
     parallel_for(boxes.size(), 16, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> inside;

@@ -259,6 +259,9 @@ class BucketGrid final : public CandidateSearch {
 
   void run(std::span<const Vector> points, std::span<const Bounds> boxes, const CandidateSink& sink) const override {
     if (points.empty() || boxes.empty()) return;
+    // A deck may have thousands of contacts of a few segments each: comparing them costs less than building a grid.
+    constexpr std::size_t few_pairs = 512;
+    if (points.size() * boxes.size() <= few_pairs) return make_brute_force()->run(points, boxes, sink);
     const Grid grid(points, boxes);
     parallel_for(boxes.size(), 1024, [&](std::size_t begin, std::size_t end) {
       std::vector<std::uint32_t> inside;

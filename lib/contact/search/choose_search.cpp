@@ -12,6 +12,7 @@ class TalliedSearch final : public CandidateSearch {
  public:
   TalliedSearch(std::optional<SearchKind> kind, SearchTally& tally) : kind_(kind), tally_(tally) {}
   [[nodiscard]] std::string_view name() const override { return kind_ ? make_search(*kind_)->name() : "chosen"; }
+  [[nodiscard]] bool exhaustive() const override { return kind_ == SearchKind::brute_force; }
 
   void run(std::span<const Vector> points, std::span<const Bounds> boxes, const CandidateSink& sink) const override {
     const SearchKind kind = kind_.value_or(choose_search(points, boxes));

@@ -50,6 +50,8 @@ class CandidateSearch {
  public:
   virtual ~CandidateSearch() = default;
   [[nodiscard]] virtual std::string_view name() const = 0;
+  /// True for the slow twin, which leaves nothing out whatever it costs.
+  [[nodiscard]] virtual bool exhaustive() const { return false; }
   virtual void run(std::span<const Vector> points, std::span<const Bounds> boxes, const CandidateSink& sink) const = 0;
 };
 

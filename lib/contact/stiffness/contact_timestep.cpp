@@ -19,12 +19,14 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Rounding in sums of equal terms must not decide which of several equal nodes controls.
 constexpr double equal_squared_steps = 1e-12;
 
-/// The lowest node of a side; none where it has none.
-NodeIndex lowest_node(const ContactSide& side) {
+/// The node of a side with the lowest id; none where it has none.
+NodeIndex lowest_node(const model::Nodes& all, const ContactSide& side) {
   NodeIndex lowest = none<NodeIndex>;
-  for (const auto& nodes : side.selection.segments.nodes)
-    lowest = std::min({lowest, nodes[0], nodes[1], nodes[2], nodes[3]});
-  for (const NodeIndex node : side.selection.nodes) lowest = std::min(lowest, node);
+  const auto take = [&](NodeIndex n) {
+    if (lowest == none<NodeIndex> || all.id[n.value] < all.id[lowest.value]) lowest = n;
+  };
+  for (const auto& nodes : side.selection.segments.nodes) std::for_each(nodes.begin(), nodes.end(), take);
+  std::for_each(side.selection.nodes.begin(), side.selection.nodes.end(), take);
   return lowest;
 }
 
@@ -48,14 +50,17 @@ NodeIndex TimestepEstimate::smallest(const Segments& s, const std::vector<double
   };
   double least = infinite;
   NodeIndex node = none<NodeIndex>;
+  const auto take = [&](NodeIndex n) {
+    if (node == none<NodeIndex> || model_.mesh.nodes.id[n.value] < model_.mesh.nodes.id[node.value]) node = n;
+  };
   if (most_of_the_mesh(s)) {
     parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) sums_[n].weighted = squared_at(static_cast<std::uint32_t>(n));
     });
     for (const NodeStiffness& sum : sums_) least = std::min(least, sum.weighted);
     if (least == infinite) return node;
-    for (std::uint32_t n = 0; n < sums_.size() && node == none<NodeIndex>; ++n)
-      if (sums_[n].weighted <= least * (1 + equal_squared_steps)) node = NodeIndex{n};
+    for (std::uint32_t n = 0; n < sums_.size(); ++n)
+      if (sums_[n].weighted <= least * (1 + equal_squared_steps)) take(NodeIndex{n});
     return node;
   }
   for (const auto& nodes : s.nodes)
@@ -63,7 +68,7 @@ NodeIndex TimestepEstimate::smallest(const Segments& s, const std::vector<double
   if (least == infinite) return node;
   for (const auto& nodes : s.nodes)
     for (const NodeIndex n : nodes)
-      if (n < node && squared_at(n.value) <= least * (1 + equal_squared_steps)) node = n;
+      if (squared_at(n.value) <= least * (1 + equal_squared_steps)) take(n);
   return node;
 }
 
@@ -90,12 +95,15 @@ SideTimestep TimestepEstimate::find(const Segments& s, double scale, TimestepLim
   SideTimestep result;
   result.node = smallest(s, masses, squared_step);
   if (result.node != none<NodeIndex>) {
+    const auto id_of = [&](PartIndex part) { return model_.part(part).id; };
     NodeStiffness own;
     for (std::size_t i = 0; i < s.size(); ++i) {
       if (!(corners_[i].weight > 0)) continue;
       for (std::size_t c = 0; c < corners(i); ++c) {
         if (s.nodes[i][c] != result.node) continue;
-        if (result.part == none<PartIndex>) result.part = part_of(model_.mesh, s, i);
+        const PartIndex part = part_of(model_.mesh, s, i);
+        if (result.part == none<PartIndex> || (part != none<PartIndex> && id_of(part) < id_of(result.part)))
+          result.part = part;
         own += corners_[i];
       }
     }
@@ -174,7 +182,7 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
       return UnstableSide{surface, pair, false};
     };
     const auto add = [&](char letter, const ContactSide& side, SideTimestep found, double scale) {
-      if (found.node == none<NodeIndex>) found.node = lowest_node(side);
+      if (found.node == none<NodeIndex>) found.node = lowest_node(model.mesh.nodes, side);
       if (found.node == none<NodeIndex>) return;
       list.push_back({c.value, letter, s.type.printed(), found.timestep, model.mesh.nodes.id[found.node.value],
                       found.part == none<PartIndex> ? 0 : model.part(found.part).id.value});

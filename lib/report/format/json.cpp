@@ -79,6 +79,7 @@ void append_contact(const Report& report, std::uint32_t position, Buffer& out) {
   if (contact.contact_time_s >= 0) object.number("contact_time_s", contact.contact_time_s);
   append_predicted_timesteps(report, position, object, out);
   if (contact.initial_summary) append_summary(*contact.initial_summary, object);
+  if (contact.judged_nearest != 0) object.integer("judged_nearest", contact.judged_nearest);
   if (!contact.not_checked.empty()) object.string("not_checked", contact.not_checked);
   if (!contact.file.empty()) object.string("file", contact.file);
   if (contact.line != 0) object.integer("line", contact.line);

@@ -233,6 +233,8 @@ Sums append_contact_block(const Report& report, std::uint32_t position, const Te
   if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));
   if (contact.out_of_reach > 0)
     out += fmt::format("  {} out of reach, not meant to tie\n", count(contact.out_of_reach, "node"));
+  if (contact.judged_nearest > 0)
+    out += fmt::format("  judged in part: {} nodes and edges, by the nearest of too many\n", contact.judged_nearest);
   if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';
   append_node_table(records, Table::nodes, sum.nodes(), "penetrating nodes", options, out);
   if (report.source == "deck" ? !sum.pairs.empty() : !unknown(sum.pairs))

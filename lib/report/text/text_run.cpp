@@ -53,8 +53,8 @@ const Timesteps* timesteps(const Report& report) {
 }
 
 void append_surface_timesteps(const Timesteps& steps, std::uint32_t contact, std::string& out) {
-  for (const SurfaceTimestep& step : steps.surface_timesteps) {
-    if (step.contact != contact) continue;
+  const auto of_contact = std::ranges::equal_range(steps.surface_timesteps, contact, {}, &SurfaceTimestep::contact);
+  for (const SurfaceTimestep& step : of_contact) {
     if (step.timestep >= no_timestep_limit) {
       out += fmt::format("  surface {}: no time step limit: no node has both mass and a segment of shells or solids\n",
                          step.side);

@@ -150,6 +150,7 @@ void LogCollector::sort_contacts(const LogOptions& options) {
 
 /// Sorts into the order promised by Report; the same record from several files becomes one.
 void LogCollector::sort_records() {
+  std::ranges::stable_sort(run_.surface_timesteps, {}, &SurfaceTimestep::contact);
   sort_by(
       penetrations_, [](const Penetration& p) { return std::tuple(p.contact, -p.depth, p.node); },
       [](const Penetration& p) { return std::tuple(p.segment_number, p.segment, p.kind, p.file, p.line); });

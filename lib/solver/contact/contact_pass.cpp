@@ -42,7 +42,9 @@ void ContactPass::set_timestep(double timestep) {
 }
 
 void ContactPass::find_candidates(double margin, ContactCounters& counters) {
-  counters.candidates += pairs_.find_candidates(search_, margin);
+  contact::SweepCounters sweep;
+  counters.candidates += pairs_.find_candidates(search_, margin, sweep);
+  counters.crowded += sweep.crowded_nodes;
   for (PassBlock& block : blocks_) block.sleep = 0;
 }
 

@@ -12,7 +12,6 @@
 
 #include "base/parallel.hpp"
 #include "contact/pair/release.hpp"
-#include "contact/search/box_pairs.hpp"
 
 namespace gapcheck::solver {
 
@@ -102,7 +101,7 @@ EdgePass::EdgePass(const ContactSetting& setting, ContactIndex contact, const co
       edges_(edge_scene_.edges()),
       springs_(setting, contact, edge_scene_, edges_) {}
 
-std::vector<std::uint64_t> EdgePass::find_keys(double margin) const {
+std::vector<std::uint64_t> EdgePass::find_keys(double margin, ContactCounters& counters) const {
   std::vector<geometry::Edge> ends(edges_.size());
   std::vector<contact::Bounds> boxes(edges_.size());
   parallel_for(edges_.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -115,7 +114,7 @@ std::vector<std::uint64_t> EdgePass::find_keys(double margin) const {
     }
   });
   tbb::enumerable_thread_specific<std::vector<std::uint64_t>> found;
-  contact::for_each_box_pair(boxes, [&](std::uint32_t i, std::uint32_t k) {
+  const auto visit = [&](std::uint32_t i, std::uint32_t k) {
     const bool swap = scene_.line(edges_[k].segment) && !scene_.line(edges_[i].segment);
     const std::uint32_t tracked = swap ? k : i, other = swap ? i : k;
     const SurfaceEdge &e = edges_[tracked], &f = edges_[other];
@@ -123,7 +122,8 @@ std::vector<std::uint64_t> EdgePass::find_keys(double margin) const {
     if (!(geometry::closest_points(ends[tracked], ends[other]).squared_distance <= reach * reach)) return;
     if (!edge_scene_.opposite(e, f) || contact::edges_are_joined(scene_, e, f) || !rules_(e, f)) return;
     found.local().push_back(std::uint64_t{tracked} << 32 | other);
-  });
+  };
+  if (contact::visit_edge_boxes(boxes, visit)) counters.crowded += edges_.size();
   std::vector<std::uint64_t> keys;
   for (const auto& mine : found) keys.insert(keys.end(), mine.begin(), mine.end());
   std::sort(keys.begin(), keys.end());
@@ -131,7 +131,7 @@ std::vector<std::uint64_t> EdgePass::find_keys(double margin) const {
 }
 
 void EdgePass::find_candidates(double margin, ContactCounters& counters) {
-  const std::vector<std::uint64_t> keys = find_keys(margin);
+  const std::vector<std::uint64_t> keys = find_keys(margin, counters);
   counters.candidates += keys.size();
   std::vector<EdgePair> before = std::move(pairs_);
   pairs_.clear();

@@ -70,8 +70,9 @@ class EdgePass final : public InterfacePass {
     std::vector<std::uint32_t> busy;  ///< pairs whose force acts or has ended in this cycle
   };
 
-  /// Keys of the pairs that can touch before the margin is used up, ascending.
-  [[nodiscard]] std::vector<std::uint64_t> find_keys(double margin) const;
+  /// Keys of the pairs that can touch before the margin is used up, ascending; if these are too many, the nearest of
+  /// each edge.
+  [[nodiscard]] std::vector<std::uint64_t> find_keys(double margin, ContactCounters& counters) const;
   void advance_pair(std::uint32_t number, const State& state, double used, Block& block);
   [[nodiscard]] contact::NodeAction decide_action(contact::NodeContact& memory,
                                                   const contact::NodeEncounter& encounter) const;

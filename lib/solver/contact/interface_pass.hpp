@@ -12,6 +12,7 @@ namespace gapcheck::solver {
 struct ContactCounters {
   std::uint64_t searches = 0;    ///< global ones
   std::uint64_t candidates = 0;  ///< pairs that these left
+  std::uint64_t crowded = 0;     ///< nodes and edges that were searched for the nearest only, over all searches
   std::uint64_t nodes = 0;       ///< checked, over all cycles
   std::uint64_t pairs = 0;       ///< decided, over all cycles
   std::uint64_t followed = 0;    ///< of these: started from their position in the last cycle

@@ -56,8 +56,8 @@ void TrackedPairs::set_memory(const Penetration& record, const NodeContact& memo
   if (pair && pair->node_on_b == exchanged_) nodes_[pair->slot.value].memory = memory;
 }
 
-std::size_t TrackedPairs::find_candidates(const contact::CandidateSearch& search, double margin) {
-  contact::SweepCounters sweep;
+std::size_t TrackedPairs::find_candidates(const contact::CandidateSearch& search, double margin,
+                                          contact::SweepCounters& sweep) {
   candidates_.search(scene_, rules_, search, margin, sweep);
   std::vector<bool> found(nodes_.size(), false);
   for (const SlotIndex slot : candidates_.slots()) {

@@ -76,7 +76,7 @@ class TrackedPairs {
   /// Sets what the initialisation did to a node; records of the other side are skipped.
   void set_memory(const Penetration& record, const contact::NodeContact& memory);
   /// Global search; wakes all nodes. Returns the number of candidates.
-  std::size_t find_candidates(const contact::CandidateSearch& search, double margin);
+  std::size_t find_candidates(const contact::CandidateSearch& search, double margin, contact::SweepCounters& sweep);
 
   /// Number of places with candidates, and of all places.
   [[nodiscard]] std::size_t near_places() const { return candidates_.slots().size(); }

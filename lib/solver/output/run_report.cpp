@@ -30,6 +30,7 @@ std::vector<results::ContactDefinition> contact_definitions(const model::Model& 
   std::vector<results::ContactDefinition> list;
   for (const ContactIndex i : positions<ContactIndex>(model.contacts.size())) {
     const model::Contact& contact = model.contact(i);
+    if (contact.order == 0) continue;  // *CONTACT_INTERIOR and others define no interface
     results::ContactDefinition d;
     d.id = contact.id.value;
     d.order = contact.order;

@@ -20,7 +20,7 @@ constexpr double same_place = 1e-3;
 /// What the segments at a node say about it.
 struct Corner {
   double shortest_edge = INFINITY;
-  PartIndex part = none<PartIndex>;  ///< of the first segment
+  PartIndex part = none<PartIndex>;  ///< of its segments the one with the smallest id
   bool shell = false;                ///< some segment is a shell
 };
 using Corners = std::unordered_map<std::uint32_t, Corner>;
@@ -39,6 +39,11 @@ double usual_edge(const contact::ContactMesh& mesh) {
   return *half;
 }
 
+PartIndex smaller_id(const model::Model& model, PartIndex a, PartIndex b) {
+  if (a == none<PartIndex> || b == none<PartIndex>) return std::min(a, b);
+  return model.part(b).id < model.part(a).id ? b : a;
+}
+
 Corners corners_of(const contact::ContactMesh& mesh, const std::vector<contact::CoincidentNodes>& pairs) {
   std::vector<std::uint8_t> wanted(mesh.model().mesh.nodes.size());
   for (const auto& pair : pairs) wanted[pair.first.value] = wanted[pair.second.value] = 1;
@@ -51,7 +56,7 @@ Corners corners_of(const contact::ContactMesh& mesh, const std::vector<contact::
       if (wanted[n.value] == 0) continue;
       Corner& corner = corners[n.value];
       corner.shortest_edge = std::min(corner.shortest_edge, shortest);
-      if (corner.part == none<PartIndex>) corner.part = mesh.part(i);
+      corner.part = smaller_id(mesh.model(), corner.part, mesh.part(i));
       corner.shell = corner.shell || mesh.kind(i) == model::ElementKind::shell;
     }
   }
@@ -74,9 +79,10 @@ class Search {
     const auto constrained = model::referenced_nodes(context_.deck(), context_.model(), "CONSTRAINED_");
     std::vector<Found> found;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const auto [a, b] = pairs_[i];
+      auto& [a, b] = pairs_[i];
+      if (id(b) < id(a)) std::swap(a, b);
       if (joined[i] != 0 || (constrained[a.value] != 0 && constrained[b.value] != 0)) continue;
-      found.push_back({part_pair(part(a), part(b)), 0, i});
+      found.push_back({part_pair(part(a), part(b)), 0, i, {id(b), id(a)}});
     }
     add_grouped(
         report, std::move(found), [&](const Found& f) { return one(pairs_[f.item]); },

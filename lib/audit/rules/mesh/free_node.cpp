@@ -16,6 +16,7 @@ namespace {
 /// Nodes that sides of contacts name one by one.
 void report_tracked(const RuleIdentity& rule, Context& context, Report& report, const std::vector<std::uint8_t>& used) {
   const model::Model& model = context.model();
+  const std::vector<std::int64_t>& ids = model.mesh.nodes.id;
   std::vector<Found> found;
   for (const ContactIndex c : context.contacts()) {
     const model::Contact& contact = model.contact(c);
@@ -23,10 +24,10 @@ void report_tracked(const RuleIdentity& rule, Context& context, Report& report, 
       continue;
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
     for (const NodeIndex n : surfaces.a.selection.nodes)
-      if (used[n.value] == 0) found.push_back({c.value, 0, n.value});
+      if (used[n.value] == 0) found.push_back({c.value, 0, n.value, {ids[n.value]}});
     if (!surfaces.two_sided()) continue;
     for (const NodeIndex n : surfaces.b.selection.nodes)
-      if (used[n.value] == 0) found.push_back({c.value, 0, n.value});
+      if (used[n.value] == 0) found.push_back({c.value, 0, n.value, {ids[n.value]}});
   }
   add_grouped(
       report, std::move(found),
@@ -63,20 +64,21 @@ void report_unused(const RuleIdentity& rule, Context& context, Report& report, s
   for (const model::RigidGroup& group : model.rigid_groups) std::for_each(group.nodes.begin(), group.nodes.end(), mark);
   if (std::find(used.begin(), used.end(), 0) == used.end()) return;
   const std::vector<std::uint8_t> referenced = model::referenced_nodes(context.deck(), model, "");
+  const std::vector<std::int64_t>& ids = model.mesh.nodes.id;
   std::uint64_t count = 0;
   std::uint32_t first = 0;
   for (std::uint32_t n = 0; n < used.size(); ++n)
-    if (used[n] == 0 && referenced[n] == 0 && count++ == 0) first = n;
+    if (used[n] == 0 && referenced[n] == 0 && (count++ == 0 || ids[n] < ids[first])) first = n;
   if (count == 0) return;
-  const std::int64_t id = model.mesh.nodes.id[first];
+  const std::int64_t id = ids[first];
   Finding at = node_finding(
       rule, context, NodeIndex{first},
       count == 1 ? fmt::format("node {} belongs to no element and no set; delete it", id)
                  : fmt::format("{} nodes belong to no element and no set, the first is {}; delete them", count, id));
   at.count = count;
   if (context.options().members)
-    for (std::uint32_t n = first; n < used.size(); ++n)
-      if (used[n] == 0 && referenced[n] == 0) at.members.nodes.push_back(model.mesh.nodes.id[n]);
+    for (std::uint32_t n = 0; n < used.size(); ++n)
+      if (used[n] == 0 && referenced[n] == 0) at.members.nodes.push_back(ids[n]);
   report.findings.push_back(std::move(at));
 }
 

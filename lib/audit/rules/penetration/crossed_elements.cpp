@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
 #include "audit/grouped.hpp"
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
@@ -15,6 +19,14 @@ using contact::CrossingSegment;
 
 std::string describe(const model::Model& model, const CrossingSegment& s) {
   return fmt::format("{} ({})", element_text(model.mesh, {s.kind, s.element}), part_text(model, s.part));
+}
+
+/// Of the element; of a segment without one, its smallest node.
+std::int64_t id_of(const model::Model& model, const CrossingSegment& s) {
+  if (s.element != no_position) return element_id(model.mesh, {s.kind, s.element});
+  std::int64_t least = model.mesh.nodes.id[s.nodes[0].value];
+  for (const NodeIndex n : s.nodes) least = std::min(least, model.mesh.nodes.id[n.value]);
+  return least;
 }
 
 bool solid(model::ElementKind kind) {
@@ -53,13 +65,19 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::CrossingOptions options;
   options.mode = context.options().exact ? geometry::Mode::exact : geometry::Mode::filtered;
   options.search = context.options().brute_force ? contact::BoxSearch::brute_force : contact::BoxSearch::tree;
-  const std::vector<Crossing> crossings = contact::find_crossings(
-      model, context.contacts(), context.results().surface_store(), options, context.results().crossing_counters());
+  // Of contacts that hold the same pair the one with the smallest id reports it, whatever their order.
+  std::vector<ContactIndex> contacts = context.contacts();
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [&](ContactIndex a, ContactIndex b) { return model.contact(a).id < model.contact(b).id; });
+  std::vector<Crossing> crossings = contact::find_crossings(model, contacts, context.results().surface_store(), options,
+                                                            context.results().crossing_counters());
   std::vector<Found> found;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
-    const Crossing& c = crossings[i];
-    if (context.part_chosen(c.a.part) || context.part_chosen(c.b.part))
-      found.push_back({part_pair(c.a.part, c.b.part), c.length(), i});
+    Crossing& c = crossings[i];
+    if (!context.part_chosen(c.a.part) && !context.part_chosen(c.b.part)) continue;
+    std::int64_t a = id_of(model, c.a), b = id_of(model, c.b);
+    if (std::tuple(c.b.kind, b) < std::tuple(c.a.kind, a)) std::swap(c.a, c.b), std::swap(a, b);
+    found.push_back({part_pair(c.a.part, c.b.part), rough_weight(c.length()), i, {a, b}});
   }
   add_grouped(
       report, std::move(found),

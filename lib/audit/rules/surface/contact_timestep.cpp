@@ -28,7 +28,11 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const bool solver_cares = side.type.starts_with('1') && side.type.size() == 2 && side.type >= "14" &&
                               side.type <= "16" && model.controls.ecdt == 0;
     if (!solver_cares && context.part_chosen(part))
-      found.push_back({0, steps.run / steps.unstable[i].limit.timestep, i});
+      found.push_back(
+          {0,
+           rough_weight(steps.run / steps.unstable[i].limit.timestep),
+           i,
+           {model.contacts[side.contact].id.value, model.mesh.nodes.id[steps.unstable[i].limit.node.value]}});
   }
   const auto words = [&](const Found& f) {
     const contact::UnstableSide& unstable = steps.unstable[f.item];

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include "audit/grouped.hpp"
@@ -58,6 +59,10 @@ std::vector<Cover> covers(Context& context) {
     cover.exclusions = std::make_unique<contact::Exclusions>(model, contact.id);
     list.push_back(std::move(cover));
   }
+  // The later one by id reports a pair, whatever the order of the deck.
+  std::stable_sort(list.begin(), list.end(), [&](const Cover& a, const Cover& b) {
+    return model.contact(a.contact).id < model.contact(b.contact).id;
+  });
   return list;
 }
 
@@ -131,9 +136,13 @@ Finding words(const RuleIdentity& rule, Context& context, const Cover& one, cons
   const model::Model& model = context.model();
   const model::Contact &first = model.contact(one.contact), &second = model.contact(two.contact);
   // Two different parts tell more than a part with itself.
-  auto shown = std::find_if(overlap.pairs.begin(), overlap.pairs.end(), [](const PartPair& p) { return p.a != p.b; });
-  if (shown == overlap.pairs.end()) shown = overlap.pairs.begin();
-  const std::int64_t a = model.part(shown->a).id.value, b = model.part(shown->b).id.value;
+  const auto rank = [&](const PartPair& p) {
+    const auto [low, high] = std::minmax(model.part(p.a).id, model.part(p.b).id);
+    return std::tuple(p.a == p.b, low, high);
+  };
+  const auto shown = std::min_element(overlap.pairs.begin(), overlap.pairs.end(),
+                                      [&](const PartPair& l, const PartPair& r) { return rank(l) < rank(r); });
+  const std::int64_t a = std::get<1>(rank(*shown)).value, b = std::get<2>(rank(*shown)).value;
   const std::string named = a == b ? fmt::format("part {} with itself", a) : fmt::format("parts {} and {}", a, b);
   const std::string others =
       overlap.pairs.size() > 1
@@ -175,7 +184,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     overlap.add(context, list[i], list[j], false);
     if (!list[i].single && !list[j].single) overlap.add(context, list[i], list[j], true);
     if (overlap.pairs.empty()) continue;
-    found.push_back({0, static_cast<double>(overlap.pairs.size()), findings.size()});
+    found.push_back({0,
+                     static_cast<double>(overlap.pairs.size()),
+                     findings.size(),
+                     {model.contact(list[j].contact).id.value, model.contact(list[i].contact).id.value}});
     findings.push_back(words(rule, context, list[i], list[j], overlap));
   }
   const auto rest = [&](const Found&, std::uint64_t count) {

@@ -85,7 +85,8 @@ void compare(Conflicts& conflicts, const Context& context, ContactIndex contact,
     const PartIndex part = part_of(context.model().mesh, s, i), giver = nodes.part[corner.slot];
     if (part == none<PartIndex> || giver == none<PartIndex>) return Weighed{};
     if (!context.part_chosen(part) && !context.part_chosen(giver)) return Weighed{};
-    return Weighed{std::uint64_t{part.value} << 32 | giver.value, corner.ratio};
+    return Weighed{std::uint64_t{part.value} << 32 | giver.value, rough_weight(corner.ratio),
+                   element_id(context.model().mesh, s, i)};
   });
   for (const Worst& w : found) {
     Conflict& c = conflicts[w.key];
@@ -126,7 +127,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     for (const auto& [key, conflict] : conflicts) all.push_back(conflict);
   }
   std::vector<Found> found;
-  for (std::size_t i = 0; i < all.size(); ++i) found.push_back({all[i].contact.value, all[i].ratio, i});
+  for (std::size_t i = 0; i < all.size(); ++i)
+    found.push_back(
+        {all[i].contact.value, all[i].ratio, i, {element_id(model.mesh, *all[i].segments, all[i].segment)}});
   add_grouped(
       report, std::move(found), [&](const Found& f) { return words(rule, context, all[f.item]); },
       [&](const Found& f, std::uint64_t count) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <unordered_set>
 
+#include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 #include "audit/shared/contact_thickness.hpp"
 #include "audit/shared/records_of.hpp"
@@ -126,7 +127,7 @@ void count(Candidate& candidate, const model::Mesh& mesh, std::span<const Penetr
     if (key == no_source || (of_segment && key == from.node)) return Weighed{};
     const double tolerance = contact::default_tolerance(from.own_distance, p.original.cwiseAbs().maxCoeff());
     if (made && from.own_distance - p.remaining() > tolerance) return Weighed{};
-    return Weighed{key, p.depth};
+    return Weighed{key, rough_weight(p.depth), p.node};
   });
   for (const Worst& w : found) {
     const auto entry = candidate.overrides.find(w.key);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -41,7 +42,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     std::map<Holder, std::vector<std::int64_t>> held;
     for (const JudgedNode& node : nodes)
       if (const auto by = holder(node)) held[*by].push_back(model.mesh.nodes.id[node.node.value]);
-    for (const auto& [by, ids] : held) {
+    for (auto& [by, ids] : held) {
+      std::sort(ids.begin(), ids.end());
       Finding f = finding_at(
           rule, context, model.contact(c),
           fmt::format("{} ({}) cannot be tied: {} constrains {} already; tie once only, or by "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 #include "audit/shared/tied_contacts.hpp"
 
@@ -23,13 +24,18 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const JudgedNode* farthest = nullptr;
     std::uint64_t far = 0;
     double thickness = 0;
+    // Equally far but for rounding: the smallest id.
+    const auto before = [&](const JudgedNode& a, const JudgedNode& b) {
+      const double by = rough_weight(a.distance) - rough_weight(b.distance);
+      return by != 0 ? by > 0 : model.mesh.nodes.id[a.node.value] < model.mesh.nodes.id[b.node.value];
+    };
     for (const JudgedNode& node : nodes) {
       if (!node.tied() && node.reason != TieReason::too_far) continue;
       // Nodes that tie now must still tie when only thickness counts.
       thickness = std::max(thickness, node.distance / contact::tie_thickness_share - node.segment_thickness);
       if (node.tied()) continue;
       ++far;
-      if (farthest == nullptr || node.distance > farthest->distance) farthest = &node;
+      if (farthest == nullptr || before(node, *farthest)) farthest = &node;
     }
     if (far == 0 || !(thickness > 0) || !std::isfinite(thickness)) return;
     const std::int64_t id = model.mesh.nodes.id[farthest->node.value];

@@ -27,12 +27,13 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const contact::ContactType type = contact::classify(model.contact(c));
     if (!contact::leaves_rotations_free(type)) return;
     std::uint64_t tied = 0, free = 0;
-    NodeIndex first = none<NodeIndex>;
+    std::int64_t first = 0;
     for (const JudgedNode& node : nodes) {
       if (!node.tied()) continue;
       ++tied;
       if (node.part == none<PartIndex> || !rotating[node.part.value]) continue;
-      if (free++ == 0) first = node.node;
+      const std::int64_t id = model.mesh.nodes.id[node.node.value];
+      if (free++ == 0 || id < first) first = id;
     }
     if (free == 0) return;
     Finding f =
@@ -43,7 +44,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
                                model::recommended_keyword(model::ContactCode::tied_shell_edge),
                                model::suffix(type.offset == contact::TieOffset::penalty ? contact::TieOffset::beam
                                                                                         : contact::TieOffset::none)));
-    f.node = model.mesh.nodes.id[first.value];
+    f.node = first;
     f.count = free;
     report.findings.push_back(std::move(f));
   });

@@ -30,5 +30,18 @@ TEST(ThicknessExceedsMesh, OnlyWhereASurfaceMeetsItselfAndIsNotLimited) {
   EXPECT_EQ(listed(plate(1, "AUTOMATIC_SINGLE_SURFACE", 0, "1.,1.,2.5,0.")), 2U);  // SST is not limited; both parts
 }
 
+// Fifty times the longest edge is a thickness in another unit: an error, and also where two surfaces meet.
+TEST(ThicknessExceedsMesh, ManyTimesTheMeshIsAnErrorInEveryContact) {
+  const Report above = plate(251, "AUTOMATIC_SURFACE_TO_SURFACE");
+  ASSERT_EQ(listed(above), 1U);
+  EXPECT_EQ(above.findings[0].severity, Severity::error);
+  EXPECT_EQ(above.findings[0].part, 1);
+  EXPECT_NE(above.findings[0].message.find("correct the thickness or its unit"), std::string::npos)
+      << above.findings[0].message;
+  EXPECT_EQ(listed(plate(249, "AUTOMATIC_SURFACE_TO_SURFACE")), 0U);
+  EXPECT_EQ(plate(251).findings.at(0).severity, Severity::error);
+  EXPECT_EQ(plate(249).findings.at(0).severity, Severity::warning);
+}
+
 }  // namespace
 }  // namespace gapcheck::audit_test::thickness_exceeds_mesh_test
