@@ -61,7 +61,7 @@ def cubes(part, start, counts, side, shift=(0.0, 0.0, 0.0)):
 YOUNG, DENSITY, SIDE, LENGTH, SPEED = 400.0, 4.0, 0.4, 10, 0.01
 
 
-def bars(n, soft, single, shift):
+def bars(n, soft, single, shift, ihq=4):
     """Two bars of 10 × n × n cubes, flush or shifted by a share of a cube; the first one hits the second."""
     contact = "SINGLE_SURFACE\n0" if single else "SURFACE_TO_SURFACE\n1,2,3,3"
     return (cubes(1, (0, 0, 0), (LENGTH, n, n), SIDE)
@@ -69,7 +69,7 @@ def bars(n, soft, single, shift):
             + f"*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,{DENSITY},{YOUNG},0.\n"
             f"*INITIAL_VELOCITY_GENERATION\n1,2,0.,{SPEED},0.,0.\n0.,0.,0.,0.,0.,1.\n"
             f"*CONTACT_AUTOMATIC_{contact}\n0.\n1.,1.\n{soft}\n"
-            "*CONTROL_TERMINATION\n2.\n*DATABASE_MATSUM\n2.\n")
+            f"*CONTROL_TERMINATION\n2.\n*DATABASE_MATSUM\n2.\n*CONTROL_HOURGLASS\n{ihq},0.1\n")
 
 
 def momentum(folder):
@@ -106,22 +106,30 @@ def spring_ratio(n):
 
 
 def bar_table(program, folder, small):
-    curves, rows = {}, []
     sizes = range(1, 3 if small else 5)
+    curves, rows = {}, []
+
+    def row(soft, contact, shift, shares):
+        rows.append(f"| {soft} | {contact} | {shift:g} | " + " | ".join(f"{share:.3f}" for share in shares) + " |")
+
+    def shares(*setting):
+        found = []
+        for n in sizes:
+            place = folder / "_".join(map(str, ("bars", n, *setting)))
+            run(program, bars(n, *setting), place)
+            found.append(momentum(place) / (SPEED * DENSITY * LENGTH * n**2 * SIDE**3))
+        return found
+
     for soft in (0,) if small else (0, 1, 2):
         for single in (False, True):
             for shift in (0.0, 0.1, 0.5):
-                shares = []
-                for n in sizes:
-                    place = folder / f"bars_{soft}_{single:d}_{shift}_{n}"
-                    run(program, bars(n, soft, single, shift), place)
-                    shares.append(momentum(place) / (SPEED * DENSITY * LENGTH * n**2 * SIDE**3))
-                rows.append(f"| {soft} | {'single surface' if single else 'by parts'} | {shift:g} | "
-                            + " | ".join(f"{share:.3f}" for share in shares) + " |")
+                found = shares(soft, single, shift)
+                row(soft, "single surface" if single else "by parts", shift, found)
                 if not single and not shift:
-                    curves[f"SOFT = {soft}"] = list(zip(sizes, shares))
+                    curves[f"SOFT = {soft}"] = list(zip(sizes, found))
+    row(0, "by parts, IHQ 1", 0.1, shares(0, False, 0.1, 1))
     closed = [rods(spring_ratio(n)) for n in sizes]
-    rows.append("| 0 | rods and a spring | 0 | " + " | ".join(f"{share:.3f}" for share in closed) + " |")
+    row(0, "rods and a spring", 0, closed)
     curves["rods and a spring"] = list(zip(sizes, closed))
     picture = svg(curves, "cubes over the width of the bar", "momentum handed over", bands=((0.99, 1.0, ""),))
     (PICTURES / "bars.svg").write_text(picture, encoding="ascii")
