@@ -137,23 +137,20 @@ Result<Deck> DeckReader::read_path(const std::string& path) {
   canonical_.push_back(std::filesystem::canonical(path, error).string());
   const auto file = open_file(path, canonical_.back());
   if (!file) return file.error();
-  if (const Status status = check_text(file.value()->bytes(), path); !status.ok()) return status.error();
-  if (const Status status = check_keywords(file.value()->marks(), path); !status.ok()) return status.error();
-  FileContext context;
-  context.file = add_file(path, file.value()->bytes(), nullptr, 0);
-  context.scope = deck_.parameters_.add_scope(Parameters::global);
-  read_file(context, file.value()->marks());
-  return finish();
+  return read_all(path, file.value()->bytes(), file.value()->marks());
 }
 
 Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
-  if (const Status status = check_text(text, name); !status.ok()) return status.error();
   deck_.texts_.push_back(std::move(text));
   canonical_.emplace_back();
-  const std::vector<Mark> marks = marks_of_file(deck_.texts_.back());
-  if (const Status status = check_keywords(marks, name); !status.ok()) return status.error();
+  return read_all(name, deck_.texts_.back(), marks_of_file(deck_.texts_.back()));
+}
+
+Result<Deck> DeckReader::read_all(const std::string& path, std::string_view bytes, const std::vector<Mark>& marks) {
+  if (const Status status = check_text(bytes, path); !status.ok()) return status.error();
+  if (const Status status = check_keywords(marks, path); !status.ok()) return status.error();
   FileContext context;
-  context.file = add_file(name, deck_.texts_.back(), nullptr, 0);
+  context.file = add_file(path, bytes, nullptr, 0);
   context.scope = deck_.parameters_.add_scope(Parameters::global);
   read_file(context, marks);
   return finish();

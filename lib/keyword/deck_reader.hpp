@@ -28,6 +28,7 @@ class DeckReader {
   Result<Deck> read_text(std::string text, const std::string& name);
 
  private:
+  Result<Deck> read_all(const std::string& path, std::string_view bytes, const std::vector<Mark>& marks);
   Result<Deck> finish();
 
   // deck.cpp: one file
