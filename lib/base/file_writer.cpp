@@ -43,8 +43,8 @@ std::string random_name() {
   return fmt::format(".gapcheck-{:08x}{:08x}", random(), random());
 }
 
-/// Where a path leads, even if there is no file yet; none for /dev/stdout and its like, whose target belongs to whoever
-/// opened it.
+/// Where a path leads, even if there is no file yet; none for /dev/stdout and /dev/fd/N, whose target belongs to
+/// whoever opened it.
 std::optional<fs::path> target_of(fs::path path) {
   constexpr int most_links = 40;
   std::error_code error;

@@ -8,25 +8,20 @@
 #include <filesystem>
 #include <fstream>
 
+#include "folder_test.hpp"
+
 namespace gapcheck::file_bytes_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class FileBytesTest : public testing::Test {
+class FileBytesTest : public FolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   std::string file(const std::string& name, const std::string& content) {
     const fs::path path = folder_ / name;
     std::ofstream(path, std::ios::binary) << content;
     return path.string();
   }
-  fs::path folder_;
 };
 
 TEST_F(FileBytesTest, HasTheBytesOfTheFile) {

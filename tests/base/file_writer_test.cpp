@@ -13,19 +13,15 @@
 #include <sstream>
 #include <utility>
 
+#include "folder_test.hpp"
+
 namespace gapcheck::file_writer_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class FileWriterTest : public testing::Test {
+class FileWriterTest : public FolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
   [[nodiscard]] std::string text(const std::string& name) const {
     std::ostringstream all;
@@ -40,7 +36,6 @@ class FileWriterTest : public testing::Test {
     EXPECT_TRUE(made.ok());
     return std::move(made).value();
   }
-  fs::path folder_;
 };
 
 TEST_F(FileWriterTest, TheNameChangesOnlyAtTheEnd) {

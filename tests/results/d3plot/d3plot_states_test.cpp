@@ -10,6 +10,7 @@
 #include <iterator>
 #include <random>
 
+#include "folder_test.hpp"
 #include "results/d3plot/d3plot_write.hpp"
 #include "results/d3plot_sample.hpp"
 
@@ -18,17 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class D3plotFamily : public testing::Test {
+class D3plotFamily : public FolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   [[nodiscard]] std::string path() const { return (folder_ / "d3plot").string(); }
-
-  fs::path folder_;
 };
 
 std::string contents(const fs::path& path) {

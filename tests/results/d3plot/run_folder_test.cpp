@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "folder_test.hpp"
 #include "results/curves/glstat.hpp"
 #include "results/d3plot/d3plot_write.hpp"
 #include "results/log/run_log.hpp"
@@ -14,14 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class RunFolder : public testing::Test {
+class RunFolder : public FolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   void file(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
@@ -39,7 +34,6 @@ class RunFolder : public testing::Test {
     settings.word_bytes = word_bytes;
     ASSERT_TRUE(D3plotWriter::create((folder_ / "d3plot").string(), mesh, {{1, "part"}}, settings).ok());
   }
-  fs::path folder_;
 };
 
 TEST_F(RunFolder, OwnResultsAreKnownByTheirMarks) {
