@@ -111,10 +111,16 @@ class Grid {
     const Query query{box, map_.box(box), cell(box.low), cell(box.high)};
     const auto& [same, mapped, low, high] = query;
     const int level = level_of(low, high);
-    for (std::uint32_t i = low[0] >> level; i <= high[0] >> level; ++i)
-      for (std::uint32_t j = low[1] >> level; j <= high[1] >> level; ++j)
-        for (std::uint32_t k = low[2] >> level; k <= high[2] >> level; ++k) {
-          const Range range = levels_[level].find(z_order({i, j, k}));
+    const Cell first{low[0] >> level, low[1] >> level, low[2] >> level};
+    const Cell last{high[0] >> level, high[1] >> level, high[2] >> level};
+    // At most two buckets along each axis.
+    std::array<std::array<std::uint64_t, 2>, 3> part{};
+    for (std::size_t axis = 0; axis < 3; ++axis) part[axis] = {spread(first[axis]) << axis, spread(last[axis]) << axis};
+    for (std::uint32_t i = first[0]; i <= last[0]; ++i)
+      for (std::uint32_t j = first[1]; j <= last[1]; ++j)
+        for (std::uint32_t k = first[2]; k <= last[2]; ++k) {
+          const Range range =
+              levels_[level].find(part[0][i - first[0]] | part[1][j - first[1]] | part[2][k - first[2]]);
           if (range.end != 0) visit(range, level, {i, j, k}, query, inside);
         }
   }

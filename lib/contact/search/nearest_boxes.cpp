@@ -20,7 +20,7 @@ namespace {
 /// Points whose pairs are held at a time.
 constexpr std::size_t points_per_block = 20000;
 /// How many boxes and points are sampled: first, and to confirm that there are too many.
-constexpr std::array<std::array<std::size_t, 2>, 2> samples{{{64, 4096}, {256, 65536}}};
+constexpr std::array<std::array<std::size_t, 2>, 2> samples{{{64, 1024}, {256, 65536}}};
 
 /// Some of the positions below `count`, the same at each call. Not evenly spaced: nodes and elements are numbered
 /// alike, and equal steps through both would meet too often.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
 #include "base/parallel.hpp"
 #include "contact/mesh/node_sums.hpp"
@@ -30,6 +31,27 @@ NodeIndex lowest_node(const model::Nodes& all, const ContactSide& side) {
   return lowest;
 }
 
+/// A triangle's last corner, which is there twice, counts twice in the printed step.
+std::size_t corners_with_spring(const model::SegmentNodes& nodes, TimestepLimit limit) {
+  return limit == TimestepLimit::printed ? nodes.size() : corner_count(nodes);
+}
+
+/// Squared step of a node of mass m with springs of stiffness k against a surface that does not move.
+struct AgainstSurface {
+  TimestepLimit limit;
+  double operator()(double m, double k) const { return (limit == TimestepLimit::printed ? 0.5 : 4) * m / k; }
+};
+
+/// The same against a free node.
+struct AgainstNode {
+  TimestepLimit limit;
+  const SideTimestep& other;
+  double operator()(double m, double k) const {
+    const double squared = limit == TimestepLimit::printed ? 1 : 4;
+    return squared * m * other.mass / ((m + other.mass) * std::min(k, other.stiffness));
+  }
+};
+
 }  // namespace
 
 TimestepEstimate::TimestepEstimate(const model::Model& model, const ElementSizes& sizes)
@@ -40,11 +62,10 @@ TimestepEstimate::TimestepEstimate(const model::Model& model, const ElementSizes
       sums_(model.mesh.nodes.size()) {}
 
 template <class SquaredStep>
-NodeIndex TimestepEstimate::smallest(const Segments& s, const std::vector<double>& masses,
-                                     const SquaredStep& squared_step) {
-  // From here on `weighted` holds the squared step of a node that has springs, and infinity for all others.
+NodeIndex TimestepEstimate::controlling(const Segments& s, TimestepLimit limit, const SquaredStep& squared_step) {
+  const std::vector<double>& mass = masses(limit);
   const auto squared_at = [&](std::uint32_t n) {
-    const double k = sums_[n].value(), m = masses[n];
+    const double k = sums_[n].value(), m = mass[n];
     const double squared = m > 0 && k > 0 ? squared_step(m, k) : infinite;
     return squared > 0 ? squared : infinite;
   };
@@ -54,13 +75,14 @@ NodeIndex TimestepEstimate::smallest(const Segments& s, const std::vector<double
     if (node == none<NodeIndex> || model_.mesh.nodes.id[n.value] < model_.mesh.nodes.id[node.value]) node = n;
   };
   if (most_of_the_mesh(s)) {
+    squared_.resize(sums_.size());
     parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n) sums_[n].weighted = squared_at(static_cast<std::uint32_t>(n));
+      for (std::size_t n = begin; n < end; ++n) squared_[n] = squared_at(static_cast<std::uint32_t>(n));
     });
-    for (const NodeStiffness& sum : sums_) least = std::min(least, sum.weighted);
+    for (const double squared : squared_) least = std::min(least, squared);
     if (least == infinite) return node;
-    for (std::uint32_t n = 0; n < sums_.size(); ++n)
-      if (sums_[n].weighted <= least * (1 + equal_squared_steps)) take(NodeIndex{n});
+    for (std::uint32_t n = 0; n < squared_.size(); ++n)
+      if (squared_[n] <= least * (1 + equal_squared_steps)) take(NodeIndex{n});
     return node;
   }
   for (const auto& nodes : s.nodes)
@@ -72,12 +94,9 @@ NodeIndex TimestepEstimate::smallest(const Segments& s, const std::vector<double
   return node;
 }
 
-template <class SquaredStep>
-SideTimestep TimestepEstimate::find(const Segments& s, double scale, TimestepLimit limit,
-                                    const SquaredStep& squared_step) {
+void TimestepEstimate::sum(const Segments& s, double scale, TimestepLimit limit) {
   const bool printed = limit == TimestepLimit::printed;
   if (!printed && masses_.empty()) masses_ = node_masses(model_, sizes_);
-  const std::vector<double>& masses = printed ? printed_masses_ : masses_;
   corners_.resize(s.size());
   parallel_for(s.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -87,52 +106,66 @@ SideTimestep TimestepEstimate::find(const Segments& s, double scale, TimestepLim
       corners_[i] = {spring.weight, spring.weight * spring.stiffness};
     }
   });
-  const auto corners = [&](std::size_t i) { return printed ? s.nodes[i].size() : corner_count(s.nodes[i]); };
   sum_at_nodes(sums_, s.size(), [&](std::size_t i, const auto& add) {
     if (corners_[i].weight > 0)
-      for (std::size_t c = 0; c < corners(i); ++c) add(s.nodes[i][c], corners_[i]);
+      for (std::size_t c = 0; c < corners_with_spring(s.nodes[i], limit); ++c) add(s.nodes[i][c], corners_[i]);
   });
-  SideTimestep result;
-  result.node = smallest(s, masses, squared_step);
-  if (result.node != none<NodeIndex>) {
-    const auto id_of = [&](PartIndex part) { return model_.part(part).id; };
-    NodeStiffness own;
-    for (std::size_t i = 0; i < s.size(); ++i) {
-      if (!(corners_[i].weight > 0)) continue;
-      for (std::size_t c = 0; c < corners(i); ++c) {
-        if (s.nodes[i][c] != result.node) continue;
-        const PartIndex part = part_of(model_.mesh, s, i);
-        if (result.part == none<PartIndex> || (part != none<PartIndex> && id_of(part) < id_of(result.part)))
-          result.part = part;
-        own += corners_[i];
-      }
-    }
-    result.mass = masses[result.node.value];
-    result.stiffness = own.value();
-    result.timestep = std::sqrt(squared_step(result.mass, result.stiffness));
-  }
+}
+
+void TimestepEstimate::clear(const Segments& s) {
   if (most_of_the_mesh(s)) {
     parallel_for(sums_.size(), springs_per_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) sums_[n] = {};
     });
-    return result;
+    return;
   }
   for (const auto& nodes : s.nodes)
     for (const NodeIndex n : nodes) sums_[n.value] = {};
+}
+
+template <class SquaredStep>
+SideTimestep TimestepEstimate::least(const Segments& s, TimestepLimit limit, const SquaredStep& squared_step) {
+  SideTimestep result;
+  result.node = controlling(s, limit, squared_step);
+  if (result.node == none<NodeIndex>) return result;
+  const auto id_of = [&](PartIndex part) { return model_.part(part).id; };
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (!(corners_[i].weight > 0)) continue;
+    for (std::size_t c = 0; c < corners_with_spring(s.nodes[i], limit); ++c) {
+      if (s.nodes[i][c] != result.node) continue;
+      const PartIndex part = part_of(model_.mesh, s, i);
+      if (result.part == none<PartIndex> || (part != none<PartIndex> && id_of(part) < id_of(result.part)))
+        result.part = part;
+    }
+  }
+  result.mass = masses(limit)[result.node.value];
+  result.stiffness = sums_[result.node.value].value();
+  result.timestep = std::sqrt(squared_step(result.mass, result.stiffness));
   return result;
 }
 
 SideTimestep TimestepEstimate::side(const Segments& s, double scale, TimestepLimit limit) {
-  const double squared = limit == TimestepLimit::printed ? 0.5 : 4;
-  return find(s, scale, limit, [&](double m, double k) { return squared * m / k; });
+  sum(s, scale, limit);
+  const SideTimestep result = least(s, limit, AgainstSurface{limit});
+  clear(s);
+  return result;
 }
 
 SideTimestep TimestepEstimate::side_against(const Segments& s, double scale, const SideTimestep& other,
                                             TimestepLimit limit) {
-  const double squared = limit == TimestepLimit::printed ? 1 : 4;
-  return find(s, scale, limit, [&](double m, double k) {
-    return squared * m * other.mass / ((m + other.mass) * std::min(k, other.stiffness));
-  });
+  sum(s, scale, limit);
+  const SideTimestep result = least(s, limit, AgainstNode{limit, other});
+  clear(s);
+  return result;
+}
+
+std::pair<SideTimestep, SideTimestep> TimestepEstimate::side_against_itself(const Segments& s, double scale,
+                                                                            TimestepLimit limit) {
+  sum(s, scale, limit);
+  const SideTimestep alone = least(s, limit, AgainstSurface{limit});
+  const SideTimestep pair = least(s, limit, AgainstNode{limit, alone});
+  clear(s);
+  return {alone, pair};
 }
 
 bool has_timestep(const ContactType& type) {
@@ -170,14 +203,18 @@ PredictedTimesteps predict_timesteps(const model::Model& model, SurfaceStore& su
     // The springs that a side's nodes have against the other side's, or its own.
     const auto unstable = [&](char letter, const Segments& segments, double scale) -> std::optional<UnstableSide> {
       const auto surface = static_cast<std::uint32_t>(list.size() - 1);
-      const SideTimestep alone = estimate.side(segments, scale, TimestepLimit::spring);
+      SideTimestep alone, other, pair;
+      if (s.two_sided())
+        alone = estimate.side(segments, scale, TimestepLimit::spring);
+      else
+        std::tie(alone, pair) = estimate.side_against_itself(segments, scale, TimestepLimit::spring);
       if (alone.timestep < all.run) return UnstableSide{surface, alone, true};
-      SideTimestep other = alone;
+      other = alone;
       if (s.two_sided())
         other = letter == 'A' ? estimate.side(b, scale_b, TimestepLimit::spring)
                               : estimate.side(a, scale_a, TimestepLimit::spring);
       if (!(other.mass > 0) || (other.part != none<PartIndex> && model.rigid(other.part))) return std::nullopt;
-      const SideTimestep pair = estimate.side_against(segments, scale, other, TimestepLimit::spring);
+      if (s.two_sided()) pair = estimate.side_against(segments, scale, other, TimestepLimit::spring);
       if (!(pair.timestep < all.run) || model.rigid(pair.part)) return std::nullopt;
       return UnstableSide{surface, pair, false};
     };

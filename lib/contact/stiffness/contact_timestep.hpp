@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/stiffness/element_sizes.hpp"
@@ -38,14 +39,23 @@ class TimestepEstimate {
   /// √(m M / ((m + M) min(k, K))), as printed for transducers, or of twice that for springs.
   [[nodiscard]] SideTimestep side_against(const Segments& segments, double scale, const SideTimestep& other,
                                           TimestepLimit limit);
+  /// Of a surface that is its own other side: side() and, against what that found, side_against().
+  [[nodiscard]] std::pair<SideTimestep, SideTimestep> side_against_itself(const Segments& segments, double scale,
+                                                                          TimestepLimit limit);
 
  private:
+  /// Fills `corners_` and `sums_`.
+  void sum(const Segments& segments, double scale, TimestepLimit limit);
+  /// Sets `sums_` to zero again.
+  void clear(const Segments& segments);
+  /// The least of the sums' squared_step(m, k).
   template <class SquaredStep>
-  [[nodiscard]] SideTimestep find(const Segments& segments, double scale, TimestepLimit limit,
-                                  const SquaredStep& squared_step);
+  [[nodiscard]] SideTimestep least(const Segments& segments, TimestepLimit limit, const SquaredStep& squared_step);
   template <class SquaredStep>
-  [[nodiscard]] NodeIndex smallest(const Segments& segments, const std::vector<double>& masses,
-                                   const SquaredStep& squared_step);
+  [[nodiscard]] NodeIndex controlling(const Segments& segments, TimestepLimit limit, const SquaredStep& squared_step);
+  [[nodiscard]] const std::vector<double>& masses(TimestepLimit limit) const {
+    return limit == TimestepLimit::printed ? printed_masses_ : masses_;
+  }
   /// Then all nodes are visited, not the corners of the segments.
   [[nodiscard]] bool most_of_the_mesh(const Segments& segments) const { return segments.size() > sums_.size() / 8; }
 
@@ -56,6 +66,7 @@ class TimestepEstimate {
   std::vector<double> masses_;          // by node; empty until the springs' own step is asked for
   std::vector<NodeStiffness> sums_;     // by node; zero between calls
   std::vector<NodeStiffness> corners_;  // by segment: what it adds at each corner
+  std::vector<double> squared_;         // by node; used if most of the mesh is in the surface
 };
 
 /// True for contacts of which the solver prints a time step: those with penalty springs and force transducers. Ties by

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+#include <tuple>
+
 namespace gapcheck::contact::penetration_list_test {
 namespace {
 
@@ -70,6 +74,30 @@ TEST(PenetrationList, SortsItsOwnRecordsOnly) {
   list.add(std::vector{record(30, 1), record(20, 2), record(10, 1)});
   list.sort_deepest_first();
   EXPECT_EQ(nodes_of(all), (std::vector<std::int64_t>{90, 20, 10, 30}));
+}
+
+TEST(PenetrationList, SortsAsAStableSortOfWholeRecordsDoes) {
+  std::mt19937_64 random(11);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Penetration> all{record(90, 0.1)};
+    PenetrationList list(all);
+    std::vector<Penetration> added;
+    // Few depths and nodes, so that many are equal.
+    const std::uint64_t count = round < 190 ? random() % 40 : 5000;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const auto node = static_cast<std::int64_t>(round % 4 == 0 ? i / 2 : random() % 5) - 2;
+      added.push_back(record(node, 0.25 * static_cast<double>(random() % 400 / 100) - 0.25));
+      added.back().element = static_cast<std::int64_t>(i);
+    }
+    list.add(added);
+    list.sort_deepest_first();
+    std::stable_sort(added.begin(), added.end(), [](const Penetration& l, const Penetration& r) {
+      return std::tuple(-l.depth, l.node) < std::tuple(-r.depth, r.node);
+    });
+    ASSERT_EQ(list.records().size(), added.size());
+    EXPECT_EQ(all.front().node, 90);
+    for (std::size_t i = 0; i < added.size(); ++i) EXPECT_EQ(list.records()[i].element, added[i].element) << round;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -54,6 +55,25 @@ TEST(Search, AgreesWithBruteForceOnRandomScenes) {
     }
     expect_same(points, boxes);
   }
+}
+
+TEST(Search, NextAboveIsThatOfTheStandard) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const auto expect_next = [](double x) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(next_above(x)), std::bit_cast<std::uint64_t>(std::nextafter(x, inf))) << x;
+  };
+  using Limits = std::numeric_limits<double>;
+  for (const double x : {0.0, 1.0, Limits::denorm_min(), Limits::min(), Limits::max(), inf}) {
+    expect_next(x);
+    expect_next(-x);
+  }
+  EXPECT_TRUE(std::isnan(next_above(Limits::quiet_NaN())));
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 100'000; ++i)
+    if (const auto x = std::bit_cast<double>(random()); !std::isnan(x)) expect_next(x);
+  const Bounds box = grown({{-1, 0, 5}, {1, 0, 5}}, 2);
+  EXPECT_TRUE(box.low == Vector(std::nextafter(-3, -inf), std::nextafter(-2, -inf), std::nextafter(3, -inf)));
+  EXPECT_TRUE(box.high == Vector(std::nextafter(3, inf), std::nextafter(2, inf), std::nextafter(7, inf)));
 }
 
 TEST(Search, CornersOfBoxesCount) {
