@@ -245,6 +245,7 @@ std::string usage() {
 
 std::vector<OptionText> option_texts() {
   std::vector<OptionText> texts;
+  texts.reserve(std::size(options));
   for (const Option& option : options) texts.push_back({option.name, option.value, option.help});
   return texts;
 }

@@ -15,6 +15,7 @@
 #include "base/parallel.hpp"
 #include "common/failures.hpp"
 #include "common/file_guard.hpp"
+#include "common/freed_memory.hpp"
 #include "common/mesh.hpp"
 #include "common/message_line.hpp"
 #include "common/signals.hpp"
@@ -117,9 +118,12 @@ int check(const Arguments& arguments) {
   app::Failures failures(complain);
   results::MeshSource mesh;
   if (read) {
-    auto loaded = load_mesh(arguments, diagnostics);
-    if (loaded) mesh = std::move(loaded).value();
-    failures.add(loaded ? check_parts(arguments, mesh) : loaded.error());
+    if (auto loaded = load_mesh(arguments, diagnostics)) {
+      mesh = std::move(loaded).value();
+      failures.add(check_parts(arguments, mesh));
+    } else {
+      failures.add(loaded.error());
+    }
   }
   print(diagnostics, arguments.quiet);
   failures.count(diagnostics);
@@ -167,6 +171,7 @@ int main(int argc, char** argv) {
   // Nothing after the catch may allocate.
   try {
     gapcheck::app::prepare_process();
+    gapcheck::app::keep_freed_memory();
     return gapcheck::check_c::run({argv + (argc > 0 ? 1 : 0), argv + argc});
   } catch (const std::bad_alloc&) {
     std::fputs("check-c: error: not enough memory\n", stderr);

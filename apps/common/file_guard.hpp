@@ -12,7 +12,7 @@ namespace gapcheck::app {
 struct PlannedOutput {
   std::string option;  ///< that names it
   std::string path;
-  std::string deck = "";                          ///< whose results it holds; empty: those of the whole call
+  std::string deck{};                             ///< whose results it holds; empty: those of the whole call
   std::string instead = "another file to write";  ///< what to give where this is an input
 };
 

@@ -8,7 +8,7 @@
 namespace gapcheck::app {
 
 bool obeys_escapes(int descriptor) {
-  const char* terminal = std::getenv("TERM");
+  const char* terminal = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nothing here sets variables
   return ::isatty(descriptor) != 0 && (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 

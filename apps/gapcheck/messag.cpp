@@ -102,6 +102,7 @@ Status check_files(const MessagArguments& arguments, const std::vector<std::stri
   std::vector<PlannedOutput> outputs = planned_outputs(arguments.output);
   for (PlannedOutput& output : planned_outputs(arguments.exports)) outputs.push_back(std::move(output));
   std::vector<ReadInput> read;
+  read.reserve(logs.size());
   for (const std::string& log : logs) read.push_back({log, "a log that is read"});
   add_run_files(std::filesystem::path(logs.front()).parent_path().string(), read);
   read.push_back({arguments.log.d3hsp, "the d3hsp file"});

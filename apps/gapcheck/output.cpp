@@ -34,7 +34,7 @@ Status Output::close() {
 }
 
 bool Output::color() const {
-  const char* no_color = std::getenv("NO_COLOR");
+  const char* no_color = std::getenv("NO_COLOR");  // NOLINT(concurrency-mt-unsafe): nothing here sets variables
   return !file_ && status_.ok() && obeys_escapes(STDOUT_FILENO) && (no_color == nullptr || *no_color == '\0');
 }
 

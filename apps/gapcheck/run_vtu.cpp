@@ -23,7 +23,7 @@ void add_contacts(const solver::Run& run, VtuGrid& grid) {
   const auto add = [&](const solver::ContactPoint& point, const Vector& on_it) {
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
-        force.values[3 * point.nodes[i].value + axis] += point.weights[i] * on_it[static_cast<int>(axis)];
+        force.values[std::size_t{3} * point.nodes[i].value + axis] += point.weights[i] * on_it[static_cast<int>(axis)];
   };
   std::vector<solver::ContactLink> links;
   for (const solver::ContactView& contact : run.contacts()) {

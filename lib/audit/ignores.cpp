@@ -148,7 +148,7 @@ std::pair<FactIndex*, const std::vector<IdRange>*> Engine::index_for(const Deman
   static const std::vector<IdRange> everything{{1, 1}};
   const IgnoreEntry& entry = demand.entry();
   std::pair<FactIndex*, const std::vector<IdRange>*> best{&all_, &everything};
-  std::size_t least = static_cast<std::size_t>(-1);
+  auto least = static_cast<std::size_t>(-1);
   for (const auto& [index, ids] : {std::pair(&by_node_, &entry.nodes), std::pair(&by_element_, &entry.elements),
                                    std::pair(&by_part_, &entry.parts), std::pair(&by_contact_, &entry.contacts)}) {
     if (ids->empty()) continue;

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <mutex>
+#include <system_error>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -35,10 +35,11 @@ Result<FileBytes> FileBytes::begin(const std::string& path) {
   file.path_ = path;
   // O_NONBLOCK: opening a named pipe must not wait for a writer.
   file.fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (file.fd_ < 0) return read_failure(path, std::string("cannot be opened: ") + std::strerror(errno));
+  if (file.fd_ < 0)
+    return read_failure(path, std::string("cannot be opened: ") + std::generic_category().message(errno));
   struct stat info {};
   if (::fstat(file.fd_, &info) != 0)
-    return read_failure(path, std::string("cannot be examined: ") + std::strerror(errno));
+    return read_failure(path, std::string("cannot be examined: ") + std::generic_category().message(errno));
   if (S_ISDIR(info.st_mode)) return read_failure(path, "is a directory; give a file inside it");
   if (!S_ISREG(info.st_mode)) return read_failure(path, "is not a regular file");
   file.stamp_ = stamp_of(info);
@@ -47,7 +48,7 @@ Result<FileBytes> FileBytes::begin(const std::string& path) {
   void* address =
       ::mmap(nullptr, file.size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (address == MAP_FAILED)
-    return read_failure(path, std::string("there is no memory for it: ") + std::strerror(errno));
+    return read_failure(path, std::string("there is no memory for it: ") + std::generic_category().message(errno));
   if (file.size() >= worth_huge_pages) ::madvise(address, file.size(), MADV_HUGEPAGE);
   file.data_ = static_cast<char*>(address);
   return file;
@@ -64,7 +65,7 @@ Status FileBytes::read_piece(std::size_t begin, std::size_t end) const {
   while (begin < end) {
     const ssize_t got = ::pread(fd_, data_ + begin, end - begin, static_cast<off_t>(begin));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return read_failure(path_, std::string("cannot be read: ") + std::strerror(errno));
+    if (got < 0) return read_failure(path_, std::string("cannot be read: ") + std::generic_category().message(errno));
     if (got == 0) return read_failure(path_, "became shorter while it was read; wait until it is complete");
     begin += static_cast<std::size_t>(got);
   }

@@ -8,7 +8,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <random>
@@ -107,7 +106,8 @@ FileWriter::FileWriter(FileWriter&& other) noexcept = default;
 FileWriter::~FileWriter() = default;
 
 Diagnostic FileWriter::failure(int error) const {
-  return {Severity::error, path_, 0, fmt::format("cannot be written: {}", std::strerror(error != 0 ? error : EIO))};
+  return {Severity::error, path_, 0,
+          fmt::format("cannot be written: {}", std::generic_category().message(error != 0 ? error : EIO))};
 }
 
 Status FileWriter::open_directly() {
@@ -140,12 +140,12 @@ Result<FileWriter> FileWriter::create(const std::string& path) {
       }
       if (exists && ::fchown(fd, old.st_uid, old.st_gid) != 0) errno = 0;  // only some may
       if (exists) ::fchmod(fd, old.st_mode & 07777);
-      return Result<FileWriter>(std::move(writer));
+      return {std::move(writer)};
     }
     if (!exists || !closed_folder(writer.temporary_->error())) return writer.failure(writer.temporary_->error());
   }
   if (const Status opened = writer.open_directly(); !opened.ok()) return opened.error();
-  return Result<FileWriter>(std::move(writer));
+  return {std::move(writer)};
 }
 
 bool FileWriter::write(std::string_view text) {

@@ -42,7 +42,7 @@ bool is_star(const std::vector<std::string_view>& pattern, std::size_t item) { r
 /// before it was matched as early as possible, so a longer run there gains nothing.
 template <class Sequence>
 bool match(const Sequence& pattern, const Sequence& text) {
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  constexpr auto none = static_cast<std::size_t>(-1);
   std::size_t item = 0, at = 0, star = none, behind_run = 0;
   while (at < text.size()) {
     if (item < pattern.size() && is_star(pattern, item)) {
@@ -71,7 +71,7 @@ std::size_t taken(const std::vector<std::string_view>& pattern, std::size_t item
 
 bool matches(std::string_view pattern, std::string_view path) {
   std::vector<std::string_view> names = split(pattern);
-  if (names.back() == any_folders) names.push_back("*");
+  if (names.back() == any_folders) names.emplace_back("*");
   return match(names, split(path));
 }
 

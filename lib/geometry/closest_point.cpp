@@ -23,7 +23,7 @@ Vector triangle_normal(const Corners& e) {
 /// Where an edge has collapsed to a point there is no normal: that of the mean plane is used.
 Vector patch_normal(const Patch& patch, double s, double t) {
   const Vector rs = patch.along_s(t), rt = patch.along_t(s);
-  const Vector here = direction(rs.cross(rt), rs.squaredNorm() * rt.squaredNorm());
+  Vector here = direction(rs.cross(rt), rs.squaredNorm() * rt.squaredNorm());
   if (!here.isZero(0)) return here;
   return direction(patch.a.cross(patch.b), patch.a.squaredNorm() * patch.b.squaredNorm());
 }

@@ -50,7 +50,7 @@ EdgesClosest nearest_end(const Edge& first, const Edge& second) {
 }  // namespace
 
 EdgesClosest closest_points(const Edge& first, const Edge& second) {
-  const EdgesClosest best = nearest_end(first, second);
+  EdgesClosest best = nearest_end(first, second);
   EdgesClosest inside;
   if (between_ends(first, second, inside) && inside.squared_distance < best.squared_distance * (1 - equally_near)) {
     inside.squared_end_distance = best.squared_distance;

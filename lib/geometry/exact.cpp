@@ -11,7 +11,7 @@ namespace {
 
 using Number = CGAL::Mpzf;  ///< binary fractions of any length: sums and products of doubles without rounding
 
-struct Point {
+struct Point {  // NOLINT(bugprone-exception-escape): the number says that it does not throw, but allocates
   Number x, y, z;
 };
 

@@ -8,13 +8,13 @@
 namespace gapcheck::geometry {
 namespace {
 
-constexpr double batch_roundoff = 0x1p-53;
+inline constexpr double batch_roundoff = 0x1p-53;
 /// Newton steps after the solution of the flat parallelogram: the remaining error does not matter to most proofs.
-constexpr int steps_to_prove = 2;
+inline constexpr int steps_to_prove = 2;
 /// Parameters that moved less in the last step are good to rounding after it.
-constexpr double settled_step = 1e-7;
+inline constexpr double settled_step = 1e-7;
 /// Closest points this near to the border do not count as located.
-constexpr double border = 1e-6;
+inline constexpr double border = 1e-6;
 
 /// What is known about the sizes in one lane.
 template <class V>

@@ -20,8 +20,7 @@ CardReader at_first_card(const Deck& deck, const Block& block, Diagnostics& diag
 
 class TransformationRows {
  public:
-  TransformationRows(CardReader reader, Diagnostics& diagnostics)
-      : reader_(std::move(reader)), diagnostics_(diagnostics) {}
+  TransformationRows(CardReader reader, Diagnostics& diagnostics) : reader_(reader), diagnostics_(diagnostics) {}
 
   std::optional<Placement> read() {
     reader_.skip();

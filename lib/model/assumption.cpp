@@ -29,30 +29,30 @@ void each_contact(Model& model, const Change& change) {
 }
 
 /// A thickness of all contacts that keep surfaces apart.
-template <double Contact::*field>
+template <double Contact::*Field>
 void set_thickness(Model& model, double value) {
   each_contact(model, [&](Contact& c) {
-    if (c.kind == nullptr || !c.kind->ties()) c.*field = value;
+    if (c.kind == nullptr || !c.kind->ties()) c.*Field = value;
   });
 }
 
-template <double Contact::*field>
+template <double Contact::*Field>
 void set_real(Model& model, double value) {
-  each_contact(model, [&](Contact& c) { c.*field = value; });
+  each_contact(model, [&](Contact& c) { c.*Field = value; });
 }
 
-template <std::int64_t Contact::*field>
+template <std::int64_t Contact::*Field>
 void set_whole(Model& model, double value) {
-  each_contact(model, [&](Contact& c) { c.*field = static_cast<std::int64_t>(value); });
+  each_contact(model, [&](Contact& c) { c.*Field = static_cast<std::int64_t>(value); });
 }
 
 /// Zero takes the value away from the parts that have one.
-template <double PartContact::*field>
+template <double PartContact::*Field>
 void set_part(Model& model, double value) {
   for (Part& part : model.parts) {
     if (!part.contact && value == 0) continue;
     if (!part.contact) part.contact.emplace();
-    (*part.contact).*field = value;
+    (*part.contact).*Field = value;
   }
 }
 
@@ -104,6 +104,7 @@ std::string_view objection(const Field& field, double value) {
 
 std::vector<std::string_view> assumable_fields() {
   std::vector<std::string_view> names;
+  names.reserve(std::size(fields));
   for (const Field& field : fields) names.push_back(field.name);
   return names;
 }

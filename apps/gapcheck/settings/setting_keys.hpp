@@ -17,9 +17,9 @@ struct SettingKey {
   std::string_view table;  ///< "" for the top level
   std::string_view name;
   SettingType type;
-  std::string_view option;        ///< the command-line option that it represents; empty: none
-  std::string_view meaning = "";  ///< if no option gives it
-  bool reading = false;           ///< used by every command that reads a deck; otherwise only by audit
+  std::string_view option;     ///< the command-line option that it represents; empty: none
+  std::string_view meaning{};  ///< if no option gives it
+  bool reading = false;        ///< used by every command that reads a deck; otherwise only by audit
 };
 
 /// All keys, the top level first. Those of [severity] are the rules and not among them.

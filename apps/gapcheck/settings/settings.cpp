@@ -93,9 +93,9 @@ std::string find_settings(const std::string& deck) {
 
 Settings use_settings(const SettingsOptions& options, const std::string& deck, bool audit, CLI::App& command,
                       Failures& failures) {
-  if (options.none) return Settings();
+  if (options.none) return {};
   const std::string path = options.file.empty() ? find_settings(deck) : options.file;
-  if (path.empty()) return Settings();
+  if (path.empty()) return {};
   Diagnostics diagnostics;
   Settings settings = read_file(path, diagnostics);
   print(diagnostics, false);

@@ -196,7 +196,7 @@ Freedoms find_freedoms(const model::Model& model, const std::vector<Lock>& locks
                        std::span<const std::uint8_t> held, JoinedNodes joined) {
   Freedoms freedoms{{}, {}, std::move(joined)};
   for (const double weight : Weights(model, priorities).take())
-    freedoms.mobility.push_back(Vector::Constant(1 / weight));
+    freedoms.mobility.emplace_back(Vector::Constant(1 / weight));
   freedoms.reason.assign(freedoms.mobility.size(), HoldReason::none);
   Holder holder(model, freedoms);
   holder.lock(locks);

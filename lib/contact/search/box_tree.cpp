@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t width = BoxPack::width;
 /// Cells of the curve with more boxes get a curve of their own.
-constexpr std::size_t crowded_cell = 8 * width;
+constexpr std::size_t crowded_cell = std::size_t{8} * width;
 /// Curves within curves: each is at least 500 times finer, so that these reach from 10^300 to the last bit.
 constexpr int deepest_curve = 128;
 

@@ -44,7 +44,7 @@ double cosine(const Vector& a, double norm_a, const Vector& b, double norm_b) {
 SegmentQuality segment_quality(const model::SegmentNodes& n, const std::vector<Vector>& x) {
   SegmentQuality quality;
   const bool triangle = n[2] == n[3];
-  const Vector a = x[n[0].value], b = x[n[1].value], c = x[n[2].value], d = x[n[3].value];
+  const Vector &a = x[n[0].value], &b = x[n[1].value], &c = x[n[2].value], &d = x[n[3].value];
   const std::array<Vector, 4> edge{b - a, c - b, d - c, a - d};
   const std::array<Vector, 4> corner{edge[3].cross(edge[0]), edge[0].cross(edge[1]), edge[1].cross(edge[2]),
                                      edge[2].cross(edge[3])};

@@ -135,7 +135,7 @@ std::vector<Vector> mean_shifts(const Selection& selection, const TrackedNodes& 
   add(selection.cut);
   std::vector<Vector> shift;
   shift.reserve(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) shift.push_back(sum[i] / std::max(1, count[i]));
+  for (std::size_t i = 0; i < nodes.size(); ++i) shift.emplace_back(sum[i] / std::max(1, count[i]));
   return shift;
 }
 

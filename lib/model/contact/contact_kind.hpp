@@ -119,8 +119,8 @@ struct ContactKind {
   TieForm tie = TieForm::none;
   TieOffset offset = TieOffset::none;
   RunMethod method = RunMethod::none;
-  std::string_view not_run = "";    ///< of RunMethod::none: why
-  std::string_view after_tie = "";  ///< name of the kind that a tiebreak becomes once its ties have failed
+  std::string_view not_run{};    ///< of RunMethod::none: why
+  std::string_view after_tie{};  ///< name of the kind that a tiebreak becomes once its ties have failed
 
   [[nodiscard]] constexpr bool can(Ability ability) const {
     return (abilities & static_cast<std::uint16_t>(ability)) != 0;

@@ -26,7 +26,7 @@ struct KeywordFamily {
   std::string_view name;
   Phase phase;
   Read read;
-  std::string_view options = "";   ///< words that may follow the name; "*": any
+  std::string_view options{};      ///< words that may follow the name; "*": any
   bool warn_about_others = false;  ///< whether the name with any other word deserves a warning
 };
 
@@ -249,7 +249,7 @@ Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics) {
   Context context{deck, diagnostics, model, {}, {}, {}, 0};
   read_blocks(context);
   sort_faults(model.faults);
-  return Result<Model>(std::move(model));
+  return {std::move(model)};
 }
 
 }  // namespace gapcheck::model

@@ -103,7 +103,7 @@ void compare_nodes(std::span<const Node> a, std::span<const Node> b, double tole
 /// If nodes are counted but not listed, only the numbers can be compared.
 void compare_counts(const ContactSide& first, const ContactSide& second, ContactComparison& sum) {
   const auto count = [](const ContactSide& side) {
-    const std::uint64_t listed = static_cast<std::uint64_t>(
+    const auto listed = static_cast<std::uint64_t>(
         std::count_if(side.nodes.begin(), side.nodes.end(), [](const Node& node) { return !node.released; }));
     return side.contact == nullptr ? 0 : std::max(listed, side.contact->reported_penetrations);
   };

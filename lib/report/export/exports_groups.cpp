@@ -105,7 +105,7 @@ std::optional<Vector> out_of_segment(const Report& report, const Penetration& re
 std::optional<Vector> direction_of(const Report& report, const Penetration& record, const Vector& node,
                                    const NodePosition& position) {
   if (!without_coordinates(report, record))
-    if (const auto moved = unit(record.moved_to - record.original)) return moved;
+    if (auto moved = unit(record.moved_to - record.original)) return moved;
   return out_of_segment(report, record, node, position);
 }
 

@@ -114,7 +114,7 @@ class FindingGroups {
     }
     if (finding.penetration > members.deepest && std::isfinite(finding.penetration))
       members.deepest = finding.penetration;
-    const std::uint64_t things = std::max<std::uint64_t>({1, listed.nodes.size(), listed.segments.size()});
+    const auto things = std::max<std::uint64_t>({1, listed.nodes.size(), listed.segments.size()});
     if (finding.count > things) members.not_listed += finding.count - things;
   }
 

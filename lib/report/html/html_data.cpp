@@ -286,7 +286,7 @@ std::string picture_json(const Report& report, const std::vector<HtmlFinding>& f
 NodePosition with_scene(const Report& report, const NodePosition& position) {
   return [&report, &position](std::int64_t node) -> std::optional<Vector> {
     if (position)
-      if (const auto known = position(node)) return known;
+      if (auto known = position(node)) return known;
     if (!report.scene) return std::nullopt;
     const auto& nodes = report.scene->nodes;
     const auto found = std::lower_bound(nodes.begin(), nodes.end(), node,

@@ -12,8 +12,10 @@ bool follows(char c) { return (byte_of(c) & 0xc0) == 0x80; }
 
 /// Line separators and marks of direction: they let one line look like others.
 bool rearranges(std::string_view character) {
+  // NOLINTBEGIN(misc-misleading-bidirectional): these are the characters meant
   constexpr std::array<std::string_view, 11> all{"\u2028", "\u2029", "\u202a", "\u202b", "\u202c", "\u202d",
                                                  "\u202e", "\u2066", "\u2067", "\u2068", "\u2069"};
+  // NOLINTEND(misc-misleading-bidirectional)
   return std::find(all.begin(), all.end(), character) != all.end();
 }
 

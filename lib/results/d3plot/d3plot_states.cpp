@@ -221,7 +221,7 @@ Result<D3plotStates> D3plotStates::open(const std::string& path) {
     states.find_states(member, geometry ? behind_titles(part, start) : 0);
     start = 0;
   }
-  return Result<D3plotStates>(std::move(states));
+  return {std::move(states)};
 }
 
 void D3plotStates::find_states(std::uint32_t file, std::uint64_t word) {

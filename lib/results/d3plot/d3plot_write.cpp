@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -31,7 +30,7 @@ Diagnostic failure(const std::string& path, std::string problem) {
   return {Severity::error, path, 0, std::move(problem)};
 }
 Diagnostic not_written(const std::string& path) {
-  return failure(path, fmt::format("cannot be written: {}", std::strerror(errno != 0 ? errno : EIO)));
+  return failure(path, fmt::format("cannot be written: {}", std::generic_category().message(errno != 0 ? errno : EIO)));
 }
 
 std::string member_path(const std::string& path, std::uint32_t member) { return fmt::format("{}{:02}", path, member); }
@@ -187,6 +186,7 @@ bool all_parts_known(const Elements& elements, const std::vector<std::int64_t>& 
 Status check(const std::string& path, const D3plot& mesh, const std::vector<LegendEntry>& parts) {
   if (mesh.node_ids.empty()) return failure(path, "a d3plot needs nodes");
   std::vector<std::int64_t> ids;
+  ids.reserve(parts.size());
   for (const LegendEntry& part : parts) ids.push_back(part.id);
   std::sort(ids.begin(), ids.end());
   if (std::adjacent_find(ids.begin(), ids.end()) != ids.end()) return failure(path, "two parts have the same id");
@@ -248,7 +248,7 @@ Result<D3plotWriter> D3plotWriter::create(const std::string& path, const D3plot&
   GeometryWriter geometry(mesh, parts, writer.settings_);
   if (settings.deletion) writer.part_numbers_ = geometry.part_numbers();
   if (!file || !write_bytes(file.get(), geometry.write())) return not_written(path);
-  return Result<D3plotWriter>(std::move(writer));
+  return {std::move(writer)};
 }
 
 Status D3plotWriter::open_member() {

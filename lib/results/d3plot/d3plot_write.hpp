@@ -15,7 +15,7 @@ namespace gapcheck::results {
 struct D3plotWriteSettings {
   int word_bytes = 4;  ///< 4 or 8; ids beyond 32 bits always need words of 8
   /// Words of a file of the family; a state that does not fit begins the next one, even if it alone is too large.
-  std::uint64_t member_words = 7 * 512 * 512;
+  std::uint64_t member_words = std::uint64_t{7} * 512 * 512;
   bool deletion = false;  ///< states say which elements are deleted; otherwise none may be
 };
 

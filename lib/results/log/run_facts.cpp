@@ -62,7 +62,7 @@ bool RunFacts::version_stamp(std::string_view text, std::string_view line_before
   const std::size_t last = rest.rfind(' ');
   // "smp d R14 R14.0_515_8a12796" today, "smp.78769 d" formerly.
   const std::size_t point = rest.substr(0, last).find('.');
-  if (point != std::string_view::npos && point == 3) {
+  if (point == 3) {
     set_once(run_.revision, rest.substr(4, rest.find(' ') - 4));
     set_once(run_.version,
              std::string(rest.substr(0, 3)) + std::string(rest.substr(std::min(rest.find(' '), rest.size()))));

@@ -205,7 +205,7 @@ class Builder {
   }
 
   template <std::size_t N>
-  std::array<Vector, N> places(const std::array<NodeIndex, N>& nodes) const {
+  [[nodiscard]] std::array<Vector, N> places(const std::array<NodeIndex, N>& nodes) const {
     std::array<Vector, N> x;
     for (std::size_t k = 0; k < N; ++k) x[k] = structure_.state.x[nodes[k].value];
     return x;

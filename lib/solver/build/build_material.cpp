@@ -9,6 +9,7 @@ namespace {
 
 std::vector<YieldCurve::Point> points_of(const std::vector<std::array<double, 2>>& pairs) {
   std::vector<YieldCurve::Point> points;
+  points.reserve(pairs.size());
   for (const auto& [strain, stress] : pairs) points.push_back({strain, stress});
   return points;
 }
@@ -44,7 +45,7 @@ YieldCurve piecewise_linear(const model::Model& model, const model::Material& ma
     return curve == model.curves.end() ? YieldCurve() : YieldCurve(points_of(curve->second.points));
   }
   if (!data.points.empty()) return YieldCurve(points_of(data.points));
-  return YieldCurve(data.sigy, material.young * data.etan / (material.young - data.etan));
+  return {data.sigy, material.young * data.etan / (material.young - data.etan)};
 }
 
 /// FS or FAIL is an effective plastic strain.

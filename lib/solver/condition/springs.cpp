@@ -60,10 +60,10 @@ double SpringLaw::largest_stiffness() const {
   return std::abs(stiffness) + largest;
 }
 
-Springs::Springs(std::vector<SpringLaw> laws, std::vector<SpringInput> springs, const State& state,
+Springs::Springs(std::vector<SpringLaw> laws, const std::vector<SpringInput>& springs, const State& state,
                  const RigidBodies& rigid)
     : laws_(std::move(laws)) {
-  for (SpringInput& input : springs) {
+  for (const SpringInput& input : springs) {
     Spring spring;
     spring.ground = state.x[input.a.value];
     if (input.b != none<NodeIndex>) spring.length = (state.x[input.b.value] - spring.ground).norm();
@@ -132,7 +132,7 @@ Vector Springs::translation(const State& state, Spring& spring) const {
   }
   spring.elongation = length;
   spring.damping = input.scale * law.damping * rate;
-  const Vector pull = input.scale * (law.force(length) * along + law.damping * rate);
+  Vector pull = input.scale * (law.force(length) * along + law.damping * rate);
   spring.tension = pull.norm();
   return pull;
 }

@@ -38,7 +38,8 @@ struct SpringInput {
 class Springs : public Force {
  public:
   /// Masses, inertias and rigid bodies give the stable step. Nodes must exist.
-  Springs(std::vector<SpringLaw> laws, std::vector<SpringInput> springs, const State& state, const RigidBodies& rigid);
+  Springs(std::vector<SpringLaw> laws, const std::vector<SpringInput>& springs, const State& state,
+          const RigidBodies& rigid);
 
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override { work.springs += energy_; }

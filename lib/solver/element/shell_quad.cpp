@@ -19,7 +19,8 @@ using Both = Eigen::Array2d;
 
 struct BothVectors {
   Both x, y, z;
-  BothVectors(Both x_, Both y_, Both z_) : x(std::move(x_)), y(std::move(y_)), z(std::move(z_)) {}
+  BothVectors(Both along_x, Both along_y, Both along_z)
+      : x(std::move(along_x)), y(std::move(along_y)), z(std::move(along_z)) {}
   BothVectors(const Vector& a, const Vector& b) : x(a.x(), b.x()), y(a.y(), b.y()), z(a.z(), b.z()) {}
   [[nodiscard]] Both dot(const BothVectors& o) const { return x * o.x + y * o.y + z * o.z; }
   [[nodiscard]] BothVectors cross(const BothVectors& o) const {

@@ -7,7 +7,7 @@ namespace gapcheck::solver {
 
 Matrix update_solid_stress(const Material& material, const Matrix& gradient, double dt, PointState& point) {
   const Vector spin(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
-  const Matrix rotation = spin_rotation(dt / 2 * spin);
+  Matrix rotation = spin_rotation(dt / 2 * spin);
   if (material.has_stress()) {
     point.stress = rotated(point.stress, rotation);
     if (material.kinematic_slope > 0) point.back_stress = rotated(point.back_stress, rotation);

@@ -25,7 +25,7 @@ Corners brick_volume_gradient(const Corners& x) {
                                        {6, 1, 3}, {7, 2, 0}, {4, 3, 1}, {5, 0, 2}};
   Corners gradient;
   for (std::size_t a = 0; a < 8; ++a) {
-    const Vector origin = x[a];
+    const Vector& origin = x[a];
     Vector sum = Vector::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector first = x[edges[a][k]] - origin, across = x[faces[a][k]] - origin,

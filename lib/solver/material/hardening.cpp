@@ -58,6 +58,7 @@ void YieldCurve::align(std::vector<YieldCurve>& curves) {
   for (YieldCurve& curve : curves) {
     if (curve.empty()) continue;
     std::vector<Point> points;
+    points.reserve(strains.size());
     for (const double strain : strains) points.push_back({strain, curve.stress(strain)});
     curve.points_ = std::move(points);
   }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
+#include <functional>
 #include <system_error>
 
 #include "results/curves/matsum.hpp"
@@ -26,7 +26,9 @@ constexpr double rounding_of_time = 1e-12;
 Failure not_written(const std::string& path, const std::string& why) {
   return {Failure::Kind::output, fmt::format("{}: cannot be written: {}", path, why)};
 }
-Failure not_written(const std::string& path) { return not_written(path, std::strerror(errno != 0 ? errno : EIO)); }
+Failure not_written(const std::string& path) {
+  return not_written(path, std::generic_category().message(errno != 0 ? errno : EIO));
+}
 
 /// All of the text, immediately visible to other programs.
 bool write(std::FILE* file, const std::string& text) {
@@ -146,11 +148,12 @@ SolverStatus RunFiles::open_logs(const Run& run, contact::SurfaceStore& surfaces
       switched += results::soft_switch_block(contact.id.value);
   const std::string found =
       switched + results::message_blocks(report) + results::surface_timesteps(*report.predicted, report.contacts);
-  const std::string banner = results::log_banner(header);
-  for (const auto& [name, text] :
-       {std::pair("messag", banner + found),
-        std::pair("d3hsp", banner + results::contact_definitions(contact_definitions(model, surfaces)) + found +
-                               results::smallest_timesteps(element_steps(model, sizes_)))}) {
+  std::string messag = results::log_banner(header), d3hsp = messag;
+  messag += found;
+  d3hsp += results::contact_definitions(contact_definitions(model, surfaces));
+  d3hsp += found;
+  d3hsp += results::smallest_timesteps(element_steps(model, sizes_));
+  for (const auto& [name, text] : {std::pair("messag", std::cref(messag)), std::pair("d3hsp", std::cref(d3hsp))}) {
     logs_.push_back({name, {}, Interval(1), nullptr});
     if (SolverStatus opened = open(logs_.back(), text); !opened.ok()) return opened;
   }
@@ -260,7 +263,7 @@ std::vector<std::string> RunFiles::names() const {
   for (const auto* texts : {&logs_, &texts_})
     for (const Text& text : *texts)
       if (text.file) list.push_back(text.name);
-  list.push_back("d3plot");
+  list.emplace_back("d3plot");
   return list;
 }
 

@@ -20,7 +20,7 @@ std::size_t RigidBodies::add(std::vector<PointMass> points, std::span<const Node
   }
   entry.body = RigidBody(points, spin);
   entry.held = held;
-  for (const NodeIndex node : entry.nodes) entry.local.push_back(state.x[node.value] - entry.body.center());
+  for (const NodeIndex node : entry.nodes) entry.local.emplace_back(state.x[node.value] - entry.body.center());
   bodies_.push_back(std::move(entry));
   return position;
 }

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gapcheck::solver {
 
@@ -22,7 +23,7 @@ RigidBody::RigidBody(std::span<const PointMass> points, double spin) {
   set_inertia(inertia);
 }
 
-RigidBody::RigidBody(double mass, const Vector& center, const Matrix& inertia) : mass_(mass), center_(center) {
+RigidBody::RigidBody(double mass, Vector center, const Matrix& inertia) : mass_(mass), center_(std::move(center)) {
   set_inertia(inertia);
 }
 
@@ -112,7 +113,7 @@ Vector RigidBody::move(double dt) {
     turn = dt / 2 * (inverse_ * (start + end));
     if (settled) break;
   }
-  const Vector global = rotation_ * turn;
+  Vector global = rotation_ * turn;
   rotation_ = rotation_ * spin_rotation(turn);
   return global;
 }

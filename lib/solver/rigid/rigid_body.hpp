@@ -35,7 +35,7 @@ class RigidBody {
   RigidBody(std::span<const PointMass> points, double spin);
 
   /// A body of given mass and inertia about its centre. Principal inertias below 1e-6 of the greatest are raised to it.
-  RigidBody(double mass, const Vector& center, const Matrix& inertia);
+  RigidBody(double mass, Vector center, const Matrix& inertia);
 
   [[nodiscard]] double mass() const { return mass_; }
   [[nodiscard]] const Vector& center() const { return center_; }

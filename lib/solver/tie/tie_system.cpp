@@ -78,7 +78,7 @@ void TieSystem::multiply(const Mobility& mobility) {
   Sparse weighted = g_;
   for (Eigen::Index column = 0; column < weighted.outerSize(); ++column) {
     const auto c = static_cast<std::size_t>(column);
-    const double factor = mobility[6 * used_[c / 6].value + c % 6];
+    const double factor = mobility[std::size_t{6} * used_[c / 6].value + c % 6];
     for (Sparse::InnerIterator entry(weighted, column); entry; ++entry) entry.valueRef() *= factor;
   }
   const Sparse transposed = g_.transpose();

@@ -37,8 +37,7 @@ std::vector<std::pair<ContactIndex, EdgeCrossing>> all_crossed_edges(Context& co
 std::string describe(const model::Model& model, const contact::CrossingSegment& s,
                      const std::array<NodeIndex, 2>& edge) {
   const auto& id = model.mesh.nodes.id;
-  const std::string element =
-      fmt::format("{} ({})", element_text(model.mesh, {s.kind, s.element}), part_text(model, s.part));
+  std::string element = fmt::format("{} ({})", element_text(model.mesh, {s.kind, s.element}), part_text(model, s.part));
   if (s.kind == model::ElementKind::beam) return element;
   return fmt::format("the edge {}-{} of {}", id[edge[0].value], id[edge[1].value], element);
 }
