@@ -46,7 +46,7 @@ OPTIONS = ["-timeout=5", "-rss_limit_mb=1500", "-print_final_stats=1", "-reload=
 def programs(build, wanted):
     folder = build / "tests" / "fuzz"
     found = {path.name.removeprefix(PROGRAM): path for path in sorted(folder.glob(PROGRAM + "*"))
-             if path.is_file() and os.access(path, os.X_OK) and not path.name.startswith(PROGRAM + "replay")}
+             if path.is_file() and os.access(path, os.X_OK) and "replay" not in path.name}
     for name in wanted:
         if found and name not in found:
             sys.exit(f"there is no target {name}; there are: {' '.join(found)}")
@@ -77,7 +77,7 @@ def number(pattern, text, default=0):
 def fuzz(name, program, build, seconds):
     """Runs a target again after each find, until the time is up."""
     corpus, finds = build / "corpus" / name, build / "finds" / name
-    for folder in (corpus, finds):
+    for folder in (corpus, finds, SEEDS / name):
         folder.mkdir(parents=True, exist_ok=True)
     result = {"executions": 0, "seconds": 0, "edges": 0, "of": 0, "finds": 0}
     while result["seconds"] < seconds:

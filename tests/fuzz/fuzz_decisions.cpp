@@ -14,8 +14,10 @@ namespace {
 
 using geometry::Mode;
 
-/// The bound itself, and where the distance is to be told from one that is a last bit away.
+/// The bound itself, and where the distance is to be told from one that is a last bit away: on patches that takes exact
+/// numbers a second.
 std::vector<double> bounds_near(const geometry::Facet& facet, const Vector& query, double bound) {
+  if (!facet.triangle) return {bound};
   const double distance = std::sqrt(geometry::closest_point(facet, query).squared_distance);
   return {bound, distance, std::nextafter(distance, 0.), std::nextafter(distance, 1e300)};
 }
@@ -38,10 +40,10 @@ void answers_agree(const geometry::Facet& facet, const Vector& query, double bou
 GAPCHECK_FUZZ_TARGET(decisions) {
   Numbers numbers(input);
   geometry::Facet facet;
-  facet.triangle = numbers.byte() % 2 == 0;
+  facet.triangle = numbers.byte() % 4 != 0;
   for (Vector& corner : facet.x) corner = numbers.vector();
   if (facet.triangle) facet.x[3] = facet.x[2];
-  for (int pair = 0; pair < 3; ++pair) {
+  for (int pair = 0; pair < 2; ++pair) {
     const Vector query = numbers.vector();
     const double given = numbers.number();
     for (const double bound : bounds_near(facet, query, given)) answers_agree(facet, query, bound);
