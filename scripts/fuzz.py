@@ -38,10 +38,12 @@ LONGEST = {"audit": 1500, "baseline": 1000, "check_c": 300, "command_line": 300,
            "run": 1500, "search": 600, "settings": 1000, "states": 4000, "twins": 1200, "writers": 1500}
 KEPT = {"audit": 40_000, "deck": 30_000, "fix": 15_000, "run": 40_000, "twins": 10_000, "writers": 15_000}
 KEPT_OTHERS = 8_000
+# Seconds for one input, on a machine that has other work too. Exact numbers take long where a distance equals the bound.
+TIMEOUT, TIMEOUTS = 10, {"decisions": 60}
 DECKS = {"audit", "deck", "fix", "run", "twins", "writers"}
 # Most of the time went into libFuzzer's entropic schedule and into stacks and quarantine of the address sanitizer.
 SANITIZERS = "detect_leaks=1:allocator_may_return_null=1:malloc_context_size=2:quarantine_size_mb=8"
-OPTIONS = ["-timeout=5", "-rss_limit_mb=1500", "-print_final_stats=1", "-reload=0", "-entropic=0"]
+OPTIONS = ["-rss_limit_mb=1500", "-print_final_stats=1", "-reload=0", "-entropic=0"]
 
 
 def programs(build, wanted):
@@ -66,8 +68,9 @@ def call(program, arguments, limit):
 
 
 def options_of(name):
-    words = DECKS | {"log"}
-    return OPTIONS + [f"-max_len={LONGEST.get(name, 1000)}"] + ([f"-dict={DICTIONARY}"] if name in words else [])
+    words = [f"-dict={DICTIONARY}"] if name in DECKS | {"log"} else []
+    limits = [f"-timeout={TIMEOUTS.get(name, TIMEOUT)}", f"-max_len={LONGEST.get(name, 1000)}"]
+    return OPTIONS + limits + words
 
 
 def number(pattern, text, default=0):
