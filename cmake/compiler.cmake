@@ -25,9 +25,20 @@ else()
 endif()
 if(GAPCHECK_SANITIZE)
   # Instrumented std::variant and std::regex look uninitialised to g++ 12.
-  target_compile_options(gapcheck_flags INTERFACE -Wno-maybe-uninitialized)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(gapcheck_flags INTERFACE -Wno-maybe-uninitialized)
+  endif()
   target_compile_options(gapcheck_flags INTERFACE -fsanitize=${GAPCHECK_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(gapcheck_flags INTERFACE -fsanitize=${GAPCHECK_SANITIZE})
+endif()
+# libFuzzer finds its way by the edges that the libraries report.
+if(GAPCHECK_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "GAPCHECK_FUZZ needs clang: cmake --preset fuzz")
+  endif()
+  set(ignorelist ${PROJECT_SOURCE_DIR}/tests/fuzz/ignorelist.txt)
+  target_compile_options(gapcheck_flags INTERFACE -fsanitize=fuzzer-no-link -fno-sanitize=null,object-size,vptr
+                         -fsanitize-coverage-ignorelist=${ignorelist})
 endif()
 
 find_program(GAPCHECK_CCACHE ccache)

@@ -110,6 +110,9 @@ endfunction()
 
 function(gapcheck_twin_program target kind)
   set(twin ${target}_${kind})
+  if(TARGET ${twin})  # several tests run it
+    return()
+  endif()
   add_executable(${twin} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${target}>)
   set_target_properties(${twin} PROPERTIES LINKER_LANGUAGE CXX)
   # The libraries come first and as a whole: of inline functions that both they and the program's objects hold, the linker

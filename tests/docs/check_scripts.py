@@ -16,12 +16,13 @@ import subprocess
 import sys
 import tempfile
 
-COPIED = ["data", "docs", "scripts", "tests/apps", "tests/bench"]
+COPIED = ["data", "docs", "scripts", "tests/apps", "tests/bench", "tests/fuzz"]
 LIMIT = 120  # seconds; on an idle machine none takes more than 20
 
 # Script, arguments, what it writes. {NAME}: a path of the command line.
 RUNS = [
     ("scripts/count_findings.py", "{gapcheck} data --small", "docs/real-decks.md"),
+    ("scripts/fuzz.py", "{build} search --seconds 1", "docs/reliability.md"),
     ("scripts/impact_energy.py", "{test_solver} --small", "docs/theory/impact-energy.md"),
     ("scripts/long_runs.py", "{gapcheck} --small", "docs/theory/long-runs.md"),
     ("scripts/pictures/terminal.py", "{gapcheck}", "docs/pictures/terminal.svg"),
@@ -60,7 +61,7 @@ LOADED_ONLY = {
     "tests/bench/work_precision/work_precision.py": "builds a program of its own",
 }
 # These write no page of docs/.
-OTHERS = {"scripts/make_workshop.py", "scripts/mutate.py", "scripts/pictures/paraview_grid.py"}
+OTHERS = {"scripts/fuzz_programs.py", "scripts/make_workshop.py", "scripts/mutate.py", "scripts/pictures/paraview_grid.py"}
 LOAD = "import runpy, sys; sys.path.insert(0, sys.argv[2]); runpy.run_path(sys.argv[1], run_name='loaded')"
 
 

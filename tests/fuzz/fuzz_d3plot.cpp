@@ -1,34 +1,35 @@
-// The function under test: any bytes as a d3plot. It must neither crash nor hang nor need more memory than a small
-// multiple of the input, and what it takes must be consistent.
-#include <cstddef>
+// Any bytes as the geometry of a d3plot. What is taken is consistent.
 #include <cstdint>
-#include <cstdlib>
-#include <string_view>
 
+#include "fuzz.hpp"
 #include "results/d3plot/d3plot.hpp"
 
+namespace gapcheck::fuzz::d3plot_target {
 namespace {
 
 template <std::size_t N>
-void check(const gapcheck::results::D3plot::Elements<N>& elements, std::size_t nodes) {
-  if (elements.ids.size() != elements.nodes.size() || elements.ids.size() != elements.parts.size()) std::abort();
+void nodes_exist(const results::D3plot::Elements<N>& elements, std::size_t nodes) {
+  require(elements.ids.size() == elements.nodes.size() && elements.ids.size() == elements.parts.size());
   for (const auto& element : elements.nodes)
-    for (const std::uint32_t node : element)
-      if (node >= nodes) std::abort();
+    for (const std::uint32_t node : element) require(node < nodes);
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto plot = gapcheck::results::read_d3plot_bytes({reinterpret_cast<const char*>(data), size}, "fuzz");
-  if (!plot) return plot.error().message.empty() ? (std::abort(), 0) : 0;
+GAPCHECK_FUZZ_TARGET(d3plot) {
+  const auto plot = results::read_d3plot_bytes(input, "fuzz");
+  if (!plot) {
+    require(!plot.error().message.empty());
+    return;
+  }
   const auto& mesh = plot.value();
-  if (mesh.node_ids.empty() || mesh.node_ids.size() != mesh.coordinates.size()) std::abort();
-  check(mesh.solids, mesh.node_ids.size());
-  check(mesh.thick_shells, mesh.node_ids.size());
-  check(mesh.beams, mesh.node_ids.size());
-  check(mesh.shells, mesh.node_ids.size());
-  check(mesh.particles, mesh.node_ids.size());
-  if (gapcheck::results::mesh_source(mesh).coordinates.size() != mesh.node_ids.size()) std::abort();
-  return 0;
+  require(!mesh.node_ids.empty() && mesh.node_ids.size() == mesh.coordinates.size());
+  nodes_exist(mesh.solids, mesh.node_ids.size());
+  nodes_exist(mesh.thick_shells, mesh.node_ids.size());
+  nodes_exist(mesh.beams, mesh.node_ids.size());
+  nodes_exist(mesh.shells, mesh.node_ids.size());
+  nodes_exist(mesh.particles, mesh.node_ids.size());
+  require(results::mesh_source(mesh).coordinates.size() == mesh.node_ids.size());
 }
+
+}  // namespace gapcheck::fuzz::d3plot_target

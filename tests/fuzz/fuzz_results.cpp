@@ -1,35 +1,30 @@
-// The functions under test: any bytes as each of the text files of a run. They must neither crash nor hang nor need
-// more memory than a small multiple of the input.
+// Any bytes as each of the text files of a run.
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string_view>
 
+#include "fuzz.hpp"
 #include "results/curves/contact_forces.hpp"
 #include "results/curves/glstat.hpp"
 #include "results/curves/matsum.hpp"
 #include "results/curves/nodout.hpp"
 
+namespace gapcheck::fuzz::results_target {
 namespace {
 
 template <class States>
-void check(const States& states) {
-  for (const auto& state : states)
-    if (std::isnan(state.time)) std::abort();
+void times_are_numbers(const States& states) {
+  for (const auto& state : states) require(!std::isnan(state.time));
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace gapcheck;
+GAPCHECK_FUZZ_TARGET(results) {
   Diagnostics diagnostics;
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
-  check(results::read_glstat(text, "glstat", diagnostics));
-  check(results::read_rcforc(text, "rcforc", diagnostics).states);
-  check(results::read_sleout(text, "sleout", diagnostics).states);
-  check(results::read_matsum(text, "matsum", diagnostics).states);
-  check(results::read_nodout(text, "nodout", diagnostics).states);
+  times_are_numbers(results::read_glstat(input, "glstat", diagnostics));
+  times_are_numbers(results::read_rcforc(input, "rcforc", diagnostics).states);
+  times_are_numbers(results::read_sleout(input, "sleout", diagnostics).states);
+  times_are_numbers(results::read_matsum(input, "matsum", diagnostics).states);
+  times_are_numbers(results::read_nodout(input, "nodout", diagnostics).states);
   static_cast<void>(diagnostics.sorted());
-  return 0;
 }
+
+}  // namespace gapcheck::fuzz::results_target

@@ -1,9 +1,10 @@
-// Runs the fuzzed function over files and over fixed mutations of them, so that every compiler and sanitizer can.
-//   gapcheck_fuzz_replay [--mutations N] FILE...
+// Runs a fuzz target over files and over fixed mutations of them, so that every compiler and sanitizer can.
+//   gapcheck_fuzz_replay TARGET [--mutations N] FILE-OR-FOLDER...
+#include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -11,13 +12,17 @@
 #include <string_view>
 #include <vector>
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+#include "base/parallel.hpp"
+#include "fuzz.hpp"
 
+namespace gapcheck::fuzz {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::size_t max_size = std::size_t{1} << 20;
 
-constexpr std::array<std::string_view, 32> tokens{"\n*NODE\n",
+constexpr std::array<std::string_view, 33> tokens{"\n*NODE\n",
                                                   "\n*ELEMENT_SHELL\n",
                                                   "\n*ELEMENT_SOLID\n",
                                                   "\n*PART\n",
@@ -48,6 +53,7 @@ constexpr std::array<std::string_view, 32> tokens{"\n*NODE\n",
                                                   "0",
                                                   "                    ",
                                                   "-----BEGIN PGP MESSAGE-----\n",
+                                                  "\n=====\n",
                                                   "99999999"};
 
 std::string mutated(std::string text, std::mt19937& random) {
@@ -80,37 +86,68 @@ std::string mutated(std::string text, std::mt19937& random) {
   return text;
 }
 
-void run(const std::string& text) {
-  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+/// Files in their order by name, those of folders among them.
+std::vector<std::string> files_of(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    if (!fs::is_directory(path)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> inside;
+    for (const auto& entry : fs::directory_iterator(path)) inside.push_back(entry.path().string());
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+int complain(const std::string& what) {
+  std::fprintf(stderr, "gapcheck_fuzz_replay: error: %s\n", what.c_str());
+  return 2;
+}
+
+int usage() {
+  std::fprintf(stderr, "usage: gapcheck_fuzz_replay TARGET [--mutations N] FILE-OR-FOLDER...\ntargets:");
+  for (const Target& target : targets()) std::fprintf(stderr, " %s", std::string(target.name).c_str());
+  std::fprintf(stderr, "\n");
+  return 2;
+}
+
+/// Runs one file and its mutations.
+bool replay(const Target& target, const std::string& file, unsigned long mutations) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return false;
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::mt19937 random(1);
+  target.run(text);
+  for (unsigned long i = 0; i < mutations; ++i) target.run(mutated(text, random));
+  return true;
+}
+
+int main_of(const std::vector<std::string>& words) {
+  unsigned long mutations = 0;
+  std::vector<std::string> paths;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i] == "--mutations" && i + 1 < words.size())
+      mutations = std::strtoul(words[++i].c_str(), nullptr, 10);
+    else
+      paths.push_back(words[i]);
+  }
+  if (paths.empty()) return usage();
+  const auto target = std::find_if(targets().begin(), targets().end(),
+                                   [&](const Target& known) { return known.name == words.front(); });
+  if (target == targets().end()) return usage();
+  const JobLimit one_thread(1);
+  const std::vector<std::string> files = files_of(paths);
+  if (files.empty()) return complain("there are no files");
+  for (const std::string& file : files)
+    if (!replay(*target, file, mutations)) return complain(file + " cannot be opened");
+  std::printf("%lu inputs read\n", files.size() * (mutations + 1));
+  return 0;
 }
 
 }  // namespace
+}  // namespace gapcheck::fuzz
 
-int main(int argc, char** argv) {
-  unsigned long mutations = 100, runs = 0;
-  std::vector<std::string> files;
-  for (int i = 1; i < argc; ++i) {
-    if (std::string_view(argv[i]) == "--mutations" && i + 1 < argc)
-      mutations = std::strtoul(argv[++i], nullptr, 10);
-    else
-      files.emplace_back(argv[i]);
-  }
-  if (files.empty()) {
-    std::fprintf(stderr, "usage: gapcheck_fuzz_replay [--mutations N] FILE...\n");
-    return 2;
-  }
-  for (const std::string& file : files) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
-      std::fprintf(stderr, "gapcheck_fuzz_replay: error: %s cannot be opened\n", file.c_str());
-      return 2;
-    }
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    std::mt19937 random(1);
-    run(text);
-    for (unsigned long i = 0; i < mutations; ++i) run(mutated(text, random));
-    runs += mutations + 1;
-  }
-  std::printf("%lu inputs read\n", runs);
-  return 0;
-}
+int main(int argc, char** argv) { return gapcheck::fuzz::main_of({argv + (argc > 0 ? 1 : 0), argv + argc}); }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/number.hpp"
+#include "slow_twins.hpp"
 
 namespace gapcheck::keyword::fixed_field_test {
 namespace {
@@ -23,16 +24,6 @@ struct Surrounded {
 };
 
 constexpr double untouched = 12345.678;
-
-/// The slow twin. Fortran's exponents are put into the form of C, for strtod.
-double by_strtod(std::string field) {
-  for (std::size_t i = 1; i < field.size(); ++i) {
-    if (field[i] == 'd' || field[i] == 'D') field[i] = 'e';
-    if ((field[i] == '+' || field[i] == '-') && (field[i - 1] == '.' || std::isdigit(field[i - 1]) != 0))
-      field.insert(i, "e");
-  }
-  return std::strtod(field.c_str(), nullptr);
-}
 
 /// True if the fast way takes the field; then the value must be strtod's to the last bit, and one for parse_real().
 bool agrees(const std::string& field, char around = '7') {

@@ -5,27 +5,11 @@
 
 #include "base/number.hpp"
 #include "base/parallel.hpp"
+#include "slow_twins.hpp"
 #include "support.hpp"
 
 namespace gapcheck::keyword::rows_test {
 namespace {
-
-/// The slow twin: every row through Card.
-Rows read_by_card(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics) {
-  Rows rows;
-  CardReader reader(deck, block, diagnostics);
-  for (; !reader.at_end(); reader.skip()) {
-    if (trimmed(reader.peek()).empty()) continue;
-    const Card card = reader.peek(layout);
-    ++rows.count;
-    rows.lines.push_back(card.line());
-    for (std::size_t i = 0; i < layout.fields.size(); ++i)
-      if (layout.fields[i].type == FieldType::integer) rows.integers.push_back(card.integer(i));
-    for (std::size_t i = 0; i < layout.fields.size(); ++i)
-      if (layout.fields[i].type == FieldType::real) rows.reals.push_back(card.real(i));
-  }
-  return rows;
-}
 
 void expect_same(TextDeck& deck, const Block& block, const CardLayout& layout) {
   Diagnostics fast_reports, slow_reports;

@@ -23,11 +23,11 @@ std::set<ElementPair> crossing_pairs(const model::Model& model) {
 }
 
 std::span<const NodeIndex> nodes_of(const model::Mesh& mesh, const ElementOfKind& element) {
-  const auto [kind, i] = element;
+  const std::uint32_t i = element.second;
   const auto nodes = [&](const auto& elements) {
     return i < elements.size() ? std::span<const NodeIndex>(elements.nodes[i]) : std::span<const NodeIndex>{};
   };
-  switch (kind) {
+  switch (element.first) {
     case model::ElementKind::shell:
       return nodes(mesh.shells);
     case model::ElementKind::solid:

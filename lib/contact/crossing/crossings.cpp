@@ -21,9 +21,10 @@ namespace {
 using geometry::Triangle;
 
 bool share_a_node(const model::SegmentNodes& a, const model::SegmentNodes& b) {
-  bool shared = false;
-  for (const NodeIndex n : a) shared |= (n == b[0]) | (n == b[1]) | (n == b[2]) | (n == b[3]);
-  return shared;
+  unsigned shared = 0;  // without branches: this is asked of every pair
+  for (const NodeIndex n : a)
+    shared |= unsigned{n == b[0]} | unsigned{n == b[1]} | unsigned{n == b[2]} | unsigned{n == b[3]};
+  return shared != 0;
 }
 
 /// One side with a box around each segment that takes part.

@@ -24,7 +24,7 @@ bool acts(const model::FrictionLaw& law) { return law.fs > 0 || law.fd > 0; }
 
 /// The table that FD names, or the only one there is.
 const model::FrictionTable* table_of(const model::Model& model, const model::Contact& contact) {
-  const auto found = model.friction_tables.find(static_cast<std::int64_t>(contact.fd));
+  const auto found = model.friction_tables.find(static_cast<std::int64_t>(std::clamp(contact.fd, -1e15, 1e15)));
   if (found != model.friction_tables.end()) return &found->second;
   return model.friction_tables.size() == 1 ? &model.friction_tables.begin()->second : nullptr;
 }

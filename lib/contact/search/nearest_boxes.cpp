@@ -99,22 +99,22 @@ struct Choice {
 template <class Accept>
 PairKeys nearest_pairs(const Choice& choice, std::span<const Vector> points, std::size_t begin, std::size_t end,
                        const Accept& accept) {
-  const auto& [cores, each, farthest, map, tree] = choice;
   tbb::enumerable_thread_specific<PairKeys> found;
   parallel_for(end - begin, 64, [&](std::size_t from, std::size_t to) {
     PairKeys& mine = found.local();
-    Nearest nearest(each);
+    Nearest nearest(choice.each);
     for (std::size_t p = begin + from; p < begin + to; ++p) {
       if (!points[p].allFinite()) continue;
       nearest.clear();
-      tree.leaves_by_distance(map.box({points[p], points[p]}).low, [&](std::uint32_t leaf, float squared) {
-        if (squared > farthest || nearest.enough_at(squared)) return false;
-        for (std::uint32_t i = 0; i < tree.filled(leaf); ++i) {
-          const std::uint32_t box = tree.box(leaf, i);
-          if (accept(box, p)) nearest.add(squared_distance(cores[box], points[p]), box);
+      const auto consider = [&](std::uint32_t leaf, float squared) {
+        if (squared > choice.farthest || nearest.enough_at(squared)) return false;
+        for (std::uint32_t i = 0; i < choice.tree.filled(leaf); ++i) {
+          const std::uint32_t box = choice.tree.box(leaf, i);
+          if (accept(box, p)) nearest.add(squared_distance(choice.cores[box], points[p]), box);
         }
         return true;
-      });
+      };
+      choice.tree.leaves_by_distance(choice.map.box({points[p], points[p]}).low, consider);
       for (const auto& [squared, box] : nearest.list()) mine.push_back(pair_key(box, static_cast<std::uint32_t>(p)));
     }
   });

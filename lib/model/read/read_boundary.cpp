@@ -54,15 +54,15 @@ void read_spc(Context& context, const Block& block, const Options& options) {
   const bool timed = options.has("BIRTH");
   const auto& layout = keyword::card_layout(set ? "BOUNDARY_SPC_SET" : "BOUNDARY_SPC_NODE", "card1");
   const auto& times = keyword::card_layout("BOUNDARY_SPC_NODE_BIRTH_DEATH", "card2");
-  constexpr std::array fields{"dofx", "dofy", "dofz", "dofrx", "dofry", "dofrz"};
+  constexpr std::array freedoms{"dofx", "dofy", "dofz", "dofrx", "dofry", "dofrz"};
   CardReader reader(context.deck, block, context.diagnostics);
   while (start_condition(reader, options)) {
     const Card card = reader.next(layout);
     SinglePointConstraint spc;
     spc.nodes = {card.integer(set ? "nsid" : "nid"), set};
     spc.system = card.integer("cid");
-    for (std::size_t i = 0; i < fields.size(); ++i)
-      if (card.integer(fields[i]) != 0) spc.freedoms = static_cast<std::uint8_t>(spc.freedoms | 1u << i);
+    for (std::size_t i = 0; i < freedoms.size(); ++i)
+      if (card.integer(freedoms[i]) != 0) spc.freedoms = static_cast<std::uint8_t>(spc.freedoms | 1u << i);
     spc.place = Context::place(block, card.line());
     if (timed) spc.lifetime = read_lifetime(context, block, reader.next(times));
     context.model.spcs.push_back(spc);

@@ -12,7 +12,7 @@
 namespace gapcheck::report {
 namespace {
 
-constexpr std::string_view indent = "    ";
+constexpr std::string_view table_indent = "    ";
 
 std::string real(double value) { return fmt::format("{:.4E}", value); }
 
@@ -40,9 +40,10 @@ void append_with_part(const std::array<Column, N>& columns, bool pid, std::size_
                       std::string& out) {
   if (pid)
     return append_table(
-        columns, rows, [&](std::size_t i, Row<N>& row) { row = cells(i); }, indent, out);
+        columns, rows, [&](std::size_t i, Row<N>& row) { row = cells(i); }, table_indent, out);
   append_table(
-      without(columns, 1), rows, [&](std::size_t i, Row<N - 1>& row) { row = without(cells(i), 1); }, indent, out);
+      without(columns, 1), rows, [&](std::size_t i, Row<N - 1>& row) { row = without(cells(i), 1); }, table_indent,
+      out);
 }
 
 }  // namespace
@@ -127,7 +128,7 @@ void append_buckets(std::string_view title, std::span<const double> values, std:
       [&](std::size_t i, auto& row) {
         row = {border(i), border(i + 1), fmt::format("{}", counts[i])};
       },
-      indent, out);
+      table_indent, out);
 }
 
 void append_part_sums(std::span<const Penetration* const> records, std::span<const TieFailure> ties, std::string& out) {
@@ -153,7 +154,7 @@ void append_part_sums(std::span<const Penetration* const> records, std::span<con
         row = {id_or_dash(part), fmt::format("{}", sum.penetrations), sum.deepest > 0 ? real(sum.deepest) : "-",
                fmt::format("{}", sum.ties)};
       },
-      indent, out);
+      table_indent, out);
 }
 
 }  // namespace gapcheck::report

@@ -53,8 +53,11 @@ const Timesteps* timesteps(const Report& report) {
 }
 
 void append_surface_timesteps(const Timesteps& steps, std::uint32_t contact, std::string& out) {
-  const auto of_contact = std::ranges::equal_range(steps.surface_timesteps, contact, {}, &SurfaceTimestep::contact);
-  for (const SurfaceTimestep& step : of_contact) {
+  const auto& all = steps.surface_timesteps;  // by contact
+  const auto before = [](const SurfaceTimestep& step, std::uint32_t position) { return step.contact < position; };
+  for (auto at = std::lower_bound(all.begin(), all.end(), contact, before); at != all.end() && at->contact == contact;
+       ++at) {
+    const SurfaceTimestep& step = *at;
     if (step.timestep >= no_timestep_limit) {
       out += fmt::format("  surface {}: no time step limit: no node has both mass and a segment of shells or solids\n",
                          step.side);

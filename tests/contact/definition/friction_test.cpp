@@ -95,8 +95,10 @@ TEST(Friction, OfTheTable) {
   EXPECT_EQ(scene.between(scene.b, scene.a).fs, 0.2);
   EXPECT_EQ(scene.between(scene.c, scene.b).fs, 0.3);
   EXPECT_EQ(scene.between(scene.a, scene.a).fs, 0.1);
-  scene.card().fd = 9;  // no such table, and two to choose from
-  EXPECT_FALSE(Friction(scene.model, scene.card()).any());
+  for (const double fd : {9., 1e29, -1e29}) {  // no such table, and two to choose from
+    scene.card().fd = fd;
+    EXPECT_FALSE(Friction(scene.model, scene.card()).any());
+  }
 }
 
 }  // namespace
