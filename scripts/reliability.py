@@ -93,6 +93,7 @@ def mistakes_table(program, decks, limit):
                     raise SystemExit(f"{name}, {command}: ended with {code}")
                 cells += [f"{seconds:.1f}", f"{memory:.0f}"]
             lines.append("| " + " | ".join(cells) + " |")
+            print(lines[-1], flush=True)
     return lines
 
 
