@@ -28,8 +28,8 @@ FAULTS = {"standard output": "standard output full, closed, a pipe that nobody r
           "folders that vanish": "folders for results that vanish"}
 # Decks of tests/bench/mistakes.py, and what is wrong with them.
 MISTAKES = {"thickness_20000": "a thickness of 1000 on elements of 5, 20,000 nodes",
-            "thickness_surfaces_20000": "the same in a contact of two surfaces",
-            "thickness_tied_20000": "the same in a tied contact", "thickness_segments_20000": "the same with SOFT = 2",
+            "thickness_surfaces_20000": "such a thickness in a contact of two surfaces",
+            "thickness_tied_20000": "such a thickness in a tied contact", "thickness_segments_20000": "such a thickness with SOFT = 2",
             "point_nodes": "10,000 nodes in one point", "point_shells": "2,500 shells in one point",
             "contacts_100000": "100,000 contacts", "contacts_same_2000": "the same contact 2,000 times",
             "includes": "230 kB of files that include each other 24³ times",
