@@ -26,6 +26,7 @@ Result<results::MeshSource> read_deck_mesh(const std::string& path, const keywor
   if (!deck) return deck.error();
   auto read = model::read_model(deck.value(), diagnostics);
   if (!read) return read.error();
+  keyword::note_missing_end(deck.value(), diagnostics);
   const model::Model& model = read.value();
   results::MeshSource mesh;
   const model::Nodes& nodes = model.mesh.nodes;

@@ -49,9 +49,10 @@ extern "C" void end_by_signal(int signal) {
 }
 
 void prepare_process() {
-  // A closed standard output would otherwise become the first file that is opened.
+  // A closed standard output would otherwise become the first file that is opened. A folder cannot be written, by
+  // the name /dev/stdout neither.
   for (const int fd : {0, 1, 2})
-    if (::fcntl(fd, F_GETFD) == -1) static_cast<void>(::open("/dev/null", fd == 2 ? O_WRONLY : O_RDONLY));
+    if (::fcntl(fd, F_GETFD) == -1) static_cast<void>(fd == 2 ? ::open("/dev/null", O_WRONLY) : ::open("/", O_RDONLY));
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
   for (const int signal : {SIGPIPE, SIGXFSZ}) ::sigaction(signal, &ignore, nullptr);

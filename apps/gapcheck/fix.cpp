@@ -149,7 +149,7 @@ Status write_report(const FixArguments& arguments, const FixReport& report) {
 /// The corrected files, unless it is a dry run, and the report.
 Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Fix& fix) {
   Status status;
-  if (!arguments.dry_run) status = choose_places(deck, arguments, fix);
+  status = arguments.dry_run ? deck.unchanged() : choose_places(deck, arguments, fix);
   if (status.ok()) status = check_report(deck, arguments, fix.report);
   if (status.ok() && !arguments.dry_run) status = write_files(deck, fix);
   return status.ok() ? write_report(arguments, fix.report) : status;

@@ -1,11 +1,10 @@
 #include "output_guard.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <string_view>
-#include <system_error>
+#include <utility>
 
 #include "results/d3plot/run_folder.hpp"
+#include "run_vtu.hpp"
 
 namespace gapcheck::app {
 
@@ -19,21 +18,12 @@ std::vector<PlannedOutput> planned_outputs(const ExportOptions& exports) {
 }
 
 std::vector<PlannedOutput> planned_run_outputs(const std::string& directory, bool vtu) {
-  namespace fs = std::filesystem;
-  const auto is_grid = [](const std::string& name) {
-    constexpr std::string_view begin = "state_", end = ".vtu";
-    return name == "run.pvd" ||
-           (name.size() > begin.size() + end.size() && name.starts_with(begin) && name.ends_with(end) &&
-            name.find_first_not_of("0123456789", begin.size()) == name.size() - end.size());
-  };
+  std::vector<std::string> files = results::result_files(directory);
+  if (vtu)
+    for (std::string& grid : grid_files(directory)) files.push_back(std::move(grid));
+  std::sort(files.begin(), files.end());
   std::vector<PlannedOutput> outputs;
-  for (const std::string& file : results::result_files(directory))
-    outputs.push_back({"-o", file, "", "another directory"});
-  std::error_code failed;
-  for (fs::directory_iterator entry(directory, failed), end; vtu && !failed && entry != end; entry.increment(failed))
-    if (is_grid(entry->path().filename().string()))
-      outputs.push_back({"-o", entry->path().string(), "", "another directory"});
-  std::sort(outputs.begin(), outputs.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+  for (std::string& file : files) outputs.push_back({"-o", std::move(file), "", "another directory"});
   return outputs;
 }
 

@@ -73,10 +73,17 @@ void tell_output_notes(const keyword::Deck& deck, const model::Model& model, Dia
     diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
 }
 
+/// With its place in the deck, or the deck where it has none. Messages on result files name these.
+Diagnostic located(const solver::Failure& failure, const model::Model& model, const std::string& deck) {
+  if (failure.kind == solver::Failure::Kind::output) return plain_error(failure.message);
+  const std::string file = model.file(failure.place);
+  return {Severity::error, file.empty() ? deck : file, failure.place.line, failure.message};
+}
+
 /// The summary to standard output; errors to standard error.
 int tell_end(const solver::Run& run, solver::RunEnd end, const RunArguments& arguments) {
   Failures failures(print);
-  if (!run.status().ok()) failures.add(plain_error(run.status().error().message));
+  if (!run.status().ok()) failures.add(located(run.status().error(), run.model(), arguments.deck));
   if (end == solver::RunEnd::signal)
     failures.add(plain_error(
         fmt::format("terminated by {}; the files end at time {:g}", EndRequest::name(), run.stepper().state().time)));
@@ -103,7 +110,7 @@ int calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArgume
   const EndRequest end_request;
   auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
   if (!files) {
-    print(plain_error(files.error().message));
+    print(located(files.error(), run.model(), arguments.deck));
     return failed;
   }
   solver::RunEnd end{};
@@ -120,7 +127,9 @@ Status check_directory(const keyword::Deck& deck, const RunArguments& arguments)
   add_deck_files(deck, read);
   if (Status status = check_outputs(read, planned_run_outputs(arguments.directory, arguments.vtu)); !status.ok())
     return status;
-  const std::vector<std::string> foreign = results::foreign_results(arguments.directory);
+  std::vector<std::string> foreign = results::foreign_results(arguments.directory);
+  if (arguments.vtu)
+    for (std::string& grid : foreign_grids(arguments.directory)) foreign.push_back(std::move(grid));
   if (foreign.empty() || arguments.force) return {};
   return plain_error(fmt::format(
       "-o: {} would be replaced{}, and gapcheck did not write it; give another directory, or --force", foreign.front(),
@@ -168,7 +177,7 @@ int run_deck(const RunArguments& arguments) {
   auto run = solver::Run::prepare(model.value(), surfaces, settings, diagnostics);
   print(diagnostics, arguments.quiet);
   if (!run) {
-    print(plain_error(run.error().message));
+    print(located(run.error(), model.value(), arguments.deck));
     return failed;
   }
   return calculate(run.value(), surfaces, arguments);

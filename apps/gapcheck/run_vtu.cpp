@@ -4,12 +4,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
+#include "base/file_writer.hpp"
 #include "solver/output/plot.hpp"
 
 namespace gapcheck::app {
 namespace {
 
+namespace fs = std::filesystem;
 using report::VtuArray;
 using report::VtuGrid;
 
@@ -58,7 +64,41 @@ struct CellData {
   }
 };
 
+bool is_grid(const std::string& name) {
+  constexpr std::string_view begin = "state_", end = ".vtu";
+  return name == "run.pvd" ||
+         (name.size() > begin.size() + end.size() && name.starts_with(begin) && name.ends_with(end) &&
+          name.find_first_not_of("0123456789", begin.size()) == name.size() - end.size());
+}
+
+/// Others indent their elements or write other attributes.
+bool is_own_grid(const std::string& path) {
+  std::string head(300, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head.empty() || head.starts_with(report::vtu_begin("UnstructuredGrid")) ||
+         head.starts_with(report::vtu_begin("Collection"));
+}
+
 }  // namespace
+
+std::vector<std::string> grid_files(const std::string& directory) {
+  const fs::path folder(directory), place = directory.empty() ? fs::path(".") : folder;
+  std::vector<std::string> files;
+  std::error_code failed;
+  for (fs::directory_iterator entry(place, failed), end; !failed && entry != end; entry.increment(failed))
+    if (const fs::path name = entry->path().filename(); is_grid(name.string()))
+      files.push_back((folder / name).string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> foreign_grids(const std::string& directory) {
+  std::vector<std::string> files = grid_files(directory);
+  std::erase_if(files, is_own_grid);
+  return files;
+}
 
 VtuGrid vtu_grid(const results::D3plot& mesh, const results::D3plotState& state, const solver::Run& run) {
   VtuGrid grid;
@@ -100,16 +140,29 @@ VtuGrid vtu_grid(const results::D3plot& mesh, const results::D3plotState& state,
 VtuSeries::VtuSeries(const solver::Run& run, std::string directory)
     : directory_(std::move(directory)), mesh_(solver::plot_mesh(run.model(), run.initial().x)) {}
 
-solver::SolverStatus VtuSeries::add(const results::D3plotState& state, const solver::Run& run) {
+Status VtuSeries::remove_old() const {
+  for (const std::string& file : grid_files(directory_)) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) return Diagnostic{Severity::error, file, 0, "cannot be removed: " + error.message()};
+  }
+  return {};
+}
+
+Status VtuSeries::write(const results::D3plotState& state, const solver::Run& run) {
+  if (entries_.empty())
+    if (Status removed = remove_old(); !removed.ok()) return removed;
   entries_.push_back({state.time, fmt::format("state_{:04}.vtu", entries_.size() + 1)});
-  const auto write = [&](const std::string& name, const std::string& text) {
-    return write_file((std::filesystem::path(directory_) / name).string(), text);
-  };
-  Status written = write(entries_.back().file, report::vtu(vtu_grid(mesh_, state, run)));
-  if (written.ok()) written = write("run.pvd", report::pvd(entries_));
+  const auto path = [&](const std::string& name) { return (fs::path(directory_) / name).string(); };
+  if (Status written = write_file(path(entries_.back().file), report::vtu(vtu_grid(mesh_, state, run))); !written.ok())
+    return written;
+  return write_file(path("run.pvd"), report::pvd(entries_));
+}
+
+solver::SolverStatus VtuSeries::add(const results::D3plotState& state, const solver::Run& run) {
+  const Status written = write(state, run);
   if (written.ok()) return {};
-  const Diagnostic& error = written.error();
-  return solver::Failure{solver::Failure::Kind::output, error.file + ": " + error.message};
+  return solver::Failure{solver::Failure::Kind::output, written.error().file + ": " + written.error().message};
 }
 
 }  // namespace gapcheck::app

@@ -142,6 +142,7 @@ Result<Fix> fix_deck(const std::string& path, const FixOptions& options) {
   corrected.value().report.input = path;
   corrected.value().report.dry_run = true;
   std::vector<ChangedFile> changed = changed_files(path, deck.value(), corrected.value());
+  if (const Status same = deck.value().unchanged(); !same.ok()) return error_of(same.error(), diagnostics);
   Fix fix = public_fix(std::move(corrected.value().report));
   fix.changed = std::move(changed);
   fix.diagnostics = listed(diagnostics);

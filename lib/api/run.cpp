@@ -99,8 +99,8 @@ void add_output_notes(const keyword::Deck& deck, const model::Model& model, gapc
     diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
 }
 
-Error error_from(const solver::Failure& failure, const gapcheck::Diagnostics& diagnostics) {
-  return {"", 0, failure.message, listed(diagnostics)};
+Error error_from(const solver::Failure& failure, const model::Model& model, const gapcheck::Diagnostics& diagnostics) {
+  return {model.file(failure.place), failure.place.line, failure.message, listed(diagnostics)};
 }
 
 /// Steps to the end. `stop`: what the run asks before every step.
@@ -110,13 +110,14 @@ Result<RunSummary> calculated(solver::Run& run, contact::SurfaceStore& surfaces,
   settings.directory = directory;
   settings.program = fmt::format("gapcheck {}", version());
   auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
-  if (!files) return error_from(files.error(), diagnostics);
+  if (!files) return error_from(files.error(), run.model(), diagnostics);
   solver::RunFiles& written = files.value();
   Watch watch(written, options, stop);
   RunSummary summary;
   summary.end = end_of(run.go(watch));
   if (const solver::SolverStatus& status = run.status(); !status.ok()) {
-    if (status.error().kind == solver::Failure::Kind::output) return error_from(status.error(), diagnostics);
+    if (status.error().kind == solver::Failure::Kind::output)
+      return error_from(status.error(), run.model(), diagnostics);
     summary.failure = status.error().message;
   }
   summary.state = state_of(run);
@@ -171,7 +172,7 @@ Result<RunSummary> run_deck(const std::string& deck, const std::string& director
   settings.stop = [&stop] { return stop; };
   contact::SurfaceStore surfaces(model.value());
   auto run = solver::Run::prepare(model.value(), surfaces, settings, diagnostics);
-  if (!run) return error_from(run.error(), diagnostics);
+  if (!run) return error_from(run.error(), model.value(), diagnostics);
   return calculated(run.value(), surfaces, directory, options, stop, diagnostics);
 }
 

@@ -202,6 +202,21 @@ Status write_file(const std::string& path, std::string_view text) {
   return writer.value().commit();
 }
 
+FileId id_of(std::FILE* file) {
+  struct stat info {};
+  if (file == nullptr || ::fstat(::fileno(file), &info) != 0) return {};
+  return {info.st_dev, info.st_ino, static_cast<std::uint64_t>(info.st_size)};
+}
+
+Status check_name(const std::string& path, const FileId& file, bool closed) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) == 0 && (closed ? static_cast<std::uint64_t>(info.st_size) == file.size
+                                                  : info.st_dev == file.device && info.st_ino == file.inode))
+    return {};
+  return Diagnostic{Severity::error, path, 0,
+                    "was removed, moved or replaced while gapcheck wrote it; write into a folder that stays"};
+}
+
 void remove_uncommitted_files() noexcept {
   ending = true;
   for (const ListedName* name = listed_names; name != nullptr; name = name->next)

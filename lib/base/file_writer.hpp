@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -48,6 +49,15 @@ class FileWriter {
 
 /// A whole file at once, by a FileWriter.
 [[nodiscard]] Status write_file(const std::string& path, std::string_view text);
+
+/// Which file an open one is, whatever its name, and how long it is.
+struct FileId {
+  std::uint64_t device = 0, inode = 0, size = 0;
+};
+[[nodiscard]] FileId id_of(std::FILE* file);
+/// For files that are written as results come. An error if the name does not lead to this file: it was removed, moved
+/// or replaced meanwhile. `closed`: it is known by its size, since its inode may be another file's by now.
+[[nodiscard]] Status check_name(const std::string& path, const FileId& file, bool closed);
 
 /// Deletes the files that writers have not committed. For signal handlers that end the process: async-signal-safe, and
 /// no writer works any more afterwards.

@@ -29,12 +29,26 @@ Status check_text(std::string_view bytes, const std::string& name) {
   return {};
 }
 
+/// A further keyword in the line of one: the line ends are lost.
+bool holds_another(std::string_view keyword_line) {
+  for (auto at = keyword_line.find(" *"); at != std::string_view::npos; at = keyword_line.find(" *", at + 1))
+    if (at + 2 < keyword_line.size() && keyword_line[at + 2] >= 'A' && keyword_line[at + 2] <= 'Z') return true;
+  return false;
+}
+
 /// An error if the lines that structure a file are not those of a deck.
-Status check_keywords(const std::vector<Mark>& marks, const std::string& name) {
-  const bool any = std::any_of(marks.begin(), marks.end(), [](const Mark& mark) {
+Status check_keywords(std::string_view bytes, const std::vector<Mark>& marks, const std::string& name) {
+  const auto structures = [](const Mark& mark) {
     return mark.kind == Mark::Kind::keyword || mark.kind == Mark::Kind::encrypted_begin;
-  });
-  if (any) return {};
+  };
+  const auto first = std::find_if(marks.begin(), marks.end(), structures);
+  if (first != marks.end()) {
+    std::size_t next = 0;
+    if (std::any_of(first + 1, marks.end(), structures) || !holds_another(line_at(bytes, first->offset, next)))
+      return {};
+    return Diagnostic{Severity::error, name, first->line,
+                      "holds all its keywords in one line; its line ends are lost, so give the file that has them"};
+  }
   return Diagnostic{Severity::error, name, 0,
                     "holds no keyword (no line of it starts with *); give an LS-DYNA keyword file"};
 }
@@ -148,7 +162,7 @@ Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
 
 Result<Deck> DeckReader::read_all(const std::string& path, std::string_view bytes, const std::vector<Mark>& marks) {
   if (const Status status = check_text(bytes, path); !status.ok()) return status.error();
-  if (const Status status = check_keywords(marks, path); !status.ok()) return status.error();
+  if (const Status status = check_keywords(bytes, marks, path); !status.ok()) return status.error();
   FileContext context;
   context.file = add_file(path, bytes, nullptr, 0);
   context.scope = deck_.parameters_.add_scope(Parameters::global);

@@ -41,7 +41,8 @@ SolverStatus no_rigid_nodes(const model::Model& model, const model::Contact& con
                    fmt::format("contact {} (*{}) has node {} of {}, which its constraints cannot move; use a penalty "
                                "type, for instance {}",
                                contact.id.value, contact.written, model.mesh.nodes.id[node.value], who,
-                               model::recommended_keyword(model::ContactCode::automatic_surface))};
+                               model::recommended_keyword(model::ContactCode::automatic_surface)),
+                   contact.place};
   };
   for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
     for (const NodeIndex node : side->nodes.node)
@@ -80,6 +81,8 @@ void name_differences(const model::Contact& contact, const contact::ContactSurfa
 
 SolverStatus check_deck(const model::Model& model, contact::SurfaceStore& surfaces, Diagnostics& diagnostics) {
   const model::Controls& controls = model.controls;
+  if (model.mesh.nodes.size() == 0)
+    return Failure{Failure::Kind::empty, "the deck has no nodes, so there is nothing to calculate"};
   if (controls.tssfac < 0)
     return Failure{
         Failure::Kind::zero_time_step,
@@ -97,7 +100,8 @@ SolverStatus check_deck(const model::Model& model, contact::SurfaceStore& surfac
     if (contact.sfs < 0 || contact.sfm < 0)
       return Failure{Failure::Kind::contradiction,
                      fmt::format("SFSA or SFSB of contact {} is below 0, so that it pulls; set a number above 0",
-                                 contact.id.value)};
+                                 contact.id.value),
+                     contact.place};
     name_differences(contact, surfaces.at(c), diagnostics);
     if (const std::string why = why_idle(surfaces.at(c)); !why.empty())
       diagnostics.warning("", 0, fmt::format("contact {} does nothing ({}); correct its sides", contact.id.value, why));

@@ -77,6 +77,23 @@ TEST_F(HostileText, FilesThatAreNoDeckAndDecksThatAreNoLog) {
   }
 }
 
+TEST_F(HostileText, ADeckWithoutLineEnds) {
+  const Ended audit = gapcheck("audit " + file("deck.k", with(example(), "\n", " ")));
+  EXPECT_EQ(audit.code, 2);
+  EXPECT_EQ(audit.out, "");
+  EXPECT_NE(audit.err.find("deck.k:1: holds all its keywords in one line"), std::string::npos) << audit.err;
+  // A file of one keyword is nothing special.
+  EXPECT_EQ(gapcheck("audit " + file("deck.k", "*KEYWORD 5 * 7, *a\n")).code, 0);
+}
+
+TEST_F(HostileText, ADeckThatWasCutBesideALog) {
+  use("smp");
+  const std::string deck = file("deck.k", with(example(), "*END\n", ""));
+  const std::string note = "note: deck.k: ends without *END; if it was cut, what followed is missing\n";
+  for (const Ended& run : {gapcheck("messag messag --deck " + deck), check_c("--deck " + deck + " -pid messag")})
+    EXPECT_NE(run.err.find(note), std::string::npos) << run.err;
+}
+
 TEST_F(HostileText, ADeckThatWasCut) {
   const Ended whole = gapcheck("audit " + file("deck.k", example()));
   EXPECT_EQ(whole.err, "");

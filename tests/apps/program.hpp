@@ -1,7 +1,6 @@
 #pragma once
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "folder_test.hpp"
 #include "program_names.hpp"
 
 namespace gapcheck {
@@ -26,18 +26,11 @@ inline std::string content(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// Each test works in a new folder, which is also the working directory of the programs.
-class Program : public testing::Test {
+/// The folder of each test is also the working directory of the programs.
+class Program : public FolderTest {
  protected:
   static inline const std::filesystem::path project = GAPCHECK_ROOT;
   static inline const std::filesystem::path fixtures = project / "tests/apps/fixtures";
-
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// `command` as a shell takes it.
   [[nodiscard]] Ended shell(const std::string& command) const {
@@ -64,8 +57,6 @@ class Program : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return name;
   }
-
-  std::filesystem::path folder_;
 };
 
 /// Holds a text against tests/apps/golden/NAME.txt. With GAPCHECK_UPDATE_GOLDEN in the environment it is written there.

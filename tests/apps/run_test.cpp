@@ -72,6 +72,56 @@ TEST_F(RunCommand, GridsForVtk) {
     EXPECT_NE(grid.find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
 }
 
+TEST_F(RunCommand, GridsOfEarlierRunsGo) {
+  const std::string words = "run " + data("two_plates.k") + " -o out --vtu --quiet --cycles ";
+  ASSERT_EQ(gapcheck(words + "3").code, 0);
+  for (const char* name : {"out/state_0003.vtu", "out/state_0041.vtu"})
+    fs::copy(folder_ / "out/state_0001.vtu", folder_ / name);
+  ASSERT_EQ(gapcheck(words + "1").code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "out/state_0002.vtu"));
+  EXPECT_FALSE(fs::exists(folder_ / "out/state_0003.vtu")) << "of a longer run";
+  EXPECT_FALSE(fs::exists(folder_ / "out/state_0041.vtu"));
+  file("out/state_0002.vtu",
+       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n");
+  file("out/state_0003.txt", "notes");
+  const Ended refused = gapcheck(words + "1");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("-o: out/state_0002.vtu would be replaced, and gapcheck did not write it"),
+            std::string::npos)
+      << refused.err;
+  EXPECT_EQ(gapcheck("run " + data("two_plates.k") + " -o out --quiet --cycles 1").code, 0) << "no grids are written";
+  EXPECT_EQ(gapcheck(words + "1 --force").code, 0);
+  EXPECT_EQ(content(folder_ / "out/state_0003.txt"), "notes");
+}
+
+TEST_F(RunCommand, WhatGoesWrongNamesItsPlaceInTheDeck) {
+  const std::string plates = content(project / "data" / "two_plates.k");
+  const auto expect = [&](const std::string& old, const std::string& other, const std::string& message) {
+    std::string text = plates;
+    ASSERT_NE(text.find(old), std::string::npos) << old;
+    file("deck.k", text.replace(text.find(old), old.size(), other));
+    const Ended run = gapcheck("run deck.k -o out --cycles 1 --ignore-unsupported");
+    EXPECT_EQ(run.code, 2) << other;
+    EXPECT_NE(run.err.find("gapcheck: error: deck.k:" + message), std::string::npos) << run.err;
+  };
+  // Elements, materials, sections, conditions, and what has no line.
+  expect("*MAT_ELASTIC\n         1", "*MAT_ELASTIC\n         7",
+         "68: shell 1001 has no part, section or material; define them or leave it out\n");
+  expect("  7.85e-09   210000.", "  7.85e-09       -1.",
+         "32: material 1 (*MAT_ELASTIC) has a density, stiffness or yield stress out of range\n");
+  expect("*END", "*LOAD_NODE_POINT\n1001,1,99\n*END", "92: *LOAD_NODE_POINT: curve 99 ");
+  expect("*END", "*CONTROL_TIMESTEP\n0.,-1.\n*END", " TSSFAC of *CONTROL_TIMESTEP is -1; ");
+  file("deck.k", "*KEYWORD\n*CONTROL_TERMINATION\n1.\n*END\n");
+  fs::remove_all(folder_ / "out");
+  const Ended empty = gapcheck("run deck.k -o out");
+  EXPECT_EQ(empty.code, 2);
+  EXPECT_NE(empty.err.find("error: deck.k: the deck has no nodes, so there is nothing to calculate\n"),
+            std::string::npos)
+      << empty.err;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(RunCommand, WhatGoesWrongIsExitCode2) {
   EXPECT_EQ(gapcheck("run " + data("two_plates.k")).code, 2) << "no directory";
   EXPECT_EQ(gapcheck("run none.k -o out").code, 2);

@@ -38,6 +38,25 @@ class FileWriterTest : public FolderTest {
   }
 };
 
+TEST_F(FileWriterTest, NamesThatLeadToAnotherFile) {
+  std::FILE* file = std::fopen(path("a").c_str(), "wb");
+  ASSERT_NE(file, nullptr);
+  const FileId id = id_of(file);
+  EXPECT_TRUE(check_name(path("a"), id, false).ok());
+  std::fputs("text", file);
+  std::fflush(file);
+  EXPECT_TRUE(check_name(path("a"), id, false).ok()) << "longer";
+  EXPECT_FALSE(check_name(path("a"), id, true).ok()) << "longer";
+  EXPECT_TRUE(check_name(path("a"), id_of(file), true).ok());
+  fs::rename(path("a"), path("b"));
+  EXPECT_TRUE(check_name(path("b"), id, false).ok());
+  ASSERT_FALSE(check_name(path("a"), id, false).ok()) << "moved";
+  EXPECT_EQ(check_name(path("a"), id, false).error().file, path("a"));
+  ASSERT_TRUE(write_file(path("a"), "another").ok());
+  EXPECT_FALSE(check_name(path("a"), id, false).ok()) << "replaced";
+  std::fclose(file);
+}
+
 TEST_F(FileWriterTest, TheNameChangesOnlyAtTheEnd) {
   ASSERT_TRUE(write_file(path("a"), "old").ok());
   FileWriter next = writer("a");

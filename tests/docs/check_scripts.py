@@ -27,6 +27,7 @@ RUNS = [
     ("scripts/long_runs.py", "{gapcheck} --small", "docs/theory/long-runs.md"),
     ("scripts/pictures/terminal.py", "{gapcheck}", "docs/pictures/terminal.svg"),
     ("scripts/plot_workshop.py", "{gapcheck} --small", "docs/workshop/rebound_thickness.svg"),
+    ("scripts/reliability.py", "{gapcheck} --small", "docs/reliability.md"),
     ("scripts/solver_accuracy.py", "{test_solver} --small", "docs/theory/solver-accuracy.md"),
     ("scripts/solver_runs.py", "{gapcheck} data/workshop --small", "docs/solver-runs.md"),
     ("scripts/state_energy.py", "{gapcheck} --small", "docs/theory/state-energy.md"),

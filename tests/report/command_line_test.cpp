@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "folder_test.hpp"
 #include "program_names.hpp"
 
 namespace gapcheck::command_line_test {
@@ -29,15 +30,8 @@ std::string content(const fs::path& path) {
   return text.str();
 }
 
-class CommandLine : public testing::Test {
+class CommandLine : public FolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   /// Runs gapcheck in the project's folder, with arguments as a shell takes them.
   Outcome run(const std::string& arguments) const {
     const fs::path error_file = folder_ / "stderr";
@@ -60,8 +54,6 @@ class CommandLine : public testing::Test {
     std::ofstream(path, std::ios::binary) << text;
     return path.string();
   }
-
-  fs::path folder_;
 };
 
 TEST_F(CommandLine, ExitCodeFollowsFailOn) {

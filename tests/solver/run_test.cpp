@@ -1,11 +1,9 @@
 #include "solver/run.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,6 +12,7 @@
 #include <string>
 
 #include "base/parallel.hpp"
+#include "folder_test.hpp"
 #include "results/curves/glstat.hpp"
 #include "results/d3plot/d3plot_states.hpp"
 #include "results/log/solver_log.hpp"
@@ -38,15 +37,8 @@ std::string strip(const std::string& more) {
          "*LOAD_NODE_POINT\n5,1,1,1.\n10,1,1,1.\n*DEFINE_CURVE\n1\n0.,1.\n0.25,1.\n0.2501,0.\n1.,0.\n" + more;
 }
 
-class RunTest : public testing::Test {
+class RunTest : public FolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = testing::TempDir() + "gapcheck_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   struct Ended {
     RunEnd end = RunEnd::failed;
     std::uint64_t cycles = 0;
@@ -84,7 +76,6 @@ class RunTest : public testing::Test {
   }
   [[nodiscard]] std::string file(const std::string& name) const { return contents(folder_ / "out" / name); }
 
-  fs::path folder_;
   model::Model model_;
 };
 
@@ -196,6 +187,29 @@ TEST_F(RunTest, DirectoriesThatCannotBeMadeAreTold) {
   RunFilesSettings files;
   files.directory = (folder_ / "file" / "out").string();
   EXPECT_NE(calculate(strip(""), {}, files).failure.find("file"), std::string::npos);
+}
+
+TEST_F(RunTest, ResultsThatAreNotThereAtTheEndAreTold) {
+  using Change = void (*)(const fs::path&);
+  const std::map<std::string, Change> changes{
+      {"removed", [](const fs::path& file) { fs::remove(file); }},
+      {"moved", [](const fs::path& file) { fs::rename(file, file.string() + "_old"); }},
+      {"replaced", [](const fs::path& file) {
+         fs::remove(file);
+         std::ofstream(file) << "of others";
+       }}};
+  for (const auto& [what, change] : changes)
+    for (const char* name : {"messag", "glstat", "d3plot", "d3plot01"}) {
+      RunFilesSettings files;
+      files.on_plot = [&, change = change](const results::D3plotState&, const solver::Run&, std::size_t number) {
+        if (number == 2) change(folder_ / "out" / name);
+        return SolverStatus();
+      };
+      const Ended ended = calculate(strip("*DATABASE_BINARY_D3PLOT\n0.1\n"), {}, files);
+      EXPECT_EQ(ended.end, RunEnd::failed) << name << ' ' << what;
+      EXPECT_NE(ended.failure.find(std::string("out/") + name + ": was removed, moved or replaced"), std::string::npos)
+          << name << ' ' << what << ": " << ended.failure;
+    }
 }
 
 TEST_F(RunTest, OtherFilesAreLeftAlone) {

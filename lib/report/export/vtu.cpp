@@ -86,12 +86,14 @@ std::string field_data(const std::vector<VtuWords>& list) {
   return text + "</FieldData>\n";
 }
 
-const std::string head = fmt::format(
-    "<?xml version=\"1.0\"?>\n<VTKFile type=\"{{}}\" version=\"1.0\" byte_order=\"{}\" "
-    "header_type=\"UInt64\">\n",
-    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
-
 }  // namespace
+
+std::string vtu_begin(std::string_view type) {
+  return fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"{0}\" version=\"1.0\" byte_order=\"{1}\" "
+      "header_type=\"UInt64\">\n<{0}>\n",
+      type, std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+}
 
 void VtuGrid::add_cell(std::span<const std::uint32_t> nodes) {
   std::size_t corners = nodes.size();
@@ -116,8 +118,7 @@ std::string vtu(const VtuGrid& grid) {
   std::vector<std::int64_t> connectivity(grid.connectivity.begin(), grid.connectivity.end());
   std::vector<std::uint8_t> types;
   for (const VtuCell type : grid.types) types.push_back(static_cast<std::uint8_t>(type));
-  std::string text = fmt::format(fmt::runtime(head), "UnstructuredGrid");
-  text += "<UnstructuredGrid>\n" + field_data(grid.words);
+  std::string text = vtu_begin("UnstructuredGrid") + field_data(grid.words);
   text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points.size(), grid.types.size());
   text += "<Points>\n" + array("Float32", "Points", 3, single(points)) + "</Points>\n";
   text += "<Cells>\n" + integers("connectivity", 1, connectivity) + integers("offsets", 1, offsets) +
@@ -128,7 +129,7 @@ std::string vtu(const VtuGrid& grid) {
 }
 
 std::string pvd(std::span<const PvdEntry> entries) {
-  std::string text = fmt::format(fmt::runtime(head), "Collection") + "<Collection>\n";
+  std::string text = vtu_begin("Collection");
   for (const PvdEntry& entry : entries)
     text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", entry.time, xml_text(entry.file));
   return text + "</Collection>\n</VTKFile>\n";

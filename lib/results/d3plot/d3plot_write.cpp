@@ -248,15 +248,26 @@ Result<D3plotWriter> D3plotWriter::create(const std::string& path, const D3plot&
   GeometryWriter geometry(mesh, parts, writer.settings_);
   if (settings.deletion) writer.part_numbers_ = geometry.part_numbers();
   if (!file || !write_bytes(file.get(), geometry.write())) return not_written(path);
+  writer.written_.emplace_back(path, id_of(file.get()));
   return {std::move(writer)};
 }
 
 Status D3plotWriter::open_member() {
   member_path_ = member_path(path_, ++member_);
   position_ = 0;
+  if (file_) written_.back().second = id_of(file_.get());
   errno = 0;
   file_.reset(std::fopen(member_path_.c_str(), "wb"));
   if (!file_) return not_written(member_path_);
+  written_.emplace_back(member_path_, id_of(file_.get()));
+  return {};
+}
+
+Status D3plotWriter::check_names() const {
+  for (std::size_t i = 0; i < written_.size(); ++i) {
+    const bool closed = !file_ || i + 1 < written_.size();
+    if (Status there = check_name(written_[i].first, written_[i].second, closed); !there.ok()) return there;
+  }
   return {};
 }
 

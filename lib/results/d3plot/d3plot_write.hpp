@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/file_writer.hpp"
 #include "base/result.hpp"
 #include "results/d3plot/d3plot.hpp"
 #include "results/d3plot/d3plot_state.hpp"
@@ -30,6 +32,8 @@ class D3plotWriter {
                                      const D3plotWriteSettings& settings = {});
   /// Arrays of other sizes than the mesh's are an error, as are files that cannot be written.
   [[nodiscard]] Status append(const D3plotState& state);
+  /// An error if one of the files is no longer where it was written.
+  [[nodiscard]] Status check_names() const;
 
  private:
   struct Close {
@@ -45,6 +49,7 @@ class D3plotWriter {
   std::uint32_t member_ = 0;
   std::uint64_t position_ = 0;  ///< words of states in the member
   std::unique_ptr<std::FILE, Close> file_;
+  std::vector<std::pair<std::string, FileId>> written_;  ///< all files, the open one last
 };
 
 }  // namespace gapcheck::results

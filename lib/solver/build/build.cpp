@@ -59,21 +59,26 @@ class Builder {
     const model::Section* section = nullptr;
     Material material;
   };
-  SolverResult<Properties> properties(std::string_view what, std::int64_t id, PartIndex index, SectionKind kind) {
+  SolverResult<Properties> properties(std::string_view what, std::int64_t id, PartIndex index, SectionKind kind,
+                                      model::Place place) {
     const model::Part* part = index == none<PartIndex> ? nullptr : &model_.part(index);
     if (part == nullptr || !part->section || !part->material)
       return Failure{Failure::Kind::missing_material,
-                     fmt::format("{} {} has no part, section or material; define them or leave it out", what, id)};
+                     fmt::format("{} {} has no part, section or material; define them or leave it out", what, id),
+                     place};
     const model::Section& section = model_.sections[*part->section];
     if (section.kind != kind)
       return Failure{Failure::Kind::missing_material,
                      fmt::format("{} {} is in part {}, whose section {} is for other elements", what, id,
-                                 part->id.value, section.id)};
+                                 part->id.value, section.id),
+                     place};
     auto material = build_material(model_, model_.materials[*part->material]);
     if (!material) return material.error();
     if (kind != SectionKind::shell && material.value().kind == MaterialKind::anisotropic)
-      return Failure{Failure::Kind::bad_material, fmt::format("material {} is for shells only, but {} {} is of it",
-                                                              model_.materials[*part->material].id, what, id)};
+      return Failure{Failure::Kind::bad_material,
+                     fmt::format("material {} is for shells only, but {} {} is of it",
+                                 model_.materials[*part->material].id, what, id),
+                     place};
     if (named_.insert(*part->material).second)
       name_what_is_not_calculated(model_, model_.materials[*part->material], diagnostics_);
     if (kind == SectionKind::beam && material.value().failure_strain > 0)
@@ -96,9 +101,9 @@ class Builder {
     auto own = shells.own_thickness.begin();
     for (std::uint32_t i = 0; i < shells.size(); ++i) {
       const PartIndex part = shells.part[i];
-      if (SolverStatus known = complete("shell", shells.id[i], shells.nodes[i]); !known.ok()) return known;
+      if (SolverStatus known = complete("shell", shells, i); !known.ok()) return known;
       if (part == none<PartIndex> || !positions_[part.value]) {
-        const auto found = properties("shell", shells.id[i], part, SectionKind::shell);
+        const auto found = properties("shell", shells.id[i], part, SectionKind::shell, place_of(shells, i));
         if (!found) return found.error();
         const auto& [section, material] = found.value();
         const std::int64_t asked = section->nip, layers = std::clamp<std::int64_t>(asked, 1, 10);
@@ -117,7 +122,8 @@ class Builder {
       const double thickness = mean_thickness(section, has_own ? &own->thickness : nullptr);
       if (!(thickness > 0) || !std::isfinite(thickness))
         return Failure{Failure::Kind::bad_element,
-                       fmt::format("shell {} has the thickness {:g}; give its section one", shells.id[i], thickness)};
+                       fmt::format("shell {} has the thickness {:g}; give its section one", shells.id[i], thickness),
+                       place_of(shells, i)};
       if (model_.rigid(part)) {
         const double density = model_.materials[*model_.part(part).material].density;
         add_rigid(part, shells.nodes[i], shell_mass_points(places(shells.nodes[i]), thickness, density));
@@ -134,9 +140,9 @@ class Builder {
     positions_.assign(model_.parts.size(), std::nullopt);  // a part of shells cannot contain solids
     for (std::uint32_t i = 0; i < solids.size(); ++i) {
       const PartIndex part = solids.part[i];
-      if (SolverStatus known = complete("solid", solids.id[i], solids.nodes[i]); !known.ok()) return known;
+      if (SolverStatus known = complete("solid", solids, i); !known.ok()) return known;
       if (part == none<PartIndex> || !positions_[part.value]) {
-        auto found = properties("solid", solids.id[i], part, SectionKind::solid);
+        auto found = properties("solid", solids.id[i], part, SectionKind::solid, place_of(solids, i));
         if (!found) return found.error();
         const ElementControl control =
             element_control(model_, model_.part(part), settings_.solid_hourglass, diagnostics_);
@@ -156,7 +162,8 @@ class Builder {
       }
       if (!(volume > 0))
         return Failure{Failure::Kind::bad_element,
-                       fmt::format("solid {} has the volume {:g}; mend the order of its nodes", solids.id[i], volume)};
+                       fmt::format("solid {} has the volume {:g}; mend the order of its nodes", solids.id[i], volume),
+                       place_of(solids, i)};
     }
     return {};
   }
@@ -167,10 +174,10 @@ class Builder {
     BeamLimits limits(model_, diagnostics_);
     for (std::uint32_t i = 0; i < beams.size(); ++i) {
       const PartIndex part = beams.part[i];
-      if (SolverStatus known = complete("beam", beams.id[i], beams.nodes[i]); !known.ok()) return known;
+      if (SolverStatus known = complete("beam", beams, i); !known.ok()) return known;
       if (part != none<PartIndex> && limits.leaves_out(part)) continue;
       if (part == none<PartIndex> || !positions_[part.value]) {
-        const auto found = properties("beam", beams.id[i], part, SectionKind::beam);
+        const auto found = properties("beam", beams.id[i], part, SectionKind::beam, place_of(beams, i));
         if (!found) return found.error();
         auto built = beam_properties(*found.value().section, found.value().material);
         if (!built) return built.error();
@@ -189,7 +196,8 @@ class Builder {
       }
       if (!(length > 0)) {
         limits.tell();
-        return Failure{Failure::Kind::bad_element, fmt::format("beam {} has no length or mass; mend it", beams.id[i])};
+        return Failure{Failure::Kind::bad_element, fmt::format("beam {} has no length or mass; mend it", beams.id[i]),
+                       place_of(beams, i)};
       }
     }
     limits.tell();
@@ -197,10 +205,18 @@ class Builder {
   }
 
   template <std::size_t N>
-  SolverStatus complete(std::string_view what, std::int64_t id, const std::array<NodeIndex, N>& nodes) {
+  static model::Place place_of(const model::Elements<N>& elements, std::size_t i) {
+    return {elements.origins.file(static_cast<std::uint32_t>(i)), elements.line[i]};
+  }
+
+  template <std::size_t N>
+  SolverStatus complete(std::string_view what, const model::Elements<N>& elements, std::uint32_t i) {
+    const auto& nodes = elements.nodes[i];
     const bool all =
         std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex node) { return node.value < model_.mesh.nodes.size(); });
-    if (!all) return Failure{Failure::Kind::bad_element, fmt::format("{} {} has a node that is not there", what, id)};
+    if (!all)
+      return Failure{Failure::Kind::bad_element,
+                     fmt::format("{} {} has a node that is not there", what, elements.id[i]), place_of(elements, i)};
     return {};
   }
 
@@ -226,7 +242,8 @@ class Builder {
         structure_.state.mass[node.value] += mass;
       if (mass < 0)
         return Failure{Failure::Kind::contradiction,
-                       fmt::format("mass {} is {:g}; set a number that is not below zero", mesh.masses.id[i], mass)};
+                       fmt::format("mass {} is {:g}; set a number that is not below zero", mesh.masses.id[i], mass),
+                       place_of(mesh.masses, i)};
     }
     return {};
   }

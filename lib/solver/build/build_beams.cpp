@@ -24,14 +24,16 @@ SolverResult<BeamProperties> beam_properties(const model::Section& section, cons
     return Failure{Failure::Kind::bad_material,
                    fmt::format("section {}: beams that bend are calculated with material 001 only; make them trusses "
                                "(ELFORM 3) or change their material for this run",
-                               section.id)};
+                               section.id),
+                   section.place};
   bool finite = true;
   for (const double value : {values.area, values.iss, values.itt, values.torsion, values.shear_area, values.line_mass})
     if (!(value >= 0) || !std::isfinite(value)) finite = false;
   if (!finite || !(values.area > 0))
     return Failure{
         Failure::Kind::bad_element,
-        fmt::format("section {} has a beam area of {:g} or constants out of range; mend it", section.id, values.area)};
+        fmt::format("section {} has a beam area of {:g} or constants out of range; mend it", section.id, values.area),
+        section.place};
   return properties;
 }
 

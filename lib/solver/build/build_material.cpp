@@ -58,8 +58,8 @@ bool fails(const model::Plasticity& data) {
 
 SolverResult<Material> build_material(const model::Model& model, const model::Material& material) {
   const auto refused = [&](std::string_view why) {
-    return Failure{Failure::Kind::bad_material,
-                   fmt::format("material {} (*{}) {}", material.id, material.keyword, why)};
+    return Failure{Failure::Kind::bad_material, fmt::format("material {} (*{}) {}", material.id, material.keyword, why),
+                   material.place};
   };
   Material result{MaterialKind::elastic, material.density, material.young, material.poisson, {}, 0, 0, 0, {}, 1};
   if (material.rigid) {

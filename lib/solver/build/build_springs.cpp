@@ -18,20 +18,22 @@ class Collector {
     const model::Elements<2>& discrete = model_.mesh.discrete;
     const std::int64_t id = discrete.id[element];
     const PartIndex part = discrete.part[element];
+    const model::Place place{discrete.origins.file(element), discrete.line[element]};
     if (part == none<PartIndex> || !model_.part(part).section || !model_.part(part).material)
       return fail(Failure::Kind::missing_material,
-                  fmt::format("discrete element {} has no part, section or material; define them or leave it out", id));
+                  fmt::format("discrete element {} has no part, section or material; define them or leave it out", id),
+                  place);
     const model::Section& section = model_.sections[*model_.part(part).section];
     if (section.kind != model::SectionKind::discrete)
       return fail(Failure::Kind::missing_material,
                   fmt::format("discrete element {} is in part {}, whose section {} is for other elements", id,
-                              model_.part(part).id.value, section.id));
+                              model_.part(part).id.value, section.id),
+                  place);
     const auto& values = model_.mesh.discrete_values;
     const model::DiscreteValues own = element < values.size() ? values[element] : model::DiscreteValues{};
     const auto& [a, b] = discrete.nodes[element];
     if (const std::string_view why = left_out(section, own, a, b); !why.empty()) {
-      diagnostics_.warning(model_.file({discrete.origins.file(element), discrete.line[element]}),
-                           discrete.line[element],
+      diagnostics_.warning(model_.file(place), place.line,
                            fmt::format("discrete element {} {}; it takes no part in the calculation", id, why));
       return;
     }
@@ -44,8 +46,8 @@ class Collector {
   SolverStatus status;
 
  private:
-  void fail(Failure::Kind kind, std::string message) {
-    if (status.ok()) status = Failure{kind, std::move(message)};
+  void fail(Failure::Kind kind, std::string message, model::Place place) {
+    if (status.ok()) status = Failure{kind, std::move(message), place};
   }
 
   [[nodiscard]] std::string_view left_out(const model::Section& section, const model::DiscreteValues& own, NodeIndex a,
@@ -68,7 +70,8 @@ class Collector {
     if (!material.discrete) {
       fail(Failure::Kind::bad_material,
            fmt::format("material {} (*{}) is none of the springs and dampers S01, S02 and S04; replace it for this run",
-                       material.id, material.keyword));
+                       material.id, material.keyword),
+           material.place);
       return std::nullopt;
     }
     const model::DiscreteMaterial& data = *material.discrete;
@@ -92,8 +95,10 @@ class Collector {
       for (const auto& point : curve->second.points)
         if (points.empty() || point[0] > points.back()[0]) points.push_back(point);
     if (points.size() < 2)
-      fail(Failure::Kind::bad_material, fmt::format("material {} (*{}): curve {} is not there or has no two points",
-                                                    material.id, material.keyword, material.discrete->curve));
+      fail(Failure::Kind::bad_material,
+           fmt::format("material {} (*{}): curve {} is not there or has no two points", material.id, material.keyword,
+                       material.discrete->curve),
+           material.place);
     return points;
   }
 

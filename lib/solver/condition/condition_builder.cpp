@@ -29,7 +29,7 @@ bool is_function_of_time(const std::vector<TimeCurve::Point>& points) {
 
 void ConditionBuilder::fail(Failure::Kind kind, std::string_view keyword, model::Place place,
                             std::string_view message) {
-  if (status_.ok()) status_ = Failure{kind, fmt::format("*{} in {}: {}", keyword, model.where(place), message)};
+  if (status_.ok()) status_ = Failure{kind, fmt::format("*{}: {}", keyword, message), place};
 }
 
 void ConditionBuilder::warn(std::string_view keyword, model::Place place, std::string_view message) {

@@ -29,7 +29,7 @@ class ConditionBuilder {
 
   [[nodiscard]] bool failed() const { return !status_.ok(); }
   [[nodiscard]] const SolverStatus& status() const { return status_; }
-  /// Keeps the first failure only. The message begins with keyword, line and file.
+  /// Keeps the first failure only. The message begins with the keyword.
   void fail(Failure::Kind kind, std::string_view keyword, model::Place place, std::string_view message);
   void warn(std::string_view keyword, model::Place place, std::string_view message);
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <system_error>
 
+#include "base/file_writer.hpp"
 #include "results/curves/matsum.hpp"
 #include "results/curves/nodout.hpp"
 #include "results/log/run_log.hpp"
@@ -255,7 +256,18 @@ SolverStatus RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
     if (SolverStatus logged = log(line); !logged.ok()) return logged;
     if (SolverStatus plotted = plot(run); !plotted.ok()) return plotted;
   }
-  return end ? log_end(run, *end) : SolverStatus();
+  if (!end) return {};
+  if (SolverStatus logged = log_end(run, *end); !logged.ok()) return logged;
+  return check_names();
+}
+
+SolverStatus RunFiles::check_names() const {
+  Status there = plot_->check_names();
+  for (const auto* texts : {&logs_, &texts_})
+    for (const Text& text : *texts)
+      if (text.file && there.ok()) there = check_name(text.path, id_of(text.file.get()), false);
+  if (there.ok()) return {};
+  return Failure{Failure::Kind::output, there.error().file + ": " + there.error().message};
 }
 
 std::vector<std::string> RunFiles::names() const {

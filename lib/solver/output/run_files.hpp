@@ -77,6 +77,8 @@ class RunFiles : public Run::Observer {
   [[nodiscard]] SolverStatus log_end(const Run& run, RunEnd end);
   [[nodiscard]] std::string state_text(std::size_t which, const Run& run) const;
   [[nodiscard]] SolverStatus plot(const Run& run);
+  /// A failure if a file is no longer where it was written.
+  [[nodiscard]] SolverStatus check_names() const;
 
   RunFilesSettings settings_;
   std::vector<Text> texts_, logs_;  ///< logs: messag, d3hsp

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/result.hpp"
+#include "model/entity/part.hpp"
 
 namespace gapcheck::solver {
 
@@ -21,8 +22,10 @@ struct Failure {
     contradiction,      ///< conditions that contradict each other
     no_end,             ///< neither the deck nor the caller says when the run ends
     output,             ///< a result file that cannot be written
+    empty,              ///< there is nothing to calculate
   } kind;
-  std::string message;  ///< names the entity and says what to do
+  std::string message;      ///< names the entity and says what to do
+  model::Place place = {};  ///< of what is wrong, where the deck has one
 };
 
 template <class T>

@@ -43,7 +43,8 @@ TEST(Boundary, WhatIsNotCalculatedIsAFailure) {
     EXPECT_EQ(result.status.error().kind, kind) << result.status.error().message;
     EXPECT_NE(result.status.error().message.find(text), std::string::npos) << result.status.error().message;
   };
-  expect("*BOUNDARY_SPC_NODE\n1,5,1\n", Failure::Kind::not_calculated, "line 6 of a.k");
+  expect("*BOUNDARY_SPC_NODE\n1,5,1\n", Failure::Kind::not_calculated, "*BOUNDARY_SPC_NODE: ");
+  EXPECT_EQ(conditioned(point_mass + "*BOUNDARY_SPC_NODE\n1,5,1\n").status.error().place.line, 6U);
   expect("*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n0.5,2.\n", Failure::Kind::not_calculated, "birth or death");
   expect("*BOUNDARY_SPC_SET\n4,0,1\n", Failure::Kind::unknown_reference, "node set 4");
   expect("*BOUNDARY_SPC_NODE\n4,0,1\n", Failure::Kind::unknown_reference, "node 4");

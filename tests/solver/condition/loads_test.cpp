@@ -143,7 +143,7 @@ TEST(Loads, DampingByACurveAndDirection) {
 
 TEST(Loads, WhatCannotBeIsAFailure) {
   for (const auto& [cards, text] : std::vector<std::pair<std::string, std::string>>{
-           {"*LOAD_NODE_POINT\n1,1,99\n", "*LOAD_NODE_POINT in line 10 of a.k: curve 99"},
+           {"*LOAD_NODE_POINT\n1,1,99\n", "*LOAD_NODE_POINT: curve 99"},
            {"*LOAD_NODE_POINT\n1,4,5\n", "DOF 4"},
            {"*LOAD_NODE_POINT\n1,1,5,1.,3\n", "local system 3"},
            {"*LOAD_NODE_POINT\n1,5,5\n", "no rotational inertia"},
