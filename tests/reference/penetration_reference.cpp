@@ -12,6 +12,7 @@
 #include "reference/orientation.hpp"
 #include "reference/release.hpp"
 #include "reference/surfaces.hpp"
+#include "reference/tie_pass.hpp"
 
 namespace gapcheck::reference {
 namespace {
@@ -252,6 +253,8 @@ class Run {
  public:
   explicit Run(const Scene& scene) : scene_(scene), x_{Vector::Zero()} {
     for (const Node& node : scene.nodes) x_.push_back(node.x);
+    for (const Element& e : scene.elements)
+      if (scene.part(e.part).rigid) tie_state_.rigid.insert(e.nodes.begin(), e.nodes.end());
   }
 
   Findings all() {
@@ -266,6 +269,7 @@ class Run {
     const Rules rules(contact, scene_);
     using model::Treatment;
     // 7.6: the overlap of INTERFERENCE contacts is meant.
+    if (rules.kind.ties() && !rules.single) return ties(rules);
     if (rules.kind.ties() || rules.kind.treatment == Treatment::none || rules.kind.family == model::Family::other ||
         rules.kind.can(model::Ability::interference))
       return true;
@@ -280,6 +284,28 @@ class Run {
     if (sure) return pass(rules, b, a);
     findings_.judged.pop_back();
     return false;
+  }
+
+  bool ties(const Rules& rules) {
+    using model::TieForm;
+    if (rules.kind.tie == TieForm::automatic_tied || rules.kind.tie == TieForm::weld) return true;
+    const std::int64_t id = rules.contact.id;
+    TieCounts counts{id, 0, 0, 0};
+    bool sure = true;
+    const std::vector<TieOutcome> outcomes = judge_ties(scene_, rules, tie_state_, x_);
+    for (const TieOutcome& out : outcomes) {
+      if (!out.doubt.empty()) findings_.doubts.push_back({id, out.node, out.doubt}), sure = false;
+      counts.out_of_reach += out.out_of_reach;
+      if (!out.judged) continue;
+      ++(out.tied ? counts.ties : counts.untied);
+      if (out.reason) findings_.tie_records.push_back({id, out.node, *out.reason, out.tied ? out.distance : -1});
+      if (out.tied) tied_.insert({out.node, out.part});
+      if (out.constrained) tie_state_.constrained.insert(out.node);
+      if (out.moved) x_[static_cast<std::size_t>(out.node)] = out.target;
+    }
+    findings_.tie_counts.push_back(counts);
+    findings_.judged.push_back(id);
+    return sure;
   }
 
   bool pass(const Rules& rules, const Side& tracked, const Side& reference) {
@@ -326,6 +352,7 @@ class Run {
   const Scene& scene_;
   Positions x_;
   TiedPairs tied_;
+  TieState tie_state_;
   Findings findings_;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "records/penetration.hpp"
+#include "records/tie_failure.hpp"
 #include "reference/scene.hpp"
 
 namespace gapcheck::reference {
@@ -27,7 +28,20 @@ struct Doubt {
   std::string why;
 };
 
+/// What the rules say of a tied contact: the nodes that are reported, and how many tie.
+struct TieRecord {
+  std::int64_t contact = 0, node = 0;
+  TieReason reason = TieReason::sep;
+  double distance = 0;  ///< of nodes that tie
+};
+struct TieCounts {
+  std::int64_t contact = 0;
+  std::uint64_t ties = 0, untied = 0, out_of_reach = 0;
+};
+
 struct Findings {
+  std::vector<TieRecord> tie_records;
+  std::vector<TieCounts> tie_counts;
   std::vector<Record> records;  ///< by contact in deck order
   std::vector<Doubt> doubts;
   /// Contacts that were judged; after a doubt that may change coordinates the later ones are not.

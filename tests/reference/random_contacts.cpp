@@ -14,12 +14,24 @@ bool contains(const std::vector<std::int64_t>& list, std::int64_t id) {
   return std::find(list.begin(), list.end(), id) != list.end();
 }
 
+/// Ties that the audit judges, but those of single surfaces; and all that do not tie.
+bool judged(const ContactKind& kind) {
+  using model::TieForm;
+  if (!kind.ties()) return true;
+  return kind.treatment != Treatment::single_surface && kind.tie != TieForm::automatic_tied &&
+         kind.tie != TieForm::weld;
+}
+
 /// One kind of each code is as likely as another, whatever the number of its keywords.
 std::vector<std::vector<const ContactKind*>> kinds_by_code() {
   std::vector<std::vector<const ContactKind*>> kinds;
   for (const ContactKind& kind : model::contact_kinds()) {
-    if (kind.treatment == Treatment::none || kind.family == model::Family::other || kind.ties()) continue;
-    if (kinds.empty() || kinds.back().front()->code != kind.code) kinds.emplace_back();
+    if (kind.treatment == Treatment::none || kind.family == model::Family::other || !judged(kind)) continue;
+    const ContactKind* last = kinds.empty() ? nullptr : kinds.back().front();
+    // Forms of ties and tiebreaks are kinds of their own.
+    const bool alike = last != nullptr && last->code == kind.code && last->ties() == kind.ties() &&
+                       (!kind.ties() || last->offset == kind.offset);
+    if (!alike) kinds.emplace_back();
     kinds.back().push_back(&kind);
   }
   return kinds;
@@ -39,8 +51,9 @@ void ContactMaker::contact(std::int64_t id) {
   Contact c;
   c.id = id;
   c.name = kind.name;
-  const bool nodes = c.name.find("NODES_TO") != std::string::npos || c.name.find("BEAMS_TO") != std::string::npos;
-  c.mortar = !nodes && model::has_mortar_form(kind) && random_.chance(0.12);
+  const bool nodes = c.name.find("NODES_TO") != std::string::npos || c.name.find("BEAMS_TO") != std::string::npos ||
+                     c.name.find("NODES_ONLY") != std::string::npos || c.name.find("SPOTWELD") != std::string::npos;
+  c.mortar = !nodes && !kind.ties() && model::has_mortar_form(kind) && random_.chance(0.12);
   std::vector<std::int64_t> a, b;
   // Oriented surfaces mostly lie above one another, so that it is clear which way they face.
   const bool oriented = kind.family == model::Family::old || kind.family == model::Family::forming;
@@ -57,11 +70,12 @@ void ContactMaker::contact(std::int64_t id) {
   } else {
     if (a.empty()) a.push_back(b.back()), b.pop_back();
     if (b.empty()) b.push_back(a.back()), a.pop_back();
-    c.a = nodes && random_.chance(0.6) ? node_set(a) : surface(a, nodes);
+    c.a = (nodes || kind.ties()) && random_.chance(0.6) ? node_set(a) : surface(a, nodes);
     c.b = surface(b, false);
   }
   values(c, kind);
   optional_values(c, kind);
+  if (kind.ties()) tie_values(c);
   scene_.contacts.push_back(c);
 }
 
@@ -172,6 +186,14 @@ void ContactMaker::values(Contact& c, const ContactKind&) {
   if (random_.chance(0.2)) c.sfst = random_.rounded(0.5, 1.5);
   if (random_.chance(0.2)) c.sfmt = random_.rounded(0.5, 1.5);
   c.penchk = random_.pick(0, 2);
+}
+
+void ContactMaker::tie_values(Contact& c) {
+  c.sldthk = 0, c.soft = 0;
+  if (random_.chance(0.3))
+    c.sst = -random_.rounded(0.3, 1.5), c.mst = random_.chance(0.3) ? -random_.rounded(0.1, 1) : 0;
+  if (random_.chance(0.3)) (c.mpp ? c.parmax : c.maxpar) = random_.rounded(1.0, 1.3);
+  if (random_.chance(0.15)) c.ipback = 1;
 }
 
 void ContactMaker::optional_values(Contact& c, const ContactKind&) {

@@ -16,6 +16,7 @@ class ContactMaker {
   void contact(std::int64_t id);
   void values(Contact& contact, const model::ContactKind& kind);
   void optional_values(Contact& contact, const model::ContactKind& kind);
+  void tie_values(Contact& contact);
   Surface surface(const std::vector<std::int64_t>& parts, bool nodes_only);
   Surface node_set(const std::vector<std::int64_t>& parts);
   Surface segments(const std::vector<std::int64_t>& parts);

@@ -85,6 +85,12 @@ class Maker {
  private:
   double thickness(const Element& e) const { return contact_thickness(scene_, rules_, which_, e, x_); }
 
+  /// 4.1: free nodes have what the contact gives, but for contacts that count no thickness on this side (4.4).
+  [[nodiscard]] bool counts_none() const {
+    const int ignroff = rules_.contact.ignroff;
+    return rules_.shlthk == 0 || ignroff == 3 || ignroff == (which_ == Which::b ? 1 : 2);
+  }
+
   void track(std::int64_t node, double t) {
     auto& half = side_.nodes.try_emplace(node, 0.0).first->second;
     half = std::max(half, t / 2);
@@ -216,7 +222,8 @@ class Maker {
           any = true;
           track(node, e.kind == Kind::solid ? rules_.contact.sldthk : thickness(e));
         }
-        if (!any) track(node, std::max(0.0, which_ == Which::a ? rules_.contact.sst : rules_.contact.mst));
+        const double given = which_ == Which::a ? rules_.contact.sst : rules_.contact.mst;
+        if (!any && !counts_none()) track(node, std::max(0.0, given));
       }
     }
   }

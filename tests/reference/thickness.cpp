@@ -1,6 +1,7 @@
 // Contact thickness: contact rules, section 4.
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "reference/surfaces.hpp"
@@ -52,7 +53,7 @@ Rules::Rules(const Contact& c, const Scene& scene)
   const bool soft_2 = c.soft == 2 && kind.can(model::Ability::soft_2);
   by_segments = c.mortar || soft_2;
   oriented = !by_segments && (kind.family == Family::old || kind.family == Family::forming);
-  edge_limit = single && controls.ssthk == 0;
+  edge_limit = single && controls.ssthk == 0 && !kind.ties();
   shlthk = counted_shells(*this);
   // 3.3
   const bool square = soft_2 && (c.shledg == 1 || (c.shledg == 0 && controls.shledg == 1));
@@ -76,7 +77,7 @@ double contact_thickness(const Scene& scene, const Rules& rules, Which which, co
   const Contact& c = rules.contact;
   // 4.2, in this order
   if (part.optt > 0) return part.optt;
-  const double given = which == Which::a ? c.sst : c.mst;
+  const double given = std::abs(which == Which::a ? c.sst : c.mst);
   if (given > 0) return given;
   if (rules.controls.th > 0) return rules.controls.th;
   double t = uncounted_thickness(scene, element);
