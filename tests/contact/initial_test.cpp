@@ -326,6 +326,46 @@ TEST(Initial, SquareEdgesEndTheSurface) {
   for (const Penetration& p : state.penetrations) EXPECT_NEAR(p.depth, 2, 1e-12);
 }
 
+TEST(Initial, SquareEdgesEndTheSurfaceAtCornersToo) {
+  // The third triangle reaches the border y = 0 with one corner, beside which the node lies.
+  Scene scene;
+  const PartIndex part = scene.part(1, 6);
+  const auto at = [&](double x, double y) { return scene.node({x, y, 0}); };
+  const NodeIndex a = at(0, 0), b = at(10, 0), c = at(20, 0), d = at(20, 10), e = at(10, 10);
+  scene.shell(part, {a, b, e, e});
+  scene.shell(part, {b, c, d, d});
+  scene.shell(part, {b, d, e, e});
+  scene.model.sets.nodes[5].members = {at(10.2, -1)};
+  auto& contact = scene.contact("AUTOMATIC_NODES_TO_SURFACE");
+  contact.a = {5, 4, 0, true};
+  contact.b = {1, 3, 0, true};
+  EXPECT_EQ(scene.run().penetrations.size(), 1U);
+  scene.model.contacts[0].srnde = 1;
+  EXPECT_TRUE(scene.run().penetrations.empty());
+}
+
+TEST(Initial, BeforeTheNearestOrientedShellIsNotBehindAnother) {
+  // The node is 1 above one plate and 2 behind another; a brick far away changes nothing.
+  for (const bool brick : {false, true}) {
+    Scene scene;
+    const PartIndex part = scene.part(1, 1);
+    scene.plate(part, {0, 0, 0}, 10 * ex, 10 * ey, 1, 1);
+    scene.plate(part, {0, 0, 3}, 10 * ex, 10 * ey, 1, 1);
+    auto& segments = scene.model.sets.segments[6].members;
+    segments = scene.model.mesh.shells.nodes;
+    if (brick) {
+      scene.brick(scene.part(2, 0), {100, 0, 0}, {1, 1, 1});
+      const auto& n = scene.model.mesh.solids.nodes[0];
+      segments.push_back({n[4], n[5], n[6], n[7]});
+    }
+    scene.model.sets.nodes[5].members = {scene.node({5, 5, 1})};
+    auto& c = scene.contact("NODES_TO_SURFACE");
+    c.a = {5, 4, 0, true};
+    c.b = {6, 0, 0, true};
+    EXPECT_TRUE(scene.run().penetrations.empty()) << brick;
+  }
+}
+
 TEST(Initial, OffsetMidSurfacesCountOnlyWhenAskedFor) {
   // NLOC = 1: the nodes are on top, the mid-surface half a thickness below.
   Scene scene;

@@ -44,19 +44,23 @@ struct Candidate {
   Vector point = Vector::Zero();
   double distance = 1e300;
   Feature feature = Feature::face;
-  void offer(const Vector& other, const Vector& query, Feature other_feature) {
+  std::size_t place = 0;
+  void offer(const Vector& other, const Vector& query, Feature other_feature, std::size_t other_place) {
     const double d = (other - query).norm();
-    if (d < distance) *this = {other, d, other_feature};
+    if (d < distance) *this = {other, d, other_feature, other_place};
   }
 };
 
-void offer_edge(Candidate& best, const Vector& a, const Vector& b, const Vector& query) {
+/// The edge from corner i to the next of `count` corners.
+void offer_edge(Candidate& best, const Corners& x, std::size_t i, std::size_t count, const Vector& query) {
+  const std::size_t next = (i + 1) % count;
+  const Vector &a = x[i], &b = x[next];
   const double length = (b - a).squaredNorm();
-  if (length == 0) return best.offer(a, query, Feature::corner);
+  if (length == 0) return best.offer(a, query, Feature::corner, i);
   const double u = (query - a).dot(b - a) / length;
-  if (u <= 0) return best.offer(a, query, Feature::corner);
-  if (u >= 1) return best.offer(b, query, Feature::corner);
-  best.offer(a + u * (b - a), query, Feature::edge);
+  if (u <= 0) return best.offer(a, query, Feature::corner, i);
+  if (u >= 1) return best.offer(b, query, Feature::corner, next);
+  best.offer(a + u * (b - a), query, Feature::edge, i);
 }
 
 Vector unit_or_zero(const Vector& v) {
@@ -71,11 +75,24 @@ Closest closest_on_triangle(const Corners& x, const Vector& query) {
   const double l1 = w.cross(v).dot(cross) / area, l2 = u.cross(w).dot(cross) / area;
   const double lowest = std::min({1 - l1 - l2, l1, l2});
   Candidate best;
-  for (std::size_t i = 0; i < 3; ++i) offer_edge(best, x[i], x[(i + 1) % 3], query);
-  if (lowest > 0) best = {x[0] + l1 * u + l2 * v, 1e300, Feature::face};
+  for (std::size_t i = 0; i < 3; ++i) offer_edge(best, x, i, 3, query);
+  if (lowest > 0) best = {x[0] + l1 * u + l2 * v, 1e300, Feature::face, 0};
   best.distance = (best.point - query).norm();
   // The band of half a parametric unit on a range of two is a quarter of the triangle's height.
-  return {best.point, best.distance, best.feature, unit_or_zero(cross), -0.25 - lowest, area > 0};
+  return {best.point, best.distance, best.feature, best.place, unit_or_zero(cross), -0.25 - lowest, area > 0};
+}
+
+/// True if the normals at the corners are within 60 degrees of one another; otherwise the continued patch says little.
+bool regular(const Patch& patch) {
+  std::array<Vector, 4> normals;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Parameters p{i == 1 || i == 2 ? 1.0 : -1.0, i >= 2 ? 1.0 : -1.0};
+    normals[i] = unit_or_zero(patch.ds(p).cross(patch.dt(p)));
+  }
+  for (const Vector& a : normals)
+    for (const Vector& b : normals)
+      if (a.dot(b) < 0.5) return false;
+  return true;
 }
 
 double beyond(const Parameters& p) { return p.cwiseAbs().maxCoeff() - 1.5; }
@@ -84,7 +101,7 @@ Closest closest_on_quad(const Corners& x, const Vector& query) {
   const Patch patch(x);
   Candidate best;
   std::optional<Parameters> inside, nearest_free;
-  for (std::size_t i = 0; i < 4; ++i) offer_edge(best, x[i], x[(i + 1) % 4], query);
+  for (std::size_t i = 0; i < 4; ++i) offer_edge(best, x, i, 4, query);
   double nearest = 1e300;
   bool in_band = false, out_of_band = false;
   for (double s = -1; s <= 1; s += 0.5) {
@@ -92,7 +109,7 @@ Closest closest_on_quad(const Corners& x, const Vector& query) {
       const auto p = foot(patch, query, {s, t});
       if (!p) continue;
       if (p->cwiseAbs().maxCoeff() < 1 && (patch.at(*p) - query).norm() < best.distance) {
-        best.offer(patch.at(*p), query, Feature::face);
+        best.offer(patch.at(*p), query, Feature::face, 0);
         inside = p;
       }
       (beyond(*p) <= 0 ? in_band : out_of_band) = true;
@@ -101,18 +118,28 @@ Closest closest_on_quad(const Corners& x, const Vector& query) {
       if (out < nearest) nearest = out, nearest_free = p;
     }
   }
-  Closest result{best.point, best.distance, best.feature, Vector::Zero(), -0.5, true};
+  Closest result{best.point, best.distance, best.feature, best.place, Vector::Zero(), -0.5, true};
   const Parameters middle = inside.value_or(Parameters::Zero());
   result.normal = unit_or_zero(patch.ds(middle).cross(patch.dt(middle)));
   if (!inside) {
     // A distorted quad continued beyond its edges may have feet on both sides of the band: then the rule is open.
     result.certain = in_band != out_of_band;
     result.beyond_band = nearest_free ? beyond(*nearest_free) : 1;
+    // A foot on the patch that is not the nearest point: the patch is folded.
+    result.certain = result.certain && regular(patch) && !(nearest_free && nearest == 0);
   }
   return result;
 }
 
 }  // namespace
+
+Closest closest_on_line(const Corners& x, const Vector& query) {
+  const Vector along = x[1] - x[0];
+  const double u = (query - x[0]).dot(along) / along.squaredNorm();
+  const Vector point = x[0] + std::clamp(u, 0.0, 1.0) * along;
+  const Feature feature = u > 0 && u < 1 ? Feature::edge : Feature::corner;
+  return {point, (point - query).norm(), feature, u < 0.5 ? 0U : 1U, Vector::Zero(), std::abs(2 * u - 1) - 1.5, true};
+}
 
 Closest closest(const Corners& x, bool triangle, const Vector& query) {
   return triangle ? closest_on_triangle(x, query) : closest_on_quad(x, query);

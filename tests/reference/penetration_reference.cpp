@@ -6,333 +6,358 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
-#include <string>
+#include <optional>
 
-#include "reference/closest.hpp"
+#include "reference/free_edges.hpp"
+#include "reference/orientation.hpp"
+#include "reference/release.hpp"
+#include "reference/surfaces.hpp"
+#include "reference/tie_pass.hpp"
 
 namespace gapcheck::reference {
 namespace {
 
-using model::Model;
-using Positions = std::vector<Vector>;
+using TiedPairs = std::set<std::pair<std::int64_t, std::int64_t>>;  ///< node, part
 
-struct Facet {
-  std::array<NodeIndex, 4> nodes;
-  bool triangle = false, solid = false;
-  double half = 0;   ///< half the contact thickness
-  double depth = 0;  ///< solids: volume / area
-  PartIndex part = none<PartIndex>;
+const Vector& at(const Positions& x, std::int64_t node) { return x[static_cast<std::size_t>(node)]; }
+
+/// A tracked node seen from one segment.
+struct Seen {
+  const Facet* facet = nullptr;
+  Closest closest;
+  double h = 0;         ///< contact distance
+  bool behind = false;  ///< oriented segments
+  bool hit = false;
+  [[nodiscard]] double depth() const { return behind ? h + closest.distance : h - closest.distance; }
 };
-
-/// One side of a contact: facets to be met, nodes that are tracked (with half their thickness), bricks with an inside.
-struct Side {
-  std::vector<Facet> facets;
-  std::map<NodeIndex, double> nodes;
-  std::vector<std::pair<std::array<NodeIndex, 8>, PartIndex>> bricks;
-  std::vector<std::vector<NodeIndex>> elements;
-};
-
-struct Thickness {
-  double override_value = 0, scale = 1;
-  bool edge_limit = false;
-};
-
-constexpr int brick_faces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-
-bool has(const std::array<NodeIndex, 4>& nodes, NodeIndex node) {
-  return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-}
-
-double own_thickness(const Model& model, std::uint32_t shell) {
-  const auto& part = model.part(model.mesh.shells.part[shell]);
-  std::array<double, 4> t = model.sections[*part.section].thickness;
-  for (const auto& own : model.mesh.shells.own_thickness) {
-    if (own.shell != shell) continue;
-    for (std::size_t i = 0; i < 4; ++i) t[i] = own.thickness[i] > 0 ? own.thickness[i] : t[i];
-  }
-  return (t[0] + t[1] + t[2] + t[3]) / 4;
-}
-
-double shell_thickness(const Model& model, std::uint32_t shell, const Thickness& rule, const Positions& x) {
-  const auto& part = model.part(model.mesh.shells.part[shell]);
-  if (part.contact && part.contact->optt > 0) return part.contact->optt;
-  if (rule.override_value > 0) return rule.override_value;
-  if (model.controls.th > 0) return model.controls.th;
-  double t = own_thickness(model, shell) * rule.scale;
-  if (part.contact && part.contact->sft > 0) t *= part.contact->sft;
-  if (!rule.edge_limit) return t;
-  const auto& n = model.mesh.shells.nodes[shell];
-  double shortest = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double length = (x[n[(i + 1) % 4].value] - x[n[i].value]).norm();
-    if (n[i] != n[(i + 1) % 4]) shortest = std::min(shortest, length);
-  }
-  return std::min(t, 0.4 * shortest);
-}
-
-Corners corners(const std::array<NodeIndex, 4>& nodes, const Positions& x) {
-  return {x[nodes[0].value], x[nodes[1].value], x[nodes[2].value], x[nodes[3].value]};
-}
-
-Vector middle(const std::array<NodeIndex, 8>& nodes, const Positions& x) {
-  Vector sum = Vector::Zero();
-  for (NodeIndex n : nodes) sum += x[n.value];
-  return sum / 8;
-}
-
-double facet_area(const Corners& c) {
-  return 0.5 * ((c[1] - c[0]).cross(c[2] - c[0]).norm() + (c[2] - c[0]).cross(c[3] - c[0]).norm());
-}
-
-/// Volume as the sum of pyramids from the middle over all faces, each face as two triangles.
-double brick_volume(const std::array<NodeIndex, 8>& nodes, const Positions& x) {
-  const Vector m = middle(nodes, x);
-  double volume = 0;
-  for (const auto& face : brick_faces) {
-    std::array<Vector, 4> c;
-    for (std::size_t i = 0; i < 4; ++i) c[i] = x[nodes[static_cast<std::size_t>(face[i])].value] - m;
-    volume += std::abs(c[0].dot(c[1].cross(c[2]))) / 6 + std::abs(c[0].dot(c[2].cross(c[3]))) / 6;
-  }
-  return volume;
-}
-
-void add_shells(Side& side, const Model& model, const std::set<PartIndex>& parts, const Thickness& rule,
-                const Positions& x) {
-  const auto& shells = model.mesh.shells;
-  for (std::uint32_t e = 0; e < shells.size(); ++e) {
-    if (!parts.contains(shells.part[e])) continue;
-    const double half = shell_thickness(model, e, rule, x) / 2;
-    const auto& n = shells.nodes[e];
-    side.facets.push_back({n, n[2] == n[3], false, half, 0, shells.part[e]});
-    side.elements.emplace_back(n.begin(), n.end());
-    for (NodeIndex node : n) side.nodes[node] = std::max(side.nodes[node], half);
-  }
-}
-
-void add_solids(Side& side, const Model& model, const std::set<PartIndex>& parts, const Positions& x) {
-  const auto& solids = model.mesh.solids;
-  std::map<std::array<NodeIndex, 4>, std::vector<Facet>> faces;
-  for (std::uint32_t e = 0; e < solids.size(); ++e) {
-    if (!parts.contains(solids.part[e])) continue;
-    const auto& n = solids.nodes[e];
-    side.bricks.emplace_back(n, solids.part[e]);
-    side.elements.emplace_back(n.begin(), n.end());
-    const double volume = brick_volume(n, x);
-    for (const auto& face : brick_faces) {
-      Facet facet;
-      for (std::size_t i = 0; i < 4; ++i) facet.nodes[i] = n[static_cast<std::size_t>(face[i])];
-      facet.solid = true;
-      facet.part = solids.part[e];
-      facet.depth = volume / facet_area(corners(facet.nodes, x));
-      auto key = facet.nodes;
-      std::sort(key.begin(), key.end());
-      faces[key].push_back(facet);
-    }
-  }
-  for (const auto& [key, owners] : faces) {
-    if (owners.size() > 1) continue;
-    side.facets.push_back(owners.front());
-    for (NodeIndex node : key) side.nodes.try_emplace(node, 0.0);
-  }
-}
-
-std::set<PartIndex> parts_of(const Model& model, const model::SurfaceInput& input) {
-  std::set<PartIndex> parts;
-  const auto type = static_cast<model::SurfaceType>(input.type);
-  if (type == model::SurfaceType::all || input.id == 0) {
-    for (const auto& [id, index] : model.part_of_id) parts.insert(index);
-  } else if (type == model::SurfaceType::part) {
-    if (const auto found = model.part_of_id.find(input.id); found != model.part_of_id.end())
-      parts.insert(found->second);
-  } else if (type == model::SurfaceType::part_set) {
-    if (const auto set = model.sets.parts.find(input.id); set != model.sets.parts.end())
-      parts.insert(set->second.members.begin(), set->second.members.end());
-  }
-  return parts;
-}
-
-Side make_side(const Model& model, const model::SurfaceInput& input, const Thickness& rule, const Positions& x) {
-  Side side;
-  const auto parts = parts_of(model, input);
-  add_shells(side, model, parts, rule, x);
-  add_solids(side, model, parts, x);
-  return side;
-}
-
-enum class Where { outside, unsure, inside };
-
-/// Against the mean plane of every face; within the warp of a face nothing is said.
-Where where(const std::array<NodeIndex, 8>& brick, const Vector& query, const Positions& x) {
-  const Vector m = middle(brick, x);
-  Where result = Where::inside;
-  for (const auto& face : brick_faces) {
-    std::array<Vector, 4> c;
-    for (std::size_t i = 0; i < 4; ++i) c[i] = x[brick[static_cast<std::size_t>(face[i])].value];
-    const Vector origin = (c[0] + c[1] + c[2] + c[3]) / 4;
-    Vector outward = (c[2] - c[0]).cross(c[3] - c[1]).normalized();
-    if (outward.dot(m - origin) > 0) outward = -outward;
-    double warp = 1e-9 * (c[2] - c[0]).norm();
-    for (const Vector& corner : c) warp = std::max(warp, 1.01 * std::abs(outward.dot(corner - origin)));
-    const double height = outward.dot(query - origin);
-    if (height > warp) return Where::outside;
-    if (height > -warp) result = Where::unsure;
-  }
-  return result;
-}
 
 struct Verdict {
-  NodeIndex node;
-  bool found = false, doubtful = false;
-  PenetrationKind kind = PenetrationKind::edge_zone;
+  std::int64_t node = 0;
+  bool found = false, in_band = false, released = false;
+  std::string doubt;
   double depth = 0, contact_distance = 0, distance = 1e300;
   Vector direction = Vector::Zero();
+  std::vector<std::int64_t> elements;
 };
 
-struct Pass {
-  const Model& model;
-  const Side &tracked, &reference;
-  bool single_surface;
-  double penmax;
-  const Positions& x;
-
-  /// The elements of the node and the segment have a node in common.
-  [[nodiscard]] bool in_ring(NodeIndex node, const Facet& facet) const {
-    if (has(facet.nodes, node)) return true;
-    if (!single_surface) return false;
-    return std::any_of(tracked.elements.begin(), tracked.elements.end(), [&](const auto& element) {
-      return std::find(element.begin(), element.end(), node) != element.end() &&
-             std::any_of(element.begin(), element.end(), [&](NodeIndex n) { return has(facet.nodes, n); });
-    });
-  }
-
-  /// Where the node lies to the bricks of each part that has any near; parts that are left out: outside.
-  [[nodiscard]] std::map<PartIndex, Where> volumes(NodeIndex node) const {
-    std::map<PartIndex, Where> result;
-    for (const auto& [brick, part] : reference.bricks) {
-      if (std::find(brick.begin(), brick.end(), node) != brick.end()) continue;
-      const Where place = where(brick, x[node.value], x);
-      if (place != Where::outside) result[part] = std::max(result[part], place);
-    }
-    return result;
-  }
-
-  [[nodiscard]] double release_limit(const Facet& facet, double h) const {
-    if (!facet.solid) return (penmax > 0 ? penmax : 0.4) * 2 * h;
-    return (penmax > 0 ? penmax : 0.5) * (single_surface ? 0.4 : 1.0) * facet.depth;
-  }
-
-  void consider(Verdict& verdict, const Facet& facet, double node_half, bool in_solid) const {
-    const Vector& query = x[verdict.node.value];
-    const Closest c = closest(corners(facet.nodes, x), facet.triangle, query);
-    const bool buried = in_solid && facet.solid;
-    const double h = node_half + facet.half, depth = buried ? h + c.distance : h - c.distance;
-    const double scale = std::max(query.cwiseAbs().maxCoeff(), c.point.cwiseAbs().maxCoeff());
-    const double doubt = 1e-9 * (h + 1e-3 * scale);
-    // Next to a face of a solid the rules ask whether the node slides along it; this reference does not know.
-    const auto diagonal = [&](std::size_t i, std::size_t k) {
-      return (x[facet.nodes[k].value] - x[facet.nodes[i].value]).norm();
-    };
-    if (facet.solid && c.distance <= 0.0101 * std::min(diagonal(0, 2), diagonal(1, 3))) verdict.doubtful = true;
-    if (depth < -doubt) return;
-    if (std::abs(depth) <= doubt || std::abs(c.beyond_band) < 1e-7 || !c.certain || c.distance < 1e-12 * scale)
-      verdict.doubtful = true;
-    if (depth <= 1e-9 * h) return;
-    const double limit = release_limit(facet, h);
-    const PenetrationKind kind = c.beyond_band > 0 ? PenetrationKind::edge_zone
-                                 : depth > limit   ? PenetrationKind::released
-                                                   : PenetrationKind::initial;
-    if (std::abs(depth - limit) <= doubt) verdict.doubtful = true;
-    const bool in_band = kind != PenetrationKind::edge_zone;
-    const bool had_band = verdict.found && verdict.kind != PenetrationKind::edge_zone;
-    if (verdict.found && in_band == had_band) {
-      // Which of two segments equally near comes first is not a matter of the rules.
-      const bool tie = std::abs(c.distance - verdict.distance) <= doubt;
-      if (tie && (kind != verdict.kind || std::abs(depth - verdict.depth) > doubt)) verdict.doubtful = true;
-      if (c.distance >= verdict.distance) return;
-    }
-    if (had_band && !in_band) return;
-    verdict.found = true;
-    verdict.kind = kind;
-    verdict.depth = depth, verdict.contact_distance = h, verdict.distance = c.distance;
-    verdict.direction = (buried ? c.point - query : query - c.point).normalized();
-  }
+class Pass {
+ public:
+  Pass(const Scene& scene, const Rules& rules, const Side& tracked, const Side& reference, const Positions& x,
+       const TiedPairs& tied)
+      : scene_(scene),
+        rules_(rules),
+        tracked_(tracked),
+        reference_(reference),
+        x_(x),
+        tied_(tied),
+        turned_(turned_parts(rules, tracked, reference, x)),
+        free_edges_(reference) {}
 
   [[nodiscard]] std::vector<Verdict> run() const {
     std::vector<Verdict> verdicts;
-    for (const auto& [node, half] : tracked.nodes) {
-      Verdict verdict;
-      verdict.node = node;
-      const auto places = volumes(node);
-      for (const auto& [part, place] : places) verdict.doubtful |= place == Where::unsure;
-      for (const Facet& facet : reference.facets) {
-        if (!in_ring(node, facet))
-          consider(verdict, facet, half, places.contains(facet.part) && places.at(facet.part) == Where::inside);
-      }
-      if (verdict.found || verdict.doubtful) verdicts.push_back(verdict);
+    for (const auto& [node, half] : tracked_.nodes) {
+      if (rules_.by_segments && !is_corner(node)) continue;
+      Verdict verdict = judge(node, half);
+      if (verdict.found || !verdict.doubt.empty()) verdicts.push_back(verdict);
     }
     return verdicts;
   }
+
+ private:
+  /// Nodes of the elements at a node: single surfaces leave out every segment that has one of them (1.3).
+  [[nodiscard]] std::set<std::int64_t> ring(std::int64_t node) const {
+    std::set<std::int64_t> nodes{node};
+    if (!rules_.single) return nodes;
+    for (const Element& e : scene_.elements)
+      if (std::find(e.nodes.begin(), e.nodes.end(), node) != e.nodes.end())
+        nodes.insert(e.nodes.begin(), e.nodes.end());
+    return nodes;
+  }
+
+  [[nodiscard]] bool is_corner(std::int64_t node) const {
+    return std::any_of(tracked_.facets.begin(), tracked_.facets.end(),
+                       [&](const Facet& f) { return !f.line && f.has(node); });
+  }
+
+  [[nodiscard]] bool oriented(const Facet& f) const { return f.solid || (rules_.oriented && !f.line); }
+
+  /// A node is behind a segment by its normal; beside an edge or corner, behind all segments that meet there (3.4).
+  [[nodiscard]] bool is_behind(const Facet& facet, const Closest& c, const Vector& query, bool& in_plane) const {
+    const std::size_t count = facet.triangle ? 3 : 4;
+    const std::int64_t a = facet.nodes[c.place], b = facet.nodes[(c.place + 1) % count];
+    for (const Facet& other : reference_.facets) {
+      if (&other != &facet && c.feature == Feature::face) continue;
+      if (!oriented(other) || !other.has(a)) continue;
+      if (c.feature == Feature::edge && !other.has(b)) continue;
+      const Closest own = &other == &facet ? c : closest_of(other, corners(other.nodes, x_), query);
+      const int turn = other.solid || other.coated ? 1 : turned_.at(other.part);
+      const double front = turn * own.normal.dot(query - c.point);
+      in_plane = in_plane || std::abs(front) < 1e-9 * c.distance;
+      if (front >= 0) return false;
+    }
+    return true;
+  }
+
+  /// How far behind a segment a node still counts (3.4).
+  [[nodiscard]] double extent(const Facet& facet) const {
+    if (!facet.solid) return 0.5 * shorter_diagonal(facet, x_);
+    const Corners c = corners(facet.nodes, x_);
+    const Vector normal = (c[2] - c[0]).cross(c[3] - c[1]).normalized(), middle = (c[0] + c[1] + c[2] + c[3]) / 4;
+    double deepest = 0;
+    for (const Element& e : scene_.elements)
+      if (e.id == facet.element)
+        for (const std::int64_t n : e.nodes) deepest = std::max(deepest, normal.dot(middle - at(x_, n)));
+    return deepest;
+  }
+
+  [[nodiscard]] std::optional<Seen> see(const Facet& facet, double half, Verdict& verdict) const {
+    const Vector& query = at(x_, verdict.node);
+    const Corners around = corners(facet.nodes, x_);
+    Seen seen{&facet, {}, half + facet.thickness / 2, false, false};
+    const double behind = oriented(facet) ? extent(facet) : 0;
+    Vector low = around[0], high = around[0];
+    for (const Vector& c : around) low = low.cwiseMin(c), high = high.cwiseMax(c);
+    if ((query - high).cwiseMax(low - query).maxCoeff() > 1.01 * std::max(seen.h, behind)) return std::nullopt;
+    const Closest c = seen.closest = closest_of(facet, around, query);
+    const double scale = std::max(query.cwiseAbs().maxCoeff(), c.point.cwiseAbs().maxCoeff());
+    const double doubt = 1e-9 * (seen.h + 1e-3 * scale);
+    if (c.distance > std::max(seen.h, behind) + doubt) return seen;
+    bool in_plane = false;
+    if (oriented(facet)) seen.behind = is_behind(facet, c, query, in_plane);
+    const bool in_band = c.beyond_band <= 0;
+    const bool may_be_behind = in_band && !(facet.solid && of_body(facet.part, verdict.node));
+    if (in_plane && (seen.h > c.distance || (may_be_behind && c.distance <= behind)))
+      verdict.doubt = "in the plane of a segment";
+    seen.hit = seen.behind ? in_band && c.distance <= behind : seen.h - c.distance > doubt;
+    if (!seen.behind && std::abs(seen.h - c.distance) <= doubt) verdict.doubt = "touching";
+    if (seen.behind && may_be_behind && std::abs(c.distance - behind) <= doubt)
+      verdict.doubt = "as deep as a segment sees";
+    if (rules_.free_edges_end && free_edges_.beside(facet, c)) seen.hit = false;
+    if (!seen.hit) return seen;
+    if (std::abs(c.beyond_band) < 1e-7) verdict.doubt = "on the border of the band";
+    if (!c.certain) verdict.doubt = "no certain projection";
+    if (c.distance < 1e-12 * scale) verdict.doubt = "on the segment";
+    return seen;
+  }
+
+  /// A node is behind a segment only if no other one of the body is nearer; shells are one body (3.4).
+  [[nodiscard]] bool behind_another(const Seen& hit, const std::vector<Seen>& all, Verdict& verdict) const {
+    const auto body = [](const Facet& f) { return f.solid ? f.part : 0; };
+    for (const Seen& other : all) {
+      if (!oriented(*other.facet) || body(*other.facet) != body(*hit.facet)) continue;
+      const double less = hit.closest.distance - other.closest.distance;
+      if (less > 1e-9 * other.closest.distance && less < 2e-9 * other.closest.distance) verdict.doubt = "as near";
+      if (less > 1e-9 * other.closest.distance) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool of_body(std::int64_t part, std::int64_t node) const {
+    const auto& bricks = reference_.bodies.at(part).bricks;
+    return std::any_of(bricks.begin(), bricks.end(), [&](const Element* brick) {
+      return std::find(brick->nodes.begin(), brick->nodes.end(), node) != brick->nodes.end();
+    });
+  }
+
+  /// Before a nearer outer face of the body that is no segment, or a corner of the body: outside (3.4).
+  [[nodiscard]] bool outside(const Seen& hit, std::int64_t node, Verdict& verdict) const {
+    if (of_body(hit.facet->part, node)) return true;
+    const Body& body = reference_.bodies.at(hit.facet->part);
+    double nearest = hit.closest.distance;
+    bool before = false, clamped = false;
+    for (const Facet& face : body.faces) {
+      if (std::any_of(reference_.facets.begin(), reference_.facets.end(),
+                      [&](const Facet& f) { return f.element == face.element && f.nodes == face.nodes; }))
+        continue;
+      const Closest c = closest_of(face, corners(face.nodes, x_), at(x_, node));
+      if (c.distance >= nearest * (1 - 1e-9)) continue;
+      nearest = c.distance;
+      before = c.normal.dot(at(x_, node) - c.point) >= 0;
+      clamped = c.feature != Feature::face;
+    }
+    if (clamped) verdict.doubt = "beside a face that is no segment";
+    return before;
+  }
+
+  /// A face of a brick along which a corner of another brick slides does not count (3.4); the reference leaves these
+  /// nodes out.
+  [[nodiscard]] bool may_slide(const Seen& seen, std::int64_t node) const {
+    return seen.facet->solid && seen.closest.distance <= 0.0101 * shorter_diagonal(*seen.facet, x_) &&
+           std::any_of(tracked_.facets.begin(), tracked_.facets.end(),
+                       [&](const Facet& f) { return f.solid && f.has(node); });
+  }
+
+  [[nodiscard]] Verdict judge(std::int64_t node, double half) const {
+    Verdict verdict;
+    verdict.node = node;
+    const auto neighbours = ring(node);
+    std::vector<Seen> all;
+    for (const Facet& facet : reference_.facets) {
+      if (std::any_of(facet.nodes.begin(), facet.nodes.end(), [&](auto n) { return neighbours.contains(n); })) continue;
+      if (tied_.contains({node, facet.part})) continue;
+      if (const auto seen = see(facet, half, verdict)) all.push_back(*seen);
+    }
+    for (const Seen& seen : all) {
+      if (!seen.hit) continue;
+      if (seen.behind && behind_another(seen, all, verdict)) continue;
+      if (seen.behind && seen.facet->solid && outside(seen, node, verdict)) continue;
+      choose(verdict, seen);
+    }
+    if (std::any_of(all.begin(), all.end(), [&](const Seen& s) { return may_slide(s, node); }))
+      verdict.doubt = "next to a face of a brick";
+    return verdict;
+  }
+
+  /// 3.4: the closest segment, those in whose band the node lies before others.
+  void choose(Verdict& verdict, const Seen& seen) const {
+    const Closest& c = seen.closest;
+    const bool in_band = c.beyond_band <= 0;
+    const double depth = seen.depth(), doubt = 1e-9 * (seen.h + 1e-3 * c.point.cwiseAbs().maxCoeff());
+    if (verdict.found && in_band == verdict.in_band) {
+      const bool tie = std::abs(c.distance - verdict.distance) <= 1e-9 * c.distance;
+      if (tie && std::abs(depth - verdict.depth) <= doubt) return verdict.elements.push_back(seen.facet->element);
+      if (tie) verdict.doubt = "two segments equally near";
+      if (c.distance >= verdict.distance) return;
+    }
+    if (verdict.found && verdict.in_band && !in_band) return;
+    const double limit = release_depth(rules_, *seen.facet, seen.h, x_);
+    if (std::abs(depth - limit) <= doubt) verdict.doubt = "on the release limit";
+    verdict.found = true;
+    verdict.in_band = in_band;
+    verdict.released = depth > limit;
+    verdict.depth = depth, verdict.contact_distance = seen.h, verdict.distance = c.distance;
+    const Vector away = at(x_, verdict.node) - c.point;
+    verdict.direction = (seen.behind ? Vector(-away) : away).normalized();
+    verdict.elements = {seen.facet->element};
+  }
+
+  const Scene& scene_;
+  const Rules& rules_;
+  const Side &tracked_, &reference_;
+  const Positions& x_;
+  const TiedPairs& tied_;
+  Turns turned_;
+  FreeEdges free_edges_;
 };
 
-Outcome outcome_of(const model::Contact& contact, const model::Controls& controls) {
-  const std::int64_t ignore = contact.mpp_ignore.value_or(contact.ignore.value_or(controls.ignore));
-  return ignore != 0 ? Outcome::kept : contact.snlog == 1 ? Outcome::forced : Outcome::moved;
+/// 7.1
+Outcome outcome_of(const Rules& rules) {
+  const Contact& c = rules.contact;
+  if (rules.by_segments) return Outcome::kept;
+  const int ignore = c.mpp && c.mpp_ignore != 0 ? int(c.mpp_ignore) : c.ignore != 0 ? c.ignore : rules.controls.ignore;
+  if (ignore != 0 && rules.kind.can(model::Ability::reads_ignore)) return Outcome::kept;
+  return c.snlog == 1 ? Outcome::forced : Outcome::moved;
 }
 
-/// Writes the verdicts down and moves the nodes, all together. Returns false if a doubtful one may have moved.
-bool settle(const std::vector<Verdict>& verdicts, const model::Contact& contact, const Model& model, Findings& findings,
-            Positions& x) {
-  const Outcome outcome = outcome_of(contact, model.controls);
-  bool sure = true;
-  for (const Verdict& v : verdicts) {
-    const std::int64_t id = model.mesh.nodes.id[v.node.value];
-    if (v.doubtful) {
-      findings.doubts.push_back({contact.id.value, id});
-      sure = sure && outcome != Outcome::moved;
-    }
-    if (!v.found) continue;
-    const Outcome own = v.kind == PenetrationKind::edge_zone  ? Outcome::reported
-                        : v.kind == PenetrationKind::released ? Outcome::released
-                                                              : outcome;
-    findings.records.push_back({contact.id.value, id, v.kind, own, v.depth, v.contact_distance});
-    if (own == Outcome::moved) x[v.node.value] += 1.002 * v.depth * v.direction;
+class Run {
+ public:
+  explicit Run(const Scene& scene) : scene_(scene), x_{Vector::Zero()} {
+    for (const Node& node : scene.nodes) x_.push_back(node.x);
+    for (const Element& e : scene.elements)
+      if (scene.part(e.part).rigid) tie_state_.rigid.insert(e.nodes.begin(), e.nodes.end());
   }
-  return sure;
-}
 
-/// False if later coordinates are in doubt.
-bool judge(const Model& model, const model::Contact& contact, Findings& findings, Positions& x) {
-  const bool single = contact.keyword == "CONTACT_AUTOMATIC_SINGLE_SURFACE";
-  const bool two_way = contact.keyword == "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE";
-  const Thickness rule_a{contact.sst, contact.sfst, single && model.controls.ssthk == 0};
-  const Thickness rule_b{contact.mst, contact.sfmt, false};
-  const auto pass = [&](bool a_is_tracked) {
-    const Side a = make_side(model, contact.a, rule_a, x), b = single ? a : make_side(model, contact.b, rule_b, x);
-    const Pass work{model, a_is_tracked ? a : b, a_is_tracked ? b : a, single, contact.penmax, x};
-    return settle(work.run(), contact, model, findings, x);
-  };
-  findings.judged.push_back(contact.id.value);
-  const bool sure = pass(true);
-  if (!two_way || single) return sure;
-  if (sure) return pass(false);
-  findings.judged.pop_back();
-  return false;
-}
+  Findings all() {
+    for (const Contact& contact : scene_.contacts)
+      if (!judge(contact)) break;
+    return std::move(findings_);
+  }
+
+ private:
+  /// False if later coordinates are in doubt.
+  bool judge(const Contact& contact) {
+    const Rules rules(contact, scene_);
+    using model::Treatment;
+    // 7.6: the overlap of INTERFERENCE contacts is meant.
+    if (rules.kind.ties() && !rules.single) return ties(rules);
+    if (rules.kind.ties() || rules.kind.treatment == Treatment::none || rules.kind.family == model::Family::other ||
+        rules.kind.can(model::Ability::interference))
+      return true;
+    findings_.judged.push_back(contact.id);
+    // 7.4, 7.5: segment against segment, both ways.
+    const bool both_ways = !rules.single && (rules.two_way || rules.by_segments);
+    // 7.3: both passes have the surfaces that the contact finds, with their boxes and thickness.
+    const Side a = make_side(scene_, rules, Which::a, x_),
+               b = rules.single ? a : make_side(scene_, rules, Which::b, x_);
+    const bool sure = pass(rules, a, b);
+    if (!both_ways) return sure;
+    if (sure) return pass(rules, b, a);
+    findings_.judged.pop_back();
+    return false;
+  }
+
+  bool ties(const Rules& rules) {
+    using model::TieForm;
+    if (rules.kind.tie == TieForm::automatic_tied || rules.kind.tie == TieForm::weld) return true;
+    const std::int64_t id = rules.contact.id;
+    TieCounts counts{id, 0, 0, 0};
+    bool sure = true;
+    const std::vector<TieOutcome> outcomes = judge_ties(scene_, rules, tie_state_, x_);
+    for (const TieOutcome& out : outcomes) {
+      if (!out.doubt.empty()) findings_.doubts.push_back({id, out.node, out.doubt}), sure = false;
+      counts.out_of_reach += out.out_of_reach;
+      if (!out.judged) continue;
+      ++(out.tied ? counts.ties : counts.untied);
+      if (out.reason) findings_.tie_records.push_back({id, out.node, *out.reason, out.tied ? out.distance : -1});
+      if (out.tied) tied_.insert({out.node, out.part});
+      if (out.constrained) tie_state_.constrained.insert(out.node);
+      if (out.moved) x_[static_cast<std::size_t>(out.node)] = out.target;
+    }
+    findings_.tie_counts.push_back(counts);
+    findings_.judged.push_back(id);
+    return sure;
+  }
+
+  bool pass(const Rules& rules, const Side& tracked, const Side& reference) {
+    return settle(Pass(scene_, rules, tracked, reference, x_, tied_).run(), rules);
+  }
+
+  /// 12.1: one record per node and contact; one in a band goes before one outside (3.4).
+  bool counts(std::int64_t contact, const Verdict& v) {
+    const auto before = std::find_if(findings_.records.begin(), findings_.records.end(),
+                                     [&](const Record& r) { return r.contact == contact && r.node == v.node; });
+    if (before == findings_.records.end()) return true;
+    if (before->kind != PenetrationKind::edge_zone || !v.in_band) return false;
+    findings_.records.erase(before);
+    return true;
+  }
+
+  /// Writes the verdicts down and moves the nodes, all together. Returns false if a doubtful one may have moved.
+  bool settle(const std::vector<Verdict>& verdicts, const Rules& rules) {
+    bool sure = true;
+    for (const Verdict& v : verdicts) {
+      const Contact& c = rules.contact;
+      Outcome outcome = outcome_of(rules);
+      if (!v.doubt.empty()) {
+        findings_.doubts.push_back({c.id, v.node, v.doubt});
+        sure = sure && outcome != Outcome::moved;
+      }
+      if (!v.found || (rules.by_segments && !v.in_band)) continue;
+      if (!counts(c.id, v)) continue;
+      PenetrationKind kind = PenetrationKind::initial;
+      if (c.mortar)
+        kind = PenetrationKind::mortar;
+      else if (rules.by_segments)
+        kind = PenetrationKind::segment;
+      else if (!v.in_band)
+        kind = PenetrationKind::edge_zone, outcome = Outcome::reported;
+      else if (v.released)
+        kind = PenetrationKind::released, outcome = Outcome::released;
+      findings_.records.push_back({c.id, v.node, kind, outcome, v.depth, v.contact_distance, v.elements});
+      if (outcome == Outcome::moved) x_[static_cast<std::size_t>(v.node)] += 1.002 * v.depth * v.direction;  // 12.1
+    }
+    return sure;
+  }
+
+  const Scene& scene_;
+  Positions x_;
+  TiedPairs tied_;
+  TieState tie_state_;
+  Findings findings_;
+};
 
 }  // namespace
 
-Findings find_penetrations(const Model& model) {
-  static const std::set<std::string> covered{"CONTACT_AUTOMATIC_SINGLE_SURFACE", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE",
-                                             "CONTACT_AUTOMATIC_NODES_TO_SURFACE",
-                                             "CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"};
-  Findings findings;
-  Positions x = model.mesh.nodes.x;
-  for (const auto& contact : model.contacts) {
-    if (!covered.contains(contact.keyword) || contact.soft == 2) continue;
-    if (!judge(model, contact, findings, x)) break;
-  }
-  return findings;
-}
+Findings find_penetrations(const Scene& scene) { return Run(scene).all(); }
 
 }  // namespace gapcheck::reference

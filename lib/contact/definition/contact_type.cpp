@@ -137,17 +137,18 @@ ContactSettings settings(const model::Contact& contact, const ContactType& type,
   if (s.ignore == 0) s.ignore = controls.ignore;
   if (!knows_ignore(type)) s.ignore = 0;
   s.snlog = contact.snlog;
+  // THKOPT: 0 uses the global setting, 1 the one beside it, 2 none (contact rules, section 4.4).
+  const std::int64_t shlthk = contact.thkopt == 2 ? 0 : contact.thkopt == 1 ? contact.shlthk : controls.shlthk;
   switch (type.family) {
     case Family::old:
-      // THKOPT: 0 uses the global setting, 1 the one beside it, 2 none (contact rules, section 4.4).
-      s.shlthk = contact.thkopt == 2 ? 0 : contact.thkopt == 1 ? contact.shlthk : controls.shlthk;
+      s.shlthk = shlthk;
       break;
     case Family::forming:
       // The blank's thickness counts, that of rigid tools does not, unless SHLTHK = 2.
-      s.shlthk = contact.shlthk == 2 ? 2 : 1;
+      s.shlthk = shlthk == 2 ? 2 : 1;
       break;
     case Family::mortar:
-      s.shlthk = contact.kind->family == Family::forming && contact.shlthk != 2 ? 1 : 2;
+      s.shlthk = contact.kind->family == Family::forming && shlthk != 2 ? 1 : 2;
       break;
     default:
       s.shlthk = 2;

@@ -113,13 +113,17 @@ std::vector<Seen> look_around(const PairScene& scene, const CandidateSearch& sea
   return all;
 }
 
-/// True if a point is behind all faces of the solid that has a segment.
-bool in_element(const PairScene& scene, SegmentIndex segment, const Vector& q) {
+/// True if a node is behind all faces of the solid that has a segment, and not one of its corners: these lie in the
+/// planes of three faces but for rounding.
+bool in_element(const PairScene& scene, SegmentIndex segment, SlotIndex slot) {
   const model::Mesh& mesh = scene.model.mesh;
   const bool solid = scene.segments.element_kind[segment.value] == model::ElementKind::solid;
   const std::uint32_t element = scene.segments.element[segment.value];
   const std::vector<Vector>& x = scene.x;
-  const std::vector<Face> faces = faces_of((solid ? mesh.solids : mesh.thick_shells).nodes[element], element, x);
+  const std::array<NodeIndex, 8>& corners = (solid ? mesh.solids : mesh.thick_shells).nodes[element];
+  if (std::find(corners.begin(), corners.end(), scene.nodes.node[slot.value]) != corners.end()) return false;
+  const Vector q = scene.position(slot);
+  const std::vector<Face> faces = faces_of(corners, element, x);
   return std::all_of(faces.begin(), faces.end(), [&](const Face& face) {
     const auto& n = face.nodes;
     const Vector centre = (x[n[0].value] + x[n[1].value] + x[n[2].value] + x[n[3].value]) / 4;
@@ -135,7 +139,7 @@ bool outside(const PairScene& scene, std::span<const Seen> around, std::uint32_t
     if (seen.body != body) continue;
     if (nearest == nullptr) {
       if (!(seen.distance * (1 + equally_near) < -hit.distance)) return false;
-      if (seen.own) return !in_element(scene, hit.segment, scene.position(hit.slot));
+      if (seen.own) return !in_element(scene, hit.segment, hit.slot);
       nearest = &seen;
     }
     if (seen.distance > nearest->distance * (1 + equally_near)) return false;
@@ -160,7 +164,7 @@ void drop_outside(const PairScene& scene, const CandidateSearch& search, std::ve
   }
   if (points.x.empty()) return;
   HiddenFaces faces(scene);
-  if (faces.list().empty()) return;
+  const bool single = scene.type.treatment == Treatment::single_surface;
   const std::vector<Seen> seen = look_around(scene, search, faces, points, reach);
   const auto around = [&](std::uint32_t point) {
     const auto [first, last] = std::equal_range(seen.begin(), seen.end(), Seen{point, 0, 0, false, false},
@@ -170,6 +174,9 @@ void drop_outside(const PairScene& scene, const CandidateSearch& search, std::ve
   std::erase_if(hits, [&](const Hit& hit) {
     if (!behind_solid(scene, hit)) return false;
     const std::uint32_t body = faces.body(scene.segments.nodes[hit.segment.value][0]);
+    // A node of the body, as of shells that coat it, is on its surface; single surfaces leave its neighbours out.
+    if (!single && faces.body(scene.nodes.node[hit.slot.value]) == body)
+      return !in_element(scene, hit.segment, hit.slot);
     return outside(scene, around(point_of[hit.slot.value]), body, hit);
   });
 }

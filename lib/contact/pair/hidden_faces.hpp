@@ -7,7 +7,8 @@
 namespace gapcheck::contact {
 
 /// Drops hits behind solid facets whose node lies outside the body: in front of a nearer outer face that has no
-/// segment, because shells cover it or the contact does not name it. `search`: finds the faces near the nodes. Costs
+/// segment, because shells cover it or the contact does not name it; or, in two-surface contacts, a node of the body
+/// itself that none of its elements has inside. `search`: finds the faces near the nodes. Costs
 /// nothing if no hit lies behind a solid facet.
 void drop_outside(const PairScene& scene, const CandidateSearch& search, std::vector<Hit>& hits);
 

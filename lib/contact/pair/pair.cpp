@@ -88,15 +88,26 @@ double PairScene::reach(SegmentIndex s, double largest_node_half) const {
 bool PairScene::beyond_square_edge(SegmentIndex s, const geometry::ClosestPoint& closest) const {
   if (!settings.square_edges || segments.kind[s.value] != SegmentKind::shell) return false;
   if (closest.feature == Feature::face) return false;
-  const auto& n = segments.nodes[s.value];
   // Exactly on the edge is still on the surface.
   if (closest.free_s == closest.s && closest.free_t == closest.t) return false;
+  const auto& n = segments.nodes[s.value];
   const std::size_t i = closest.feature_index;
-  const auto free = [&](std::size_t a, std::size_t b) { return n[a] != n[b] && neighbours.free_edge(s, n[a], n[b]); };
-  if (closest.feature == Feature::edge) return free(i, (i + 1) % 4);
-  // The last edge of a triangle joins its third corner with the first.
-  const std::size_t next = i == 2 && n[2] == n[3] ? 0 : (i + 1) % 4;
-  return free(i, next) || free((i + 3) % 4, i);
+  const std::size_t next = (i + 1) % 4;
+  if (closest.feature == Feature::edge) return n[i] != n[next] && neighbours.free_edge(s, n[i], n[next]);
+  // A corner on the border, though this segment may have no free edge there.
+  const std::span<const SegmentIndex> around = neighbours.at(n[i]);
+  return std::any_of(around.begin(), around.end(), [&](SegmentIndex other) { return ends_at(other, n[i]); });
+}
+
+bool PairScene::ends_at(SegmentIndex s, NodeIndex node) const {
+  if (segments.kind[s.value] != SegmentKind::shell) return false;
+  const auto& n = segments.nodes[s.value];
+  const std::size_t count = n[2] == n[3] ? 3 : 4;
+  for (std::size_t i = 0; i < count; ++i) {
+    const NodeIndex a = n[i], b = n[(i + 1) % count];
+    if ((a == node || b == node) && a != b && neighbours.free_edge(s, a, b)) return true;
+  }
+  return false;
 }
 
 bool PairScene::slides(SlotIndex slot, SegmentIndex segment, double distance) const {

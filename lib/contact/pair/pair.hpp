@@ -64,8 +64,11 @@ struct PairScene {
   [[nodiscard]] double behind(SegmentIndex segment) const;
   /// Largest distance at which a node can penetrate the segment, given the largest half thickness of the nodes.
   [[nodiscard]] double reach(SegmentIndex segment, double largest_node_half) const;
-  /// True if the closest point lies on a free edge of a shell surface that ends there (SHLEDG, SRNDE).
+  /// True if the closest point lies on the border of a shell surface that ends there (SHLEDG, SRNDE): on a free edge,
+  /// or on a corner of one.
   [[nodiscard]] bool beyond_square_edge(SegmentIndex segment, const geometry::ClosestPoint& closest) const;
+  /// True if the segment has a free edge at the node.
+  [[nodiscard]] bool ends_at(SegmentIndex segment, NodeIndex node) const;
   /// False if the query lies behind the segment, given its closest point; `slot`: the node there.
   [[nodiscard]] bool in_front(SlotIndex slot, SegmentIndex segment, const geometry::ClosestPoint& closest,
                               const Vector& query) const;

@@ -23,14 +23,17 @@ double reach_behind(const model::SegmentNodes& n, const std::array<NodeIndex, 8>
   return reach;
 }
 
-/// Numbers the connected bodies of the solid facets: facets that share a node belong together.
+/// Numbers the connected bodies of the solid facets: facets that share a node belong together. All shells are one body,
+/// as in a surface without solids.
 std::vector<std::uint32_t> bodies(const Segments& s, std::size_t nodes) {
   UnionFind connected(nodes);
   for (std::size_t i = 0; i < s.size(); ++i)
     if (s.kind[i] == SegmentKind::solid)
       for (const NodeIndex n : s.nodes[i]) connected.unite(n.value, s.nodes[i][0].value);
   std::vector<std::uint32_t> body(s.size());
-  for (std::size_t i = 0; i < s.size(); ++i) body[i] = connected.root(s.nodes[i][0].value);
+  const auto of_shells = static_cast<std::uint32_t>(nodes);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    body[i] = s.kind[i] == SegmentKind::solid ? connected.root(s.nodes[i][0].value) : of_shells;
   return body;
 }
 

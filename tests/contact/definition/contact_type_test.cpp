@@ -117,6 +117,25 @@ TEST(ContactType, OldTypesIgnoreThicknessUnlessAskedTo) {
             2);
 }
 
+TEST(ContactType, FormingTypesTakeShlthkFromTheSamePlaces) {
+  // Rigid tools count with SHLTHK = 2 alone, and THKOPT says which SHLTHK that is.
+  for (const char* keyword : {"FORMING_ONE_WAY_SURFACE_TO_SURFACE", "FORMING_SURFACE_TO_SURFACE_MORTAR"}) {
+    model::Contact c = named(keyword);
+    model::Controls controls;
+    const auto counted = [&] { return settings(c, classify(c), controls).shlthk; };
+    EXPECT_EQ(counted(), 1);
+    c.shlthk = 2;
+    EXPECT_EQ(counted(), 1) << keyword << ": beside THKOPT = 0 that of *CONTROL_CONTACT counts";
+    c.thkopt = 1;
+    EXPECT_EQ(counted(), 2);
+    c.thkopt = 2;
+    controls.shlthk = 2;
+    EXPECT_EQ(counted(), 1);
+    c.thkopt = 0;
+    EXPECT_EQ(counted(), 2);
+  }
+}
+
 TEST(ContactType, OnlyAutomaticTypesKnowIgnore) {
   model::Controls controls;
   controls.ignore = 1;

@@ -71,6 +71,18 @@ TEST(HiddenFaces, FacesThatTheContactDoesNotName) {
   }
 }
 
+TEST(HiddenFaces, ShellsThatCoatABodyAreOnItsSurface) {
+  // As another surface: the top is a segment, of which the coat's nodes are corners, and the underside lies below them.
+  for (const char* keyword : {"AUTOMATIC_SURFACE_TO_SURFACE", "AUTOMATIC_NODES_TO_SURFACE", "NODES_TO_SURFACE"}) {
+    Wedge wedge;
+    wedge.cover_top();
+    auto& c = wedge.scene.contact(keyword);
+    c.a = {2, 3, 0, true};
+    c.b = {1, 3, 0, true};
+    EXPECT_TRUE(wedge.scene.run().penetrations.empty()) << keyword;
+  }
+}
+
 TEST(HiddenFaces, OtherBodiesDoNotCount) {
   // A second, covered block whose top the node is just above, inside the first one.
   Wedge wedge;

@@ -85,7 +85,8 @@ TEST(MortarPenetration, FormingToolsHaveNoThicknessUnlessAskedFor) {
     return run_rule("GC108", deck.contact(1, "FORMING_SURFACE_TO_SURFACE_MORTAR", part_1_on_2, cards));
   };
   EXPECT_EQ(listed(forming("0.\n1.,1.\n")), 0U);
-  EXPECT_EQ(listed(forming("0.\n1.,1.\n0\n,,2\n")), 18U);  // SHLTHK on card B
+  EXPECT_EQ(listed(forming("0.\n1.,1.\n0\n,,2\n")), 0U);    // SHLTHK on card B without THKOPT = 1
+  EXPECT_EQ(listed(forming("0.\n1.,1.\n0\n,1,2\n")), 18U);  // with it
 }
 
 TEST(MortarPenetration, TiesAreNone) {

@@ -1,0 +1,42 @@
+#include "reference/orientation.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+namespace gapcheck::reference {
+namespace {
+
+/// Nearby: in the box around the segment, grown by its longer diagonal.
+bool nearby(const Corners& c, const Vector& query) {
+  Vector low = c[0], high = c[0];
+  for (const Vector& corner : c) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+  const double diagonal = std::max((c[2] - c[0]).norm(), (c[3] - c[1]).norm());
+  return (query.array() >= low.array() - diagonal).all() && (query.array() <= high.array() + diagonal).all();
+}
+
+}  // namespace
+
+bool turns(const Rules& rules, const Side& reference) {
+  return rules.oriented && (reference.turned_by_default || rules.controls.orien == 2);
+}
+
+Turns turned_parts(const Rules& rules, const Side& tracked, const Side& reference, const Positions& x) {
+  Turns votes;
+  for (const Facet& facet : reference.facets) {
+    if (facet.solid || facet.line || facet.coated) continue;
+    int& vote = votes[facet.part];
+    if (!turns(rules, reference)) continue;
+    const Corners around = corners(facet.nodes, x);
+    for (const auto& [node, half] : tracked.nodes) {
+      const Vector& query = x[static_cast<std::size_t>(node)];
+      if (facet.has(node) || !nearby(around, query)) continue;
+      const Closest c = closest(around, facet.triangle, query);
+      if (c.feature == Feature::face && c.distance > 0) vote += c.normal.dot(query - c.point) > 0 ? 1 : -1;
+    }
+  }
+  Turns result;
+  for (const auto& [part, vote] : votes) result[part] = vote < 0 ? -1 : 1;
+  return result;
+}
+
+}  // namespace gapcheck::reference
