@@ -54,18 +54,18 @@ std::variant<std::unique_ptr<ConstraintContact>, Failure> ConstraintContact::cre
   if (std::none_of(model.contacts.begin(), model.contacts.end(), calculates)) return nullptr;
   std::unique_ptr<ConstraintContact> contact(
       new ConstraintContact(model, surfaces, initial, structure, std::move(movable)));
-  if (auto failure = contact->check_rigid_nodes(structure)) return std::move(*failure);
+  if (const SolverStatus status = contact->check_rigid_nodes(structure); !status.ok()) return status.error();
   return contact;
 }
 
-std::optional<Failure> ConstraintContact::check_rigid_nodes(const Structure& structure) const {
+SolverStatus ConstraintContact::check_rigid_nodes(const Structure& structure) const {
   for (const std::uint32_t node : nodes_)
     if (structure.rigid.holds(node))
       return Failure{Failure::Kind::not_calculated,
                      fmt::format("a contact of type 17 or 18 has node {} of a rigid body or weld, which constraints "
                                  "cannot move; use a penalty type",
                                  model_.mesh.nodes.id[node])};
-  return std::nullopt;
+  return {};
 }
 
 void ConstraintContact::build(const std::vector<Vector>& x) {

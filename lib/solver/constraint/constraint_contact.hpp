@@ -65,7 +65,7 @@ class ConstraintContact : public Force, public ContactSource {
   };
   ConstraintContact(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
                     const Structure& structure, std::vector<bool> movable);
-  [[nodiscard]] std::optional<Failure> check_rigid_nodes(const Structure& structure) const;
+  [[nodiscard]] SolverStatus check_rigid_nodes(const Structure& structure) const;
   void build(const std::vector<Vector>& x);
   void add_passes(Interface& interface);
   /// Elements have failed since the last call.
