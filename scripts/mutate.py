@@ -29,7 +29,6 @@ TESTS = {
     "audit": ["audit/gapcheck_test_rules", "audit/gapcheck_test_audit", "audit/gapcheck_test_fix"],
     "solver": ["solver/gapcheck_test_solver"],
 }
-COPIED = ["apps", "cmake", "CMakeLists.txt", "CMakePresets.json", "data", "docs", "lib", "README.md", "scripts", "tests"]
 
 # Lines ------------------------------------------------------------------------------------------------------------------
 
@@ -95,14 +94,17 @@ def drawn(rooms, count, seed):
 
 def mirror(folder):
     """A copy of the working tree; what has not changed keeps its time, so that little is compiled again."""
-    for name in COPIED:
-        source, target = ROOT / name, folder / name
-        for path in [source] if source.is_file() else (p for p in source.rglob("*") if p.is_file()):
-            copy = target / path.relative_to(source) if source.is_dir() else target
-            content = path.read_bytes()
-            if not copy.exists() or copy.read_bytes() != content:
-                copy.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(path, copy)
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others", "--exclude-standard"], check=True,
+                            capture_output=True, text=True).stdout
+    for name in filter(None, listed.split("\0")):
+        source, copy = ROOT / name, folder / name
+        if source.is_file() and (not copy.exists() or copy.read_bytes() != source.read_bytes()):
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(source, copy)
+    # Decks beside the project, which some tests read.
+    shared = folder.parent / "shared"
+    if (ROOT.parent / "shared").exists() and not shared.exists():
+        shared.symlink_to(ROOT.parent / "shared")
 
 
 def slow_tests():
