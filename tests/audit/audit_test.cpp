@@ -64,6 +64,7 @@ TEST(AuditOptions, Parts) {
   EXPECT_EQ(plates(with(&AuditOptions::parts, Ids{2})), 18u);
   EXPECT_EQ(plates(with(&AuditOptions::parts, Ids{3})), 0u);
   const AuditRun run = run_data("stray_part", with(&AuditOptions::parts, Ids{1}));
+  EXPECT_FALSE(run.report.penetrations.empty());
   for (const auto& p : run.report.penetrations) EXPECT_TRUE(p.part == 1 || p.element_part == 1);
 }
 

@@ -77,7 +77,7 @@ TEST_P(StiffnessRatio, StaysFiniteAndKeepsItsMomentum) {
     }
     EXPECT_TRUE(all_finite(scene)) << ratio;
     EXPECT_LE((scene.momentum() - before).norm(), 1e-10 * before.norm()) << ratio;
-    EXPECT_TRUE(touched || scene.state().time < 0.01) << ratio;
+    EXPECT_TRUE(touched) << ratio;
     EXPECT_NEAR(scene.stepper->energies().ratio(), 1, 0.05) << ratio;
   }
 }
@@ -130,8 +130,8 @@ std::string eight_cubes(double gap, double shift) {
   return text + "*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,1.,1000.,0.25\n";
 }
 
-// Where corners and side faces are exactly in line, nodes are on the surface of their neighbours and not in it: parts
-// that pass through each other may end the run, but with a message.
+// With and without corners and side faces that are exactly in line: nodes are then on the surface of their neighbours
+// and not in it.
 TEST(Stress, CornerOfEightParts) {
   for (const double shift : {0.0, 0.0007})
     for (const char* soft : {"0", "1", "2"}) {
@@ -149,11 +149,8 @@ TEST(Stress, CornerOfEightParts) {
       const Vector before = scene.momentum();
       SolverStatus status;
       for (int cycle = 0; cycle < 800 && status.ok(); ++cycle) status = scene.stepper->step();
-      if (shift > 0) {
-        EXPECT_TRUE(status.ok()) << "SOFT = " << soft << " " << status.error().message;
-        EXPECT_LT(scene.stepper->energies().ratio(), 1.1) << soft;
-      }
-      EXPECT_TRUE(status.ok() || !status.error().message.empty());
+      ASSERT_TRUE(status.ok()) << "SOFT = " << soft << " " << status.error().message;
+      EXPECT_LT(scene.stepper->energies().ratio(), 1.1) << soft;
       EXPECT_TRUE(all_finite(scene));
       EXPECT_LE((scene.momentum() - before).norm(), 1e-11 * (1 + before.norm()));
     }
@@ -183,20 +180,33 @@ TEST(Stress, NodeSlidesOffAnEdge) {
     }
 }
 
-// ω Δt just below and above 2: bounded, or at least no NaN without a failure.
+/// Speed with which central differences of the step 2 `share` / ω throw a mass out of a spring that held it at rest, in
+/// units of ω times the penetration.
+double thrown_out(double share) {
+  double penetration = 1, speed = 0, kick = share;  // half a step at first
+  for (; penetration > 0; kick = 2 * share) {
+    speed += kick * penetration;
+    penetration -= 2 * share * speed;
+  }
+  return speed;
+}
+
+// Steps below and above the limit 2 / ω: the node leaves as central differences say. Beyond the limit it gets more than
+// the spring held.
 TEST(Stress, StepAtTheLimit) {
+  constexpr double penetration = 0.15;
   // k = 0.1 K A / longest diagonal, between masses of 1 and 4.
-  const double k = 0.1 * (1000 / 1.5) / std::sqrt(2.0), limit = 2 / std::sqrt(k * (1 + 0.25));
-  for (const double share : {0.5, 0.9, 0.99, 1.01, 1.5}) {
-    ContactScene scene(node_over_quad(0.35, 1, "0\n0.,0,0,1\n"), {}, steps(share * limit));
+  const double frequency = std::sqrt(0.1 * (1000 / 1.5) / std::sqrt(2.0) * (1 + 0.25));
+  for (const double share : {0.1, 0.5, 0.6, 0.9, 0.99, 1.01, 1.5}) {
+    StepSettings settings = steps(share * 2 / frequency);
+    settings.bounded_step = false;
+    settings.time_step_factor = 1e30;
+    ContactScene scene(node_over_quad(0.5 - penetration, 1, "0\n0.,0,0,1\n"), {}, settings);
     ASSERT_TRUE(scene.stepper) << scene.why_not;
-    bool failed = false;
-    for (int cycle = 0; cycle < 200 && !failed; ++cycle) failed = !scene.stepper->step().ok();
-    EXPECT_TRUE(failed || all_finite(scene)) << share;
-    if (share < 1) {
-      EXPECT_FALSE(failed) << share;
-      EXPECT_LT(scene.state().v[4].norm(), 10) << share;
-    }
+    for (int cycle = 0; cycle < 200; ++cycle) ASSERT_TRUE(scene.stepper->step().ok()) << share;
+    EXPECT_TRUE(all_finite(scene)) << share;
+    const double speed = scene.state().v[4].z() - scene.state().v[0].z();
+    EXPECT_NEAR(speed, thrown_out(share) * frequency * penetration, 1e-8) << share;
   }
 }
 
