@@ -292,10 +292,10 @@ TEST_F(SettingsProgram, SeveritiesReplaceThoseOfTheRules) {
   const Json sarif = Json::parse(gapcheck("audit two_plates.k --format sarif").out);
   for (const Json& result : sarif["runs"][0]["results"])
     EXPECT_EQ(result["level"], result["ruleId"] == "GC308" ? "warning" : "error");
-  for (const Json& rule : sarif["runs"][0]["tool"]["driver"]["rules"])
-    if (rule["id"] == "GC101") {
-      EXPECT_EQ(rule["defaultConfiguration"]["level"], "warning") << "that of the rule itself";
-    }
+  const Json& rules = sarif["runs"][0]["tool"]["driver"]["rules"];
+  const auto rule = std::find_if(rules.begin(), rules.end(), [](const Json& one) { return one["id"] == "GC101"; });
+  ASSERT_NE(rule, rules.end());
+  EXPECT_EQ((*rule)["defaultConfiguration"]["level"], "warning") << "that of the rule itself";
   EXPECT_NE(gapcheck("audit two_plates.k --format github").out.find("::error"), std::string::npos);
   EXPECT_NE(gapcheck("audit two_plates.k --format csv").out.find("GC101,initial-penetration,error"), std::string::npos);
   EXPECT_NE(gapcheck("audit two_plates.k --format gitlab").out.find("\"major\""), std::string::npos);

@@ -158,9 +158,8 @@ TEST(EdgePass, UnderType13TheSameEdgesPassThroughEachOther) {
   EXPECT_EQ(w.greatest, 0);
   EXPECT_EQ(w.speed_up, -0.5);
   ContactScene beams(crossing_beams(0.25, contact_of("AUTOMATIC_SINGLE_SURFACE")), down(0.5, 2), steps(1e-2));
-  if (beams.stepper) {
-    EXPECT_EQ(throw_down(beams, 0.5, 1).greatest, 0);
-  }
+  ASSERT_TRUE(beams.stepper) << beams.why_not;
+  EXPECT_EQ(throw_down(beams, 0.5, 1).greatest, 0);
 }
 
 TEST(EdgePass, BeamOnShellEdge) {
