@@ -191,8 +191,12 @@ TEST_F(Faults, AnInterruptedRunEndsWithItsLastState) {
   for (int i = 0; i < moments; ++i) {
     fs::remove_all(folder_ / "out");
     const Running run = start({"run", "p.k", "-o", "out", "--quiet"});
+    // Every second one once it writes: a busy machine may need long to begin.
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (i % 2 != 0 && !fs::exists(folder_ / "out/messag") && std::chrono::steady_clock::now() < limit)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::this_thread::sleep_for(std::chrono::milliseconds(10 * i));
-    const int signal = i % 2 == 0 ? SIGTERM : SIGINT;
+    const int signal = i % 4 < 2 ? SIGTERM : SIGINT;
     const auto sent = std::chrono::steady_clock::now();
     run.send(signal);
     const Fate fate = run.wait();
