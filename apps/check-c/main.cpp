@@ -15,7 +15,6 @@
 #include "base/parallel.hpp"
 #include "common/failures.hpp"
 #include "common/file_guard.hpp"
-#include "common/freed_memory.hpp"
 #include "common/mesh.hpp"
 #include "common/message_line.hpp"
 #include "common/signals.hpp"
@@ -171,7 +170,6 @@ int main(int argc, char** argv) {
   // Nothing after the catch may allocate.
   try {
     gapcheck::app::prepare_process();
-    gapcheck::app::keep_freed_memory();
     return gapcheck::check_c::run({argv + (argc > 0 ? 1 : 0), argv + argc});
   } catch (const std::bad_alloc&) {
     std::fputs("check-c: error: not enough memory\n", stderr);

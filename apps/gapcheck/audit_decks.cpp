@@ -11,6 +11,7 @@
 #include "audit/registry.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
+#include "common/freed_memory.hpp"
 #include "deck_list.hpp"
 #include "keyword/file_cache.hpp"
 #include "output.hpp"
@@ -207,6 +208,7 @@ bool selects(const audit::AuditOptions& audit) {
 }
 
 int audit_decks(AuditArguments arguments) {
+  keep_freed_memory();
   keyword::FileCache cache;
   arguments.audit.read.cache = &cache;
   DeckFiles files(arguments.audit.read);

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "command_line.hpp"
-#include "common/freed_memory.hpp"
 #include "common/signals.hpp"
 #include "output.hpp"
 
@@ -48,7 +47,6 @@ int main(int argc, char** argv) {
   // Nothing here may allocate any more.
   try {
     gapcheck::app::prepare_process();
-    gapcheck::app::keep_freed_memory();
     return gapcheck::app::run(argc, argv);
   } catch (const std::bad_alloc&) {
     std::fputs("gapcheck: error: not enough memory\n", stderr);
