@@ -7,7 +7,6 @@ docs/reliability.md.
 import argparse
 import json
 import pathlib
-import resource
 import subprocess
 import sys
 import tempfile
@@ -34,11 +33,6 @@ MISTAKES = {"thickness_20000": "a thickness of 1000 on elements of 5, 20,000 nod
             "contacts_100000": "100,000 contacts", "contacts_same_2000": "the same contact 2,000 times",
             "includes": "230 kB of files that include each other 24³ times",
             "comments": "a file of comments that is included 9,990 times"}
-
-
-def processor_seconds():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def place(text, name, table):
@@ -80,18 +74,15 @@ def hostile_table(inputs, faults):
 def mistakes_table(program, decks, limit):
     lines = ["| deck | MB | audit: s | MB | run, one cycle: s | MB | fix: s | MB |", "|---|---|---|---|---|---|---|---|"]
     with tempfile.TemporaryDirectory() as folder:
-        # In another process: a program's largest memory is at least that of the process that starts it.
-        subprocess.run([sys.executable, "-B", ROOT / "tests/bench/mistakes.py", "write", folder], check=True)
+        mistakes.write(folder)
         for name in decks:
             path = pathlib.Path(folder) / f"{name}.k"
             cells = [MISTAKES[name], f"{path.stat().st_size / 1e6:.1f}"]
             for command in mistakes.COMMANDS:
-                before = processor_seconds()
-                _, memory, code, _ = mistakes.run(str(program), command, str(path), limit)
-                seconds = processor_seconds() - before
-                if code not in (0, 1, 2):
-                    raise SystemExit(f"{name}, {command}: ended with {code}")
-                cells += [f"{seconds:.1f}", f"{memory:.0f}"]
+                used = mistakes.run(str(program), command, str(path), limit)
+                if used.code not in (0, 1, 2):
+                    raise SystemExit(f"{name}, {command}: ended with {used.code}")
+                cells += [f"{used.processor_seconds:.1f}", f"{used.memory:.0f}"]
             lines.append("| " + " | ".join(cells) + " |")
             print(lines[-1], flush=True)
     return lines

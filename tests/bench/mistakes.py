@@ -11,11 +11,11 @@ on them and prints a table.
 import argparse
 import os
 import resource
-import shutil
 import subprocess
 import sys
 import tempfile
 import time
+from typing import NamedTuple, Optional
 
 MATERIAL = "*MAT_ELASTIC\n         1  7.85e-09   210000.       0.3\n"
 COMMANDS = ("audit", "run", "fix")
@@ -172,28 +172,66 @@ def arguments(command, path, folder):
     return [command, path]
 
 
+# Starts the command from a process of its own: what the kernel reports as a child's largest memory is never less than
+# what its parent had when it started it. argv: the file for the results, the limit of time, the command.
+WRAPPER = """
+import os, signal, sys
+child = os.posix_spawn(sys.argv[3], sys.argv[3:], os.environ)
+stopped = []
+def stop(*_):
+    stopped.append(True)
+    os.kill(child, signal.SIGKILL)
+signal.signal(signal.SIGALRM, stop)
+signal.setitimer(signal.ITIMER_REAL, float(sys.argv[2]))
+_, status, used = os.wait4(child, 0)
+code = "stopped" if stopped else os.waitstatus_to_exitcode(status)
+with open(sys.argv[1], "w") as out:
+    print(code, used.ru_utime + used.ru_stime, used.ru_maxrss, file=out)
+"""
+
+
+class Measured(NamedTuple):
+    """What a command took."""
+    seconds: float
+    processor_seconds: float
+    memory: float  # largest, in MB; not less than the ten or so of the process that started it
+    code: Optional[int]  # None: stopped at the limit
+    last_line: str  # of its output
+
+
+def measured(command, folder, limit):
+    """Runs a command (program with its path, and arguments); `folder`: for the log."""
+    results = os.path.join(folder, "measured")
+    start = time.monotonic()
+    with open(os.path.join(folder, "log"), "w+") as log:
+        subprocess.run([sys.executable, "-I", "-S", "-B", "-c", WRAPPER, results, str(limit), *command],
+                       stdout=log, stderr=log, check=True)
+        seconds = time.monotonic() - start
+        log.seek(0)
+        lines = log.read().splitlines()
+    with open(results) as file:
+        code, processor, memory = file.read().split()
+    return Measured(seconds, float(processor), int(memory) / 1024, None if code == "stopped" else int(code),
+                    lines[-1] if lines else "")
+
+
 def run(program, command, path, limit):
-    """Seconds, peak of memory in MB, exit code (None: stopped at the limit) and the output's last line."""
-    folder = tempfile.mkdtemp()
-    try:
-        start = time.monotonic()
-        with open(os.path.join(folder, "log"), "w+") as log:
-            child = subprocess.Popen([program, *arguments(command, path, folder)], stdout=log, stderr=log)
-            code, usage = None, None
-            while code is None and time.monotonic() - start < limit:
-                pid, status, usage = os.wait4(child.pid, os.WNOHANG)
-                if pid:
-                    code = os.waitstatus_to_exitcode(status)
-                else:
-                    time.sleep(0.01)
-            if code is None:
-                child.kill()
-                _, _, usage = os.wait4(child.pid, 0)
-            log.seek(0)
-            lines = log.read().splitlines()
-        return time.monotonic() - start, usage.ru_maxrss / 1024, code, lines[-1] if lines else ""
-    finally:
-        shutil.rmtree(folder)
+    with tempfile.TemporaryDirectory() as folder:
+        return measured([os.path.abspath(program), *arguments(command, path, folder)], folder, limit)
+
+
+def self_test():
+    """What is measured is the command's own: neither the memory of this process, nor the time after the limit."""
+    held = bytearray(300 << 20)
+    with tempfile.TemporaryDirectory() as folder:
+        small = measured([sys.executable, "-I", "-S", "-c", "print('end')"], folder, 60)
+        large = measured([sys.executable, "-I", "-S", "-c", "x = bytearray(100 << 20); raise SystemExit(2)"], folder, 60)
+        slow = measured([sys.executable, "-I", "-S", "-c", "import time; time.sleep(60)"], folder, 0.5)
+    good = (small.memory < 50 and small.code == 0 and small.last_line == "end" and 100 < large.memory < 150
+            and large.code == 2 and slow.code is None and slow.seconds < 30)
+    if not good:
+        print(small, large, slow, len(held))
+    return 0 if good else 1
 
 
 def measure(program, folder, names, commands, limit):
@@ -203,8 +241,8 @@ def measure(program, folder, names, commands, limit):
         path = os.path.join(folder, name + ".k")
         cells = [name, f"{os.path.getsize(path) / 1e6:.2f}"]
         for command in commands:
-            seconds, memory, code, _ = run(program, command, path, limit)
-            cells += [f"{seconds:.1f}", f"{memory:.0f}", "stopped" if code is None else str(code)]
+            used = run(program, command, path, limit)
+            cells += [f"{used.seconds:.1f}", f"{used.memory:.0f}", "stopped" if used.code is None else str(used.code)]
         print("| " + " | ".join(cells) + " |", flush=True)
 
 
@@ -219,12 +257,16 @@ def main():
     two.add_argument("--decks", nargs="*")
     two.add_argument("--commands", nargs="*", default=list(COMMANDS))
     two.add_argument("--limit", type=float, default=60, help="seconds after which a command is stopped")
+    sub.add_parser("self-test")
     options = parser.parse_args()
+    if options.what == "self-test":
+        return self_test()
     if options.what == "write":
         write(options.folder)
     else:
         resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
         measure(options.program, options.folder, options.decks, options.commands, options.limit)
+    return 0
 
 
 if __name__ == "__main__":
