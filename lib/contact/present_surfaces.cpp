@@ -8,18 +8,22 @@ const ContactSurfaces& PresentSurfaces::at(ContactIndex contact) {
   if (!moved_) return deck_.at(contact);
   const Stopwatch watch(counters_.surface_s);
   ++counters_.surfaces_built;
-  return built_.emplace(deck_.build(contact, x_));
+  return built_.emplace(deck_.build(contact, x_, &sides_));
 }
 
 void PresentSurfaces::move(NodeIndex node, const Vector& to) {
   x_[node.value] = to;
   moved_ = true;
+  sides_.clear();
 }
 
 TieResult PresentSurfaces::tie(const TieScene& scene, ContactIndex contact, const ContactSurfaces& surfaces,
                                TiedPairs& ties) {
   TieResult result = apply_ties(scene, contact, surfaces, x_, ties);
-  moved_ = moved_ || result.moved > 0;
+  if (result.moved > 0) {
+    moved_ = true;
+    sides_.clear();
+  }
   return result;
 }
 

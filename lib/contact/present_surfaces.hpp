@@ -26,6 +26,7 @@ class PresentSurfaces {
   std::vector<Vector>& x_;
   InitialCounters& counters_;
   bool moved_ = false;  ///< some node is no longer at its position in the deck
+  SideCache sides_;     ///< on the present coordinates
   std::optional<ContactSurfaces> built_;
 };
 

@@ -66,17 +66,15 @@ std::vector<SurfaceEdge> EdgeScene::edges() const {
 ContactSurfaces free_edge_surface(const model::Model& model, ContactIndex contact, const ContactSurfaces& surfaces,
                                   const std::vector<Vector>& x) {
   constexpr double limit = 0.2;  // of the shortest edge, for half a thickness
-  ContactSurfaces lines{surfaces.type, surfaces.settings, {}, {}};
-  lines.type.treatment = Treatment::single_surface;
-  lines.type.family = Family::automatic;
-  lines.type.pairing = Pairing::nodes;
-  lines.type.edges = true;
-  ContactSurfaces shells{surfaces.type, surfaces.settings, {}, {}};
-  shells.type.treatment = Treatment::single_surface;
-  shells.a.selection = surfaces.a.selection;
+  ContactType type = surfaces.type;
+  type.treatment = Treatment::single_surface;
+  ContactSide only_shells;
+  only_shells.selection = surfaces.a.selection;
+  const ContactSurfaces shells(type, surfaces.settings, std::make_shared<const ContactSide>(std::move(only_shells)));
   const EdgeScene scene(model, contact, shells, x, false);
   const Segments& of = scene.scene().segments;
-  Segments& s = lines.a.selection.segments;
+  ContactSide lines;
+  Segments& s = lines.selection.segments;
   std::map<NodeIndex, std::uint32_t> ends;  // by node: the thickest line
   for (const SurfaceEdge& edge : scene.edges()) {
     const std::size_t i = edge.segment.value;
@@ -93,15 +91,18 @@ ContactSurfaces free_edge_surface(const model::Model& model, ContactIndex contac
       if (s.half[line] > s.half[known->second]) known->second = line;
     }
   }
-  lines.a.lines = s.size();
-  TrackedNodes& nodes = lines.a.nodes;
+  lines.lines = s.size();
+  TrackedNodes& nodes = lines.nodes;
   for (const auto& [node, line] : ends) {
     nodes.node.push_back(node);
     nodes.half.push_back(s.half[line]);
     nodes.rule.push_back(s.rule[line]);
     nodes.part.push_back(part_of(model.mesh, s, line));
   }
-  return lines;
+  type.family = Family::automatic;
+  type.pairing = Pairing::nodes;
+  type.edges = true;
+  return {type, surfaces.settings, std::make_shared<const ContactSide>(std::move(lines))};
 }
 
 }  // namespace gapcheck::contact

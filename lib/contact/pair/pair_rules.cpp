@@ -3,13 +3,19 @@
 namespace gapcheck::contact {
 namespace {
 
-/// Nodes that are a corner of a shell or solid facet: segment-based contact checks only these, if there are any.
-std::vector<bool> corners_of(const Segments& segments, std::size_t nodes) {
-  std::vector<bool> corner(nodes, false);
+/// By tracked node: it is a corner of a shell or solid facet. Segment-based contact checks only these, if there are
+/// any.
+std::vector<bool> corners_of(const Segments& segments, const TrackedNodes& nodes, std::size_t mesh_nodes) {
+  const NodeSlots slots = slots_of(segments, mesh_nodes);
+  std::vector<bool> corner(slots.size(), false), tracked(nodes.size(), false);
   for (std::size_t s = 0; s < segments.size(); ++s)
     if (segments.kind[s] != SegmentKind::line)
-      for (const NodeIndex n : segments.nodes[s]) corner[n.value] = true;
-  return corner;
+      for (const NodeIndex n : segments.nodes[s]) corner[slots.slot(n)] = true;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const std::uint32_t slot = slots.slot(nodes.node[i]);
+    tracked[i] = slot != no_position && corner[slot];
+  }
+  return tracked;
 }
 
 }  // namespace
@@ -22,13 +28,13 @@ PairRules::PairRules(const PairScene& scene, const ContactSide& tracked, const E
       single_(scene.type.treatment == Treatment::single_surface),
       own_part_(scene.type.pairing != Pairing::mortar || scene.settings.ignore >= 0) {
   if (scene.type.by_segments() && !tracked.nodes_only)
-    corners_ = corners_of(tracked.selection.segments, scene.model.mesh.nodes.size());
+    corners_ = corners_of(tracked.selection.segments, scene.nodes, scene.model.mesh.nodes.size());
 }
 
 PairRule PairRules::operator()(SlotIndex slot, SegmentIndex segment) const {
   const NodeIndex node = scene_.nodes.node[slot.value];
   if (single_ && scene_.neighbours.in_ring(node, segment)) return PairRule::neighbour;
-  if (!corners_.empty() && !corners_[node.value]) return PairRule::no_corner;
+  if (!corners_.empty() && !corners_[slot.value]) return PairRule::no_corner;
   const PartIndex part = part_of(scene_.model.mesh, scene_.segments, segment.value);
   if (!own_part_ && part == scene_.nodes.part[slot.value]) return PairRule::own_part;
   if (!exclusions_.empty() && exclusions_.excluded(scene_.nodes.part[slot.value], part)) return PairRule::excluded;

@@ -31,7 +31,7 @@ class PairRules {
   const Exclusions& exclusions_;
   const TiedPairs& ties_;
   bool single_, own_part_;
-  std::vector<bool> corners_;  ///< by node; empty: all count
+  std::vector<bool> corners_;  ///< by slot; empty: all count
 };
 
 }  // namespace gapcheck::contact

@@ -9,13 +9,19 @@ bool has_solids(const Segments& segments) {
   return std::find(segments.kind.begin(), segments.kind.end(), SegmentKind::solid) != segments.kind.end();
 }
 
+std::shared_ptr<const Neighbours> neighbours_of(const ContactSide& side, const model::Mesh& mesh, NeighbourKind kind,
+                                                NeighbourCache* shared) {
+  return shared != nullptr ? shared->of(side, mesh, kind) : make_neighbours(side, mesh, kind);
+}
+
 }  // namespace
 
 SideScene::SideScene(const model::Model& model, ContactIndex contact, const ContactSurfaces& surfaces, bool exchanged,
-                     const std::vector<Vector>& x)
+                     const std::vector<Vector>& x, NeighbourCache* shared)
     : tracked_(exchanged ? surfaces.b : surfaces.a),
       reference_(exchanged || !surfaces.two_sided() ? surfaces.a : surfaces.b),
-      neighbours_(reference_.selection.segments, model.mesh, !surfaces.two_sided(), &reference_.selection.cut),
+      neighbours_(neighbours_of(reference_, model.mesh,
+                                surfaces.two_sided() ? NeighbourKind::with_cut : NeighbourKind::with_solids, shared)),
       scene_{model,
              model.contact(contact),
              surfaces.type,
@@ -23,15 +29,15 @@ SideScene::SideScene(const model::Model& model, ContactIndex contact, const Cont
              x,
              reference_.selection.segments,
              tracked_.nodes,
-             neighbours_,
+             *neighbours_,
              exchanged || !surfaces.two_sided() ? model.contact(contact).a.type : model.contact(contact).b.type,
              solid_extents(reference_.selection.segments, model.mesh, x),
              {}} {
   const Segments& own = tracked_.selection.segments;
   if (!has_solids(own) || !has_solids(reference_.selection.segments)) return;
-  if (&tracked_ != &reference_) own_.emplace(own, model.mesh);
+  if (&tracked_ != &reference_) own_ = neighbours_of(tracked_, model.mesh, NeighbourKind::segments, shared);
   scene_.own = &own;
-  scene_.own_neighbours = own_ ? &*own_ : &neighbours_;
+  scene_.own_neighbours = own_ ? own_.get() : neighbours_.get();
 }
 
 }  // namespace gapcheck::contact

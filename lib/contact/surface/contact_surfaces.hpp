@@ -5,33 +5,38 @@
 #include <vector>
 
 #include "contact/definition/contact_type.hpp"
-#include "contact/surface/surface.hpp"
+#include "contact/surface/contact_side.hpp"
 #include "model/model.hpp"
 
 namespace gapcheck::contact {
 
-/// One side of a contact with its thickness.
-struct ContactSide {
-  Selection selection;
-  TrackedNodes nodes;       ///< of side B only in contacts that look for side B's nodes
-  bool nodes_only = false;  ///< it names nodes and no elements
-  /// `selection.segments` ends with this many beam axes; only single-surface contacts keep any.
-  std::size_t lines = 0;
-};
-
-/// Both sides of a contact, as input for the search. Single-surface contacts have only side A.
+/// Both sides of a contact, as input for the search. Single-surface contacts have only side A. Contacts with the same
+/// side share it; a copy shares both.
 struct ContactSurfaces {
+  /// `side_a`: not null; `side_b`: null is an empty side.
+  ContactSurfaces(ContactType contact_type, const ContactSettings& contact_settings,
+                  std::shared_ptr<const ContactSide> side_a, std::shared_ptr<const ContactSide> side_b = nullptr);
+
+ private:
+  std::shared_ptr<const ContactSide> shared_a_, shared_b_;
+
+ public:
   ContactType type;
   ContactSettings settings;
-  ContactSide a, b;
+  const ContactSide &a, &b;
   [[nodiscard]] bool two_sided() const { return type.treatment != Treatment::single_surface; }
+  /// The same with another side A.
+  [[nodiscard]] ContactSurfaces with_a(std::shared_ptr<const ContactSide> side) const {
+    return {type, settings, std::move(side), shared_b_};
+  }
 };
 
 /// Builds the surfaces of one contact on the coordinates given. Tied contacts use the true thickness, whatever SHLTHK
-/// says, and |SST| and |MST| if these are negative; `change` does not apply to them. `index`: of this model.
+/// says, and |SST| and |MST| if these are negative; `change` does not apply to them. `index`: of this model. `sides`:
+/// those built before on the same coordinates, which are used again; null: none.
 [[nodiscard]] ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& contact,
                                              const std::vector<Vector>& x, MeshIndex& index,
-                                             const ThicknessChange& change = {});
+                                             const ThicknessChange& change = {}, SideCache* sides = nullptr);
 
 struct GoneElements;
 
@@ -42,11 +47,12 @@ class SurfaceStore {
   explicit SurfaceStore(const model::Model& model, std::vector<ThicknessChange> changes = {})
       : model_(model), index_(model), changes_(std::move(changes)), built_(model.contacts.size()) {}
   [[nodiscard]] const ContactSurfaces& at(ContactIndex contact);
-  /// The same on other coordinates; not kept.
-  [[nodiscard]] ContactSurfaces build(ContactIndex contact, const std::vector<Vector>& x);
+  /// The same on other coordinates; not kept. `sides`: of other contacts on these coordinates.
+  [[nodiscard]] ContactSurfaces build(ContactIndex contact, const std::vector<Vector>& x, SideCache* sides = nullptr);
   /// For a contact that is not in the model, without any change of thickness.
-  [[nodiscard]] ContactSurfaces build(const model::Contact& contact, const std::vector<Vector>& x) {
-    return build_surfaces(model_, contact, x, index_);
+  [[nodiscard]] ContactSurfaces build(const model::Contact& contact, const std::vector<Vector>& x,
+                                      SideCache* sides = nullptr) {
+    return build_surfaces(model_, contact, x, index_, {}, sides);
   }
   /// What is left of a contact's surfaces once elements have failed (contact/erosion.hpp). `x`: present coordinates.
   [[nodiscard]] ContactSurfaces erode(ContactIndex contact, const ContactSurfaces& now, const GoneElements& gone,
@@ -60,6 +66,7 @@ class SurfaceStore {
   const model::Model& model_;
   MeshIndex index_;
   std::vector<ThicknessChange> changes_;
+  SideCache sides_;
   std::vector<std::unique_ptr<const ContactSurfaces>> built_;
   std::uint64_t count_ = 0, asked_ = 0;
   double seconds_ = 0;

@@ -184,11 +184,14 @@ bool is_eroding(const ContactType& type) {
 ContactSurfaces erode_surfaces(const model::Model& model, const model::Contact& contact, const ContactSurfaces& start,
                                const ContactSurfaces& now, const GoneElements& gone, const std::vector<Vector>& x,
                                MeshIndex& index) {
-  ContactSurfaces left = now;
   const bool inner_faces = is_eroding(now.type) && (contact.erosop == 1 || contact.iadj == 1);
-  SideErosion(model, contact.a, start.a, gone, x, index).erode(left.a, inner_faces);
-  if (now.two_sided()) SideErosion(model, contact.b, start.b, gone, x, index).erode(left.b, inner_faces);
-  return left;
+  const auto left = [&](const model::SurfaceInput& input, const ContactSide& before, const ContactSide& side) {
+    ContactSide remaining = side;
+    SideErosion(model, input, before, gone, x, index).erode(remaining, inner_faces);
+    return std::make_shared<const ContactSide>(std::move(remaining));
+  };
+  return {now.type, now.settings, left(contact.a, start.a, now.a),
+          now.two_sided() ? left(contact.b, start.b, now.b) : nullptr};
 }
 
 }  // namespace gapcheck::contact

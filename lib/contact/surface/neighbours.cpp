@@ -12,14 +12,14 @@ void each_corner(const model::SegmentNodes& n, const Visit& visit) {
     if (c == 0 || n[c] != n[c - 1]) visit(n[c]);
 }
 
+}  // namespace
+
 NodeSlots slots_of(const Segments& segments, std::size_t mesh_nodes) {
   if (!NodeSlots::few(4 * segments.size(), mesh_nodes)) return NodeSlots(mesh_nodes);
   std::vector<NodeIndex> nodes;
   for (const auto& corners : segments.nodes) nodes.insert(nodes.end(), corners.begin(), corners.end());
   return NodeSlots(std::move(nodes));
 }
-
-}  // namespace
 
 Neighbours::Neighbours(const Segments& segments, const model::Mesh& mesh, bool whole_solids, const Segments* cut)
     : segments_(&segments), mesh_(&mesh), slots_(slots_of(segments, mesh.nodes.size())), start_(slots_.size() + 1, 0) {

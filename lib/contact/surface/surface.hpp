@@ -6,6 +6,7 @@
 
 #include "contact/definition/contact_type.hpp"
 #include "contact/mesh/mesh_index.hpp"
+#include "contact/mesh/node_slots.hpp"
 #include "contact/search/search.hpp"
 #include "contact/surface/thickness.hpp"
 #include "model/model.hpp"
@@ -73,6 +74,9 @@ void fill_offsets(Segments& segments, const model::Model& model);
 [[nodiscard]] inline bool is_corner(const model::SegmentNodes& nodes, NodeIndex node) {
   return nodes[0] == node || nodes[1] == node || nodes[2] == node || nodes[3] == node;
 }
+
+/// Numbers the corners of segments.
+[[nodiscard]] NodeSlots slots_of(const Segments& segments, std::size_t mesh_nodes);
 
 /// Shortest edge of a segment; infinity if all its corners are one node.
 [[nodiscard]] double shortest_edge(const model::SegmentNodes& nodes, const std::vector<Vector>& x);

@@ -29,17 +29,18 @@ ContactForces::ContactForces(const model::Model& model, contact::SurfaceStore& s
       masses_(model),
       search_(contact::make_bucket_grid()),
       ties_(model),
-      setting_{model, masses_, *search_, ties_, movable_} {
+      setting_{model, masses_, *search_, ties_, movable_, shared_} {
   for (const contact::JudgedNode& node : initial.judged)
     if (node.tied()) ties_.add(node.node, node.segment_part);
 }
 
 void ContactForces::build(const State& state) {
   SearchMargin margin;
+  contact::SideCache sides;
   for (const ContactIndex c : positions<ContactIndex>(model_.contacts.size())) {
     const model::Contact& contact = model_.contact(c);
     if (!calculates(contact)) continue;
-    ContactInterface& interface = interfaces_.emplace_back(setting_, store_, c, moved_, state);
+    ContactInterface& interface = interfaces_.emplace_back(setting_, store_, sides, c, moved_, state);
     interface.set_memories(found_);
     const contact::ContactSurfaces& surfaces = interface.surfaces();
     for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) margin.add(side->selection.segments, state.x);
@@ -57,15 +58,16 @@ void ContactForces::build(const State& state) {
 }
 
 void ContactForces::gather_nodes() {
-  std::vector<std::uint32_t> nodes;
+  std::vector<bool> in_contact(model_.mesh.nodes.size(), false);
   for (const ContactInterface& interface : interfaces_)
     for (const contact::ContactSide* side : {&interface.surfaces().a, &interface.surfaces().b}) {
-      for (const NodeIndex node : side->nodes.node) nodes.push_back(node.value);
+      for (const NodeIndex node : side->nodes.node) in_contact[node.value] = true;
       for (const auto& corners : side->selection.segments.nodes)
-        for (const NodeIndex node : corners) nodes.push_back(node.value);
+        for (const NodeIndex node : corners) in_contact[node.value] = true;
     }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t node = 0; node < in_contact.size(); ++node)
+    if (in_contact[node]) nodes.push_back(node);
   margin_.set_nodes(std::move(nodes));
 }
 
@@ -101,8 +103,20 @@ void ContactForces::find_candidates(const State& state) {
   ++counters_.searches;
   margin_.reset(state);
   for (ContactInterface& interface : interfaces_) interface.find_candidates(margin_.margin(), counters_);
+  used_at_search_.assign(interfaces_.size(), 0);
   searched_ = state.cycle;
   released_ = false;
+}
+
+void ContactForces::find_candidates_again(std::size_t i) {
+  const Stopwatch watch(counters_.search_s);
+  interfaces_[i].find_candidates(margin_.margin(), counters_);
+  used_at_search_[i] = margin_.used();
+}
+
+double ContactForces::used_since_search(std::size_t i) const {
+  const double before = used_at_search_[i], now = margin_.used();
+  return before > 0 ? now * rounding_of_motion - before : now;
 }
 
 void ContactForces::release(NodeIndex node, PartIndex part) {
@@ -119,10 +133,12 @@ void ContactForces::add(State& state, Forces& forces) {
   if (eroded) erode(state);
   if (first || eroded || search_is_due(state)) find_candidates(state);
   const Stopwatch watch(counters_.force_s);
-  for (std::size_t i = 0; i < interfaces_.size(); ++i) advance_interface(interfaces_[i], state, forces, states_[i]);
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) advance_interface(i, state, forces);
 }
 
-void ContactForces::advance_interface(ContactInterface& interface, State& state, Forces& forces, ContactState& result) {
+void ContactForces::advance_interface(std::size_t i, State& state, Forces& forces) {
+  ContactInterface& interface = interfaces_[i];
+  ContactState& result = states_[i];
   clear_sums(result);
   if (!interface.acts_at(state.time)) {
     interface.deactivate(state, result);
@@ -131,14 +147,15 @@ void ContactForces::advance_interface(ContactInterface& interface, State& state,
   interface.activate();
   if (auto event = interface.follow_step(state)) events_.push_back(std::move(*event));
   for (const auto& pass : interface.passes()) {
-    // A node moved by a pass is nearer to something than the search knew; so is one that has become thicker.
-    double growth = interface.update_thickness(state.time);
-    if (!(margin_.used() + growth <= margin_.margin())) {
-      find_candidates(state);
-      growth = 0;
+    // A node moved by a pass is nearer to something than the search knew; so is one that has become thicker. Only this
+    // contact is searched again: if each of many contacts moves nodes, searching all would take the square of the time.
+    double used = used_since_search(i) + interface.update_thickness(state.time);
+    if (!(used <= margin_.margin())) {
+      find_candidates_again(i);
+      used = 0;
     }
     // It may be the node or a corner of the segment, or both.
-    margin_.add(2 * pass->advance_state(state, margin_.used() + growth, counters_) * rounding_of_motion);
+    margin_.add(2 * pass->advance_state(state, used, counters_) * rounding_of_motion);
     pass->add_forces(state, forces, result);
     if (state.cycle == 0) result.lost -= pass->stored();
   }

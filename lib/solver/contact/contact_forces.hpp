@@ -56,8 +56,12 @@ class ContactForces : public Force, public ContactSource {
   void gather_nodes();
   [[nodiscard]] bool search_is_due(const State& state) const;
   void find_candidates(const State& state);
+  /// For one contact, between the searches for all of them.
+  void find_candidates_again(std::size_t interface);
+  /// How much of the margin is used up since the last search for this contact.
+  [[nodiscard]] double used_since_search(std::size_t interface) const;
   /// Calculates one contact in this cycle: forces, energies and events.
-  void advance_interface(ContactInterface& interface, State& state, Forces& forces, ContactState& result);
+  void advance_interface(std::size_t interface, State& state, Forces& forces);
 
   const model::Model& model_;
   contact::SurfaceStore& store_;
@@ -67,15 +71,17 @@ class ContactForces : public Force, public ContactSource {
   ContactMasses masses_;
   std::unique_ptr<contact::CandidateSearch> search_;
   contact::TiedPairs ties_;
+  SharedTables shared_;
   ContactSetting setting_;
   std::vector<ContactInterface> interfaces_;
   std::vector<ContactState> states_;
   std::vector<ContactEvent> events_;
   ContactCounters counters_;
-  MarginUse margin_;
-  std::int64_t sort_interval_ = 0;  ///< smallest BSORT; 0: none given
-  std::uint64_t searched_ = 0;      ///< cycle of the last search
-  std::uint64_t failures_ = 0;      ///< FailedElements::count that the surfaces know
+  MarginUse margin_;                    ///< since the last search for all contacts
+  std::vector<double> used_at_search_;  ///< by interface: how much of it was used up at its own last search
+  std::int64_t sort_interval_ = 0;      ///< smallest BSORT; 0: none given
+  std::uint64_t searched_ = 0;          ///< cycle of the last search
+  std::uint64_t failures_ = 0;          ///< FailedElements::count that the surfaces know
   std::unique_ptr<contact::TimestepEstimate> estimate_;
   double stable_step_ = std::numeric_limits<double>::infinity();
   bool built_ = false;

@@ -41,15 +41,15 @@ bool is_tiebreak(const model::Contact& contact) { return choose_method(contact).
 
 }  // namespace
 
-ContactInterface::ContactInterface(const ContactSetting& setting, contact::SurfaceStore& store, ContactIndex contact,
-                                   bool moved, const State& state)
+ContactInterface::ContactInterface(const ContactSetting& setting, contact::SurfaceStore& store,
+                                   contact::SideCache& sides, ContactIndex contact, bool moved, const State& state)
     : setting_(setting), contact_(contact), first_step_(state.coming) {
   if (card().airbag_thickness > 0) thickness_ = &setting.model.curves.at(card().lcidab);
   searched_thickness_ = card().airbag_thickness;
   const contact::ActiveTime time = contact::active_time(card());
   start_ = time.start;
   end_ = time.end;
-  build_surfaces(store, moved, state.x);
+  build_surfaces(store, sides, moved, state.x);
   add_passes(state.x);
   const double fixed = card().dtstif;
   set_timestep(fixed > 0 ? fixed : first_step_);
@@ -58,19 +58,21 @@ ContactInterface::ContactInterface(const ContactSetting& setting, contact::Surfa
   crossings_ = SegmentCrossings(card().dtpchk);
 }
 
-void ContactInterface::build_surfaces(contact::SurfaceStore& store, bool moved, const std::vector<Vector>& x) {
+void ContactInterface::build_surfaces(contact::SurfaceStore& store, contact::SideCache& sides, bool moved,
+                                      const std::vector<Vector>& x) {
   if (is_tiebreak(card()))
-    set_own_surfaces(store.build(contact::after_failure(card()), x));
+    set_own_surfaces(store.build(contact::after_failure(card()), x, &sides));
   else if (moved || thickness_ != nullptr)
-    set_own_surfaces(store.build(contact_, x));
+    set_own_surfaces(store.build(contact_, x, &sides));
   else
     surfaces_ = &store.at(contact_);
   if (surfaces_->type.code == contact::ContactCode::single_edge)
     set_own_surfaces(contact::free_edge_surface(setting_.model, contact_, *surfaces_, x));
 }
 
-void ContactInterface::set_own_surfaces(contact::ContactSurfaces surfaces) {
-  own_ = std::make_unique<contact::ContactSurfaces>(std::move(surfaces));
+void ContactInterface::set_own_surfaces(const contact::ContactSurfaces& surfaces) {
+  if (thickness_ != nullptr) inflated_ = std::make_shared<contact::ContactSide>(surfaces.a);
+  own_ = std::make_unique<contact::ContactSurfaces>(thickness_ != nullptr ? surfaces.with_a(inflated_) : surfaces);
   surfaces_ = own_.get();
 }
 
@@ -104,11 +106,10 @@ void ContactInterface::erode(contact::SurfaceStore& store, const contact::GoneEl
                              ContactState& result) {
   const bool rims = surfaces_->type.code == contact::ContactCode::single_edge;
   const contact::ContactSurfaces& now = rims ? store.at(contact_) : *surfaces_;
-  contact::ContactSurfaces left = store.erode(contact_, now, gone, state.x);
-  if (rims) left = contact::free_edge_surface(setting_.model, contact_, left, state.x);
+  const contact::ContactSurfaces left = store.erode(contact_, now, gone, state.x);
   const std::unique_ptr<contact::ContactSurfaces> old = std::move(own_);  // the old passes still use it
   const std::vector<std::unique_ptr<InterfacePass>> before = std::exchange(passes_, {});
-  set_own_surfaces(std::move(left));
+  set_own_surfaces(rims ? contact::free_edge_surface(setting_.model, contact_, left, state.x) : left);
   add_passes(state.x);
   const double fixed = card().dtstif;
   set_timestep(fixed > 0 ? fixed : step_ > 0 ? step_ : first_step_);
@@ -123,9 +124,8 @@ void ContactInterface::find_candidates(double margin, ContactCounters& counters)
 double ContactInterface::update_thickness(double time) {
   if (thickness_ == nullptr) return 0;
   present_thickness_ = thickness_->at(time);
-  contact::ContactSide& side = own_->a;
-  std::fill(side.nodes.half.begin(), side.nodes.half.end(), present_thickness_ / 2);
-  contact::Segments& segments = side.selection.segments;
+  std::fill(inflated_->nodes.half.begin(), inflated_->nodes.half.end(), present_thickness_ / 2);
+  contact::Segments& segments = inflated_->selection.segments;
   std::fill(segments.half.begin(), segments.half.end(), present_thickness_ / 2);
   return present_thickness_ - searched_thickness_;
 }

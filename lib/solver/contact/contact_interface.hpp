@@ -17,9 +17,10 @@ namespace gapcheck::solver {
 class ContactInterface {
  public:
   /// `contact`: position in Model::contacts. `moved`: the initialisation has moved nodes, so the store's surfaces do
-  /// not match `state`. All references must outlive it, and the state must stay at its address.
-  ContactInterface(const ContactSetting& setting, contact::SurfaceStore& store, ContactIndex contact, bool moved,
-                   const State& state);
+  /// not match `state`. `sides`: of the contacts built so far on these coordinates. All references but this one must
+  /// outlive it, and the state must stay at its address.
+  ContactInterface(const ContactSetting& setting, contact::SurfaceStore& store, contact::SideCache& sides,
+                   ContactIndex contact, bool moved, const State& state);
 
   [[nodiscard]] ContactIndex contact() const { return contact_; }
   [[nodiscard]] const model::Contact& card() const { return setting_.model.contact(contact_); }
@@ -43,8 +44,9 @@ class ContactInterface {
   void deactivate(const State& state, ContactState& result);
 
  private:
-  void build_surfaces(contact::SurfaceStore& store, bool moved, const std::vector<Vector>& x);
-  void set_own_surfaces(contact::ContactSurfaces surfaces);
+  void build_surfaces(contact::SurfaceStore& store, contact::SideCache& sides, bool moved,
+                      const std::vector<Vector>& x);
+  void set_own_surfaces(const contact::ContactSurfaces& surfaces);
   void add_passes(const std::vector<Vector>& x);
   void set_timestep(double timestep);
 
@@ -53,6 +55,7 @@ class ContactInterface {
   const contact::ContactSurfaces* surfaces_ = nullptr;
   /// Used if the initialisation has moved nodes, thickness changes or elements have failed.
   std::unique_ptr<contact::ContactSurfaces> own_;
+  std::shared_ptr<contact::ContactSide> inflated_;  ///< side A of `own_` where thickness changes; else null
   std::vector<std::unique_ptr<InterfacePass>> passes_;
   double start_ = 0, end_ = 0;
   bool active_ = false;                                    ///< in the last cycle

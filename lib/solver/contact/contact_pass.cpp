@@ -53,11 +53,10 @@ void ContactPass::advance_places(std::size_t first, std::size_t last, const Stat
   finder_.follow_pairs(first, last, scratch);
   PassBlock& block = blocks_[b];
   for (std::size_t place = first; place < last; ++place) {
-    const SlotIndex slot = pairs_.slot_at(place);
     if (std::optional<NodeMeeting> meeting = finder_.find_meeting(place, used, scratch, block.counts))
-      settler_.settle_node(slot, *meeting, state, block, pushes_[b]);
+      settler_.settle_node(place, *meeting, state, block, pushes_[b]);
     else
-      block.released += pairs_.node(slot).released();
+      block.released += pairs_.node(pairs_.slot_at(place)).released();
   }
 }
 
@@ -76,8 +75,8 @@ void ContactPass::advance_block(std::size_t b, const State& state, double used, 
   if (last > near) return;
   block.sleep = std::numeric_limits<double>::infinity();
   for (std::size_t place = first; place < last; ++place) {
-    const TrackedNode& tracked = pairs_.node(pairs_.slot_at(place));
-    block.sleep = std::min(block.sleep, tracked.active ? 0 : tracked.sleep);
+    const bool active = pairs_.node(pairs_.slot_at(place)).active;
+    block.sleep = std::min(block.sleep, active ? 0 : pairs_.sleep(place));
   }
 }
 
@@ -125,10 +124,9 @@ void ContactPass::continue_from(InterfacePass& before, const State& state, Conta
 }
 
 void ContactPass::deactivate(const State& state, ContactState& result) {
-  for (const SlotIndex slot : positions<SlotIndex>(pairs_.size())) {
+  for (const SlotIndex slot : positions<SlotIndex>(pairs_.size()))
     if (pairs_.node(slot).active) end_force(slot, state, result);
-    pairs_.reset_node(slot);
-  }
+  pairs_.reset_nodes();
   blocks_.clear();
   pushes_.clear();
   rule_->forget();

@@ -7,6 +7,12 @@
 
 namespace gapcheck::solver {
 
+/// What contacts with the same side share.
+struct SharedTables {
+  contact::NeighbourCache neighbours;
+  StiffnessCache stiffness;
+};
+
 /// What all passes of a run share. All references must outlive them.
 struct ContactSetting {
   const model::Model& model;
@@ -14,6 +20,7 @@ struct ContactSetting {
   const contact::CandidateSearch& search;
   const contact::TiedPairs& ties;
   const std::vector<bool>& movable;  ///< by node: the shooting-node logic may move it
+  SharedTables& shared;
 };
 
 }  // namespace gapcheck::solver

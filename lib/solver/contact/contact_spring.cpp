@@ -1,6 +1,7 @@
 #include "solver/contact/contact_spring.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -14,26 +15,23 @@ using contact::corner_count;
 ContactMasses::ContactMasses(const model::Model& model)
     : sizes(contact::element_sizes(model)), springs(model, sizes), mass(contact::node_masses(model, sizes)) {}
 
-ContactSprings::ContactSprings(const model::Model& model, const contact::SideScene& side, const ContactMasses& masses,
-                               double node_scale, double segment_scale)
-    : scene_(side.scene()),
-      mass_(masses.mass),
-      penopt_(model.controls.penopt),
-      // The solver uses SOFT = 1 if a type has no segment-based contact.
-      soft_(scene_.contact.soft == 2 && !contact::has_soft_2(scene_.type) ? 1 : scene_.contact.soft),
-      sofscl_(scene_.contact.sofscl),
-      nodes_(scene_.nodes.size()) {
-  const model::Contact& contact = scene_.contact;
-  const double slsfac = model.controls.slsfac;
-  const double solid_modulus = contact.sldthk > 0 ? contact.sldstf : 0;
-  const contact::Segments& segments = side.reference().selection.segments;
-  for (std::size_t s = 0; s < segments.size(); ++s)
-    segments_.push_back(masses.springs(segments, s, slsfac * segment_scale, false, solid_modulus).stiffness);
+namespace {
 
+std::unique_ptr<const SideStiffness> segment_table(const ContactMasses& masses, const contact::Segments& segments,
+                                                   double scale, double solid_modulus) {
+  auto table = std::make_unique<SideStiffness>();
+  table->segments.reserve(segments.size());
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    table->segments.push_back(masses.springs(segments, s, scale, false, solid_modulus).stiffness);
+  return table;
+}
+
+std::unique_ptr<const SideStiffness> node_table(const ContactMasses& masses, const contact::ContactSide& side,
+                                                double scale, double solid_modulus, bool lines) {
+  const contact::Segments& own = side.selection.segments;
   // Thousands of small contacts must not each visit all nodes of the model.
   std::vector<NodeIndex> touched;
-  for (const auto& corners : side.tracked().selection.segments.nodes)
-    touched.insert(touched.end(), corners.begin(), corners.end());
+  for (const auto& corners : own.nodes) touched.insert(touched.end(), corners.begin(), corners.end());
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   const auto place = [&](NodeIndex node) {
@@ -42,11 +40,10 @@ ContactSprings::ContactSprings(const model::Model& model, const contact::SideSce
   constexpr double none_yet = std::numeric_limits<double>::infinity();
   std::vector<double> least(touched.size(), none_yet);
   std::vector<contact::NodeStiffness> sums(touched.size());
-  const contact::Segments& own = side.tracked().selection.segments;
   for (std::size_t s = 0; s < own.size(); ++s) {
     // If beams are not a reference, the segment that their nodes contact decides.
-    if (own.kind[s] == contact::SegmentKind::line && !scene_.type.edges) continue;
-    const contact::SegmentSpring spring = masses.springs(own, s, slsfac * node_scale, false, solid_modulus);
+    if (own.kind[s] == contact::SegmentKind::line && !lines) continue;
+    const contact::SegmentSpring spring = masses.springs(own, s, scale, false, solid_modulus);
     if (!(spring.weight > 0)) continue;
     for (std::size_t c = 0; c < corner_count(own.nodes[s]); ++c) {
       const std::size_t node = place(own.nodes[s][c]);
@@ -54,16 +51,49 @@ ContactSprings::ContactSprings(const model::Model& model, const contact::SideSce
       sums[node] += {spring.weight, spring.weight * spring.stiffness};
     }
   }
-  for (std::size_t slot = 0; slot < nodes_.size(); ++slot) {
-    const std::size_t node = place(scene_.nodes.node[slot]);
-    if (node == touched.size() || touched[node] != scene_.nodes.node[slot] || least[node] == none_yet) continue;
-    nodes_[slot] = {least[node], sums[node].value(), 2 * scene_.nodes.half[slot]};
+  auto table = std::make_unique<SideStiffness>();
+  table->nodes.resize(side.nodes.size());
+  for (std::size_t slot = 0; slot < side.nodes.size(); ++slot) {
+    const std::size_t node = place(side.nodes.node[slot]);
+    if (node == touched.size() || touched[node] != side.nodes.node[slot] || least[node] == none_yet) continue;
+    table->nodes[slot] = {least[node], sums[node].value(), 2 * side.nodes.half[slot]};
   }
+  return table;
+}
+
+}  // namespace
+
+std::shared_ptr<const SideStiffness> StiffnessCache::nodes(const ContactMasses& masses,
+                                                           const contact::ContactSide& side, double scale,
+                                                           double solid_modulus, bool lines) {
+  const Key key{&side, std::bit_cast<std::uint64_t>(scale), std::bit_cast<std::uint64_t>(solid_modulus), true, lines};
+  return tables_.at(key, [&] { return node_table(masses, side, scale, solid_modulus, lines); });
+}
+
+std::shared_ptr<const SideStiffness> StiffnessCache::segments(const ContactMasses& masses,
+                                                              const contact::ContactSide& side, double scale,
+                                                              double solid_modulus) {
+  const Key key{&side, std::bit_cast<std::uint64_t>(scale), std::bit_cast<std::uint64_t>(solid_modulus), false, false};
+  return tables_.at(key, [&] { return segment_table(masses, side.selection.segments, scale, solid_modulus); });
+}
+
+ContactSprings::ContactSprings(const model::Model& model, const contact::SideScene& side, const ContactMasses& masses,
+                               double node_scale, double segment_scale, StiffnessCache& shared)
+    : scene_(side.scene()),
+      mass_(masses.mass),
+      penopt_(model.controls.penopt),
+      // The solver uses SOFT = 1 if a type has no segment-based contact.
+      soft_(scene_.contact.soft == 2 && !contact::has_soft_2(scene_.type) ? 1 : scene_.contact.soft),
+      sofscl_(scene_.contact.sofscl) {
+  const double slsfac = model.controls.slsfac;
+  const double solid_modulus = scene_.contact.sldthk > 0 ? scene_.contact.sldstf : 0;
+  nodes_ = shared.nodes(masses, side.tracked(), slsfac * node_scale, solid_modulus, scene_.type.edges);
+  segments_ = shared.segments(masses, side.reference(), slsfac * segment_scale, solid_modulus);
 }
 
 ContactSprings::Spring ContactSprings::operator()(SlotIndex slot, SegmentIndex segment) const {
-  const Node& node = nodes_[slot.value];
-  const double of_segment = segments_[segment.value];
+  const SideStiffness::Node& node = nodes_->nodes[slot.value];
+  const double of_segment = segments_->segments[segment.value];
   // Nodes of a set have no segment of their own: the segment that they contact decides.
   const contact::PairStiffness pair{node.least > 0 ? node.least : of_segment, of_segment > 0 ? of_segment : node.least,
                                     node.weighted > 0 ? node.weighted : of_segment, node.thickness};

@@ -16,9 +16,12 @@ NodeSettler::NodeSettler(const ContactSetting& setting, ContactIndex contact, Tr
       rule_(rule),
       friction_(setting.model, setting.model.contact(contact)) {}
 
-void NodeSettler::settle_node(SlotIndex slot, NodeMeeting& meeting, const State& state, PassBlock& block,
+void NodeSettler::settle_node(std::size_t place, NodeMeeting& meeting, const State& state, PassBlock& block,
                               PushList& pushes) {
-  TrackedNode& tracked = pairs_.node(slot);
+  const SlotIndex slot = pairs_.slot_at(place);
+  // A node that was at rest and touches nothing stays so.
+  if (!meeting.contact && pairs_.known(slot) == nullptr) return rule_.bring_back(slot, nullptr);
+  TrackedNode& tracked = pairs_.touch(slot);
   const bool was_active = tracked.active;
   const double stored = tracked.stored();
   PairVelocities speeds;
@@ -49,7 +52,7 @@ void NodeSettler::settle_node(SlotIndex slot, NodeMeeting& meeting, const State&
   }
   if (action == NodeAction::move) {
     block.moves.push_back({slot, contact::shooting_move * encounter.penetration * meeting.contact->direction()});
-    tracked.sleep = 0;
+    pairs_.set_sleep(place, 0);
   }
   if (tracked.released()) block.lost += stored;
   block.released += tracked.released();

@@ -17,8 +17,9 @@ class NodeSettler {
   /// `contact`: position in Model::contacts. All references must outlive it.
   NodeSettler(const ContactSetting& setting, ContactIndex contact, TrackedPairs& pairs, NodeRule& rule);
 
-  /// Sets the node's state for this cycle. Adds its force to `pushes`, and its work, move and counts to `block`.
-  void settle_node(SlotIndex slot, NodeMeeting& meeting, const State& state, PassBlock& block, PushList& pushes);
+  /// Sets the state of the node at a place for this cycle. Adds its force to `pushes`, and its work, move and counts to
+  /// `block`.
+  void settle_node(std::size_t place, NodeMeeting& meeting, const State& state, PassBlock& block, PushList& pushes);
 
   /// Call after the nodes of a cycle: from the next one on they may have been followed.
   void end_cycle() { fresh_ = false; }

@@ -13,7 +13,8 @@ class PenaltyRule final : public NodeRule {
       : scene_(pairs.scene()),
         springs_(setting.model, pairs.side(), setting.masses,
                  pairs.exchanged() ? scene_.contact.sfm : scene_.contact.sfs,
-                 pairs.exchanged() || !pairs.two_sided() ? scene_.contact.sfs : scene_.contact.sfm) {}
+                 pairs.exchanged() || !pairs.two_sided() ? scene_.contact.sfs : scene_.contact.sfm,
+                 setting.shared.stiffness) {}
 
   [[nodiscard]] bool keeps_initial_memory() const override { return true; }
   void set_timestep(double timestep) override { springs_.set_timestep(timestep); }

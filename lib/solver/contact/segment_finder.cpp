@@ -54,22 +54,22 @@ std::optional<NodeMeeting> SegmentFinder::find_meeting(std::size_t place, double
       return meeting;
     }
   }
-  const TrackedNode& tracked = pairs_.node(slot);
-  if (tracked.sleep > used && place < pairs_.near_places() && !tracked.active) {
+  if (pairs_.sleep(place) > used && !pairs_.node(slot).active) {
     ++counts.asleep;
     return {};
   }
-  return decide_candidates(slot, pairs_.candidates_at(place), used, scratch, counts);
+  return decide_candidates(place, used, scratch, counts);
 }
 
-NodeMeeting SegmentFinder::decide_candidates(SlotIndex slot, std::span<Candidate> candidates, double used,
-                                             FinderScratch& scratch, PairCounts& counts) {
+NodeMeeting SegmentFinder::decide_candidates(std::size_t place, double used, FinderScratch& scratch,
+                                             PairCounts& counts) {
+  const SlotIndex slot = pairs_.slot_at(place);
+  const std::span<Candidate> candidates = pairs_.candidates_at(place);
   const double wake = decide_awake(slot, candidates, used, scratch, counts);
   NodeMeeting meeting;
   meeting.in_zone = !scratch.hits.empty();
-  TrackedNode& tracked = pairs_.node(slot);
-  tracked.sleep = meeting.in_zone ? 0 : wake;
-  tracked.lead = 0;
+  pairs_.set_sleep(place, meeting.in_zone ? 0 : wake);
+  if (TrackedNode* const known = pairs_.known(slot)) known->lead = 0;
   if (!meeting.in_zone) return meeting;
   const std::optional<Hit> hit = contact::choose_hit(scene_, scratch.hits, scratch.measured);
   if (!hit || !hit->in_band) return meeting;
@@ -79,7 +79,7 @@ NodeMeeting SegmentFinder::decide_candidates(SlotIndex slot, std::span<Candidate
       meeting.contact.emplace(contact_of(slot, hit->segment, scratch.results[static_cast<std::size_t>(at)]));
   take_followed_point(slot, contact, scratch.single);
   if (leads_ && contact.on_face)
-    tracked.lead = lead_of(nearest_other(slot, contact.segment, candidates, used), contact, used);
+    pairs_.touch(slot).lead = lead_of(nearest_other(slot, contact.segment, candidates, used), contact, used);
   return meeting;
 }
 
@@ -178,7 +178,7 @@ bool SegmentFinder::may_follow(std::size_t place) const {
 
 bool SegmentFinder::keeps_lead(std::size_t place, const SegmentContact& contact, double used) {
   const SlotIndex slot = pairs_.slot_at(place);
-  TrackedNode& tracked = pairs_.node(slot);
+  TrackedNode& tracked = pairs_.touch(slot);
   if (tracked.lead > used) return true;
   const std::span<Candidate> candidates = pairs_.candidates_at(place);
   separate_others(slot, contact.segment, candidates, used, far_away * std::abs(contact.distance));

@@ -65,8 +65,8 @@ class SegmentFinder {
 
  private:
   /// Decides the candidates that may be near, and which segment counts.
-  [[nodiscard]] NodeMeeting decide_candidates(SlotIndex slot, std::span<contact::Candidate> candidates, double used,
-                                              FinderScratch& scratch, PairCounts& counts);
+  [[nodiscard]] NodeMeeting decide_candidates(std::size_t place, double used, FinderScratch& scratch,
+                                              PairCounts& counts);
   /// Decides the candidates that are awake and sets their sleep. Writes those that penetrate, and the other oriented
   /// segments, to `scratch`. Returns how long all candidates sleep.
   double decide_awake(SlotIndex slot, std::span<contact::Candidate> candidates, double used, FinderScratch& scratch,

@@ -38,7 +38,7 @@ TrackedPairs::TrackedPairs(const ContactSetting& setting, ContactIndex contact,
                            const contact::ContactSurfaces& surfaces, bool exchanged, const std::vector<Vector>& x)
     : mesh_(setting.model.mesh),
       surfaces_(surfaces),
-      side_(setting.model, contact, surfaces, exchanged, x),
+      side_(setting.model, contact, surfaces, exchanged, x, &setting.shared.neighbours),
       scene_(side_.scene()),
       exclusions_(setting.model, setting.model.contact(contact).id),
       rules_(scene_, side_.tracked(), exclusions_, setting.ties),
@@ -52,23 +52,29 @@ TrackedPairs::TrackedPairs(const ContactSetting& setting, ContactIndex contact,
 }
 
 void TrackedPairs::set_memory(const Penetration& record, const NodeContact& memory) {
+  if (memory.state == NodeContact::State::apart) return;
   const auto pair = contact::find_pair(surfaces_, mesh_, record);
-  if (pair && pair->node_on_b == exchanged_) nodes_[pair->slot.value].memory = memory;
+  if (pair && pair->node_on_b == exchanged_) touch(pair->slot).memory = memory;
 }
 
 std::size_t TrackedPairs::find_candidates(const contact::CandidateSearch& search, double margin,
                                           contact::SweepCounters& sweep) {
   candidates_.search(scene_, rules_, search, margin, sweep);
-  std::vector<bool> found(nodes_.size(), false);
-  for (const SlotIndex slot : candidates_.slots()) {
-    found[slot.value] = true;
-    TrackedNode& tracked = node(slot);
-    tracked.sleep = tracked.lead = 0;
-  }
+  const std::span<const SlotIndex> near = candidates_.slots();
+  sleep_.assign(near.size(), 0);
   lost_.clear();
-  for (const SlotIndex slot : positions<SlotIndex>(nodes_.size()))
-    if (!found[slot.value] && (node(slot).active || node(slot).memory.state != NodeContact::State::apart))
-      lost_.push_back(slot);
+  auto next = near.begin();
+  for (const SlotIndex slot : positions<SlotIndex>(nodes_.size())) {
+    const bool is_near = next != near.end() && *next == slot;
+    if (is_near) ++next;
+    if (TrackedNode* const tracked = known(slot)) {
+      tracked->lead = 0;
+      if (tracked->at_rest())
+        nodes_[slot.value].reset();
+      else if (!is_near)
+        lost_.push_back(slot);
+    }
+  }
   return candidates_.size();
 }
 
@@ -86,8 +92,8 @@ std::vector<SlotIndex> TrackedPairs::continue_from(const TrackedPairs& before) {
     const auto segment = was.active ? numbers.find(contact::segment_key(then[was.link.segment.value])) : numbers.end();
     const bool goes_on = there && segment != numbers.end();
     if (was.active && !goes_on) ended.push_back(slot);
-    if (!there) continue;
-    TrackedNode& tracked = nodes_[static_cast<std::size_t>(at - nodes.begin())];
+    if (!there || was.at_rest()) continue;
+    TrackedNode& tracked = touch(to_index<SlotIndex>(static_cast<std::size_t>(at - nodes.begin())));
     tracked = {};
     tracked.memory = was.memory;
     if (!goes_on) continue;
@@ -102,14 +108,13 @@ std::vector<SlotIndex> TrackedPairs::continue_from(const TrackedPairs& before) {
 }
 
 void TrackedPairs::forget_pair_data() {
-  for (TrackedNode& tracked : nodes_) tracked.pair = {};
+  for (const std::unique_ptr<TrackedNode>& tracked : nodes_)
+    if (tracked) tracked->pair = {};
 }
 
-void TrackedPairs::reset_node(SlotIndex slot) {
-  TrackedNode& tracked = node(slot);
-  tracked.active = false;
-  tracked.memory = {};
-  tracked.sleep = tracked.lead = 0;
+void TrackedPairs::reset_nodes() {
+  for (std::unique_ptr<TrackedNode>& tracked : nodes_) tracked.reset();
+  std::fill(sleep_.begin(), sleep_.end(), 0);
 }
 
 }  // namespace gapcheck::solver

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -31,18 +32,19 @@ struct PairData {
   ContactSprings::Spring spring;
 };
 
-/// State of one tracked node from cycle to cycle.
+/// State of one tracked node from cycle to cycle, once it has touched something.
 struct TrackedNode {
   contact::NodeContact memory;
   bool active = false;  ///< `link` carries a force
   double penetration = 0;
-  double sleep = 0;  ///< nothing to check until this much of the margin is used up
-  double lead = 0;   ///< until this much is used up no other segment is as near as that of `link`
-  PairData pair;     ///< with the segment of the last penetration
+  double lead = 0;  ///< until this much is used up no other segment is as near as that of `link`
+  PairData pair;    ///< with the segment of the last penetration
   SegmentLink link;
   /// The energy of the spring.
   [[nodiscard]] double stored() const { return active ? link.stored(penetration - memory.forgiven) : 0; }
   [[nodiscard]] bool released() const { return memory.state == contact::NodeContact::State::released; }
+  /// Neither a force nor a memory: as if it had never touched anything.
+  [[nodiscard]] bool at_rest() const { return !active && memory.state == contact::NodeContact::State::apart; }
 };
 
 /// Velocities of a tracked node and of a segment's corners.
@@ -58,7 +60,7 @@ struct PairVelocities {
 /// One side's nodes and the other side's segments of one contact: the pairs that may come into contact, and the state
 /// of each tracked node. Nodes are numbered by slot (position in the side's tracked nodes). Those that need a check
 /// have a place: first the nodes with candidates, by ascending slot, then the lost ones, which have a memory or a force
-/// but no candidates.
+/// but no candidates. Most nodes of most contacts touch nothing, so only those that have done so have a state.
 class TrackedPairs {
  public:
   /// `contact`: position in Model::contacts. `exchanged`: side B's nodes against side A's segments. `x` must be the
@@ -91,8 +93,26 @@ class TrackedPairs {
   /// Removes the places of lost nodes. They need only one check: nodes far from everything lose their memory.
   void clear_lost() { lost_.clear(); }
 
-  [[nodiscard]] TrackedNode& node(SlotIndex slot) { return nodes_[slot.value]; }
-  [[nodiscard]] const TrackedNode& node(SlotIndex slot) const { return nodes_[slot.value]; }
+  /// Nothing is to be checked at a place with candidates until this much of the margin is used up; 0 at other places.
+  [[nodiscard]] double sleep(std::size_t place) const { return place < sleep_.size() ? sleep_[place] : 0; }
+  void set_sleep(std::size_t place, double until) {
+    if (place < sleep_.size()) sleep_[place] = until;
+  }
+
+  /// The state of a node; of one at rest where it has none.
+  [[nodiscard]] const TrackedNode& node(SlotIndex slot) const {
+    static const TrackedNode resting;
+    const TrackedNode* known = nodes_[slot.value].get();
+    return known != nullptr ? *known : resting;
+  }
+  /// Null where it has none.
+  [[nodiscard]] TrackedNode* known(SlotIndex slot) { return nodes_[slot.value].get(); }
+  /// Gives it one if it has none. For different nodes this may be called on several threads.
+  [[nodiscard]] TrackedNode& touch(SlotIndex slot) {
+    std::unique_ptr<TrackedNode>& node = nodes_[slot.value];
+    if (!node) node = std::make_unique<TrackedNode>();
+    return *node;
+  }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
   [[nodiscard]] double greatest_reach() const { return greatest_reach_; }
@@ -120,8 +140,8 @@ class TrackedPairs {
   [[nodiscard]] std::vector<SlotIndex> continue_from(const TrackedPairs& before);
   /// Springs and release depths are computed again.
   void forget_pair_data();
-  /// Forgets the memory of a node and ends its force.
-  void reset_node(SlotIndex slot);
+  /// Forgets the memory of all nodes and ends their forces.
+  void reset_nodes();
 
  private:
   const model::Mesh& mesh_;
@@ -133,8 +153,9 @@ class TrackedPairs {
   bool exchanged_;
   double greatest_reach_ = 0;
   contact::CandidateTable candidates_;
-  std::vector<TrackedNode> nodes_;  // by slot
-  std::vector<SlotIndex> lost_;     // slots with a memory but without candidates since the search
+  std::vector<std::unique_ptr<TrackedNode>> nodes_;  // by slot
+  std::vector<double> sleep_;                        // by place with candidates
+  std::vector<SlotIndex> lost_;                      // slots with a memory but without candidates since the search
 };
 
 }  // namespace gapcheck::solver

@@ -107,13 +107,14 @@ void TieForces::tell_ends(const TieRange& interface, double time) {
 void TieForces::build(const State& state) {
   built_ = true;
   const ContactMasses masses(model_);
+  StiffnessCache tables;
   TieStability stability(*structure_);
   double ratio = 0;
   for (const TieRange& interface : interfaces_) {
     const model::Contact& contact = model_.contact(interface.contact);
     const contact::ContactSurfaces& surfaces = store_.at(interface.contact);
     const contact::SideScene side(model_, interface.contact, surfaces, false, initial_.x);
-    ContactSprings springs(model_, side, masses, contact.sfs, contact.sfm);
+    ContactSprings springs(model_, side, masses, contact.sfs, contact.sfm, tables);
     const double timestep = contact.dtstif > 0 ? contact.dtstif : state.coming;
     springs.set_timestep(timestep);
     find_strength(interface, side, state.x);

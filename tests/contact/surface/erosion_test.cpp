@@ -36,11 +36,11 @@ struct Eroded {
 };
 
 Eroded erode(const std::string& deck, const std::vector<bool>& shells, const std::vector<bool>& solids) {
-  Eroded result{model::read_text(deck), {}, {}};
-  SurfaceStore store(result.read.model);
-  result.start = store.at(ContactIndex{0});
-  result.left = store.erode(ContactIndex{0}, result.start, {shells, solids}, result.read.model.mesh.nodes.x);
-  return result;
+  model::Read read = model::read_text(deck);
+  SurfaceStore store(read.model);
+  const ContactSurfaces start = store.at(ContactIndex{0});
+  const ContactSurfaces left = store.erode(ContactIndex{0}, start, {shells, solids}, read.model.mesh.nodes.x);
+  return {std::move(read), start, left};
 }
 
 std::size_t segments(const ContactSide& side) { return side.selection.segments.size(); }
@@ -110,8 +110,8 @@ TEST(Erosion, StepByStepAsAtOnce) {
   SurfaceStore store(read.model);
   const std::vector<bool> none, shell{false, true}, one{true}, two{true, true, false};
   const auto& x = read.model.mesh.nodes.x;
-  ContactSurfaces left = store.erode(ContactIndex{0}, store.at(ContactIndex{0}), {none, one}, x);
-  left = store.erode(ContactIndex{0}, left, {shell, two}, x);
+  const ContactSurfaces first = store.erode(ContactIndex{0}, store.at(ContactIndex{0}), {none, one}, x);
+  const ContactSurfaces left = store.erode(ContactIndex{0}, first, {shell, two}, x);
   auto keys = [](const ContactSide& side) {
     std::vector<model::SegmentNodes> sorted;
     for (model::SegmentNodes nodes : side.selection.segments.nodes) {

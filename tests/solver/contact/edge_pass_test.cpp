@@ -338,7 +338,7 @@ struct Alone {
         search(contact::make_bucket_grid()),
         ties(read.model),
         movable(read.model.mesh.nodes.size(), true),
-        setting{read.model, masses, *search, ties, movable} {
+        setting{read.model, masses, *search, ties, movable, shared} {
     EXPECT_EQ(read.errors(), 0u) << read.text();
     state.x = read.model.mesh.nodes.x;
     state.v.assign(state.x.size(), Vector::Zero());
@@ -359,6 +359,7 @@ struct Alone {
   std::unique_ptr<contact::CandidateSearch> search;
   contact::TiedPairs ties;
   std::vector<bool> movable;
+  SharedTables shared;
   ContactSetting setting;
   State state;
   ContactState result;

@@ -354,7 +354,8 @@ TEST(SegmentRule, OtherSurfacesGoOnWithTheBaseline) {
   state.x = read.model.mesh.nodes.x;
   state.v.assign(state.x.size(), Vector::Zero());
   const std::vector<bool> movable(state.x.size(), true);
-  const ContactSetting setting{read.model, masses, *search, ties, movable};
+  SharedTables shared;
+  const ContactSetting setting{read.model, masses, *search, ties, movable, shared};
   ContactCounters counters;
   ContactState result;
   const auto forces = [&](InterfacePass& pass) {
