@@ -6,6 +6,7 @@
 
 #include "base/stopwatch.hpp"
 #include "contact/definition/exclusions.hpp"
+#include "contact/definition/repeated_contacts.hpp"
 #include "contact/edge/edge_pairs.hpp"
 #include "contact/initial_penetrations.hpp"
 #include "contact/present_surfaces.hpp"
@@ -66,7 +67,9 @@ class Initialiser {
         state_(state),
         search_(search_by_options(options, counters.searches_by_kind)),
         ties_(model),
-        present_(surfaces, state.x, counters) {}
+        present_(surfaces, state.x, counters) {
+    if (!options.repeated) first_ = repeated_contacts(model);
+  }
 
   void run() {
     for (const ContactIndex c : positions<ContactIndex>(model_.contacts.size())) {
@@ -78,6 +81,8 @@ class Initialiser {
         state_.contacts.back().not_checked = "not selected";
       else if (type.family == Family::tied)
         tie_nodes(c);
+      else if (!first_.empty() && first_[c.value] != none<ContactIndex>)
+        leave_out(c);
       else if (is_searched(type, options_))
         list_penetrations(c);
       else if (type.can(Ability::interference) && options_.overlaps)
@@ -85,6 +90,11 @@ class Initialiser {
       count_searches_since(before);
       note_crowd_since(c, before);
     }
+    if (left_out_ > 0)
+      state_.notes.push_back(
+          fmt::format("{} contacts have the same cards as an earlier one, contact {} for instance; "
+                      "they find the same nodes, which are counted once",
+                      left_out_, example_));
   }
 
  private:
@@ -108,6 +118,13 @@ class Initialiser {
       note(c, fmt::format("its {} tied and untied nodes are counted, not listed", result.judged.size()));
     else
       state_.judged.insert(state_.judged.end(), result.judged.begin(), result.judged.end());
+  }
+
+  void leave_out(ContactIndex c) {
+    const std::int64_t id = model_.contact(c).id.value;
+    if (left_out_++ == 0) example_ = id;
+    state_.contacts[c.value].not_checked =
+        fmt::format("it repeats contact {}", model_.contact(first_[c.value]).id.value);
   }
 
   void list_penetrations(ContactIndex c) {
@@ -195,6 +212,9 @@ class Initialiser {
   std::unique_ptr<CandidateSearch> search_;
   TiedPairs ties_;
   PresentSurfaces present_;
+  std::vector<ContactIndex> first_;  ///< by contact, that which it repeats; empty: repeated ones are searched
+  std::size_t left_out_ = 0;
+  std::int64_t example_ = 0;  ///< id of the first one left out
 };
 
 }  // namespace

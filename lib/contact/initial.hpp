@@ -23,6 +23,7 @@ struct InitialOptions {
   bool brute_force = false;
   std::optional<SearchKind> search;  ///< nothing: chosen for each search by its scene
   bool nodes_stay = false;           ///< penetrating nodes are not moved, whatever the settings
+  bool repeated = true;              ///< false, with nodes_stay: contacts that repeat an earlier one are left out
   // Penetrations that move no nodes are searched only on request.
   bool segments = false;  ///< contacts with SOFT = 2
   bool mortar = false;

@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "contact/crossing/crossings.hpp"
+#include "contact/definition/repeated_contacts.hpp"
 
 namespace gapcheck::audit {
 
 std::set<ElementPair> crossing_pairs(const model::Model& model) {
   std::vector<ContactIndex> contacts;
+  const std::vector<ContactIndex> first = contact::repeated_contacts(model);
   for (const ContactIndex c : positions<ContactIndex>(model.contacts.size()))
-    if (contact::classify(model.contact(c)).checked()) contacts.push_back(c);
+    if (first[c.value] == none<ContactIndex> && contact::classify(model.contact(c)).checked()) contacts.push_back(c);
   contact::SurfaceStore surfaces(model);
   contact::CrossingCounters counters;
   std::set<ElementPair> pairs;

@@ -12,6 +12,7 @@ Judgement ContactJudge::at(const std::vector<Vector>& x) {
   surfaces_.emplace(model_);
   contact::InitialOptions options;
   options.nodes_stay = true;
+  options.repeated = false;
   contact::InitialCounters counters;
   Judgement now;
   now.state = contact::initialise_contacts(model_, *surfaces_, options, counters);

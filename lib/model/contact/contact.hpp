@@ -28,6 +28,7 @@ struct SurfaceInput {
   std::int64_t type = 0;  ///< as written; see SurfaceType
   std::int64_t box = 0;   ///< *DEFINE_BOX; 0 = none
   bool given = false;     ///< false: both id and type are blank
+  bool operator==(const SurfaceInput&) const = default;
 };
 
 /// DT of contacts whose BT is the number of a curve of birth and death times.
@@ -41,6 +42,7 @@ struct CardLines {
   std::string expected;             ///< then: that card
   std::uint32_t surplus = 0;        ///< non-blank lines after the last card
   std::uint32_t first_surplus = 0;  ///< line of the first of them
+  bool operator==(const CardLines&) const = default;
 };
 
 /// Card 4 of tiebreak types: when a tie fails, by (tension / normal)^normal_power + (shear / shear)^shear_power >= 1.
@@ -50,6 +52,7 @@ struct TiebreakStrength {
   double normal_power = 2, shear_power = 2;  ///< NEN, MES
   double param = 0;                          ///< PARAM; of OPTION 6 the critical opening CCRIT
   std::int64_t curve = 0;                    ///< TBLCID: stress over the gap after failure; 0 = none
+  bool operator==(const TiebreakStrength&) const = default;
 };
 
 /// One 3D *CONTACT definition with all its cards. Defaults are the solver's; where "not given" matters, it is an
@@ -116,7 +119,11 @@ struct Contact {
   std::int64_t ignroff = 0;  ///< IGNROFF: shell thickness is ignored on side B (1), A (2) or both (3)
   double shloff = 0;
   std::uint32_t optional_cards = 0;  ///< how many of A … G are in the deck
+  bool operator==(const Contact&) const = default;
 };
+
+/// True if two contacts differ by their id, title and place in the deck at most.
+[[nodiscard]] bool same_cards(const Contact& a, const Contact& b);
 
 /// Fills what a contact has from its keyword (upper case, without `*`).
 void set_name(std::string_view written, Contact& contact);

@@ -16,6 +16,7 @@ struct ContactOptions {
   bool mpp = false, mortar = false, smooth = false;
   bool thermal = false;  ///< THERMAL or THERMAL_FRICTION
   bool thermal_friction = false, ortho_friction = false;
+  bool operator==(const ContactOptions&) const = default;
 };
 
 /// What the name of a *CONTACT keyword says.

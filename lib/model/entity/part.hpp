@@ -14,6 +14,7 @@ namespace gapcheck::model {
 struct Place {
   FileIndex file = none<FileIndex>;
   std::uint32_t line = 0;
+  bool operator==(const Place&) const = default;
 };
 
 /// Contact data of *PART_CONTACT; zero = not given.
