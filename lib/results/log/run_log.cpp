@@ -57,38 +57,53 @@ std::string log_banner(const FileHeader& header) {
 }
 
 std::string contact_definitions(std::span<const ContactDefinition> contacts) {
-  if (contacts.empty()) return "";
-  std::string text = "\n c o n t a c t   i n t e r f a c e s\n";
-  for (const ContactDefinition& contact : contacts) text += definition(contact);
-  text += star_line + "\n\n  Contact summary \n\n  Order #  Contact ID   Type                     Title\n\n";
+  std::string text;
+  write_contact_definitions(contacts, [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+void write_contact_definitions(std::span<const ContactDefinition> contacts, const TextSink& sink) {
+  if (contacts.empty()) return;
+  sink("\n c o n t a c t   i n t e r f a c e s\n");
+  for (const ContactDefinition& contact : contacts) sink(definition(contact));
+  sink(star_line + "\n\n  Contact summary \n\n  Order #  Contact ID   Type                     Title\n\n");
   for (const ContactDefinition& c : contacts)
-    text += fmt::format("{:9}{:12}{} {}\n", c.order, c.id, spaced_type(c.type, 7), column_text(c.title, 70));
-  return text + "\n" + star_line;
+    sink(fmt::format("{:9}{:12}{} {}\n", c.order, c.id, spaced_type(c.type, 7), column_text(c.title, 70)));
+  sink("\n" + star_line);
 }
 
 std::string surface_timesteps(const Timesteps& timesteps, std::span<const ContactSummary> contacts) {
   std::string text;
+  write_surface_timesteps(timesteps, contacts, [&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+void write_surface_timesteps(const Timesteps& timesteps, std::span<const ContactSummary> contacts,
+                             const TextSink& sink) {
+  bool any = false;
   double least = no_timestep_limit;
   for (const SurfaceTimestep& step : timesteps.surface_timesteps) {
     if (step.contact >= contacts.size()) continue;
+    any = true;
     least = std::min(least, step.timestep);
     const char* side = step.side == 'A' ? "surfa" : "surfb";
+    std::string text = "\n";
     const auto row = [&](const std::string& label, const std::string& value) {
       text += fmt::format("     {:<29}={}\n", label, value);
     };
-    text += "\n";
     row(fmt::format("{} surface of interface", side), fmt::format(" {}", contacts[step.contact].id));
     row("type", spaced_type(step.type, 10));
     row("surface timestep", scientific(step.timestep, 10, 3));
     row(fmt::format("controlling {} node ID", side), fmt::format(" {}", step.node));
     row(fmt::format("part ID of {} node", side), fmt::format(" {}", step.part));
     row("current minimum time step", scientific(least, 10, 3));
+    sink(text);
   }
-  if (text.empty()) return text;
-  return text + fmt::format(
-                    "\n The time step size should not exceed {}\n to avoid contact instabilities.  If the "
+  if (any)
+    sink(
+        fmt::format("\n The time step size should not exceed {}\n to avoid contact instabilities.  If the "
                     "step size is\n bigger then scale the penalty of the offending surface.\n",
-                    scientific(least, 13, 3));
+                    scientific(least, 13, 3)));
 }
 
 std::string smallest_timesteps(std::span<const ElementStep> steps) {

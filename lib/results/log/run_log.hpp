@@ -1,7 +1,9 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "records/report.hpp"
 #include "results/text/file_header.hpp"
@@ -9,6 +11,9 @@
 namespace gapcheck::results {
 
 // The parts of the messag and d3hsp of our own runs besides message_blocks(); our readers read them back.
+
+/// Takes a piece of a text.
+using TextSink = std::function<void(std::string_view)>;
 
 /// What d3hsp echoes of one contact definition.
 struct ContactDefinition {
@@ -34,8 +39,12 @@ struct ElementStep {
 [[nodiscard]] std::string log_banner(const FileHeader& header);
 /// Contact interfaces one by one and the summary table; empty without contacts.
 [[nodiscard]] std::string contact_definitions(std::span<const ContactDefinition> contacts);
+/// The same in pieces, one after the other: of 100,000 contacts they are 140 MB.
+void write_contact_definitions(std::span<const ContactDefinition> contacts, const TextSink& sink);
 /// Surface time steps, and the smallest of them as the step that should not be exceeded. `contacts`: ids by position.
 [[nodiscard]] std::string surface_timesteps(const Timesteps& timesteps, std::span<const ContactSummary> contacts);
+void write_surface_timesteps(const Timesteps& timesteps, std::span<const ContactSummary> contacts,
+                             const TextSink& sink);
 /// Table of at most 100 rows.
 [[nodiscard]] std::string smallest_timesteps(std::span<const ElementStep> steps);
 /// "       1 t 0.0000E+00 dt 2.12E-04 write d3plot file"

@@ -37,6 +37,40 @@ bool write(std::FILE* file, const std::string& text) {
   return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
 }
 
+/// Text that is written to some files in pieces.
+class Pieces {
+ public:
+  struct File {
+    std::FILE* file;
+    const std::string& path;
+  };
+  explicit Pieces(std::vector<File> files) : files_(std::move(files)) {}
+  void add(std::string_view piece) {
+    constexpr std::size_t full = std::size_t{1} << 20;
+    text_ += piece;
+    if (text_.size() >= full) write_all();
+  }
+  [[nodiscard]] results::TextSink sink() {
+    return [this](std::string_view piece) { add(piece); };
+  }
+  /// Writes what is left. The first failure counts.
+  [[nodiscard]] SolverStatus end() {
+    write_all();
+    return status_;
+  }
+
+ private:
+  void write_all() {
+    for (const auto& [file, path] : files_)
+      if (status_.ok() && !write(file, text_)) status_ = not_written(path);
+    text_.clear();
+  }
+
+  std::vector<File> files_;
+  std::string text_;
+  SolverStatus status_;
+};
+
 const char* reason(RunEnd end) {
   switch (end) {
     case RunEnd::time:
@@ -147,18 +181,21 @@ SolverStatus RunFiles::open_logs(const Run& run, contact::SurfaceStore& surfaces
   for (const model::Contact& contact : model.contacts)
     if (contact.soft == 2 && ContactForces::calculates(contact) && !contact::has_soft_2(contact::classify(contact)))
       switched += results::soft_switch_block(contact.id.value);
-  const std::string found =
-      switched + results::message_blocks(report) + results::surface_timesteps(*report.predicted, report.contacts);
-  std::string messag = results::log_banner(header), d3hsp = messag;
-  messag += found;
-  d3hsp += results::contact_definitions(contact_definitions(model, surfaces));
-  d3hsp += found;
-  d3hsp += results::smallest_timesteps(element_steps(model, sizes_));
-  for (const auto& [name, text] : {std::pair("messag", std::cref(messag)), std::pair("d3hsp", std::cref(d3hsp))}) {
+  for (const char* name : {"messag", "d3hsp"}) {
     logs_.push_back({name, {}, Interval(1), nullptr});
-    if (SolverStatus opened = open(logs_.back(), text); !opened.ok()) return opened;
+    if (SolverStatus opened = open(logs_.back(), results::log_banner(header)); !opened.ok()) return opened;
   }
-  return {};
+  const Text &messag = logs_[0], &d3hsp = logs_[1];
+  Pieces definitions({{d3hsp.file.get(), d3hsp.path}});
+  results::write_contact_definitions(contact_definitions(model, surfaces), definitions.sink());
+  if (SolverStatus written = definitions.end(); !written.ok()) return written;
+  Pieces found({{messag.file.get(), messag.path}, {d3hsp.file.get(), d3hsp.path}});
+  found.add(switched + results::message_blocks(report));
+  results::write_surface_timesteps(*report.predicted, report.contacts, found.sink());
+  if (SolverStatus written = found.end(); !written.ok()) return written;
+  Pieces last({{d3hsp.file.get(), d3hsp.path}});
+  last.add(results::smallest_timesteps(element_steps(model, sizes_)));
+  return last.end();
 }
 
 SolverStatus RunFiles::open_plot(const Run& run) {
