@@ -192,17 +192,23 @@ void print(const char* title, const std::map<std::string, std::size_t>& counts) 
   std::puts(text.c_str());
 }
 
+std::vector<std::uint64_t> range(std::uint64_t first, std::uint64_t last) {
+  std::vector<std::uint64_t> seeds;
+  for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
+  return seeds;
+}
+
 /// Compares the scenes of these seeds, or of those that GAPCHECK_SEED in the environment names: 12, or 2001-9000.
-Counts compare_scenes(std::uint64_t first, std::uint64_t last) {
+Counts compare_scenes(std::vector<std::uint64_t> seeds) {
   constexpr std::size_t shown = 10;
   Counts counts;
   std::size_t different = 0;
-  if (const char* seed = std::getenv("GAPCHECK_SEED")) {
+  if (const char* given = std::getenv("GAPCHECK_SEED")) {
     char* rest = nullptr;
-    first = last = std::strtoull(seed, &rest, 10);
-    if (*rest == '-') last = std::strtoull(rest + 1, nullptr, 10);
+    const std::uint64_t first = std::strtoull(given, &rest, 10);
+    seeds = range(first, *rest == '-' ? std::strtoull(rest + 1, nullptr, 10) : first);
   }
-  for (std::uint64_t seed = first; seed <= last; ++seed) {
+  for (const std::uint64_t seed : seeds) {
     const reference::Scene scene = reference::random_scene(seed);
     const std::string text = scene.text();
     const AuditRun run = run_text(text);
@@ -224,11 +230,14 @@ Counts compare_scenes(std::uint64_t first, std::uint64_t last) {
   print("tied nodes", counts.tied);
   print("doubts", counts.doubts);
   std::printf("compared %zu, doubtful %zu\n", counts.compared, counts.doubtful);
-  // What hangs on the last digits, or on what the rules leave open, is left out; it must be little.
+  return counts;
+}
+
+/// What hangs on the last digits, or on what the rules leave open, is left out; it must be little.
+void expect_few_doubts(const Counts& counts) {
   std::size_t ties = 0;
   for (const auto& [reason, count] : counts.ties) ties += count;
   EXPECT_LT(counts.doubtful, (counts.compared + ties) / 20);
-  return counts;
 }
 
 void expect_each(const std::map<std::string, std::size_t>& counts, std::size_t least) {
@@ -236,13 +245,25 @@ void expect_each(const std::map<std::string, std::size_t>& counts, std::size_t l
 }
 
 TEST(ContactRules, RandomDecks) {
-  const Counts counts = compare_scenes(1, 200);
+  const Counts counts = compare_scenes(range(1, 200));
   EXPECT_GT(counts.compared, 500U);
+  expect_few_doubts(counts);
+}
+
+// Rare geometry of the seeds 2001 to 20000, on which the two once disagreed: segments of very different size, opposite
+// faces of one body, sides that a box leaves without segments, nodes that a tie has moved onto an oriented segment,
+// bricks that moved nodes have distorted, nodes level with free edges, segments that a set names twice, warped quads.
+TEST(ContactRules, RareGeometry) {
+  const Counts counts = compare_scenes({4080,  5023,  5220,  5582,  5932,  6281,  6493,  6655,  7172,  7195,
+                                        8490,  8871,  9091,  10634, 10786, 11131, 11298, 11886, 13113, 13376,
+                                        15413, 15685, 16791, 16922, 17145, 17760, 18900, 19007});
+  EXPECT_GT(counts.compared, 80U);
 }
 
 TEST(ContactRules, ManyRandomDecks) {
-  const Counts counts = compare_scenes(1, 2000);
+  const Counts counts = compare_scenes(range(1, 2000));
   EXPECT_GT(counts.compared, 6000U);
+  expect_few_doubts(counts);
   // Every type, alone or as a mortar contact, every option, outcome and reason was met.
   EXPECT_EQ(counts.types.size(), 27U);
   expect_each(counts.types, 20);

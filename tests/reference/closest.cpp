@@ -95,7 +95,31 @@ bool regular(const Patch& patch) {
   return true;
 }
 
+/// The patch and the query laid flat on the mean plane.
+Patch flattened(const Corners& x, Vector& query) {
+  const Patch patch(x);
+  const Vector normal = unit_or_zero(patch.b.cross(patch.c));
+  Corners flat;
+  const auto lay = [&](const Vector& p) { return Vector(p - normal.dot(p - patch.a) * normal); };
+  for (std::size_t i = 0; i < 4; ++i) flat[i] = lay(x[i]);
+  query = lay(query);
+  return Patch(flat);
+}
+
 double beyond(const Parameters& p) { return p.cwiseAbs().maxCoeff() - 1.5; }
+
+/// Whether feet on the continued patch lie in the band, and outside.
+struct Feet {
+  bool in_band = false, out_of_band = false;
+};
+
+Feet feet_of(const Patch& patch, const Vector& query) {
+  Feet feet;
+  for (double s = -1; s <= 1; s += 0.5)
+    for (double t = -1; t <= 1; t += 0.5)
+      if (const auto p = foot(patch, query, {s, t})) (beyond(*p) <= 0 ? feet.in_band : feet.out_of_band) = true;
+  return feet;
+}
 
 Closest closest_on_quad(const Corners& x, const Vector& query) {
   const Patch patch(x);
@@ -124,6 +148,11 @@ Closest closest_on_quad(const Corners& x, const Vector& query) {
   if (!inside) {
     // A distorted quad continued beyond its edges may have feet on both sides of the band: then the rule is open.
     result.certain = in_band != out_of_band;
+    // 3.2: where the projection is far away, that on the mean plane counts; so they must agree.
+    Vector flat_query = query;
+    const Patch flat = flattened(x, flat_query);
+    const Feet feet = feet_of(flat, flat_query);
+    result.certain = result.certain && !(in_band ? feet.out_of_band : feet.in_band);
     result.beyond_band = nearest_free ? beyond(*nearest_free) : 1;
     // A foot on the patch that is not the nearest point: the patch is folded.
     result.certain = result.certain && regular(patch) && !(nearest_free && nearest == 0);

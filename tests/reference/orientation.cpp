@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 namespace gapcheck::reference {
 namespace {
@@ -12,6 +13,13 @@ bool nearby(const Corners& c, const Vector& query) {
   for (const Vector& corner : c) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
   const double diagonal = std::max((c[2] - c[0]).norm(), (c[3] - c[1]).norm());
   return (query.array() >= low.array() - diagonal).all() && (query.array() <= high.array() + diagonal).all();
+}
+
+/// Four units in the last place of the largest coordinate: nearer to a segment, a node is on neither side of it.
+double rounding(const Corners& c, const Vector& query) {
+  double largest = query.cwiseAbs().maxCoeff();
+  for (const Vector& corner : c) largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+  return 4 * (std::nextafter(largest, 1e308) - largest);
 }
 
 }  // namespace
@@ -31,7 +39,8 @@ Turns turned_parts(const Rules& rules, const Side& tracked, const Side& referenc
       const Vector& query = x[static_cast<std::size_t>(node)];
       if (facet.has(node) || !nearby(around, query)) continue;
       const Closest c = closest(around, facet.triangle, query);
-      if (c.feature == Feature::face && c.distance > 0) vote += c.normal.dot(query - c.point) > 0 ? 1 : -1;
+      if (c.feature == Feature::face && c.distance > rounding(around, query))
+        vote += c.normal.dot(query - c.point) > 0 ? 1 : -1;
     }
   }
   Turns result;

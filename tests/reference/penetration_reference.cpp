@@ -125,13 +125,15 @@ class Pass {
     bool in_plane = false;
     if (oriented(facet)) seen.behind = is_behind(facet, c, query, in_plane);
     const bool in_band = c.beyond_band <= 0;
-    const bool may_be_behind = in_band && !(facet.solid && of_body(facet.part, verdict.node));
+    const bool may_be_behind = in_band && !(facet.solid && on_own_surface(facet, verdict.node));
     if (in_plane && (seen.h > c.distance || (may_be_behind && c.distance <= behind)))
       verdict.doubt = "in the plane of a segment";
     seen.hit = seen.behind ? in_band && c.distance <= behind : seen.h - c.distance > doubt;
     if (!seen.behind && std::abs(seen.h - c.distance) <= doubt) verdict.doubt = "touching";
     if (seen.behind && may_be_behind && std::abs(c.distance - behind) <= doubt)
       verdict.doubt = "as deep as a segment sees";
+    if (rules_.free_edges_end && seen.hit && free_edges_.level_with_end(facet, c, around, query))
+      verdict.doubt = "level with the end of an edge";
     if (rules_.free_edges_end && free_edges_.beside(facet, c)) seen.hit = false;
     if (!seen.hit) return seen;
     if (std::abs(c.beyond_band) < 1e-7) verdict.doubt = "on the border of the band";
@@ -140,14 +142,23 @@ class Pass {
     return seen;
   }
 
-  /// A node is behind a segment only if no other one of the body is nearer; shells are one body (3.4).
-  [[nodiscard]] bool behind_another(const Seen& hit, const std::vector<Seen>& all, Verdict& verdict) const {
+  /// Segments that share a node with the tracked one's elements, or to whose part it is tied, do not exist for it.
+  [[nodiscard]] bool left_out(const Facet& facet, std::int64_t node, const std::set<std::int64_t>& neighbours) const {
+    return tied_.contains({node, facet.part}) ||
+           std::any_of(facet.nodes.begin(), facet.nodes.end(), [&](auto n) { return neighbours.contains(n); });
+  }
+
+  /// A node is behind a segment only if no other one of the body is nearer, however far that one sees; shells are one
+  /// body (3.4).
+  [[nodiscard]] bool behind_another(const Seen& hit, const std::set<std::int64_t>& neighbours, Verdict& verdict) const {
     const auto body = [](const Facet& f) { return f.solid ? f.part : 0; };
-    for (const Seen& other : all) {
-      if (!oriented(*other.facet) || body(*other.facet) != body(*hit.facet)) continue;
-      const double less = hit.closest.distance - other.closest.distance;
-      if (less > 1e-9 * other.closest.distance && less < 2e-9 * other.closest.distance) verdict.doubt = "as near";
-      if (less > 1e-9 * other.closest.distance) return true;
+    const Vector& query = at(x_, verdict.node);
+    for (const Facet& other : reference_.facets) {
+      if (!oriented(other) || body(other) != body(*hit.facet) || left_out(other, verdict.node, neighbours)) continue;
+      const double distance = closest_of(other, corners(other.nodes, x_), query).distance;
+      const double less = hit.closest.distance - distance;
+      if (less > 1e-9 * distance && less < 2e-9 * distance) verdict.doubt = "as near";
+      if (less > 1e-9 * distance) return true;
     }
     return false;
   }
@@ -159,9 +170,25 @@ class Pass {
     });
   }
 
+  /// Behind all faces of a brick, and not one of its corners.
+  [[nodiscard]] bool inside(const Element& brick, std::int64_t node) const {
+    if (std::find(brick.nodes.begin(), brick.nodes.end(), node) != brick.nodes.end()) return false;
+    const auto faces = faces_of(brick, x_);
+    return std::all_of(faces.begin(), faces.end(), [&](const Facet& face) {
+      const Corners c = corners(face.nodes, x_);
+      const Vector normal = (c[2] - c[0]).cross(c[3] - c[1]), middle = (c[0] + c[1] + c[2] + c[3]) / 4;
+      return normal.dot(at(x_, node) - middle) < 0;
+    });
+  }
+
+  /// 3.4: in contacts with two surfaces a corner of the body itself is on its surface, unless another element has it.
+  [[nodiscard]] bool on_own_surface(const Facet& facet, std::int64_t node) const {
+    return !rules_.single && of_body(facet.part, node) && !inside(*facet.brick, node);
+  }
+
   /// Before a nearer outer face of the body that is no segment, or a corner of the body: outside (3.4).
   [[nodiscard]] bool outside(const Seen& hit, std::int64_t node, Verdict& verdict) const {
-    if (of_body(hit.facet->part, node)) return true;
+    if (!rules_.single && of_body(hit.facet->part, node)) return on_own_surface(*hit.facet, node);
     const Body& body = reference_.bodies.at(hit.facet->part);
     double nearest = hit.closest.distance;
     bool before = false, clamped = false;
@@ -193,13 +220,12 @@ class Pass {
     const auto neighbours = ring(node);
     std::vector<Seen> all;
     for (const Facet& facet : reference_.facets) {
-      if (std::any_of(facet.nodes.begin(), facet.nodes.end(), [&](auto n) { return neighbours.contains(n); })) continue;
-      if (tied_.contains({node, facet.part})) continue;
+      if (left_out(facet, node, neighbours)) continue;
       if (const auto seen = see(facet, half, verdict)) all.push_back(*seen);
     }
     for (const Seen& seen : all) {
       if (!seen.hit) continue;
-      if (seen.behind && behind_another(seen, all, verdict)) continue;
+      if (seen.behind && behind_another(seen, neighbours, verdict)) continue;
       if (seen.behind && seen.facet->solid && outside(seen, node, verdict)) continue;
       choose(verdict, seen);
     }

@@ -29,6 +29,11 @@ double area(const Corners& c) {
   return 0.5 * ((c[1] - c[0]).cross(c[2] - c[0]).norm() + (c[2] - c[0]).cross(c[3] - c[0]).norm());
 }
 
+/// 1.4: seen from the middle of the face.
+bool inward(const Corners& c, const Vector& inside) {
+  return (c[2] - c[0]).cross(c[3] - c[1]).dot((c[0] + c[1] + c[2] + c[3]) / 4 - inside) < 0;
+}
+
 Quad face_nodes(const Element& brick, std::size_t face) {
   Quad nodes;
   for (std::size_t i = 0; i < 4; ++i) nodes[i] = brick.nodes[brick_faces[face][i]];
@@ -107,8 +112,7 @@ class Maker {
   }
 
   bool corner_order_inward(const Element& brick, const Facet& facet) const {
-    const Corners c = corners(facet.nodes, x_);
-    return (c[2] - c[0]).cross(c[3] - c[1]).dot(c[0] - middle(brick, x_)) < 0;
+    return inward(corners(facet.nodes, x_), middle(brick, x_));
   }
 
   Facet face(const Element& brick, std::size_t f) const {
@@ -197,7 +201,8 @@ class Maker {
   void segment_set(std::int64_t id) {
     for (const SegmentSet& set : scene_.segment_sets)
       if (set.id == id)
-        for (const Quad& nodes : set.segments) add_segment(nodes);
+        for (auto at = set.segments.begin(); at != set.segments.end(); ++at)
+          if (std::find(set.segments.begin(), at, *at) == at) add_segment(*at);  // 1.3: named twice counts once
   }
 
   /// The shell with these nodes, else the brick with this face.
@@ -268,6 +273,16 @@ double solid_depth(const Facet& facet, const Positions& x) {
 double shorter_diagonal(const Facet& facet, const Positions& x) {
   const Corners c = corners(facet.nodes, x);
   return std::min((c[2] - c[0]).norm(), (c[3] - c[1]).norm());
+}
+
+std::vector<Facet> faces_of(const Element& brick, const Positions& x) {
+  std::vector<Facet> faces;
+  for (std::size_t f = 0; f < 6; ++f) {
+    Facet& face = faces.emplace_back();
+    face.nodes = face_nodes(brick, f);
+    if (inward(corners(face.nodes, x), middle(brick, x))) std::swap(face.nodes[1], face.nodes[3]);
+  }
+  return faces;
 }
 
 Side make_side(const Scene& scene, const Rules& rules, Which which, const Positions& x) {

@@ -69,6 +69,8 @@ enum class Which : std::uint8_t { a, b };
 
 [[nodiscard]] Corners corners(const std::array<std::int64_t, 4>& nodes, const Positions& x);
 [[nodiscard]] Closest closest_of(const Facet& facet, const Corners& x, const Vector& query);
+/// All faces of a brick, outward.
+[[nodiscard]] std::vector<Facet> faces_of(const Element& brick, const Positions& x);
 /// V / A of the face of a brick (4.5).
 [[nodiscard]] double solid_depth(const Facet& facet, const Positions& x);
 [[nodiscard]] double shorter_diagonal(const Facet& facet, const Positions& x);

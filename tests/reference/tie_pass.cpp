@@ -50,14 +50,6 @@ class Judge {
     return facet.solid ? d2 : std::max(d1, d2);
   }
 
-  /// A side that a box leaves without segments has nodes alone, as a node set.
-  bool nodes_only() const {
-    return tracked_.facets.empty() &&
-           std::none_of(scene_.elements.begin(), scene_.elements.end(), [&](const Element& e) {
-             return e.kind == Kind::beam && tracked_.nodes.contains(e.nodes[0]) && tracked_.nodes.contains(e.nodes[1]);
-           });
-  }
-
   /// In the box around the segment, grown by its longer diagonal or twice the largest tie distance of the nodes.
   bool within(const Facet& facet, const Vector& query, double allowed) const {
     const Corners c = corners(facet.nodes, x_);
@@ -76,7 +68,7 @@ class Judge {
     if (std::any_of(reference_.facets.begin(), reference_.facets.end(), [&](const Facet& f) { return f.has(node); }))
       return out;  // joined by the mesh
     const Vector& query = x_[static_cast<std::size_t>(node)];
-    const bool meant = rules_.contact.a.type == 4 || nodes_only();
+    const bool meant = rules_.contact.a.type == 4;
     const Facet* best = nullptr;
     Closest place;
     bool on_any = false, in_reach = false, open = false;

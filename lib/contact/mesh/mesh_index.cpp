@@ -1,5 +1,7 @@
 #include "contact/mesh/mesh_index.hpp"
 
+#include "base/union_find.hpp"
+
 namespace gapcheck::contact {
 
 /// `each(visit)` calls visit(row, entry) for all entries, twice the same.
@@ -30,6 +32,19 @@ std::span<const std::uint32_t> ElementIndex::of(PartIndex part) {
         if (part_[e].value < parts_) visit(part_[e].value, e);
     });
   return by_part_.row(part.value);
+}
+
+std::shared_ptr<const std::vector<std::uint32_t>> MeshIndex::bodies() {
+  if (bodies_) return bodies_;
+  UnionFind connected(mesh.nodes.size());
+  for (const model::Elements<8>* elements : {&mesh.solids, &mesh.thick_shells})
+    for (const auto& nodes : elements->nodes)
+      for (const NodeIndex n : nodes)
+        if (n.value < connected.size() && nodes[0].value < connected.size()) connected.unite(n.value, nodes[0].value);
+  auto bodies = std::make_shared<std::vector<std::uint32_t>>(connected.size());
+  for (std::uint32_t n = 0; n < bodies->size(); ++n) (*bodies)[n] = connected.root(n);
+  bodies_ = std::move(bodies);
+  return bodies_;
 }
 
 }  // namespace gapcheck::contact

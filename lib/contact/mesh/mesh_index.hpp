@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -43,12 +44,20 @@ class ElementIndex {
 /// surfaces. The model must outlive it and not change.
 struct MeshIndex {
   explicit MeshIndex(const model::Model& model)
-      : shells(model.mesh.shells, model),
+      : mesh(model.mesh),
+        shells(model.mesh.shells, model),
         solids(model.mesh.solids, model),
         thick_shells(model.mesh.thick_shells, model),
         beams(model.mesh.beams, model),
         particles(model.mesh.particles, model) {}
+  /// By node: the connected body of solids and thick shells, as the number of its first node. Built on first use.
+  [[nodiscard]] std::shared_ptr<const std::vector<std::uint32_t>> bodies();
+
+  const model::Mesh& mesh;
   ElementIndex shells, solids, thick_shells, beams, particles;
+
+ private:
+  std::shared_ptr<const std::vector<std::uint32_t>> bodies_;
 };
 
 }  // namespace gapcheck::contact

@@ -12,6 +12,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/pair/hidden_faces.hpp"
+#include "contact/pair/nearer_segments.hpp"
 #include "contact/search/nearest_boxes.hpp"
 #include "geometry/pair_batch.hpp"
 
@@ -226,6 +227,7 @@ std::vector<Hit> closest_segments(const PairScene& scene, const CandidateSearch&
       geometry::count(decisions, stage, sweep.decided_by(stage));
   }
   drop_outside(scene, search, all);
+  add_nearer_segments(scene, pair_allowed, all, measured);
   return chosen_hits(scene, all, std::move(measured));
 }
 

@@ -82,7 +82,8 @@ double PairScene::behind(SegmentIndex s) const {
 }
 
 double PairScene::reach(SegmentIndex s, double largest_node_half) const {
-  return std::max(largest_node_half + segments.half[s.value], behind(s));
+  const double of_itself = std::max(largest_node_half + segments.half[s.value], behind(s));
+  return nearby.empty() ? of_itself : std::max(of_itself, nearby[s.value]);
 }
 
 bool PairScene::beyond_square_edge(SegmentIndex s, const geometry::ClosestPoint& closest) const {

@@ -16,8 +16,9 @@ struct SolidExtents {
   std::vector<std::uint32_t> body;  ///< number of the connected body that the facet bounds
   [[nodiscard]] bool empty() const { return depth.empty(); }
 };
+/// `bodies`: by node of the mesh, the connected body of solids that has it.
 [[nodiscard]] SolidExtents solid_extents(const Segments& segments, const model::Mesh& mesh,
-                                         const std::vector<Vector>& x);
+                                         const std::vector<std::uint32_t>& bodies, const std::vector<Vector>& x);
 
 /// V / A of a segment of kind solid: the volume of its element over its own area; 0 where it has no area.
 [[nodiscard]] double solid_depth(const Segments& segments, const model::Mesh& mesh, std::size_t segment,
@@ -41,6 +42,8 @@ struct PairScene {
   geometry::Mode mode = geometry::Mode::filtered;
   const Segments* own = nullptr;               ///< of the tracked nodes' side; null: not known
   const Neighbours* own_neighbours = nullptr;  ///< of these
+  /// By segment: how far segments near it look behind themselves (nearby_behind()); empty: reach() leaves that out.
+  std::vector<double> nearby = {};
 
   /// Corners of the reference surface, mid-surface offsets included.
   [[nodiscard]] geometry::Facet facet(SegmentIndex segment) const;
@@ -62,7 +65,8 @@ struct PairScene {
   /// How far behind an oriented segment a node still counts: as far as the facet's own solid reaches; for shells half
   /// the segment's shorter diagonal. 0 for two-sided segments.
   [[nodiscard]] double behind(SegmentIndex segment) const;
-  /// Largest distance at which a node can penetrate the segment, given the largest half thickness of the nodes.
+  /// Largest distance at which a node can penetrate the segment, given the largest half thickness of the nodes; with
+  /// `nearby` also the distance at which the segment may be nearer to a node than one that the node is behind.
   [[nodiscard]] double reach(SegmentIndex segment, double largest_node_half) const;
   /// True if the closest point lies on the border of a shell surface that ends there (SHLEDG, SRNDE): on a free edge,
   /// or on a corner of one.
@@ -78,6 +82,10 @@ struct PairScene {
   /// which it meets.
   [[nodiscard]] bool slides(SlotIndex slot, SegmentIndex segment, double distance) const;
 };
+
+/// By segment, how far behind itself any oriented segment looks that is so near that a node behind that one may be
+/// nearer to this one; empty: no segment is oriented. On the scene's present coordinates.
+[[nodiscard]] std::vector<double> nearby_behind(const PairScene& scene);
 
 /// The shorter diagonal of a facet; for a triangle the shorter of the sides at its third corner.
 [[nodiscard]] double min_diagonal(const geometry::Facet& facet);

@@ -27,7 +27,7 @@ PairRules::PairRules(const PairScene& scene, const ContactSide& tracked, const E
       ties_(ties),
       single_(scene.type.treatment == Treatment::single_surface),
       own_part_(scene.type.pairing != Pairing::mortar || scene.settings.ignore >= 0) {
-  if (scene.type.by_segments() && !tracked.nodes_only)
+  if (scene.type.by_segments() && !tracked.names_nodes)
     corners_ = corners_of(tracked.selection.segments, scene.nodes, scene.model.mesh.nodes.size());
 }
 

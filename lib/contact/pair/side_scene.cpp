@@ -31,7 +31,8 @@ SideScene::SideScene(const model::Model& model, ContactIndex contact, const Cont
              tracked_.nodes,
              *neighbours_,
              exchanged || !surfaces.two_sided() ? model.contact(contact).a.type : model.contact(contact).b.type,
-             solid_extents(reference_.selection.segments, model.mesh, x),
+             reference_.bodies ? solid_extents(reference_.selection.segments, model.mesh, *reference_.bodies, x)
+                               : SolidExtents{},
              {}} {
   const Segments& own = tracked_.selection.segments;
   if (!has_solids(own) || !has_solids(reference_.selection.segments)) return;

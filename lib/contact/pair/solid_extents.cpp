@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "base/quad.hpp"
-#include "base/union_find.hpp"
 #include "contact/mesh/faces.hpp"
 #include "contact/pair/pair.hpp"
 
@@ -23,20 +22,6 @@ double reach_behind(const model::SegmentNodes& n, const std::array<NodeIndex, 8>
   return reach;
 }
 
-/// Numbers the connected bodies of the solid facets: facets that share a node belong together. All shells are one body,
-/// as in a surface without solids.
-std::vector<std::uint32_t> bodies(const Segments& s, std::size_t nodes) {
-  UnionFind connected(nodes);
-  for (std::size_t i = 0; i < s.size(); ++i)
-    if (s.kind[i] == SegmentKind::solid)
-      for (const NodeIndex n : s.nodes[i]) connected.unite(n.value, s.nodes[i][0].value);
-  std::vector<std::uint32_t> body(s.size());
-  const auto of_shells = static_cast<std::uint32_t>(nodes);
-  for (std::size_t i = 0; i < s.size(); ++i)
-    body[i] = s.kind[i] == SegmentKind::solid ? connected.root(s.nodes[i][0].value) : of_shells;
-  return body;
-}
-
 }  // namespace
 
 double solid_depth(const Segments& s, const model::Mesh& mesh, std::size_t i, const std::vector<Vector>& x) {
@@ -44,14 +29,17 @@ double solid_depth(const Segments& s, const model::Mesh& mesh, std::size_t i, co
   return a > 0 ? volume(nodes_of_solid(s, mesh, i), x) / a : 0;
 }
 
-SolidExtents solid_extents(const Segments& s, const model::Mesh& mesh, const std::vector<Vector>& x) {
+SolidExtents solid_extents(const Segments& s, const model::Mesh& mesh, const std::vector<std::uint32_t>& bodies,
+                           const std::vector<Vector>& x) {
   SolidExtents solids;
   if (std::find(s.kind.begin(), s.kind.end(), SegmentKind::solid) == s.kind.end()) return solids;
   solids.depth.resize(s.size());
   solids.extent.resize(s.size());
-  solids.body = bodies(s, x.size());
+  // All shells are one body, as in a surface without solids.
+  solids.body.assign(s.size(), static_cast<std::uint32_t>(bodies.size()));
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (s.kind[i] != SegmentKind::solid) continue;
+    solids.body[i] = bodies[s.nodes[i][0].value];
     solids.depth[i] = solid_depth(s, mesh, i, x);
     solids.extent[i] = reach_behind(s.nodes[i], nodes_of_solid(s, mesh, i), x);
   }

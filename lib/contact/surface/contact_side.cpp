@@ -44,6 +44,7 @@ ContactSide build_side(const model::Model& model, const SideRequest& request, co
   ContactSide side;
   side.selection = select(model, request.input, type, x, index);
   side.nodes_only = side.selection.segments.size() == 0 && !side.selection.nodes.empty();
+  side.names_nodes = side.nodes_only && side.selection.cut.size() == 0;
   for (Segments* segments : {&side.selection.segments, &side.selection.cut}) {
     fill_thickness(*segments, model, request.thickness, x);
     if (request.offsets) fill_offsets(*segments, model);
@@ -52,6 +53,8 @@ ContactSide build_side(const model::Model& model, const SideRequest& request, co
   side.lines = count_lines(side.selection.segments);
   if (!request.single && !request.transducer) drop_lines(side);  // transducers measure at beams too
   take_negative(side, request.negative);
+  const std::vector<SegmentKind>& kinds = side.selection.segments.kind;
+  if (std::find(kinds.begin(), kinds.end(), SegmentKind::solid) != kinds.end()) side.bodies = index.bodies();
   if (request.needs_segments) need_segments(side, request.single && !request.edges ? side.lines : 0);
   return side;
 }

@@ -11,10 +11,13 @@ namespace gapcheck::contact {
 /// One side of a contact with its thickness.
 struct ContactSide {
   Selection selection;
-  TrackedNodes nodes;       ///< of side B only in contacts that look for side B's nodes
-  bool nodes_only = false;  ///< it names nodes and no elements
+  TrackedNodes nodes;        ///< of side B only in contacts that look for side B's nodes
+  bool nodes_only = false;   ///< it has nodes and no segments
+  bool names_nodes = false;  ///< for that reason; false where a box has left elements without segments
   /// `selection.segments` ends with this many beam axes; only single-surface contacts keep any.
   std::size_t lines = 0;
+  /// By node of the mesh: the connected body of solids that it belongs to; null: no segment is a face of one.
+  std::shared_ptr<const std::vector<std::uint32_t>> bodies;
 };
 
 /// All that a side depends on besides the model and the coordinates.

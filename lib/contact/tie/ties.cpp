@@ -44,7 +44,7 @@ class Tying {
 
  private:
   void judge() {
-    const bool by_node_set = surfaces_.a.nodes_only, single = !surfaces_.two_sided();
+    const bool by_node_set = surfaces_.a.names_nodes, single = !surfaces_.two_sided();
     const Neighbours neighbours(segments_, model_.mesh, single);
     const PairScene pairs{model_, card_, type_, surfaces_.settings, x_, segments_, nodes_, neighbours, card_.b.type,
                           {},     {},    -1,    scene_.mode};
@@ -69,7 +69,7 @@ class Tying {
     node.contact = contact_;
     node.node = nodes_.node[slot.value];
     node.part = nodes_.part[slot.value];
-    node.by_node_set = surfaces_.a.nodes_only;
+    node.by_node_set = surfaces_.a.names_nodes;
     node.node_thickness = 2 * nodes_.half[slot.value];
     if (!candidate.on_segment) {
       node.reason = TieReason::not_found;

@@ -52,6 +52,7 @@ ConstraintPass::ConstraintPass(const model::Model& model, ContactIndex contact,
       exchanged_(exchanged),
       memory_(scene_.nodes.size()) {
   side_.scene().flipped = contact::flipped_segments(scene_, search);
+  side_.scene().nearby = contact::nearby_behind(scene_);
   default_tolerance_ = scene_.tolerance;
 }
 

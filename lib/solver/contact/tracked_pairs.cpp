@@ -45,6 +45,7 @@ TrackedPairs::TrackedPairs(const ContactSetting& setting, ContactIndex contact,
       exchanged_(exchanged),
       nodes_(scene_.nodes.size()) {
   side_.scene().flipped = contact::flipped_segments(scene_, setting.search);
+  side_.scene().nearby = contact::nearby_behind(scene_);
   double largest_half = 0;
   for (const double half : scene_.nodes.half) largest_half = std::max(largest_half, half);
   for (const SegmentIndex s : positions<SegmentIndex>(scene_.segments.size()))

@@ -62,5 +62,19 @@ TEST(MeshIndex, SmallSurfacesAreThoseOfTheWholeMesh) {
   EXPECT_EQ(nodes.half, (std::vector<double>{0.5, 1}));
 }
 
+// Opposite faces of one brick are faces of one body, though they share no node; bricks apart are bodies of their own.
+TEST(MeshIndex, SolidsWithCommonNodesAreOneBody) {
+  Scene scene;
+  const PartIndex part = scene.part(1, 0);
+  scene.brick(part, {0, 0, 0}, {1, 1, 1});
+  scene.brick(part, {5, 0, 0}, {1, 1, 1});
+  const auto& solids = scene.model.mesh.solids.nodes;
+  MeshIndex index(scene.model);
+  const std::vector<std::uint32_t>& body = *index.bodies();
+  EXPECT_EQ(body[solids[0][0].value], body[solids[0][6].value]);
+  EXPECT_NE(body[solids[0][0].value], body[solids[1][0].value]);
+  EXPECT_EQ(index.bodies().get(), &body) << "built once";
+}
+
 }  // namespace
 }  // namespace gapcheck::contact::mesh_index_test

@@ -69,6 +69,22 @@ TEST(ContactSide, OtherThicknessBoxOrTypeIsAnotherSide) {
   EXPECT_EQ(sides.size(), plates.scene.model.contacts.size());
 }
 
+// What a box leaves of a plate's nodes is no node set.
+TEST(ContactSide, ABoxThatLeavesNoSegmentsLeavesNoNodeSet) {
+  Plates plates;
+  plates.contact(1, 2).a.box = 7;
+  plates.contact(1, 2).a = {5, 4, 0, true};
+  plates.scene.model.boxes[7] = box({-0.5, -0.5, -1}, {0.5, 0.5, 1});
+  plates.scene.model.sets.nodes[5].members = {NodeIndex{0}};
+  SurfaceStore store(plates.scene.model);
+  const ContactSide &cut = store.at(ContactIndex{0}).a, &set = store.at(ContactIndex{1}).a;
+  EXPECT_EQ(cut.selection.segments.size() + set.selection.segments.size(), 0U);
+  EXPECT_EQ(cut.nodes.node, set.nodes.node);
+  EXPECT_TRUE(cut.nodes_only && set.nodes_only);
+  EXPECT_FALSE(cut.names_nodes);
+  EXPECT_TRUE(set.names_nodes);
+}
+
 TEST(ContactSide, NobodyKeepsWhatNobodyUses) {
   Plates plates;
   plates.contact(1, 2);
