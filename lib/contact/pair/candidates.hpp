@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "base/vector.hpp"
 #include "contact/pair/closest_segment.hpp"
 #include "contact/pair/pair_rules.hpp"
 
@@ -14,9 +13,6 @@ struct Candidate {
   SegmentIndex segment;
   /// Until nodes and segments have moved this far towards each other since the search, the pair need not be checked.
   double wake = 0;
-  /// From the node to the segment when the pair was decided, of unit length or zero: everything beyond the plane across
-  /// it is farther away than that plane.
-  Vector towards = Vector::Zero();
 };
 
 /// Result of a global search, valid until tracked nodes and segments have come closer by `margin`: for each tracked

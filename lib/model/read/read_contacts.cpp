@@ -349,7 +349,14 @@ void read_contact(Context& context, const Block& block, const Options&) {
       count_surplus(reader, contact);
     }
   }
-  context.model.contacts.push_back(std::move(contact));
+  std::vector<Contact>& contacts = context.model.contacts;
+  if (contacts.empty()) {
+    // Contacts are large: growing a list of many would take twice its memory.
+    const auto& blocks = context.deck.blocks();
+    contacts.reserve(static_cast<std::size_t>(std::count_if(
+        blocks.begin(), blocks.end(), [](const Block& each) { return each.name.starts_with("CONTACT"); })));
+  }
+  contacts.push_back(std::move(contact));
 }
 
 }  // namespace gapcheck::model

@@ -86,17 +86,22 @@ NodeMeeting SegmentFinder::decide_candidates(std::size_t place, double used, Fin
 double SegmentFinder::decide_awake(SlotIndex slot, std::span<Candidate> candidates, double used, FinderScratch& scratch,
                                    PairCounts& counts) const {
   scratch.clear_hits();
+  // Only nodes that touch something come back for it.
+  TrackedNode* const known = pairs_.known(slot);
+  if (known != nullptr) known->towards.resize(candidates.size(), Vector::Zero());
   double wake = std::numeric_limits<double>::infinity();
   std::uint64_t pairs = 0;
-  for (Candidate& candidate : candidates) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    Candidate& candidate = candidates[i];
     if (!(candidate.wake > used)) {
       const SegmentIndex s = candidate.segment;
       const PairResult pair = contact::decide_pair(scene_, slot, s);
       ++pairs;
       candidate.wake = used + std::abs(pair.distance) - pairs_.reach(slot, s);
       const double distance = std::sqrt(pair.closest.squared_distance);
-      candidate.towards =
-          distance > 0 ? Vector((pair.closest.point - scene_.position(slot)) / distance) : Vector::Zero();
+      if (known != nullptr)
+        known->towards[i] =
+            distance > 0 ? Vector((pair.closest.point - scene_.position(slot)) / distance) : Vector::Zero();
       if (pair.penetrates) {
         scratch.hits.push_back({slot, s, pair.distance, pair.in_band});
         scratch.results.push_back(pair);
@@ -148,15 +153,18 @@ double SegmentFinder::nearest_other(SlotIndex slot, SegmentIndex segment, std::s
 
 void SegmentFinder::separate_others(SlotIndex slot, SegmentIndex segment, std::span<Candidate> candidates, double used,
                                     double far) const {
+  const std::vector<Vector>& towards = pairs_.node(slot).towards;
+  if (towards.size() != candidates.size()) return;
   const Vector at = scene_.position(slot);
-  for (Candidate& candidate : candidates) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    Candidate& candidate = candidates[i];
     const double reach = pairs_.reach(slot, candidate.segment);
     if (candidate.segment == segment || candidate.wake - used + reach > far) continue;
     const geometry::Facet facet = scene_.facet(candidate.segment);
     double least = std::numeric_limits<double>::infinity(), size = 0;
     for (const Vector& corner : facet.x) {
       const Vector from_node = corner - at;
-      least = std::min(least, candidate.towards.dot(from_node));
+      least = std::min(least, towards[i].dot(from_node));
       size = std::max(size, from_node.cwiseAbs().maxCoeff());
     }
     candidate.wake = std::max(candidate.wake, used + least - rounding_share * size - reach);

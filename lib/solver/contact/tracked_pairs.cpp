@@ -70,6 +70,7 @@ std::size_t TrackedPairs::find_candidates(const contact::CandidateSearch& search
     if (is_near) ++next;
     if (TrackedNode* const tracked = known(slot)) {
       tracked->lead = 0;
+      tracked->towards = {};
       if (tracked->at_rest())
         nodes_[slot.value].reset();
       else if (!is_near)

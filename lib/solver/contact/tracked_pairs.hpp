@@ -40,6 +40,9 @@ struct TrackedNode {
   double lead = 0;  ///< until this much is used up no other segment is as near as that of `link`
   PairData pair;    ///< with the segment of the last penetration
   SegmentLink link;
+  /// By candidate, from the node to the segment when the pair was decided, of unit length or zero: everything beyond
+  /// the plane across it is farther away than that plane. Empty: not known.
+  std::vector<Vector> towards;
   /// The energy of the spring.
   [[nodiscard]] double stored() const { return active ? link.stored(penetration - memory.forgiven) : 0; }
   [[nodiscard]] bool released() const { return memory.state == contact::NodeContact::State::released; }
