@@ -72,6 +72,7 @@ class Initialiser {
   }
 
   void run() {
+    state_.contacts.reserve(model_.contacts.size());
     for (const ContactIndex c : positions<ContactIndex>(model_.contacts.size())) {
       const model::Contact& contact = model_.contact(c);
       const ContactType type = classify(contact);
