@@ -39,8 +39,8 @@ Turns turned_parts(const Rules& rules, const Side& tracked, const Side& referenc
       const Vector& query = x[static_cast<std::size_t>(node)];
       if (facet.has(node) || !nearby(around, query)) continue;
       const Closest c = closest(around, facet.triangle, query);
-      if (c.feature == Feature::face && c.distance > rounding(around, query))
-        vote += c.normal.dot(query - c.point) > 0 ? 1 : -1;
+      const bool on_segment = c.beyond_band <= (facet.triangle ? -0.25 : -0.5) + 1e-9;
+      if (on_segment && c.distance > rounding(around, query)) vote += c.normal.dot(query - c.point) > 0 ? 1 : -1;
     }
   }
   Turns result;

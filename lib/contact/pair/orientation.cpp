@@ -44,10 +44,11 @@ std::vector<bool> flipped_segments(const PairScene& scene, const CandidateSearch
         const geometry::Facet facet = scene.facet(segment);
         for (const SlotIndex slot : slots) {
           const Vector query = scene.position(slot);
-          const auto closest = geometry::closest_point(facet, query);
+          // Where two meshes are alike, all nodes are straight above corners: the border counts.
+          const auto closest = geometry::closest_point(facet, query, 0);
           // A node that a tie has moved onto the surface is on neither side of it, whatever rounding says.
           const bool beside = std::abs(closest.gap) > default_tolerance(0, largest_coordinate(facet, query));
-          if (closest.feature == Feature::face && beside) ballot(segment) += closest.gap > 0 ? 1 : -1;
+          if (closest.in_band && beside) ballot(segment) += closest.gap > 0 ? 1 : -1;
         }
       });
   std::vector<bool> flipped(s.size(), false);
