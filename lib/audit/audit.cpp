@@ -6,6 +6,7 @@
 #include <chrono>
 #include <numeric>
 
+#include "audit/ids_in_files.hpp"
 #include "audit/ignore_reviews.hpp"
 #include "audit/members.hpp"
 #include "audit/mesh/element_mesh.hpp"
@@ -192,6 +193,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   }
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   place_at_nodes(report.findings, model.mesh.nodes);
+  name_ids_in_files(deck, model, report.findings);
   const IgnoreOutcome ignores = leave_out_ignored(report, deck, options);
   const std::size_t reviews = report.findings.size();
   review_ignores(options, ignores, report);

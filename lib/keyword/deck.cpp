@@ -101,7 +101,7 @@ Block block_of(FileContext& context, std::string_view line) {
   if (suffix == '%') block.format = Format::i10;
   if (suffix == '+' || suffix == '-' || suffix == '%') block.name.pop_back();
   block.file = context.file;
-  block.transform = context.transform;
+  block.transform = is_node_or_element(block.name) ? context.transforms.mesh : context.transforms.others;
   block.scope = context.scope;
   return block;
 }
@@ -116,7 +116,7 @@ std::optional<std::uint32_t> add_directives(const FileContext& context, std::str
     if (directives.size() == max_directives) return comment.line;
     std::size_t next = 0;
     if (const auto text = directive_text(line_at(bytes, comment.offset, next)))
-      directives.push_back({std::string(*text), context.file, comment.line, context.transform});
+      directives.push_back({std::string(*text), context.file, comment.line, context.transforms.mesh});
   }
   return std::nullopt;
 }
@@ -205,6 +205,7 @@ FileIndex DeckReader::add_file(const std::string& path, std::string_view bytes, 
 
 void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) {
   const std::string_view bytes = deck_.files_[context.file.value].bytes;
+  deck_.files_[context.file.value].of_mesh = context.transforms.mesh;
   const std::size_t begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   const auto beside = [](const Mark& mark) {
     return mark.kind == Mark::Kind::directive || mark.kind == Mark::Kind::foreign_break;
@@ -321,6 +322,13 @@ void Deck::drop_text(const std::function<bool(std::string_view name)>& done) {
     block.body = {};
     files_[block.file.value].bytes = {};
   }
+}
+
+std::int64_t Deck::id_in_file(FileIndex file, IdKind kind, std::int64_t id) const {
+  if (file.value >= files_.size()) return 0;
+  const Transform& transform = transforms_[files_[file.value].of_mesh.value];
+  const std::int64_t offset = transform.offset[static_cast<std::size_t>(kind)];
+  return transform.automatic && offset != 0 ? id - offset : 0;
 }
 
 Status Deck::unchanged() const {

@@ -25,6 +25,7 @@ struct SourceFile {
   std::string_view bytes;  ///< owned by the deck
   FileIndex includer = none<FileIndex>;
   std::uint32_t include_line = 0;  ///< in the includer
+  TransformIndex of_mesh{0};       ///< that of its nodes and elements
 };
 
 /// One keyword with its data lines, untouched. Views stay valid as long as the deck.
@@ -34,7 +35,7 @@ struct Block {
   FileIndex file;
   std::uint32_t line = 0;  ///< of the keyword; the body starts at line + 1
   Format format = Format::standard;
-  TransformIndex transform{0};  ///< of the *INCLUDE_TRANSFORM that brought it; 0 = none
+  TransformIndex transform{0};  ///< of the include that brought it; 0 = none
   std::uint32_t scope = 0;      ///< parameter scope (chain of files)
   std::uint32_t order = 0;      ///< position in the input; parameters are visible from their definition on
 };
@@ -76,6 +77,8 @@ class Deck {
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[nodiscard]] const Transform& transform(TransformIndex index) const { return transforms_[index.value]; }
+  /// The id that a file has for a node or element of the model, if *INCLUDE_AUTO_OFFSET shifted it; else 0.
+  [[nodiscard]] std::int64_t id_in_file(FileIndex file, IdKind kind, std::int64_t id) const;
   [[nodiscard]] const DeckCounters& counters() const { return counters_; }
   /// Frees the text of long blocks whose names `done` accepts, once nobody needs it any more: their bodies become
   /// empty, as do the bytes of their files.

@@ -38,17 +38,13 @@ void DeckReader::read_include(const FileContext& context, const Block& block) {
   auto include = next_include_name(reader, deck_.parameters_);
   if (block.name == "INCLUDE") {
     for (; include; include = next_include_name(reader, deck_.parameters_))
-      open_include(context, block, *include, context.transform);
+      open_include(context, block, *include, context.transforms);
   } else if (transforms && !include) {
     diagnostics_.error(path_of(block.file), block.line, "*INCLUDE_TRANSFORM without a file name; give one");
   } else if (transforms || block.name == "INCLUDE_AUTO_OFFSET_USER") {
     if (include) open_transformed(context, reader, *include);
   } else if (block.name == "INCLUDE_AUTO_OFFSET") {
-    if (!include) return;
-    diagnostics_.warning(path_of(block.file), block.line,
-                         "*INCLUDE_AUTO_OFFSET: the ids of \"" + include->name +
-                             "\" are read as they stand; use *INCLUDE_TRANSFORM to shift them");
-    open_include(context, block, *include, context.transform);
+    for (; include; include = next_include_name(reader, deck_.parameters_)) open_shifted(context, reader, *include);
   } else {
     diagnostics_.warning(path_of(block.file), block.line,
                          "*" + block.name + " is not supported: \"" + (include ? include->name : "") +
@@ -74,8 +70,33 @@ void DeckReader::open_transformed(const FileContext& context, CardReader& reader
   if (one_file && !reader.at_end())
     diagnostics_.error(path_of(block.file), reader.peek_line(),
                        "*INCLUDE_TRANSFORM has more lines than one file needs; give each file its own keyword");
-  open_include(context, block, include,
-               transforms_.add(deck_.transforms_, context.transform, given, block, path_of(block.file), diagnostics_));
+  const FileTransforms& outer = context.transforms;
+  FileTransforms inner;
+  inner.others = add_transform(outer.others, given, block);
+  inner.mesh = outer.mesh == outer.others ? inner.others : add_transform(outer.mesh, given, block);
+  open_include(context, block, include, inner);
+}
+
+/// *INCLUDE_AUTO_OFFSET (contact rules, section 12.5).
+void DeckReader::open_shifted(const FileContext& context, CardReader& reader, const IncludeName& include) {
+  const Block& block = reader.block();
+  highest_.update(deck_);
+  IncludeTransform shift;
+  shift.line = include.line;
+  shift.own.automatic = true;
+  shift.own.offset[static_cast<std::size_t>(IdKind::node)] = highest_.node();
+  shift.own.offset[static_cast<std::size_t>(IdKind::element)] = highest_.element();
+  const TransformIndex mesh = add_transform(context.transforms.mesh, shift, block);
+  const std::string said = "*INCLUDE_AUTO_OFFSET: in \"" + include.name + "\" the ids of nodes are shifted by " +
+                           std::to_string(highest_.node()) + " and those of elements by " +
+                           std::to_string(highest_.element()) +
+                           ", the highest ids read before; ids in its sets and other lists are not";
+  if (open_include(context, block, include, {mesh, context.transforms.others}))
+    diagnostics_.add({Severity::note, path_of(block.file), include.line, said});
+}
+
+TransformIndex DeckReader::add_transform(TransformIndex parent, const IncludeTransform& include, const Block& block) {
+  return transforms_.add(deck_.transforms_, parent, include, block, path_of(block.file), diagnostics_);
 }
 
 /// An included file that is readable; null: the reason is already reported.
@@ -90,22 +111,23 @@ std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, co
   return nullptr;
 }
 
-void DeckReader::open_include(const FileContext& context, const Block& block, const IncludeName& include,
-                              TransformIndex transform) {
-  if (stopped_) return;
+/// True if the file was read.
+bool DeckReader::open_include(const FileContext& context, const Block& block, const IncludeName& include,
+                              FileTransforms transforms) {
+  if (stopped_) return false;
   // The main file is one of the files. Missing ones count as well: searching for each takes time.
   if (++includes_ >= options_.max_files) {
     diagnostics_.error(
         path_of(block.file), include.line,
         "the deck has more than " + std::to_string(options_.max_files) + " files; the rest was not read");
     stopped_ = true;
-    return;
+    return false;
   }
   const bool bad_name = include.name.size() > max_include_name || include.name.find('\0') != std::string::npos;
   if (bad_name) {
     diagnostics_.error(path_of(block.file), include.line,
                        "the name of the include is longer than 236 characters or not a text; shorten it");
-    return;
+    return false;
   }
   const auto path = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file));
   if (!path) {
@@ -114,7 +136,7 @@ void DeckReader::open_include(const FileContext& context, const Block& block, co
                       include.line,
                       "include \"" + include.name +
                           "\" was not found; correct the name, or give its directory with -I or *INCLUDE_PATH"});
-    return;
+    return false;
   }
   std::error_code error;
   const std::string canonical = std::filesystem::canonical(*path, error).string();
@@ -125,17 +147,18 @@ void DeckReader::open_include(const FileContext& context, const Block& block, co
   if (!reason.empty()) {
     diagnostics_.error(path_of(block.file), include.line, "include \"" + include.name + "\" was not read: " + reason);
     stopped_ = repeats_.exceeded();
-    return;
+    return false;
   }
   const auto file = map_include(*path, canonical, block, include.line);
-  if (file == nullptr) return;
+  if (file == nullptr) return false;
   canonical_.push_back(canonical);
   FileContext inner = context;
   inner.file = add_file(*path, file->bytes(), &context, include.line);
-  inner.transform = transform;
+  inner.transforms = transforms;
   inner.scope = deck_.parameters_.add_scope(context.scope);
   ++inner.depth;
   read_file(inner, file->marks());
+  return true;
 }
 
 }  // namespace gapcheck::keyword

@@ -125,8 +125,8 @@ class Reporter {
 
 /// An unread keyword that moves or creates nodes and elements: the corrected geometry would not be the one that runs.
 Status check_geometry(const keyword::Deck& deck) {
-  constexpr std::array moving{"NODE_MERGE",     "NODE_TRANSFORM",        "ELEMENT_GENERATE",    "PART_MOVE",
-                              "PART_DUPLICATE", "PART_STACKED_ELEMENTS", "INCLUDE_AUTO_OFFSET", "NODE_REPLICATE"};
+  constexpr std::array moving{"NODE_MERGE",     "NODE_TRANSFORM",        "ELEMENT_GENERATE", "PART_MOVE",
+                              "PART_DUPLICATE", "PART_STACKED_ELEMENTS", "NODE_REPLICATE"};
   for (const keyword::Block& block : deck.blocks())
     for (const std::string_view name : moving)
       if (block.name.starts_with(name))

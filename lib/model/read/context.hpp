@@ -37,7 +37,11 @@ struct Context {
   [[nodiscard]] std::string where(Place place) const;
   void warning(Place place, std::string message);
   void error(Place place, std::string message);
-  void duplicate(std::string_view what, std::int64_t id, Place first, Place again);
+  /// `kind`: node or element, where the file may have another id.
+  void duplicate(std::string_view what, std::int64_t id, Place first, Place again,
+                 keyword::IdKind kind = keyword::IdKind::plain);
+  /// The id, and in brackets that of the file if *INCLUDE_AUTO_OFFSET shifted it.
+  [[nodiscard]] std::string id_text(FileIndex file, keyword::IdKind kind, std::int64_t id) const;
   void unknown(std::string message, Place place);
 
   [[nodiscard]] const keyword::Transform& transform(const keyword::Block& block) const {

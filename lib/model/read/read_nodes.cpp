@@ -54,7 +54,7 @@ void finish_nodes(Context& context) {
   erase_positions(dropped, nodes.origins, nodes.id, nodes.x, nodes.line);
   const std::vector<std::uint32_t> again = nodes.lookup.build(nodes.id);
   for (const std::uint32_t i : again)
-    context.duplicate("node", nodes.id[i], place(*nodes.lookup.find(nodes.id[i])), place(i));
+    context.duplicate("node", nodes.id[i], place(*nodes.lookup.find(nodes.id[i])), place(i), IdKind::node);
   if (again.empty()) return;
   erase_positions(again, nodes.origins, nodes.id, nodes.x, nodes.line);
   nodes.lookup.build(nodes.id);
