@@ -53,6 +53,7 @@ class DeckReader {
   void open_shifted(const FileContext& context, CardReader& reader, const IncludeName& include);
   bool open_include(const FileContext& context, const Block& block, const IncludeName& include,
                     FileTransforms transforms);
+  void note_found_by_end(const Block& block, const IncludeName& include, const FoundInclude& found);
   TransformIndex add_transform(TransformIndex parent, const IncludeTransform& include, const Block& block);
   [[nodiscard]] std::shared_ptr<KeywordFile> map_include(const std::string& path, const std::string& canonical,
                                                          const Block& block, std::uint32_t line);

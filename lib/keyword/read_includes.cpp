@@ -17,6 +17,19 @@ std::string problem_of(std::string_view bytes) {
   return ends.empty() ? "" : about_line_ends(ends);
 }
 
+/// What would help if an include is not found.
+std::string advice(const std::string& name) {
+  const std::size_t cut = name.find_last_of("/\\:");
+  const std::string last = cut == std::string::npos ? name : name.substr(cut + 1);
+  if (!last.empty() && may_be_of_another_machine(name))
+    return "\" was not found, and neither the folders of the decks nor those of *INCLUDE_PATH and -I have a \"" + last +
+           "\" for it; put it beside the deck, or give its folder with -I";
+  if (!last.empty() && cut != std::string::npos)
+    return "\" was not found; correct the name, or give with -I or *INCLUDE_PATH the folder that \"" + name +
+           "\" starts from";
+  return "\" was not found; correct the name, or give its directory with -I or *INCLUDE_PATH";
+}
+
 /// Why the file `canonical` cannot be included in the file `at` of `files`; empty: it can. `canonicals`: beside
 /// `files`.
 std::string reason_against(const std::string& canonical, FileIndex at, std::span<const SourceFile> files,
@@ -111,6 +124,13 @@ std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, co
   return nullptr;
 }
 
+void DeckReader::note_found_by_end(const Block& block, const IncludeName& include, const FoundInclude& found) {
+  std::string text =
+      "include \"" + include.name + "\" does not exist here; \"" + found.path + "\" was read in its place";
+  if (!found.other.empty()) text += " (not \"" + found.other + "\", which has the same name)";
+  diagnostics_.add({Severity::note, path_of(block.file), include.line, text});
+}
+
 /// True if the file was read.
 bool DeckReader::open_include(const FileContext& context, const Block& block, const IncludeName& include,
                               FileTransforms transforms) {
@@ -129,17 +149,17 @@ bool DeckReader::open_include(const FileContext& context, const Block& block, co
                        "the name of the include is longer than 236 characters or not a text; shorten it");
     return false;
   }
-  const auto path = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file));
-  if (!path) {
+  const auto found = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file));
+  if (!found) {
     ++deck_.counters_.missing_includes;
     diagnostics_.add({options_.skip_missing_includes ? Severity::warning : Severity::error, path_of(block.file),
-                      include.line,
-                      "include \"" + include.name +
-                          "\" was not found; correct the name, or give its directory with -I or *INCLUDE_PATH"});
+                      include.line, "include \"" + include.name + advice(include.name)});
     return false;
   }
+  if (found->by_end) note_found_by_end(block, include, *found);
+  const std::string& path = found->path;
   std::error_code error;
-  const std::string canonical = std::filesystem::canonical(*path, error).string();
+  const std::string canonical = std::filesystem::canonical(path, error).string();
   std::string reason = context.depth >= options_.max_include_depth
                            ? "includes are nested more than " + std::to_string(options_.max_include_depth) + " deep"
                            : reason_against(canonical, context.file, deck_.files_, canonical_);
@@ -149,11 +169,11 @@ bool DeckReader::open_include(const FileContext& context, const Block& block, co
     stopped_ = repeats_.exceeded();
     return false;
   }
-  const auto file = map_include(*path, canonical, block, include.line);
+  const auto file = map_include(path, canonical, block, include.line);
   if (file == nullptr) return false;
   canonical_.push_back(canonical);
   FileContext inner = context;
-  inner.file = add_file(*path, file->bytes(), &context, include.line);
+  inner.file = add_file(path, file->bytes(), &context, include.line);
   inner.transforms = transforms;
   inner.scope = deck_.parameters_.add_scope(context.scope);
   ++inner.depth;

@@ -76,6 +76,61 @@ TEST_F(Includes, SearchPaths) {
   EXPECT_EQ(deck.files().size(), 5u);
 }
 
+TEST_F(Includes, NamesOfAnotherMachineByTheirEnd) {
+  directory.write("mesh.k", "*NODE\n");
+  directory.write("sub/inner.k", "*INCLUDE\n\\\\server\\share\\other.k\n");
+  directory.write("sub/other.k", "*PART\n");
+  directory.write("far/folder/part.k", "*TITLE\n");
+  directory.write("far/part.k", "*END\n");
+  directory.write("main.k",
+                  "*INCLUDE\nC:\\project\\mesh.k\nc:/Project/mesh.k\n/home/nobody/sub/inner.k\nfolder\\part.k\n"
+                  "D:x\\folder\\part.k\n");
+  ReadOptions options;
+  options.include_directories = {directory.path("far")};
+  read("main.k", options);
+  EXPECT_EQ(names(deck), (std::vector<std::string>{"INCLUDE", "NODE", "NODE", "INCLUDE", "PART", "TITLE", "TITLE"}))
+      << reports(diagnostics);
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(count_errors(diagnostics), 0u) << all;
+  EXPECT_EQ(diagnostics.sorted().size(), 5u) << "found where its name says: no note\n" << all;
+  EXPECT_NE(all.find("main.k:2: include \"C:\\project\\mesh.k\" does not exist here; \"" + directory.path("mesh.k") +
+                     "\" was read in its place\n"),
+            std::string::npos)
+      << all;
+}
+
+TEST_F(Includes, OneFileForTwoNamesOfAnotherMachine) {
+  directory.write("mat.k", "*NODE\n");
+  directory.write("more/mat.k", "*PART\n");
+  ReadOptions options;
+  options.include_directories = {directory.path("more")};
+  directory.write("main.k", "*INCLUDE\nC:\\steel\\mat.k\nC:\\foam\\mat.k\nC:\\glass\\mat.k\n");
+  read("main.k", options);
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(names(deck), (std::vector<std::string>{"INCLUDE", "NODE", "PART"})) << all;
+  EXPECT_NE(all.find("(not \"" + directory.path("more/mat.k") + "\", which has the same name)"), std::string::npos)
+      << all;
+  EXPECT_NE(all.find("main.k:4: include \"C:\\glass\\mat.k\" was not found"), std::string::npos) << all;
+}
+
+TEST_F(Includes, AdviceThatHelps) {
+  directory.write("sub/deep.k", "*NODE\n");
+  directory.write("main.k", "*INCLUDE\nC:\\x\\y.k\n../lib/z.k\nsub/w.k\nplain.k\n/usr/\nC:\n/abs/sub/../deep.k\n");
+  read("main.k");
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(count_errors(diagnostics), 7u) << all;
+  EXPECT_NE(all.find(":2: include \"C:\\x\\y.k\" was not found, and neither"), std::string::npos) << all;
+  EXPECT_NE(all.find("have a \"y.k\" for it; put it beside the deck, or give its folder with -I"), std::string::npos)
+      << all;
+  EXPECT_NE(all.find(":4: include \"sub/w.k\" was not found; correct the name, or give with -I or *INCLUDE_PATH the "
+                     "folder that \"sub/w.k\" starts from"),
+            std::string::npos)
+      << all;
+  EXPECT_NE(all.find(":5: include \"plain.k\" was not found; correct the name, or give its directory"),
+            std::string::npos)
+      << all;
+}
+
 TEST_F(Includes, AllMissingOnesAreReported) {
   directory.write("main.k", "*KEYWORD\n*INCLUDE\nno.k\nneither.k\n*NODE\n");
   read("main.k");
