@@ -127,22 +127,44 @@ void Card::report(std::size_t field, const std::string& problem) const {
                       "*" + block_->name + ", field " + layout_->fields[field].name + ": " + problem);
 }
 
-/// The value of `&name`, `-&name` or `<expression>`; nothing (and a report) if it has none.
+/// The value of an expression; nothing (and a report) if it has none.
+std::optional<ParameterValue> Card::evaluated(std::size_t field, std::string_view expression) const {
+  const auto value = deck_->parameters().evaluate(expression, block_->scope, block_->order);
+  if (value) return value.value();
+  report(field, value.error().message);
+  return std::nullopt;
+}
+
+/// A warning if an expression fills its fixed columns and the line goes on: what is behind them is not part of it.
+void Card::warn_if_cut(std::size_t field, std::string_view raw) const {
+  if (free_format_ || raw_.find('\t') != std::string_view::npos) return;
+  const Cell cell = locate(*layout_, block_->format, field);
+  const std::size_t end = cell.column + cell.width;
+  if (end >= raw_.size() || raw_[end - 1] == ' ' ||
+      std::string_view("0123456789.*/()eE").find(raw_[end]) == std::string_view::npos)
+    return;
+  diagnostics_->warning(deck_->file(block_->file).path, line_,
+                        "*" + block_->name + ", field " + layout_->fields[field].name + ": the expression " +
+                            quoted(raw) + " fills its " + std::to_string(cell.width) +
+                            " columns, and the line goes on; if it is cut off, define it with *PARAMETER_EXPRESSION");
+}
+
+/// The value of `&name`, `-&name`, `<expression>` or an expression with parameters; nothing (and a report) if it has
+/// none.
 std::optional<ParameterValue> Card::substituted(std::size_t field, std::string_view raw) const {
-  const Parameters& parameters = deck_->parameters();
   if (raw.front() == '<') {
-    if (raw.back() != '>' || raw.size() < 3) {
-      report(field, quoted(raw) + " lacks the closing \">\"");
-      return std::nullopt;
-    }
-    const auto value = parameters.evaluate(raw.substr(1, raw.size() - 2), block_->scope, block_->order);
-    if (value) return value.value();
-    report(field, value.error().message);
+    if (raw.back() == '>' && raw.size() > 2) return evaluated(field, raw.substr(1, raw.size() - 2));
+    report(field, quoted(raw) + " lacks the closing \">\"");
     return std::nullopt;
   }
-  const bool negative = raw.front() == '-';
-  const auto name = trimmed(raw.substr(negative ? 2 : 1));
-  const ParameterValue* value = parameters.find(name, block_->scope, block_->order);
+  const bool negative = raw.starts_with("-&");
+  const bool reference = negative || raw.starts_with('&');
+  const auto name = reference ? trimmed(raw.substr(negative ? 2 : 1)) : std::string_view{};
+  const ParameterValue* value = deck_->parameters().find(name, block_->scope, block_->order);
+  if (value == nullptr && (!reference || !is_plain_name(name))) {
+    warn_if_cut(field, raw);
+    return evaluated(field, raw);
+  }
   if (value == nullptr) {
     report(field, "the parameter " + quoted(name) + " is not defined before this line; define it with *PARAMETER");
     return std::nullopt;
@@ -159,9 +181,12 @@ std::optional<ParameterValue> Card::substituted(std::size_t field, std::string_v
 
 namespace {
 
+/// Products and sums of decimals miss whole numbers by rounding: 100 * 0.07 is 7.000000000000001.
 std::optional<std::int64_t> whole(double value) {
-  if (value != std::floor(value) || std::abs(value) > 9.0e15) return std::nullopt;
-  return static_cast<std::int64_t>(value);
+  constexpr double rounding = 1e-9;
+  const double nearest = std::round(value);
+  if (!(std::abs(value - nearest) <= rounding) || std::abs(value) > 9.0e15) return std::nullopt;
+  return static_cast<std::int64_t>(nearest);
 }
 
 }  // namespace

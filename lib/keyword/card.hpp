@@ -70,6 +70,8 @@ class Card {
   [[nodiscard]] std::string_view free_text(std::size_t field) const;
   [[nodiscard]] bool is_free_format() const;
   [[nodiscard]] std::optional<ParameterValue> substituted(std::size_t field, std::string_view raw) const;
+  [[nodiscard]] std::optional<ParameterValue> evaluated(std::size_t field, std::string_view expression) const;
+  void warn_if_cut(std::size_t field, std::string_view raw) const;
   void report(std::size_t field, const std::string& problem) const;
   bool present_ = false;
   std::uint32_t line_ = 0;

@@ -89,7 +89,7 @@ ElementLines lines_of(std::string_view name) {
 bool can_be_element(const Card& card) {
   for (std::size_t i = 0; i < 5; ++i) {
     const auto number = parse_integer(card.written(i));
-    if (!card.written(i).starts_with('&') && (!number || *number <= 0)) return false;
+    if (!is_parameter_reference(card.written(i)) && (!number || *number <= 0)) return false;
   }
   return true;
 }

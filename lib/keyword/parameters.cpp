@@ -18,6 +18,12 @@ Diagnostic failure(std::string message) { return {Severity::error, {}, 0, std::m
 
 }  // namespace
 
+bool is_plain_name(std::string_view name) {
+  return std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  });
+}
+
 std::uint32_t Parameters::add_scope(std::uint32_t parent) {
   parents_.push_back(parent);
   return static_cast<std::uint32_t>(parents_.size() - 1);

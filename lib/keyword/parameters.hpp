@@ -12,10 +12,14 @@ namespace gapcheck::keyword {
 
 using ParameterValue = std::variant<std::int64_t, double, std::string>;
 
-/// Whether a field names a parameter or holds an expression instead of its value: `&name`, `-&name`, `<expression>`.
+/// Whether a field for a number names a parameter or holds an expression instead of its value: `&name`, `-&name`,
+/// `<expression>`, and anything else with a parameter in it, like `2*&name`.
 [[nodiscard]] inline bool is_parameter_reference(std::string_view field) {
-  return field.starts_with('&') || field.starts_with("-&") || field.starts_with('<');
+  return field.starts_with('<') || field.find('&') != std::string_view::npos;
 }
+
+/// Letters, digits and underscores only, as names in expressions have them.
+[[nodiscard]] bool is_plain_name(std::string_view name);
 
 /// The values of *PARAMETER and its relatives, with the place from which each is visible.
 class Parameters {

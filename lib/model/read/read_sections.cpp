@@ -41,12 +41,18 @@ Section begin_section(const Block& block, const Card& card, SectionKind kind) {
   return section;
 }
 
+/// Titles have blanks or begin with a letter.
+bool may_be_number(std::string_view text) {
+  return parse_real(text) || (keyword::is_parameter_reference(text) && text.find(' ') == std::string_view::npos &&
+                              std::string_view("&-+(<.0123456789").find(text.front()) != std::string_view::npos);
+}
+
 /// The card contains only numbers, so it is not one of the titles allowed from the second section on.
 bool is_section_card(const CardReader& reader, const CardLayout& layout) {
   const Card card = reader.peek(layout);
   for (std::size_t i = 0; i < card.size(); ++i) {
     const std::string_view text = card.text(i);
-    if (!text.empty() && !text.starts_with('&') && !parse_real(text)) return false;
+    if (!text.empty() && !may_be_number(text)) return false;
   }
   return !card.text(std::size_t{0}).empty();
 }
