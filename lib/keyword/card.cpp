@@ -127,11 +127,31 @@ void Card::report(std::size_t field, const std::string& problem) const {
                       "*" + block_->name + ", field " + layout_->fields[field].name + ": " + problem);
 }
 
+void report_missing_parameter(std::string_view name, const std::string& file, std::uint32_t line,
+                              const std::string& where, Diagnostics& diagnostics) {
+  diagnostics.error_of_cause(
+      "the parameter " + quoted(name) + " is not defined before it is used",
+      "define it with *PARAMETER, or give it with --param " + std::string(name.substr(0, 80)) + "=VALUE", file, line,
+      where);
+}
+
+void Card::report_missing(std::size_t field, std::string_view name) const {
+  const std::uint64_t bit = std::uint64_t{1} << (field % 64);
+  if ((reported_ & bit) != 0) return;
+  reported_ |= bit;
+  report_missing_parameter(name, deck_->file(block_->file).path, line_,
+                           "*" + block_->name + ", field " + layout_->fields[field].name, *diagnostics_);
+}
+
 /// The value of an expression; nothing (and a report) if it has none.
 std::optional<ParameterValue> Card::evaluated(std::size_t field, std::string_view expression) const {
-  const auto value = deck_->parameters().evaluate(expression, block_->scope, block_->order);
+  Parameters::Missing missing;
+  const auto value = deck_->parameters().evaluate(expression, block_->scope, block_->order, &missing);
   if (value) return value.value();
-  report(field, value.error().message);
+  if (missing.name.empty())
+    report(field, value.error().message);
+  else if (!missing.told)
+    report_missing(field, missing.name);
   return std::nullopt;
 }
 
@@ -166,9 +186,10 @@ std::optional<ParameterValue> Card::substituted(std::size_t field, std::string_v
     return evaluated(field, raw);
   }
   if (value == nullptr) {
-    report(field, "the parameter " + quoted(name) + " is not defined before this line; define it with *PARAMETER");
+    report_missing(field, name);
     return std::nullopt;
   }
+  if (Parameters::is_unknown(*value)) return std::nullopt;
   if (std::holds_alternative<std::string>(*value)) {
     report(field, "the parameter " + quoted(name) + " is a text, and a number is needed; define it as type R or I");
     return std::nullopt;

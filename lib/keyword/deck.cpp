@@ -10,6 +10,7 @@
 #include "base/number.hpp"
 #include "keyword/deck_reader.hpp"
 #include "keyword/line_ends.hpp"
+#include "keyword/template_fields.hpp"
 #include "keyword/upper_case.hpp"
 
 namespace gapcheck::keyword {
@@ -137,6 +138,15 @@ void check_breaks(const std::string& path, const std::vector<Mark>& marks, std::
                         "; what follows it is not read; convert the line ends of the file");
 }
 
+/// Whether a line in [begin, end) has template fields. `comments`: by offset, with other marks among them.
+bool has_template_fields(const std::vector<Mark>& comments, std::size_t begin, std::size_t end) {
+  auto mark = std::lower_bound(comments.begin(), comments.end(), begin,
+                               [](const Mark& m, std::size_t offset) { return m.offset < offset; });
+  for (; mark != comments.end() && mark->offset < end; ++mark)
+    if (mark->kind == Mark::Kind::template_field) return true;
+  return false;
+}
+
 /// An error for data between `begin` and the first keyword at `end`.
 void check_before_keywords(const SourceFile& file, std::size_t begin, std::size_t end, Diagnostics& diagnostics) {
   if (const auto line = first_data_line(file.bytes, begin, end, 0))
@@ -145,6 +155,20 @@ void check_before_keywords(const SourceFile& file, std::size_t begin, std::size_
 }
 
 }  // namespace
+
+DeckReader::DeckReader(const ReadOptions& options, Diagnostics& diagnostics)
+    : options_(options), diagnostics_(diagnostics), paths_(options.include_directories) {
+  for (const std::string& text : options.parameters) {
+    const std::string fault = parameter_fault(text);
+    if (!fault.empty()) {
+      diagnostics.add(plain_error("--param " + fault));
+      continue;
+    }
+    const std::size_t equals = text.find('=');
+    deck_.parameters_.give(trimmed(std::string_view(text).substr(0, equals)),
+                           trimmed(std::string_view(text).substr(equals + 1)));
+  }
+}
 
 Result<Deck> DeckReader::read_path(const std::string& path) {
   std::error_code error;
@@ -155,9 +179,10 @@ Result<Deck> DeckReader::read_path(const std::string& path) {
 }
 
 Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
-  deck_.texts_.push_back(std::move(text));
+  deck_.texts_.push_back(std::make_unique<const std::string>(std::move(text)));
   canonical_.emplace_back();
-  return read_all(name, deck_.texts_.back(), marks_of_file(deck_.texts_.back()));
+  const std::string_view bytes = *deck_.texts_.back();
+  return read_all(name, bytes, marks_of_file(bytes));
 }
 
 Result<Deck> DeckReader::read_all(const std::string& path, std::string_view bytes, const std::vector<Mark>& marks) {
@@ -208,7 +233,8 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
   deck_.files_[context.file.value].of_mesh = context.transforms.mesh;
   const std::size_t begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   const auto beside = [](const Mark& mark) {
-    return mark.kind == Mark::Kind::directive || mark.kind == Mark::Kind::foreign_break;
+    return mark.kind == Mark::Kind::directive || mark.kind == Mark::Kind::foreign_break ||
+           mark.kind == Mark::Kind::template_field;
   };
   std::vector<Mark> structure, comments;
   if (std::any_of(lines.begin(), lines.end(), beside))
@@ -234,7 +260,7 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
     Block block = block_of(context, line_at(bytes, mark.offset, body));
     block.line = mark.line;
     block.body = bytes.substr(body, std::max(end, body) - body);
-    if (add_block(std::move(block), context)) continue;
+    if (add_block(std::move(block), context, has_template_fields(comments, mark.offset, end))) continue;
     read_to = mark.offset;
     break;
   }
@@ -270,7 +296,7 @@ std::size_t DeckReader::pass_encrypted(const FileContext& context, const std::ve
 }
 
 /// Adds a block and follows it to other files; false if nothing after it must be read.
-bool DeckReader::add_block(Block block, const FileContext& context) {
+bool DeckReader::add_block(Block block, const FileContext& context, bool templated) {
   if (block.name.empty())
     diagnostics_.error(path_of(block.file), block.line, "a keyword line without a name; give the keyword or remove it");
   if (deck_.blocks_.size() == max_blocks) {
@@ -280,6 +306,10 @@ bool DeckReader::add_block(Block block, const FileContext& context) {
     return false;
   }
   block.order = static_cast<std::uint32_t>(deck_.blocks_.size());
+  if (templated) {
+    deck_.texts_.push_back(std::make_unique<const std::string>(with_template_fields(deck_, block, diagnostics_)));
+    block.body = *deck_.texts_.back();
+  }
   deck_.blocks_.push_back(block);
   deck_.ended_ = deck_.ended_ || (block.name == "END" && block.file == FileIndex(0));
   dispatch(context, block);
@@ -299,6 +329,20 @@ void DeckReader::dispatch(const FileContext& context, const Block& block) {
     diagnostics_.warning(path_of(block.file), block.line,
                          "*CASE: the keywords of all cases are read as one model; split the deck to check one case");
   }
+}
+
+std::string parameter_fault(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  const std::string_view name = trimmed(text.substr(0, equals));
+  if (equals == std::string_view::npos || name.empty() || trimmed(text.substr(equals + 1)).empty())
+    return "'" + std::string(text.substr(0, 80)) + "' is not of the form NAME=VALUE";
+  return "";
+}
+
+void warn_of_unused_parameters(const Deck& deck, Diagnostics& diagnostics) {
+  for (const std::string& name : deck.parameters().unused())
+    diagnostics.warning(deck.file(FileIndex(0)).path, 0,
+                        "--param " + name + ": the deck neither defines nor uses this parameter; correct the name");
 }
 
 void note_missing_end(const Deck& deck, Diagnostics& diagnostics) {

@@ -29,8 +29,7 @@ struct FileContext {
 /// Builds a deck: follows includes, collects parameters, and resolves transformations once everything is read.
 class DeckReader {
  public:
-  DeckReader(const ReadOptions& options, Diagnostics& diagnostics)
-      : options_(options), diagnostics_(diagnostics), paths_(options.include_directories) {}
+  DeckReader(const ReadOptions& options, Diagnostics& diagnostics);
   Result<Deck> read_path(const std::string& path);
   Result<Deck> read_text(std::string text, const std::string& name);
 
@@ -43,7 +42,7 @@ class DeckReader {
   FileIndex add_file(const std::string& path, std::string_view bytes, const FileContext* includer, std::uint32_t line);
   void read_file(FileContext context, const std::vector<Mark>& marks);
   std::size_t pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at);
-  bool add_block(Block block, const FileContext& context);
+  bool add_block(Block block, const FileContext& context, bool templated);
   void dispatch(const FileContext& context, const Block& block);
 
   // read_includes.cpp

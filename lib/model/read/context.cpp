@@ -29,6 +29,10 @@ void Context::error(Place place, std::string message) {
   diagnostics.error(deck.file(place.file).path, place.line, std::move(message));
 }
 
+void Context::bad_id(Place place, std::string message) {
+  if (!diagnostics.has_error_in(deck.file(place.file).path, place.line, place.line)) error(place, std::move(message));
+}
+
 void Context::duplicate(std::string_view what, std::int64_t id, Place first, Place again, keyword::IdKind kind) {
   model.faults.push_back(
       {Fault::Kind::duplicate_id,

@@ -37,6 +37,8 @@ struct Context {
   [[nodiscard]] std::string where(Place place) const;
   void warning(Place place, std::string message);
   void error(Place place, std::string message);
+  /// An error about an id, unless the line has one already: then its field could not be read.
+  void bad_id(Place place, std::string message);
   /// `kind`: node or element, where the file may have another id.
   void duplicate(std::string_view what, std::int64_t id, Place first, Place again,
                  keyword::IdKind kind = keyword::IdKind::plain);

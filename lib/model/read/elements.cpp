@@ -160,7 +160,7 @@ class Appender {
   void report(const LeftOut& out) {
     const Place place = Context::place(block_, out.line);
     if (out.id <= 0)
-      context_.error(place, fmt::format("{} id {} is not positive; the element is left out", traits_.what, out.id));
+      context_.bad_id(place, fmt::format("{} id {} is not positive; the element is left out", traits_.what, out.id));
     else
       context_.unknown(fmt::format("{} {} names node {}, which is not defined; the element is left out", traits_.what,
                                    context_.id_text(block_.file, IdKind::element, out.id),

@@ -249,6 +249,7 @@ Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics) {
   Context context{deck, diagnostics, model, {}, {}, {}, 0};
   read_blocks(context);
   sort_faults(model.faults);
+  keyword::warn_of_unused_parameters(deck, diagnostics);
   return {std::move(model)};
 }
 

@@ -80,7 +80,7 @@ void read_plain(Context& context, CardReader& reader, const Options& options, Pa
 void add_part(Context& context, Part part) {
   Model& model = context.model;
   if (part.id.value <= 0) {
-    context.error(part.place, fmt::format("part id {} is not positive; the part is left out", part.id.value));
+    context.bad_id(part.place, fmt::format("part id {} is not positive; the part is left out", part.id.value));
     return;
   }
   const auto [entry, is_new] =

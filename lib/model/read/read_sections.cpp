@@ -20,7 +20,7 @@ std::int64_t lines_of_eight(std::int64_t count) { return count <= 0 ? 0 : (count
 
 void add_section(Context& context, Section section) {
   if (section.id <= 0) {
-    context.error(section.place, fmt::format("section id {} is not positive; the section is left out", section.id));
+    context.bad_id(section.place, fmt::format("section id {} is not positive; the section is left out", section.id));
     return;
   }
   Model& model = context.model;
