@@ -18,6 +18,7 @@ struct Diagnostic {
   std::string file;
   std::uint32_t line = 0;
   std::string message;
+  std::string excerpt = {};  ///< lines of the file to show below the message, and marks in them; may be empty
 };
 
 /// An error about no file in particular.

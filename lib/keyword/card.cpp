@@ -5,6 +5,7 @@
 
 #include "base/number.hpp"
 #include "keyword/line_ends.hpp"
+#include "keyword/text/blanks_in_number.hpp"
 
 namespace gapcheck::keyword {
 namespace {
@@ -127,6 +128,20 @@ void Card::report(std::size_t field, const std::string& problem) const {
                       "*" + block_->name + ", field " + layout_->fields[field].name + ": " + problem);
 }
 
+/// With what is likely meant and the line, if blanks are the cause.
+void Card::report_not_a_number(std::size_t field, std::string_view raw, const std::string& problem) const {
+  const Cell at = cell(field);
+  const NumberField number{raw_, raw, field, size(), at.column, at.width, free_format_};
+  const std::string cause = about_blanks(number);
+  if (cause.empty()) return report(field, quoted(raw) + problem + "; correct the field");
+  const std::uint64_t bit = std::uint64_t{1} << (field % 64);
+  if ((reported_ & bit) != 0) return;
+  reported_ |= bit;
+  diagnostics_->add({Severity::error, deck_->file(block_->file).path, line_,
+                     "*" + block_->name + ", field " + layout_->fields[field].name + ": " + cause,
+                     marked_line(number)});
+}
+
 void report_missing_parameter(std::string_view name, const std::string& file, std::uint32_t line,
                               const std::string& where, Diagnostics& diagnostics) {
   diagnostics.error_of_cause(
@@ -227,7 +242,7 @@ std::int64_t Card::integer(std::size_t field, std::int64_t default_value) const 
     value = parse_integer(raw);
   }
   if (!value) {
-    report(field, quoted(raw) + " is not a whole number of at most 18 digits; correct the field");
+    report_not_a_number(field, raw, " is not a whole number of at most 18 digits");
     return default_value;
   }
   if (*value == 0) return 0;
@@ -256,7 +271,7 @@ double Card::real(std::size_t field, double default_value) const {
     value = parse_real(raw);
   }
   if (!value || std::abs(*value) > max_real) {
-    report(field, quoted(raw) + (value ? " is larger than 1e30" : " is not a number") + "; correct the field");
+    report_not_a_number(field, raw, value ? " is larger than 1e30" : " is not a number");
     return default_value;
   }
   return *value;

@@ -78,6 +78,7 @@ class Card {
   void report_missing(std::size_t field, std::string_view name) const;
   void warn_if_cut(std::size_t field, std::string_view raw) const;
   void report(std::size_t field, const std::string& problem) const;
+  void report_not_a_number(std::size_t field, std::string_view raw, const std::string& problem) const;
   bool present_ = false;
   std::uint32_t line_ = 0;
   static inline const CardLayout no_layout{};

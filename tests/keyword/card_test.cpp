@@ -250,6 +250,21 @@ TEST(Card, WhatIsNotANumberIsReportedOnceWithItsPlace) {
   EXPECT_NE(all.find("\"1.0E31\" is larger"), std::string::npos) << all;
 }
 
+TEST(Card, BlanksInNumbersAreShownInTheirLine) {
+  TextDeck deck("*SECTION_SHELL\n    1.0  2       3.0\n       1.0  2.0   xx\n");
+  auto reader = deck.reader("SECTION_SHELL");
+  const CardLayout& row = card_layout("SECTION_SHELL", "card2");
+  EXPECT_EQ(reader.next(row).real("t1"), 0);
+  EXPECT_EQ(reader.next(row).real("t2"), 0);
+  const auto said = deck.diagnostics.sorted();
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_NE(said[0].message.find("*SECTION_SHELL, field t1: \"1.0  2\" is 2 numbers in one field (columns 1 to 10)"),
+            std::string::npos)
+      << said[0].message;
+  EXPECT_EQ(said[0].excerpt, "    1.0  2       3.0\n^^^^^^^^^^");
+  EXPECT_EQ(said[1].excerpt, "") << said[1].message;
+}
+
 TEST(Card, TabsReachToTheNextMultipleOfEight) {
   TextDeck deck("*NODE\n1\t1.5\t\t2.5\t\t3.5\t\t4\n\t  7\n*NODE_SCALAR\n");
   auto reader = deck.reader("NODE");
