@@ -29,6 +29,8 @@ struct Context {
   RawSets sets;
   std::map<std::int64_t, std::uint32_t> section_of_id, material_of_id;
   std::uint32_t interfaces = 0;  ///< contacts so far that count
+  /// Parts of particles that the run makes, which need no *PART.
+  std::vector<Part> later_particles = {};
   /// Rows of a *DEFINE_TABLE that wait for the curves that follow it; last first.
   std::vector<std::pair<std::int64_t, std::size_t>> waiting_rows = {};
 
@@ -79,6 +81,7 @@ void read_masses(Context& context, const Block& block, const Options& options);
 void read_inertias(Context& context, const Block& block, const Options& options);
 void read_particles(Context& context, const Block& block, const Options& options);
 void read_parts(Context& context, const Block& block, const Options& options);
+void read_later_particles(Context& context, const Block& block, const Options& options);
 void read_section_shell(Context& context, const Block& block, const Options& options);
 void read_section_solid(Context& context, const Block& block, const Options& options);
 void read_section_thick_shell(Context& context, const Block& block, const Options& options);

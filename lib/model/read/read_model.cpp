@@ -59,6 +59,8 @@ constexpr KeywordFamily keyword_families[] = {
     {"PART_DUPLICATE", Phase::rest, warn_unread, "*"},
     {"PART_MOVE", Phase::rest, warn_unread, "*"},
     {"PART_STACKED_ELEMENTS", Phase::rest, warn_unread, "*"},
+    {"DEFINE_ADAPTIVE_SOLID_TO_DES", Phase::properties, read_later_particles, "ID"},
+    {"DEFINE_ADAPTIVE_SOLID_TO_SPH", Phase::properties, read_later_particles, "ID"},
     {"SECTION", Phase::properties, read_section_other, "*"},
     {"SECTION_SHELL", Phase::properties, read_section_shell, "TITLE MISC EFG THERMAL XFEM", true},
     {"SECTION_SOLID", Phase::properties, read_section_solid, "TITLE EFG MISC PERI SPG", true},
