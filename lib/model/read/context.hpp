@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "keyword/card.hpp"
+#include "keyword/transformation.hpp"
 #include "model/entity/raw_sets.hpp"
 #include "model/model.hpp"
 
@@ -31,6 +32,10 @@ struct Context {
   std::uint32_t interfaces = 0;  ///< contacts so far that count
   /// Parts of particles that the run makes, which need no *PART.
   std::vector<Part> later_particles = {};
+  std::map<std::uint32_t, Vector> part_moves = {};                     ///< of *PART_MOVE, by position of the part
+  std::map<std::int64_t, const keyword::Block*> transformations = {};  ///< once *NODE_TRANSFORM asked for them
+  std::map<std::int64_t, std::optional<keyword::Placement>> placements = {};
+  std::size_t transformed_nodes = 0;  ///< by *NODE_TRANSFORM so far
   /// Rows of a *DEFINE_TABLE that wait for the curves that follow it; last first.
   std::vector<std::pair<std::int64_t, std::size_t>> waiting_rows = {};
 
@@ -82,6 +87,8 @@ void read_inertias(Context& context, const Block& block, const Options& options)
 void read_particles(Context& context, const Block& block, const Options& options);
 void read_parts(Context& context, const Block& block, const Options& options);
 void read_later_particles(Context& context, const Block& block, const Options& options);
+void read_part_move(Context& context, const Block& block, const Options& options);
+void read_node_transform(Context& context, const Block& block, const Options& options);
 void read_section_shell(Context& context, const Block& block, const Options& options);
 void read_section_solid(Context& context, const Block& block, const Options& options);
 void read_section_thick_shell(Context& context, const Block& block, const Options& options);
@@ -141,6 +148,8 @@ void read_node_constraints(Context& context, const Block& block);
 // What remains to be done once all blocks of a kind are read.
 void finish_nodes(Context& context);
 void finish_parts(Context& context);
+/// Moves the nodes of the parts that *PART_MOVE names.
+void finish_part_moves(Context& context);
 void finish_elements(Context& context);
 void resolve_sets(Context& context);
 void finish_contacts(Context& context);
