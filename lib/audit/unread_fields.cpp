@@ -1,6 +1,7 @@
 #include "audit/unread_fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <span>
@@ -8,6 +9,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "audit/rules.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -27,6 +30,14 @@ bool holds(const Ranges& ranges, std::string_view path, std::uint32_t line) {
 /// Blocks with so many independent rows that one unread field says nothing about the others.
 bool has_independent_rows(std::string_view name) {
   return name == "NODE" || name.starts_with("ELEMENT_") || name.starts_with("SET_");
+}
+
+bool judges_thickness(std::string_view id) {
+  const std::array rules{&rule::penetration_free_at::definition, &rule::solid_early_release::definition,
+                         &rule::thickness_conflict::definition,  &rule::thickness_exceeds_mesh::definition,
+                         &rule::thickness_ignored::definition,   &rule::thickness_limited::definition,
+                         &rule::thickness_override::definition,  &rule::thickness_too_thin::definition};
+  return std::any_of(rules.begin(), rules.end(), [&](const Rule* rule) { return rule->identity.id == id; });
 }
 
 /// What the errors of reading have left without a value.
@@ -52,15 +63,15 @@ class UnreadFields {
   [[nodiscard]] bool any() const { return !own_.empty(); }
   [[nodiscard]] bool explains(const Finding& f) const {
     if (f.line > 0 && holds(own_, f.file, f.line)) return true;
-    if (f.id.starts_with("GC3") && (unread_part(f.part) || unread_part(f.element_part))) return true;
-    return f.id == "GC503" && unread_sets(f);
+    if (judges_thickness(f.id) && (unread_part(f.part) || unread_part(f.element_part))) return true;
+    return f.id == rule::empty_surface::definition.identity.id && unread_sets(f);
   }
 
  private:
   void add(const keyword::Block& block, std::uint32_t last) {
     const std::string& path = deck_.file(block.file).path;
     const auto found = lines_.find(path);
-    if (found == lines_.end()) return;
+    if (found == lines_.end() || block.name.starts_with("INCLUDE")) return;  // its errors are about files
     const std::vector<std::uint32_t>& lines = found->second;
     auto line = std::upper_bound(lines.begin(), lines.end(), block.line);  // the keyword's own line is no field
     if (line == lines.end() || *line > last) return;

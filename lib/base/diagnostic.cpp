@@ -7,8 +7,8 @@
 namespace gapcheck {
 namespace {
 
-/// Places kept of one cause, and how many of them are named.
-constexpr std::size_t most_places = 1000, named_places = 5;
+/// Places of one cause that are named.
+constexpr std::size_t named_places = 5;
 
 void sort_by_place(std::vector<Diagnostic>& list) {
   std::stable_sort(list.begin(), list.end(), [](const Diagnostic& a, const Diagnostic& b) {
@@ -39,16 +39,18 @@ void Diagnostics::warning(std::string file, std::uint32_t line, std::string mess
 void Diagnostics::add_place(const std::string& what, const std::string& advice, const Line& line,
                             const std::string& where) {
   const auto found = causes_.find(what);
-  if (found == causes_.end() && list_.size() + causes_.size() >= limit) {
+  if (found == causes_.end() && causes_.size() >= limit) {
     ++errors_;
     ++dropped_;
     return;
   }
   Cause& cause = found == causes_.end() ? causes_[what] : found->second;
   cause.advice = advice;
-  if (!cause.places.emplace(line, where).second || cause.places.size() <= most_places) return;
+  if (!cause.places.emplace(line, where).second) return;
+  if (cause.places.size() == 1 || ++places_ < limit) return;
   cause.places.erase(std::prev(cause.places.end()));
   ++cause.more;
+  --places_;
 }
 
 void Diagnostics::error_of_cause(const std::string& what, const std::string& advice, const std::string& file,

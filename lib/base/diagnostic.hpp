@@ -62,7 +62,7 @@ class Diagnostics {
   mutable std::mutex mutex_;
   std::vector<Diagnostic> list_;
   std::map<std::string, Cause> causes_;
-  std::size_t errors_ = 0, dropped_ = 0;
+  std::size_t errors_ = 0, dropped_ = 0, places_ = 0;  ///< places_: of all causes
 };
 
 }  // namespace gapcheck

@@ -133,7 +133,7 @@ void Card::report_not_a_number(std::size_t field, std::string_view raw, const st
   const Cell at = cell(field);
   const NumberField number{raw_, raw, field, size(), at.column, at.width, free_format_};
   const std::string cause = about_blanks(number);
-  if (cause.empty()) return report(field, quoted(raw) + problem + "; correct the field");
+  if (cause.empty()) return report(field, problem);
   const std::uint64_t bit = std::uint64_t{1} << (field % 64);
   if ((reported_ & bit) != 0) return;
   reported_ |= bit;
@@ -164,7 +164,7 @@ std::optional<ParameterValue> Card::evaluated(std::size_t field, std::string_vie
   const auto value = deck_->parameters().evaluate(expression, block_->scope, block_->order, &missing);
   if (value) return value.value();
   if (missing.name.empty())
-    report(field, value.error().message);
+    report_not_a_number(field, expression, value.error().message);
   else if (!missing.told)
     report_missing(field, missing.name);
   return std::nullopt;
@@ -242,7 +242,7 @@ std::int64_t Card::integer(std::size_t field, std::int64_t default_value) const 
     value = parse_integer(raw);
   }
   if (!value) {
-    report_not_a_number(field, raw, " is not a whole number of at most 18 digits");
+    report_not_a_number(field, raw, quoted(raw) + " is not a whole number of at most 18 digits; correct the field");
     return default_value;
   }
   if (*value == 0) return 0;
@@ -271,7 +271,8 @@ double Card::real(std::size_t field, double default_value) const {
     value = parse_real(raw);
   }
   if (!value || std::abs(*value) > max_real) {
-    report_not_a_number(field, raw, value ? " is larger than 1e30" : " is not a number");
+    report_not_a_number(field, raw,
+                        quoted(raw) + (value ? " is larger than 1e30" : " is not a number") + "; correct the field");
     return default_value;
   }
   return *value;

@@ -154,21 +154,42 @@ void check_before_keywords(const SourceFile& file, std::size_t begin, std::size_
                       "data before the first keyword; start the file with *KEYWORD or remove the line");
 }
 
-}  // namespace
+/// Skips one encrypted block; returns the position of the mark after it.
+std::size_t pass_encrypted(const SourceFile& file, const std::vector<Mark>& marks, std::size_t at,
+                           Diagnostics& diagnostics) {
+  const std::string_view bytes = file.bytes;
+  const Mark begin = marks[at];
+  while (at < marks.size() && marks[at].kind != Mark::Kind::encrypted_end) ++at;
+  if (at == marks.size()) {
+    diagnostics.warning(file.path, begin.line, "an encrypted block without end: the rest of the file was not read");
+    return at;
+  }
+  diagnostics.warning(file.path, begin.line, "an encrypted block was passed over; what it holds is unknown");
+  const std::uint32_t last = marks[at].line;
+  std::size_t offset = 0;
+  line_at(bytes, marks[at].offset, offset);
+  ++at;
+  if (const auto line = first_data_line(bytes, offset, at < marks.size() ? marks[at].offset : bytes.size(), last))
+    diagnostics.warning(file.path, *line,
+                        "the lines between the encrypted block and the next keyword were passed over: their keyword "
+                        "is encrypted");
+  return at;
+}
 
-DeckReader::DeckReader(const ReadOptions& options, Diagnostics& diagnostics)
-    : options_(options), diagnostics_(diagnostics), paths_(options.include_directories) {
-  for (const std::string& text : options.parameters) {
+/// Takes the values of --param.
+void give_parameters(const std::vector<std::string>& texts, Parameters& parameters, Diagnostics& diagnostics) {
+  for (const std::string& text : texts) {
     const std::string fault = parameter_fault(text);
     if (!fault.empty()) {
       diagnostics.add(plain_error("--param " + fault));
       continue;
     }
-    const std::size_t equals = text.find('=');
-    deck_.parameters_.give(trimmed(std::string_view(text).substr(0, equals)),
-                           trimmed(std::string_view(text).substr(equals + 1)));
+    const std::string_view all = text;
+    parameters.give(trimmed(all.substr(0, all.find('='))), trimmed(all.substr(all.find('=') + 1)));
   }
 }
+
+}  // namespace
 
 Result<Deck> DeckReader::read_path(const std::string& path) {
   std::error_code error;
@@ -186,6 +207,7 @@ Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
 }
 
 Result<Deck> DeckReader::read_all(const std::string& path, std::string_view bytes, const std::vector<Mark>& marks) {
+  give_parameters(options_.parameters, deck_.parameters_, diagnostics_);
   if (const Status status = check_text(bytes, path); !status.ok()) return status.error();
   if (const Status status = check_keywords(bytes, marks, path); !status.ok()) return status.error();
   FileContext context;
@@ -247,7 +269,8 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
   for (std::size_t at = 0; at < marks.size() && !stopped_;) {
     const Mark& mark = marks[at];
     if (mark.kind == Mark::Kind::encrypted_begin) {
-      at = pass_encrypted(context, marks, at);
+      ++deck_.counters_.encrypted_blocks;
+      at = pass_encrypted(deck_.file(context.file), marks, at, diagnostics_);
       continue;
     }
     ++at;
@@ -269,30 +292,6 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
     diagnostics_.error(path_of(context.file), *line,
                        "more than " + std::to_string(max_directives) +
                            " comments that start with \"gapcheck:\"; the rest was not read");
-}
-
-/// Skips one encrypted block; returns the position of the mark after it.
-std::size_t DeckReader::pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at) {
-  const std::string_view bytes = deck_.files_[context.file.value].bytes;
-  const Mark begin = marks[at];
-  ++deck_.counters_.encrypted_blocks;
-  while (at < marks.size() && marks[at].kind != Mark::Kind::encrypted_end) ++at;
-  if (at == marks.size()) {
-    diagnostics_.warning(path_of(context.file), begin.line,
-                         "an encrypted block without end: the rest of the file was not read");
-    return at;
-  }
-  diagnostics_.warning(path_of(context.file), begin.line,
-                       "an encrypted block was passed over; what it holds is unknown");
-  const std::uint32_t last = marks[at].line;
-  std::size_t offset = 0;
-  line_at(bytes, marks[at].offset, offset);
-  ++at;
-  if (const auto line = first_data_line(bytes, offset, at < marks.size() ? marks[at].offset : bytes.size(), last))
-    diagnostics_.warning(path_of(context.file), *line,
-                         "the lines between the encrypted block and the next keyword were passed over: their keyword "
-                         "is encrypted");
-  return at;
 }
 
 /// Adds a block and follows it to other files; false if nothing after it must be read.

@@ -29,7 +29,8 @@ struct FileContext {
 /// Builds a deck: follows includes, collects parameters, and resolves transformations once everything is read.
 class DeckReader {
  public:
-  DeckReader(const ReadOptions& options, Diagnostics& diagnostics);
+  DeckReader(const ReadOptions& options, Diagnostics& diagnostics)
+      : options_(options), diagnostics_(diagnostics), paths_(options.include_directories) {}
   Result<Deck> read_path(const std::string& path);
   Result<Deck> read_text(std::string text, const std::string& name);
 
@@ -41,7 +42,6 @@ class DeckReader {
   [[nodiscard]] Result<std::shared_ptr<KeywordFile>> open_file(const std::string& path, const std::string& canonical);
   FileIndex add_file(const std::string& path, std::string_view bytes, const FileContext* includer, std::uint32_t line);
   void read_file(FileContext context, const std::vector<Mark>& marks);
-  std::size_t pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at);
   bool add_block(Block block, const FileContext& context, bool templated);
   void dispatch(const FileContext& context, const Block& block);
 
@@ -52,8 +52,6 @@ class DeckReader {
   void open_shifted(const FileContext& context, CardReader& reader, const IncludeName& include);
   bool open_include(const FileContext& context, const Block& block, const IncludeName& include,
                     FileTransforms transforms);
-  void note_found_by_end(const Block& block, const IncludeName& include, const FoundInclude& found);
-  TransformIndex add_transform(TransformIndex parent, const IncludeTransform& include, const Block& block);
   [[nodiscard]] std::shared_ptr<KeywordFile> map_include(const std::string& path, const std::string& canonical,
                                                          const Block& block, std::uint32_t line);
 

@@ -77,7 +77,8 @@ bool may_be_of_another_machine(const std::string& name) {
 }
 
 std::optional<FoundInclude> IncludePaths::find(const std::string& name, const std::string& main_file,
-                                               const std::string& including_file) {
+                                               const std::string& including_file,
+                                               const std::function<bool(const std::string&)>& open) {
   std::string slashes = name;
   std::replace(slashes.begin(), slashes.end(), '\\', '/');
   for (const std::string& written : std::set<std::string>{name, slashes}) {
@@ -94,11 +95,12 @@ std::optional<FoundInclude> IncludePaths::find(const std::string& name, const st
       if (const auto candidate = directory / file; is_file(candidate))
         return FoundInclude{candidate.string(), false, {}};
   }
-  return may_be_of_another_machine(name) ? find_by_end(name, main_file, including_file) : std::nullopt;
+  return may_be_of_another_machine(name) ? find_by_end(name, main_file, including_file, open) : std::nullopt;
 }
 
 std::optional<FoundInclude> IncludePaths::find_by_end(const std::string& name, const std::string& main_file,
-                                                      const std::string& including_file) {
+                                                      const std::string& including_file,
+                                                      const std::function<bool(const std::string&)>& open) {
   std::vector<std::filesystem::path> directories{std::filesystem::path(including_file).parent_path(),
                                                  std::filesystem::path(main_file).parent_path()};
   directories.insert(directories.end(), paths_.begin(), paths_.end());
@@ -116,6 +118,7 @@ std::optional<FoundInclude> IncludePaths::find_by_end(const std::string& name, c
       std::error_code error;
       const std::string canonical = std::filesystem::canonical(candidate, error).string();
       if (const auto taken = taken_.find(canonical); taken != taken_.end() && taken->second != spelling) continue;
+      if (open(canonical)) continue;
       if (!found) {
         found = FoundInclude{candidate.string(), true, {}};
         first = canonical;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -44,12 +45,15 @@ class IncludePaths {
   /// added so far, those of the options. Names of another machine then by their last three parts, their last two and
   /// the last one: beside the including file, beside the main one, in the paths added so far, in those of the options;
   /// a file that was taken for another such name is passed over.
+  /// So is one that `open` accepts, by its canonical path: it includes the file with the name.
   [[nodiscard]] std::optional<FoundInclude> find(const std::string& name, const std::string& main_file,
-                                                 const std::string& including_file);
+                                                 const std::string& including_file,
+                                                 const std::function<bool(const std::string&)>& open);
 
  private:
   [[nodiscard]] std::optional<FoundInclude> find_by_end(const std::string& name, const std::string& main_file,
-                                                        const std::string& including_file);
+                                                        const std::string& including_file,
+                                                        const std::function<bool(const std::string&)>& open);
   const std::vector<std::string>& further_;
   std::vector<std::string> paths_;
   std::map<std::string, std::string> taken_;  ///< files found by the end of a name, and that name

@@ -30,6 +30,27 @@ std::string advice(const std::string& name) {
   return "\" was not found; correct the name, or give its directory with -I or *INCLUDE_PATH";
 }
 
+std::string about_found(const IncludeName& include, const FoundInclude& found) {
+  std::string text =
+      "include \"" + include.name + "\" does not exist here; \"" + found.path + "\" was read in its place";
+  if (!found.other.empty()) text += " (not \"" + found.other + "\", which has the same name)";
+  return text;
+}
+
+IncludeTransform shift_above(const HighestIds& highest) {
+  IncludeTransform shift;
+  shift.own.automatic = true;
+  shift.own.offset[static_cast<std::size_t>(IdKind::node)] = highest.node();
+  shift.own.offset[static_cast<std::size_t>(IdKind::element)] = highest.element();
+  return shift;
+}
+
+std::string about_shift(const IncludeName& include, const HighestIds& highest) {
+  return "*INCLUDE_AUTO_OFFSET: in \"" + include.name + "\" the ids of nodes are shifted by " +
+         std::to_string(highest.node()) + " and those of elements by " + std::to_string(highest.element()) +
+         ", the highest ids read before; ids in its sets and other lists are not";
+}
+
 /// Why the file `canonical` cannot be included in the file `at` of `files`; empty: it can. `canonicals`: beside
 /// `files`.
 std::string reason_against(const std::string& canonical, FileIndex at, std::span<const SourceFile> files,
@@ -83,10 +104,13 @@ void DeckReader::open_transformed(const FileContext& context, CardReader& reader
   if (one_file && !reader.at_end())
     diagnostics_.error(path_of(block.file), reader.peek_line(),
                        "*INCLUDE_TRANSFORM has more lines than one file needs; give each file its own keyword");
+  const auto transformed = [&](TransformIndex parent) {
+    return transforms_.add(deck_.transforms_, parent, given, block, path_of(block.file), diagnostics_);
+  };
   const FileTransforms& outer = context.transforms;
   FileTransforms inner;
-  inner.others = add_transform(outer.others, given, block);
-  inner.mesh = outer.mesh == outer.others ? inner.others : add_transform(outer.mesh, given, block);
+  inner.others = transformed(outer.others);
+  inner.mesh = outer.mesh == outer.others ? inner.others : transformed(outer.mesh);
   open_include(context, block, include, inner);
 }
 
@@ -94,22 +118,11 @@ void DeckReader::open_transformed(const FileContext& context, CardReader& reader
 void DeckReader::open_shifted(const FileContext& context, CardReader& reader, const IncludeName& include) {
   const Block& block = reader.block();
   highest_.update(deck_);
-  IncludeTransform shift;
-  shift.line = include.line;
-  shift.own.automatic = true;
-  shift.own.offset[static_cast<std::size_t>(IdKind::node)] = highest_.node();
-  shift.own.offset[static_cast<std::size_t>(IdKind::element)] = highest_.element();
-  const TransformIndex mesh = add_transform(context.transforms.mesh, shift, block);
-  const std::string said = "*INCLUDE_AUTO_OFFSET: in \"" + include.name + "\" the ids of nodes are shifted by " +
-                           std::to_string(highest_.node()) + " and those of elements by " +
-                           std::to_string(highest_.element()) +
-                           ", the highest ids read before; ids in its sets and other lists are not";
+  const std::string said = about_shift(include, highest_);
+  const TransformIndex mesh = transforms_.add(deck_.transforms_, context.transforms.mesh, shift_above(highest_), block,
+                                              path_of(block.file), diagnostics_);
   if (open_include(context, block, include, {mesh, context.transforms.others}))
     diagnostics_.add({Severity::note, path_of(block.file), include.line, said});
-}
-
-TransformIndex DeckReader::add_transform(TransformIndex parent, const IncludeTransform& include, const Block& block) {
-  return transforms_.add(deck_.transforms_, parent, include, block, path_of(block.file), diagnostics_);
 }
 
 /// An included file that is readable; null: the reason is already reported.
@@ -122,13 +135,6 @@ std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, co
   diagnostics_.add(
       {empty ? Severity::warning : Severity::error, path_of(block.file), line, "include \"" + path + "\" " + problem});
   return nullptr;
-}
-
-void DeckReader::note_found_by_end(const Block& block, const IncludeName& include, const FoundInclude& found) {
-  std::string text =
-      "include \"" + include.name + "\" does not exist here; \"" + found.path + "\" was read in its place";
-  if (!found.other.empty()) text += " (not \"" + found.other + "\", which has the same name)";
-  diagnostics_.add({Severity::note, path_of(block.file), include.line, text});
 }
 
 /// True if the file was read.
@@ -149,14 +155,18 @@ bool DeckReader::open_include(const FileContext& context, const Block& block, co
                        "the name of the include is longer than 236 characters or not a text; shorten it");
     return false;
   }
-  const auto found = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file));
+  const auto open = [&](const std::string& file) {
+    return !reason_against(file, context.file, deck_.files_, canonical_).empty();
+  };
+  const auto found = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file), open);
   if (!found) {
     ++deck_.counters_.missing_includes;
     diagnostics_.add({options_.skip_missing_includes ? Severity::warning : Severity::error, path_of(block.file),
                       include.line, "include \"" + include.name + advice(include.name)});
     return false;
   }
-  if (found->by_end) note_found_by_end(block, include, *found);
+  if (found->by_end)
+    diagnostics_.add({Severity::note, path_of(block.file), include.line, about_found(include, *found)});
   const std::string& path = found->path;
   std::error_code error;
   const std::string canonical = std::filesystem::canonical(path, error).string();

@@ -89,14 +89,18 @@ class TemplateFields {
     }
     Parameters::Missing missing;
     const auto value = deck_.parameters().evaluate(field.expression, block_.scope, block_.order, &missing);
-    if (value)
-      return field.whole ? in_columns(std::round(value.value()), field.width) : in_columns(value.value(), field.width);
+    if (value) return field.whole ? whole(value.value(), field.width) : in_columns(value.value(), field.width);
     const std::string& file = deck_.file(block_.file).path;
     if (missing.name.empty())
       diagnostics_.error(file, line_, "*" + block_.name + ", template field: " + value.error().message);
     else if (!missing.told)
       report_missing_parameter(missing.name, file, line_, "*" + block_.name, diagnostics_);
     return "&" + std::string(unread_parameter);
+  }
+
+  static std::string whole(double value, std::size_t width) {
+    const double nearest = std::round(value);
+    return std::abs(nearest) < 1e15 ? std::to_string(static_cast<long long>(nearest)) : in_columns(nearest, width);
   }
 
   static std::string in_columns(double value, std::size_t width) {

@@ -161,7 +161,7 @@ TEST(Card, ExpressionInAFixedField) {
 TEST(Card, ExpressionsWithParametersInFields) {
   TextDeck deck("*PARAMETER\n" + pair("R t", "2.0") + pair("I n", "7") + pair("R odd-name", "4.") +
                 "\n*SECTION_SHELL\n"
-                "&t*0.99   -&t+1     2*&t      (&t+1)*2  sqrt(&n+2)-&t*-&t  &odd-name 1-&t/4\n"
+                "&t*0.99   -&t+1     2*&t      (&t+1)*2  sqrt(&n+2)-&t*-&t   &odd-name 1-&t/4\n"
                 "&t * 0.5 , -&t, &n*100\n");
   CardReader reader = deck.reader("SECTION_SHELL");
   const CardLayout reals{"line", std::vector<Field>(8, Field{"x", 0, 10, FieldType::real, IdKind::plain})};

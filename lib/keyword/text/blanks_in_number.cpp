@@ -23,8 +23,11 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
+/// Or names of parameters, which stand for numbers.
 bool all_numbers(const std::vector<std::string_view>& words) {
-  return std::all_of(words.begin(), words.end(), [](std::string_view word) { return parse_real(word).has_value(); });
+  return std::all_of(words.begin(), words.end(), [](std::string_view word) {
+    return parse_real(word).has_value() || word.starts_with('&') || word.starts_with("-&");
+  });
 }
 
 std::string columns_of(const NumberField& field) {
