@@ -58,7 +58,9 @@ void add_deck_selection(CLI::App& command, AuditArguments& arguments) {
 void add_work(CLI::App& command, AuditArguments& arguments) {
   add_includes(command, arguments.audit.read, arguments.missing_includes);
   const std::vector<CLI::Option*> options{
-      command.get_option("-I"), command.get_option("--missing-includes"),
+      command.get_option("-I"),
+      command.get_option("--missing-includes"),
+      command.get_option("--param"),
       command
           .add_option("--units", arguments.units, "Of the deck, for rules that know millimetres: mm-ms-kg, m-s-kg, …")
           ->check(CLI::IsMember(millimetres()))

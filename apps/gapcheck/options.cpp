@@ -204,6 +204,11 @@ void add_common(CLI::App& command, CommonOptions& options, const std::string& qu
 }
 
 void add_includes(CLI::App& command, keyword::ReadOptions& read, std::string& missing) {
+  command.add_option("--param", read.parameters, "Value of a parameter, in place of the deck's; repeatable")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check(CLI::Validator([](const std::string& text) { return keyword::parameter_fault(text); }, ""))
+      ->type_name("NAME=VALUE");
   command.add_option("-I", read.include_directories, "Further directory for *INCLUDE")
       ->take_all()
       ->allow_extra_args(false)

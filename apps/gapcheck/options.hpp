@@ -75,7 +75,7 @@ struct CommonOptions {
 /// `quiet`: the output that --quiet keeps.
 void add_common(CLI::App& command, CommonOptions& options, const std::string& quiet);
 
-/// -I and --missing-includes; `missing` is "error" or "skip" once the arguments are read.
+/// -I, --param and --missing-includes; `missing` is "error" or "skip" once the arguments are read.
 void add_includes(CLI::App& command, keyword::ReadOptions& read, std::string& missing);
 
 }  // namespace gapcheck::app

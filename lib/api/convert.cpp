@@ -54,6 +54,7 @@ Error plain_error(std::string message) { return {"", 0, std::move(message), {}};
 keyword::ReadOptions read_options(const Includes& includes) {
   keyword::ReadOptions options;
   options.include_directories = includes.directories;
+  options.parameters = includes.parameters;
   options.skip_missing_includes = includes.skip_missing;
   return options;
 }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <numeric>
 
+#include "audit/ids_in_files.hpp"
 #include "audit/ignore_reviews.hpp"
 #include "audit/members.hpp"
 #include "audit/mesh/element_mesh.hpp"
@@ -13,6 +14,7 @@
 #include "audit/rule_log.hpp"
 #include "audit/run_rules.hpp"
 #include "audit/shared_results.hpp"
+#include "audit/unread_fields.hpp"
 #include "contact/tie/record_tie.hpp"
 #include "model/read/node_references.hpp"
 
@@ -169,7 +171,7 @@ void add_statistics(Report& report, const keyword::Deck& deck, const model::Mode
 }
 
 Report make_report(const std::string& input, const keyword::Deck& deck, const model::Model& model,
-                   const AuditOptions& options) {
+                   const AuditOptions& options, Diagnostics& diagnostics) {
   Report report;
   report.source = "deck";
   report.input = input;
@@ -190,8 +192,13 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   } else {
     report.contacts = contacts_alone(model);
   }
+  if (const std::size_t left_out = leave_out_follow_ups(deck, model, diagnostics, report); left_out > 0)
+    diagnostics.add(
+        {Severity::note, input, 0,
+         fmt::format("{} findings about things with fields that could not be read are left out", left_out)});
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   place_at_nodes(report.findings, model.mesh.nodes);
+  name_ids_in_files(deck, model, report.findings);
   const IgnoreOutcome ignores = leave_out_ignored(report, deck, options);
   const std::size_t reviews = report.findings.size();
   review_ignores(options, ignores, report);
@@ -221,7 +228,7 @@ Result<Report> audit(Result<keyword::Deck> deck, Clock::time_point start, const 
   deck.value().drop_text(model::is_mesh);
   model::assume(options.as_if, model.value());
   const double model_s = since(model_start);
-  Report report = make_report(input, deck.value(), model.value(), options);
+  Report report = make_report(input, deck.value(), model.value(), options, diagnostics);
   report.timing.read_s = read_s;
   report.timing.model_s = model_s;
   report.timing.total_s = since(start);

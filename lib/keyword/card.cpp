@@ -5,6 +5,7 @@
 
 #include "base/number.hpp"
 #include "keyword/line_ends.hpp"
+#include "keyword/text/blanks_in_number.hpp"
 
 namespace gapcheck::keyword {
 namespace {
@@ -127,26 +128,83 @@ void Card::report(std::size_t field, const std::string& problem) const {
                       "*" + block_->name + ", field " + layout_->fields[field].name + ": " + problem);
 }
 
-/// The value of `&name`, `-&name` or `<expression>`; nothing (and a report) if it has none.
+/// With what is likely meant and the line, if blanks are the cause.
+void Card::report_not_a_number(std::size_t field, std::string_view raw, const std::string& problem) const {
+  const Cell at = cell(field);
+  const NumberField number{raw_, raw, field, size(), at.column, at.width, free_format_};
+  const std::string cause = about_blanks(number);
+  if (cause.empty()) return report(field, problem);
+  const std::uint64_t bit = std::uint64_t{1} << (field % 64);
+  if ((reported_ & bit) != 0) return;
+  reported_ |= bit;
+  diagnostics_->add({Severity::error, deck_->file(block_->file).path, line_,
+                     "*" + block_->name + ", field " + layout_->fields[field].name + ": " + cause,
+                     marked_line(number)});
+}
+
+void report_missing_parameter(std::string_view name, const std::string& file, std::uint32_t line,
+                              const std::string& where, Diagnostics& diagnostics) {
+  diagnostics.error_of_cause(
+      "the parameter " + quoted(name) + " is not defined before it is used",
+      "define it with *PARAMETER, or give it with --param " + std::string(name.substr(0, 80)) + "=VALUE", file, line,
+      where);
+}
+
+void Card::report_missing(std::size_t field, std::string_view name) const {
+  const std::uint64_t bit = std::uint64_t{1} << (field % 64);
+  if ((reported_ & bit) != 0) return;
+  reported_ |= bit;
+  report_missing_parameter(name, deck_->file(block_->file).path, line_,
+                           "*" + block_->name + ", field " + layout_->fields[field].name, *diagnostics_);
+}
+
+/// The value of an expression; nothing (and a report) if it has none.
+std::optional<ParameterValue> Card::evaluated(std::size_t field, std::string_view expression) const {
+  Parameters::Missing missing;
+  const auto value = deck_->parameters().evaluate(expression, block_->scope, block_->order, &missing);
+  if (value) return value.value();
+  if (missing.name.empty())
+    report_not_a_number(field, expression, value.error().message);
+  else if (!missing.told)
+    report_missing(field, missing.name);
+  return std::nullopt;
+}
+
+/// A warning if an expression fills its fixed columns and the line goes on: what is behind them is not part of it.
+void Card::warn_if_cut(std::size_t field, std::string_view raw) const {
+  if (free_format_ || raw_.find('\t') != std::string_view::npos) return;
+  const Cell cell = locate(*layout_, block_->format, field);
+  const std::size_t end = cell.column + cell.width;
+  if (end >= raw_.size() || raw_[end - 1] == ' ' ||
+      std::string_view("0123456789.*/()eE").find(raw_[end]) == std::string_view::npos)
+    return;
+  diagnostics_->warning(deck_->file(block_->file).path, line_,
+                        "*" + block_->name + ", field " + layout_->fields[field].name + ": the expression " +
+                            quoted(raw) + " fills its " + std::to_string(cell.width) +
+                            " columns, and the line goes on; if it is cut off, define it with *PARAMETER_EXPRESSION");
+}
+
+/// The value of `&name`, `-&name`, `<expression>` or an expression with parameters; nothing (and a report) if it has
+/// none.
 std::optional<ParameterValue> Card::substituted(std::size_t field, std::string_view raw) const {
-  const Parameters& parameters = deck_->parameters();
   if (raw.front() == '<') {
-    if (raw.back() != '>' || raw.size() < 3) {
-      report(field, quoted(raw) + " lacks the closing \">\"");
-      return std::nullopt;
-    }
-    const auto value = parameters.evaluate(raw.substr(1, raw.size() - 2), block_->scope, block_->order);
-    if (value) return value.value();
-    report(field, value.error().message);
+    if (raw.back() == '>' && raw.size() > 2) return evaluated(field, raw.substr(1, raw.size() - 2));
+    report(field, quoted(raw) + " lacks the closing \">\"");
     return std::nullopt;
   }
-  const bool negative = raw.front() == '-';
-  const auto name = trimmed(raw.substr(negative ? 2 : 1));
-  const ParameterValue* value = parameters.find(name, block_->scope, block_->order);
+  const bool negative = raw.starts_with("-&");
+  const bool reference = negative || raw.starts_with('&');
+  const auto name = reference ? trimmed(raw.substr(negative ? 2 : 1)) : std::string_view{};
+  const ParameterValue* value = deck_->parameters().find(name, block_->scope, block_->order);
+  if (value == nullptr && (!reference || !is_plain_name(name))) {
+    warn_if_cut(field, raw);
+    return evaluated(field, raw);
+  }
   if (value == nullptr) {
-    report(field, "the parameter " + quoted(name) + " is not defined before this line; define it with *PARAMETER");
+    report_missing(field, name);
     return std::nullopt;
   }
+  if (Parameters::is_unknown(*value)) return std::nullopt;
   if (std::holds_alternative<std::string>(*value)) {
     report(field, "the parameter " + quoted(name) + " is a text, and a number is needed; define it as type R or I");
     return std::nullopt;
@@ -159,9 +217,12 @@ std::optional<ParameterValue> Card::substituted(std::size_t field, std::string_v
 
 namespace {
 
+/// Products and sums of decimals miss whole numbers by rounding: 100 * 0.07 is 7.000000000000001.
 std::optional<std::int64_t> whole(double value) {
-  if (value != std::floor(value) || std::abs(value) > 9.0e15) return std::nullopt;
-  return static_cast<std::int64_t>(value);
+  constexpr double rounding = 1e-9;
+  const double nearest = std::round(value);
+  if (!(std::abs(value - nearest) <= rounding) || std::abs(value) > 9.0e15) return std::nullopt;
+  return static_cast<std::int64_t>(nearest);
 }
 
 }  // namespace
@@ -181,7 +242,7 @@ std::int64_t Card::integer(std::size_t field, std::int64_t default_value) const 
     value = parse_integer(raw);
   }
   if (!value) {
-    report(field, quoted(raw) + " is not a whole number of at most 18 digits; correct the field");
+    report_not_a_number(field, raw, quoted(raw) + " is not a whole number of at most 18 digits; correct the field");
     return default_value;
   }
   if (*value == 0) return 0;
@@ -210,7 +271,8 @@ double Card::real(std::size_t field, double default_value) const {
     value = parse_real(raw);
   }
   if (!value || std::abs(*value) > max_real) {
-    report(field, quoted(raw) + (value ? " is larger than 1e30" : " is not a number") + "; correct the field");
+    report_not_a_number(field, raw,
+                        quoted(raw) + (value ? " is larger than 1e30" : " is not a number") + "; correct the field");
     return default_value;
   }
   return *value;

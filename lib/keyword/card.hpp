@@ -19,6 +19,10 @@ struct Cell {
 /// at least 20 wide; columns that the layout leaves unused count as values of their own.
 [[nodiscard]] Cell locate(const CardLayout& layout, Format format, std::size_t field);
 
+/// An error about a parameter without a value; all lines that need it become one. `where`: "*NODE, field x".
+void report_missing_parameter(std::string_view name, const std::string& file, std::uint32_t line,
+                              const std::string& where, Diagnostics& diagnostics);
+
 /// One line split into fields. Resolves free format, field widths, parameters and id offsets. A field that should be a
 /// number but is not is reported once, with file, line and field name, and reads as its default.
 ///
@@ -70,7 +74,11 @@ class Card {
   [[nodiscard]] std::string_view free_text(std::size_t field) const;
   [[nodiscard]] bool is_free_format() const;
   [[nodiscard]] std::optional<ParameterValue> substituted(std::size_t field, std::string_view raw) const;
+  [[nodiscard]] std::optional<ParameterValue> evaluated(std::size_t field, std::string_view expression) const;
+  void report_missing(std::size_t field, std::string_view name) const;
+  void warn_if_cut(std::size_t field, std::string_view raw) const;
   void report(std::size_t field, const std::string& problem) const;
+  void report_not_a_number(std::size_t field, std::string_view raw, const std::string& problem) const;
   bool present_ = false;
   std::uint32_t line_ = 0;
   static inline const CardLayout no_layout{};

@@ -10,6 +10,7 @@
 #include "base/number.hpp"
 #include "keyword/deck_reader.hpp"
 #include "keyword/line_ends.hpp"
+#include "keyword/template_fields.hpp"
 #include "keyword/upper_case.hpp"
 
 namespace gapcheck::keyword {
@@ -101,7 +102,7 @@ Block block_of(FileContext& context, std::string_view line) {
   if (suffix == '%') block.format = Format::i10;
   if (suffix == '+' || suffix == '-' || suffix == '%') block.name.pop_back();
   block.file = context.file;
-  block.transform = context.transform;
+  block.transform = is_node_or_element(block.name) ? context.transforms.mesh : context.transforms.others;
   block.scope = context.scope;
   return block;
 }
@@ -116,7 +117,7 @@ std::optional<std::uint32_t> add_directives(const FileContext& context, std::str
     if (directives.size() == max_directives) return comment.line;
     std::size_t next = 0;
     if (const auto text = directive_text(line_at(bytes, comment.offset, next)))
-      directives.push_back({std::string(*text), context.file, comment.line, context.transform});
+      directives.push_back({std::string(*text), context.file, comment.line, context.transforms.mesh});
   }
   return std::nullopt;
 }
@@ -137,11 +138,55 @@ void check_breaks(const std::string& path, const std::vector<Mark>& marks, std::
                         "; what follows it is not read; convert the line ends of the file");
 }
 
+/// Whether a line in [begin, end) has template fields. `comments`: by offset, with other marks among them.
+bool has_template_fields(const std::vector<Mark>& comments, std::size_t begin, std::size_t end) {
+  auto mark = std::lower_bound(comments.begin(), comments.end(), begin,
+                               [](const Mark& m, std::size_t offset) { return m.offset < offset; });
+  for (; mark != comments.end() && mark->offset < end; ++mark)
+    if (mark->kind == Mark::Kind::template_field) return true;
+  return false;
+}
+
 /// An error for data between `begin` and the first keyword at `end`.
 void check_before_keywords(const SourceFile& file, std::size_t begin, std::size_t end, Diagnostics& diagnostics) {
   if (const auto line = first_data_line(file.bytes, begin, end, 0))
     diagnostics.error(file.path, *line,
                       "data before the first keyword; start the file with *KEYWORD or remove the line");
+}
+
+/// Skips one encrypted block; returns the position of the mark after it.
+std::size_t pass_encrypted(const SourceFile& file, const std::vector<Mark>& marks, std::size_t at,
+                           Diagnostics& diagnostics) {
+  const std::string_view bytes = file.bytes;
+  const Mark begin = marks[at];
+  while (at < marks.size() && marks[at].kind != Mark::Kind::encrypted_end) ++at;
+  if (at == marks.size()) {
+    diagnostics.warning(file.path, begin.line, "an encrypted block without end: the rest of the file was not read");
+    return at;
+  }
+  diagnostics.warning(file.path, begin.line, "an encrypted block was passed over; what it holds is unknown");
+  const std::uint32_t last = marks[at].line;
+  std::size_t offset = 0;
+  line_at(bytes, marks[at].offset, offset);
+  ++at;
+  if (const auto line = first_data_line(bytes, offset, at < marks.size() ? marks[at].offset : bytes.size(), last))
+    diagnostics.warning(file.path, *line,
+                        "the lines between the encrypted block and the next keyword were passed over: their keyword "
+                        "is encrypted");
+  return at;
+}
+
+/// Takes the values of --param.
+void give_parameters(const std::vector<std::string>& texts, Parameters& parameters, Diagnostics& diagnostics) {
+  for (const std::string& text : texts) {
+    const std::string fault = parameter_fault(text);
+    if (!fault.empty()) {
+      diagnostics.add(plain_error("--param " + fault));
+      continue;
+    }
+    const std::string_view all = text;
+    parameters.give(trimmed(all.substr(0, all.find('='))), trimmed(all.substr(all.find('=') + 1)));
+  }
 }
 
 }  // namespace
@@ -155,12 +200,14 @@ Result<Deck> DeckReader::read_path(const std::string& path) {
 }
 
 Result<Deck> DeckReader::read_text(std::string text, const std::string& name) {
-  deck_.texts_.push_back(std::move(text));
+  deck_.texts_.push_back(std::make_unique<const std::string>(std::move(text)));
   canonical_.emplace_back();
-  return read_all(name, deck_.texts_.back(), marks_of_file(deck_.texts_.back()));
+  const std::string_view bytes = *deck_.texts_.back();
+  return read_all(name, bytes, marks_of_file(bytes));
 }
 
 Result<Deck> DeckReader::read_all(const std::string& path, std::string_view bytes, const std::vector<Mark>& marks) {
+  give_parameters(options_.parameters, deck_.parameters_, diagnostics_);
   if (const Status status = check_text(bytes, path); !status.ok()) return status.error();
   if (const Status status = check_keywords(bytes, marks, path); !status.ok()) return status.error();
   FileContext context;
@@ -205,9 +252,11 @@ FileIndex DeckReader::add_file(const std::string& path, std::string_view bytes, 
 
 void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) {
   const std::string_view bytes = deck_.files_[context.file.value].bytes;
+  deck_.files_[context.file.value].of_mesh = context.transforms.mesh;
   const std::size_t begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   const auto beside = [](const Mark& mark) {
-    return mark.kind == Mark::Kind::directive || mark.kind == Mark::Kind::foreign_break;
+    return mark.kind == Mark::Kind::directive || mark.kind == Mark::Kind::foreign_break ||
+           mark.kind == Mark::Kind::template_field;
   };
   std::vector<Mark> structure, comments;
   if (std::any_of(lines.begin(), lines.end(), beside))
@@ -220,7 +269,8 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
   for (std::size_t at = 0; at < marks.size() && !stopped_;) {
     const Mark& mark = marks[at];
     if (mark.kind == Mark::Kind::encrypted_begin) {
-      at = pass_encrypted(context, marks, at);
+      ++deck_.counters_.encrypted_blocks;
+      at = pass_encrypted(deck_.file(context.file), marks, at, diagnostics_);
       continue;
     }
     ++at;
@@ -233,7 +283,7 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
     Block block = block_of(context, line_at(bytes, mark.offset, body));
     block.line = mark.line;
     block.body = bytes.substr(body, std::max(end, body) - body);
-    if (add_block(std::move(block), context)) continue;
+    if (add_block(std::move(block), context, has_template_fields(comments, mark.offset, end))) continue;
     read_to = mark.offset;
     break;
   }
@@ -244,32 +294,8 @@ void DeckReader::read_file(FileContext context, const std::vector<Mark>& lines) 
                            " comments that start with \"gapcheck:\"; the rest was not read");
 }
 
-/// Skips one encrypted block; returns the position of the mark after it.
-std::size_t DeckReader::pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at) {
-  const std::string_view bytes = deck_.files_[context.file.value].bytes;
-  const Mark begin = marks[at];
-  ++deck_.counters_.encrypted_blocks;
-  while (at < marks.size() && marks[at].kind != Mark::Kind::encrypted_end) ++at;
-  if (at == marks.size()) {
-    diagnostics_.warning(path_of(context.file), begin.line,
-                         "an encrypted block without end: the rest of the file was not read");
-    return at;
-  }
-  diagnostics_.warning(path_of(context.file), begin.line,
-                       "an encrypted block was passed over; what it holds is unknown");
-  const std::uint32_t last = marks[at].line;
-  std::size_t offset = 0;
-  line_at(bytes, marks[at].offset, offset);
-  ++at;
-  if (const auto line = first_data_line(bytes, offset, at < marks.size() ? marks[at].offset : bytes.size(), last))
-    diagnostics_.warning(path_of(context.file), *line,
-                         "the lines between the encrypted block and the next keyword were passed over: their keyword "
-                         "is encrypted");
-  return at;
-}
-
 /// Adds a block and follows it to other files; false if nothing after it must be read.
-bool DeckReader::add_block(Block block, const FileContext& context) {
+bool DeckReader::add_block(Block block, const FileContext& context, bool templated) {
   if (block.name.empty())
     diagnostics_.error(path_of(block.file), block.line, "a keyword line without a name; give the keyword or remove it");
   if (deck_.blocks_.size() == max_blocks) {
@@ -279,6 +305,10 @@ bool DeckReader::add_block(Block block, const FileContext& context) {
     return false;
   }
   block.order = static_cast<std::uint32_t>(deck_.blocks_.size());
+  if (templated) {
+    deck_.texts_.push_back(std::make_unique<const std::string>(with_template_fields(deck_, block, diagnostics_)));
+    block.body = *deck_.texts_.back();
+  }
   deck_.blocks_.push_back(block);
   deck_.ended_ = deck_.ended_ || (block.name == "END" && block.file == FileIndex(0));
   dispatch(context, block);
@@ -298,6 +328,20 @@ void DeckReader::dispatch(const FileContext& context, const Block& block) {
     diagnostics_.warning(path_of(block.file), block.line,
                          "*CASE: the keywords of all cases are read as one model; split the deck to check one case");
   }
+}
+
+std::string parameter_fault(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  const std::string_view name = trimmed(text.substr(0, equals));
+  if (equals == std::string_view::npos || name.empty() || trimmed(text.substr(equals + 1)).empty())
+    return "'" + std::string(text.substr(0, 80)) + "' is not of the form NAME=VALUE";
+  return "";
+}
+
+void warn_of_unused_parameters(const Deck& deck, Diagnostics& diagnostics) {
+  for (const std::string& name : deck.parameters().unused())
+    diagnostics.warning(deck.file(FileIndex(0)).path, 0,
+                        "--param " + name + ": the deck neither defines nor uses this parameter; correct the name");
 }
 
 void note_missing_end(const Deck& deck, Diagnostics& diagnostics) {
@@ -321,6 +365,13 @@ void Deck::drop_text(const std::function<bool(std::string_view name)>& done) {
     block.body = {};
     files_[block.file.value].bytes = {};
   }
+}
+
+std::int64_t Deck::id_in_file(FileIndex file, IdKind kind, std::int64_t id) const {
+  if (file.value >= files_.size()) return 0;
+  const Transform& transform = transforms_[files_[file.value].of_mesh.value];
+  const std::int64_t offset = transform.offset[static_cast<std::size_t>(kind)];
+  return transform.automatic && offset != 0 ? id - offset : 0;
 }
 
 Status Deck::unchanged() const {

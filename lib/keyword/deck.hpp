@@ -25,16 +25,18 @@ struct SourceFile {
   std::string_view bytes;  ///< owned by the deck
   FileIndex includer = none<FileIndex>;
   std::uint32_t include_line = 0;  ///< in the includer
+  TransformIndex of_mesh{0};       ///< that of its nodes and elements
 };
 
-/// One keyword with its data lines, untouched. Views stay valid as long as the deck.
+/// One keyword with its data lines. Views stay valid as long as the deck.
 struct Block {
   std::string name;       ///< upper case, without `*` and format suffix: "ELEMENT_SHELL_THICKNESS"
-  std::string_view body;  ///< from the line after the keyword to the next keyword, comments included
+  std::string_view body;  ///< from the line after the keyword to the next keyword, comments included, but for template
+                          ///< fields as in the file
   FileIndex file;
   std::uint32_t line = 0;  ///< of the keyword; the body starts at line + 1
   Format format = Format::standard;
-  TransformIndex transform{0};  ///< of the *INCLUDE_TRANSFORM that brought it; 0 = none
+  TransformIndex transform{0};  ///< of the include that brought it; 0 = none
   std::uint32_t scope = 0;      ///< parameter scope (chain of files)
   std::uint32_t order = 0;      ///< position in the input; parameters are visible from their definition on
 };
@@ -49,6 +51,7 @@ struct Directive {
 
 struct ReadOptions {
   std::vector<std::string> include_directories;  ///< -I
+  std::vector<std::string> parameters;           ///< --param: "NAME=VALUE"
   bool skip_missing_includes = false;            ///< then each is a warning
   std::uint32_t max_include_depth = 64;
   std::uint32_t max_files = 10000;
@@ -76,6 +79,8 @@ class Deck {
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   [[nodiscard]] const Transform& transform(TransformIndex index) const { return transforms_[index.value]; }
+  /// The id that a file has for a node or element of the model, if *INCLUDE_AUTO_OFFSET shifted it; else 0.
+  [[nodiscard]] std::int64_t id_in_file(FileIndex file, IdKind kind, std::int64_t id) const;
   [[nodiscard]] const DeckCounters& counters() const { return counters_; }
   /// Frees the text of long blocks whose names `done` accepts, once nobody needs it any more: their bodies become
   /// empty, as do the bytes of their files.
@@ -86,7 +91,7 @@ class Deck {
  private:
   friend class DeckReader;
   std::vector<std::shared_ptr<KeywordFile>> read_;
-  std::vector<std::string> texts_;  ///< bytes of decks given as text
+  std::vector<std::unique_ptr<const std::string>> texts_;  ///< decks given as text, bodies with template fields
   std::vector<SourceFile> files_;
   std::vector<Block> blocks_;
   std::vector<Directive> directives_;
@@ -104,6 +109,12 @@ Result<Deck> read_deck(const std::string& path, const ReadOptions& options, Diag
 /// The same for a deck in memory; `name` replaces the file name; includes are looked up in the working directory.
 Result<Deck> read_deck_text(std::string text, const std::string& name, const ReadOptions& options,
                             Diagnostics& diagnostics);
+
+/// A fault of a --param in words; empty: none.
+[[nodiscard]] std::string parameter_fault(std::string_view text);
+
+/// A warning for every --param that the deck neither defines nor uses, once everything has been read from it.
+void warn_of_unused_parameters(const Deck& deck, Diagnostics& diagnostics);
 
 /// A note if the main file ends without *END: the solver reads it all the same, but it may have been cut.
 void note_missing_end(const Deck& deck, Diagnostics& diagnostics);

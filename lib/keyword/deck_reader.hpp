@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "keyword/card.hpp"
+#include "keyword/highest_ids.hpp"
 #include "keyword/include_paths.hpp"
 #include "keyword/include_transforms.hpp"
 #include "keyword/repeated_includes.hpp"
@@ -11,11 +12,17 @@
 
 namespace gapcheck::keyword {
 
+/// The transformations of the blocks of one file. *INCLUDE_AUTO_OFFSET shifts the ids of nodes and elements where they
+/// are defined and in the elements, but not in sets and other lists.
+struct FileTransforms {
+  TransformIndex mesh{0}, others{0};
+};
+
 /// What the blocks of one file share.
 struct FileContext {
   FileIndex file;
   Format format = Format::standard;
-  TransformIndex transform{0};
+  FileTransforms transforms;
   std::uint32_t scope = Parameters::global, depth = 0;
 };
 
@@ -35,16 +42,16 @@ class DeckReader {
   [[nodiscard]] Result<std::shared_ptr<KeywordFile>> open_file(const std::string& path, const std::string& canonical);
   FileIndex add_file(const std::string& path, std::string_view bytes, const FileContext* includer, std::uint32_t line);
   void read_file(FileContext context, const std::vector<Mark>& marks);
-  std::size_t pass_encrypted(const FileContext& context, const std::vector<Mark>& marks, std::size_t at);
-  bool add_block(Block block, const FileContext& context);
+  bool add_block(Block block, const FileContext& context, bool templated);
   void dispatch(const FileContext& context, const Block& block);
 
   // read_includes.cpp
   void read_include(const FileContext& context, const Block& block);
   void read_include_path(CardReader& reader, bool relative);
   void open_transformed(const FileContext& context, CardReader& reader, const IncludeName& include);
-  void open_include(const FileContext& context, const Block& block, const IncludeName& include,
-                    TransformIndex transform);
+  void open_shifted(const FileContext& context, CardReader& reader, const IncludeName& include);
+  bool open_include(const FileContext& context, const Block& block, const IncludeName& include,
+                    FileTransforms transforms);
   [[nodiscard]] std::shared_ptr<KeywordFile> map_include(const std::string& path, const std::string& canonical,
                                                          const Block& block, std::uint32_t line);
 
@@ -61,6 +68,7 @@ class DeckReader {
   RepeatedIncludes repeats_;
   IncludePaths paths_;
   IncludeTransforms transforms_;
+  HighestIds highest_;
   std::size_t includes_ = 0;  ///< names of includes so far
   bool warned_of_cases_ = false;
   bool stopped_ = false;  ///< a limit was exceeded: nothing more is read

@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +23,16 @@ struct IncludeName {
 /// parameter of type C. Nothing at the end of the block.
 std::optional<IncludeName> next_include_name(CardReader& reader, const Parameters& parameters);
 
+/// A name with a drive letter, backslashes or an absolute path: what it leads to may be on another machine only.
+[[nodiscard]] bool may_be_of_another_machine(const std::string& name);
+
+/// Where an include was found.
+struct FoundInclude {
+  std::string path;
+  bool by_end = false;  ///< not where the name says: by the end of the name
+  std::string other;    ///< then: a different file that would have done as well; empty: none
+};
+
 /// Where included files are looked for.
 class IncludePaths {
  public:
@@ -30,13 +42,21 @@ class IncludePaths {
   /// *INCLUDE_PATH. Known paths change nothing; false if there are too many.
   bool add(const std::string& path);
   /// The first place that has the file: working directory, directory of the main file, of the including file, the paths
-  /// added so far, those of the options.
-  [[nodiscard]] std::optional<std::string> find(const std::string& name, const std::string& main_file,
-                                                const std::string& including_file) const;
+  /// added so far, those of the options. Names of another machine then by their last three parts, their last two and
+  /// the last one: beside the including file, beside the main one, in the paths added so far, in those of the options;
+  /// a file that was taken for another such name is passed over.
+  /// So is one that `open` accepts, by its canonical path: it includes the file with the name.
+  [[nodiscard]] std::optional<FoundInclude> find(const std::string& name, const std::string& main_file,
+                                                 const std::string& including_file,
+                                                 const std::function<bool(const std::string&)>& open);
 
  private:
+  [[nodiscard]] std::optional<FoundInclude> find_by_end(const std::string& name, const std::string& main_file,
+                                                        const std::string& including_file,
+                                                        const std::function<bool(const std::string&)>& open);
   const std::vector<std::string>& further_;
   std::vector<std::string> paths_;
+  std::map<std::string, std::string> taken_;  ///< files found by the end of a name, and that name
 };
 
 }  // namespace gapcheck::keyword

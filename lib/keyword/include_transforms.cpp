@@ -72,9 +72,10 @@ TransformIndex IncludeTransforms::add(std::vector<Transform>& all, TransformInde
   Transform total = all[parent.value];
   for (std::size_t i = 0; i < total.offset.size(); ++i)
     if (__builtin_add_overflow(total.offset[i], own.offset[i], &total.offset[i])) {
-      diagnostics.error(path, block.line, "*INCLUDE_TRANSFORM: the id offset is too large");
+      diagnostics.error(path, block.line, "*" + block.name + ": the id offset is too large");
       total.offset[i] = 0;
     }
+  total.automatic = total.automatic || own.automatic;
   total.length_factor *= own.length_factor;
   total.mass_factor *= own.mass_factor;
   total.time_factor *= own.time_factor;

@@ -6,7 +6,7 @@
 
 namespace gapcheck::keyword {
 
-/// The cards of one *INCLUDE_TRANSFORM behind the file name.
+/// What one include says about transformation: the cards of *INCLUDE_TRANSFORM behind the file name.
 struct IncludeTransform {
   Transform own;
   std::int64_t transformation = 0;  ///< TRANID; 0 = none

@@ -17,6 +17,40 @@ std::string problem_of(std::string_view bytes) {
   return ends.empty() ? "" : about_line_ends(ends);
 }
 
+/// What would help if an include is not found.
+std::string advice(const std::string& name) {
+  const std::size_t cut = name.find_last_of("/\\:");
+  const std::string last = cut == std::string::npos ? name : name.substr(cut + 1);
+  if (!last.empty() && may_be_of_another_machine(name))
+    return "\" was not found, and neither the folders of the decks nor those of *INCLUDE_PATH and -I have a \"" + last +
+           "\" for it; put it beside the deck, or give its folder with -I";
+  if (!last.empty() && cut != std::string::npos)
+    return "\" was not found; correct the name, or give with -I or *INCLUDE_PATH the folder that \"" + name +
+           "\" starts from";
+  return "\" was not found; correct the name, or give its directory with -I or *INCLUDE_PATH";
+}
+
+std::string about_found(const IncludeName& include, const FoundInclude& found) {
+  std::string text =
+      "include \"" + include.name + "\" does not exist here; \"" + found.path + "\" was read in its place";
+  if (!found.other.empty()) text += " (not \"" + found.other + "\", which has the same name)";
+  return text;
+}
+
+IncludeTransform shift_above(const HighestIds& highest) {
+  IncludeTransform shift;
+  shift.own.automatic = true;
+  shift.own.offset[static_cast<std::size_t>(IdKind::node)] = highest.node();
+  shift.own.offset[static_cast<std::size_t>(IdKind::element)] = highest.element();
+  return shift;
+}
+
+std::string about_shift(const IncludeName& include, const HighestIds& highest) {
+  return "*INCLUDE_AUTO_OFFSET: in \"" + include.name + "\" the ids of nodes are shifted by " +
+         std::to_string(highest.node()) + " and those of elements by " + std::to_string(highest.element()) +
+         ", the highest ids read before; ids in its sets and other lists are not";
+}
+
 /// Why the file `canonical` cannot be included in the file `at` of `files`; empty: it can. `canonicals`: beside
 /// `files`.
 std::string reason_against(const std::string& canonical, FileIndex at, std::span<const SourceFile> files,
@@ -38,17 +72,13 @@ void DeckReader::read_include(const FileContext& context, const Block& block) {
   auto include = next_include_name(reader, deck_.parameters_);
   if (block.name == "INCLUDE") {
     for (; include; include = next_include_name(reader, deck_.parameters_))
-      open_include(context, block, *include, context.transform);
+      open_include(context, block, *include, context.transforms);
   } else if (transforms && !include) {
     diagnostics_.error(path_of(block.file), block.line, "*INCLUDE_TRANSFORM without a file name; give one");
   } else if (transforms || block.name == "INCLUDE_AUTO_OFFSET_USER") {
     if (include) open_transformed(context, reader, *include);
   } else if (block.name == "INCLUDE_AUTO_OFFSET") {
-    if (!include) return;
-    diagnostics_.warning(path_of(block.file), block.line,
-                         "*INCLUDE_AUTO_OFFSET: the ids of \"" + include->name +
-                             "\" are read as they stand; use *INCLUDE_TRANSFORM to shift them");
-    open_include(context, block, *include, context.transform);
+    for (; include; include = next_include_name(reader, deck_.parameters_)) open_shifted(context, reader, *include);
   } else {
     diagnostics_.warning(path_of(block.file), block.line,
                          "*" + block.name + " is not supported: \"" + (include ? include->name : "") +
@@ -74,8 +104,25 @@ void DeckReader::open_transformed(const FileContext& context, CardReader& reader
   if (one_file && !reader.at_end())
     diagnostics_.error(path_of(block.file), reader.peek_line(),
                        "*INCLUDE_TRANSFORM has more lines than one file needs; give each file its own keyword");
-  open_include(context, block, include,
-               transforms_.add(deck_.transforms_, context.transform, given, block, path_of(block.file), diagnostics_));
+  const auto transformed = [&](TransformIndex parent) {
+    return transforms_.add(deck_.transforms_, parent, given, block, path_of(block.file), diagnostics_);
+  };
+  const FileTransforms& outer = context.transforms;
+  FileTransforms inner;
+  inner.others = transformed(outer.others);
+  inner.mesh = outer.mesh == outer.others ? inner.others : transformed(outer.mesh);
+  open_include(context, block, include, inner);
+}
+
+/// *INCLUDE_AUTO_OFFSET (contact rules, section 12.5).
+void DeckReader::open_shifted(const FileContext& context, CardReader& reader, const IncludeName& include) {
+  const Block& block = reader.block();
+  highest_.update(deck_);
+  const std::string said = about_shift(include, highest_);
+  const TransformIndex mesh = transforms_.add(deck_.transforms_, context.transforms.mesh, shift_above(highest_), block,
+                                              path_of(block.file), diagnostics_);
+  if (open_include(context, block, include, {mesh, context.transforms.others}))
+    diagnostics_.add({Severity::note, path_of(block.file), include.line, said});
 }
 
 /// An included file that is readable; null: the reason is already reported.
@@ -90,34 +137,39 @@ std::shared_ptr<KeywordFile> DeckReader::map_include(const std::string& path, co
   return nullptr;
 }
 
-void DeckReader::open_include(const FileContext& context, const Block& block, const IncludeName& include,
-                              TransformIndex transform) {
-  if (stopped_) return;
+/// True if the file was read.
+bool DeckReader::open_include(const FileContext& context, const Block& block, const IncludeName& include,
+                              FileTransforms transforms) {
+  if (stopped_) return false;
   // The main file is one of the files. Missing ones count as well: searching for each takes time.
   if (++includes_ >= options_.max_files) {
     diagnostics_.error(
         path_of(block.file), include.line,
         "the deck has more than " + std::to_string(options_.max_files) + " files; the rest was not read");
     stopped_ = true;
-    return;
+    return false;
   }
   const bool bad_name = include.name.size() > max_include_name || include.name.find('\0') != std::string::npos;
   if (bad_name) {
     diagnostics_.error(path_of(block.file), include.line,
                        "the name of the include is longer than 236 characters or not a text; shorten it");
-    return;
+    return false;
   }
-  const auto path = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file));
-  if (!path) {
+  const auto open = [&](const std::string& file) {
+    return !reason_against(file, context.file, deck_.files_, canonical_).empty();
+  };
+  const auto found = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file), open);
+  if (!found) {
     ++deck_.counters_.missing_includes;
     diagnostics_.add({options_.skip_missing_includes ? Severity::warning : Severity::error, path_of(block.file),
-                      include.line,
-                      "include \"" + include.name +
-                          "\" was not found; correct the name, or give its directory with -I or *INCLUDE_PATH"});
-    return;
+                      include.line, "include \"" + include.name + advice(include.name)});
+    return false;
   }
+  if (found->by_end)
+    diagnostics_.add({Severity::note, path_of(block.file), include.line, about_found(include, *found)});
+  const std::string& path = found->path;
   std::error_code error;
-  const std::string canonical = std::filesystem::canonical(*path, error).string();
+  const std::string canonical = std::filesystem::canonical(path, error).string();
   std::string reason = context.depth >= options_.max_include_depth
                            ? "includes are nested more than " + std::to_string(options_.max_include_depth) + " deep"
                            : reason_against(canonical, context.file, deck_.files_, canonical_);
@@ -125,17 +177,18 @@ void DeckReader::open_include(const FileContext& context, const Block& block, co
   if (!reason.empty()) {
     diagnostics_.error(path_of(block.file), include.line, "include \"" + include.name + "\" was not read: " + reason);
     stopped_ = repeats_.exceeded();
-    return;
+    return false;
   }
-  const auto file = map_include(*path, canonical, block, include.line);
-  if (file == nullptr) return;
+  const auto file = map_include(path, canonical, block, include.line);
+  if (file == nullptr) return false;
   canonical_.push_back(canonical);
   FileContext inner = context;
-  inner.file = add_file(*path, file->bytes(), &context, include.line);
-  inner.transform = transform;
+  inner.file = add_file(path, file->bytes(), &context, include.line);
+  inner.transforms = transforms;
   inner.scope = deck_.parameters_.add_scope(context.scope);
   ++inner.depth;
   read_file(inner, file->marks());
+  return true;
 }
 
 }  // namespace gapcheck::keyword

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "base/number.hpp"
 #include "keyword/deck_reader.hpp"
@@ -30,14 +31,20 @@ class ParameterBlock {
       const auto [type, name] = split(card, 0);
       if (name.empty()) continue;
       if (type == 'C') {
-        define(name, std::string(card.text(1)));
+        define(card, name, std::string(card.text(1)));
         continue;
       }
-      const auto value = parameters_.evaluate(card.text(1), block_.scope, block_.order);
-      if (value)
+      Parameters::Missing missing;
+      const auto value = parameters_.evaluate(card.text(1), block_.scope, block_.order, &missing);
+      if (value) {
         define_number(card, type, name, value.value());
-      else
+        continue;
+      }
+      if (missing.name.empty())
         report(card, value.error().message);
+      else if (!missing.told)
+        report_missing_parameter(missing.name, reader_.file(), card.line(), "*" + block_.name, diagnostics_);
+      if (!missing.name.empty()) define(card, name, Parameters::unknown());
     }
   }
 
@@ -59,24 +66,37 @@ class ParameterBlock {
     if (card.blank(value_field))
       report(card, "the parameter \"" + std::string(name) + "\" has no value");
     else if (type == 'C')
-      define(name, std::string(card.text(value_field)));
-    else if (type == 'I')
-      define(name, card.integer(value_field));
+      define(card, name, std::string(card.text(value_field)));
     else
-      define(name, card.real(value_field));
+      define_field(card, type, name, value_field);
+  }
+
+  /// A value that could not be read has been reported, and what uses it says nothing more.
+  void define_field(const Card& card, char type, std::string_view name, std::size_t field) {
+    constexpr std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
+    const double unread = std::numeric_limits<double>::quiet_NaN();
+    const std::int64_t integer = type == 'I' ? card.integer(field, lowest) : 0;
+    const double real = type == 'I' ? 0 : card.real(field, unread);
+    if (integer == lowest || std::isnan(real))
+      define(card, name, Parameters::unknown());
+    else
+      define(card, name, type == 'I' ? ParameterValue(integer) : ParameterValue(real));
   }
 
   void define_number(const Card& card, char type, std::string_view name, double value) {
-    if (type == 'R') return define(name, value);
+    if (type == 'R') return define(card, name, value);
     if (std::abs(value) > 9.0e15) return report(card, "the value of an integer parameter is too large");
     // Sums of decimals miss whole numbers by rounding; everything else is truncated as in an assignment to an integer.
     const double nearest = std::round(value);
     const bool is_whole = std::abs(value - nearest) <= 1e-9 * std::max(1.0, std::abs(value));
-    define(name, static_cast<std::int64_t>(is_whole ? nearest : std::trunc(value)));
+    define(card, name, static_cast<std::int64_t>(is_whole ? nearest : std::trunc(value)));
   }
 
-  void define(std::string_view name, ParameterValue value) {
-    parameters_.define(name, std::move(value), scope_, block_.order - 1);
+  void define(const Card& card, std::string_view name, ParameterValue value) {
+    if (parameters_.define(name, std::move(value), scope_, block_.order - 1)) return;
+    report(card, "the parameter \"" + std::string(name) + "\" is " +
+                     "a number (for type I a whole one), which the value of --param is not" +
+                     "; the value of the deck is used");
   }
 
   void report(const Card& card, const std::string& problem) {

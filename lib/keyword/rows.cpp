@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "base/parallel.hpp"
-#include "keyword/fixed_field.hpp"
+#include "keyword/text/fixed_field.hpp"
 
 namespace gapcheck::keyword {
 namespace {
@@ -264,14 +264,6 @@ class RowReader {
   bool gapless_ = true, safe_offsets_ = true, aligned_ = false;
 };
 
-/// Passes on the reports of one piece. The list keeps only the first reports, so they must come in the order of the
-/// file.
-void hand_on(const Diagnostics& from, Diagnostics& to) {
-  const auto list = from.sorted();
-  for (const Diagnostic& diagnostic : list) to.add(diagnostic);
-  for (std::size_t i = 0; i < from.dropped(); ++i) to.add(list.back());
-}
-
 }  // namespace
 
 void read_rows_in_pieces(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics,
@@ -305,7 +297,8 @@ void read_rows_in_pieces(const Deck& deck, const Block& block, const CardLayout&
       if (rows.count > 0) take(pieces[i].first_row, rows);
     }
   });
-  for (const Diagnostics& report : reports) hand_on(report, diagnostics);
+  // The list keeps only the first reports, so they must come in the order of the file.
+  for (const Diagnostics& report : reports) diagnostics.take(report);
 }
 
 Rows read_rows(const Deck& deck, const Block& block, const CardLayout& layout, Diagnostics& diagnostics) {

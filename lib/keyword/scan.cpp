@@ -41,6 +41,7 @@ std::size_t line_start(std::string_view bytes, std::size_t offset) {
 FilePiece scan_piece(std::string_view bytes, std::size_t begin, std::size_t end) {
   FilePiece piece;
   std::size_t offset = begin;
+  const bool templates = bytes.substr(begin, end - begin).find("<<") != std::string_view::npos;
   while (offset < end) {
     const char first = bytes[offset];
     const std::size_t newline = std::min(bytes.find('\n', offset), bytes.size());
@@ -48,6 +49,9 @@ FilePiece scan_piece(std::string_view bytes, std::size_t begin, std::size_t end)
       if (const auto kind = kind_of(bytes.substr(offset))) piece.marks.push_back({*kind, piece.lines, offset});
     if ((first == '*' || first == '$') && foreign_break(bytes.substr(offset, newline - offset)) != bytes.npos)
       piece.marks.push_back({Mark::Kind::foreign_break, piece.lines, offset});
+    if (templates && first != '*' && first != '$' &&
+        bytes.substr(offset, newline - offset).find("<<") != std::string_view::npos)
+      piece.marks.push_back({Mark::Kind::template_field, piece.lines, offset});
     ++piece.lines;
     offset = newline + 1;
   }

@@ -9,14 +9,15 @@ namespace gapcheck::keyword {
 
 /// A line that structures a file: one that starts with `*`, or the first or last line of an encrypted block; or a
 /// comment for gapcheck; or a keyword or comment with a line break in it that is no line end (line_ends.hpp), beside
-/// its other mark.
+/// its other mark; or a line of data with `<<`.
 struct Mark {
   enum class Kind : std::uint8_t {
     keyword,
     encrypted_begin,
     encrypted_end,
     directive,
-    foreign_break
+    foreign_break,
+    template_field
   } kind = Kind::keyword;
   std::uint32_t line = 0;  ///< from 1
   std::size_t offset = 0;  ///< of the line's first character

@@ -17,7 +17,8 @@ struct Transform {
   std::array<std::int64_t, 9> offset{};  ///< by IdKind; `plain` stays 0
   double length_factor = 1;              ///< FCTLEN; applied to coordinates before the placement
   double mass_factor = 1, time_factor = 1;
-  bool places = false;  ///< false: matrix and shift are the identity
+  bool automatic = false;  ///< offsets of nodes and elements include those of *INCLUDE_AUTO_OFFSET
+  bool places = false;     ///< false: matrix and shift are the identity
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
   Vector shift = Vector::Zero();
   /// The position in the model of a point of the included file.

@@ -52,8 +52,11 @@ class TransformationRows {
       mirror();
     else if (option == "MATRIX")
       matrix();
+    else if (option == "POS6P")
+      position();
     else
-      fail("the option " + option + " is not supported; use TRANSL, SCALE, ROTATE, MIRROR or MATRIX");
+      fail("the option " + option +
+           " is not supported; use POINT with TRANSL2ND, ROTATE or POS6P, or TRANSL, SCALE, MIRROR or MATRIX");
   }
 
   void add(const Eigen::Matrix3d& matrix, const Vector& shift) {
@@ -66,7 +69,10 @@ class TransformationRows {
   void add_around(const Eigen::Matrix3d& matrix, const Vector& center) { add(matrix, center - matrix * center); }
 
   void fail(const std::string& problem) {
-    if (valid_) diagnostics_.error(reader_.file(), line_, "*DEFINE_TRANSFORMATION: " + problem);
+    if (valid_)
+      diagnostics_.error(
+          reader_.file(), line_,
+          "*DEFINE_TRANSFORMATION: " + problem + "; until then what it places stays where its file says");
     valid_ = false;
   }
 
@@ -115,6 +121,32 @@ class TransformationRows {
     if (head == center) return fail("the normal of MIRROR has no length");
     const Vector normal = (head - center).normalized();
     add_around(Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose(), center);
+  }
+
+  /// The axes of three points: along the first two, across in their plane, and normal to it. False: they have none.
+  static bool axes_of(const Vector& a, const Vector& b, const Vector& c, Eigen::Matrix3d& axes) {
+    const Vector along = b - a, normal = along.cross(c - a);
+    if (!(along.norm() > 0) || !(normal.norm() > 0)) return false;
+    axes.col(0) = along.normalized();
+    axes.col(2) = normal.normalized();
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+    return true;
+  }
+
+  /// POS6P: moves the first of three points onto the fourth, turns the line to the second onto that to the fifth, and
+  /// the plane of the three onto that of the last three.
+  void position() {
+    std::array<Vector, 6> points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector* found = point(a_[i], "POS6P");
+      if (found == nullptr) return;
+      points[i] = *found;
+    }
+    Eigen::Matrix3d from, to;
+    if (!axes_of(points[0], points[1], points[2], from) || !axes_of(points[3], points[4], points[5], to))
+      return fail("three points of POS6P lie in one line");
+    const Eigen::Matrix3d rotation = to * from.transpose();
+    add(rotation, points[3] - rotation * points[0]);
   }
 
   void matrix() {

@@ -18,8 +18,8 @@ std::int64_t transformation_id(const Deck& deck, const Block& block, Diagnostics
 
 /// The placement that a *DEFINE_TRANSFORMATION block describes. Its rows act in order, from first to last: SCALE,
 /// ROTATE, TRANSL in this order scale first and move last. Rows: TRANSL, TRANSL2ND, SCALE, ROTATE, MIRROR, MATRIX,
-/// POINT. Points of ROTATE and TRANSL2ND must be given by POINT rows of the same block; rows that refer to nodes and
-/// rows of any other kind are reported, and the result is not a placement.
+/// POS6P, POINT. Points of ROTATE, TRANSL2ND and POS6P must be given by POINT rows of the same block; rows that refer
+/// to nodes and rows of any other kind are reported, and the result is not a placement.
 std::optional<Placement> read_transformation(const Deck& deck, const Block& block, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::keyword

@@ -46,6 +46,8 @@ struct Model {
   Mesh mesh;
   std::vector<Part> parts;  ///< in input order
   std::map<std::int64_t, PartIndex> part_of_id;
+  /// Parts of the particles that failing solids become (*DEFINE_ADAPTIVE_SOLID_TO_DES, _SPH), ascending.
+  std::vector<PartIndex> later_particles;
   std::vector<Section> sections;
   std::vector<Material> materials;
   std::map<std::int64_t, Curve> curves;  ///< *DEFINE_CURVE

@@ -63,7 +63,7 @@ TEST_F(FixProgram, RefusesGeometryThatIsNotRead) {
   std::ofstream(folder_ / "moved.k") << deck;
   const Ended fixed = gapcheck("fix moved.k -o out");
   EXPECT_EQ(fixed.code, 2);
-  EXPECT_NE(fixed.err.find("*PART_MOVE is not read"), std::string::npos) << fixed.err;
+  EXPECT_NE(fixed.err.find("*PART_MOVE moves nodes after their lines are read"), std::string::npos) << fixed.err;
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 

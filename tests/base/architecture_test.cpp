@@ -35,6 +35,7 @@ const Order rooms{{"base", {}},
 
 /// The floors of a room, as in docs/architecture.md; "top" are the files of the room itself.
 const std::map<std::string, Order> floors{
+    {"keyword", {{"text", {}}, {"top", {"text"}}}},
     {"model", {{"entity", {}}, {"contact", {"entity"}}, {"top", {"contact"}}, {"read", {"top"}}}},
     {"contact",
      {{"definition", {}},

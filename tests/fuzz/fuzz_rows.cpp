@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "fuzz.hpp"
-#include "keyword/fixed_field.hpp"
+#include "keyword/text/fixed_field.hpp"
 #include "keyword/slow_twins.hpp"
 
 namespace gapcheck::fuzz::rows_target {

@@ -158,6 +158,51 @@ TEST(Card, ExpressionInAFixedField) {
   EXPECT_EQ(reports(fixed.diagnostics), "");
 }
 
+TEST(Card, ExpressionsWithParametersInFields) {
+  TextDeck deck("*PARAMETER\n" + pair("R t", "2.0") + pair("I n", "7") + pair("R odd-name", "4.") +
+                "\n*SECTION_SHELL\n"
+                "&t*0.99   -&t+1     2*&t      (&t+1)*2  sqrt(&n+2)-&t*-&t   &odd-name 1-&t/4\n"
+                "&t * 0.5 , -&t, &n*100\n");
+  CardReader reader = deck.reader("SECTION_SHELL");
+  const CardLayout reals{"line", std::vector<Field>(8, Field{"x", 0, 10, FieldType::real, IdKind::plain})};
+  CardLayout row = reals;
+  for (std::size_t i = 0; i < 8; ++i) row.fields[i].column = static_cast<std::uint16_t>(10 * i);
+  const Card card = reader.next(row);
+  const double expected[] = {1.98, -1, 4, 6, 3, 4, 4, 0.5};
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(card.real(i), expected[i]) << i;
+  const Card free = reader.next(row);
+  EXPECT_EQ(free.real(std::size_t{0}), 1);
+  EXPECT_EQ(free.real(1), -2);
+  EXPECT_EQ(free.integer(2), 700);
+  EXPECT_EQ(reports(deck.diagnostics), "");
+}
+
+TEST(Card, ExpressionsForWholeNumbers) {
+  TextDeck deck("*PARAMETER\n" + pair("R f", "0.07") + pair("I n", "7") +
+                "\n*NODE\n&f*100  \n&n/2    \n&n*1e30 \n&f/0    \n&n+     \n&n+&no  \n");
+  CardReader reader = deck.reader("NODE");
+  const CardLayout& node = card_layout("NODE", "card1");
+  for (const std::int64_t expected : {7, 0, 0, 0, 0, 0}) EXPECT_EQ(reader.next(node).integer("nid"), expected);
+  const std::string all = reports(deck.diagnostics);
+  EXPECT_EQ(count_errors(deck.diagnostics), 5u) << all;
+  for (const char* part : {":5: *NODE, field nid: \"&n/2\" is not a whole number", ":6: ", ":7: ", "divides by zero",
+                           ":8: ", ":9: *NODE, field nid: ", "\"no\" is not defined"})
+    EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
+}
+
+TEST(Card, ExpressionsEndWithTheirColumns) {
+  TextDeck deck("*PARAMETER\n" + pair("R thick", "2.0") +
+                "\n*SECTION_SHELL\n&thick*0.99\n&thick*0.9&thick\n&thick*0.9  \n");
+  CardReader reader = deck.reader("SECTION_SHELL");
+  const CardLayout& row = card_layout("SECTION_SHELL", "card2");
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(reader.next(row).real("t1"), 1.8);
+  const std::string all = reports(deck.diagnostics);
+  EXPECT_EQ(deck.diagnostics.sorted().size(), 1u) << all;
+  EXPECT_NE(all.find("deck.k:4: *SECTION_SHELL, field t1: the expression \"&thick*0.9\" fills its 10 columns"),
+            std::string::npos)
+      << all;
+}
+
 TEST(Card, BadParametersAreReported) {
   TextDeck deck("*PARAMETER\n" + pair("C t", "abc") + pair("R x", "2.5") +
                 "\n*NODE\n     &no              &t           <1/0>              <1\n      &x\n");
@@ -203,6 +248,21 @@ TEST(Card, WhatIsNotANumberIsReportedOnceWithItsPlace) {
   const std::string all = reports(deck.diagnostics);
   EXPECT_NE(all.find("deck.k:4: *NODE, field nid: \"abc\""), std::string::npos) << all;
   EXPECT_NE(all.find("\"1.0E31\" is larger"), std::string::npos) << all;
+}
+
+TEST(Card, BlanksInNumbersAreShownInTheirLine) {
+  TextDeck deck("*SECTION_SHELL\n    1.0  2       3.0\n       1.0  2.0   xx\n");
+  auto reader = deck.reader("SECTION_SHELL");
+  const CardLayout& row = card_layout("SECTION_SHELL", "card2");
+  EXPECT_EQ(reader.next(row).real("t1"), 0);
+  EXPECT_EQ(reader.next(row).real("t2"), 0);
+  const auto said = deck.diagnostics.sorted();
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_NE(said[0].message.find("*SECTION_SHELL, field t1: \"1.0  2\" is 2 numbers in one field (columns 1 to 10)"),
+            std::string::npos)
+      << said[0].message;
+  EXPECT_EQ(said[0].excerpt, "    1.0  2       3.0\n^^^^^^^^^^");
+  EXPECT_EQ(said[1].excerpt, "") << said[1].message;
 }
 
 TEST(Card, TabsReachToTheNextMultipleOfEight) {

@@ -76,6 +76,61 @@ TEST_F(Includes, SearchPaths) {
   EXPECT_EQ(deck.files().size(), 5u);
 }
 
+TEST_F(Includes, NamesOfAnotherMachineByTheirEnd) {
+  directory.write("mesh.k", "*NODE\n");
+  directory.write("sub/inner.k", "*INCLUDE\n\\\\server\\share\\other.k\n");
+  directory.write("sub/other.k", "*PART\n");
+  directory.write("far/folder/part.k", "*TITLE\n");
+  directory.write("far/part.k", "*END\n");
+  directory.write("main.k",
+                  "*INCLUDE\nC:\\project\\mesh.k\nc:/Project/mesh.k\n/home/nobody/sub/inner.k\nfolder\\part.k\n"
+                  "D:x\\folder\\part.k\n");
+  ReadOptions options;
+  options.include_directories = {directory.path("far")};
+  read("main.k", options);
+  EXPECT_EQ(names(deck), (std::vector<std::string>{"INCLUDE", "NODE", "NODE", "INCLUDE", "PART", "TITLE", "TITLE"}))
+      << reports(diagnostics);
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(count_errors(diagnostics), 0u) << all;
+  EXPECT_EQ(diagnostics.sorted().size(), 5u) << "found where its name says: no note\n" << all;
+  EXPECT_NE(all.find("main.k:2: include \"C:\\project\\mesh.k\" does not exist here; \"" + directory.path("mesh.k") +
+                     "\" was read in its place\n"),
+            std::string::npos)
+      << all;
+}
+
+TEST_F(Includes, OneFileForTwoNamesOfAnotherMachine) {
+  directory.write("mat.k", "*NODE\n");
+  directory.write("more/mat.k", "*PART\n");
+  ReadOptions options;
+  options.include_directories = {directory.path("more")};
+  directory.write("main.k", "*INCLUDE\nC:\\steel\\mat.k\nC:\\foam\\mat.k\nC:\\glass\\mat.k\n");
+  read("main.k", options);
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(names(deck), (std::vector<std::string>{"INCLUDE", "NODE", "PART"})) << all;
+  EXPECT_NE(all.find("(not \"" + directory.path("more/mat.k") + "\", which has the same name)"), std::string::npos)
+      << all;
+  EXPECT_NE(all.find("main.k:4: include \"C:\\glass\\mat.k\" was not found"), std::string::npos) << all;
+}
+
+TEST_F(Includes, AdviceThatHelps) {
+  directory.write("sub/deep.k", "*NODE\n");
+  directory.write("main.k", "*INCLUDE\nC:\\x\\y.k\n../lib/z.k\nsub/w.k\nplain.k\n/usr/\nC:\n/abs/sub/../deep.k\n");
+  read("main.k");
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(count_errors(diagnostics), 7u) << all;
+  EXPECT_NE(all.find(":2: include \"C:\\x\\y.k\" was not found, and neither"), std::string::npos) << all;
+  EXPECT_NE(all.find("have a \"y.k\" for it; put it beside the deck, or give its folder with -I"), std::string::npos)
+      << all;
+  EXPECT_NE(all.find(":4: include \"sub/w.k\" was not found; correct the name, or give with -I or *INCLUDE_PATH the "
+                     "folder that \"sub/w.k\" starts from"),
+            std::string::npos)
+      << all;
+  EXPECT_NE(all.find(":5: include \"plain.k\" was not found; correct the name, or give its directory"),
+            std::string::npos)
+      << all;
+}
+
 TEST_F(Includes, AllMissingOnesAreReported) {
   directory.write("main.k", "*KEYWORD\n*INCLUDE\nno.k\nneither.k\n*NODE\n");
   read("main.k");
@@ -201,12 +256,68 @@ TEST_F(Includes, InheritTheFormatAndKeepTheirOwn) {
 }
 
 TEST_F(Includes, AutoOffset) {
-  directory.write("mesh.k", "*NODE\n       1\n");
-  directory.write("main.k", "*INCLUDE_AUTO_OFFSET\nmesh.k\n*INCLUDE_AUTO_OFFSET_USER\nmesh.k\n       100       200\n");
+  directory.write("mesh.k",
+                  "*NODE\n       3\n*ELEMENT_SHELL\n       2       1       3\n*SET_NODE\n         7\n         3\n");
+  directory.write("main.k",
+                  "*NODE\n      40\n      12\n*ELEMENT_BEAM\n       9\n*INCLUDE_AUTO_OFFSET\nmesh.k\nmesh.k\n"
+                  "*INCLUDE_AUTO_OFFSET_USER\nmesh.k\n       100       200\n");
+  read("main.k");
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(diagnostics.sorted().size(), 2u) << all;
+  EXPECT_EQ(count_errors(diagnostics), 0u) << all;
+  EXPECT_NE(all.find("main.k:7: *INCLUDE_AUTO_OFFSET: in \"mesh.k\" the ids of nodes are shifted by 40 and those of "
+                     "elements by 9"),
+            std::string::npos)
+      << all;
+  EXPECT_NE(all.find("main.k:8: *INCLUDE_AUTO_OFFSET: in \"mesh.k\" the ids of nodes are shifted by 43 and those of "
+                     "elements by 11"),
+            std::string::npos)
+      << all;
+  std::string ids;
+  const CardLayout set_line{"line", {{"nid", 0, 10, FieldType::integer, IdKind::node}}};
+  for (const Block& block : deck.blocks()) {
+    CardReader reader(deck, block, diagnostics);
+    if (block.name == "NODE") ids += " n" + std::to_string(reader.next(card_layout("NODE", "card1")).integer("nid"));
+    if (block.name == "ELEMENT_SHELL") {
+      const Card card = reader.next(card_layout("ELEMENT_SHELL", "card1"));
+      ids += " e" + std::to_string(card.integer("eid")) + ":" + std::to_string(card.integer("n1"));
+    }
+    if (block.name == "SET_NODE") {
+      reader.skip();
+      ids += " s" + std::to_string(reader.next(set_line).integer(std::size_t{0}));
+    }
+  }
+  EXPECT_EQ(ids, " n40 n43 e11:43 s3 n46 e13:46 s3 n103 e202:103 s103");
+  EXPECT_EQ(deck.id_in_file(FileIndex(1), IdKind::node, 43), 3);
+  EXPECT_EQ(deck.id_in_file(FileIndex(2), IdKind::element, 13), 2);
+  EXPECT_EQ(deck.id_in_file(FileIndex(0), IdKind::node, 40), 0) << "not shifted";
+  EXPECT_EQ(deck.id_in_file(FileIndex(3), IdKind::node, 103), 0) << "the deck says by how much";
+}
+
+TEST_F(Includes, AutoOffsetInOthers) {
+  directory.write("mesh.k", "*NODE\n       3\n*SET_NODE\n         7\n         3\n");
+  directory.write("outer.k",
+                  "*NODE\n       2\n*INCLUDE_AUTO_OFFSET\nmesh.k\n*INCLUDE_TRANSFORM\ninner.k\n      5000\n\n\n\n");
+  directory.write("inner.k", "$ gapcheck: here\n*NODE\n       1\n*SET_NODE\n         8\n         1\n");
+  directory.write("main.k",
+                  "*NODE\n      10\n*INCLUDE_TRANSFORM\nouter.k\n      1000\n\n\n\n\n*INCLUDE_AUTO_OFFSET\nouter.k\n");
+  read("main.k");
+  EXPECT_EQ(count_errors(diagnostics), 0u) << reports(diagnostics);
+  std::string offsets;
+  for (const Block& block : deck.blocks())
+    if (block.name == "NODE" || block.name == "SET_NODE")
+      offsets += " " + block.name.substr(0, 1) + std::to_string(deck.transform(block.transform).offset[1]);
+  // outer.k itself, mesh.k in it above 1002, inner.k; then the same above all of these.
+  EXPECT_EQ(offsets, " N0 N1000 N2002 S1000 N6000 S6000 N6001 N12004 S0 N11001 S5000");
+  ASSERT_EQ(deck.directives().size(), 2u);
+  EXPECT_EQ(deck.transform(deck.directives()[1].transform).offset[1], 11001) << "comments name nodes of the mesh";
+}
+
+TEST_F(Includes, AutoOffsetOfAMissingFileIsOnlyAnError) {
+  directory.write("main.k", "*NODE\n      40\n*INCLUDE_AUTO_OFFSET\nmesh.k\n");
   read("main.k");
   EXPECT_EQ(diagnostics.sorted().size(), 1u) << reports(diagnostics);
-  const Block& last = deck.blocks().back();
-  EXPECT_EQ(CardReader(deck, last, diagnostics).next(card_layout("NODE", "card1")).integer("nid"), 101);
+  EXPECT_EQ(count_errors(diagnostics), 1u);
 }
 
 }  // namespace

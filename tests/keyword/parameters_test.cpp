@@ -117,6 +117,59 @@ TEST(Parameters, LocalOnesStayInTheirFileAndItsIncludes) {
   EXPECT_EQ(reports(diagnostics), "");
 }
 
+TEST(Parameters, GivenValuesReplaceThoseOfTheDeck) {
+  Diagnostics diagnostics;
+  ReadOptions options;
+  options.parameters = {"THK = 2.5", "n=7", "name=front", "new=1e3", "c=4"};
+  const auto deck = read_deck_text("*PARAMETER\n" + pair("R thk", "1.5") + pair("I n", "3") + pair("C name", "rear") +
+                                       pair("C c", "x") + "\n*PARAMETER_EXPRESSION\nR twice   2*thk\n" +
+                                       "*PARAMETER_LOCAL\n" + pair("R thk", "9.") + "\n*NODE\n",
+                                   "deck.k", options, diagnostics);
+  ASSERT_TRUE(deck.ok());
+  const auto& parameters = deck.value().parameters();
+  const Block& node = deck.value().blocks().back();
+  const auto value = [&](const char* name) { return parameters.find(name, node.scope, node.order); };
+  EXPECT_EQ(number(value("thk")), 2.5);
+  EXPECT_EQ(number(value("twice")), 5);
+  EXPECT_EQ(std::get<std::int64_t>(*value("n")), 7);
+  EXPECT_EQ(std::get<std::string>(*value("name")), "front");
+  EXPECT_EQ(std::get<std::string>(*value("c")), "4") << "a text stays one";
+  EXPECT_EQ(number(value("new")), 1000) << "the deck need not define it";
+  EXPECT_EQ(reports(diagnostics), "");
+}
+
+TEST(Parameters, GivenValuesMustFit) {
+  Diagnostics diagnostics;
+  ReadOptions options;
+  options.parameters = {"n=2.5", "r=abc", "used=1", "Unused=1", "broken", "=3", "x="};
+  const auto deck = read_deck_text("*PARAMETER\n" + pair("I n", "3") + pair("R r", "1.") + "\n*NODE\n   &used\n",
+                                   "deck.k", options, diagnostics);
+  ASSERT_TRUE(deck.ok());
+  CardReader reader(deck.value(), deck.value().blocks().back(), diagnostics);
+  EXPECT_EQ(reader.next(card_layout("NODE", "card1")).integer("nid"), 1);
+  warn_of_unused_parameters(deck.value(), diagnostics);
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(count_errors(diagnostics), 5u) << all;
+  for (const char* part : {"deck.k:2: *PARAMETER: the parameter \"n\" is a number (for type I a whole one)",
+                           "the parameter \"r\" is a number", "'broken' is not of the form NAME=VALUE", "'=3' is not",
+                           "'x=' is not", "--param unused: the deck neither defines nor uses this parameter"})
+    EXPECT_NE(all.find(part), std::string::npos) << part << " in\n" << all;
+  EXPECT_EQ(number(deck.value().parameters().find("n", 0, 9)), 3);
+}
+
+TEST(Parameters, WhatFollowsFromAMissingOneIsNotReported) {
+  TextDeck deck("*PARAMETER_EXPRESSION\nR twice   2*thk\nI n       twice+1\n*PARAMETER\n" + pair("R other", "&twice") +
+                "\n*NODE\n&twice  &n\n&other  2*&other\n");
+  CardReader reader = deck.reader("NODE");
+  const Card card = reader.next(card_layout("NODE", "card1"));
+  EXPECT_EQ(card.integer("nid", 5), 5);
+  EXPECT_EQ(card.real("x", 5), 5);
+  EXPECT_EQ(reader.next(card_layout("NODE", "card1")).integer("nid", 5), 5);
+  EXPECT_EQ(reports(deck.diagnostics),
+            "deck.k:2: *PARAMETER_EXPRESSION: the parameter \"thk\" is not defined before it is used; define it with "
+            "*PARAMETER, or give it with --param thk=VALUE\n");
+}
+
 TEST(Parameters, FaultsAreReportedWithTheirLine) {
   TextDeck deck("*KEYWORD\n*PARAMETER\n" + pair("X bad", "1") + "\nR nothing\n" + pair("R text", "abc") +
                 "\n*PARAMETER_EXPRESSION\nR e       "

@@ -59,6 +59,24 @@ TEST_F(Transforms, ScaleMirrorMatrixAndPointsOfATranslation) {
   EXPECT_EQ(reports(diagnostics), "");
 }
 
+TEST_F(Transforms, PositionBySixPoints) {
+  const std::string points = "POINT,1,1,0,0\nPOINT,2,3,0,0\nPOINT,3,1,5,0\n";
+  // Onto itself; then the x axis becomes z and the y axis stays.
+  expect_near(with(points + "POS6P,1,2,3,1,2,3\n").apply({7, 8, 9}), {7, 8, 9});
+  const std::string targets = "POINT,4,0,0,10\nPOINT,5,0,0,11\nPOINT,6,0,1,12\n";
+  expect_near(with(points + targets + "POS6P,1,2,3,4,5,6\n").apply({1, 0, 0}), {0, 0, 10});
+  expect_near(with(points + targets + "POS6P,1,2,3,4,5,6\n").apply({3, 4, 0}), {0, 4, 12});
+  expect_near(with(points + targets + "POS6P,1,2,3,4,5,6\n").apply({1, 0, 2}), {-2, 0, 10});
+  EXPECT_EQ(reports(diagnostics), "");
+  with(points + "POS6P,1,2,3,1,2,2\n");
+  with(points + "POS6P,1,2,3,1,2,9\n");
+  const std::string all = reports(diagnostics);
+  EXPECT_EQ(count_errors(diagnostics), 2u) << all;
+  EXPECT_NE(all.find("three points of POS6P lie in one line"), std::string::npos) << all;
+  EXPECT_NE(all.find("POS6P refers to 9"), std::string::npos) << all;
+  EXPECT_NE(all.find("what it places stays where its file says"), std::string::npos) << all;
+}
+
 TEST_F(Transforms, RowsActFromTheFirstToTheLast) {
   expect_near(with("ROTATE,0,0,1,0,0,0,90\nTRANSL,10,0,0\n").apply({1, 0, 0}), {10, 1, 0});
   expect_near(with("TRANSL,10,0,0\nROTATE,0,0,1,0,0,0,90\n").apply({1, 0, 0}), {0, 11, 0});

@@ -22,10 +22,10 @@ TEST(UnknownKeyword, TheModelListsThemByTheirFirstPlace) {
 }
 
 TEST(UnknownKeyword, SaidOnce) {
-  const Read read = read_text("*ELEMENT_SHELL_QWERTZ\n1,1\n*NODE_TRANSFORM\n1,1\n");
+  const Read read = read_text("*ELEMENT_SHELL_QWERTZ\n1,1\n*NODE_MERGE\n1,1\n");
   EXPECT_EQ(read.model.unknown_keywords.size(), 1U);
   EXPECT_EQ(read.text().find("QWERTZ"), std::string::npos) << read.text();
-  EXPECT_NE(read.text().find("*NODE_TRANSFORM is not read"), std::string::npos) << read.text();
+  EXPECT_NE(read.text().find("*NODE_MERGE is not read"), std::string::npos) << read.text();
 }
 
 TEST(UnknownKeyword, DiagnosticsForCommandsWithoutRules) {

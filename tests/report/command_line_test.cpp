@@ -113,6 +113,23 @@ TEST_F(CommandLine, ErrorsInTheInputNameFileAndLineAndTheReportIsStillWritten) {
   EXPECT_EQ(run("audit --quiet --missing-includes skip '" + deck + "'").err, "");
 }
 
+TEST_F(CommandLine, AFieldThatIsNoNumberIsMarkedInItsLine) {
+  const std::string deck = file("shifted.k", "*SECTION_SHELL\n         1         2\n    1.0 2.0\n*END\n");
+  const Outcome outcome = run("audit '" + deck + "'");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("move them\n        1.0 2.0\n    ^^^^^^^^^^\n"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CommandLine, ParametersAreGivenByOption) {
+  const std::string deck = file("given.k", "*PART\n\n&pid,1,1\n*END\n");
+  EXPECT_EQ(run("audit '" + deck + "'").code, 2);
+  EXPECT_NE(run("audit '" + deck + "'").err.find("or give it with --param pid=VALUE"), std::string::npos);
+  EXPECT_EQ(run("audit '" + deck + "' --param PID=3").code, 0);
+  EXPECT_EQ(run("audit '" + deck + "' --param pid").code, 2);
+  EXPECT_NE(run("audit '" + deck + "' --param pid=3 --param other=3").err.find("--param other: the deck neither"),
+            std::string::npos);
+}
+
 TEST_F(CommandLine, AContactThatDoesNotExistIsAnError) {
   EXPECT_EQ(run("audit data/two_plates.k --contact 1").code, 0);
   const Outcome outcome = run("audit data/two_plates.k --contact 1,77");

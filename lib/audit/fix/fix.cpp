@@ -123,17 +123,23 @@ class Reporter {
   FixReport& report_;
 };
 
-/// An unread keyword that moves or creates nodes and elements: the corrected geometry would not be the one that runs.
+/// A keyword that moves nodes away from where their lines say, or that moves or creates some and is not read: the
+/// corrected geometry would not be the one that runs.
 Status check_geometry(const keyword::Deck& deck) {
-  constexpr std::array moving{"NODE_MERGE",     "NODE_TRANSFORM",        "ELEMENT_GENERATE",    "PART_MOVE",
-                              "PART_DUPLICATE", "PART_STACKED_ELEMENTS", "INCLUDE_AUTO_OFFSET", "NODE_REPLICATE"};
-  for (const keyword::Block& block : deck.blocks())
-    for (const std::string_view name : moving)
-      if (block.name.starts_with(name))
-        return Diagnostic{Severity::error, deck.file(block.file).path, block.line,
-                          fmt::format("*{} is not read, so that the nodes are not where they run; write its effect "
-                                      "into the coordinates first",
-                                      block.name)};
+  constexpr std::array read{"NODE_TRANSFORM", "PART_MOVE"};
+  constexpr std::array unread{"NODE_MERGE",     "NODE_REPLICATE",        "ELEMENT_GENERATE", "PART_MOVE_",
+                              "PART_DUPLICATE", "PART_STACKED_ELEMENTS", "NODE_TRANSFORM_"};
+  for (const keyword::Block& block : deck.blocks()) {
+    const auto begins = [&](std::string_view name) { return block.name.starts_with(name); };
+    std::string_view why;
+    if (std::any_of(unread.begin(), unread.end(), begins))
+      why = "is not read, so that the nodes are not where they run";
+    else if (std::any_of(read.begin(), read.end(), begins))
+      why = "moves nodes after their lines are read";
+    if (!why.empty())
+      return Diagnostic{Severity::error, deck.file(block.file).path, block.line,
+                        fmt::format("*{} {}; write its effect into the coordinates first", block.name, why)};
+  }
   if (deck.counters().missing_includes > 0)
     return Diagnostic{Severity::error, "", 0, "includes are missing, and with them what nodes could run into"};
   return {};

@@ -49,6 +49,19 @@ bool beam_has_contact(const model::Model& model, PartIndex index) {
   return !(part.section && model.sections[*part.section].elform == model::discrete_beam);
 }
 
+/// Whether a surface is only made of parts whose particles the run makes.
+bool only_later_particles(const model::Model& model, const model::SurfaceInput& input) {
+  using enum model::SurfaceType;
+  const auto type = static_cast<model::SurfaceType>(input.type);
+  if (model.later_particles.empty() || (type != part && type != part_set)) return false;
+  const std::vector<bool> mask = part_mask(model, input, false);
+  const auto chosen = [&](PartIndex p) { return mask[p.value]; };
+  const auto named = static_cast<std::size_t>(std::count(mask.begin(), mask.end(), true));
+  const auto later =
+      static_cast<std::size_t>(std::count_if(model.later_particles.begin(), model.later_particles.end(), chosen));
+  return named > 0 && named == later;
+}
+
 /// Parts that a surface is made of.
 struct ChosenParts {
   std::vector<bool> mask;
@@ -234,8 +247,11 @@ Selection select(const model::Model& model, const model::SurfaceInput& input, co
     if (const auto box = model.boxes.find(input.box); box != model.boxes.end()) keep_box(selection, box->second, x);
   }
   if (input.box < 0) selection.note = fmt::format("box {} (a contact volume) is not honoured", input.box);
-  if (selection.segments.size() == 0 && selection.nodes.empty() && selection.empty_reason.empty())
-    selection.empty_reason = "what it names has no segments or nodes";
+  if (selection.segments.size() == 0 && selection.nodes.empty() && selection.empty_reason.empty()) {
+    selection.later = only_later_particles(model, input);
+    selection.empty_reason =
+        selection.later ? "its particles do not exist before solids fail" : "what it names has no segments or nodes";
+  }
   return selection;
 }
 

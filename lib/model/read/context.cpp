@@ -29,9 +29,19 @@ void Context::error(Place place, std::string message) {
   diagnostics.error(deck.file(place.file).path, place.line, std::move(message));
 }
 
-void Context::duplicate(std::string_view what, std::int64_t id, Place first, Place again) {
+void Context::bad_id(Place place, std::string message) {
+  if (!diagnostics.has_error_in(deck.file(place.file).path, place.line, place.line)) error(place, std::move(message));
+}
+
+void Context::duplicate(std::string_view what, std::int64_t id, Place first, Place again, keyword::IdKind kind) {
   model.faults.push_back(
-      {Fault::Kind::duplicate_id, fmt::format("{} {} is defined again (first in {})", what, id, where(first)), again});
+      {Fault::Kind::duplicate_id,
+       fmt::format("{} {} is defined again (first in {})", what, id_text(again.file, kind, id), where(first)), again});
+}
+
+std::string Context::id_text(FileIndex file, keyword::IdKind kind, std::int64_t id) const {
+  const std::int64_t in_file = deck.id_in_file(file, kind, id);
+  return in_file == 0 ? fmt::format("{}", id) : fmt::format("{} ({} in the file)", id, in_file);
 }
 
 void Context::unknown(std::string message, Place place) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "keyword/card.hpp"
+#include "keyword/transformation.hpp"
 #include "model/entity/raw_sets.hpp"
 #include "model/model.hpp"
 
@@ -29,6 +30,12 @@ struct Context {
   RawSets sets;
   std::map<std::int64_t, std::uint32_t> section_of_id, material_of_id;
   std::uint32_t interfaces = 0;  ///< contacts so far that count
+  /// Parts of particles that the run makes, which need no *PART.
+  std::vector<Part> later_particles = {};
+  std::map<std::uint32_t, Vector> part_moves = {};                     ///< of *PART_MOVE, by position of the part
+  std::map<std::int64_t, const keyword::Block*> transformations = {};  ///< once *NODE_TRANSFORM asked for them
+  std::map<std::int64_t, std::optional<keyword::Placement>> placements = {};
+  std::size_t transformed_nodes = 0;  ///< by *NODE_TRANSFORM so far
   /// Rows of a *DEFINE_TABLE that wait for the curves that follow it; last first.
   std::vector<std::pair<std::int64_t, std::size_t>> waiting_rows = {};
 
@@ -37,7 +44,13 @@ struct Context {
   [[nodiscard]] std::string where(Place place) const;
   void warning(Place place, std::string message);
   void error(Place place, std::string message);
-  void duplicate(std::string_view what, std::int64_t id, Place first, Place again);
+  /// An error about an id, unless the line has one already: then its field could not be read.
+  void bad_id(Place place, std::string message);
+  /// `kind`: node or element, where the file may have another id.
+  void duplicate(std::string_view what, std::int64_t id, Place first, Place again,
+                 keyword::IdKind kind = keyword::IdKind::plain);
+  /// The id, and in brackets that of the file if *INCLUDE_AUTO_OFFSET shifted it.
+  [[nodiscard]] std::string id_text(FileIndex file, keyword::IdKind kind, std::int64_t id) const;
   void unknown(std::string message, Place place);
 
   [[nodiscard]] const keyword::Transform& transform(const keyword::Block& block) const {
@@ -73,6 +86,9 @@ void read_masses(Context& context, const Block& block, const Options& options);
 void read_inertias(Context& context, const Block& block, const Options& options);
 void read_particles(Context& context, const Block& block, const Options& options);
 void read_parts(Context& context, const Block& block, const Options& options);
+void read_later_particles(Context& context, const Block& block, const Options& options);
+void read_part_move(Context& context, const Block& block, const Options& options);
+void read_node_transform(Context& context, const Block& block, const Options& options);
 void read_section_shell(Context& context, const Block& block, const Options& options);
 void read_section_solid(Context& context, const Block& block, const Options& options);
 void read_section_thick_shell(Context& context, const Block& block, const Options& options);
@@ -132,6 +148,8 @@ void read_node_constraints(Context& context, const Block& block);
 // What remains to be done once all blocks of a kind are read.
 void finish_nodes(Context& context);
 void finish_parts(Context& context);
+/// Moves the nodes of the parts that *PART_MOVE names.
+void finish_part_moves(Context& context);
 void finish_elements(Context& context);
 void resolve_sets(Context& context);
 void finish_contacts(Context& context);

@@ -94,7 +94,7 @@ class Appender {
     }
     for (const auto& [part, use] : faults_.unknown_parts)
       context_.unknown(fmt::format("part {} is not defined, but {} elements use it (first: {} {})", part, use.count,
-                                   traits_.what, use.id),
+                                   traits_.what, context_.id_text(block_.file, IdKind::element, use.id)),
                        Context::place(block_, use.line));
     return dropped;
   }
@@ -160,10 +160,11 @@ class Appender {
   void report(const LeftOut& out) {
     const Place place = Context::place(block_, out.line);
     if (out.id <= 0)
-      context_.error(place, fmt::format("{} id {} is not positive; the element is left out", traits_.what, out.id));
+      context_.bad_id(place, fmt::format("{} id {} is not positive; the element is left out", traits_.what, out.id));
     else
       context_.unknown(fmt::format("{} {} names node {}, which is not defined; the element is left out", traits_.what,
-                                   out.id, out.unknown_node),
+                                   context_.id_text(block_.file, IdKind::element, out.id),
+                                   context_.id_text(block_.file, IdKind::node, out.unknown_node)),
                        place);
   }
 

@@ -7,7 +7,7 @@ namespace {
 
 /// Whether a text may be in an integer field of an element's line.
 bool names_something(std::string_view text) {
-  if (text.starts_with('&') || text.starts_with('<')) return true;
+  if (keyword::is_parameter_reference(text)) return true;
   const auto number = parse_integer(text);
   return number && *number > 0;
 }

@@ -27,7 +27,7 @@ void read_curve(Context& context, const Block& block, const Options& options) {
     curve.points.push_back({sfa * (point.real("a1") + offa), sfo * (point.real("o1") + offo)});
   }
   if (id <= 0) {
-    context.error(curve.place, fmt::format("curve id {} is not positive; the curve is left out", id));
+    context.bad_id(curve.place, fmt::format("curve id {} is not positive; the curve is left out", id));
     return;
   }
   if (!context.waiting_rows.empty()) {
@@ -60,7 +60,7 @@ void read_table(Context& context, const Block& block, const Options& options) {
   }
   context.waiting_rows.clear();
   if (id <= 0) {
-    context.error(table.place, fmt::format("table id {} is not positive; the table is left out", id));
+    context.bad_id(table.place, fmt::format("table id {} is not positive; the table is left out", id));
     return;
   }
   const Place again = table.place;

@@ -82,10 +82,12 @@ void append_masses(Context& context, const Block& block, const ElementRows& rows
 template <std::size_t N, class... Columns>
 std::vector<std::uint32_t> finish_kind(Context& context, std::string_view what, Elements<N>& elements,
                                        Columns&... columns) {
+  // Particles are called by their nodes.
+  const IdKind kind = what == "SPH particle" ? IdKind::node : IdKind::element;
   const auto place = [&](std::uint32_t i) { return Place{elements.origins.file(i), elements.line[i]}; };
   std::vector<std::uint32_t> again = elements.lookup.build(elements.id);
   for (const std::uint32_t i : again)
-    context.duplicate(what, elements.id[i], place(*elements.lookup.find(elements.id[i])), place(i));
+    context.duplicate(what, elements.id[i], place(*elements.lookup.find(elements.id[i])), place(i), kind);
   if (again.empty()) return again;
   erase_positions(again, elements.origins, elements.id, elements.nodes, elements.part, elements.line, columns...);
   elements.lookup.build(elements.id);

@@ -188,7 +188,8 @@ void read_material(Context& context, const Block& block, const Options& options)
   material.keyword = "MAT_" + (known != nullptr ? std::string(known->name) : bare);
   if (known == nullptr && material.keyword.ends_with("_TITLE")) material.keyword.resize(material.keyword.size() - 6);
   if (material.id <= 0) {
-    context.error(material.place, fmt::format("material id {} is not positive; the material is left out", material.id));
+    context.bad_id(material.place,
+                   fmt::format("material id {} is not positive; the material is left out", material.id));
     return;
   }
   const keyword::Transform& units = context.transform(block);

@@ -13,8 +13,8 @@ namespace {
 using Read = void (*)(Context&, const Block&, const Options&);
 
 /// Things that refer to others are read after them, wherever they are in the deck.
-enum class Phase : std::uint8_t { nodes, properties, parts, elements, boxes, sets, rest };
-constexpr std::size_t phases = 7;
+enum class Phase : std::uint8_t { nodes, properties, parts, elements, boxes, sets, part_moves, moves, rest };
+constexpr std::size_t phases = 9;
 
 /// Keywords that change the geometry or the sets but are not read yet: skipping them silently would give wrong answers.
 void warn_unread(Context& context, const Block& block, const Options&) {
@@ -37,7 +37,7 @@ constexpr KeywordFamily keyword_families[] = {
     {"NODE", Phase::nodes, read_nodes},
     {"NODE_MERGE", Phase::rest, warn_unread, "*"},
     {"NODE_THICKNESS", Phase::rest, warn_unread, "*"},
-    {"NODE_TRANSFORM", Phase::rest, warn_unread, "*"},
+    {"NODE_TRANSFORM", Phase::moves, read_node_transform, "", true},
     {"ELEMENT_SHELL", Phase::elements, read_shells, "THICKNESS BETA MCID OFFSET DOF COMPOSITE LONG SHL4 TO SHL8", true},
     {"ELEMENT_SHELL_SOURCE_SINK", Phase::rest, nullptr},
     {"ELEMENT_SOLID", Phase::elements, read_solids,
@@ -57,8 +57,10 @@ constexpr KeywordFamily keyword_families[] = {
      "INERTIA REPOSITION CONTACT PRINT AVERAGED ATTACHMENT NODES FIELD COMPOSITE TSHELL LONG"},
     {"PART_COMPOSITE_IGA_SHELL", Phase::rest, warn_unread, "*"},
     {"PART_DUPLICATE", Phase::rest, warn_unread, "*"},
-    {"PART_MOVE", Phase::rest, warn_unread, "*"},
+    {"PART_MOVE", Phase::part_moves, read_part_move, "", true},
     {"PART_STACKED_ELEMENTS", Phase::rest, warn_unread, "*"},
+    {"DEFINE_ADAPTIVE_SOLID_TO_DES", Phase::properties, read_later_particles, "ID"},
+    {"DEFINE_ADAPTIVE_SOLID_TO_SPH", Phase::properties, read_later_particles, "ID"},
     {"SECTION", Phase::properties, read_section_other, "*"},
     {"SECTION_SHELL", Phase::properties, read_section_shell, "TITLE MISC EFG THERMAL XFEM", true},
     {"SECTION_SOLID", Phase::properties, read_section_solid, "TITLE EFG MISC PERI SPG", true},
@@ -230,6 +232,9 @@ void read_blocks(Context& context) {
   run(Phase::boxes);
   run(Phase::sets);
   resolve_sets(context);
+  run(Phase::part_moves);
+  finish_part_moves(context);
+  run(Phase::moves);
   run(Phase::rest);
   for (const PlannedBlock& next : planned[static_cast<std::size_t>(Phase::nodes)])
     read_node_constraints(context, *next.block);
@@ -249,6 +254,7 @@ Result<Model> read_model(const keyword::Deck& deck, Diagnostics& diagnostics) {
   Context context{deck, diagnostics, model, {}, {}, {}, 0};
   read_blocks(context);
   sort_faults(model.faults);
+  keyword::warn_of_unused_parameters(deck, diagnostics);
   return {std::move(model)};
 }
 

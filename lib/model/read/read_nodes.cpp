@@ -48,13 +48,13 @@ void finish_nodes(Context& context) {
   std::vector<std::uint32_t> dropped;
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     if (nodes.id[i] > 0) continue;
-    context.error(place(i), fmt::format("node id {} is not positive; the node is left out", nodes.id[i]));
+    context.bad_id(place(i), fmt::format("node id {} is not positive; the node is left out", nodes.id[i]));
     dropped.push_back(i);
   }
   erase_positions(dropped, nodes.origins, nodes.id, nodes.x, nodes.line);
   const std::vector<std::uint32_t> again = nodes.lookup.build(nodes.id);
   for (const std::uint32_t i : again)
-    context.duplicate("node", nodes.id[i], place(*nodes.lookup.find(nodes.id[i])), place(i));
+    context.duplicate("node", nodes.id[i], place(*nodes.lookup.find(nodes.id[i])), place(i), IdKind::node);
   if (again.empty()) return;
   erase_positions(again, nodes.origins, nodes.id, nodes.x, nodes.line);
   nodes.lookup.build(nodes.id);

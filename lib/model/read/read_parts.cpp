@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/number.hpp"
 #include "model/read/cards.hpp"
 #include "model/read/context.hpp"
@@ -80,7 +82,7 @@ void read_plain(Context& context, CardReader& reader, const Options& options, Pa
 void add_part(Context& context, Part part) {
   Model& model = context.model;
   if (part.id.value <= 0) {
-    context.error(part.place, fmt::format("part id {} is not positive; the part is left out", part.id.value));
+    context.bad_id(part.place, fmt::format("part id {} is not positive; the part is left out", part.id.value));
     return;
   }
   const auto [entry, is_new] =
@@ -114,7 +116,35 @@ void read_parts(Context& context, const Block& block, const Options& options) {
   }
 }
 
+void read_later_particles(Context& context, const Block& block, const Options& options) {
+  const CardLayout& layout = keyword::card_layout("DEFINE_ADAPTIVE_SOLID_TO_SPH", "card1");
+  CardReader reader(context.deck, block, context.diagnostics);
+  if (options.has("ID")) reader.skip();
+  const Card card = reader.next(layout);
+  Part part;
+  part.id = PartId(card.integer("npid"));
+  part.title = "particles of failed solids";
+  part.section_id = card.integer("nsid");
+  part.place = Context::place(block, card.line());
+  if (part.id.value > 0) context.later_particles.push_back(std::move(part));
+}
+
+/// The parts of later particles, those without a *PART among them.
+void add_later_particles(Context& context) {
+  Model& model = context.model;
+  for (Part& part : context.later_particles) {
+    const auto [entry, is_new] =
+        model.part_of_id.try_emplace(part.id.value, static_cast<std::uint32_t>(model.parts.size()));
+    model.later_particles.push_back(entry->second);
+    if (is_new) model.parts.push_back(std::move(part));
+  }
+  std::sort(model.later_particles.begin(), model.later_particles.end());
+  model.later_particles.erase(std::unique(model.later_particles.begin(), model.later_particles.end()),
+                              model.later_particles.end());
+}
+
 void finish_parts(Context& context) {
+  add_later_particles(context);
   const auto find = [](const auto& table, std::int64_t id) -> std::optional<std::uint32_t> {
     const auto found = table.find(id);
     return found == table.end() ? std::nullopt : std::optional(found->second);

@@ -20,7 +20,7 @@ std::int64_t lines_of_eight(std::int64_t count) { return count <= 0 ? 0 : (count
 
 void add_section(Context& context, Section section) {
   if (section.id <= 0) {
-    context.error(section.place, fmt::format("section id {} is not positive; the section is left out", section.id));
+    context.bad_id(section.place, fmt::format("section id {} is not positive; the section is left out", section.id));
     return;
   }
   Model& model = context.model;
@@ -41,12 +41,18 @@ Section begin_section(const Block& block, const Card& card, SectionKind kind) {
   return section;
 }
 
+/// Titles have blanks or begin with a letter.
+bool may_be_number(std::string_view text) {
+  return parse_real(text) || (keyword::is_parameter_reference(text) && text.find(' ') == std::string_view::npos &&
+                              std::string_view("&-+(<.0123456789").find(text.front()) != std::string_view::npos);
+}
+
 /// The card contains only numbers, so it is not one of the titles allowed from the second section on.
 bool is_section_card(const CardReader& reader, const CardLayout& layout) {
   const Card card = reader.peek(layout);
   for (std::size_t i = 0; i < card.size(); ++i) {
     const std::string_view text = card.text(i);
-    if (!text.empty() && !text.starts_with('&') && !parse_real(text)) return false;
+    if (!text.empty() && !may_be_number(text)) return false;
   }
   return !card.text(std::size_t{0}).empty();
 }

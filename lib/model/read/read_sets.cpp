@@ -230,7 +230,7 @@ void read_set(Context& context, const Block& block, const Options& options) {
   set.place.line = card.line();
   set.collect = options.has("COLLECT");
   if (set.id <= 0) {
-    context.error(set.place, fmt::format("{} id {} is not positive; the set is left out", traits.words, set.id));
+    context.bad_id(set.place, fmt::format("{} id {} is not positive; the set is left out", traits.words, set.id));
     return;
   }
   const bool list = !options.any({"ADD", "INTERSECT"});

@@ -80,7 +80,7 @@ TEST(Parts, TruncatedCardIsAnError) {
 }
 
 TEST(Parts, KeywordsThatMovePartsAreNamed) {
-  const Read read = read_text("*PART_MOVE\n1,1.,0.,0.\n*PART_DUPLICATE\nPART,1\n*PART_ANNEAL\n1\n");
+  const Read read = read_text("*PART_MOVE_N2N\n1,1.,0.,0.\n*PART_DUPLICATE\nPART,1\n*PART_ANNEAL\n1\n");
   EXPECT_EQ(read.warnings(), 2u) << read.text();
 }
 

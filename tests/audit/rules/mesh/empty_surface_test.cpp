@@ -37,6 +37,25 @@ TEST(EmptySurface, BothSidesOfAllKindsOfContact) {
   EXPECT_EQ(found("SINGLE_EDGE", "2,0,3,0"), 1U);
 }
 
+TEST(EmptySurface, ParticlesThatTheRunMakes) {
+  const auto findings = [](const std::string& card1, const std::string& rule, const std::string& keyword,
+                           const std::string& card) {
+    RuleDeck deck;
+    deck.shell_part(1, 1).solid_part(3).solid_part(4).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);
+    deck.block(101, 3, 1, 1, 1, Vector(0, 0, 2), Vector(5, 5, 5));
+    deck.raw("SET_PART_LIST", "8\n7\n").raw("SET_PART_LIST", "9\n7,4\n").raw(keyword, card);
+    return listed(run_rule(rule, deck.contact(1, "AUTOMATIC_NODES_TO_SURFACE", card1, "0.\n1.,1.\n")));
+  };
+  for (const char* keyword : {"DEFINE_ADAPTIVE_SOLID_TO_SPH", "DEFINE_ADAPTIVE_SOLID_TO_DES"})
+    for (const char* card1 : {"7,1,3,3", "8,1,2,3"}) {
+      EXPECT_EQ(findings(card1, "GC503", keyword, "3,0,1,7,7,1"), 0U) << keyword;
+      EXPECT_EQ(findings(card1, "GC502", keyword, "3,0,1,7,7,1"), 0U) << keyword;
+    }
+  EXPECT_EQ(findings("7,1,3,3", "GC503", "DEFINE_ADAPTIVE_SOLID_TO_SPH_ID", "12\n3,0,1,7,7,1"), 0U);
+  EXPECT_GT(findings("7,1,3,3", "GC502", "DEFINE_ADAPTIVE_SOLID_TO_SPH", "3,0,1,6,6,1"), 0U) << "of another part";
+  EXPECT_EQ(findings("9,1,2,3", "GC503", "DEFINE_ADAPTIVE_SOLID_TO_SPH", "3,0,1,7,7,1"), 1U) << "part 4 is just empty";
+}
+
 TEST(EmptySurface, NodesAreNoReferenceSurface) {
   EXPECT_EQ(found("AUTOMATIC_NODES_TO_SURFACE", "3,1,4,3"), 0U);
   EXPECT_EQ(found("AUTOMATIC_NODES_TO_SURFACE", "4,1,4,3"), 1U);

@@ -1,4 +1,4 @@
-#include "keyword/expression.hpp"
+#include "keyword/text/expression.hpp"
 
 #include <algorithm>
 #include <array>

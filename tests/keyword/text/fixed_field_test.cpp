@@ -1,4 +1,4 @@
-#include "keyword/fixed_field.hpp"
+#include "keyword/text/fixed_field.hpp"
 
 #include <gtest/gtest.h>
 

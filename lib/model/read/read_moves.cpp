@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "keyword/transformation.hpp"
+#include "model/read/cards.hpp"
+#include "model/read/context.hpp"
+
+namespace gapcheck::model {
+namespace {
+
+/// Nodes that *NODE_TRANSFORM may move in all, as a multiple of the model's: keeps a hostile deck from moving the same
+/// large set again and again.
+constexpr std::size_t most_transforms = 100;
+
+/// Nodes of the parts that move, each once per part.
+template <std::size_t N>
+void add_moves(const Elements<N>& elements, const std::map<std::uint32_t, Vector>& moves,
+               std::vector<std::pair<NodeIndex, std::uint32_t>>& nodes) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const std::uint32_t part = elements.part[i].value;
+    if (!moves.contains(part)) continue;
+    for (const NodeIndex n : elements.nodes[i])
+      if (n != none<NodeIndex>) nodes.emplace_back(n, part);
+  }
+}
+
+/// The block that defines a transformation; nullptr: none does.
+const Block* find_transformation(Context& context, std::int64_t id) {
+  if (context.transformations.empty()) {
+    Diagnostics unused;  // includes that name one report its faults
+    for (const Block& block : context.deck.blocks())
+      if (block.name == "DEFINE_TRANSFORMATION" || block.name == "DEFINE_TRANSFORMATION_TITLE")
+        context.transformations.emplace(keyword::transformation_id(context.deck, block, unused), &block);
+  }
+  const auto found = context.transformations.find(id);
+  return found == context.transformations.end() ? nullptr : found->second;
+}
+
+/// Where a transformation places points; nothing (and a report) if it is not defined or has a fault.
+const std::optional<keyword::Placement>& find_placement(Context& context, std::int64_t id, Place place) {
+  const auto [entry, is_new] = context.placements.try_emplace(id);
+  if (!is_new) return entry->second;
+  if (const Block* definition = find_transformation(context, id))
+    entry->second = keyword::read_transformation(context.deck, *definition, context.diagnostics);
+  else
+    context.unknown(fmt::format("*NODE_TRANSFORM names transformation {}, which is not defined", id), place);
+  return entry->second;
+}
+
+void move_set(Context& context, const Set<NodeIndex>& set, const keyword::Placement& placement, Place place) {
+  Nodes& nodes = context.model.mesh.nodes;
+  context.transformed_nodes += set.members.size();
+  if (context.transformed_nodes > most_transforms * (nodes.size() + 1)) {
+    context.error(place, "*NODE_TRANSFORM: the deck moves its nodes too many times; the rest was not read");
+    return;
+  }
+  for (const NodeIndex n : set.members) nodes.x[n.value] = placement.matrix * nodes.x[n.value] + placement.shift;
+}
+
+}  // namespace
+
+void read_part_move(Context& context, const Block& block, const Options&) {
+  static const CardLayout layout = [] {
+    CardLayout card = keyword::card_layout("PART_MOVE", "card1");
+    card.fields[0].id = IdKind::plain;  // a part or a set
+    return card;
+  }();
+  const keyword::Transform& transform = context.transform(block);
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card card = reader.next(layout);
+    const Place place = Context::place(block, card.line());
+    const bool of_set = card.integer("ifset") == 1;
+    const std::int64_t id = context.with_offset(block, of_set ? IdKind::set : IdKind::part, card.integer("pid"));
+    if (card.integer("cid") != 0) {
+      context.warning(place,
+                      fmt::format("*PART_MOVE: {} {} is checked where its nodes stand in the deck, since its move "
+                                  "is given in the coordinate system {}, which is not read",
+                                  of_set ? "part set" : "part", id, card.integer("cid")));
+      continue;
+    }
+    const Vector written(card.real("xmov"), card.real("ymov"), card.real("zmov"));
+    const Vector along = transform.places ? Vector(transform.matrix * written) : written;
+    const auto add = [&](PartIndex part) {
+      context.part_moves.try_emplace(part.value, Vector::Zero()).first->second += context.length(block, 1) * along;
+    };
+    if (of_set) {
+      const auto set = context.model.sets.parts.find(id);
+      if (set == context.model.sets.parts.end())
+        context.unknown(fmt::format("*PART_MOVE names part set {}, which is not defined", id), place);
+      else
+        for (const PartIndex part : set->second.members) add(part);
+    } else if (const PartIndex part = context.part(id); part != none<PartIndex>) {
+      add(part);
+    } else {
+      context.unknown(fmt::format("*PART_MOVE names part {}, which is not defined", id), place);
+    }
+  }
+}
+
+void finish_part_moves(Context& context) {
+  if (context.part_moves.empty()) return;
+  Mesh& mesh = context.model.mesh;
+  std::vector<std::pair<NodeIndex, std::uint32_t>> nodes;
+  add_moves(mesh.shells, context.part_moves, nodes);
+  add_moves(mesh.solids, context.part_moves, nodes);
+  add_moves(mesh.thick_shells, context.part_moves, nodes);
+  add_moves(mesh.beams, context.part_moves, nodes);
+  add_moves(mesh.discrete, context.part_moves, nodes);
+  add_moves(mesh.masses, context.part_moves, nodes);
+  add_moves(mesh.particles, context.part_moves, nodes);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  for (const auto& [node, part] : nodes) mesh.nodes.x[node.value] += context.part_moves.at(part);
+  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  const auto twice = std::adjacent_find(nodes.begin(), nodes.end(), same);
+  if (twice == nodes.end()) return;
+  const auto node = twice->first.value;
+  context.warning(
+      {mesh.nodes.origins.file(node), mesh.nodes.line[node]},
+      fmt::format("node {} and perhaps others belong to several parts that *PART_MOVE moves: they are moved "
+                  "with each of these",
+                  mesh.nodes.id[node]));
+}
+
+void read_node_transform(Context& context, const Block& block, const Options&) {
+  const CardLayout& layout = keyword::card_layout("NODE_TRANSFORM", "card1");
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card card = reader.next(layout);
+    const Place place = Context::place(block, card.line());
+    const auto set = context.model.sets.nodes.find(card.integer("nsid"));
+    if (set == context.model.sets.nodes.end())
+      context.unknown(fmt::format("*NODE_TRANSFORM names node set {}, which is not defined", card.integer("nsid")),
+                      place);
+    else if (const auto& placement = find_placement(context, card.integer("trsid"), place))
+      move_set(context, set->second, *placement, place);
+  }
+}
+
+}  // namespace gapcheck::model
