@@ -34,18 +34,24 @@ DECKS = [
 SMALL = [("two_plates", "two_plates.k", []), ("tied_then_contact", "tied_then_contact.k", ["-I", "."])]
 
 
-def findings(program, folder, deck, extra):
-    """How often each rule fires; a line that represents many counts as that many."""
+def audit(program, folder, deck, extra, *more):
     extra = [str(folder / a) if i and extra[i - 1] == "-I" else a for i, a in enumerate(extra)]
-    run = subprocess.run([program, "audit", str(folder / deck), "--format", "json", "--fail-on", "never", *extra],
+    run = subprocess.run([program, "audit", str(folder / deck), "--fail-on", "never", *extra, *more],
                          capture_output=True, text=True)
     if not run.stdout:
         sys.exit(f"{deck}: {run.stderr.strip()}")
-    report = json.loads(run.stdout)
+    return run.stdout
+
+
+def findings(program, folder, deck, extra):
+    """The model, how often each rule fires (a line that represents many counts as that many), and the lines of the text
+    report, short and whole."""
+    report = json.loads(audit(program, folder, deck, extra, "--format", "json"))
+    lines = [audit(program, folder, deck, extra, *more).count("\n") for more in ([], ["--list"])]
     count = collections.Counter()
     for f in report["findings"]:
         count[f["id"]] += f.get("count", 1)
-    return report["model"], count
+    return report["model"], count, lines
 
 
 def table(program, folder, chosen):
@@ -53,11 +59,12 @@ def table(program, folder, chosen):
     on_decks = [line for line in listed if line.startswith("GC") and not line.startswith("GC6")]  # GC6: rules on runs
     rules = [line.split()[:2] for line in on_decks]
     decks = [(name, *findings(program, folder, deck, extra)) for name, deck, extra in chosen]
-    lines = ["| deck | nodes | contacts |", "|---|---:|---:|"]
-    lines += [f"| {name} | {model['nodes']:,} | {model['contacts']} |" for name, model, _ in decks]
-    lines += ["", "| rule | " + " | ".join(name for name, _, _ in decks) + " |", "|---|" + "---:|" * len(decks)]
+    lines = ["| deck | nodes | contacts | lines of the report | with `--list` |", "|---|---:|---:|---:|---:|"]
+    lines += [f"| {name} | {model['nodes']:,} | {model['contacts']} | {short} | {whole:,} |"
+              for name, model, _, (short, whole) in decks]
+    lines += ["", "| rule | " + " | ".join(deck[0] for deck in decks) + " |", "|---|" + "---:|" * len(decks)]
     for id_, rule in rules:
-        cells = [f"{count[id_]:,}" if count[id_] else "" for _, _, count in decks]
+        cells = [f"{count[id_]:,}" if count[id_] else "" for _, _, count, _ in decks]
         lines.append(f"| {id_} [{rule}](rules/{rule}.md) | " + " | ".join(cells) + " |")
     return "\n".join(lines)
 

@@ -4,11 +4,13 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "audit/registry.hpp"
 #include "base/file_writer.hpp"
@@ -56,11 +58,16 @@ void add_output(CLI::App& command, OutputOptions& options) {
           ->type_name("FILE"),
       command.add_option("--html", options.html, "Write a page for a browser too: tables and a picture")
           ->type_name("FILE"),
-      command.add_option("--top", options.text.top, "Deepest nodes to show per contact")
+      command.add_option("--top", options.text.top, "Lines per rule; with --all, deepest nodes per contact")
           ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
+          ->each([&options](const std::string&) { options.limit_per_rule = true; })
           ->type_name("N")
           ->capture_default_str(),
-      command.add_flag("--list", options.text.list, "Show every node and finding"),
+      command.add_flag("--all", options.text.all, "No bound on lines, and each contact with its deepest nodes"),
+      command.add_flag("--list", options.text.list, "The same with every node and every finding"),
+      command.add_option("--group-by", options.group_by, "What the lines of findings stand under")
+          ->check(CLI::IsMember({"severity", "rule", "contact", "part", "file"}))
+          ->capture_default_str(),
       command.add_option("--fail-on", options.fail_on, "Least severity that gives exit code 1")
           ->check(CLI::IsMember({"error", "warning", "note", "never"}))
           ->capture_default_str(),
@@ -86,9 +93,20 @@ std::optional<Severity> limit_of(const std::string& fail_on) {
   return std::nullopt;
 }
 
+report::GroupBy group_by(const std::string& text) {
+  using enum report::GroupBy;
+  for (const auto& [name, value] :
+       {std::pair("rule", rule), std::pair("contact", contact), std::pair("part", part), std::pair("file", file)})
+    if (text == name) return value;
+  return severity;
+}
+
 void write_text(const report::Reports& reports, const OutputOptions& options, Output& output) {
   report::TextOptions text = options.text;
   text.color = output.color();
+  text.width = output.width();
+  text.group_by = group_by(options.group_by);
+  if (options.limit_per_rule) text.per_rule = std::max<std::size_t>(text.top, 1);  // at least one: nothing is dropped
   const std::string_view between = text.quiet ? "" : "\n";
   for (std::size_t i = 0; i < reports.all.size(); ++i) {
     if (i > 0) output.write(between);

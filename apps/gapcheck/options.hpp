@@ -39,6 +39,8 @@ CLI::Option* add_list(CLI::App& command, const std::string& name, std::vector<Va
 struct OutputOptions {
   std::string format = "text", output, fail_on = "error";
   std::string html;  ///< path of the page; empty: not requested
+  std::string group_by = "severity";
+  bool limit_per_rule = false;  ///< --top was given: it holds for the lines of each rule too
   report::TextOptions text;
 };
 void add_output(CLI::App& command, OutputOptions& options);

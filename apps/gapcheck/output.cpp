@@ -1,6 +1,7 @@
 #include "output.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -36,6 +37,13 @@ Status Output::close() {
 bool Output::color() const {
   const char* no_color = std::getenv("NO_COLOR");  // NOLINT(concurrency-mt-unsafe): nothing here sets variables
   return !file_ && status_.ok() && obeys_escapes(STDOUT_FILENO) && (no_color == nullptr || *no_color == '\0');
+}
+
+std::size_t Output::width() const {
+  winsize size{};
+  if (file_ || !status_.ok() || ::isatty(STDOUT_FILENO) == 0) return 0;
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return 0;
+  return size.ws_col;
 }
 
 void print(const Diagnostic& diagnostic) { std::fputs(line_of("gapcheck", diagnostic).c_str(), stderr); }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,8 @@ class Output {
   [[nodiscard]] Status close();
   /// Use ANSI colours: a terminal that is not dumb, and NO_COLOR is not set.
   [[nodiscard]] bool color() const;
+  /// Columns of the terminal; 0: not written to one, or not known.
+  [[nodiscard]] std::size_t width() const;
 
  private:
   std::optional<FileWriter> file_;  ///< none: standard output

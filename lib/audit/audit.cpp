@@ -6,6 +6,7 @@
 #include <chrono>
 #include <numeric>
 
+#include "audit/causes.hpp"
 #include "audit/ids_in_files.hpp"
 #include "audit/ignore_reviews.hpp"
 #include "audit/members.hpp"
@@ -198,6 +199,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
          fmt::format("{} findings about things with fields that could not be read are left out", left_out)});
   std::erase_if(report.findings, [&](const Finding& f) { return !keep(f, options.parts); });
   place_at_nodes(report.findings, model.mesh.nodes);
+  link_causes(context, report);
   name_ids_in_files(deck, model, report.findings);
   const IgnoreOutcome ignores = leave_out_ignored(report, deck, options);
   const std::size_t reviews = report.findings.size();

@@ -34,6 +34,7 @@ Finding finding(const RuleIdentity& rule, std::string message, std::string file,
   f.message = std::move(message);
   f.file = std::move(file);
   f.line = line;
+  f.consequence = rule.consequence;
   return f;
 }
 
@@ -52,9 +53,10 @@ void add_faults(const RuleIdentity& rule, Context& context, Report& report, mode
       report.findings.push_back(finding(rule, fault.message, context.path(fault.place.file), fault.place.line));
   }
   for (const auto& [what, n] : count) {
-    if (n > in_full)
-      report.findings.push_back(
-          finding(rule, fmt::format("{}: {} more findings of this kind", what, n - in_full), "", 0));
+    if (n <= in_full) continue;
+    report.findings.push_back(
+        finding(rule, fmt::format("{}: {} more findings of this kind", what, n - in_full), "", 0));
+    report.findings.back().count = n - in_full;
   }
 }
 

@@ -71,7 +71,6 @@ void Diagnostics::take(const Diagnostics& other) {
     errors = other.errors_;
     dropped = other.dropped_;
   }
-  sort_by_place(list);
   for (Diagnostic& diagnostic : list) {
     if (diagnostic.severity == Severity::error) --errors;
     add(std::move(diagnostic));

@@ -37,7 +37,7 @@ class Diagnostics {
   /// the number of lines and the first ones, then the advice. `where`: "*NODE, field x".
   void error_of_cause(const std::string& what, const std::string& advice, const std::string& file, std::uint32_t line,
                       const std::string& where);
-  /// Adds all that another list has, the kept ones in its sorted order.
+  /// Adds all that another list has, the kept ones in the order in which it got them.
   void take(const Diagnostics& other);
   /// True if there is an error in one of the lines.
   [[nodiscard]] bool has_error_in(const std::string& file, std::uint32_t first, std::uint32_t last) const;

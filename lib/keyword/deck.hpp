@@ -60,6 +60,13 @@ struct ReadOptions {
   FileCache* cache = nullptr;  ///< files shared with other decks; must outlive the reading
 };
 
+/// An include that no directory has.
+struct MissingInclude {
+  std::string name;  ///< as written
+  FileIndex file;    ///< that names it
+  std::uint32_t line = 0;
+};
+
 /// What was skipped on purpose, for --stats.
 struct DeckCounters {
   std::uint64_t bytes = 0, files = 0, missing_includes = 0, encrypted_blocks = 0;
@@ -82,6 +89,8 @@ class Deck {
   /// The id that a file has for a node or element of the model, if *INCLUDE_AUTO_OFFSET shifted it; else 0.
   [[nodiscard]] std::int64_t id_in_file(FileIndex file, IdKind kind, std::int64_t id) const;
   [[nodiscard]] const DeckCounters& counters() const { return counters_; }
+  /// In the order of reading; as many as DeckCounters::missing_includes.
+  [[nodiscard]] std::span<const MissingInclude> missing_includes() const { return missing_includes_; }
   /// Frees the text of long blocks whose names `done` accepts, once nobody needs it any more: their bodies become
   /// empty, as do the bytes of their files.
   void drop_text(const std::function<bool(std::string_view name)>& done);
@@ -98,6 +107,7 @@ class Deck {
   Parameters parameters_;
   std::vector<Transform> transforms_{Transform{}};
   DeckCounters counters_;
+  std::vector<MissingInclude> missing_includes_;
   bool ended_ = false;
 };
 

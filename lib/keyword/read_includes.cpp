@@ -51,6 +51,13 @@ std::string about_shift(const IncludeName& include, const HighestIds& highest) {
          ", the highest ids read before; ids in its sets and other lists are not";
 }
 
+constexpr std::string_view bad_include_name =
+    "the name of the include is longer than 236 characters or not a text; shorten it";
+
+std::string too_many_files(std::uint32_t limit) {
+  return "the deck has more than " + std::to_string(limit) + " files; the rest was not read";
+}
+
 /// Why the file `canonical` cannot be included in the file `at` of `files`; empty: it can. `canonicals`: beside
 /// `files`.
 std::string reason_against(const std::string& canonical, FileIndex at, std::span<const SourceFile> files,
@@ -143,16 +150,13 @@ bool DeckReader::open_include(const FileContext& context, const Block& block, co
   if (stopped_) return false;
   // The main file is one of the files. Missing ones count as well: searching for each takes time.
   if (++includes_ >= options_.max_files) {
-    diagnostics_.error(
-        path_of(block.file), include.line,
-        "the deck has more than " + std::to_string(options_.max_files) + " files; the rest was not read");
+    diagnostics_.error(path_of(block.file), include.line, too_many_files(options_.max_files));
     stopped_ = true;
     return false;
   }
   const bool bad_name = include.name.size() > max_include_name || include.name.find('\0') != std::string::npos;
   if (bad_name) {
-    diagnostics_.error(path_of(block.file), include.line,
-                       "the name of the include is longer than 236 characters or not a text; shorten it");
+    diagnostics_.error(path_of(block.file), include.line, std::string(bad_include_name));
     return false;
   }
   const auto open = [&](const std::string& file) {
@@ -161,6 +165,7 @@ bool DeckReader::open_include(const FileContext& context, const Block& block, co
   const auto found = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file), open);
   if (!found) {
     ++deck_.counters_.missing_includes;
+    deck_.missing_includes_.push_back({include.name, block.file, include.line});
     diagnostics_.add({options_.skip_missing_includes ? Severity::warning : Severity::error, path_of(block.file),
                       include.line, "include \"" + include.name + advice(include.name)});
     return false;

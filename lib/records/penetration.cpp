@@ -52,4 +52,10 @@ std::string_view name(ThicknessRule rule) {
   return "?";
 }
 
+bool within_rounding(const Penetration& record) {
+  constexpr double share_of_distance = 1e-6, single_precision = 0x1p-23;
+  return record.depth <= share_of_distance * record.contact_distance ||
+         record.depth <= single_precision * record.original.cwiseAbs().maxCoeff();
+}
+
 }  // namespace gapcheck

@@ -79,4 +79,9 @@ struct Penetration {
   [[nodiscard]] bool recommended() const { return outcome == Outcome::kept && moved_to != original; }
 };
 
+/// The depth is less than the written coordinates and the mesh can mean: at most 1e-6 of the contact distance, or the
+/// rounding of the node's largest coordinate to single precision, which most pre-processors write. It has no effect
+/// that a run could show, so it is a note whatever its rule.
+[[nodiscard]] bool within_rounding(const Penetration& record);
+
 }  // namespace gapcheck

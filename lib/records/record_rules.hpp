@@ -13,35 +13,58 @@ namespace record_rules {
 
 // Severity warning: the solver copes, but the model is not the intended one.
 inline constexpr RuleIdentity initial_penetration{
-    "GC101", "initial-penetration", Severity::warning,
-    "a tracked node is nearer to a segment than the contact distance when the solver starts", Need::node_penetrations};
+    "GC101",
+    "initial-penetration",
+    Severity::warning,
+    "a tracked node is nearer to a segment than the contact distance when the solver starts",
+    Need::node_penetrations,
+    "The solver moves the nodes out, or starts with a force on them"};
 inline constexpr RuleIdentity released_node{
-    "GC102", "released-node", Severity::error,
-    "a tracked node penetrates so deep that the solver drops it from the contact", Need::node_penetrations};
+    "GC102",
+    "released-node",
+    Severity::error,
+    "a tracked node penetrates so deep that the solver drops it from the contact",
+    Need::node_penetrations,
+    "The contact lets go of the nodes: they pass through freely"};
 inline constexpr RuleIdentity edge_zone_penetration{
-    "GC106", "edge-zone-penetration", Severity::note,
+    "GC106",
+    "edge-zone-penetration",
+    Severity::note,
     "a node is within the contact distance of an edge or corner, but outside every segment's band",
-    Need::node_penetrations};
+    Need::node_penetrations,
+    "Nothing at the start, but contact begins with a jump as soon as the node slides over the segment"};
 inline constexpr RuleIdentity segment_penetration{
-    "GC107", "segment-penetration", Severity::warning,
+    "GC107",
+    "segment-penetration",
+    Severity::warning,
     "a corner of a segment is nearer to another segment than the contact distance, in a contact with SOFT = 2",
-    Need::segment_penetrations};
+    Need::segment_penetrations,
+    "The contact starts with a force, or forgives the overlap if IGNORE says so"};
 inline constexpr RuleIdentity mortar_penetration{
-    "GC108", "mortar-penetration", Severity::warning,
+    "GC108",
+    "mortar-penetration",
+    Severity::warning,
     "a corner of a segment is nearer to another segment than the contact distance, in a mortar contact",
-    Need::mortar_penetrations};
+    Need::mortar_penetrations,
+    "The contact starts with a force, or forgives the overlap if IGNORE says so"};
 inline constexpr RuleIdentity edge_penetration{
-    "GC109", "edge-penetration", Severity::warning,
+    "GC109",
+    "edge-penetration",
+    Severity::warning,
     "two edges or beams are nearer to each other than the contact distance, in a contact of type 26",
-    Need::edge_penetrations};
+    Need::edge_penetrations,
+    "The contact starts with a force on the edges"};
 
-inline constexpr RuleIdentity untied_node{"GC201", "untied-node", Severity::warning,
-                                          "a node of a tied contact stays untied", Need::ties};
-inline constexpr RuleIdentity tie_offset{"GC202", "tie-offset", Severity::warning,
-                                         "a tied node keeps a distance whose moments the tie does not carry",
-                                         Need::ties};
-inline constexpr RuleIdentity tie_moved{"GC204", "tie-moved", Severity::note,
-                                        "tying moves a node visibly, without stress", Need::ties};
+inline constexpr RuleIdentity untied_node{"GC201",           "untied-node",
+                                          Severity::warning, "a node of a tied contact stays untied",
+                                          Need::ties,        "The nodes are not joined to anything"};
+inline constexpr RuleIdentity tie_offset{
+    "GC202",           "tie-offset",
+    Severity::warning, "a tied node keeps a distance whose moments the tie does not carry",
+    Need::ties,        "The tie drops the moments of the distance: it is too soft, or creates energy in rotation"};
+inline constexpr RuleIdentity tie_moved{"GC204",        "tie-moved",
+                                        Severity::note, "tying moves a node visibly, without stress",
+                                        Need::ties,     "The mesh changes where the tie moves its nodes"};
 
 }  // namespace record_rules
 

@@ -40,7 +40,10 @@ struct Finding {
   std::uint64_t count = 1;      ///< more than 1: a line that represents that many things
   std::string file;             ///< empty: none
   std::uint32_t line = 0;
-  FindingMembers members = {};  ///< only on request; what a rule does not list may be missing
+  std::string_view consequence = {};  ///< of the rule (RuleIdentity), in static storage; empty: not known
+  std::uint32_t key = 0;              ///< not 0: findings that follow from this one have it as their `cause`
+  std::uint32_t cause = 0;            ///< key of the finding that this one follows from; 0: stands by itself
+  FindingMembers members = {};        ///< only on request; what a rule does not list may be missing
 };
 
 /// What the solver says of the initial penetrations of one contact, all its blocks together.

@@ -48,6 +48,7 @@ struct RuleIdentity {
   Severity severity;         ///< of most of its findings
   std::string_view summary;  ///< one line
   RuleNeeds needs;
+  std::string_view consequence = {};  ///< what happens if its findings are left as they are, one sentence
   /// Judges the output of a run, not a deck.
   [[nodiscard]] constexpr bool of_runs() const { return needs.has(Need::run_files); }
   /// Judges the demands to leave findings out.

@@ -279,7 +279,7 @@ TEST(ApiAudit, RulesHaveTheirPages) {
   EXPECT_TRUE(std::is_sorted(rules.begin(), rules.end(), [](const auto& a, const auto& b) { return a.id < b.id; }));
   EXPECT_EQ(rules[0].name, "initial-penetration");
   EXPECT_FALSE(rules[0].of_runs);
-  EXPECT_TRUE(rules.back().of_runs);
+  for (const api::Rule& rule : rules) EXPECT_EQ(rule.of_runs, rule.id.starts_with("GC6")) << rule.id;
   for (const api::Rule& rule : rules) EXPECT_FALSE(rule.page.empty()) << rule.id;
 }
 

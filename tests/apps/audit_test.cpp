@@ -250,5 +250,14 @@ TEST_F(AuditProgram, TheSameForAnyNumberOfThreads) {
             gapcheck("audit 'models/**/*.k' --list --jobs 4").out);
 }
 
+TEST_F(AuditProgram, TextOfTenDecks) {
+  for (const char* deck : {"two_plates", "clean", "contact_chain", "deep_node_released", "mortar_not_checked",
+                           "solid_row", "stray_part", "t_joint", "tied_then_contact", "two_plates_crossing"}) {
+    fs::copy_file(project / "data" / (std::string(deck) + ".k"), folder_ / (std::string(deck) + ".k"));
+    const std::string name = deck;
+    expect_golden("audit_" + name, gapcheck("audit -I '" + (project / "data").string() + "' " + name + ".k").out);
+  }
+}
+
 }  // namespace
 }  // namespace gapcheck::audit_test

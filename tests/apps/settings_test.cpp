@@ -64,7 +64,7 @@ TEST_F(SettingsProgram, KeysOfTheTopLevelAreOptions) {
       {"rtol = 0.85", "--rtol 0.85", "contact_chain.k"},
       {"ratio = 0.15", "--ratio 0.15", "contact_chain.k"},
       {"format = \"csv\"", "--format csv", "contact_chain.k"},
-      {"top = 2", "--top 2", "contact_chain.k"},
+      {"top = 1", "--top 1", "contact_chain.k"},
       {"fail-on = \"note\"", "--fail-on note", "contact_chain.k"},
       {"baseline = \"known\"", "--baseline known", "contact_chain.k --fail-on warning"},
   };
@@ -139,7 +139,7 @@ TEST_F(SettingsProgram, OneMayBeNamedOrNone) {
   EXPECT_EQ(gapcheck("audit two_plates.k --quiet").code, 1);
   EXPECT_EQ(gapcheck("audit two_plates.k --quiet --no-config").code, 0);
   EXPECT_EQ(gapcheck("audit two_plates.k --quiet --config other.toml").out,
-            "two_plates.k: nothing found in 1 contact, 1 not checked\n");
+            "two_plates.k: nothing found in 1 contact, 1 not judged\n");
   EXPECT_EQ(gapcheck("audit two_plates.k --config other.toml --no-config").code, 2);
   for (const char* path : {"missing.toml", ".", ".git"}) {
     const Ended run = gapcheck(std::string("audit two_plates.k --config ") + path);

@@ -271,7 +271,7 @@ TEST_F(IgnoresInIncludes, AFileThatIsIncludedTwiceIsOnePlace) {
   text.resize(text.find("*END"));
   write("comment.k",
         "$ gapcheck: ignore GC101 node=1\n$ gapcheck: ignore GC101 node=2 until=2020-01-01\n$ gapcheck: ignore "
-        "GC9\n*COMMENT\n");
+        "GC8\n*COMMENT\n");
   const std::string twice =
       "*INCLUDE_TRANSFORM\ncomment.k\n      2000\n\n\n\n*INCLUDE_TRANSFORM\ncomment.k\n      5000\n\n\n\n";
   const Report report = audited(write("main.k", text + twice + "*END\n"));

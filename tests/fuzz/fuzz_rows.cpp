@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "fuzz.hpp"
-#include "keyword/text/fixed_field.hpp"
 #include "keyword/slow_twins.hpp"
+#include "keyword/text/fixed_field.hpp"
 
 namespace gapcheck::fuzz::rows_target {
 namespace {

@@ -36,5 +36,22 @@ TEST(Penetration, RemainingIsWhatIsLeftOfTheContactDistance) {
   EXPECT_EQ(record.remaining(), -0.5);
 }
 
+TEST(Penetration, WithinTheRoundingOfCoordinatesOrOfTheDistance) {
+  Penetration record;
+  record.contact_distance = 1;
+  record.original = {0.5, -100, 20};
+  const double digit = 100.0 / 8388608;  // 2^23
+  record.depth = digit;
+  EXPECT_TRUE(within_rounding(record));
+  record.depth = 1.01 * digit;
+  EXPECT_FALSE(within_rounding(record));
+  record.original = {0, 0, 0};
+  EXPECT_FALSE(within_rounding(record));
+  record.depth = 1e-6;
+  EXPECT_TRUE(within_rounding(record));
+  record.depth = 1.01e-6;
+  EXPECT_FALSE(within_rounding(record));
+}
+
 }  // namespace
 }  // namespace gapcheck::penetration_test

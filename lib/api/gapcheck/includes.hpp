@@ -4,8 +4,8 @@
 
 namespace gapcheck::api {
 
-/// What a deck is read with. Its include files are found relative to the working directory, beside the main file, beside
-/// the including file, in *INCLUDE_PATH and in `directories`, in this order.
+/// What a deck is read with. Its include files are found relative to the working directory, beside the main file,
+/// beside the including file, in *INCLUDE_PATH and in `directories`, in this order.
 struct Includes {
   std::vector<std::string> directories = {};
   bool skip_missing = false;  ///< a missing file is a warning instead of an error

@@ -48,6 +48,12 @@ std::string segment_name(const contact::ContactMesh& mesh, std::size_t segment) 
   return name;
 }
 
+bool of_fabric(const contact::ContactMesh& mesh, std::size_t segment) {
+  const PartIndex part = mesh.part(segment);
+  if (part == none<PartIndex> || !mesh.model().part(part).material) return false;
+  return mesh.model().materials[*mesh.model().part(part).material].fabric;
+}
+
 std::string of_part(const contact::ContactMesh& mesh, std::size_t segment) {
   const PartIndex part = mesh.part(segment);
   return part == none<PartIndex> ? "" : fmt::format(" of part {}", mesh.model().part(part).id.value);

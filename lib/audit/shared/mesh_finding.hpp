@@ -19,6 +19,9 @@ namespace gapcheck::audit {
 /// " of part 3", or nothing.
 [[nodiscard]] std::string of_part(const contact::ContactMesh& mesh, std::size_t segment);
 
+/// The segment's part is of *MAT_FABRIC.
+[[nodiscard]] bool of_fabric(const contact::ContactMesh& mesh, std::size_t segment);
+
 /// A finding with the element, part, middle and place of a segment, and the first contact that has it.
 [[nodiscard]] Finding segment_finding(const RuleIdentity& rule, const Context& context,
                                       const contact::ContactMesh& mesh, std::size_t segment, std::string message);

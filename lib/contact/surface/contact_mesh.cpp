@@ -76,22 +76,25 @@ void for_each_edge(const model::SegmentNodes& n, const Visit& visit) {
 ContactMesh::ContactMesh(const model::Model& model, SurfaceStore& surfaces, std::span<const ContactIndex> contacts)
     : model_(model) {
   SeenSegments seen(model.mesh);
-  const auto add = [&](const ContactSide& side, ContactIndex contact) {
+  const auto add = [&](const ContactSide& side, ContactIndex contact, bool ties) {
     const Segments& s = side.selection.segments;
     if (s.size() == 0) return;
     const auto source = static_cast<std::uint32_t>(sources_.size());
-    sources_.push_back({&s, contact});
+    sources_.push_back({&s, contact, ties});
     segments_.reserve(segments_.empty() ? s.size() : 0);
     for (std::uint32_t i = 0; i < s.size(); ++i)
       if (s.kind[i] != SegmentKind::line && seen.first(s, i)) segments_.push_back({source, i});
   };
-  for (const ContactIndex c : contacts) {
-    const model::Contact& contact = model.contact(c);
-    if (!contact.known || contact.own_layout || classify(contact).treatment == Treatment::none) continue;
-    const ContactSurfaces& s = surfaces.at(c);
-    add(s.a, c);
-    if (s.two_sided()) add(s.b, c);
-  }
+  for (const bool ties : {false, true})
+    for (const ContactIndex c : contacts) {
+      const model::Contact& contact = model.contact(c);
+      if (!contact.known || contact.own_layout) continue;
+      const ContactType type = classify(contact);
+      if (type.treatment == Treatment::none || (type.family == Family::tied) != ties) continue;
+      const ContactSurfaces& s = surfaces.at(c);
+      add(s.a, c, ties);
+      if (s.two_sided()) add(s.b, c, ties);
+    }
 }
 
 const std::vector<SegmentQuality>& ContactMesh::quality() {

@@ -17,9 +17,9 @@ struct EdgeUse {
 /// Most uses of edges at one node that are compared with one another; a sound mesh has a tenth of it.
 inline constexpr std::size_t most_uses = 64;
 
-/// The mesh as contact sees it: the segments of all contacts, tied ones included, each only once. In the order of the
-/// contacts, their sides and segments. Beam axes are left out. Costly data is computed on first use; not for use from
-/// several threads while that may happen.
+/// The mesh as contact sees it: the segments of all contacts, each only once. In the order of the contacts, those that
+/// tie after all others, of their sides and segments. Beam axes are left out. Costly data is computed on first use; not
+/// for use from several threads while that may happen.
 class ContactMesh {
  public:
   /// Model and surfaces must outlive it.
@@ -33,8 +33,14 @@ class ContactMesh {
   [[nodiscard]] std::uint32_t element(std::size_t i) const { return surface(i).element[segments_[i].position]; }
   [[nodiscard]] model::ElementKind kind(std::size_t i) const { return surface(i).element_kind[segments_[i].position]; }
   [[nodiscard]] PartIndex part(std::size_t i) const { return part_of(model_.mesh, surface(i), segments_[i].position); }
-  /// The first contact that has the segment.
+  /// The first contact that has the segment; one that ties only if no other has it.
   [[nodiscard]] ContactIndex contact(std::size_t i) const { return sources_[segments_[i].source].contact; }
+  /// No contact has the segment but ties, which look at it once.
+  [[nodiscard]] bool only_tied(std::size_t i) const { return sources_[segments_[i].source].ties; }
+  /// The same element (or none is known, and then never).
+  [[nodiscard]] bool same_element(std::size_t i, std::size_t j) const {
+    return element(i) != no_position && element(i) == element(j) && kind(i) == kind(j);
+  }
 
   /// Shapes of the segments, in the same order.
   [[nodiscard]] const std::vector<SegmentQuality>& quality();
@@ -51,6 +57,7 @@ class ContactMesh {
   struct Source {
     const Segments* segments;
     ContactIndex contact;
+    bool ties;
   };
   struct Segment {
     std::uint32_t source, position;

@@ -8,6 +8,7 @@
 
 #include "report/baseline/baseline.hpp"
 #include "report/format/json_run.hpp"
+#include "report/item/causes.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/fingerprint.hpp"
 #include "report/item/item.hpp"
@@ -89,7 +90,7 @@ void append_contact(const Report& report, std::uint32_t position, Buffer& out) {
 /// `files`: the report's file names, quoted.
 void append_penetration(const Report& report, const Penetration& record, const std::vector<std::string>& files,
                         std::optional<BaselineState> state, Buffer& out) {
-  const RuleIdentity rule = rule_of(report, record.kind);
+  const RuleIdentity rule = rule_of(report, record);
   const bool contact_known = record.contact < report.contacts.size();
   const std::int64_t contact = contact_known ? report.contacts[record.contact].id : 0;
   Members object(out);
@@ -141,7 +142,8 @@ void append_penetration(const Report& report, const Penetration& record, const s
   object.close();
 }
 
-void append_finding(const Finding& finding, std::optional<BaselineState> state, Buffer& out) {
+/// `cause`: the finding that this one follows from; nullptr: none.
+void append_finding(const Finding& finding, const Finding* cause, std::optional<BaselineState> state, Buffer& out) {
   Members object(out);
   object.string("rule", finding.rule);
   object.string("id", finding.id);
@@ -162,6 +164,7 @@ void append_finding(const Finding& finding, std::optional<BaselineState> state, 
   if (!finding.file.empty()) object.string("file", finding.file);
   if (finding.line != 0) object.integer("line", finding.line);
   object.fingerprint(fingerprint(finding));
+  if (cause != nullptr) object.fingerprint(fingerprint(*cause), "cause");
   append_state(state, object);
   object.close();
 }
@@ -216,10 +219,11 @@ void append_findings(const Report& report, const std::vector<std::string>& files
     stream.separator(std::exchange(first, false));
     append_tie_failure(report, failure, files, state_of(report, number++), stream.buffer);
   }
+  const Causes causes(report);
   for (const Finding& finding : report.findings) {
     if (!stream.open()) return;
     stream.separator(std::exchange(first, false));
-    append_finding(finding, state_of(report, number++), stream.buffer);
+    append_finding(finding, causes.of(finding), state_of(report, number++), stream.buffer);
   }
 }
 
@@ -236,7 +240,7 @@ void append_ignored_finding(const Report& report, const std::vector<std::string>
   else if (number < others)
     append_tie_failure(report, ignored.tie_failures[number - ties], files, state, out);
   else
-    append_finding(ignored.findings[number - others], state, out);
+    append_finding(ignored.findings[number - others], nullptr, state, out);
 }
 
 /// What was left out on purpose, place by place.

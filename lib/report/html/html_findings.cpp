@@ -36,7 +36,7 @@ std::vector<Candidate> candidates(const Report& report, std::size_t group) {
       list.push_back({first, severity, std::isfinite(depth) ? depth : 0, list.size(), ignored});
     };
     for (const Penetration& record : lists.penetrations) {
-      const RuleIdentity rule = rule_of(report, record.kind);
+      const RuleIdentity rule = rule_of(report, record);
       add(record.contact, rule.id, rule.severity, record.depth);
     }
     for (const TieFailure& failure : lists.tie_failures) {

@@ -32,6 +32,13 @@ RuleIdentity with_severity(const Report& report, RuleIdentity rule) {
 
 RuleIdentity rule_of(const Report& report, PenetrationKind kind) { return with_severity(report, rule_of(kind)); }
 
+RuleIdentity rule_of(const Report& report, const Penetration& record) {
+  RuleIdentity rule = rule_of(report, record.kind);
+  // A log may not say how deep a node is.
+  if (record.depth > 0 && within_rounding(record)) rule.severity = Severity::note;
+  return rule;
+}
+
 std::string_view name(Severity severity) {
   switch (severity) {
     case Severity::note:

@@ -13,6 +13,8 @@ namespace gapcheck::report {
 
 /// The rule that a penetration record is a finding of, with the severity that the report gives it.
 [[nodiscard]] RuleIdentity rule_of(const Report& report, PenetrationKind kind);
+/// The same for this record: a note if its depth is within rounding.
+[[nodiscard]] RuleIdentity rule_of(const Report& report, const Penetration& record);
 /// The rule with the severity that the report gives it.
 [[nodiscard]] RuleIdentity with_severity(const Report& report, RuleIdentity rule);
 

@@ -51,7 +51,7 @@ void hand_over(const Report& report, const Lists& lists, const Visit& visit) {
 
 Item item_of(const Report& report, const Penetration& record) {
   Item item;
-  set_rule(rule_of(report, record.kind), item);
+  set_rule(rule_of(report, record), item);
   set_contact(report, record.contact, item);
   set_place(report, record.file, record.line, item);
   fmt::memory_buffer message;

@@ -35,6 +35,13 @@ class Pairs {
 
 }  // namespace
 
+Sums& Sums::operator+=(const Sums& other) {
+  for (std::size_t k = 0; k < count.size(); ++k) count[k] += other.count[k];
+  if (other.deepest != nullptr && (deepest == nullptr || other.deepest->depth > deepest->depth))
+    deepest = other.deepest;
+  return *this;
+}
+
 Sums sums(std::span<const Penetration> records) {
   Sums result;
   Pairs nodes, edges;

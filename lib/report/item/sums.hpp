@@ -29,6 +29,8 @@ struct Sums {
     return of(initial) + of(released) + of(segment) + of(mortar);
   }
   [[nodiscard]] std::size_t penetrations() const { return nodes() + of(PenetrationKind::edge); }
+  /// Adds the counts of another contact; the pairs stay.
+  Sums& operator+=(const Sums& other);
 };
 [[nodiscard]] Sums sums(std::span<const Penetration> records);
 

@@ -8,12 +8,17 @@
 #include <string>
 
 #include "report/baseline/baseline.hpp"
+#include "report/item/causes.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/describe_tie.hpp"
+#include "report/item/finding_groups.hpp"
 #include "report/item/sums.hpp"
 #include "report/text/check_c_tables.hpp"
 #include "report/text/check_c_view.hpp"
+#include "report/text/paint.hpp"
 #include "report/text/text_baseline.hpp"
+#include "report/text/text_contact.hpp"
+#include "report/text/text_groups.hpp"
 #include "report/text/text_ignored.hpp"
 #include "report/text/text_run.hpp"
 #include "report/write/table.hpp"
@@ -22,24 +27,7 @@
 namespace gapcheck::report {
 namespace {
 
-constexpr std::size_t findings_in_full = 10;
-constexpr std::size_t pairs_in_full = 20;
-
-/// ANSI colours, or nothing.
-struct Paint {
-  bool on;
-  [[nodiscard]] std::string operator()(std::string_view code, std::string_view text) const {
-    return on ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
-  }
-  [[nodiscard]] std::string bold(std::string_view text) const { return (*this)("1", text); }
-  [[nodiscard]] std::string severity(Severity severity, std::string_view text) const {
-    return (*this)(severity == Severity::error ? "31" : severity == Severity::warning ? "33" : "36", text);
-  }
-};
-
-std::string count(std::uint64_t number, std::string_view noun) {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
-}
+constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 /// "12 nodes, 3 shells": kinds that the model lacks are left out, except nodes and contacts.
 std::string model_line(const ModelCounts& model) {
@@ -58,195 +46,6 @@ std::string model_line(const ModelCounts& model) {
   return line + ", " + count(model.contacts, "contact");
 }
 
-constexpr std::array node_columns{
-    Column{"node"},
-    Column{"part"},
-    Column{"element"},
-    Column{"part"},
-    Column{"penetration"},
-    Column{"remaining"},
-    Column{"distance"},
-    Column{"ratio"},
-    Column{"s"},
-    Column{"t"},
-    Column{"feature", Align::left},
-    Column{"outcome", Align::left},
-    Column{"moved to", Align::left},
-};
-
-constexpr std::array pair_columns{
-    Column{"part of node"}, Column{"part of segment"}, Column{"nodes"},
-    Column{"deepest"},      Column{"distance"},        Column{"thickness from", Align::left},
-};
-
-void fill_node(const Penetration& record, Row<node_columns.size()>& row) {
-  const auto real = [](double value) { return fmt::format("{:.6g}", value); };
-  const auto& n = record.segment;
-  row[0] = fmt::format("{}", record.node);
-  row[1] = id_or_dash(record.part);
-  row[2] = record.element != 0 ? fmt::format("{}", record.element)
-           : n[0] != 0         ? fmt::format("{}-{}-{}-{}", n[0], n[1], n[2], n[3])
-                               : "-";
-  row[3] = id_or_dash(record.element_part);
-  row[4] = real(record.depth);
-  row[5] = real(record.remaining());
-  row[6] = real(record.contact_distance);
-  row[7] = record.contact_distance > 0 ? fmt::format("{:.3f}", record.depth / record.contact_distance) : "-";
-  row[8] = std::isfinite(record.s) ? fmt::format("{:.3f}", record.s) : "-";
-  row[9] = std::isfinite(record.t) ? fmt::format("{:.3f}", record.t) : "-";
-  row[10] = name(record.feature);
-  row[11] = record.kind == PenetrationKind::edge_zone ? "not listed" : std::string(name(record.outcome));
-  const Vector& x = record.moved_to;
-  row[12] = record.outcome == Outcome::moved || x != record.original
-                ? fmt::format("{}{:.6g} {:.6g} {:.6g}", record.recommended() ? "recommended: " : "", x[0], x[1], x[2])
-                : "";
-  if (record.element != 0 || n[0] != 0) return;
-  // A line of a log that names little more than the node.
-  if (record.depth == 0) row[4] = "-";
-  if (record.contact_distance == 0) row[5] = row[6] = "-";
-  row[8] = row[9] = row[10] = "-";
-}
-
-/// The tables of a contact.
-enum class Table { nodes, edges, edge_zone };
-
-Table table_of(PenetrationKind kind) {
-  if (kind == PenetrationKind::edge_zone) return Table::edge_zone;
-  return kind == PenetrationKind::edge ? Table::edges : Table::nodes;
-}
-
-/// The first `limit` records of one table, already deepest first.
-std::vector<const Penetration*> deepest(std::span<const Penetration> records, Table table, std::size_t limit) {
-  std::vector<const Penetration*> picked;
-  for (const Penetration& record : records) {
-    if (picked.size() >= limit) break;
-    if (table_of(record.kind) == table) picked.push_back(&record);
-  }
-  return picked;
-}
-
-void append_node_table(std::span<const Penetration> records, Table table, std::size_t total, std::string_view what,
-                       const TextOptions& options, std::string& out) {
-  const std::size_t limit = options.list ? total : std::min(total, options.top);
-  if (limit == 0) return;
-  const auto picked = deepest(records, table, limit);
-  out += picked.size() < total ? fmt::format("\n  {}, deepest {} of {}\n", what, picked.size(), total)
-                               : fmt::format("\n  {}\n", what);
-  append_table(
-      node_columns, picked.size(), [&](std::size_t i, auto& row) { fill_node(*picked[i], row); }, "    ", out);
-}
-
-void fill_pair(const PartPair& pair, Row<pair_columns.size()>& row) {
-  fmt::memory_buffer cause;
-  append_cause(*pair.deepest, cause);
-  row = {id_or_dash(pair.part),
-         id_or_dash(pair.element_part),
-         fmt::format("{}", pair.nodes),
-         fmt::format("{:.6g}", pair.deepest->depth),
-         fmt::format("{:.6g}", pair.deepest->contact_distance),
-         fmt::to_string(cause)};
-}
-
-void append_part_pairs(const std::vector<PartPair>& pairs, std::string_view title, const TextOptions& options,
-                       std::string& out) {
-  const std::size_t shown = options.list ? pairs.size() : std::min(pairs.size(), pairs_in_full);
-  out += fmt::format("\n  {}\n", title);
-  append_table(
-      pair_columns, shown, [&](std::size_t i, auto& row) { fill_pair(pairs[i], row); }, "    ", out);
-  if (shown < pairs.size()) out += fmt::format("    … and {} more\n", pairs.size() - shown);
-}
-
-std::string contact_title(const ContactSummary& contact, const Paint& paint) {
-  std::string line = paint.bold(fmt::format("contact {}", contact.id));
-  if (!contact.title.empty()) line += fmt::format(" \"{}\"", printable(contact.title));
-  if (!contact.type.empty()) line += fmt::format("  type {}", printable(contact.type));
-  if (!contact.keyword.empty()) line += "  " + printable(contact.keyword);
-  if (!contact.file.empty()) line += "  " + printable_path(contact.file);
-  if (!contact.file.empty() && contact.line != 0) line += fmt::format(":{}", contact.line);
-  return line + '\n';
-}
-
-/// `unlisted`: penetrating nodes that a log counts without listing them.
-std::string result_line(const Report& report, const Sums& sum, std::uint64_t unlisted, const Paint& paint) {
-  if (unlisted > 0)
-    return (sum.penetrations() > 0 ? result_line(report, sum, 0, paint) + ", " : "") +
-           paint.severity(Severity::warning, count(unlisted, "penetration") + " without a list of nodes");
-  std::string line = sum.penetrations() == 0 ? "no penetrations" : "";
-  const auto add = [&](PenetrationKind kind, std::string_view noun) {
-    if (const std::size_t number = sum.of(kind); number > 0)
-      line += (line.empty() ? "" : ", ") + paint.severity(rule_of(report, kind).severity, count(number, noun));
-  };
-  add(PenetrationKind::initial, "penetration");
-  add(PenetrationKind::released, "released node");
-  add(PenetrationKind::segment, "segment penetration");
-  add(PenetrationKind::mortar, "mortar penetration");
-  add(PenetrationKind::edge, "edge penetration");
-  if (sum.deepest != nullptr) line += fmt::format(", deepest {:.6g} at node {}", sum.deepest->depth, sum.deepest->node);
-  if (const std::size_t number = sum.of(PenetrationKind::edge_zone); number > 0)
-    line += ", " + paint.severity(rule_of(report, PenetrationKind::edge_zone).severity,
-                                  count(number, "node") + " in the edge zone");
-  return line;
-}
-
-/// "50 tracked nodes, 32 segments: "; unknown values of solver files are left out.
-std::string size_of(const Report& report, const ContactSummary& contact) {
-  const bool deck = report.source == "deck";
-  std::string text;
-  if (deck || contact.tracked_nodes != 0) text = count(contact.tracked_nodes, "tracked node");
-  if (deck || contact.segments != 0) text += (text.empty() ? "" : ", ") + count(contact.segments, "segment");
-  return text.empty() ? text : text + ": ";
-}
-
-/// These parts are unknown.
-bool unknown(const std::vector<PartPair>& pairs) {
-  return std::all_of(pairs.begin(), pairs.end(), [](const PartPair& p) { return p.part == 0 && p.element_part == 0; });
-}
-
-/// One table per reason why nodes of a tied contact need attention.
-void append_tie_sections(const Report& report, std::span<const TieFailure> failures, const TextOptions& options,
-                         const Paint& paint, std::string& out) {
-  for (const TieReason reason : tie_reasons) {
-    const auto records = in_view_order(failures, reason);
-    if (records.empty()) continue;
-    const std::size_t limit = options.list ? records.size() : options.top;
-    out += fmt::format("\n  {}: {}, {}", paint.severity(rule_of(report, *records.front()).severity, name(reason)),
-                       count(records.size(), "node"), what_happened(reason));
-    out += limit < records.size() ? fmt::format(", first {} of {}\n", limit, records.size()) : "\n";
-    if (limit > 0) append_ties(records, limit, true, out);
-  }
-}
-
-/// Returns the sums of the contact's records.
-Sums append_contact_block(const Report& report, std::uint32_t position, const TextOptions& options, const Paint& paint,
-                          std::string& out) {
-  const ContactSummary& contact = report.contacts[position];
-  const auto records = records_of(report, position);
-  Sums sum = sums(records);
-  out += '\n' + contact_title(contact, paint);
-  const auto ties = ties_of(report, position);
-  const std::uint64_t unlisted = unlisted_penetrations(contact);
-  if (!records.empty() || unlisted > 0 || (contact.not_checked.empty() && !contact.ties_judged && ties.empty()))
-    out += "  " + size_of(report, contact) + result_line(report, sum, unlisted, paint) + '\n';
-  if (const std::string said = summary_line(contact); !said.empty()) out += "  " + said + '\n';
-  if (const Timesteps* steps = timesteps(report)) append_surface_timesteps(*steps, position, out);
-  if (contact.ties > 0 || contact.ties_judged) out += fmt::format("  {} tied\n", count(contact.ties, "node"));
-  if (contact.untied > 0) out += fmt::format("  {} untied\n", count(contact.untied, "node"));
-  if (contact.out_of_reach > 0)
-    out += fmt::format("  {} out of reach, not meant to tie\n", count(contact.out_of_reach, "node"));
-  if (contact.judged_nearest > 0)
-    out += fmt::format("  judged in part: {} nodes and edges, by the nearest of too many\n", contact.judged_nearest);
-  if (!contact.not_checked.empty()) out += "  not checked: " + printable(contact.not_checked) + '\n';
-  append_node_table(records, Table::nodes, sum.nodes(), "penetrating nodes", options, out);
-  if (report.source == "deck" ? !sum.pairs.empty() : !unknown(sum.pairs))
-    append_part_pairs(sum.pairs, "by part", options, out);
-  append_node_table(records, Table::edges, sum.of(PenetrationKind::edge), "penetrating edges", options, out);
-  if (!sum.edge_pairs.empty()) append_part_pairs(sum.edge_pairs, "edges by part", options, out);
-  append_node_table(records, Table::edge_zone, sum.of(PenetrationKind::edge_zone), "nodes in the edge zone", options,
-                    out);
-  append_tie_sections(report, ties, options, paint, out);
-  return sum;
-}
-
 std::string finding_place(const Finding& finding) {
   if (finding.file.empty()) return "";
   if (finding.line == 0) return printable_path(finding.file) + ": ";
@@ -259,9 +58,8 @@ void append_finding_line(const Finding& finding, std::string& out) {
   out += printable(finding.message) + '\n';
 }
 
-/// The findings of one rule, which are consecutive. Lines that represent many do not give way to single ones.
-void append_findings_of_rule(std::span<const Finding> findings, const TextOptions& options, const Paint& paint,
-                             std::string& out) {
+/// The findings of one rule, which are consecutive.
+void append_findings_of_rule(std::span<const Finding> findings, const Paint& paint, std::string& out) {
   const Finding& first = findings.front();
   out += fmt::format("\n{}", paint.bold(printable(first.id) + ' ' + printable(first.rule)));
   std::string_view before = " ";
@@ -273,23 +71,15 @@ void append_findings_of_rule(std::span<const Finding> findings, const TextOption
           before = ", ";
   }
   out += '\n';
-  std::size_t single = 0, summed = 0, shown = 0;
-  for (const Finding& finding : findings) {
-    std::size_t& kind = finding.count > 1 ? summed : single;
-    if (!options.list && kind >= findings_in_full) continue;
-    append_finding_line(finding, out);
-    ++kind, ++shown;
-  }
-  if (shown < findings.size()) out += fmt::format("  … and {} more\n", findings.size() - shown);
+  for (const Finding& finding : findings) append_finding_line(finding, out);
 }
 
-void append_findings_by_rule(std::span<const Finding> findings, const TextOptions& options, const Paint& paint,
-                             std::string& out) {
+void append_findings_by_rule(std::span<const Finding> findings, const Paint& paint, std::string& out) {
   while (!findings.empty()) {
     const auto end = std::find_if(findings.begin(), findings.end(),
                                   [&](const Finding& finding) { return finding.id != findings.front().id; });
     const auto length = static_cast<std::size_t>(end - findings.begin());
-    append_findings_of_rule(findings.first(length), options, paint, out);
+    append_findings_of_rule(findings.first(length), paint, out);
     findings = findings.subspan(length);
   }
 }
@@ -307,15 +97,31 @@ std::string as_if(const Report& report) {
   return report.as_if.empty() ? std::string() : fmt::format("as if {}", fmt::join(report.as_if, ", "));
 }
 
+/// "53 contacts, 20 tied, 3 not judged".
+std::string contacts_line(const Report& report) {
+  std::string line = count(report.contacts.size(), "contact");
+  const auto number = [&](const auto& is) {
+    return static_cast<std::size_t>(std::count_if(report.contacts.begin(), report.contacts.end(), is));
+  };
+  if (const std::size_t tied = number([](const ContactSummary& contact) { return contact.ties_judged; }); tied > 0)
+    line += fmt::format(", {} tied", tied);
+  const std::size_t open = number([](const ContactSummary& contact) { return !contact.not_checked.empty(); });
+  return open > 0 ? line + fmt::format(", {} not judged", open) : line;
+}
+
+/// Findings that follow from another one of the report.
+std::size_t following(const Report& report) {
+  const Causes causes(report);
+  return static_cast<std::size_t>(std::count_if(report.findings.begin(), report.findings.end(),
+                                                [&](const Finding& finding) { return causes.of(finding) != nullptr; }));
+}
+
 /// The line that --quiet keeps.
 std::string verdict(const Report& report, const Paint& paint) {
   std::string line = printable_path(report.input) + ": " + numbers_of(totals(report), paint);
-  line += " in " + count(report.contacts.size(), "contact");
+  if (const std::size_t n = following(report); n > 0) line += fmt::format(" ({} may follow from others)", n);
+  line += " in " + contacts_line(report);
   if (const std::string assumed = as_if(report); !assumed.empty()) line += ", " + assumed;
-  const auto open =
-      static_cast<std::size_t>(std::count_if(report.contacts.begin(), report.contacts.end(),
-                                             [](const auto& contact) { return !contact.not_checked.empty(); }));
-  if (open > 0) line += fmt::format(", {} not checked", open);
   if (const std::size_t n = report.ignored.size(); n > 0) line += fmt::format(", {} ignored", n);
   if (report.baseline) line += "; against the baseline: " + summary(*report.baseline);
   return line + '\n';
@@ -358,32 +164,118 @@ std::string statistics(const Report& report) {
   return out;
 }
 
+namespace {
+
+/// Contacts in the order of interest: those with records or without a judgement first.
+std::vector<std::uint32_t> contacts_by_interest(const Report& report) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) order.push_back(i);
+  std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) {
+    const ContactSummary& contact = report.contacts[i];
+    return !records_of(report, i).empty() || !ties_of(report, i).empty() || !contact.not_checked.empty();
+  });
+  return order;
+}
+
+/// A line for each contact, at most `limit`.
+std::vector<std::string> contact_lines(const Report& report, std::size_t limit, std::size_t width) {
+  std::vector<std::string> lines;
+  const auto order = contacts_by_interest(report);
+  // The last line may have to say how many more there are.
+  const std::size_t shown = order.size() <= limit ? order.size() : limit - 1;
+  for (std::size_t i = 0; i < shown; ++i) {
+    const ContactSummary& contact = report.contacts[order[i]];
+    std::string line = fmt::format("contact {}", contact.id);
+    if (!contact.title.empty()) line += fmt::format(" \"{}\"", printable(contact.title));
+    if (!contact.type.empty()) line += fmt::format(" ({})", printable(contact.type));
+    line += ": " + contact_result(report, order[i], sums(records_of(report, order[i])), Paint{false});
+    lines.push_back(cut(std::move(line), width));
+  }
+  if (shown < order.size()) lines.push_back(count(order.size() - shown, shown == 0 ? "contact" : "more contact"));
+  return lines;
+}
+
+/// The contact's and the elements' time step in one line; empty: unknown.
+std::string timestep_line(const Report& report) {
+  const Timesteps* steps = timesteps(report);
+  if (steps == nullptr || (!report.run && steps->contact_timestep <= 0)) return "";
+  std::string limits;
+  append_timestep_limits(*steps, limits);
+  if (limits.starts_with('\n')) limits.erase(0, 1);
+  return limits;
+}
+
+constexpr std::size_t contacts_in_short = 6;
+constexpr std::size_t lines_of_a_rule = 6;
+constexpr std::size_t sum_lines_in_short = 3;
+constexpr std::size_t page_width = 110;
+
+void append(const std::vector<std::string>& lines, std::string& out) {
+  for (const std::string& line : lines) out += line + '\n';
+}
+
+std::size_t lines_in(std::string_view text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// What follows the findings: contacts, time steps, sums by rule.
+std::string end_of_short(const Report& report, std::span<const FindingGroup> groups, const TextOptions& options,
+                         const Paint& paint) {
+  std::string out;
+  const bool all = options.all || options.list;
+  if (!all && !report.contacts.empty()) {
+    out += '\n';
+    append(contact_lines(report, contacts_in_short, options.width), out);
+  }
+  if (const std::string limits = timestep_line(report); !limits.empty()) out += '\n' + limits;
+  auto sums = rule_sum_lines(groups, options.width > 0 ? options.width : page_width, paint);
+  if (!all && sums.size() > sum_lines_in_short) sums.resize(sum_lines_in_short), sums.back() += " …";
+  if (!sums.empty()) out += "\nby rule\n";
+  append(sums, out);
+  return out;
+}
+
+/// Ignored findings and those against the baseline.
+std::string changes(const Report& report, const TextOptions& options) {
+  std::string out;
+  append_ignored(report, options.top, options.list, out);
+  append_baseline(report, options.list ? no_limit : options.top, out);
+  return out;
+}
+
+}  // namespace
+
 std::string text(const Report& report, const TextOptions& options) {
   const Paint paint{options.color};
-  if (options.quiet) return verdict(report, paint);
+  const std::string last = verdict(report, paint);
+  if (options.quiet) return last;
+  const bool all = options.all || options.list;
   std::string out = paint.bold(printable_path(report.input)) + '\n';
   out += report.run ? run_line(*report.run) : "  " + model_line(report.model) + '\n';
   if (const std::string assumed = as_if(report); !assumed.empty()) out += "  " + assumed + '\n';
-  Sums total;
-  for (std::uint32_t i = 0; i < report.contacts.size(); ++i) {
-    const Sums sum = append_contact_block(report, i, options, paint, out);
-    for (std::size_t k = 0; k < total.count.size(); ++k) total.count[k] += sum.count[k];
-    if (sum.deepest != nullptr && (total.deepest == nullptr || sum.deepest->depth > total.deepest->depth))
-      total.deepest = sum.deepest;
+  const auto groups = finding_groups(report);
+  if (const auto lines = verdict_lines(report, groups, options.width, paint); !lines.empty())
+    out += '\n', append(lines, out);
+  const std::string end = end_of_short(report, groups, options, paint), changed = changes(report, options);
+  if (!groups.empty()) {
+    const std::size_t used = lines_in(out) + lines_in(end) + lines_in(changed) + 3;  // two blank lines, the last one
+    const std::size_t left = std::max<std::size_t>(options.lines, used + 3) - used;
+    out += '\n';
+    const LineLimits limits{all ? no_limit : left, options.per_rule.value_or(all ? no_limit : lines_of_a_rule)};
+    append(group_lines(report, groups, options, limits, paint), out);
   }
-  append_findings_by_rule(report.findings, options, paint, out);
+  Sums total;
+  for (std::uint32_t i = 0; all && i < report.contacts.size(); ++i)
+    total += append_contact_block(report, i, options, paint, out);
+  if (options.list) append_findings_by_rule(report.findings, paint, out);
   if (report.run) {
     append_rigidwalls(*report.run, options.list ? report.run->rigidwalls.size() : options.top, out);
     append_messages(report, options.list, "--list", out);
   }
-  const Timesteps* steps = timesteps(report);
-  if (steps != nullptr && (report.run || steps->contact_timestep > 0)) append_timestep_limits(*steps, out);
-  if (report.contacts.size() > 1) append_total(report, total, out);
-  append_ignored(report, options.top, options.list, out);
-  append_baseline(report, options.list ? std::numeric_limits<std::size_t>::max() : options.top, out);
+  if (all && report.contacts.size() > 1) append_total(report, total, out);
+  out += end + changed;
   if (options.stats) out += "\nstatistics\n" + statistics(report);
-  out += '\n' + verdict(report, paint);
-  return out;
+  return out + '\n' + last;
 }
 
 std::string text_of_all(const Reports& reports, const TextOptions& options) {

@@ -75,8 +75,8 @@ class Members {
     }
     out_.push_back(']');
   }
-  void fingerprint(std::uint64_t value) {
-    key("fingerprint");
+  void fingerprint(std::uint64_t value, std::string_view name = "fingerprint") {
+    key(name);
     fmt::format_to(fmt::appender(out_), FMT_COMPILE("\"{:016x}\""), value);
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,15 +25,26 @@ struct Reports {
   std::span<const Unread> unread = {};
 };
 
+/// What the lines of the text report stand under.
+enum class GroupBy : unsigned char { severity, rule, contact, part, file };
+
 struct TextOptions {
-  std::size_t top = 5;  ///< deepest nodes per contact
-  bool list = false;    ///< every node instead
-  bool stats = false;   ///< counters at the end
-  bool color = false;   ///< ANSI colours
-  bool quiet = false;   ///< only the last line
+  std::size_t top = 5;     ///< with `all`: deepest nodes per contact
+  bool all = false;        ///< without a bound on lines, and each contact with its deepest nodes
+  bool list = false;       ///< `all`, with every node and every finding
+  bool stats = false;      ///< counters at the end
+  bool color = false;      ///< ANSI colours
+  bool quiet = false;      ///< only the last line
+  std::size_t lines = 40;  ///< bound of the short report on a deck
+  std::optional<std::size_t> per_rule =
+      std::nullopt;       ///< lines of one rule under one heading; none: 6, with `all` no bound
+  std::size_t width = 0;  ///< columns of the terminal; lines of findings are cut; 0: no limit
+  GroupBy group_by = GroupBy::severity;
 };
 
-/// The text report: one block per contact, deepest nodes, part-pair sums, totals. Deterministic.
+/// The text report: what goes wrong if the deck runs, a line for each rule, contact and pair of parts, a line for each
+/// contact, sums by rule, and the verdict. At most TextOptions::lines lines unless more is asked for; what a run says
+/// besides (messages, rigid walls) is not counted. Deterministic.
 [[nodiscard]] std::string text(const Report& report, const TextOptions& options);
 
 /// The last line for several decks: "3 decks: 1 error, 12 warnings, 0 notes; against the baselines: 3 new, 1 worse, 40

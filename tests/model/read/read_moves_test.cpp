@@ -1,5 +1,5 @@
 // *PART_MOVE and *NODE_TRANSFORM: where nodes stand once everything is read.
-#include "read.hpp"
+#include "model/read.hpp"
 
 namespace gapcheck::model::read_moves_test {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "report/sample.hpp"
+#include "report/write/writers.hpp"
 
 namespace gapcheck::report::describe_test {
 namespace {
@@ -64,6 +65,18 @@ TEST(Describe, MessagesNeedNoEscapes) {
 }
 
 TEST(Describe, PrintableKeepsTextAndReplacesControls) { EXPECT_EQ(printable("Tür\tA\x1b[0m\x7f"), "Tür?A?[0m?"); }
+
+TEST(Describe, DepthsWithinRoundingAreNotes) {
+  Report report = sample_report();
+  const Penetration& record = report.penetrations[0];
+  EXPECT_EQ(rule_of(report, record).severity, Severity::error);
+  report.penetrations[0].depth = 1e-7;
+  EXPECT_EQ(rule_of(report, record).severity, Severity::note);
+  EXPECT_EQ(totals(report).errors, 2U);  // the two findings
+  EXPECT_EQ(totals(report).notes, 2U);
+  report.penetrations[0].depth = 0;  // a log that does not say how deep
+  EXPECT_EQ(rule_of(report, record).severity, Severity::error);
+}
 
 }  // namespace
 }  // namespace gapcheck::report::describe_test

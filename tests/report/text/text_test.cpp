@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <random>
 #include <regex>
 #include <sstream>
 
@@ -24,10 +25,37 @@ std::string last_line(const std::string& text) {
   return text.substr(start == std::string::npos ? 0 : start + 1, end - start);
 }
 
-TEST(Text, WholeReport) {
+TEST(Text, ShortReport) {
   const std::string expected = R"(plates.k
   50 nodes, 32 shells, 2 parts, 2 contacts
 
+If this deck runs:
+  The contact lets go of the nodes: they pass through freely (1 node in contact 7, GC102)
+  The solver moves the nodes out, or starts with a force on them (1 node in contact 7, GC101)
+
+errors
+  GC102 released-node: contact 7: part 1 in part 2: 1 node, deepest 0.9 of 1, node 14 in element 500  mesh.k:1234
+  GC501 duplicate-id: node 12 is defined again  mesh.k:40
+  GC503 empty-surface: contact 2: SURFB has no segments
+warnings
+  GC101 initial-penetration: contact 7: in part 2: 1 node, deepest 0.3 of 1, node 16 in element 500
+notes
+  GC106 edge-zone-penetration: contact 7: part 1 in part 2: 1 node, deepest 0.6 of 1, node 15  mesh.k:1234
+
+contact 7 "plates" (13): 50 tracked nodes, 32 segments: 1 penetration, 1 released node, deepest 0.9 at node 14, 1 node in the edge zone
+contact 2 (a3): not judged: SOFT = 2 is checked segment by segment
+
+by rule
+  GC102 released-node 1, GC501 duplicate-id 1, GC503 empty-surface 1, GC101 initial-penetration 1,
+  GC106 edge-zone-penetration 1
+
+plates.k: 3 errors, 1 warning, 1 note in 2 contacts, 1 not judged
+)";
+  EXPECT_EQ(text(sample_report(), {}), expected);
+}
+
+TEST(Text, AllOfIt) {
+  const std::string expected = R"(
 contact 7 "plates"  type 13  CONTACT_AUTOMATIC_SINGLE_SURFACE  plates.k:34
   50 tracked nodes, 32 segments: 1 penetration, 1 released node, deepest 0.9 at node 14, 1 node in the edge zone
 
@@ -46,19 +74,12 @@ contact 7 "plates"  type 13  CONTACT_AUTOMATIC_SINGLE_SURFACE  plates.k:34
       15     1  22124-22164-22165-22125     2          0.6        0.4         1  0.600  1.000  -0.080  edge     not listed
 
 contact 2  type a3  CONTACT_AUTOMATIC_SURFACE_TO_SURFACE
-  not checked: SOFT = 2 is checked segment by segment
-
-GC501 duplicate-id 1 error
-  mesh.k:40: node 12 is defined again
-
-GC503 empty-surface 1 error
-  contact 2: SURFB has no segments
+  not judged: SOFT = 2 is checked segment by segment
 
 total  1 penetration, 1 released node, 1 node in the edge zone; deepest 0.9
-
-plates.k: 3 errors, 1 warning, 1 note in 2 contacts, 1 not checked
 )";
-  EXPECT_EQ(text(sample_report(), {}), expected);
+  const std::string all = text(sample_report(), {.all = true});
+  EXPECT_NE(all.find(expected), std::string::npos) << all;
 }
 
 TEST(Text, TopLimitsTheTablesAndListDoesNot) {
@@ -68,15 +89,15 @@ TEST(Text, TopLimitsTheTablesAndListDoesNot) {
     const std::string all = text(report, options);
     return std::distance(std::sregex_iterator(all.begin(), all.end(), row), std::sregex_iterator());
   };
-  EXPECT_EQ(listed({.top = 5}), 15);  // five penetrating nodes, five edges, five nodes in the edge zone
-  EXPECT_EQ(listed({.top = 0}), 0);
-  EXPECT_EQ(listed({.top = 1'000'000}), 500);
+  EXPECT_EQ(listed({.top = 5, .all = true}), 15);  // five penetrating nodes, five edges, five nodes in the edge zone
+  EXPECT_EQ(listed({.top = 0, .all = true}), 0);
+  EXPECT_EQ(listed({.top = 1'000'000, .all = true}), 500);
   EXPECT_EQ(listed({.list = true}), 500);
 }
 
 TEST(Text, QuietIsTheLastLine) {
   const Report report = sample_report();
-  EXPECT_EQ(text(report, {.quiet = true}), "plates.k: 3 errors, 1 warning, 1 note in 2 contacts, 1 not checked\n");
+  EXPECT_EQ(text(report, {.quiet = true}), "plates.k: 3 errors, 1 warning, 1 note in 2 contacts, 1 not judged\n");
   EXPECT_EQ(last_line(text(report, {})) + '\n', text(report, {.quiet = true}));
 }
 
@@ -84,7 +105,7 @@ TEST(Text, CleanDeck) {
   Report report = sample_report();
   report.penetrations.clear();
   report.findings.clear();
-  EXPECT_EQ(text(report, {.quiet = true}), "plates.k: nothing found in 2 contacts, 1 not checked\n");
+  EXPECT_EQ(text(report, {.quiet = true}), "plates.k: nothing found in 2 contacts, 1 not judged\n");
   EXPECT_EQ(lines_with(text(report, {}), "no penetrations"), 1u);
 }
 
@@ -95,16 +116,89 @@ TEST(Text, JudgedTiesAreNotUnchecked) {
   report.contacts[1].not_checked.clear();
   report.contacts[1].ties_judged = true;
   const std::string tied = text(report, {});
-  EXPECT_EQ(tied.find("not checked"), std::string::npos) << tied;
-  EXPECT_NE(tied.find("\n  0 nodes tied\n"), std::string::npos) << tied;
+  EXPECT_EQ(tied.find("not judged"), std::string::npos) << tied;
+  EXPECT_NE(tied.find(": 4 tracked nodes, 1 segment: 0 nodes tied\n"), std::string::npos) << tied;
 }
 
-TEST(Text, TenFindingsOfARuleInFull) {
+TEST(Text, FindingsOfARuleInOneLine) {
   Report report = sample_report();
   report.findings.assign(13, report.findings[0]);
-  EXPECT_EQ(lines_with(text(report, {}), "is defined again"), 10u);
-  EXPECT_EQ(lines_with(text(report, {}), "… and 3 more"), 1u);
-  EXPECT_EQ(lines_with(text(report, {.list = true}), "is defined again"), 13u);
+  EXPECT_EQ(lines_with(text(report, {}), "is defined again (and 12 more)"), 1u);
+  EXPECT_EQ(lines_with(text(report, {}), "is defined again"), 1u);
+  EXPECT_EQ(lines_with(text(report, {.list = true}), ": node 12 is defined again"), 14u);
+}
+
+/// Reports with many rules, contacts and pairs of parts.
+Report crowded_report(unsigned seed) {
+  Report report = random_report(3000, 60, seed);
+  std::mt19937 random(seed);
+  for (Penetration& record : report.penetrations) record.part = random() % 100, record.element_part = random() % 100;
+  for (int i = 0; i < 500; ++i) {
+    Finding finding = make_finding("GC" + std::to_string(400 + random() % 80), "rule-" + std::to_string(random() % 80),
+                                   "something is wrong");
+    finding.rule = "rule-of-" + finding.id;
+    finding.severity = static_cast<Severity>(random() % 3);
+    finding.contact = static_cast<std::int64_t>(random() % 60);
+    finding.part = static_cast<std::int64_t>(random() % 20);
+    finding.consequence = "Something goes wrong";
+    report.findings.push_back(std::move(finding));
+  }
+  return report;
+}
+
+TEST(Text, FortyLinesForAnyDeck) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Report report = crowded_report(seed);
+    for (const GroupBy by : {GroupBy::severity, GroupBy::rule, GroupBy::contact, GroupBy::part, GroupBy::file}) {
+      const std::string all = text(report, {.group_by = by});
+      EXPECT_LE(lines_with(all, ""), 40u) << all;
+      EXPECT_GE(lines_with(all, ""), 35u) << all;  // the room is used
+    }
+  }
+}
+
+TEST(Text, LinesOfTheShortReportCountEverything) {
+  const Report report = crowded_report(7);
+  const std::string all = text(report, {});
+  std::size_t sum = 0;
+  // Each line: its own number and "and N more like this".
+  static const std::regex more(R"(and (\d+) more like this)"), rest(R"(… and (\d+) more \(--all\))"),
+      nodes(R"(: (\d+) (?:node|edge)s?, deepest)"), others(R"(something is wrong(?: \(and (\d+) more\))?)");
+  const std::string findings = all.substr(all.find("\nerrors\n"), all.find("\ncontact ") - all.find("\nerrors\n"));
+  const auto add = [&](const std::regex& pattern, std::size_t each) {
+    for (std::sregex_iterator match(findings.begin(), findings.end(), pattern), end; match != end; ++match)
+      sum += each + ((*match)[1].matched ? std::stoul((*match)[1]) : 0);
+  };
+  add(more, 0), add(rest, 0), add(nodes, 0), add(others, 1);
+  EXPECT_EQ(sum, 3500u) << all;
+}
+
+TEST(Text, ATerminalsWidthIsRespected) {
+  Report report = sample_report();
+  report.contacts[0].title = std::string(90, 'x');
+  report.findings[0].message = std::string(300, 'y');
+  const std::string all = text(report, {.width = 100});
+  std::istringstream stream(all);
+  for (std::string line; std::getline(stream, line);)
+    EXPECT_LE(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }), 100) << line;
+  EXPECT_EQ(lines_with(all, "xxx…"), 1u) << all;
+  EXPECT_EQ(lines_with(all, "yyy…  mesh.k:40"), 1u) << all;  // the place is kept
+}
+
+TEST(Text, TopIsAlsoABoundForTheLinesOfARule) {
+  const Report report = crowded_report(3);
+  EXPECT_EQ(lines_with(text(report, {.per_rule = 1}), "GC102 released-node: "), 1u);
+  EXPECT_GT(lines_with(text(report, {.all = true}), "GC102 released-node: "), 100u);
+}
+
+TEST(Text, KnownFindingsAreCountedAndNotPrinted) {
+  Report report = sample_report();
+  report.baseline.emplace().states = {BaselineState::unchanged, BaselineState::fresh, BaselineState::unchanged,
+                                      BaselineState::unchanged, BaselineState::unchanged};
+  const std::string all = text(report, {});
+  EXPECT_EQ(lines_with(all, "released-node: "), 0u) << all;
+  EXPECT_EQ(lines_with(all, "  GC106 edge-zone-penetration: contact 7"), 1u) << all;
+  EXPECT_EQ(lines_with(all, "4 unchanged"), 2u) << all;
 }
 
 TEST(Text, ColourAddsNothingButEscapes) {
@@ -140,7 +234,7 @@ TEST(Text, ManyPartPairsAreCut) {
     report.penetrations[i].part = static_cast<std::int64_t>(i) + 1;
     report.penetrations[i].kind = PenetrationKind::initial;
   }
-  EXPECT_EQ(lines_with(text(report, {}), "… and 80 more"), 1u);
+  EXPECT_EQ(lines_with(text(report, {.all = true}), "… and 80 more"), 1u);
 }
 
 TEST(Totals, CountEveryRecordAndFinding) {

@@ -53,8 +53,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC408", "friction-table", Severity::error,
-                       "a contact takes its friction from a table that is not there", Need::model},
-                      run};
+const Rule definition{
+    {"GC408", "friction-table", Severity::error, "a contact takes its friction from a table that is not there",
+     Need::model, "The contact runs without friction, or the solver stops"},
+    run};
 
 }  // namespace gapcheck::audit::rule::friction_table

@@ -47,7 +47,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC409", "ignore-contradiction", Severity::warning, "IGNORE is given twice, with different values", Need::model},
+    {"GC409", "ignore-contradiction", Severity::warning, "IGNORE is given twice, with different values", Need::model,
+     "One of the two values has no effect"},
     run};
 
 }  // namespace gapcheck::audit::rule::ignore_contradiction

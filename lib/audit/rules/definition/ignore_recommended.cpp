@@ -42,8 +42,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC421", "ignore-recommended", Severity::note,
-                       "initial penetrations in contacts with IGNORE = 0", Need::node_penetrations},
-                      run};
+const Rule definition{
+    {"GC421", "ignore-recommended", Severity::note, "initial penetrations in contacts with IGNORE = 0",
+     Need::node_penetrations, "The start geometry or the start forces are not those of the deck"},
+    run};
 
 }  // namespace gapcheck::audit::rule::ignore_recommended

@@ -43,7 +43,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC414", "inactive-contact", Severity::warning,
-                       "birth and death time leave a contact no time to act", Need::model},
+                       "birth and death time leave a contact no time to act", Need::model, "The contact does nothing"},
                       run};
 
 }  // namespace gapcheck::audit::rule::inactive_contact

@@ -29,7 +29,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC401", "missing-card", Severity::error, "a contact lacks a card that its type must have", Need::model}, run};
+const Rule definition{{"GC401", "missing-card", Severity::error, "a contact lacks a card that its type must have",
+                       Need::model, "The solver stops, or reads the next card as the missing one"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::missing_card

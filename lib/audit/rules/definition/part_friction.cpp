@@ -56,8 +56,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC407", "part-friction", Severity::warning,
-                       "a contact takes its friction from parts that have none", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC407", "part-friction", Severity::warning, "a contact takes its friction from parts that have none",
+     Need::surfaces, "The contact runs without friction"},
+    run};
 
 }  // namespace gapcheck::audit::rule::part_friction

@@ -29,7 +29,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC405", "same-surface", Severity::warning, "both sides of a two-surface contact are the same", Need::model}, run};
+const Rule definition{{"GC405", "same-surface", Severity::warning, "both sides of a two-surface contact are the same",
+                       Need::model, "Each pair is treated twice, or the contact does nothing"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::same_surface

@@ -42,8 +42,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC412", "soft2-unsupported", Severity::warning,
-                       "a contact asks for a SOFT that its type does not have", Need::model},
-                      run};
+const Rule definition{
+    {"GC412", "soft2-unsupported", Severity::warning, "a contact asks for a SOFT that its type does not have",
+     Need::model, "The solver uses another formulation than the deck asks for"},
+    run};
 
 }  // namespace gapcheck::audit::rule::soft2_unsupported

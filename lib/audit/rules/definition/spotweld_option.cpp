@@ -25,9 +25,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC423", "spotweld-option", Severity::warning,
-     "CPARM8, which puts spotweld beams into a contact, is on one of its two cards only", Need::model},
-    run};
+const Rule definition{{"GC423", "spotweld-option", Severity::warning,
+                       "CPARM8, which puts spotweld beams into a contact, is on one of its two cards only", Need::model,
+                       "Spotweld beams are in the contact with one version of the solver and not with the other"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::spotweld_option

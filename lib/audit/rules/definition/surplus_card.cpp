@@ -24,7 +24,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC402", "surplus-card", Severity::warning, "a contact has more lines than its type has cards", Need::model}, run};
+const Rule definition{{"GC402", "surplus-card", Severity::warning, "a contact has more lines than its type has cards",
+                       Need::model, "The solver reads the surplus lines as something else, or stops"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::surplus_card

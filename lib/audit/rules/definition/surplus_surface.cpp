@@ -22,8 +22,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC404", "surplus-surface", Severity::warning, "a single-surface contact names a second surface", Need::model},
-    run};
+const Rule definition{{"GC404", "surplus-surface", Severity::warning, "a single-surface contact names a second surface",
+                       Need::model, "The second surface is ignored"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::surplus_surface

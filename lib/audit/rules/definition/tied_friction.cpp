@@ -29,7 +29,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC406", "tied-friction", Severity::warning, "a tied contact has friction values, which it ignores", Need::model},
+    {"GC406", "tied-friction", Severity::warning, "a tied contact has friction values, which it ignores", Need::model,
+     "The friction has no effect"},
     run};
 
 }  // namespace gapcheck::audit::rule::tied_friction

@@ -74,8 +74,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC413", "transducer-ftall", Severity::warning,
-                       "a force transducer does not get all the forces that it should", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC413", "transducer-ftall", Severity::warning, "a force transducer does not get all the forces that it should",
+     Need::surfaces, "The forces in rcforc are too small"},
+    run};
 
 }  // namespace gapcheck::audit::rule::transducer_ftall

@@ -124,8 +124,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC426", "uniform-friction", Severity::note,
-                       "one value of friction for metal, rubber, foam or fabric together", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC426", "uniform-friction", Severity::note, "one value of friction for metal, rubber, foam or fabric together",
+     Need::surfaces, "Friction is the same where it cannot be"},
+    run};
 
 }  // namespace gapcheck::audit::rule::uniform_friction

@@ -38,7 +38,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC403", "unknown-contact", Severity::error, "the solver knows no contact of this name", Need::model}, run};
+const Rule definition{{"GC403", "unknown-contact", Severity::error, "the solver knows no contact of this name",
+                       Need::model, "The solver stops at this keyword"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::unknown_contact

@@ -11,7 +11,8 @@ void review(const RuleIdentity& rule, const IgnoreOutcome& ignores, Report& repo
 }  // namespace
 
 const Rule definition{.identity = {"GC515", "bad-ignore", Severity::warning,
-                                   "a comment to gapcheck is not understood, so it leaves out nothing", Need::ignores},
+                                   "a comment to gapcheck is not understood, so it leaves out nothing", Need::ignores,
+                                   "The ignore does nothing"},
                       .review = review};
 
 }  // namespace gapcheck::audit::rule::bad_ignore

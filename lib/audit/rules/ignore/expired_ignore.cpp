@@ -23,8 +23,8 @@ void review(const RuleIdentity& rule, const IgnoreOutcome& ignores, Report& repo
 
 }  // namespace
 
-const Rule definition{
-    .identity = {"GC514", "expired-ignore", Severity::warning, "the last day of an ignore is over", Need::ignores},
-    .review = review};
+const Rule definition{.identity = {"GC514", "expired-ignore", Severity::warning, "the last day of an ignore is over",
+                                   Need::ignores, "The finding is no longer left out"},
+                      .review = review};
 
 }  // namespace gapcheck::audit::rule::expired_ignore

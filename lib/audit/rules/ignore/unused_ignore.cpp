@@ -14,8 +14,8 @@ void review(const RuleIdentity& rule, const IgnoreOutcome& ignores, Report& repo
 
 }  // namespace
 
-const Rule definition{
-    .identity = {"GC513", "unused-ignore", Severity::warning, "an ignore matches no finding", Need::ignores},
-    .review = review};
+const Rule definition{.identity = {"GC513", "unused-ignore", Severity::warning, "an ignore matches no finding",
+                                   Need::ignores, "The ignore does nothing"},
+                      .review = review};
 
 }  // namespace gapcheck::audit::rule::unused_ignore

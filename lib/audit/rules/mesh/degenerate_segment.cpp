@@ -65,8 +65,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC505", "degenerate-segment", Severity::error,
-                       "a segment in contact has no area, crosses itself or is folded", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC505", "degenerate-segment", Severity::error, "a segment in contact has no area, crosses itself or is folded",
+     Need::surfaces, "Contact finds no direction on the segment"},
+    run};
 
 }  // namespace gapcheck::audit::rule::degenerate_segment

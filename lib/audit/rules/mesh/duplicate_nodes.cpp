@@ -8,6 +8,7 @@
 #include "audit/shared/mesh_finding.hpp"
 #include "audit/shared_results.hpp"
 #include "contact/surface/joined_nodes.hpp"
+#include "contact/surface/thickness.hpp"
 #include "model/read/node_references.hpp"
 
 namespace gapcheck::audit::rule::duplicate_nodes {
@@ -16,10 +17,14 @@ namespace {
 /// Fraction of the shortest edge at either node. A deck's coordinates are rounded by far less, a mesh's nodes are much
 /// further apart.
 constexpr double same_place = 1e-3;
+/// Fraction of the thinner shell's thickness: foils whose mid-surfaces are half a thickness apart are two sheets.
+constexpr double same_sheet = 0.05;
 
 /// What the segments at a node say about it.
 struct Corner {
   double shortest_edge = INFINITY;
+  double thinnest = INFINITY;        ///< of its shells
+  std::vector<NodeIndex> ends;       ///< the other ends of edges at it
   PartIndex part = none<PartIndex>;  ///< of its segments the one with the smallest id
   bool shell = false;                ///< some segment is a shell
 };
@@ -44,6 +49,22 @@ PartIndex smaller_id(const model::Model& model, PartIndex a, PartIndex b) {
   return model.part(b).id < model.part(a).id ? b : a;
 }
 
+/// Of a shell's section; infinite where there is none.
+double thickness_of(const contact::ContactMesh& mesh, std::size_t segment) {
+  if (mesh.kind(segment) != model::ElementKind::shell || mesh.element(segment) == no_position) return INFINITY;
+  const double thickness = contact::element_thickness(mesh.model(), mesh.element(segment));
+  return thickness > 0 ? thickness : INFINITY;
+}
+
+/// Adds the neighbours of a corner along the segment's outline.
+void add_ends(const model::SegmentNodes& nodes, NodeIndex corner, std::vector<NodeIndex>& ends) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (nodes[k] != corner) continue;
+    for (const NodeIndex end : {nodes[(k + 1) % 4], nodes[(k + 3) % 4]})
+      if (end != corner) ends.push_back(end);
+  }
+}
+
 Corners corners_of(const contact::ContactMesh& mesh, const std::vector<contact::CoincidentNodes>& pairs) {
   std::vector<std::uint8_t> wanted(mesh.model().mesh.nodes.size());
   for (const auto& pair : pairs) wanted[pair.first.value] = wanted[pair.second.value] = 1;
@@ -58,6 +79,8 @@ Corners corners_of(const contact::ContactMesh& mesh, const std::vector<contact::
       corner.shortest_edge = std::min(corner.shortest_edge, shortest);
       corner.part = smaller_id(mesh.model(), corner.part, mesh.part(i));
       corner.shell = corner.shell || mesh.kind(i) == model::ElementKind::shell;
+      corner.thinnest = std::min(corner.thinnest, thickness_of(mesh, i));
+      add_ends(nodes, n, corner.ends);
     }
   }
   return corners;
@@ -72,6 +95,7 @@ class Search {
     pairs_ = contact::coincident_nodes(mesh_.corners(), x(), same_place * usual_edge(mesh_));
     if (pairs_.empty()) return;
     corners_ = corners_of(mesh_, pairs_);
+    for (const contact::CoincidentNodes& pair : pairs_) first_at_[pair.second.value] = pair.first;
     std::erase_if(pairs_, [&](const contact::CoincidentNodes& pair) { return !suspicious(pair); });
     if (pairs_.empty()) return;
     const auto joined =
@@ -107,7 +131,20 @@ class Search {
     if (a.part != b.part && !a.shell && !b.shell) return false;
     if (!context_.part_chosen(a.part) && !context_.part_chosen(b.part)) return false;
     const double apart = distance(pair);
-    return apart == 0 || apart <= same_place * std::min(a.shortest_edge, b.shortest_edge);
+    if (apart > same_place * std::min(a.shortest_edge, b.shortest_edge)) return false;
+    return apart <= same_sheet * std::min(a.thinnest, b.thinnest) && edges_match(a, b);
+  }
+
+  /// A crack runs along edges: some edge at one node has its twin at the other. Corners that only meet are none.
+  [[nodiscard]] bool edges_match(const Corner& a, const Corner& b) const {
+    return std::any_of(a.ends.begin(), a.ends.end(), [&](NodeIndex p) {
+      return std::any_of(b.ends.begin(), b.ends.end(), [&](NodeIndex q) { return place_of(p) == place_of(q); });
+    });
+  }
+  /// The first of the nodes at the same place.
+  [[nodiscard]] NodeIndex place_of(NodeIndex n) const {
+    const auto found = first_at_.find(n.value);
+    return found == first_at_.end() ? n : found->second;
   }
 
   [[nodiscard]] std::string where(const contact::CoincidentNodes& pair) const {
@@ -151,6 +188,7 @@ class Search {
   contact::ContactMesh& mesh_;
   std::vector<contact::CoincidentNodes> pairs_;
   Corners corners_;
+  std::unordered_map<std::uint32_t, NodeIndex> first_at_;
 };
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
@@ -161,7 +199,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC507", "duplicate-nodes", Severity::warning,
-                       "two nodes of a contact's surface lie at one place and are not joined", Need::surfaces},
+                       "two nodes of a contact's surface lie at one place and are not joined", Need::surfaces,
+                       "The mesh opens there like a crack"},
                       run};
 
 }  // namespace gapcheck::audit::rule::duplicate_nodes

@@ -28,8 +28,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC503", "empty-surface", Severity::error,
-                       "a side of a contact names nothing that could be in contact", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC503", "empty-surface", Severity::error, "a side of a contact names nothing that could be in contact",
+     Need::surfaces, "The contact does nothing, or the solver stops"},
+    run};
 
 }  // namespace gapcheck::audit::rule::empty_surface

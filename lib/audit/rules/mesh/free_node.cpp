@@ -94,6 +94,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC508", "free-node", Severity::note, "a node belongs to no element", Need::surfaces}, run};
+const Rule definition{
+    {"GC508", "free-node", Severity::note, "a node belongs to no element", Need::surfaces, "The node does nothing"},
+    run};
 
 }  // namespace gapcheck::audit::rule::free_node

@@ -101,7 +101,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC510", "inverted-solid", Severity::error,
-                       "a solid with a face in contact is turned inside out, wholly or at a corner", Need::surfaces},
+                       "a solid with a face in contact is turned inside out, wholly or at a corner", Need::surfaces,
+                       "The solver stops, or the contact pushes inwards"},
                       run};
 
 }  // namespace gapcheck::audit::rule::inverted_solid

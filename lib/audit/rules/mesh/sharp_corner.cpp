@@ -60,6 +60,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
               continue;
             const double cosine = cosine_at_edge(*mesh, i, j, a, uses[k].other);
             if (!(cosine > limit) || same_corners(mesh->nodes(i), mesh->nodes(j))) continue;
+            // Ties look for a node's segment once, at the start; fabric is folded on purpose, at its seams sharply.
+            if (mesh->only_tied(i) || mesh->only_tied(j) || (of_fabric(*mesh, i) && of_fabric(*mesh, j))) continue;
             const PartIndex p = mesh->part(i), q = mesh->part(j);
             if (context.part_chosen(p) || context.part_chosen(q))
               list.push_back({part_pair(p, q), cosine, static_cast<std::uint64_t>(i) << 32 | j});
@@ -89,8 +91,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC512", "sharp-corner", Severity::note,
-                       "two segments in contact fold onto each other at an edge", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC512", "sharp-corner", Severity::note, "two segments in contact fold onto each other at an edge", Need::surfaces,
+     "Nodes near the fold jump between its two sides"},
+    run};
 
 }  // namespace gapcheck::audit::rule::sharp_corner

@@ -3,12 +3,26 @@
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
 #include "audit/shared/mesh_finding.hpp"
+#include "model/entity/faces.hpp"
 
 namespace gapcheck::audit::rule::sliver_segment {
 namespace {
 
 /// Altitude over longest edge, that is an aspect ratio of twenty.
 constexpr float least_slenderness = 0.05F;
+
+/// The segment is a side of a thin brick, whose largest face is no sliver: thin as the body is, nothing to remesh.
+bool side_of_thin_brick(const contact::ContactMesh& mesh, std::size_t segment) {
+  const bool thick_shell = mesh.kind(segment) == model::ElementKind::thick_shell;
+  if (mesh.element(segment) == no_position || (mesh.kind(segment) != model::ElementKind::solid && !thick_shell))
+    return false;
+  const model::Mesh& all = mesh.model().mesh;
+  const auto& elements = thick_shell ? all.thick_shells : all.solids;
+  contact::SegmentQuality largest;
+  for (const model::SegmentNodes& face : model::SolidFaces(elements.nodes[mesh.element(segment)]))
+    if (const auto q = contact::segment_quality(face, all.nodes.x); q.size > largest.size) largest = q;
+  return largest.slenderness >= least_slenderness;
+}
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
@@ -17,7 +31,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
     const contact::SegmentQuality& q = quality[i];
     if (q.fault != contact::SegmentFault::none || !(q.slenderness < least_slenderness)) return;
-    if (context.part_chosen(mesh->part(i)))
+    if (context.part_chosen(mesh->part(i)) && !side_of_thin_brick(*mesh, i))
       list.push_back({part_group(*mesh, i), -static_cast<double>(q.slenderness), i});
   });
   const auto edge = [&](std::size_t i) {
@@ -45,8 +59,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC506", "sliver-segment", Severity::warning,
-                       "a segment in contact is much longer than it is wide", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC506", "sliver-segment", Severity::warning, "a segment in contact is much longer than it is wide",
+     Need::surfaces, "Contact on the slivers is unstable, or needs a small step"},
+    run};
 
 }  // namespace gapcheck::audit::rule::sliver_segment

@@ -36,8 +36,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC509", "stray-segment", Severity::warning,
-                       "a segment of a contact's segment set belongs to no element", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC509", "stray-segment", Severity::warning, "a segment of a contact's segment set belongs to no element",
+     Need::surfaces, "The contact acts on a surface that belongs to nothing"},
+    run};
 
 }  // namespace gapcheck::audit::rule::stray_segment

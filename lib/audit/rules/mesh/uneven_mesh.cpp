@@ -49,6 +49,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
                 quality[smaller].fault != contact::SegmentFault::none)
               continue;
             if (!(quality[larger].size > largest_ratio * quality[smaller].size)) continue;
+            // The sides of a thin brick are smaller than its face, and nothing is wrong with that.
+            if (mesh->same_element(larger, smaller) || mesh->only_tied(larger) || mesh->only_tied(smaller)) continue;
             const PartIndex a = mesh->part(larger), b = mesh->part(smaller);
             if (context.part_chosen(a) || context.part_chosen(b))
               list.push_back({part_pair(a, b), ratio(larger, smaller), pack(larger, smaller)});
@@ -79,8 +81,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC511", "uneven-mesh", Severity::note, "neighbouring segments in contact differ much in size", Need::surfaces},
-    run};
+const Rule definition{{"GC511", "uneven-mesh", Severity::note, "neighbouring segments in contact differ much in size",
+                       Need::surfaces, "Contact forces are uneven where sizes jump"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::uneven_mesh

@@ -48,8 +48,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC516", "unknown-keyword", Severity::error,
-                       "the manual has no keyword of this name, so its data is lost", Need::model},
-                      run};
+const Rule definition{
+    {"GC516", "unknown-keyword", Severity::error, "the manual has no keyword of this name, so its data is lost",
+     Need::model, "The solver stops, or the data of the keyword is lost"},
+    run};
 
 }  // namespace gapcheck::audit::rule::unknown_keyword

@@ -21,7 +21,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   const auto limit = static_cast<float>(std::cos(largest_warp * std::numbers::pi / 180));
   std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
     const contact::SegmentQuality& q = quality[i];
-    if (q.fault != contact::SegmentFault::none || !(q.warp_cosine < limit)) return;
+    if (q.fault != contact::SegmentFault::none || !(q.warp_cosine < limit) || of_fabric(*mesh, i))
+      return;  // folded fabric has no shape that could be corrected
     if (context.part_chosen(mesh->part(i)))
       list.push_back({part_group(*mesh, i), -static_cast<double>(q.warp_cosine), i});
   });
@@ -46,8 +47,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC504", "warped-segment", Severity::warning,
-                       "a quadrilateral segment in contact is far from flat", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC504", "warped-segment", Severity::warning, "a quadrilateral segment in contact is far from flat",
+     Need::surfaces, "Contact finds wrong distances on the warped segments"},
+    run};
 
 }  // namespace gapcheck::audit::rule::warped_segment

@@ -87,8 +87,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC111", "coincident-surfaces", Severity::warning, "two shells or segments have the same nodes", Need::model},
-    run};
+const Rule definition{{"GC111", "coincident-surfaces", Severity::warning, "two shells or segments have the same nodes",
+                       Need::model, "Mass, stiffness and contact force count twice"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::coincident_surfaces

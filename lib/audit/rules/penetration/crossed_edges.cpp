@@ -83,9 +83,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC104", "crossed-edges", Severity::warning,
-     "two edges or beams cross each other in a contact that looks at edges", Need::surfaces | Need::crossings},
-    run};
+const Rule definition{{"GC104", "crossed-edges", Severity::warning,
+                       "two edges or beams cross each other in a contact that looks at edges",
+                       Need::surfaces | Need::crossings, "The edges stay hooked, or are forced apart at once"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::crossed_edges

@@ -96,7 +96,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 // Severity error: nodes start on the wrong side, and the contact holds them there.
 const Rule definition{{"GC103", "crossed-elements", Severity::error,
-                       "two elements of a contact pass through each other", Need::surfaces | Need::crossings},
+                       "two elements of a contact pass through each other", Need::surfaces | Need::crossings,
+                       "The parts stay caught in each other, since contact pushes to the side where a node already is"},
                       run};
 
 }  // namespace gapcheck::audit::rule::crossed_elements

@@ -101,7 +101,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 const Rule definition{
     {"GC105", "enclosed-solid", Severity::warning,
-     "a body of solids lies wholly inside another that it is in contact with", Need::surfaces | Need::crossings},
+     "a body of solids lies wholly inside another that it is in contact with", Need::surfaces | Need::crossings,
+     "The inner body is never pushed out: contact sees it from inside"},
     run};
 
 }  // namespace gapcheck::audit::rule::enclosed_solid

@@ -57,8 +57,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC112", "moved-into-another", Severity::error,
-                       "a node that the solver moves out of one element lands in another", Need::moved_nodes},
-                      run};
+const Rule definition{
+    {"GC112", "moved-into-another", Severity::error, "a node that the solver moves out of one element lands in another",
+     Need::moved_nodes, "The solver moves nodes out of one element into another: energy from nothing"},
+    run};
 
 }  // namespace gapcheck::audit::rule::moved_into_another

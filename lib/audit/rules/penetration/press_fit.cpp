@@ -166,7 +166,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 const Rule definition{{"GC113", "press-fit", Severity::note,
                        "the intended overlap of an INTERFERENCE contact, and how hard it will press",
-                       Need::surfaces | Need::intended_overlaps},
+                       Need::surfaces | Need::intended_overlaps, "The contact presses, as it should: see how hard"},
                       run};
 
 }  // namespace gapcheck::audit::rule::press_fit

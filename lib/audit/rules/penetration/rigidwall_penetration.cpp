@@ -63,8 +63,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC110", "rigidwall-penetration", Severity::warning,
-                       "a node lies behind or in a rigid wall that is to stop it", Need::model},
-                      run};
+const Rule definition{
+    {"GC110", "rigidwall-penetration", Severity::warning, "a node lies behind or in a rigid wall that is to stop it",
+     Need::model, "The wall throws the nodes out in the first step, or never stops them"},
+    run};
 
 }  // namespace gapcheck::audit::rule::rigidwall_penetration

@@ -54,9 +54,10 @@ void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC605", "contact-step", Severity::note,
-                       "the run's time step exceeds what the solver names for the contacts", Need::run_files},
-                      nullptr,
-                      judge};
+const Rule definition{
+    {"GC605", "contact-step", Severity::note, "the run's time step exceeds what the solver names for the contacts",
+     Need::run_files, "The contact may have been unstable"},
+    nullptr,
+    judge};
 
 }  // namespace gapcheck::audit::rule::contact_step

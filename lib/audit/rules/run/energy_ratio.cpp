@@ -47,9 +47,10 @@ void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC603", "energy-ratio", Severity::warning,
-                       "energy appears or disappears: the ratio is far from 1", Need::run_files},
-                      nullptr,
-                      judge};
+const Rule definition{
+    {"GC603", "energy-ratio", Severity::warning, "energy appears or disappears: the ratio is far from 1",
+     Need::run_files, "The results hold energy from nothing, or have lost some"},
+    nullptr,
+    judge};
 
 }  // namespace gapcheck::audit::rule::energy_ratio

@@ -80,9 +80,10 @@ void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC604", "hourglass-share", Severity::warning,
-                       "hourglass energy is large beside internal energy", Need::run_files},
-                      nullptr,
-                      judge};
+const Rule definition{
+    {"GC604", "hourglass-share", Severity::warning, "hourglass energy is large beside internal energy", Need::run_files,
+     "The deformation is partly hourglass modes, not physics"},
+    nullptr,
+    judge};
 
 }  // namespace gapcheck::audit::rule::hourglass_share

@@ -45,9 +45,10 @@ void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC601", "negative-sliding-energy", Severity::warning,
-                       "a contact gives the model energy that nobody put in", Need::run_files},
-                      nullptr,
-                      judge};
+const Rule definition{
+    {"GC601", "negative-sliding-energy", Severity::warning, "a contact gives the model energy that nobody put in",
+     Need::run_files, "The results hold energy that nobody put in"},
+    nullptr,
+    judge};
 
 }  // namespace gapcheck::audit::rule::negative_sliding_energy

@@ -46,7 +46,9 @@ void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC608", "run-not-finished", Severity::error, "the run did not reach its end", Need::run_files}, nullptr, judge};
+const Rule definition{{"GC608", "run-not-finished", Severity::error, "the run did not reach its end", Need::run_files,
+                       "The results end early"},
+                      nullptr,
+                      judge};
 
 }  // namespace gapcheck::audit::rule::run_not_finished

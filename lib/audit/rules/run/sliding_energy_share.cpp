@@ -33,9 +33,10 @@ void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC602", "sliding-energy-share", Severity::note,
-                       "the contact springs of a contact hold much energy", Need::run_files},
-                      nullptr,
-                      judge};
+const Rule definition{
+    {"GC602", "sliding-energy-share", Severity::note, "the contact springs of a contact hold much energy",
+     Need::run_files, "Much energy is in contact springs: the parts overlap in the results"},
+    nullptr,
+    judge};
 
 }  // namespace gapcheck::audit::rule::sliding_energy_share

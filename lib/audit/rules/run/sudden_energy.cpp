@@ -65,9 +65,10 @@ void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC606", "sudden-energy", Severity::warning,
-                       "energy jumps from one output to the next, and no work explains it", Need::run_files},
-                      nullptr,
-                      judge};
+const Rule definition{
+    {"GC606", "sudden-energy", Severity::warning, "energy jumps from one output to the next, and no work explains it",
+     Need::run_files, "Something sudden and unphysical happened at that time"},
+    nullptr,
+    judge};
 
 }  // namespace gapcheck::audit::rule::sudden_energy

@@ -60,7 +60,8 @@ void judge(const RuleIdentity& rule, RunContext& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC607", "unbalanced-contact-force", Severity::warning,
-                       "the forces on the two sides of a contact are not opposite", Need::run_files},
+                       "the forces on the two sides of a contact are not opposite", Need::run_files,
+                       "The contact does not conserve momentum"},
                       nullptr,
                       judge};
 

@@ -62,7 +62,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC420", "contact-timestep", Severity::warning,
-                       "contact springs are unstable at the time step that the elements allow", Need::time_steps},
+                       "contact springs are unstable at the time step that the elements allow", Need::time_steps,
+                       "The contact becomes unstable: nodes shoot away"},
                       run};
 
 }  // namespace gapcheck::audit::rule::contact_timestep

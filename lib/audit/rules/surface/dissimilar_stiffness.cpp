@@ -104,7 +104,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC410", "dissimilar-stiffness", Severity::warning,
-                       "a contact with SOFT = 0 joins parts of very different stiffness", Need::surfaces},
+                       "a contact with SOFT = 0 joins parts of very different stiffness", Need::surfaces,
+                       "The contact is far too soft: the parts pass into each other"},
                       run};
 
 }  // namespace gapcheck::audit::rule::dissimilar_stiffness

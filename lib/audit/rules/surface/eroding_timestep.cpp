@@ -33,9 +33,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC419", "eroding-timestep", Severity::warning,
-     "an eroding contact may set the time step of the run, because ECDT is not set", Need::time_steps},
-    run};
+const Rule definition{{"GC419", "eroding-timestep", Severity::warning,
+                       "an eroding contact may set the time step of the run, because ECDT is not set", Need::time_steps,
+                       "The run may become slow: the contact sets the time step"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::eroding_timestep

@@ -34,7 +34,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC417", "fine-reference", Severity::warning,
-                       "the reference side of a one-way contact is finer than the tracked side", Need::surfaces},
+                       "the reference side of a one-way contact is finer than the tracked side", Need::surfaces,
+                       "Fine reference nodes pass through the coarse tracked side"},
                       run};
 
 }  // namespace gapcheck::audit::rule::fine_reference

@@ -71,7 +71,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC416", "inconsistent-normals", Severity::warning,
-                       "neighbouring segments of an oriented contact face opposite ways", Need::surfaces},
+                       "neighbouring segments of an oriented contact face opposite ways", Need::surfaces,
+                       "The contact pushes to the wrong side where segments face the other way"},
                       run};
 
 }  // namespace gapcheck::audit::rule::inconsistent_normals

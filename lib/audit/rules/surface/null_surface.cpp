@@ -71,9 +71,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC418", "null-surface", Severity::warning,
-     "a side of a contact consists of materials without stiffness: the contact gives no force", Need::surfaces},
-    run};
+const Rule definition{{"GC418", "null-surface", Severity::warning,
+                       "a side of a contact consists of materials without stiffness: the contact gives no force",
+                       Need::surfaces, "The contact gives no force"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::null_surface

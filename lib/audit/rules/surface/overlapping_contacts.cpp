@@ -200,7 +200,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC422", "overlapping-contacts", Severity::warning,
-                       "two contacts hold the same pair of parts: the forces act twice", Need::surfaces},
+                       "two contacts hold the same pair of parts: the forces act twice", Need::surfaces,
+                       "Contact forces act twice between these parts"},
                       run};
 
 }  // namespace gapcheck::audit::rule::overlapping_contacts

@@ -26,8 +26,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC411", "soft-scale", Severity::note,
-                       "SOFSCL of a contact with SOFT = 1 or 2 lies outside 0.04 to 0.1", Need::model},
-                      run};
+const Rule definition{
+    {"GC411", "soft-scale", Severity::note, "SOFSCL of a contact with SOFT = 1 or 2 lies outside 0.04 to 0.1",
+     Need::model, "The contact is softer or less stable than usual"},
+    run};
 
 }  // namespace gapcheck::audit::rule::soft_scale

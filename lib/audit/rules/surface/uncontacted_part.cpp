@@ -123,8 +123,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC415", "uncontacted-part", Severity::note,
-                       "a part with shells or solids is in no contact at all", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC415", "uncontacted-part", Severity::note, "a part with shells or solids is in no contact at all",
+     Need::surfaces, "Whatever meets the part passes through it"},
+    run};
 
 }  // namespace gapcheck::audit::rule::uncontacted_part

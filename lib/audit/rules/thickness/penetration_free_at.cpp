@@ -91,7 +91,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 const Rule definition{
     {"GC308", "penetration-free-at", Severity::note, "the largest SST with which a contact has no initial penetrations",
-     Need::surfaces | Need::node_penetrations},
+     Need::surfaces | Need::node_penetrations, "A smaller contact thickness would start free of penetrations"},
     run};
 
 }  // namespace gapcheck::audit::rule::penetration_free_at

@@ -91,9 +91,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC306", "solid-early-release", Severity::warning,
-     "a single-surface contact gives up on nodes in thin solids before it does in shells", Need::surfaces},
-    run};
+const Rule definition{{"GC306", "solid-early-release", Severity::warning,
+                       "a single-surface contact gives up on nodes in thin solids before it does in shells",
+                       Need::surfaces, "Nodes that enter thin solids are given up early and pass through"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::solid_early_release

@@ -141,7 +141,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC307", "thickness-conflict", Severity::note,
-                       "elements that share nodes have very different thickness in one contact", Need::surfaces},
+                       "elements that share nodes have very different thickness in one contact", Need::surfaces,
+                       "Contact thickness jumps from element to element, so forces do too"},
                       run};
 
 }  // namespace gapcheck::audit::rule::thickness_conflict

@@ -75,8 +75,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC304", "thickness-exceeds-mesh", Severity::warning,
-                       "a contact is thicker than the elements are wide", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC304", "thickness-exceeds-mesh", Severity::warning, "a contact is thicker than the elements are wide",
+     Need::surfaces, "Neighbouring nodes touch each other's segments: forces from nothing"},
+    run};
 
 }  // namespace gapcheck::audit::rule::thickness_exceeds_mesh

@@ -55,8 +55,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC305", "thickness-ignored", Severity::warning,
-                       "a contact of an old type ignores the thickness of its shells", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC305", "thickness-ignored", Severity::warning, "a contact of an old type ignores the thickness of its shells",
+     Need::surfaces, "Contact happens at the mid-surface: the parts overlap by their thickness"},
+    run};
 
 }  // namespace gapcheck::audit::rule::thickness_ignored

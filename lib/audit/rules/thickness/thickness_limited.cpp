@@ -52,8 +52,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC302", "thickness-limited", Severity::note,
-                       "a contact counts 0.4 of an element's edge instead of its thickness", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC302", "thickness-limited", Severity::note, "a contact counts 0.4 of an element's edge instead of its thickness",
+     Need::surfaces, "Contact happens later than the shell's thickness says"},
+    run};
 
 }  // namespace gapcheck::audit::rule::thickness_limited

@@ -248,9 +248,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) { Overrides
 
 }  // namespace
 
-const Rule definition{{"GC301", "thickness-override", Severity::warning,
-                       "SST, MST, TH or OPTT far from the real thickness makes penetrations or hides them",
-                       Need::surfaces | Need::node_penetrations},
-                      run};
+const Rule definition{
+    {"GC301", "thickness-override", Severity::warning,
+     "SST, MST, TH or OPTT far from the real thickness makes penetrations or hides them",
+     Need::surfaces | Need::node_penetrations, "Contact happens at a distance where the parts do not meet"},
+    run};
 
 }  // namespace gapcheck::audit::rule::thickness_override

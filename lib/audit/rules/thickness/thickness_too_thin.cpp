@@ -62,8 +62,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC303", "thickness-too-thin", Severity::warning,
-                       "a contact thickness is so small that nodes may pass through", Need::surfaces},
-                      run};
+const Rule definition{
+    {"GC303", "thickness-too-thin", Severity::warning, "a contact thickness is so small that nodes may pass through",
+     Need::surfaces, "Nodes pass through the thin contact zone within a few steps"},
+    run};
 
 }  // namespace gapcheck::audit::rule::thickness_too_thin

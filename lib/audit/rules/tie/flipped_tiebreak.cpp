@@ -159,7 +159,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 const Rule definition{
     {"GC212", "flipped-tiebreak", Severity::warning,
-     "the reference side of a tiebreak looks away from the nodes tied to it", Need::surfaces | Need::ties},
+     "the reference side of a tiebreak looks away from the nodes tied to it", Need::surfaces | Need::ties,
+     "The tiebreak sees its nodes from behind: after failure they fall through"},
     run};
 
 }  // namespace gapcheck::audit::rule::flipped_tiebreak

@@ -49,7 +49,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC209", "tie-by-part", Severity::note,
-                       "a tie given by parts leaves nodes untied; a node set would say which are meant", Need::ties},
+                       "a tie given by parts leaves nodes untied; a node set would say which are meant", Need::ties,
+                       "It stays open which nodes are meant to tie"},
                       run};
 
 }  // namespace gapcheck::audit::rule::tie_by_part

@@ -59,7 +59,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC203", "tie-conflict", Severity::warning,
-                       "two definitions constrain the same nodes; the later one does not get them", Need::ties},
+                       "two definitions constrain the same nodes; the later one does not get them", Need::ties,
+                       "The later definition does not hold these nodes"},
                       run};
 
 }  // namespace gapcheck::audit::rule::tie_conflict

@@ -110,9 +110,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC211", "tie-fine-reference", Severity::note,
-     "the reference side of a tie is finer than the tracked side where they are tied", Need::surfaces | Need::ties},
-    run};
+const Rule definition{{"GC211", "tie-fine-reference", Severity::note,
+                       "the reference side of a tie is finer than the tracked side where they are tied",
+                       Need::surfaces | Need::ties, "The tie is uneven: not every node of the finer side is held"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::tie_fine_reference

@@ -100,7 +100,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC207", "tie-large-segment", Severity::warning,
-                       "a node ties only because the segment is large beside the node's own elements", Need::ties},
+                       "a node ties only because the segment is large beside the node's own elements", Need::ties,
+                       "Nodes tie that may not be meant to"},
                       run};
 
 }  // namespace gapcheck::audit::rule::tie_large_segment

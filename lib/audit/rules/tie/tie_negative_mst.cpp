@@ -38,8 +38,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC210", "tie-negative-mst", Severity::warning,
-                       "a tie gives its reach with a negative MST in place of SST", Need::model},
-                      run};
+const Rule definition{
+    {"GC210", "tie-negative-mst", Severity::warning, "a tie gives its reach with a negative MST in place of SST",
+     Need::model, "The reach may not be the intended one"},
+    run};
 
 }  // namespace gapcheck::audit::rule::tie_negative_mst

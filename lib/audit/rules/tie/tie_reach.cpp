@@ -55,7 +55,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC208", "tie-reach", Severity::note, "the negative SST that would tie the nodes that are too far", Need::ties},
+    {"GC208", "tie-reach", Severity::note, "the negative SST that would tie the nodes that are too far", Need::ties,
+     "The nodes stay untied as long as the reach is too short"},
     run};
 
 }  // namespace gapcheck::audit::rule::tie_reach

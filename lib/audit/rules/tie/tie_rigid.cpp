@@ -68,7 +68,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC206", "tie-rigid", Severity::error, "a constraint tie meets rigid bodies, which it cannot tie", Need::ties},
+    {"GC206", "tie-rigid", Severity::error, "a constraint tie meets rigid bodies, which it cannot tie", Need::ties,
+     "The tie does not hold rigid bodies: the parts separate"},
     run};
 
 }  // namespace gapcheck::audit::rule::tie_rigid

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "audit/rules.hpp"
 #include "audit/shared/tied_contacts.hpp"
 
@@ -19,6 +21,24 @@ bool has_rotations(const model::Model& model, PartIndex index) {
   return kind == model::SectionKind::shell || kind == model::SectionKind::beam;
 }
 
+/// Nodes of shells and beams whose nodes are all tied: the element itself keeps their rotations.
+std::vector<bool> held_by_elements(const model::Model& model, std::span<const JudgedNode> nodes) {
+  std::vector<bool> tied(model.mesh.nodes.size()), held(tied.size());
+  for (const JudgedNode& node : nodes)
+    if (node.tied()) tied[node.node.value] = true;
+  const auto hold = [&](const auto& elements, std::size_t corners) {
+    for (const auto& element : elements.nodes) {
+      const auto end = element.begin() + static_cast<std::ptrdiff_t>(corners);
+      if (!std::all_of(element.begin(), end, [&](NodeIndex n) { return n != none<NodeIndex> && tied[n.value]; }))
+        continue;
+      for (auto n = element.begin(); n != end; ++n) held[n->value] = true;
+    }
+  };
+  hold(model.mesh.shells, 4);
+  hold(model.mesh.beams, 2);
+  return held;
+}
+
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::vector<bool> rotating(model.parts.size());
@@ -26,12 +46,13 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   for_each_tied_contact(context, [&](ContactIndex c, std::span<const JudgedNode> nodes) {
     const contact::ContactType type = contact::classify(model.contact(c));
     if (!contact::leaves_rotations_free(type)) return;
+    const std::vector<bool> held = held_by_elements(model, nodes);
     std::uint64_t tied = 0, free = 0;
     std::int64_t first = 0;
     for (const JudgedNode& node : nodes) {
       if (!node.tied()) continue;
       ++tied;
-      if (node.part == none<PartIndex> || !rotating[node.part.value]) continue;
+      if (node.part == none<PartIndex> || !rotating[node.part.value] || held[node.node.value]) continue;
       const std::int64_t id = model.mesh.nodes.id[node.node.value];
       if (free++ == 0 || id < first) first = id;
     }
@@ -52,7 +73,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC205", "tie-rotations", Severity::warning, "shells or beams are tied without their rotations", Need::ties}, run};
+const Rule definition{{"GC205", "tie-rotations", Severity::warning, "shells or beams are tied without their rotations",
+                       Need::ties, "The joint turns like a hinge"},
+                      run};
 
 }  // namespace gapcheck::audit::rule::tie_rotations

@@ -52,5 +52,22 @@ TEST(DuplicateNodes, BodiesOfSolidsMayTouch) {
   EXPECT_EQ(listed(run_rule("GC507", broken.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 4U);
 }
 
+// A crack runs along an edge; two sheets that meet in one corner, or lie half a foil's thickness apart, are none.
+TEST(DuplicateNodes, NotCornersThatOnlyMeet) {
+  RuleDeck deck;
+  deck.shell_part(1, 1).plate(1, 1, 1, 1, Vector(0, 0, 0), 5, 5).plate(101, 1, 1, 1, Vector(5, 5, 0), 5, 5);
+  EXPECT_EQ(listed(run_rule("GC507", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 0U);
+}
+
+TEST(DuplicateNodes, NotSheetsOfFoil) {
+  const auto sheets = [](double apart) {
+    RuleDeck deck;
+    deck.shell_part(1, 0.008).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).plate(101, 1, 2, 2, Vector(0, 0, apart), 5, 5);
+    return listed(run_rule("GC507", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0")));
+  };
+  EXPECT_EQ(sheets(0.0003), 9U);  // below a twentieth of the thickness: the same sheet twice
+  EXPECT_EQ(sheets(0.004), 0U);
+}
+
 }  // namespace
 }  // namespace gapcheck::audit_test::duplicate_nodes_test

@@ -9,9 +9,9 @@ constexpr double per_degree = 3.14159265358979323846 / 180;
 
 /// Two rows of two shells that share the nodes 1, 2, 3, with this angle between them; the second row's nodes run either
 /// way.
-Report hinge(double degrees, bool turned = false) {
+RuleDeck hinge_deck(double degrees, bool turned = false, std::int64_t material = 1) {
   RuleDeck deck;
-  deck.shell_part(1, 0.1);
+  deck.shell_part(1, 0.1, material);
   for (int i = 0; i < 3; ++i)
     deck.node(1 + i, {10.0 * i, 0, 0})
         .node(11 + i, {10.0 * i, 10, 0})
@@ -23,7 +23,11 @@ Report hinge(double degrees, bool turned = false) {
     else
       deck.shell(3 + i, 1, {1 + i, 2 + i, 22 + i, 21 + i});
   }
-  return run_rule("GC512", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"));
+  return deck;
+}
+
+Report hinge(double degrees, bool turned = false) {
+  return run_rule("GC512", hinge_deck(degrees, turned).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"));
 }
 
 TEST(SharpCorner, BelowThirtyDegrees) {
@@ -45,6 +49,19 @@ TEST(SharpCorner, NotAShellOnASolid) {
   deck.solid_part(1).shell_part(2, 0.1).block(1, 1, 1, 1, 1, {0, 0, 0}, {5, 5, 5}).shell(50, 2, {1, 2, 4, 3});
   deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "1,0,3,0").contact(2, "AUTOMATIC_SINGLE_SURFACE", "2,0,3,0");
   EXPECT_EQ(listed(run_rule("GC512", deck)), 0U);
+}
+
+TEST(SharpCorner, NotInTiesAndNotAtSeamsOfFabric) {
+  const auto tied = [](RuleDeck deck) {
+    deck.shell_part(2, 0.1).plate(101, 2, 1, 1, {0, 0, 0.05}, 10, 10);
+    return deck.contact(1, "TIED_SURFACE_TO_SURFACE", "2,1,3,3");
+  };
+  RuleDeck in_both = tied(hinge_deck(20));
+  EXPECT_EQ(listed(run_rule("GC512", tied(hinge_deck(20)))), 0U);
+  EXPECT_EQ(listed(run_rule("GC512", in_both.contact(2, "AUTOMATIC_SINGLE_SURFACE", "0"))), 2U);
+  RuleDeck fabric = hinge_deck(20, false, 3);
+  fabric.raw("MAT_FABRIC", "3,1e-9,300.,300.,,0.3,0.3\n100.\n\n\n\n");
+  EXPECT_EQ(listed(run_rule("GC512", fabric.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 0U);
 }
 
 }  // namespace

@@ -29,5 +29,15 @@ TEST(SliverSegment, TrianglesByTheirAltitude) {
   EXPECT_EQ(triangle(0.55), 0U);
 }
 
+TEST(SliverSegment, NotTheSidesOfAThinBrick) {
+  const auto brick = [](double x, double y, double z) {
+    RuleDeck deck;
+    deck.solid_part(1).block(1, 1, 1, 1, 1, {0, 0, 0}, {x, y, z});
+    return listed(run_rule("GC506", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0")));
+  };
+  EXPECT_EQ(brick(20, 20, 0.5), 0U);
+  EXPECT_EQ(brick(20, 0.5, 0.5), 4U);  // a needle has no face that is sound beside its ends
+}
+
 }  // namespace
 }  // namespace gapcheck::audit_test::sliver_segment_test

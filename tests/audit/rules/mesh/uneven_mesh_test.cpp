@@ -32,5 +32,32 @@ TEST(UnevenMesh, OnlyWithACommonEdge) {
   EXPECT_EQ(listed(run_rule("GC511", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 0U);
 }
 
+TEST(UnevenMesh, NotTheSidesOfAThinBrick) {
+  RuleDeck thin, stepped;
+  thin.solid_part(1).block(1, 1, 2, 2, 1, {0, 0, 0}, {20, 20, 0.2});
+  EXPECT_EQ(listed(run_rule("GC511", thin.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 0U);
+  // Bricks of 10 x 10 x 10, 0.3 x 10 x 10 beside them: 10 and sqrt(3).
+  stepped.solid_part(1);
+  const double x[] = {0, 10, 10.3};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 4; ++k) stepped.node(1 + 4 * i + k, {x[i], k % 3 == 0 ? 0. : 10., k < 2 ? 0. : 10.});
+  for (int i = 0; i < 2; ++i) {
+    const std::int64_t n = 1 + 4 * i;
+    stepped.solid(i + 1, 1, {n, n + 4, n + 5, n + 1, n + 3, n + 7, n + 6, n + 2});
+  }
+  EXPECT_EQ(listed(run_rule("GC511", stepped.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 4U);
+}
+
+TEST(UnevenMesh, NotWhereContactsOnlyTie) {
+  RuleDeck deck;
+  deck.shell_part(1, 0.1).shell_part(2, 0.1).plate(101, 2, 1, 1, {0, 0, 0.05}, 10, 10);
+  deck.node(1, {0, 0, 0}).node(2, {10, 0, 0}).node(3, {10, 10, 0}).node(4, {0, 10, 0});
+  deck.node(5, {10, 10.3, 0}).node(6, {0, 10.3, 0}).shell(1, 1, {1, 2, 3, 4}).shell(2, 1, {4, 3, 5, 6});
+  RuleDeck touched = deck;
+  EXPECT_EQ(listed(run_rule("GC511", deck.contact(1, "TIED_SURFACE_TO_SURFACE", "2,1,3,3"))), 0U);
+  touched.contact(1, "TIED_SURFACE_TO_SURFACE", "2,1,3,3").contact(2, "AUTOMATIC_SINGLE_SURFACE", "0");
+  EXPECT_EQ(listed(run_rule("GC511", touched)), 1U);
+}
+
 }  // namespace
 }  // namespace gapcheck::audit_test::uneven_mesh_test

@@ -69,5 +69,15 @@ TEST(WarpedSegment, NeedsAContact) {
             report.statistics.end());
 }
 
+TEST(WarpedSegment, NotFabric) {
+  const auto deck = [](const std::string& material) {
+    return "*KEYWORD\n*PART\nbag\n1,1,3\n*SECTION_SHELL\n1,2\n1.,1.,1.,1.\n" + material +
+           "*NODE\n1,0.,0.,0.\n2,10.,0.,0.\n3,10.,10.,4.\n4,0.,10.,0.\n*ELEMENT_SHELL\n7,1,1,2,3,4\n"
+           "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.\n1.,1.\n*END\n";
+  };
+  EXPECT_EQ(listed(run_rule("GC504", deck("*MAT_ELASTIC\n3,1e-9,300.,0.3\n"))), 1U);
+  EXPECT_EQ(listed(run_rule("GC504", deck("*MAT_FABRIC\n3,1e-9,300.,300.,,0.3,0.3\n100.\n\n\n\n"))), 0U);
+}
+
 }  // namespace
 }  // namespace gapcheck::audit_test::warped_segment_test

@@ -43,5 +43,21 @@ TEST(TieRotations, SolidsHaveNoneAndBeamsDo) {
   EXPECT_EQ(report.findings[0].node, 101);
 }
 
+// A lying plate of which whole shells are tied turns with them; one more shell over the edge does not change that.
+TEST(TieRotations, NotWhereWholeElementsAreTied) {
+  const auto lying = [](const std::string& tied) {
+    RuleDeck deck;
+    deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 10, 10);
+    deck.plate(51, 2, 3, 1, Vector(2, 2, 0.1), 5, 5);  // nodes 51 to 54 and 55 to 58
+    deck.raw("SET_NODE_LIST", "7\n" + tied);
+    return run_rule("GC205", deck.contact(1, "TIED_NODES_TO_SURFACE", "7,1,4,3"));
+  };
+  EXPECT_EQ(listed(lying("51,52,55,56\n")), 0U);
+  const Report edge = lying("51,55\n");
+  ASSERT_EQ(listed(edge), 1U);
+  EXPECT_EQ(edge.findings[0].count, 2U);
+  EXPECT_EQ(lying("51,52,55,56,54\n").findings.at(0).count, 1U);  // 54 is tied alone
+}
+
 }  // namespace
 }  // namespace gapcheck::audit_test::tie_rotations_test

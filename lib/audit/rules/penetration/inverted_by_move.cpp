@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <span>
+
+#include "audit/members.hpp"
+#include "audit/rules.hpp"
+#include "audit/shared/mesh_finding.hpp"
+#include "audit/shared_results.hpp"
+#include "contact/surface/segment_quality.hpp"
+#include "model/entity/faces.hpp"
+
+namespace gapcheck::audit::rule::inverted_by_move {
+namespace {
+
+using Points = std::vector<Vector>;
+
+/// A scaled Jacobian or a share of the former area below this is as good as none: the element cannot be calculated.
+constexpr double flattened = 0.01;
+
+/// Twice the vector area of a shell; a triangle repeats its last node.
+Vector double_area(const std::array<NodeIndex, 4>& n, const Points& x) {
+  return (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]);
+}
+
+/// Area (shells) or volume of an element; negative: turned against the area before.
+double size_of(const std::array<NodeIndex, 4>& nodes, const Points& x, const Vector& before) {
+  const double length = before.norm();
+  return length > 0 ? double_area(nodes, x).dot(before) / (2 * length) : 0;
+}
+
+/// Volume within the faces, each cut into triangles around its middle.
+double volume(const std::array<NodeIndex, 8>& nodes, const Points& x) {
+  double sum = 0;
+  const Vector origin = x[nodes[0].value];
+  for (const model::SegmentNodes& face : model::SolidFaces(nodes)) {
+    Vector middle = Vector::Zero();
+    for (const NodeIndex n : face) middle += (x[n.value] - origin) / 4;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vector a = x[face[k].value] - origin, b = x[face[(k + 1) % 4].value] - origin;
+      sum += middle.dot(a.cross(b)) / 6;
+    }
+  }
+  return std::abs(sum);
+}
+
+/// Who moved a node.
+struct Move {
+  ContactIndex contact;
+  bool tie = false;
+};
+
+/// The elements of one kind, and the nodes that the initialisation has moved.
+class Moves {
+ public:
+  Moves(Context& context, const contact::InitialState& state) : model_(context.model()), after_(state.x) {
+    const Points& before = model_.mesh.nodes.x;
+    if (after_.size() != before.size()) return;
+    moved_.resize(before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) any_ |= moved_[i] = before[i] != after_[i];
+    if (!any_) return;
+    for (const contact::JudgedNode& node : state.judged)
+      if (node.tied() && moved_[node.node.value]) of_node_[node.node.value] = {node.contact, true};
+    for (const Penetration& record : state.penetrations)
+      if (const auto node = model_.mesh.nodes.lookup.find(record.node);
+          node && record.outcome == Outcome::moved && moved_[*node])
+        of_node_[*node] = {ContactIndex{record.contact}, false};
+  }
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] const Points& after() const { return after_; }
+
+  /// The node of an element that is moved furthest; none: the element stays.
+  [[nodiscard]] NodeIndex furthest(std::span<const NodeIndex> nodes) const {
+    NodeIndex best = none<NodeIndex>;
+    for (const NodeIndex n : nodes)
+      if (moved_[n.value] && (best == none<NodeIndex> || distance(n) > distance(best))) best = n;
+    return best;
+  }
+  [[nodiscard]] double distance(NodeIndex n) const { return (after_[n.value] - model_.mesh.nodes.x[n.value]).norm(); }
+  /// nullptr: not known.
+  [[nodiscard]] const Move* of(NodeIndex n) const {
+    const auto found = of_node_.find(n.value);
+    return found == of_node_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  const model::Model& model_;
+  const Points& after_;
+  std::vector<std::uint8_t> moved_;
+  std::map<std::uint32_t, Move> of_node_;
+  bool any_ = false;
+};
+
+/// What becomes of one element.
+struct Fate {
+  double before = 0, after = 0;  ///< area of shells, volume of solids
+  bool inverted = false, flat = false;
+  [[nodiscard]] bool bad() const { return inverted || flat; }
+};
+
+Fate fate(const std::array<NodeIndex, 4>& nodes, const Points& x, const Points& after) {
+  const Vector normal = double_area(nodes, x);
+  const double before = normal.norm() / 2, now = size_of(nodes, after, normal);
+  return {before, now, before > 0 && now<0, before> 0 && now >= 0 && now < flattened * before};
+}
+
+Fate fate(const std::array<NodeIndex, 8>& nodes, const Points& x, const Points& after) {
+  const contact::SolidQuality was = contact::solid_quality(nodes, x), is = contact::solid_quality(nodes, after);
+  const double least_was = std::min(was.centre, was.worst_corner), least = std::min(is.centre, is.worst_corner);
+  if (least_was < flattened || least >= flattened) return {};
+  return {volume(nodes, x), is.centre < 0 ? -volume(nodes, after) : volume(nodes, after), least < 0, least >= 0};
+}
+
+template <std::size_t N>
+void check(const RuleIdentity& rule, Context& context, Report& report, const Moves& moves,
+           const model::Elements<N>& elements, std::string_view word, std::string_view measure) {
+  const model::Model& model = context.model();
+  const Points& x = model.mesh.nodes.x;
+  std::vector<Found> found = find_all(elements.size(), [&](std::size_t i, std::vector<Found>& list) {
+    const auto& nodes = elements.nodes[i];
+    if (moves.furthest(nodes) == none<NodeIndex>) return;
+    if (elements.part[i] != none<PartIndex> && !context.part_chosen(elements.part[i])) return;
+    const Fate f = fate(nodes, x, moves.after());
+    if (f.bad())
+      list.push_back({elements.part[i].value, rough_weight((f.before - f.after) / f.before), i, {elements.id[i]}});
+  });
+  const auto at = [&](std::size_t i, std::string message) {
+    const NodeIndex node = moves.furthest(elements.nodes[i]);
+    Finding finding = node_finding(rule, context, node, std::move(message));
+    finding.element = elements.id[i];
+    if (const PartIndex part = elements.part[i]; part != none<PartIndex>)
+      finding.part = finding.element_part = model.part(part).id.value;
+    if (const Move* move = moves.of(node)) finding.contact = model.contact(move->contact).id.value;
+    return finding;
+  };
+  add_grouped(
+      report, std::move(found),
+      [&](const Found& one) {
+        const std::size_t i = one.item;
+        const NodeIndex node = moves.furthest(elements.nodes[i]);
+        const Fate f = fate(elements.nodes[i], x, moves.after());
+        const Move* move = moves.of(node);
+        const std::string who = move == nullptr ? "the start moves" : move->tie ? "the tie moves" : "the contact moves";
+        return at(
+            i, fmt::format("{} {} {}: {} its node {} by {:.6g}; {} {:.6g} before, {:.6g} after: correct the geometry "
+                           "there, or {}",
+                           word, elements.id[i], f.inverted ? "is turned inside out" : "is flattened", who,
+                           model.mesh.nodes.id[node.value], moves.distance(node), measure, f.before, f.after,
+                           move != nullptr && move->tie ? "tie with an offset" : "set IGNORE = 1"));
+      },
+      [&](const Found& one, std::uint64_t count) {
+        return at(one.item, fmt::format("{} more {}s of this part are turned inside out or flattened by moved nodes",
+                                        count, word));
+      },
+      collect_nodes(context, [&](const Found& one) { return moves.furthest(elements.nodes[one.item]); }));
+}
+
+void run(const RuleIdentity& rule, Context& context, Report& report) {
+  const Moves moves(context, context.results().initial());
+  if (!moves.any()) return;
+  const model::Mesh& mesh = context.model().mesh;
+  check(rule, context, report, moves, mesh.shells, "shell", "area");
+  check(rule, context, report, moves, mesh.solids, "solid", "volume");
+  check(rule, context, report, moves, mesh.thick_shells, "thick shell", "volume");
+}
+
+}  // namespace
+
+const Rule definition{{"GC114", "inverted-by-move", Severity::error,
+                       "an element is turned inside out or flattened when the solver moves its nodes at the start",
+                       Need::node_penetrations | Need::ties,
+                       "The solver stops with a negative volume, or calculates with an element of no size"},
+                      run};
+
+}  // namespace gapcheck::audit::rule::inverted_by_move
