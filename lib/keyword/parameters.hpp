@@ -23,7 +23,7 @@ using ParameterValue = std::variant<std::int64_t, double, std::string>;
 /// Letters, digits and underscores only, as names in expressions have them.
 [[nodiscard]] bool is_plain_name(std::string_view name);
 
-/// Stands for a value that could not be read and has been reported; a number field that names it stays silent.
+/// A value that could not be read and was reported; number fields that refer to it report nothing more.
 inline constexpr std::string_view unread_parameter = "__";
 
 /// The values of *PARAMETER and its relatives, with the place from which each is visible.
