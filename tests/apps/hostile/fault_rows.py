@@ -1,5 +1,6 @@
 """The rows of faults.py: each function injects one kind of fault and says what is wrong afterwards."""
 
+import contextlib
 import os
 import shutil
 import signal
@@ -308,6 +309,14 @@ def changed_input(bench, reading, what, moment):
     return found + ([f"left: {bench.fragments()}"] if bench.fragments() else [])
 
 
+def open_or_none(path):
+    return open(path, "rb") if path.exists() else contextlib.nullcontext()
+
+
+def size_of(file):
+    return os.fstat(file.fileno()).st_size if file else 0
+
+
 def vanishing_folder(bench, command, what, moment):
     call = faults.VANISHING[command]
     long = bench.duration(call if command != "audit" else "G audit p.k")
@@ -317,16 +326,20 @@ def vanishing_folder(bench, command, what, moment):
     running = bench.start(call)
     time.sleep(long * moment / faults.VANISH_MOMENTS)
     name = {"fix": "p.k", "run": "messag", "audit": "page"}[command]
-    # Files of a run are open until its end; those of others are finished once they have their name.
-    late = running.has_ended() or (command != "run" and (folder / name).exists())
-    if what == "moved":
-        folder.rename(bench.folder / "gone")
-    else:
-        shutil.rmtree(folder, ignore_errors=True)
-    ended = running.wait()
+    # A run writes to its files until it ends; those of others are finished once they have their name.
+    with open_or_none(folder / name) as file:
+        finished = running.has_ended() or (command != "run" and file is not None)
+        if what == "moved":
+            folder.rename(bench.folder / "gone")
+        else:
+            shutil.rmtree(folder, ignore_errors=True)
+        written = size_of(file)
+        ended = running.wait()
+        # What is removed after its last byte nobody can notice.
+        finished |= file is not None and written > 0 and size_of(file) == written
     # fix and run make the folder again where they have not begun to write.
     found = wrong_end(ended)
-    if ended.code != 2 and not late and not (folder / name).exists():
+    if ended.code != 2 and not finished and not (folder / name).exists():
         found.append(f"{ended.how()}, and {folder.name}/{name} is not there")
     return found + ([f"left: {bench.fragments()}"] if bench.fragments() else [])
 
