@@ -125,11 +125,8 @@ class Run {
 
   int run() {
     for (const std::string& deck : decks_) audit(deck);
-    // Nothing is found in a contact that does not exist.
-    for (const std::int64_t id : arguments_.audit.contacts)
-      if (!reports_.empty() && !known_contact(id))
-        failures_.add(plain_error(fmt::format("--contact {}: {}", id, no_such_contact())));
     if (reports_.empty() && !several()) return failed;
+    check_ids();
     failures_.add(write({reports_, unread_}, arguments_.output));
     if (failures_.any()) return failed;
     int code = clean;
@@ -139,15 +136,26 @@ class Run {
 
  private:
   [[nodiscard]] bool several() const { return decks_.size() > 1; }
-  [[nodiscard]] std::string no_such_contact() const {
-    return several() ? "none of the decks has such a contact" : "the deck has no such contact";
+
+  /// Nothing is found in contacts and parts that do not exist.
+  void check_ids() {
+    check("--contact", "contact", arguments_.audit.contacts, has_contact);
+    check("--part", "part", arguments_.audit.parts, has_part);
   }
-  [[nodiscard]] bool known_contact(std::int64_t id) const {
-    return std::any_of(reports_.begin(), reports_.end(), [id](const Report& report) { return has(report, id); });
+  static bool has_contact(const Report& report, std::int64_t id) {
+    return std::any_of(report.contacts.begin(), report.contacts.end(),
+                       [id](const ContactSummary& summary) { return summary.id == id; });
   }
-  static bool has(const Report& report, std::int64_t contact) {
-    const auto matches = [contact](const ContactSummary& summary) { return summary.id == contact; };
-    return std::any_of(report.contacts.begin(), report.contacts.end(), matches);
+  static bool has_part(const Report& report, std::int64_t id) {
+    return std::find(report.unknown_parts.begin(), report.unknown_parts.end(), id) == report.unknown_parts.end();
+  }
+  template <class Has>
+  void check(std::string_view option, std::string_view thing, const std::vector<std::int64_t>& ids, const Has& has) {
+    for (const std::int64_t id : ids)
+      if (!reports_.empty() &&
+          std::none_of(reports_.begin(), reports_.end(), [&](const Report& r) { return has(r, id); }))
+        failures_.add(plain_error(fmt::format(
+            "{} {}: {} {}", option, id, several() ? "none of the decks has such a" : "the deck has no such", thing)));
   }
 
   /// Reads and audits one deck and writes its own files.
@@ -174,9 +182,10 @@ class Run {
     compare(
         baseline.value(), [&own](const KnownFinding& known) { return looked_for(known, own.audit); }, report);
     const auto& contacts = own.audit.contacts;
-    const bool whole =
-        !diagnostics.has_errors() && (several() || std::all_of(contacts.begin(), contacts.end(),
-                                                               [&report](std::int64_t id) { return has(report, id); }));
+    const bool known =
+        report.unknown_parts.empty() &&
+        std::all_of(contacts.begin(), contacts.end(), [&report](std::int64_t id) { return has_contact(report, id); });
+    const bool whole = !diagnostics.has_errors() && (several() || known);
     // Every record of a deck knows where its node is.
     const auto position = [](std::int64_t) { return std::nullopt; };
     const Status made = make_folders(arguments_, own);

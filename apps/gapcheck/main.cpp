@@ -34,7 +34,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return show_text_of(app, error);
-    print(plain_error(std::string(error.what()) + "; see gapcheck --help"));
+    print(plain_error(what_is_wrong(app, error)));
     return failed;
   }
   return action ? action() : failed;

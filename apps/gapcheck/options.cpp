@@ -14,6 +14,7 @@
 
 #include "audit/registry.hpp"
 #include "base/file_writer.hpp"
+#include "base/nearest_name.hpp"
 #include "base/number.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
@@ -29,7 +30,8 @@ namespace {
 std::string check_rule(const std::string& text, bool of_runs) {
   for (const auto& rule : audit::rules())
     if (rule.of_runs() == of_runs && audit::selected(rule, {text}, {})) return "";
-  return fmt::format("'{}' is not a rule on {}; gapcheck rules lists them", text, of_runs ? "runs" : "decks");
+  return fmt::format("'{}' is not a rule on {}; gapcheck rules lists them{}", text, of_runs ? "runs" : "decks",
+                     did_you_mean(audit::nearest_rule(text, of_runs)));
 }
 
 }  // namespace
@@ -65,7 +67,7 @@ void add_output(CLI::App& command, OutputOptions& options) {
           ->capture_default_str(),
       command.add_flag("--all", options.text.all, "No bound on lines, and each contact with its deepest nodes"),
       command.add_flag("--list", options.text.list, "The same with every node and every finding"),
-      command.add_option("--group-by", options.group_by, "What the lines of findings stand under")
+      command.add_option("--group-by", options.group_by, "How findings are grouped into lines")
           ->check(CLI::IsMember({"severity", "rule", "contact", "part", "file"}))
           ->capture_default_str(),
       command.add_option("--fail-on", options.fail_on, "Least severity that gives exit code 1")

@@ -57,6 +57,7 @@ Result<Report> audited(const AuditOptions& options, const Read& read) {
   if (!report) return error_of(report.error(), diagnostics);
   OptionCheck check;
   check.contacts(options.contacts, {&report.value()}, "the deck has no such contact");
+  check.parts(report.value().unknown_parts);
   if (!check.message().empty()) return Error{"", 0, check.message(), listed(diagnostics)};
   return report_of(std::move(report).value(), diagnostics);
 }

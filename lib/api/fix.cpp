@@ -63,7 +63,8 @@ FixContact contact_with(const gapcheck::FixContact& from) {
   const auto state = [](const gapcheck::FixContact::State& s) {
     return FixContact::State{s.penetrations, s.released, s.deepest};
   };
-  return {from.id, from.keyword, from.title, from.not_checked, state(from.before), state(from.after)};
+  return {from.id,           from.keyword,     from.title,        from.not_checked, state(from.before),
+          state(from.after), from.by_segments, from.edges_before, from.edges_after, from.why_untreated};
 }
 
 MovedNode moved_node(const gapcheck::MovedNode& from) {

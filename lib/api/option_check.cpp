@@ -35,6 +35,10 @@ void OptionCheck::contacts(const std::vector<std::int64_t>& ids, const std::vect
       fault(fmt::format("contact {}: {}", id, why));
 }
 
+void OptionCheck::parts(const std::vector<std::int64_t>& unknown) {
+  for (const std::int64_t id : unknown) fault(fmt::format("part {}: the deck has no such part", id));
+}
+
 void OptionCheck::fault(std::string message) {
   if (message_.empty()) message_ = std::move(message);
 }

@@ -19,6 +19,8 @@ class OptionCheck {
   /// Each id is that of a contact. `why`: what is said of one that is not, "the deck has no such contact".
   void contacts(const std::vector<std::int64_t>& ids, const std::vector<const gapcheck::Report*>& reports,
                 std::string_view why);
+  /// Each id is that of a part; `unknown`: those that are not.
+  void parts(const std::vector<std::int64_t>& unknown);
   void fault(std::string message);
   /// Empty: no fault.
   [[nodiscard]] const std::string& message() const { return message_; }

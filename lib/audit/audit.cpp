@@ -180,6 +180,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   for (const keyword::SourceFile& file : deck.files()) report.files.push_back(file.path);
   report.model = counts(model);
   const Selection selection(model, options);
+  report.unknown_parts = selection.unknown_parts();
   SharedResults results(selection);
   RuleLog log;
   Context context(deck, selection, results, log);

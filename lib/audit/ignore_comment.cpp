@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "audit/registry.hpp"
-#include "base/edit_distance.hpp"
+#include "base/nearest_name.hpp"
 #include "base/number.hpp"
 #include "records/record_rules.hpp"
 
@@ -31,21 +31,6 @@ std::string quoted(std::string_view text) {
   for (const char c : text.substr(0, longest)) out += c >= ' ' && c <= '~' ? c : '?';
   return out + (text.size() > longest ? "…\"" : "\"");
 }
-
-/// The name that was probably meant; empty: none is similar.
-template <class Names>
-std::string_view nearest(std::string_view written, const Names& names) {
-  const std::string word = lower_case(written.substr(0, 60));
-  std::string_view best;
-  double least = std::max(2.0, static_cast<double>(word.size()) / 3) + 0.5;
-  for (const std::string_view name : names) {
-    const auto replace = [](char a, char b) { return a == b ? 0.0 : 1.0; };
-    if (const double cost = edit_distance(word, lower_case(name), replace); cost < least) least = cost, best = name;
-  }
-  return best;
-}
-
-std::string did_you_mean(std::string_view name) { return name.empty() ? "" : fmt::format("; did you mean {}?", name); }
 
 class Parser {
  public:
@@ -112,16 +97,8 @@ class Parser {
     else if (of_ignores)
       wrong_ = quoted(pattern) + " is about ignores and cannot be ignored by a comment; use --ignore";
     else
-      wrong_ =
-          quoted(pattern) + " is not a rule" + did_you_mean(nearest_rule(pattern)) + " (gapcheck rules lists them)";
-  }
-
-  static std::string_view nearest_rule(std::string_view pattern) {
-    std::vector<std::string_view> names;
-    const std::string word = lower_case(pattern.substr(0, 3));
-    for (const RuleIdentity& rule : rules())
-      if (!rule.of_runs() && !rule.of_ignores()) names.push_back(word.starts_with("gc") ? rule.id : rule.name);
-    return nearest(pattern, names);
+      wrong_ = quoted(pattern) + " is not a rule" + did_you_mean(nearest_rule(pattern, false)) +
+               " (gapcheck rules lists them)";
   }
 
   /// One `key=value` or the reason.
@@ -133,7 +110,7 @@ class Parser {
     const auto known = std::find(keys.begin(), keys.end(), key);
     if (known == keys.end()) {
       const std::string_view text = written.empty() ? rest_.substr(0, 1) : written;
-      wrong_ = quoted(text) + " is not understood" + did_you_mean(nearest(text, keys)) +
+      wrong_ = quoted(text) + " is not understood" + did_you_mean(nearest_name(text, keys)) +
                " (contact=, node=, part=, element=, until=, because)";
       return;
     }

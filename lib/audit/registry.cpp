@@ -8,6 +8,7 @@
 #include "audit/run_rules.hpp"
 #include "audit/shared_results.hpp"
 #include "base/embedded.hpp"
+#include "base/nearest_name.hpp"
 
 namespace gapcheck::embedded {
 extern const std::span<const Text> rule_pages;
@@ -54,6 +55,25 @@ const RuleIdentity* find_rule(std::string_view id_or_name) {
   for (const RuleIdentity& rule : rules())
     if (equal_ignoring_case(rule.id, id_or_name) || equal_ignoring_case(rule.name, id_or_name)) return &rule;
   return nullptr;
+}
+
+std::vector<const RuleIdentity*> rules_with(std::string_view text) {
+  const auto same = [](unsigned char l, unsigned char r) { return std::tolower(l) == std::tolower(r); };
+  std::vector<const RuleIdentity*> list;
+  for (const RuleIdentity& rule : rules())
+    if (matches(rule, text) || (!text.empty() && std::search(rule.name.begin(), rule.name.end(), text.begin(),
+                                                             text.end(), same) != rule.name.end()))
+      list.push_back(&rule);
+  return list;
+}
+
+std::string_view nearest_rule(std::string_view written, bool of_runs) {
+  constexpr std::string_view beginning_of_ids = "GC";
+  if (equal_ignoring_case(written.substr(0, beginning_of_ids.size()), beginning_of_ids)) return {};
+  std::vector<std::string_view> names;
+  for (const RuleIdentity& rule : rules())
+    if (rule.of_runs() == of_runs && !rule.of_ignores()) names.push_back(rule.name);
+  return nearest_name(written, names);
 }
 
 bool selected(const RuleIdentity& rule, const std::vector<std::string>& select,

@@ -1,6 +1,7 @@
 #include "audit/selection.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "audit/registry.hpp"
 #include "records/record_rules.hpp"
@@ -27,6 +28,13 @@ bool Selection::part_chosen(PartIndex part) const {
   const auto& ids = options_.parts;
   if (ids.empty()) return true;
   return part != none<PartIndex> && std::find(ids.begin(), ids.end(), model_.part(part).id.value) != ids.end();
+}
+
+std::vector<std::int64_t> Selection::unknown_parts() const {
+  std::vector<std::int64_t> list;
+  std::copy_if(options_.parts.begin(), options_.parts.end(), std::back_inserter(list),
+               [&](std::int64_t id) { return !model_.part_of_id.contains(id); });
+  return list;
 }
 
 bool Selection::records_wanted() const {

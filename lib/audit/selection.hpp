@@ -30,6 +30,8 @@ class Selection {
   /// True if the rule that reports such records is selected.
   [[nodiscard]] bool wanted(PenetrationKind kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
   [[nodiscard]] bool wanted(TieReason reason) const { return reasons_[static_cast<std::size_t>(reason)]; }
+  /// Ids of --part that the deck does not have.
+  [[nodiscard]] std::vector<std::int64_t> unknown_parts() const;
   /// True if a rule that reports any records is selected.
   [[nodiscard]] bool records_wanted() const;
 

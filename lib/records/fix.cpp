@@ -1,5 +1,7 @@
 #include "records/fix.hpp"
 
+#include <numeric>
+
 namespace gapcheck {
 
 std::string_view name(HoldReason reason) {
@@ -44,6 +46,15 @@ std::string_view words(HoldReason reason) {
   }
 }
 
-bool complete(const FixReport& report) { return report.unfixed.empty() && report.separated_ties_after == 0; }
+std::uint64_t untreated(const FixReport& report) {
+  return std::accumulate(report.contacts.begin(), report.contacts.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const FixContact& contact) {
+                           return sum + contact.edges_after + (contact.by_segments ? contact.after.penetrations : 0);
+                         });
+}
+
+bool complete(const FixReport& report) {
+  return report.unfixed.empty() && report.separated_ties_after == 0 && untreated(report) == 0;
+}
 
 }  // namespace gapcheck

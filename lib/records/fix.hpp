@@ -66,6 +66,10 @@ struct FixContact {
   std::int64_t id = 0;
   std::string keyword, title, not_checked;
   State before, after;
+  bool by_segments =
+      false;  ///< SOFT = 2 or mortar: `before` and `after` are corners of segments, and none is corrected
+  std::uint64_t edges_before = 0, edges_after = 0;  ///< pairs of edges that penetrate in types 26; none is corrected
+  std::string why_untreated;                        ///< in a sentence; empty: nothing is left that is not corrected
 };
 
 /// A file of the deck that has changed.
@@ -95,6 +99,8 @@ struct FixReport {
   [[nodiscard]] double mean_move() const { return moved.empty() ? 0 : total_move / static_cast<double>(moved.size()); }
 };
 
+/// Penetrations that no correction was made for, after it.
+[[nodiscard]] std::uint64_t untreated(const FixReport& report);
 /// True if nothing penetrates any more and no tied node keeps a separation that was to be removed.
 [[nodiscard]] bool complete(const FixReport& report);
 

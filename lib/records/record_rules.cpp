@@ -48,6 +48,7 @@ const RuleIdentity& rule_of(TieReason reason) {
 RuleIdentity rule_of(const TieFailure& failure) {
   RuleIdentity rule = rule_of(failure.reason);
   if (untied(failure.reason) && failure.by_node_set) rule.severity = Severity::error;
+  if (failure.moved_far()) rule.severity = Severity::warning;
   return rule;
 }
 

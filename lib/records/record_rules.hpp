@@ -72,7 +72,8 @@ inline constexpr RuleIdentity tie_moved{"GC204",        "tie-moved",
 [[nodiscard]] const RuleIdentity& rule_of(PenetrationKind kind);
 /// The rule that a node of a tied contact is a finding of.
 [[nodiscard]] const RuleIdentity& rule_of(TieReason reason);
-/// The same with the severity for this node: an untied one is an error if a node set names it.
+/// The same with the severity for this node: an untied one is an error if a node set names it, one that is moved by
+/// more than both parts are thick a warning.
 [[nodiscard]] RuleIdentity rule_of(const TieFailure& failure);
 
 /// A rule whose findings are records. Rules that judge the same problem by degrees are one family: nodes that

@@ -97,12 +97,13 @@ using Severities = std::map<std::string, Severity, std::less<>>;
 
 /// Everything that one source (deck, messag, run) reports; all views and writers work on it.
 struct Report {
-  std::string source;              ///< "deck"
-  std::string input;               ///< as given by the user
-  std::vector<std::string> as_if;  ///< values that replaced the deck's: "SST=0.5"
-  std::string settings;            ///< path of the settings file that was used; empty: none
-  Severities severities;           ///< of the records; `findings` already have theirs
-  std::vector<std::string> files;  ///< what Penetration::file points into
+  std::string source;                       ///< "deck"
+  std::string input;                        ///< as given by the user
+  std::vector<std::string> as_if;           ///< values that replaced the deck's: "SST=0.5"
+  std::vector<std::int64_t> unknown_parts;  ///< of --part: ids that the deck does not have
+  std::string settings;                     ///< path of the settings file that was used; empty: none
+  Severities severities;                    ///< of the records; `findings` already have theirs
+  std::vector<std::string> files;           ///< what Penetration::file points into
   ModelCounts model;
   std::vector<ContactSummary> contacts;        ///< in deck order
   std::vector<Penetration> penetrations;       ///< by contact, deepest first, then node id

@@ -38,10 +38,14 @@ struct TieFailure {
   double distance = -1;              ///< separation; negative: unknown
   double allowed = -1;               ///< distance within which it would tie; negative: unknown
   double segment_size = -1;          ///< the shorter diagonal of the segment; negative: unknown
+  double thickness = -1;             ///< of node and segment together; negative: unknown, or one of them has none
   TieReason reason = TieReason::not_found;
   bool by_node_set = false;                       ///< a node set names the node, so it is surely meant to tie
   std::optional<Vector> position = std::nullopt;  ///< of the node in the deck; none: unknown
   std::uint32_t file = 0, line = 0;               ///< file is a position in Report::files; line 0: unknown
+
+  /// True if the tie moves the node by more than both parts are thick.
+  [[nodiscard]] bool moved_far() const { return reason == TieReason::sep && thickness > 0 && distance > thickness; }
 };
 
 }  // namespace gapcheck

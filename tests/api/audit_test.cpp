@@ -248,6 +248,7 @@ TEST(ApiAudit, OptionsThatCannotBeMeantAreErrors) {
             "ratio: inf is not a number of 0 or more");
   EXPECT_EQ(message([](auto& o) { o.millimetre = 0; }), "millimetre: 0 is not a length");
   EXPECT_EQ(message([](auto& o) { o.contacts = {1, 99}; }), "contact 99: the deck has no such contact");
+  EXPECT_EQ(message([](auto& o) { o.parts = {1, 99}; }), "part 99: the deck has no such part");
   EXPECT_EQ(message([](auto& o) { o.contacts = {1}; }), "accepted");
 }
 

@@ -53,7 +53,7 @@ TEST(IgnoreComment, SaysWhatIsWrongAndWhatToWrite) {
       {"ignore", "names the rules"},
       {"ignore contact=3", "names the rules"},
       {"ignore GC101,", "names the rules"},
-      {"ignore GC801", "\"GC801\" is not a rule; did you mean GC101?"},
+      {"ignore GC801", "\"GC801\" is not a rule (gapcheck rules lists them)"},
       {"ignore inital-penetration", "did you mean initial-penetration?"},
       {"ignore nothing-like-any-of-them", "is not a rule (gapcheck rules"},
       {"ignore GC601", "judges what a run has written"},

@@ -29,6 +29,16 @@ TEST(RecordRules, OneRulePerOutcomeOfATie) {
   }
 }
 
+// Only a node that the tie moves, and only where both sides have a thickness.
+TEST(RecordRules, AMoveBeyondBothThicknessesIsAWarning) {
+  TieFailure moved{.distance = 2.1, .thickness = 2, .reason = TieReason::sep};
+  EXPECT_EQ(rule_of(moved).severity, Severity::warning);
+  moved.distance = 2;
+  EXPECT_EQ(rule_of(moved).severity, Severity::note);
+  EXPECT_EQ(rule_of(TieFailure{.distance = 2.1, .reason = TieReason::sep}).severity, Severity::note);
+  EXPECT_EQ(rule_of(TieFailure{.distance = 2.1, .thickness = 2, .reason = TieReason::too_far}).id, "GC201");
+}
+
 TEST(RecordRules, WorseFindingsOfOneFamilyHaveAHigherDegree) {
   const auto degree = [](std::string_view id, std::string_view family) {
     const RecordRule* rule = find_record_rule(id);

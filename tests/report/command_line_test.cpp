@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -229,6 +230,41 @@ TEST_F(CommandLine, RulesAndTheirPages) {
   EXPECT_NE(rules.out.find("GC101"), std::string::npos);
   EXPECT_EQ(run("explain GC102").out, content(fs::path(GAPCHECK_ROOT) / "docs/rules/released-node.md"));
   EXPECT_EQ(run("explain Released-Node").out, run("explain GC102").out);
+  EXPECT_EQ(run("explain RELEASED").out, run("explain GC102").out) << "one rule has it";
+  const Outcome several = run("explain moved");
+  EXPECT_EQ(several.code, 0);
+  EXPECT_TRUE(several.out.starts_with("GC112 moved-into-another: ")) << several.out;
+  EXPECT_NE(several.out.find("\nGC204 tie-moved: "), std::string::npos) << several.out;
+  EXPECT_EQ(std::count(several.out.begin(), several.out.end(), '\n'), 2) << several.out;
+  EXPECT_EQ(run("explain tie").out.find("GC101"), std::string::npos);
+}
+
+TEST_F(CommandLine, SaysWhatWasProbablyMeant) {
+  for (const auto& [arguments, meant] :
+       {std::pair("audti data/clean.k", "there is no command 'audti'; did you mean audit? "),
+        std::pair("audit data/clean.k --formt json", "did you mean --format? See gapcheck audit --help"),
+        std::pair("fix data/clean.k --dryrun=1", "did you mean --dry-run? "),
+        std::pair("audit data/clean.k --select initial-penetraton", "did you mean initial-penetration?"),
+        std::pair("messag x --select enrgy-ratio", "did you mean energy-ratio?"),
+        std::pair("explain inital-penetration", "did you mean initial-penetration?")}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_NE(outcome.err.find(meant), std::string::npos) << outcome.err;
+  }
+  for (const char* arguments : {"frobnicate", "audit data/clean.k --zzzzzz", "explain GC999"})
+    EXPECT_EQ(run(arguments).err.find("did you mean"), std::string::npos) << run(arguments).err;
+}
+
+TEST_F(CommandLine, NothingIsSelectedThatTheDeckDoesNotHave) {
+  for (const std::string option : {"--part", "--contact"}) {
+    const Outcome one = run("audit data/two_plates.k " + option + " 1,99");
+    EXPECT_EQ(one.code, 2);
+    EXPECT_EQ(one.err, "gapcheck: error: " + option + " 99: the deck has no such " + option.substr(2) + "\n");
+    EXPECT_EQ(run("audit data/two_plates.k " + option + " 1").err, "");
+  }
+  const Outcome several = run("audit data/two_plates.k data/clean.k --part 99,2");
+  EXPECT_EQ(several.code, 2);
+  EXPECT_EQ(several.err, "gapcheck: error: --part 99: none of the decks has such a part\n");
 }
 
 TEST_F(CommandLine, OnlyWhatIsNewOrWorseThanTheBaselineCounts) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "base/edit_distance.hpp"
+#include "base/nearest_name.hpp"
 #include "base/number.hpp"
 #include "options.hpp"
 #include "records/record_rules.hpp"
@@ -149,18 +149,11 @@ std::optional<std::chrono::year_month_day> parse_day(std::string_view date) {
 }
 
 std::string suggestion(std::string_view table, std::string_view name) {
-  constexpr std::size_t longest = 64;
   std::vector<std::string_view> candidates;
   for (const SettingKey& key : keys)
     if (key.table == table) candidates.push_back(key.name);
   if (table.empty()) candidates.insert(candidates.end(), table_names.begin(), table_names.end());
-  std::string_view best;
-  double least = 3;  // beyond this it is another word
-  for (const std::string_view candidate : candidates) {
-    const auto replace = [](char a, char b) { return a == b ? 0.0 : (a == '_' && b == '-') ? 0.5 : 1.0; };
-    const double distance = edit_distance(name.substr(0, longest), candidate, replace);
-    if (distance < std::min(least, static_cast<double>(candidate.size()))) least = distance, best = candidate;
-  }
+  const std::string_view best = nearest_name(name, candidates);
   return best.empty() ? "" : fmt::format("; did you mean \"{}\"?", best);
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "audit/registry.hpp"
+#include "base/nearest_name.hpp"
 #include "base/number.hpp"
 #include "records/record_rules.hpp"
 #include "report/item/describe.hpp"
@@ -145,7 +146,8 @@ class Reader {
       const std::uint32_t line = key.source().begin.line;
       const RuleIdentity* rule = audit::find_rule(key.str());
       if (rule == nullptr || rule->of_runs()) {
-        error(line, fmt::format("'{}' is not a rule on decks; gapcheck rules lists them", key.str().substr(0, 64)));
+        error(line, fmt::format("'{}' is not a rule on decks; gapcheck rules lists them{}", key.str().substr(0, 64),
+                                did_you_mean(audit::nearest_rule(key.str(), false))));
         continue;
       }
       const auto* word = value.as_string();

@@ -44,6 +44,9 @@ struct FixContact {
   std::string keyword, title;
   std::string not_checked;  ///< why neither penetrations nor ties were decided; empty: they were
   State before, after;
+  bool by_segments = false;  ///< SOFT = 2 or mortar: `before` and `after` are corners of segments; none is corrected
+  std::uint64_t edges_before = 0, edges_after = 0;  ///< pairs of edges that penetrate in types 26; none is corrected
+  std::string not_corrected;                        ///< what is left for these reasons, a sentence; empty: nothing
 };
 
 /// A node that was moved; coordinates of the deck.

@@ -12,6 +12,7 @@
 
 #include "audit/fix/mover.hpp"
 #include "audit/fix/proposals.hpp"
+#include "audit/fix/untreated.hpp"
 
 namespace gapcheck::audit {
 namespace {
@@ -29,10 +30,12 @@ std::uint64_t separated(const Judgement& judgement) {
 
 class Reporter {
  public:
-  Reporter(const model::Model& model, const std::vector<Vector>& deck, Mover& mover, FixReport& report)
+  Reporter(model::Model& model, const std::vector<Vector>& deck, Mover& mover, FixReport& report)
       : model_(model), deck_(deck), mover_(mover), report_(report) {}
 
   void contacts() {
+    const std::vector<Untreated> before = find_untreated(model_, deck_),
+                                 after = find_untreated(model_, model_.mesh.nodes.x);
     for (const ContactIndex c : positions<ContactIndex>(model_.contacts.size())) {
       FixContact contact;
       contact.id = model_.contact(c).id.value;
@@ -41,6 +44,7 @@ class Reporter {
       contact.not_checked = mover_.before().state.contacts[c.value].not_checked;
       contact.before = state_of(mover_.before(), c);
       contact.after = state_of(mover_.after(), c);
+      if (!after.empty()) add(before[c.value], after[c.value], contact);
       report_.contacts.push_back(std::move(contact));
     }
   }
@@ -104,6 +108,17 @@ class Reporter {
   }
 
  private:
+  static void add(const Untreated& before, const Untreated& after, FixContact& contact) {
+    contact.by_segments = after.by_segments;
+    contact.edges_before = before.edges;
+    contact.edges_after = after.edges;
+    contact.why_untreated = words(after);
+    if (!after.by_segments) return;
+    contact.not_checked.clear();
+    contact.before = before.segments;
+    contact.after = after.segments;
+  }
+
   /// With --free-welds.
   void welds() {
     const auto move = [&](NodeIndex n) { return Vector(model_.mesh.nodes.x[n.value] - deck_[n.value]); };
@@ -117,7 +132,7 @@ class Reporter {
       report_.notes.push_back(fmt::format("{} spot welds have nodes that have moved against each other", count));
   }
 
-  const model::Model& model_;
+  model::Model& model_;
   const std::vector<Vector>& deck_;
   Mover& mover_;
   FixReport& report_;

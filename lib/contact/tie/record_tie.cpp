@@ -1,5 +1,7 @@
 #include "contact/tie/record_tie.hpp"
 
+#include <algorithm>
+
 namespace gapcheck::contact {
 
 TieFailure record_tie(const JudgedNode& judged, const model::Model& model) {
@@ -13,6 +15,8 @@ TieFailure record_tie(const JudgedNode& judged, const model::Model& model) {
     failure.distance = judged.distance;
     failure.allowed = judged.allowed;
     failure.segment_size = judged.diagonal;
+    if (std::min(judged.node_thickness, judged.segment_thickness) > 0)
+      failure.thickness = judged.node_thickness + judged.segment_thickness;
   }
   failure.reason = *judged.reason;
   failure.by_node_set = judged.by_node_set;

@@ -38,7 +38,8 @@ void contacts(const FixReport& report, std::string& out) {
       },
       "  ", out);
   for (const FixContact& c : report.contacts)
-    if (!c.not_checked.empty()) out += fmt::format("  contact {}: {}\n", c.id, printable(c.not_checked));
+    for (const std::string* why : {&c.not_checked, &c.why_untreated})
+      if (!why->empty()) out += fmt::format("  contact {}: {}\n", c.id, printable(*why));
 }
 
 void moves(const FixReport& report, std::size_t top, std::string& out) {
@@ -123,11 +124,15 @@ void proposals(const FixReport& report, std::size_t top, std::string& out) {
 }
 
 std::string last_line(const FixReport& report) {
-  std::uint64_t before = 0, after = report.unfixed.size();
-  for (const FixContact& c : report.contacts) before += c.before.penetrations + c.before.released;
-  return fmt::format("{} penetrating before, {} after; {} moved in {}{}\n", plural(before, "node"), after,
-                     plural(report.moved.size(), "node"), plural(report.changed.size(), "file"),
-                     report.dry_run ? "; nothing was written" : "");
+  const std::uint64_t left_alone = untreated(report);
+  std::uint64_t before = 0;
+  for (const FixContact& c : report.contacts) before += c.before.penetrations + c.before.released + c.edges_before;
+  return fmt::format(
+      "{} penetrating before, {} after{}; {} moved in {}{}\n", plural(before, "node"),
+      report.unfixed.size() + left_alone,
+      left_alone > 0 ? fmt::format(" ({} of segments or edges, which are not corrected)", left_alone) : "",
+      plural(report.moved.size(), "node"), plural(report.changed.size(), "file"),
+      report.dry_run ? "; nothing was written" : "");
 }
 
 Json vector_json(const Vector& x) { return Json::array({x.x(), x.y(), x.z()}); }
@@ -148,6 +153,9 @@ Json fix_contact_json(const FixContact& c) {
   if (!c.not_checked.empty()) json["not_checked"] = c.not_checked;
   json["before"] = state_json(c.before);
   json["after"] = state_json(c.after);
+  if (c.by_segments) json["by_segments"] = true;
+  if (c.edges_before > 0 || c.edges_after > 0) json["edges"] = {{"before", c.edges_before}, {"after", c.edges_after}};
+  if (!c.why_untreated.empty()) json["not_corrected"] = c.why_untreated;
   return json;
 }
 

@@ -37,6 +37,7 @@ std::string message(const TieFailure& failure) {
   if (failure.segment_number != 0) text += fmt::format(", segment {}", failure.segment_number);
   if (failure.distance >= 0) text += fmt::format(", separation {:.6g}", failure.distance);
   if (failure.allowed >= 0) text += fmt::format(", tie distance {:.6g}", failure.allowed);
+  if (failure.moved_far()) text += fmt::format(", both parts together are {:.6g} thick", failure.thickness);
   return text;
 }
 

@@ -61,6 +61,7 @@ std::string body(const FindingGroup& group) {
     text += fmt::format(", {}", what_happened(tie->reason));
     if (tie->distance >= 0) text += fmt::format(", up to {:.6g}", tie->distance);
     if (tie->distance >= 0 && tie->allowed >= 0) text += fmt::format(" where {:.6g} ties", tie->allowed);
+    if (tie->moved_far()) text += fmt::format(", thickness of both {:.6g}", tie->thickness);
     return text + fmt::format(", node {}", tie->node);
   }
   const Penetration& record = *group.deepest;

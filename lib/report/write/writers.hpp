@@ -25,7 +25,7 @@ struct Reports {
   std::span<const Unread> unread = {};
 };
 
-/// What the lines of the text report stand under.
+/// How the text report groups its lines.
 enum class GroupBy : unsigned char { severity, rule, contact, part, file };
 
 struct TextOptions {

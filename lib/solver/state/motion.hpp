@@ -43,8 +43,11 @@ struct Motion {
   explicit Motion(std::vector<TimeCurve::Point> velocity)
       : curve(std::make_shared<const TimeCurve>(std::move(velocity))) {}
 
-  /// Whether it controls the step from `time` over dt.
-  [[nodiscard]] bool active(double time, double dt) const { return time + dt > birth && time < death; }
+  /// Whether it controls the step from `time` over dt, or with dt = 0 the velocity at `time`: what moves from the start
+  /// has its velocity then, and does not jump to it in the first step.
+  [[nodiscard]] bool active(double time, double dt) const {
+    return (dt > 0 ? time + dt > birth : time >= birth) && time < death;
+  }
   /// The velocity of that step: for a displacement the mean, so that it is met at the step's end, otherwise that in its
   /// middle. dt = 0: at `time`.
   [[nodiscard]] double velocity(double time, double dt) const;

@@ -141,7 +141,8 @@ TEST(Fix, BoundaryConditionsHoldTheirDirections) {
         rows += fmt::format("{:10}         0         0         0         1\n", lower.node(i, j));
     return rows;
   }();
-  const FixRun run = fix_text("*KEYWORD\n" + material + lower.deck() + upper.deck() + single_surface + spc + "*END\n");
+  const FixRun run =
+      fix_text("*KEYWORD\n" + elastic_steel + lower.deck() + upper.deck() + single_surface + spc + "*END\n");
   EXPECT_TRUE(complete(run.report()));
   for (int j = 0; j <= 3; ++j)
     for (int i = 0; i <= 3; ++i) {
@@ -191,7 +192,9 @@ TEST(Fix, DecksOfTheProjectAreFreeAfterwards) {
     EXPECT_EQ(run.errors, 0u) << path;
     if (!run.report().moved.empty()) ++corrected;
     if (path.stem() == "include_parameter") continue;  // its main file has no nodes: the tests of the program have it
-    EXPECT_TRUE(complete(run.report())) << path;
+    const bool by_segments = path.stem() == "mortar_not_checked" || path.stem() == "soft2_not_checked";
+    EXPECT_EQ(complete(run.report()), !by_segments) << path;
+    EXPECT_EQ(untreated(run.report()), by_segments ? 18 : 0) << path;
     audit::AuditOptions options;
     options.select = {"GC101", "GC102"};
     const AuditRun after = run_text(run.text, options);

@@ -12,8 +12,8 @@ namespace {
 model::Model read(const std::string& more) {
   Diagnostics diagnostics;
   const auto deck = keyword::read_deck_text(
-      "*KEYWORD\n" + material + Plate{.id = 1}.deck() + Plate{.id = 2, .z = 5}.deck() + more + "*END\n", "deck.k", {},
-      diagnostics);
+      "*KEYWORD\n" + elastic_steel + Plate{.id = 1}.deck() + Plate{.id = 2, .z = 5}.deck() + more + "*END\n", "deck.k",
+      {}, diagnostics);
   auto model = model::read_model(deck.value(), diagnostics);
   EXPECT_TRUE(model.ok() && !diagnostics.has_errors());
   return std::move(model).value();
@@ -60,7 +60,7 @@ TEST(Freedoms, RigidBodiesAreHeld) {
 TEST(Freedoms, ALargeNodeSetIsHeldOnce) {
   constexpr int n = 300;
   Diagnostics diagnostics;
-  const auto deck = keyword::read_deck_text("*KEYWORD\n" + material + Plate{.id = 1, .nx = n, .ny = n}.deck() +
+  const auto deck = keyword::read_deck_text("*KEYWORD\n" + elastic_steel + Plate{.id = 1, .nx = n, .ny = n}.deck() +
                                                 "*SET_NODE_LIST_GENERATE\n         1\n         1  99999999\n"
                                                 "*CONSTRAINED_NODE_SET\n         1         1\n*END\n",
                                             "deck.k", {}, diagnostics);

@@ -25,7 +25,7 @@ TEST(HeldTies, FollowsChains) {
 /// A plate tied to another one; `keyword` with the offset or without.
 std::string tied(const std::string& keyword, double z, const std::string& more = "") {
   const Plate lower{.id = 1}, upper{.id = 2, .z = z, .x = 2, .y = 2, .nx = 1, .ny = 1};
-  return "*KEYWORD\n" + material + lower.deck() + upper.deck() + more + "*CONTACT_" + keyword +
+  return "*KEYWORD\n" + elastic_steel + lower.deck() + upper.deck() + more + "*CONTACT_" + keyword +
          "_ID\n         1\n         2         1         3         3\n\n\n*END\n";
 }
 
@@ -49,7 +49,7 @@ TEST(HeldTies, TiedNodesGoWithTheirSegments) {
   const Plate lower{.id = 1}, upper{.id = 2, .z = 0.6, .x = 1, .y = 1},
       patch{.id = 3, .z = -0.8, .x = 2, .y = 2, .nx = 1, .ny = 1};
   const std::string deck =
-      "*KEYWORD\n" + material + lower.deck() + upper.deck() + patch.deck() +
+      "*KEYWORD\n" + elastic_steel + lower.deck() + upper.deck() + patch.deck() +
       "*CONTACT_TIED_NODES_TO_SURFACE_OFFSET_ID\n         1\n         3         1         3         3\n\n\n"
       "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n         2\n         1         2         3         3\n\n\n*END\n";
   const FixRun run = fix_text(deck);

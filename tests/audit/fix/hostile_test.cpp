@@ -19,7 +19,7 @@ TEST(FixHostile, ParametersStayAndTheOtherSideMoves) {
   std::string nodes = upper.nodes();
   for (std::size_t at = 0; (at = nodes.find("             0.7", at)) != std::string::npos;)
     nodes.replace(at, 16, "              &h");
-  const std::string text = "*KEYWORD\n*PARAMETER\nR h              0.7\n" + material + lower.deck() +
+  const std::string text = "*KEYWORD\n*PARAMETER\nR h              0.7\n" + elastic_steel + lower.deck() +
                            replaced(upper.deck(), upper.nodes(), nodes) + single_surface + "*END\n";
   const FixRun run = fix_text(text);
   EXPECT_TRUE(complete(run.report()));
@@ -35,7 +35,7 @@ TEST(FixHostile, ParametersStayAndTheOtherSideMoves) {
 TEST(FixHostile, NodesDefinedTwiceStay) {
   const std::string again = fmt::format("*NODE\n{:8}{:16}{:16}{:16}\n", upper.node(1, 1), 5, 5, 0.7);
   const FixRun run =
-      fix_text("*KEYWORD\n" + material + lower.deck() + upper.deck() + again + single_surface + "*END\n");
+      fix_text("*KEYWORD\n" + elastic_steel + lower.deck() + upper.deck() + again + single_surface + "*END\n");
   EXPECT_EQ(run.moved(upper.node(1, 1)), nullptr);
 }
 

@@ -10,7 +10,7 @@ namespace {
 const Plate lower{.id = 1}, upper{.id = 2, .z = 0.7};
 
 std::string deck_with(const std::string& more) {
-  return "*KEYWORD\n" + material + lower.deck() + upper.deck() + single_surface + more + "*END\n";
+  return "*KEYWORD\n" + elastic_steel + lower.deck() + upper.deck() + single_surface + more + "*END\n";
 }
 
 std::string row(std::int64_t a, std::int64_t b) { return fmt::format("{:10}{:10}\n", a, b); }
@@ -135,7 +135,7 @@ TEST(JoinedNodes, WeldsMayBeFree) {
 TEST(JoinedNodes, AWeldHoldsNoMoreThanItsSurroundings) {
   // A weld in the middle of two larger plates: what is not next to it comes free.
   const Plate below{.id = 1, .nx = 8, .ny = 8}, above{.id = 2, .z = 0.7, .nx = 8, .ny = 8};
-  const FixRun run = fix_text("*KEYWORD\n" + material + below.deck() + above.deck() + single_surface +
+  const FixRun run = fix_text("*KEYWORD\n" + elastic_steel + below.deck() + above.deck() + single_surface +
                               "*CONSTRAINED_SPOTWELD\n" + row(below.node(4, 4), above.node(4, 4)) + "*END\n");
   EXPECT_LE(run.report().unfixed.size(), 2u);
   for (const UnfixedNode& node : run.report().unfixed)
@@ -147,7 +147,7 @@ TEST(JoinedNodes, WhatHoldsOneHoldsAll) {
   const Plate far{.id = 3, .z = 50};
   audit::FixOptions options;
   options.locks = {{false, 3, 3}};
-  const FixRun run = fix_text("*KEYWORD\n" + material + lower.deck() + upper.deck() + far.deck() + single_surface +
+  const FixRun run = fix_text("*KEYWORD\n" + elastic_steel + lower.deck() + upper.deck() + far.deck() + single_surface +
                                   "*CONSTRAINED_RIVET\n" + row(upper.node(0, 0), far.node(0, 0)) + "*END\n",
                               options);
   EXPECT_EQ(run.moved(upper.node(0, 0)), nullptr);
@@ -157,7 +157,7 @@ TEST(JoinedNodes, WhatHoldsOneHoldsAll) {
 
 TEST(JoinedNodes, AFollowerGoesAlong) {
   const Plate far{.id = 3, .z = 50};
-  const FixRun run = fix_text("*KEYWORD\n" + material + lower.deck() + upper.deck() + far.deck() + single_surface +
+  const FixRun run = fix_text("*KEYWORD\n" + elastic_steel + lower.deck() + upper.deck() + far.deck() + single_surface +
                               "*CONSTRAINED_RIVET\n" + row(upper.node(0, 0), far.node(0, 0)) + "*END\n");
   EXPECT_TRUE(complete(run.report()));
   EXPECT_GT(run.move(far.node(0, 0)).z(), 0);

@@ -36,14 +36,14 @@ struct Plate {
   }
 };
 
-inline const std::string material = "*MAT_ELASTIC\n         1   7.85e-9  210000.       0.3\n";
+inline const std::string elastic_steel = "*MAT_ELASTIC\n         1   7.85e-9  210000.       0.3\n";
 inline const std::string single_surface =
     "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n         1\n         0         0         5\n\n\n";
 
 /// Plates in one single-surface contact.
 template <class... Plates>
 std::string plates_deck(const Plates&... plates) {
-  return "*KEYWORD\n" + material + (plates.deck() + ...) + single_surface + "*END\n";
+  return "*KEYWORD\n" + elastic_steel + (plates.deck() + ...) + single_surface + "*END\n";
 }
 
 }  // namespace gapcheck::audit_test

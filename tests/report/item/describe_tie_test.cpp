@@ -20,6 +20,12 @@ TEST(DescribeTie, NamesNodePartSegmentAndDistances) {
   EXPECT_EQ(message(failure), "node 14: too far from the segment (untied)");
 }
 
+TEST(DescribeTie, AMoveBeyondBothThicknessesSaysSo) {
+  const TieFailure moved{.node = 14, .distance = 3, .thickness = 2.5, .reason = TieReason::sep};
+  EXPECT_EQ(message(moved),
+            "node 14: separated from the segment, moved onto it, separation 3, both parts together are 2.5 thick");
+}
+
 TEST(DescribeTie, OneRulePerOutcome) {
   for (const TieReason reason : tie_reasons) {
     TieFailure failure{.reason = reason};

@@ -39,6 +39,32 @@ TEST(PrescribedMotion, VelocityAndAcceleration) {
   EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-12);
 }
 
+// What moves from time 0 on has its velocity at the start: a jump in the first step would cost the work m v² for an
+// energy of m v²/2. With a birth later than that it is at rest.
+TEST(PrescribedMotion, BeginsWithItsVelocityAndItsEnergy) {
+  const std::string steady = "*DEFINE_CURVE\n5\n0.,3.\n100.,3.\n*DEFINE_CURVE\n6\n0.,0.\n100.,300.\n";
+  const std::string rigid = rigid_box + rigid_material + "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n";
+  for (const std::string& moved : {point_mass + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,1,0,5\n",
+                                   point_mass + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,1,2,6\n", rigid + "7,2,0,5\n",
+                                   rigid + "7,7,0,5\n", rigid + "7,7,2,6\n"}) {
+    Stepper stepper = good(moved + steady).stepper(fixed_step(0.01));
+    const Energies& e = stepper.energies();
+    run(stepper, 1);
+    EXPECT_GT(e.printed_initial, 1) << moved;
+    for (int i = 0; i < 10; ++i) {
+      run(stepper, 1);
+      EXPECT_NEAR(e.external, 0, 1e-12 * e.initial) << moved;
+      EXPECT_NEAR(e.printed_ratio(), 1, 1e-12) << moved;
+    }
+  }
+  Stepper late =
+      good(point_mass + steady + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,1,0,5,1.,0,0.,0.05\n").stepper(fixed_step(0.01));
+  run(late, 3);
+  EXPECT_EQ(late.energies().kinetic, 0);
+  run(late, 5);
+  EXPECT_EQ(late.state().v[0].x(), 3);
+}
+
 // Free before birth, by the curve from its start at birth, free after death.
 TEST(PrescribedMotion, BirthAndDeath) {
   Stepper stepper = good(point_mass +

@@ -46,10 +46,12 @@ TEST(Failure, PointsLoseTheirStressAndKeepNone) {
   }
 }
 
-/// One element of 1 x 1 (x 1) whose nodes at x = 0 are held and those at x = 1 move with velocity 1 along x.
-std::string pulled(bool solid) {
-  const std::string move = "*DEFINE_CURVE\n1\n0.,1.\n1.,1.\n*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1\n";
-  const std::string end = failing(1, 1000, 10, 0.2) + "*CONTROL_TERMINATION\n0.4\n" + move;
+/// One element of 1 x 1 (x 1) whose nodes at x = 0 are held and those at x = 1 move by 0.4 along x at a constant
+/// velocity.
+std::string pulled(bool solid, double velocity = 1) {
+  const std::string move =
+      fmt::format("*DEFINE_CURVE\n1\n0.,{0}\n1.,{0}\n*BOUNDARY_PRESCRIBED_MOTION_SET\n2,1,0,1\n", velocity);
+  const std::string end = failing(1, 1000, 10, 0.2) + fmt::format("*CONTROL_TERMINATION\n{}\n", 0.4 / velocity) + move;
   if (solid)
     return brick_bar(1, {1, 1, 1}) + "*PART\np\n1,1,1\n*SECTION_SOLID\n1,1\n" + end +
            "*SET_NODE_LIST\n1\n1,3,5,7\n*SET_NODE_LIST\n2\n2,4,6,8\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n";
@@ -57,11 +59,14 @@ std::string pulled(bool solid) {
          "*SET_NODE_LIST\n1\n1,3\n*SET_NODE_LIST\n2\n2,4\n*BOUNDARY_SPC_SET\n1,0,1,1,1,1,1,1\n";
 }
 
-// Uniaxial, ν = 0 in the elastic range: it fails where log strain less σ/E has reached the failure strain, and takes no
-// more work from then on.
+// Uniaxial, ν = 0 in the elastic range, and so slow that the inertia of the sides does not count: it fails where log
+// strain less σ/E has reached the failure strain, and takes no more work from then on.
 TEST(Failure, PulledElementFails) {
   for (const bool solid : {false, true}) {
-    RunScene scene(pulled(solid));
+    const double velocity = 0.1;
+    RunSettings fine;
+    fine.step.greatest_step = 5e-3;
+    RunScene scene(pulled(solid, velocity), fine);
     ASSERT_TRUE(scene.prepared()) << scene.message();
     double failed_at = 0, internal = 0;
     scene.go([&](const solver::Run& run) {
@@ -72,7 +77,7 @@ TEST(Failure, PulledElementFails) {
     const State& state = scene.state();
     EXPECT_EQ(state.failed.count, 1u);
     EXPECT_EQ((solid ? state.failed.solids : state.failed.shells).at(0), true);
-    EXPECT_NEAR(std::log(1 + failed_at), solid ? 0.2 + 0.01 : 0.2 + 0.01, 0.02) << solid;
+    EXPECT_NEAR(std::log(1 + velocity * failed_at), 0.2 + 0.01, 1e-3) << solid;
     EXPECT_EQ(scene.energies().internal, internal);
     EXPECT_GT(internal, 0.19 * 10 * (solid ? 1 : 0.1));
     EXPECT_NEAR(scene.energies().ratio(), 1, 1e-3);

@@ -1,4 +1,5 @@
 #include "audit/rules/rule_deck.hpp"
+#include "records/record_rules.hpp"
 
 namespace gapcheck::audit_test::tie_moved_test {
 namespace {
@@ -22,6 +23,22 @@ TEST(TieMoved, VisibleMovesAreListed) {
   EXPECT_EQ(report.tie_failures[1].node, 51);
   EXPECT_NEAR(report.tie_failures[1].distance, 0.5, 1e-12);
   EXPECT_EQ(listed(nodes_above(-0.14, "TIED_NODES_TO_SURFACE")), 1U);
+}
+
+// Coarse shells tie within 0.05 · 14.142 = 0.707, also where that is more than both parts are thick.
+TEST(TieMoved, BeyondBothThicknessesIsAWarning) {
+  for (const auto& [gap, severity] : {std::pair(0.5, Severity::warning), std::pair(0.39, Severity::note)}) {
+    RuleDeck deck;
+    deck.shell_part(1, 0.3).plate(1, 1, 2, 2, Vector(0, 0, 0), 10, 10);
+    deck.shell_part(2, 0.1).plate(101, 2, 1, 1, Vector(2, 2, gap), 10, 10);
+    deck.contact(1, "TIED_SURFACE_TO_SURFACE", "2,1,3,3");
+    const Report report = run_rule("GC204", deck);
+    ASSERT_EQ(report.tie_failures.size(), 4U);
+    for (const TieFailure& moved : report.tie_failures) {
+      EXPECT_DOUBLE_EQ(moved.thickness, 0.4);
+      EXPECT_EQ(rule_of(moved).severity, severity) << gap;
+    }
+  }
 }
 
 TEST(TieMoved, OffsetFormsMoveNothing) {
