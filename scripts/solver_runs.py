@@ -195,9 +195,8 @@ store ([energy of the state](theory/state-energy.md)). The deck of roll_forming 
 sections and materials of the same numbers, and mesh refinement (`*CONTROL_ADAPTIVE`) is left out. Its yield curve is
 used as given: from 0 to 13 over a plastic strain of 1, where SIGY is 201. So the strip has hardly any strength and is
 drawn out to a thread: it is not the intended forming. It ends at a tenth of the deck's time: the thinner the thread, the
-smaller its elements and with them the time step. Its rollers jump to their speed in the first step, which costs the work
-m v^2 for a kinetic energy of m v^2 / 2: so the ratio, otherwise in balance, falls to 0.50 at once. The nodes of rigid bodies
-and welds of car6 pass through its pole, and a warning says so.
+smaller its elements and with them the time step. The nodes of rigid bodies and welds of car6 pass through its pole, and a
+warning says so.
 
 """ + "\n".join(text for _, text in done), encoding="ascii")
 

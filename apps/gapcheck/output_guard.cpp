@@ -23,6 +23,7 @@ std::vector<PlannedOutput> planned_run_outputs(const std::string& directory, boo
     for (std::string& grid : grid_files(directory)) files.push_back(std::move(grid));
   std::sort(files.begin(), files.end());
   std::vector<PlannedOutput> outputs;
+  outputs.reserve(files.size());
   for (std::string& file : files) outputs.push_back({"-o", std::move(file), "", "another directory"});
   return outputs;
 }
