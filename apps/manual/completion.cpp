@@ -36,21 +36,26 @@ bool takes_file(const OptionText& option) {
 std::string bash_values(const OptionText& option) {
   if (!option.choices.empty())
     return fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", joined(option.choices, " "));
+  if (!option.offered.empty())
+    return fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", joined(option.offered, " "));
   if (is_directory(option)) return "COMPREPLY=($(compgen -d -- \"$cur\"))";
   return takes_file(option) ? "COMPREPLY=($(compgen -f -- \"$cur\"))" : "COMPREPLY=()";
 }
 
 std::string bash_command(const CommandText& command) {
-  std::string out;
+  std::string out, words;
   std::vector<std::string> names;
   for (const OptionText& option : command.options) {
-    if (option.argument) continue;
+    if (option.argument) {
+      if (!option.offered.empty()) words = fmt::format(" words='{}'", joined(option.offered, " "));
+      continue;
+    }
     names.insert(names.end(), option.names.begin(), option.names.end());
     if (!option.value.empty())
       out += fmt::format("        {}) {}; return ;;\n", joined(option.names, "|"), bash_values(option));
   }
-  return fmt::format("      case \"$prev\" in\n{}        *) ;;\n      esac\n      options='{}' ;;\n", out,
-                     joined(names, " "));
+  return fmt::format("      case \"$prev\" in\n{}        *) ;;\n      esac\n      options='{}'{} ;;\n", out,
+                     joined(names, " "), words);
 }
 
 /// Help for one line of zsh's _arguments, between square brackets in single quotes.
@@ -65,12 +70,15 @@ std::string zsh_help(std::string_view text) {
 
 std::string zsh_action(const OptionText& option) {
   if (!option.choices.empty()) return fmt::format("({})", joined(option.choices, " "));
+  if (!option.offered.empty()) return fmt::format("({})", joined(option.offered, " "));
   if (is_directory(option)) return "_files -/";
   return takes_file(option) || option.argument ? "_files" : "";
 }
 
 void append_zsh_options(const CommandText& command, std::string& out) {
+  std::string argument = "_files";
   for (const OptionText& option : command.options) {
+    if (option.argument) argument = zsh_action(option);
     if (option.argument) continue;
     for (const std::string& name : option.names) {
       out += fmt::format("        '{}[{}]", name, zsh_help(option.help));
@@ -78,7 +86,7 @@ void append_zsh_options(const CommandText& command, std::string& out) {
       out += "' \\\n";
     }
   }
-  out += "        '*:file:_files'\n";
+  out += fmt::format("        '*:{}:{}'\n", argument == "_files" ? "file" : "rule", argument);
 }
 
 }  // namespace
@@ -86,7 +94,7 @@ void append_zsh_options(const CommandText& command, std::string& out) {
 std::string bash_completion(const ProgramText& program) {
   const std::string name = function_name(program);
   std::string out = fmt::format("# bash completion of {}\n{}() {{\n", program.name, name);
-  out += "  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} options=''\n";
+  out += "  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} options='' words=''\n";
   const std::string commands = command_names(program);
   if (commands.empty()) {
     out += "  case '' in\n    *)\n" + bash_command(program.commands.front());
@@ -99,7 +107,8 @@ std::string bash_completion(const ProgramText& program) {
       if (!command.name.empty()) out += fmt::format("    {})\n{}", command.name, bash_command(command));
   }
   out +=
-      "  esac\n  if [[ $cur == -* ]]; then\n    COMPREPLY=($(compgen -W \"$options\" -- \"$cur\"))\n  else\n"
+      "  esac\n  if [[ $cur == -* ]]; then\n    COMPREPLY=($(compgen -W \"$options\" -- \"$cur\"))\n"
+      "  elif [[ $words ]]; then\n    COMPREPLY=($(compgen -W \"$words\" -- \"$cur\"))\n  else\n"
       "    COMPREPLY=($(compgen -f -- \"$cur\"))\n  fi\n}\n";
   return out + fmt::format("complete -o filenames -F {} {}\n", name, program.name);
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "../check-c/arguments.hpp"
+#include "audit/registry.hpp"
 #include "command_line.hpp"
 
 namespace gapcheck::manual {
@@ -40,9 +41,21 @@ OptionText text_of(const CLI::Option& option) {
   return text;
 }
 
+/// Names of the rules that a command knows: messag judges runs, explain has the pages of all, the others judge decks.
+std::vector<std::string> rule_names(const std::string& command) {
+  std::vector<std::string> names;
+  for (const RuleIdentity& rule : audit::rules())
+    if (command == "explain" || rule.of_runs() == (command == "messag")) names.emplace_back(rule.name);
+  return names;
+}
+
 CommandText text_of(const CLI::App& command) {
   CommandText text{command.get_name(), command.get_description(), {}};
-  for (const CLI::Option* option : command.get_options()) text.options.push_back(text_of(*option));
+  for (const CLI::Option* option : command.get_options()) {
+    text.options.push_back(text_of(*option));
+    if (option->get_type_name() == "RULES" || option->get_name(true) == "RULE")
+      text.options.back().offered = rule_names(text.name);
+  }
   return text;
 }
 

@@ -10,8 +10,9 @@ struct OptionText {
   std::vector<std::string> names;  ///< with their dashes; of an argument: its one name
   std::string value;               ///< what it takes: "FILE"; empty: nothing
   std::string help;
-  std::vector<std::string> choices;  ///< the only values it takes; empty: any
-  bool argument = false;             ///< has no name
+  std::vector<std::string> choices;       ///< the only values it takes; empty: any
+  bool argument = false;                  ///< has no name
+  std::vector<std::string> offered = {};  ///< values that completions offer besides `choices`: names of rules
 };
 
 struct CommandText {

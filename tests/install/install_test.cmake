@@ -27,6 +27,10 @@ step(bash -c "source '${prefix}/share/bash-completion/completions/gapcheck'
   COMP_WORDS=(gapcheck au) COMP_CWORD=1; _gapcheck; [ \"\${COMPREPLY[*]}\" = audit ] || exit 2
   COMP_WORDS=(gapcheck compare --cu) COMP_CWORD=2; _gapcheck; [[ \" \${COMPREPLY[*]} \" = *' --curves '* ]] || exit 3
   COMP_WORDS=(gapcheck audit --conf) COMP_CWORD=2; _gapcheck; [ \"\${COMPREPLY[*]}\" = --config ] || exit 5
+  COMP_WORDS=(gapcheck explain untied) COMP_CWORD=2; _gapcheck; [ \"\${COMPREPLY[*]}\" = untied-node ] || exit 6
+  COMP_WORDS=(gapcheck audit --select untied) COMP_CWORD=3; _gapcheck; [ \"\${COMPREPLY[*]}\" = untied-node ] || exit 7
+  COMP_WORDS=(gapcheck messag --select energy) COMP_CWORD=3; _gapcheck; [ \"\${COMPREPLY[*]}\" = energy-ratio ] || exit 8
+  COMP_WORDS=(gapcheck audit --select energy) COMP_CWORD=3; _gapcheck; [ \"\${COMPREPLY[*]}\" = '' ] || exit 9
   source '${prefix}/share/bash-completion/completions/check-c'
   COMP_WORDS=(check-c -time) COMP_CWORD=1; _check_c; [ \"\${COMPREPLY[*]}\" = -timestep ] || exit 4")
 file(READ ${prefix}/share/man/man1/gapcheck.1 page)
