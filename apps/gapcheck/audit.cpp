@@ -104,6 +104,7 @@ void add_audit(CLI::App& app, Action& action) {
       arguments->settings = use_settings(arguments->settings_file, arguments->decks.front(), true, *command, failures);
       if (failures.any()) return static_cast<int>(failed);
       arguments->audit.severities = arguments->settings.severities;
+      arguments->audit.thresholds = arguments->settings.thresholds;
       arguments->audit.today = today();
       if (!arguments->units.empty()) arguments->audit.millimetre = millimetres().at(arguments->units);
       auto as_if = assumptions(arguments->as_if, arguments->audit.millimetre);

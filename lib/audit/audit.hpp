@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "audit/ignores.hpp"
+#include "audit/threshold.hpp"
 #include "base/diagnostic.hpp"
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
@@ -20,6 +21,7 @@ struct AuditOptions {
   std::vector<IgnoreEntry> ignores;         ///< of a settings file; those of the deck's comments come first
   std::vector<model::Assumption> as_if;     ///< --as-if: audits the deck as if it had these values
   Severities severities;                    ///< instead of those of the rules
+  Thresholds thresholds;                    ///< instead of those of the rules
   std::chrono::sys_days today{};            ///< date for ignores with a last day; 1970-01-01: none has expired
   double ptol = -1;                         ///< --ptol: replaces the default tolerance; negative = not given
   double rtol = -1;          ///< --rtol: only findings with a remaining distance below it; negative = not given

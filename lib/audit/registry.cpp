@@ -57,6 +57,12 @@ const RuleIdentity* find_rule(std::string_view id_or_name) {
   return nullptr;
 }
 
+std::span<const Threshold> thresholds(const RuleIdentity& rule) {
+  for (const Rule* one : all_rules())
+    if (one->identity.id == rule.id) return one->thresholds;
+  return {};
+}
+
 std::vector<const RuleIdentity*> rules_with(std::string_view text) {
   const auto same = [](unsigned char l, unsigned char r) { return std::tolower(l) == std::tolower(r); };
   std::vector<const RuleIdentity*> list;

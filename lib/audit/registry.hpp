@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "audit/threshold.hpp"
 #include "records/rule_identity.hpp"
 
 namespace gapcheck::audit {
@@ -12,6 +13,8 @@ namespace gapcheck::audit {
 [[nodiscard]] std::span<const RuleIdentity> rules();
 /// By id or name, ignoring case; nullptr if there is none.
 [[nodiscard]] const RuleIdentity* find_rule(std::string_view id_or_name);
+/// What a settings file may replace of a rule; empty for most.
+[[nodiscard]] std::span<const Threshold> thresholds(const RuleIdentity& rule);
 /// Rules that a person may mean: those whose id begins with a text, or whose name has it; ascending by id.
 [[nodiscard]] std::vector<const RuleIdentity*> rules_with(std::string_view text);
 /// The name of the rule that was probably meant (base/nearest_name.hpp); `of_runs`: of a rule on results, otherwise on

@@ -24,6 +24,11 @@ const std::string& Context::path(FileIndex file) const {
 
 const contact::ContactSurfaces& Context::surfaces(ContactIndex contact) { return results_.surfaces(contact); }
 
+double Context::threshold(const RuleIdentity& rule, const Threshold& threshold) const {
+  const auto found = options().thresholds.find(fmt::format("{}.{}", rule.id, threshold.name));
+  return found == options().thresholds.end() ? threshold.value : found->second;
+}
+
 void Context::skipped(const RuleIdentity& rule, std::string_view what) { log_.skipped(rule, what); }
 
 Finding finding(const RuleIdentity& rule, std::string message, std::string file, std::uint32_t line) {

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "audit/selection.hpp"
+#include "audit/threshold.hpp"
 #include "keyword/deck.hpp"
 #include "model/model.hpp"
 #include "records/report.hpp"
@@ -42,6 +44,8 @@ class Context {
   [[nodiscard]] const contact::ContactSurfaces& surfaces(ContactIndex contact);
   /// Initialisation, mesh in contact, time steps (audit/shared_results.hpp).
   [[nodiscard]] SharedResults& results() { return results_; }
+  /// The value of a threshold of a rule: that of the settings, or its own.
+  [[nodiscard]] double threshold(const RuleIdentity& rule, const Threshold& threshold) const;
   /// Records for --stats what a rule left out and why: "3 contacts have no surfaces to compare".
   void skipped(const RuleIdentity& rule, std::string_view what);
 
@@ -60,6 +64,7 @@ struct Rule {
   void (*judge)(const RuleIdentity& rule, RunContext& context, Report& report) = nullptr;
   /// Judges what happened to the findings of all other rules.
   void (*review)(const RuleIdentity& rule, const IgnoreOutcome& ignores, Report& report) = nullptr;
+  std::span<const Threshold> thresholds = {};
   [[nodiscard]] bool of_records() const { return run == nullptr && judge == nullptr && review == nullptr; }
 };
 

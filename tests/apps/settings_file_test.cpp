@@ -179,6 +179,14 @@ TEST(SettingsFile, SeveritiesByIdOrName) {
             (Severities{{"GC106", Severity::error}, {"GC202", Severity::note}, {"GC101", Severity::warning}}));
 }
 
+TEST(SettingsFile, ThresholdsByIdOrName) {
+  const Outcome outcome =
+      read("[threshold.warped-segment]\nangle = 15\n[threshold]\nGC411 = {highest = 0.2, lowest = 1e-2}\n");
+  ASSERT_TRUE(outcome.errors.empty()) << outcome.errors[0].message;
+  EXPECT_EQ(outcome.settings.thresholds,
+            (audit::Thresholds{{"GC504.angle", 15}, {"GC411.highest", 0.2}, {"GC411.lowest", 0.01}}));
+}
+
 TEST(SettingsFile, WrongOnesAreNamedWithTheirLine) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"\nselct = [\"GC1\"]\n", "2: unknown key \"selct\"; did you mean \"select\"?"},
@@ -225,6 +233,16 @@ TEST(SettingsFile, WrongOnesAreNamedWithTheirLine) {
       {"[[exception]]\nignore = \"GC1\"\nuntil = \"31.1.2027\"\n", "3: until: must be a day: 2027-01-31"},
       {"[[exception]]\nignore = \"GC1\"\nuntil = 2027-01-31T12:00:00\n", "3: until must be a day: 2027-01-31"},
       {"[[exception]]\nignore = \"GC1\"\nbecause = 1\n", "3: because must be a text in quotes"},
+      {"threshold = 5\n", "1: threshold must be a table: [threshold.RULE]"},
+      {"[threshold]\nGC504 = 5\n", "2: threshold.GC504 must be a table: [threshold.GC504]"},
+      {"[threshold.warped]\nangle = 5\n", "1: 'warped' is not a rule on decks; gapcheck rules lists them"},
+      {"[threshold.GC101]\nangle = 5\n", "2: initial-penetration has no threshold that can be set"},
+      {"[threshold.GC411]\nhigest = 5\n", "2: soft-scale has no threshold \"higest\"; it has highest, lowest"},
+      {"[threshold.GC504]\nangle = 181\n", "2: threshold.warped-segment.angle must be a number from 0 to 180"},
+      {"[threshold.GC504]\nangle = nan\n", "2: threshold.warped-segment.angle must be a number from 0 to 180"},
+      {"[threshold.GC504]\nangle = \"5\"\n", "2: threshold.warped-segment.angle must be a number from 0 to 180"},
+      {"[threshold.GC504]\nangle = 5\n[threshold.warped-segment]\nangle = 6\n",
+       "4: angle of GC504 is given twice: by id and by name"},
       {"severity = \"error\"\n", "1: severity must be a table: [severity]"},
       {"[severity]\nGC999 = \"error\"\n", "2: 'GC999' is not a rule on decks; gapcheck rules lists them"},
       {"[severity]\nGC601 = \"error\"\n", "2: 'GC601' is not a rule on decks; gapcheck rules lists them"},

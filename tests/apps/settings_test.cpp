@@ -1,6 +1,8 @@
 // gapcheck.toml as users see it: where it is looked for, what it does, what the command line takes from it.
 #include "settings/settings.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <CLI/Option.hpp>
@@ -8,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
+#include "audit/registry.hpp"
 #include "commands.hpp"
 #include "options.hpp"
 
@@ -404,6 +407,24 @@ TEST_F(SettingsProgram, ThePageHasAllKeys) {
     shown += "| `" + std::string(key.name) + "` | " + std::string(app::expected(key.type)) + " | " + meaning + " |\n";
   }
   EXPECT_EQ(section("keys", shown), shown);
+}
+
+TEST_F(SettingsProgram, ThePageHasAllThresholds) {
+  std::string shown = "| rule | threshold | value | what it is |\n|---|---|---:|---|\n";
+  for (const RuleIdentity& rule : audit::rules())
+    for (const audit::Threshold& threshold : audit::thresholds(rule))
+      shown += fmt::format("| [{0}](rules/{0}.md) | `{1}` | {2:g} | {3} |\n", rule.name, threshold.name,
+                           threshold.value, threshold.meaning);
+  EXPECT_EQ(section("thresholds", shown), shown);
+}
+
+TEST_F(SettingsProgram, ThresholdsReplaceThoseOfTheRules) {
+  const auto warnings = [&] { return gapcheck("audit warped_quad.k --select GC504 --quiet").out; };
+  use_deck("warped_quad.k");
+  settings("[threshold.warped-segment]\nangle = 180\n");
+  EXPECT_NE(warnings().find("nothing found"), std::string::npos) << warnings();
+  settings("[threshold.warped-segment]\nangle = 0\n");
+  EXPECT_NE(warnings().find("1 warning"), std::string::npos) << warnings();
 }
 
 TEST_F(SettingsProgram, TheSameForAnyNumberOfThreads) {

@@ -49,7 +49,7 @@ constexpr std::array keys = [] {
   };
 }();
 
-constexpr std::array<std::string_view, 3> table_names{"include", "exception", "severity"};
+constexpr std::array<std::string_view, 4> table_names{"include", "exception", "severity", "threshold"};
 
 constexpr std::size_t longest_value = 4096;
 

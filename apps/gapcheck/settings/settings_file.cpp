@@ -92,6 +92,8 @@ class Reader {
       const std::string_view name = key.str();
       if (name == "severity")
         read_severities(node);
+      else if (name == "threshold")
+        read_thresholds(node);
       else if (const auto& tables = setting_tables(); std::find(tables.begin(), tables.end(), name) != tables.end())
         read_entries(name, node);
       else if (auto given = read_key("", key, node); given && !given->values.empty())
@@ -139,17 +141,55 @@ class Reader {
     return given.values.size() == list->size() ? std::optional(std::move(given)) : std::nullopt;
   }
 
+  /// nullptr after an error, already reported.
+  const RuleIdentity* read_deck_rule(const toml::key& key) {
+    const RuleIdentity* rule = audit::find_rule(key.str());
+    if (rule != nullptr && !rule->of_runs()) return rule;
+    error(key.source().begin.line,
+          fmt::format("'{}' is not a rule on decks; gapcheck rules lists them{}", key.str().substr(0, 64),
+                      did_you_mean(audit::nearest_rule(key.str(), false))));
+    return nullptr;
+  }
+
+  void read_thresholds(const toml::node& node) {
+    const auto* table = node.as_table();
+    if (table == nullptr) return error(line_of(node), "threshold must be a table: [threshold.RULE]");
+    for (const auto& [key, value] : *table) {
+      const RuleIdentity* rule = read_deck_rule(key);
+      if (rule == nullptr) continue;
+      const auto* values = value.as_table();
+      if (values == nullptr)
+        error(line_of(value), fmt::format("threshold.{0} must be a table: [threshold.{0}]", key.str()));
+      else
+        for (const auto& [name, number] : *values) read_threshold(*rule, name, number);
+    }
+  }
+
+  void read_threshold(const RuleIdentity& rule, const toml::key& key, const toml::node& node) {
+    std::vector<std::string_view> names;
+    for (const audit::Threshold& threshold : audit::thresholds(rule)) {
+      names.push_back(threshold.name);
+      if (key.str() != threshold.name) continue;
+      const std::optional<double> value = node.value<double>();
+      if (!node.is_number() || !value || !(*value >= threshold.least && *value <= threshold.most))
+        error(line_of(node), fmt::format("threshold.{}.{} must be a number from {:g} to {:g}", rule.name,
+                                         threshold.name, threshold.least, threshold.most));
+      else if (!settings_.thresholds.emplace(fmt::format("{}.{}", rule.id, threshold.name), *value).second)
+        error(line_of(node), fmt::format("{} of {} is given twice: by id and by name", threshold.name, rule.id));
+      return;
+    }
+    error(key.source().begin.line, names.empty() ? fmt::format("{} has no threshold that can be set", rule.name)
+                                                 : fmt::format("{} has no threshold \"{}\"; it has {}", rule.name,
+                                                               key.str().substr(0, 64), fmt::join(names, ", ")));
+  }
+
   void read_severities(const toml::node& node) {
     const auto* table = node.as_table();
     if (table == nullptr) return error(line_of(node), "severity must be a table: [severity]");
     for (const auto& [key, value] : *table) {
       const std::uint32_t line = key.source().begin.line;
-      const RuleIdentity* rule = audit::find_rule(key.str());
-      if (rule == nullptr || rule->of_runs()) {
-        error(line, fmt::format("'{}' is not a rule on decks; gapcheck rules lists them{}", key.str().substr(0, 64),
-                                did_you_mean(audit::nearest_rule(key.str(), false))));
-        continue;
-      }
+      const RuleIdentity* rule = read_deck_rule(key);
+      if (rule == nullptr) continue;
       const auto* word = value.as_string();
       std::optional<Severity> severity;
       for (const Severity s : {Severity::error, Severity::warning, Severity::note})

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "audit/ignores.hpp"
+#include "audit/threshold.hpp"
 #include "base/diagnostic.hpp"
 #include "records/report.hpp"
 #include "settings/setting_keys.hpp"
@@ -29,7 +30,8 @@ struct Settings {
   std::string path;  ///< empty: there is no such file
   std::vector<Setting> options;
   std::vector<SettingsIgnore> ignores;
-  Severities severities;
+  Severities severities = {};
+  audit::Thresholds thresholds = {};
 };
 
 /// Reads the text (TOML 1.0, UTF-8) of the settings file `path`. All mistakes go to `diagnostics` as errors with line;

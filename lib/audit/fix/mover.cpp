@@ -60,6 +60,7 @@ void Mover::move_as_recommended() {
     if (known == nullptr || p.depth > known->depth) known = &p;
   }
   std::vector<NodeIndex> nodes;
+  nodes.reserve(deepest.size());
   for (const auto& [node, record] : deepest) nodes.push_back(node);
   writable_.hold_others(nodes, start_.freedoms);
   std::vector<Vector> x = start_.deck;

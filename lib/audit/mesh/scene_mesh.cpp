@@ -98,6 +98,7 @@ class Seeds {
           {i > 0 && records[i].contact == records[i - 1].contact ? entries.back().rank + 1 : 0, &records[i]});
     std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank < b.rank; });
     std::vector<const Penetration*> list;
+    list.reserve(entries.size());
     for (const Entry& entry : entries) list.push_back(entry.record);
     return list;
   }

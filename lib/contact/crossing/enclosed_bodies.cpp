@@ -165,6 +165,7 @@ std::vector<EnclosedBody> find_enclosed_bodies(const model::Model& model, const 
   if (model.mesh.solids.size() == 0) return found;
   const std::vector<Body> bodies = candidate_bodies(model);
   std::vector<Bounds> boxes;
+  boxes.reserve(bodies.size());
   for (const Body& body : bodies) boxes.push_back(body.box);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> nested;  // inner, outer
   std::mutex mutex;

@@ -66,7 +66,7 @@ std::string marked_line(const NumberField& field) {
   constexpr std::size_t most = 160;
   std::string line;
   std::size_t begin = field.column, end = field.column + field.width;
-  const std::size_t text_at = static_cast<std::size_t>(field.text.data() - field.line.data());
+  const auto text_at = static_cast<std::size_t>(field.text.data() - field.line.data());
   for (std::size_t i = 0; i < field.line.size(); ++i) {
     if (field.free_format && i == text_at) begin = line.size();
     if (field.line[i] == '\t')

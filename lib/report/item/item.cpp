@@ -165,6 +165,7 @@ std::vector<ItemGroup> item_groups(const Report& report, std::size_t top) {
     return true;
   });
   std::vector<ItemGroup> list;
+  list.reserve(groups.size());
   for (auto& [key, group] : groups) list.push_back(std::move(group));
   return list;
 }

@@ -247,7 +247,7 @@ std::string changes(const Report& report, const TextOptions& options) {
 
 std::string text(const Report& report, const TextOptions& options) {
   const Paint paint{options.color};
-  const std::string last = verdict(report, paint);
+  std::string last = verdict(report, paint);
   if (options.quiet) return last;
   const bool all = options.all || options.list;
   std::string out = paint.bold(printable_path(report.input)) + '\n';

@@ -38,7 +38,7 @@ std::string place(const Report& report, const FindingGroup& group) {
 
 /// "part 3 in part 1"; empty if neither is known.
 std::string parts_of(const FindingGroup& group) {
-  const std::string node = group.part != 0 ? fmt::format("part {}", group.part) : "";
+  std::string node = group.part != 0 ? fmt::format("part {}", group.part) : "";
   if (group.element_part == 0) return node;
   return node + (node.empty() ? "in part " : " in part ") + fmt::format("{}", group.element_part);
 }
@@ -252,7 +252,7 @@ std::vector<std::string> rule_sum_lines(std::span<const FindingGroup> groups, st
     const std::string text = fmt::format("{} {} {}", printable(rule[0].id), printable(rule[0].rule), things_in(rule));
     if (lines.empty() || used + 2 + columns(text) > width) {
       if (!lines.empty()) lines.back() += ',';
-      lines.push_back("  ");
+      lines.emplace_back("  ");
       used = 2;
     } else {
       lines.back() += ", ";

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +13,8 @@ namespace gapcheck::audit::rule::sharp_corner {
 namespace {
 
 /// Degrees remaining between two segments with a common edge: they are folded by 180 less this.
-constexpr double least_angle = 30;
+constexpr std::array thresholds{
+    Threshold{"angle", 30, 0, 60, "degrees between two segments, below which they are listed"}};
 
 /// The mean of a segment's corners that are not on the edge, seen from the edge's first end.
 Vector inward(const model::SegmentNodes& n, NodeIndex a, NodeIndex b, const std::vector<Vector>& x) {
@@ -47,6 +49,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   if (mesh == nullptr) return;
   const auto& quality = mesh->quality();
   mesh->build_edges();
+  const double least_angle = context.threshold(rule, thresholds[0]);
   const double limit = std::cos(least_angle * std::numbers::pi / 180);
   std::vector<Found> found =
       find_all(context.model().mesh.nodes.size(), [&](std::size_t node, std::vector<Found>& list) {
@@ -94,6 +97,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 const Rule definition{
     {"GC512", "sharp-corner", Severity::note, "two segments in contact fold onto each other at an edge", Need::surfaces,
      "Nodes near the fold jump between its two sides"},
-    run};
+    run,
+    nullptr,
+    nullptr,
+    thresholds};
 
 }  // namespace gapcheck::audit::rule::sharp_corner

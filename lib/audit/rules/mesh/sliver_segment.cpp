@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <array>
+
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
 #include "audit/shared/mesh_finding.hpp"
@@ -8,11 +10,10 @@
 namespace gapcheck::audit::rule::sliver_segment {
 namespace {
 
-/// Altitude over longest edge, that is an aspect ratio of twenty.
-constexpr float least_slenderness = 0.05F;
+constexpr std::array thresholds{Threshold{"height", 0.05, 0, 1, "height over longest edge, below which it is listed"}};
 
 /// The segment is a side of a thin brick, whose largest face is no sliver: thin as the body is, nothing to remesh.
-bool side_of_thin_brick(const contact::ContactMesh& mesh, std::size_t segment) {
+bool side_of_thin_brick(const contact::ContactMesh& mesh, std::size_t segment, float least_slenderness) {
   const bool thick_shell = mesh.kind(segment) == model::ElementKind::thick_shell;
   if (mesh.element(segment) == no_position || (mesh.kind(segment) != model::ElementKind::solid && !thick_shell))
     return false;
@@ -28,10 +29,11 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   const auto& quality = mesh->quality();
+  const auto least_slenderness = static_cast<float>(context.threshold(rule, thresholds[0]));
   std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
     const contact::SegmentQuality& q = quality[i];
     if (q.fault != contact::SegmentFault::none || !(q.slenderness < least_slenderness)) return;
-    if (context.part_chosen(mesh->part(i)) && !side_of_thin_brick(*mesh, i))
+    if (context.part_chosen(mesh->part(i)) && !side_of_thin_brick(*mesh, i, least_slenderness))
       list.push_back({part_group(*mesh, i), -static_cast<double>(q.slenderness), i});
   });
   const auto edge = [&](std::size_t i) {
@@ -62,6 +64,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 const Rule definition{
     {"GC506", "sliver-segment", Severity::warning, "a segment in contact is much longer than it is wide",
      Need::surfaces, "Contact on the slivers is unstable, or needs a small step"},
-    run};
+    run,
+    nullptr,
+    nullptr,
+    thresholds};
 
 }  // namespace gapcheck::audit::rule::sliver_segment

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "audit/members.hpp"
@@ -10,15 +11,15 @@
 namespace gapcheck::audit::rule::uneven_mesh {
 namespace {
 
-/// Ratio of the sizes of two segments with a common edge.
-constexpr float largest_ratio = 5;
+constexpr std::array thresholds{Threshold{
+    "ratio", 5, 1, 1e6, "ratio of the sizes of two segments with a common edge, above which they are listed"}};
 
 std::uint64_t pack(std::size_t larger, std::size_t smaller) {
   return static_cast<std::uint64_t>(larger) << 32 | smaller;
 }
 
 /// True if sizes differ enough anywhere; otherwise there is no need to search for neighbours.
-bool sizes_differ(const std::vector<contact::SegmentQuality>& quality) {
+bool sizes_differ(const std::vector<contact::SegmentQuality>& quality, float largest_ratio) {
   float smallest = std::numeric_limits<float>::max(), largest = 0;
   for (const contact::SegmentQuality& q : quality) {
     if (q.fault != contact::SegmentFault::none) continue;
@@ -32,7 +33,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   const auto& quality = mesh->quality();
-  if (!sizes_differ(quality)) return;
+  const auto largest_ratio = static_cast<float>(context.threshold(rule, thresholds[0]));
+  if (!sizes_differ(quality, largest_ratio)) return;
   mesh->build_edges();
   const auto ratio = [&](std::size_t larger, std::size_t smaller) {
     return quality[larger].size / quality[smaller].size;
@@ -83,6 +85,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 const Rule definition{{"GC511", "uneven-mesh", Severity::note, "neighbouring segments in contact differ much in size",
                        Need::surfaces, "Contact forces are uneven where sizes jump"},
-                      run};
+                      run,
+                      nullptr,
+                      nullptr,
+                      thresholds};
 
 }  // namespace gapcheck::audit::rule::uneven_mesh

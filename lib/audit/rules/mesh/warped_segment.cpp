@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,14 +11,15 @@
 namespace gapcheck::audit::rule::warped_segment {
 namespace {
 
-/// Degrees between the two triangles of a quad. Mesh checks of pre-processors warn between 5 and 20; contact bears more
-/// than the element itself.
-constexpr double largest_warp = 20;
+/// Mesh checks of pre-processors warn between 5 and 20; contact bears more than the element itself.
+constexpr std::array thresholds{
+    Threshold{"angle", 20, 0, 180, "degrees between the two triangles of a quad, above which it is listed"}};
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh == nullptr) return;
   const auto& quality = mesh->quality();
+  const double largest_warp = context.threshold(rule, thresholds[0]);
   const auto limit = static_cast<float>(std::cos(largest_warp * std::numbers::pi / 180));
   std::vector<Found> found = find_all(mesh->size(), [&](std::size_t i, std::vector<Found>& list) {
     const contact::SegmentQuality& q = quality[i];
@@ -50,6 +52,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 const Rule definition{
     {"GC504", "warped-segment", Severity::warning, "a quadrilateral segment in contact is far from flat",
      Need::surfaces, "Contact finds wrong distances on the warped segments"},
-    run};
+    run,
+    nullptr,
+    nullptr,
+    thresholds};
 
 }  // namespace gapcheck::audit::rule::warped_segment

@@ -33,7 +33,7 @@ double size_of(const std::array<NodeIndex, 4>& nodes, const Points& x, const Vec
 /// Volume within the faces, each cut into triangles around its middle.
 double volume(const std::array<NodeIndex, 8>& nodes, const Points& x) {
   double sum = 0;
-  const Vector origin = x[nodes[0].value];
+  const Vector& origin = x[nodes[0].value];
   for (const model::SegmentNodes& face : model::SolidFaces(nodes)) {
     Vector middle = Vector::Zero();
     for (const NodeIndex n : face) middle += (x[n.value] - origin) / 4;

@@ -22,7 +22,8 @@ using contact::ContactCode;
 using Parts = std::vector<PartIndex>;
 
 /// From this number of contacts on, one for all is simpler.
-constexpr std::size_t many = 5;
+constexpr std::array thresholds{
+    Threshold{"contacts", 5, 2, 1e6, "contacts that hang together, from which on they are listed"}};
 
 /// What two contacts must have in common to be one.
 using Settings = std::vector<double>;
@@ -102,7 +103,7 @@ struct Chain {
   Parts parts;
 };
 
-std::vector<Chain> chains(const std::vector<std::pair<ContactIndex, Parts>>& contacts) {
+std::vector<Chain> chains(const std::vector<std::pair<ContactIndex, Parts>>& contacts, double many) {
   UnionFind sets(contacts.size());
   std::map<PartIndex, std::uint32_t> first_with;
   for (std::uint32_t i = 0; i < contacts.size(); ++i)
@@ -117,7 +118,7 @@ std::vector<Chain> chains(const std::vector<std::pair<ContactIndex, Parts>>& con
   for (auto& [root, chain] : by_root) {
     std::sort(chain.parts.begin(), chain.parts.end());
     chain.parts.erase(std::unique(chain.parts.begin(), chain.parts.end()), chain.parts.end());
-    if (chain.contacts.size() >= many) list.push_back(std::move(chain));
+    if (static_cast<double>(chain.contacts.size()) >= many) list.push_back(std::move(chain));
   }
   return list;
 }
@@ -159,7 +160,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const model::Contact& c = model.contact(i);
     candidates += replaceable(model, c, contact::classify(c)) ? 1 : 0;
   }
-  if (candidates < many) return;
+  const double many = context.threshold(rule, thresholds[0]);
+  if (static_cast<double>(candidates) < many) return;
   for (const ContactIndex i : context.contacts()) {
     const model::Contact& c = model.contact(i);
     const contact::ContactType type = contact::classify(c);
@@ -171,7 +173,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   }
   std::vector<std::pair<ContactIndex, Finding>> found;
   for (const auto& [settings, contacts] : by_settings)
-    for (const Chain& chain : chains(contacts)) {
+    for (const Chain& chain : chains(contacts, many)) {
       // What a global contact holds as well was taken apart on purpose, or twice.
       const bool held = std::any_of(global.begin(), global.end(), [&](const Parts& parts) {
         return std::includes(parts.begin(), parts.end(), chain.parts.begin(), chain.parts.end());
@@ -182,6 +184,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Finding> findings;
+  findings.reserve(found.size());
   for (auto& [first, finding] : found) findings.push_back(std::move(finding));
   add_first(report, std::move(findings), "more groups of contacts could be one contact each");
 }
@@ -191,6 +194,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 const Rule definition{{"GC425", "local-contacts", Severity::note,
                        "many local contacts with the same settings hold parts that hang together", Need::surfaces,
                        "The run takes longer than with one contact, and pairs are forgotten easily"},
-                      run};
+                      run,
+                      nullptr,
+                      nullptr,
+                      thresholds};
 
 }  // namespace gapcheck::audit::rule::local_contacts

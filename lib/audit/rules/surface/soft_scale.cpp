@@ -1,15 +1,19 @@
 #include <fmt/format.h>
 
+#include <array>
+
 #include "audit/rules.hpp"
 
 namespace gapcheck::audit::rule::soft_scale {
 namespace {
 
 /// SOFSCL: the default, and the least that the workshop recommends for unstable runs (contact rules, section 11).
-constexpr double highest = 0.1, lowest = 0.04;
+constexpr std::array thresholds{Threshold{"highest", 0.1, 0, 1e6, "SOFSCL above which it is listed"},
+                                Threshold{"lowest", 0.04, 0, 1e6, "SOFSCL below which it is listed"}};
 constexpr double rounding = 1e-9;
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
+  const double highest = context.threshold(rule, thresholds[0]), lowest = context.threshold(rule, thresholds[1]);
   for (const ContactIndex i : context.contacts()) {
     const model::Contact& contact = context.model().contact(i);
     if (!contact.known || contact.own_layout || (contact.soft != 1 && contact.soft != 2)) continue;
@@ -17,10 +21,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     if (scale >= lowest * (1 - rounding) && scale <= highest * (1 + rounding)) continue;
     report.findings.push_back(finding_at(
         rule, context, contact,
-        fmt::format(
-            "SOFSCL = {:.6g} with SOFT = {} is {}; take 0.1, or 0.04 to 0.07 where the contact is unstable", scale,
-            contact.soft,
-            scale > highest ? "above 0.1: the springs may become unstable" : "below 0.04: the contact is soft")));
+        fmt::format("SOFSCL = {:.6g} with SOFT = {} is {}; take 0.1, or 0.04 to 0.07 where the contact is unstable",
+                    scale, contact.soft,
+                    scale > highest ? fmt::format("above {:g}: the springs may become unstable", highest)
+                                    : fmt::format("below {:g}: the contact is soft", lowest))));
   }
 }
 
@@ -29,6 +33,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 const Rule definition{
     {"GC411", "soft-scale", Severity::note, "SOFSCL of a contact with SOFT = 1 or 2 lies outside 0.04 to 0.1",
      Need::model, "The contact is softer or less stable than usual"},
-    run};
+    run,
+    nullptr,
+    nullptr,
+    thresholds};
 
 }  // namespace gapcheck::audit::rule::soft_scale

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 
@@ -12,8 +13,9 @@
 namespace gapcheck::audit::rule::solid_early_release {
 namespace {
 
-/// Solids release early at less than this share of the depth to which the contact's thinnest shells hold.
-constexpr double share_of_shells = 0.5;
+constexpr std::array thresholds{
+    Threshold{"share-of-shells", 0.5, 0, 1e6,
+              "share of the release depth of the thinnest shells, below which solids are listed"}};
 /// If a contact has no shells to compare with: share of the facet's shortest edge.
 constexpr double least_share_of_edge = 0.1;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -21,8 +23,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The release depths of one contact.
 class Releases {
  public:
-  Releases(const model::Model& model, const model::Contact& contact, const contact::ContactSurfaces& surfaces)
-      : model_(model), contact_(contact), surfaces_(surfaces) {
+  Releases(const model::Model& model, const model::Contact& contact, const contact::ContactSurfaces& surfaces,
+           double share_of_shells)
+      : model_(model), contact_(contact), surfaces_(surfaces), share_of_shells_(share_of_shells) {
     double thinnest = infinity;
     const contact::Segments& s = surfaces.a.selection.segments;
     for (std::size_t i = 0; i < s.size(); ++i)
@@ -42,7 +45,7 @@ class Releases {
   [[nodiscard]] double shells() const { return shells_; }
   /// Depth that a solid should bear at least.
   [[nodiscard]] double least(std::size_t i) const {
-    if (any_shells()) return share_of_shells * shells_;
+    if (any_shells()) return share_of_shells_ * shells_;
     return least_share_of_edge * contact::shortest_edge(surfaces_.a.selection.segments.nodes[i], model_.mesh.nodes.x);
   }
 
@@ -53,7 +56,7 @@ class Releases {
   const model::Model& model_;
   const model::Contact& contact_;
   const contact::ContactSurfaces& surfaces_;
-  double shells_ = infinity;
+  double share_of_shells_, shells_ = infinity;
 };
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
@@ -68,7 +71,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
     const contact::Segments& s = surfaces.a.selection.segments;
     if (std::find(s.kind.begin(), s.kind.end(), contact::SegmentKind::solid) == s.kind.end()) continue;
-    const Releases& releases = of_contact.try_emplace(c, model, contact, surfaces).first->second;
+    const Releases& releases =
+        of_contact.try_emplace(c, model, contact, surfaces, context.threshold(rule, thresholds[0])).first->second;
     weigh_by_part(parts, context, c, s, [&](std::size_t i) {
       if (s.kind[i] != contact::SegmentKind::solid) return 0.0;
       const double depth = releases.solid(i), least = releases.least(i);
@@ -94,6 +98,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 const Rule definition{{"GC306", "solid-early-release", Severity::warning,
                        "a single-surface contact gives up on nodes in thin solids before it does in shells",
                        Need::surfaces, "Nodes that enter thin solids are given up early and pass through"},
-                      run};
+                      run,
+                      nullptr,
+                      nullptr,
+                      thresholds};
 
 }  // namespace gapcheck::audit::rule::solid_early_release

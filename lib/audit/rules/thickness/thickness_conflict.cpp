@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 
@@ -12,8 +13,8 @@
 namespace gapcheck::audit::rule::thickness_conflict {
 namespace {
 
-/// Thicknesses at one node that differ by more than this factor are reported.
-constexpr double most_ratio = 2;
+constexpr std::array thresholds{
+    Threshold{"ratio", 2, 1, 1e6, "ratio of two contact thicknesses at one node, above which they are listed"}};
 constexpr std::uint32_t no_slot = std::numeric_limits<std::uint32_t>::max();
 
 /// The tracked nodes of one side by node.
@@ -67,7 +68,7 @@ struct Conflict {
 /// By part of the segment and part that gave the node its thickness.
 using Conflicts = std::map<std::uint64_t, Conflict>;
 
-bool all_alike(const contact::Segments& s, const contact::TrackedNodes& nodes) {
+bool all_alike(const contact::Segments& s, const contact::TrackedNodes& nodes, double most_ratio) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const auto* halves : {&s.half, &nodes.half})
     for (const double half : *halves)
@@ -76,8 +77,8 @@ bool all_alike(const contact::Segments& s, const contact::TrackedNodes& nodes) {
 }
 
 void compare(Conflicts& conflicts, const Context& context, ContactIndex contact, const contact::TrackedNodes& nodes,
-             const contact::Segments& s) {
-  if (nodes.size() == 0 || s.size() == 0 || all_alike(s, nodes)) return;
+             const contact::Segments& s, double most_ratio) {
+  if (nodes.size() == 0 || s.size() == 0 || all_alike(s, nodes, most_ratio)) return;
   const Slots slots(nodes);
   const auto found = worst_by_key(s.size(), [&](std::size_t i) {
     const Corner corner = worst_corner(s, nodes, slots, i);
@@ -117,13 +118,14 @@ Finding words(const RuleIdentity& rule, const Context& context, const Conflict& 
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
+  const double most_ratio = context.threshold(rule, thresholds[0]);
   std::vector<Conflict> all;
   for (const ContactIndex i : contacts_with_thickness(rule, context)) {
     const contact::ContactSurfaces& surfaces = context.surfaces(i);
     Conflicts conflicts;
     for (const contact::ContactSide* nodes : {&surfaces.a, &surfaces.b})
       for (const contact::ContactSide* segments : {&surfaces.a, &surfaces.b})
-        compare(conflicts, context, i, nodes->nodes, segments->selection.segments);
+        compare(conflicts, context, i, nodes->nodes, segments->selection.segments, most_ratio);
     for (const auto& [key, conflict] : conflicts) all.push_back(conflict);
   }
   std::vector<Found> found;
@@ -143,6 +145,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 const Rule definition{{"GC307", "thickness-conflict", Severity::note,
                        "elements that share nodes have very different thickness in one contact", Need::surfaces,
                        "Contact thickness jumps from element to element, so forces do too"},
-                      run};
+                      run,
+                      nullptr,
+                      nullptr,
+                      thresholds};
 
 }  // namespace gapcheck::audit::rule::thickness_conflict

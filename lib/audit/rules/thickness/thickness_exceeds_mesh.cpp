@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "audit/rules.hpp"
@@ -10,8 +11,9 @@
 namespace gapcheck::audit::rule::thickness_exceeds_mesh {
 namespace {
 
-/// Contact thickness in shortest edges above which neighbours meet themselves.
-constexpr double most_edges = 1;
+// Neighbours meet themselves from one edge on.
+constexpr std::array thresholds{
+    Threshold{"edges", 1, 0, 1e6, "contact thickness in shortest edges of a segment, above which it is listed"}};
 /// In longest edges: no contact is meant to be that thick. It is in another unit, or has a digit too many.
 constexpr double absurd_edges = 50;
 
@@ -30,6 +32,7 @@ bool absurd(const contact::Segments& s, std::size_t i, const std::vector<Vector>
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   const std::vector<Vector>& x = model.mesh.nodes.x;
+  const double most_edges = context.threshold(rule, thresholds[0]);
   std::vector<PartSegments> parts;
   for (const ContactIndex c : contacts_with_thickness(rule, context)) {
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
@@ -78,6 +81,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 const Rule definition{
     {"GC304", "thickness-exceeds-mesh", Severity::warning, "a contact is thicker than the elements are wide",
      Need::surfaces, "Neighbouring nodes touch each other's segments: forces from nothing"},
-    run};
+    run,
+    nullptr,
+    nullptr,
+    thresholds};
 
 }  // namespace gapcheck::audit::rule::thickness_exceeds_mesh

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,9 +15,10 @@ namespace {
 
 using contact::JudgedNode;
 
-/// From this ratio of the segment's shorter diagonal to the tracked node's edge on, the sizes differ largely: 0.05 of
-/// the diagonal is then half an edge, and the next row of nodes may tie as well.
-constexpr double large_ratio = 10;
+// From ten edges on 0.05 of the diagonal is half an edge, and the next row of nodes may tie as well.
+constexpr std::array thresholds{
+    Threshold{"edges", 10, 0, 1e6,
+              "shorter diagonal of the segment in edges of the tied node's elements, from which on it is listed"}};
 
 /// Shortest edge of the shells and solids at some nodes of the mesh; infinity where there are none.
 class ShortestEdges {
@@ -63,8 +65,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   });
   if (suspects.empty()) return;
   std::vector<NodeIndex> asked;
+  asked.reserve(suspects.size());
   for (const JudgedNode& node : suspects) asked.push_back(node.node);
   const ShortestEdges edges(model.mesh, asked);
+  const double large_ratio = context.threshold(rule, thresholds[0]);
   std::vector<Found> found;
   for (std::size_t i = 0; i < suspects.size(); ++i) {
     const double edge = edges.at(suspects[i].node);
@@ -102,6 +106,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 const Rule definition{{"GC207", "tie-large-segment", Severity::warning,
                        "a node ties only because the segment is large beside the node's own elements", Need::ties,
                        "Nodes tie that may not be meant to"},
-                      run};
+                      run,
+                      nullptr,
+                      nullptr,
+                      thresholds};
 
 }  // namespace gapcheck::audit::rule::tie_large_segment
