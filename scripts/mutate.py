@@ -26,7 +26,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TESTS = {
     "model": ["model/gapcheck_test_model", "audit/gapcheck_test_audit"],
     "contact": ["contact/gapcheck_test_contact", "audit/gapcheck_test_audit"],
-    "audit": ["audit/gapcheck_test_rules", "audit/gapcheck_test_audit", "audit/gapcheck_test_fix"],
+    "audit": ["audit/gapcheck_test_rules", "audit/gapcheck_test_audit", "audit/fix/gapcheck_test_fix"],
     "solver": ["solver/gapcheck_test_solver"],
 }
 

@@ -64,6 +64,8 @@ class UnreadFields {
   [[nodiscard]] bool explains(const Finding& f) const {
     if (f.line > 0 && holds(own_, f.file, f.line)) return true;
     if (judges_thickness(f.id) && (unread_part(f.part) || unread_part(f.element_part))) return true;
+    // A contact's time step takes masses of nodes, to which the parts around add theirs.
+    if (f.id == rule::contact_timestep::definition.identity.id && any_unread_part()) return true;
     return f.id == rule::empty_surface::definition.identity.id && unread_sets(f);
   }
 
@@ -92,6 +94,11 @@ class UnreadFields {
     if (id == 0 || found == model_.part_of_id.end()) return false;
     const model::Part& part = model_.part(found->second);
     return unread(own_, part.place) || (part.section && unread(own_, model_.sections[*part.section].place));
+  }
+
+  [[nodiscard]] bool any_unread_part() const {
+    return std::any_of(model_.parts.begin(), model_.parts.end(),
+                       [&](const model::Part& part) { return unread_part(part.id.value); });
   }
 
   template <class Sets>

@@ -39,6 +39,12 @@ TEST(UnreadFields, HaveNoFindingsOfTheirOwn) {
       << said;
 }
 
+// The masses that a contact's time step takes come from the parts around, too.
+TEST(UnreadFields, TimeSteps) {
+  EXPECT_NE(ids(plates("1e-6", "5")).find("GC420"), std::string::npos) << ids(plates("1e-6", "5"));
+  EXPECT_EQ(ids(plates("&t", "5")).find("GC420"), std::string::npos);
+}
+
 TEST(UnreadFields, EmptySurfaces) {
   EXPECT_NE(ids(plates("1.", "0")).find("GC503"), std::string::npos);
   EXPECT_EQ(ids(plates("1.", "&set")).find("GC5"), std::string::npos);

@@ -8,9 +8,11 @@
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "base/parallel.hpp"
 #include "base/union_find.hpp"
+#include "contact/crossing/heights_over.hpp"
 #include "contact/surface/neighbours.hpp"
 #include "contact/surface/segment_elements.hpp"
 #include "geometry/intersect.hpp"
@@ -173,7 +175,7 @@ class Decider {
         double least = 0;
         if (depth > tolerance && geometry::triangles_cross(p.x, q.x, options_.mode, counters_.decisions))
           line = geometry::common_line(p.x, q.x);
-        else if (goes_on(a_, i, p, of_q, tolerance) && goes_on(b_, j, q, of_p, tolerance)) {
+        else if (meshes_cross(i, p, j, q, tolerance)) {
           line = geometry::common_line(p.x, q.x, tolerance);
           least = 2 * tolerance;
         }
@@ -204,23 +206,50 @@ class Decider {
     return false;
   }
 
-  /// True if the surface at this triangle is on both sides of the plane: the triangle itself, or where an edge of it
-  /// lies in the plane, the triangle and its neighbour beyond that edge. Meshes that cross along their mesh lines do
-  /// so.
-  static bool goes_on(const Side& side, SegmentIndex segment, const Piece& piece, const Plane& plane,
-                      double tolerance) {
+  /// The triangle, and where an edge of it lies in the plane, those beyond that edge.
+  static std::vector<Triangle> surface_at(const Side& side, SegmentIndex segment, const Piece& piece,
+                                          const Plane& plane, double tolerance) {
     const Reach reach(piece.x, plane, tolerance);
-    if (reach.kind != Reach::Kind::edge) return reach.kind == Reach::Kind::through;
-    const auto beyond = [&](NodeIndex n) { return reach.side * plane.height(side.x[n.value]) < -tolerance; };
+    std::vector<Triangle> surface;
+    if (reach.kind == Reach::Kind::none) return surface;
+    surface.push_back(piece.x);
+    if (reach.kind == Reach::Kind::through) return surface;
     const auto& nodes = side.segments.nodes[segment.value];
     const std::size_t third = piece.corner[reach.third];
-    if (nodes[2] != nodes[3] && third % 2 == 1) return beyond(nodes[4 - third]);  // the edge is the quad's diagonal
+    const bool diagonal = nodes[2] != nodes[3] && third % 2 == 1;
+    if (diagonal) {
+      surface.push_back(Pieces(nodes, side.x).list[third == 1 ? 1 : 0].x);
+      return surface;
+    }
     const NodeIndex u = nodes[piece.corner[(reach.third + 1) % 3]], v = nodes[piece.corner[(reach.third + 2) % 3]];
-    const auto around = side.neighbours().at(u);
-    return std::any_of(around.begin(), around.end(), [&](SegmentIndex other) {
+    for (const SegmentIndex other : side.neighbours().at(u)) {
       const auto& n = side.segments.nodes[other.value];
-      return other != segment && std::find(n.begin(), n.end(), v) != n.end() && std::any_of(n.begin(), n.end(), beyond);
-    });
+      if (other == segment || std::find(n.begin(), n.end(), v) == n.end()) continue;
+      for (const Piece& beyond : Pieces(n, side.x).all()) surface.push_back(beyond.x);
+    }
+    return surface;
+  }
+
+  /// True if a surface is on both sides of another one, above and below it. Meshes that cross along their mesh lines do
+  /// so; surfaces that lie on each other do not, though the plane of a triangle may cut those that lie farther away.
+  static bool goes_through(const std::vector<Triangle>& surface, const std::vector<Triangle>& other, double tolerance) {
+    if (surface.empty() || other.empty()) return false;
+    const Vector up = (other[0][1] - other[0][0]).cross(other[0][2] - other[0][0]);
+    Heights all;
+    for (const Triangle& t : surface)
+      for (const Triangle& base : other) {
+        const Heights heights = heights_over(base, t, tolerance, up);
+        all.low = std::min(all.low, heights.low);
+        all.high = std::max(all.high, heights.high);
+      }
+    return all.low < -tolerance && all.high > tolerance;
+  }
+
+  /// Two triangles that meet within the tolerance belong to surfaces that go through each other.
+  bool meshes_cross(SegmentIndex i, const Piece& p, SegmentIndex j, const Piece& q, double tolerance) const {
+    const std::vector<Triangle> a = surface_at(a_, i, p, Plane(q.x), tolerance);
+    const std::vector<Triangle> b = surface_at(b_, j, q, Plane(p.x), tolerance);
+    return goes_through(a, b, tolerance) && goes_through(b, a, tolerance);
   }
 
   /// The ends of several pieces of a line: those farthest apart.

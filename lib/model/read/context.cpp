@@ -34,6 +34,7 @@ void Context::bad_id(Place place, std::string message) {
 }
 
 void Context::duplicate(std::string_view what, std::int64_t id, Place first, Place again, keyword::IdKind kind) {
+  if (cases.never_together({first.file, first.line}, {again.file, again.line})) return;
   model.faults.push_back(
       {Fault::Kind::duplicate_id,
        fmt::format("{} {} is defined again (first in {})", what, id_text(again.file, kind, id), where(first)), again});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "keyword/card.hpp"
+#include "keyword/cases.hpp"
 #include "keyword/transformation.hpp"
 #include "model/entity/raw_sets.hpp"
 #include "model/model.hpp"
@@ -30,6 +31,7 @@ struct Context {
   RawSets sets;
   std::map<std::int64_t, std::uint32_t> section_of_id, material_of_id;
   std::uint32_t interfaces = 0;  ///< contacts so far that count
+  keyword::Cases cases = keyword::Cases(deck);
   /// Parts of particles that the run makes, which need no *PART.
   std::vector<Part> later_particles = {};
   std::map<std::uint32_t, Vector> part_moves = {};                     ///< of *PART_MOVE, by position of the part

@@ -43,8 +43,8 @@ void check_shells(const RuleIdentity& rule, Context& context, Report& report) {
       report, std::move(found),
       [&](const Found& f) {
         const Coincidence& pair = pairs[f.item];
-        return words(f, fmt::format("shell {} ({}) has the same nodes as shell {} ({}): mass, stiffness and contact "
-                                    "force count twice; remove one of them, or give it *MAT_NULL if it is a coat",
+        return words(f, fmt::format("shell {} ({}) has the same nodes as shell {} ({}): its mass and stiffness "
+                                    "count twice; remove one of them, or give it *MAT_NULL if it is a coat",
                                     shells.id[pair.again], part(pair.again), shells.id[pair.first], part(pair.first)));
       },
       [&](const Found& f, std::uint64_t count) {
@@ -55,7 +55,7 @@ void check_shells(const RuleIdentity& rule, Context& context, Report& report) {
       collect_segments(context, [&](const Found& f, const auto& add) { add(shells.nodes[pairs[f.item].again]); }));
 }
 
-/// Segment sets that name a segment twice: its contact force is counted twice.
+/// Segment sets that name a segment twice.
 void check_sets(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
   std::set<std::int64_t> seen;
@@ -88,7 +88,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{{"GC111", "coincident-surfaces", Severity::warning, "two shells or segments have the same nodes",
-                       Need::model, "Mass, stiffness and contact force count twice"},
+                       Need::model, "Mass and stiffness count twice where shells lie on each other"},
                       run};
 
 }  // namespace gapcheck::audit::rule::coincident_surfaces

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "audit/grouped.hpp"
@@ -78,6 +80,55 @@ bool meant_for_contact(const model::Model& model, const model::Part& part) {
   return !material.null_material && !material.spotweld;
 }
 
+/// Distance of a point from the surface of a wall, whose edges do not count.
+double distance(const model::RigidWall& wall, const Vector& x) {
+  const Vector from = x - wall.tail;
+  switch (wall.shape) {
+    case model::RigidWall::Shape::plane:
+    case model::RigidWall::Shape::prism:
+      return std::abs(from.dot(wall.normal));
+    case model::RigidWall::Shape::cylinder:
+      return std::abs((from - from.dot(wall.normal) * wall.normal).norm() - wall.radius);
+    case model::RigidWall::Shape::sphere:
+      return std::abs(from.norm() - wall.radius);
+  }
+  return model::RigidWall::infinite;
+}
+
+/// For each part the largest distance of its nodes from a wall, over the size of the part.
+std::vector<double> distances_from(const model::Model& model, const model::RigidWall& wall) {
+  std::vector<double> farthest(model.parts.size(), 0);
+  std::vector<Eigen::AlignedBox3d> box(model.parts.size());
+  const auto visit = [&](const auto& elements) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      const PartIndex part = elements.part[e];
+      if (part == none<PartIndex>) continue;
+      for (const NodeIndex n : elements.nodes[e]) {
+        const Vector& x = model.mesh.nodes.x[n.value];
+        farthest[part.value] = std::max(farthest[part.value], distance(wall, x));
+        box[part.value].extend(x);
+      }
+    }
+  };
+  visit(model.mesh.shells);
+  visit(model.mesh.solids);
+  visit(model.mesh.thick_shells);
+  for (std::size_t p = 0; p < farthest.size(); ++p) farthest[p] /= box[p].diagonal().norm();
+  return farthest;
+}
+
+/// Marks the rigid parts that lie on a rigid wall: the wall stops what meets them, and they only show where it is.
+std::vector<bool> pictures_of_walls(const model::Model& model) {
+  constexpr double on_it = 0.02;
+  std::vector<bool> parts(model.parts.size(), false);
+  for (const model::RigidWall& wall : model.rigid_walls) {
+    const std::vector<double> distances = distances_from(model, wall);
+    for (std::uint32_t p = 0; p < parts.size(); ++p)
+      if (distances[p] < on_it && model.rigid(PartIndex{p})) parts[p] = true;
+  }
+  return parts;
+}
+
 std::string what(const Census& census, std::size_t part) {
   std::string text;
   const auto add = [&](std::uint32_t number, std::string_view noun) {
@@ -98,9 +149,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
   const std::vector<bool> in_contact = parts_in_contact(context, known);
   if (!known) return context.skipped(rule, "some contacts do not tell which parts they hold");
   const Census census(model);
+  const std::vector<bool> picture = pictures_of_walls(model);
   std::vector<Found> found;
   for (std::uint32_t p = 0; p < model.parts.size(); ++p)
-    if (!in_contact[p] && census.at(p) > 0 && meant_for_contact(model, model.parts[p]) &&
+    if (!in_contact[p] && !picture[p] && census.at(p) > 0 && meant_for_contact(model, model.parts[p]) &&
         context.part_chosen(PartIndex{p}))
       found.push_back({0, static_cast<double>(census.at(p)), p});
   const auto words = [&](const Found& f) {

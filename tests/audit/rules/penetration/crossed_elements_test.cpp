@@ -1,3 +1,5 @@
+#include <random>
+
 #include "audit/rules/rule_deck.hpp"
 
 namespace gapcheck::audit_test::crossed_elements_test {
@@ -23,6 +25,21 @@ RuleDeck plates(const Vector& corner, double lean = 0) {
   RuleDeck deck;
   deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 10, 10);
   return upright(deck, 101, 2, 2, 2, corner, lean);
+}
+
+/// Elements whose corners lie up to `rough` off the plane z = 0, all to one side of it.
+RuleDeck& rough_plate(RuleDeck& deck, std::int64_t first, std::int64_t part, int n, double size, const Vector& corner,
+                      double rough, std::mt19937_64& random) {
+  std::uniform_int_distribution<int> share(0, 2);
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i)
+      deck.node(first + j * (n + 1) + i, corner + Vector(i * size, j * size, rough * share(random) / 2));
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const std::int64_t a = first + j * (n + 1) + i, b = a + n + 1, e = first + 2 * (j * n + i);
+      deck.shell(e, part, {a, a + 1, b + 1}).shell(e + 1, part, {a, b + 1, b});
+    }
+  return deck;
 }
 
 std::size_t found(RuleDeck deck, const std::string& keyword = single, const std::string& card = everything) {
@@ -174,6 +191,21 @@ TEST(CrossedElements, ManyPairsOfTwoPartsAreCounted) {
     ASSERT_EQ(other.findings.size(), 11U);
     for (std::size_t i = 0; i < 11; ++i) EXPECT_EQ(other.findings[i].message, report.findings[i].message);
   }
+}
+
+// Coarse on fine, one all above a plane and the other all below it: they touch, and nothing crosses.
+TEST(CrossedElements, NotSurfacesThatLieOnEachOther) {
+  std::mt19937_64 random(5);
+  for (const double rough : {1e-3, 2e-3, 4e-3, 1e-2})
+    for (int scene = 0; scene < 60; ++scene) {
+      std::uniform_real_distribution<double> shift(-1, 1);
+      RuleDeck deck;
+      deck.shell_part(1, 1).shell_part(2, 1);
+      rough_plate(deck, 1, 1, 3, 3.5, Vector(0, 0, 0), rough, random);
+      const Vector corner(1 + shift(random), scene % 2 == 0 ? 3.5 : shift(random), 0);
+      rough_plate(deck, 1001, 2, 4, 1.3, corner, -rough, random);
+      EXPECT_EQ(found(deck), 0U) << rough << ", scene " << scene;
+    }
 }
 
 }  // namespace

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <numbers>
+
 #include "audit/rules/rule_deck.hpp"
 
 namespace gapcheck::audit_test::uncontacted_part_test {
@@ -43,6 +46,25 @@ TEST(UncontactedPart, NullAndSpotweldAreForOtherPurposes) {
   deck.plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).plate(101, 2, 3, 2, Vector(0, 0, 9), 5, 5);
   deck.block(201, 3, 1, 1, 1, Vector(0, 0, 20), Vector(1, 1, 1)).contact(1, "AUTOMATIC_SINGLE_SURFACE", "1,0,3");
   EXPECT_EQ(listed(run_rule("GC415", deck)), 0U);
+}
+
+// A ring of rigid shells around a cylinder of radius 100, and the same as a deformable part.
+TEST(UncontactedPart, NotAPictureOfARigidWall) {
+  const auto ring = [](int material, double radius) {
+    RuleDeck deck;
+    deck.shell_part(1, 1).plate(1001, 1, 1, 1, Vector(500, 0, 0), 5, 5).shell_part(2, 1, material);
+    for (int i = 0; i < 36; ++i) {
+      const double angle = i * std::numbers::pi / 18;
+      const Vector x(radius * std::cos(angle), radius * std::sin(angle), 0);
+      deck.node(1 + i, x).node(101 + i, x + Vector(0, 0, 50));
+      deck.shell(1 + i, 2, {1 + i, 1 + (i + 1) % 36, 101 + (i + 1) % 36, 101 + i});
+    }
+    deck.raw("RIGIDWALL_GEOMETRIC_CYLINDER", "0\n0.,0.,0.,0.,0.,1.\n100.,0.\n");
+    return listed(run_rule("GC415", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "1,0,3")));
+  };
+  EXPECT_EQ(ring(2, 100.5), 0U);
+  EXPECT_EQ(ring(1, 100.5), 1U) << "not rigid";
+  EXPECT_EQ(ring(2, 110), 1U) << "not on the wall";
 }
 
 TEST(UncontactedPart, ManyAreCounted) {
