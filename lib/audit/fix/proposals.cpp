@@ -16,9 +16,6 @@
 namespace gapcheck::audit {
 namespace {
 
-/// The remaining distance must exceed this share of it: a thickness near zero is useless.
-constexpr double least_share = 0.05;
-
 /// Contact and the ids of the parts, the smaller one first.
 using PairKey = std::tuple<ContactIndex, std::int64_t, std::int64_t>;
 
@@ -126,8 +123,7 @@ class Proposer {
 
   /// True if every node keeps enough of its distance for a useful thickness.
   static bool clear(const std::vector<Penetration>& records) {
-    return std::all_of(records.begin(), records.end(),
-                       [](const Penetration& p) { return p.remaining() > least_share * p.contact_distance; });
+    return std::all_of(records.begin(), records.end(), [](const Penetration& p) { return far_enough(p); });
   }
 
   void thickness_of_parts(const PairKey& key, const std::vector<Penetration>& records, FixProposal& proposal) {

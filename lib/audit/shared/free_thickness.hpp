@@ -29,6 +29,9 @@ struct FreeThickness {
   [[nodiscard]] std::uint64_t count() const { return free_count + stuck_count + coated_count; }
 };
 
+/// True if a node keeps enough of its distance, 0.05 of the contact distance, for a thickness that anybody can use.
+[[nodiscard]] inline bool far_enough(const Penetration& p) { return p.remaining() > 0.05 * p.contact_distance; }
+
 /// The largest thickness at which none of the records would exist. Records that are only notes do not count. A pure
 /// function of the records: only a search can say whether other nodes come nearer with it.
 [[nodiscard]] FreeThickness free_thickness(std::span<const Penetration> records,

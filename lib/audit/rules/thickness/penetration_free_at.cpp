@@ -16,12 +16,22 @@ std::string segment_words(const Penetration& p) {
   return p.element != 0 ? fmt::format("element {}", p.element) : fmt::format("segment {}", p.segment_number);
 }
 
+/// A thickness would help, but one that nobody can use.
+std::string close_words(const FreeCard& card) {
+  const Penetration& p = card.bound.closest;
+  return fmt::format(
+      "no useful SST makes it free: the closest of {} penetrating nodes, node {}, is {:.4g} from {}, of a contact "
+      "distance of {:.4g}; move the nodes",
+      card.penetrations, p.node, p.remaining(), segment_words(p), p.contact_distance);
+}
+
 std::string words(const Context& context, const LengthUnit& unit, const FreeCard& card) {
   const model::Contact& contact = context.model().contact(card.contact);
   const bool single = contact::classify(contact).treatment == contact::Treatment::single_surface;
   std::string text = fmt::format("free of penetrations with {}{} <= {:.4g}", card.optt ? "OPTT = 0 and " : "",
                                  single ? "SST" : "SST = MST", rounded_down(card.value));
   const Penetration& closest = card.bound.closest;
+  if (card.bound.free_count > 0 && !far_enough(closest)) return close_words(card);
   if (card.bound.free_count > 0)
     text += fmt::format("; the closest is node {}, {:.4g} from {}", closest.node, closest.remaining(),
                         segment_words(closest));

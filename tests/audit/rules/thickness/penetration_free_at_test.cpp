@@ -103,6 +103,18 @@ TEST(PenetrationFreeAt, NodesOnTheSegmentCannotBeFreed) {
   EXPECT_NE(behind.findings[0].message.find("0.1 behind"), std::string::npos) << behind.findings[0].message;
 }
 
+// As in fix, which proposes no thickness there.
+TEST(PenetrationFreeAt, NoThicknessThatNobodyCanUse) {
+  const auto message = [](double gap) {
+    const Report report = run_rule("GC308", plates(1, 1, gap).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"));
+    return report.findings.empty() ? "" : report.findings[0].message;
+  };
+  EXPECT_EQ(message(1e-4).find("no useful SST makes it free: the closest of 18 penetrating nodes, node "), 0U)
+      << message(1e-4);
+  EXPECT_NE(message(1e-4).find(", is 0.0001 from element "), std::string::npos) << message(1e-4);
+  EXPECT_EQ(message(0.5).find("free of penetrations with SST <= 0.5"), 0U) << message(0.5);
+}
+
 TEST(PenetrationFreeAt, UnitsTellIfTheRecommendedValueIsReached) {
   audit::AuditOptions options;
   options.millimetre = 1;
