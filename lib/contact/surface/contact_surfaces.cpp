@@ -33,12 +33,12 @@ SideRequest request_of(const model::Model& model, const model::Contact& contact,
 
 ContactSurfaces::ContactSurfaces(ContactType contact_type, const ContactSettings& contact_settings,
                                  std::shared_ptr<const ContactSide> side_a, std::shared_ptr<const ContactSide> side_b)
-    : shared_a_(std::move(side_a)),
-      shared_b_(side_b ? std::move(side_b) : std::shared_ptr<const ContactSide>(empty_side())),
-      type(std::move(contact_type)),
+    : type(std::move(contact_type)),
       settings(contact_settings),
-      a(*shared_a_),
-      b(*shared_b_) {}
+      a(*side_a),
+      b(side_b ? *side_b : *empty_side()),
+      shared_a_(std::move(side_a)),
+      shared_b_(side_b ? std::move(side_b) : std::shared_ptr<const ContactSide>(empty_side())) {}
 
 ContactSurfaces build_surfaces(const model::Model& model, const model::Contact& contact, const std::vector<Vector>& x,
                                MeshIndex& index, const ThicknessChange& change, SideCache* sides) {

@@ -17,10 +17,6 @@ struct ContactSurfaces {
   ContactSurfaces(ContactType contact_type, const ContactSettings& contact_settings,
                   std::shared_ptr<const ContactSide> side_a, std::shared_ptr<const ContactSide> side_b = nullptr);
 
- private:
-  std::shared_ptr<const ContactSide> shared_a_, shared_b_;
-
- public:
   ContactType type;
   ContactSettings settings;
   const ContactSide &a, &b;
@@ -29,6 +25,9 @@ struct ContactSurfaces {
   [[nodiscard]] ContactSurfaces with_a(std::shared_ptr<const ContactSide> side) const {
     return {type, settings, std::move(side), shared_b_};
   }
+
+ private:
+  std::shared_ptr<const ContactSide> shared_a_, shared_b_;  ///< hold what a and b refer to
 };
 
 /// Builds the surfaces of one contact on the coordinates given. Tied contacts use the true thickness, whatever SHLTHK
