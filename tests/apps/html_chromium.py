@@ -5,6 +5,7 @@ usage: html_chromium.py PAGE    exit code 0: good, 1: not, 77: Chromium is not i
 """
 
 import json
+import math
 import sys
 
 from chromium import Browser, colors, program
@@ -24,6 +25,44 @@ def row(browser, number):
     return f"#findings tr.choice[aria-rowindex='{number + 2}']"
 
 
+def check_start(browser):
+    """The page opens on the verdict and the worst finding: rows begin with the errors, with rule and message."""
+    data = json.loads(browser.value("document.getElementById('data').textContent"))
+    findings = data["findings"]
+    severities = browser.value("[...document.querySelectorAll('#findings tr.choice')]"
+                               ".filter(r => !r.textContent.includes('ignored')).map(r => r.children[0].textContent)")
+    order = ["error", "warning", "note"]
+    check(severities == sorted(severities, key=order.index), f"errors come first: {severities}")
+    chosen = browser.value(SELECTED)
+    check(len(chosen) == 1, "a finding is selected from the beginning")
+    ranks = [(data["texts"][state] == "ignored", -severity)
+             for state, severity in zip(findings["state"], findings["severity"])]
+    check(ranks[chosen[0]] == min(ranks), "it is one of the worst")
+    caption = browser.value("document.getElementById('caption').textContent")
+    first = browser.value("[...document.querySelector('#findings tr[aria-selected=true]').children].map(c => c.textContent)")
+    for word in (data["texts"][findings["rule"][chosen[0]]], data["texts"][findings["message"][chosen[0]]]):
+        check(word in caption, f"the caption says {word}")
+        check(any(word in cell for cell in first), f"its row says {word}")
+
+
+def check_layout(path):
+    """At each size the verdict and the whole picture are on the first screen, and the picture is half of it."""
+    for width, height, dark in ((1280, 900, False), (700, 900, True), (1920, 1000, False)):
+        with Browser(width, height, dark) as browser:
+            browser.open(path)
+            boxes = browser.value("['#verdict', '.picture', '#view', '#findings'].map(s => "
+                                  "{ const b = document.querySelector(s).getBoundingClientRect(); "
+                                  "return [b.left, b.top, b.right, b.bottom]; })")
+            size = f"{width} x {height}"
+            for left, top, right, bottom in boxes:
+                check(left >= 0 and top >= 0 and right <= width and bottom <= height, f"nothing is cut off at {size}")
+            card, view = boxes[1], boxes[2]
+            area = (card[2] - card[0]) * (card[3] - card[1]) / (width * height)
+            check(area >= 0.47, f"the picture has half of the page at {size}: {area:.2f}")
+            check(view[3] - view[1] > 0.35 * height, f"the picture is high enough at {size}: {view}")
+            check(browser.value("document.documentElement.scrollWidth <= innerWidth"), f"{size} is wide enough")
+
+
 def check_tables(browser):
     data = json.loads(browser.value("document.getElementById('data').textContent"))
     verdict = browser.value("document.getElementById('verdict').textContent").replace(",", "")
@@ -39,15 +78,15 @@ def check_tables(browser):
 
 def check_sorting_and_filters(browser):
     count = "Number(document.getElementById('count').textContent.split(' ')[0].replaceAll(',', ''))"
-    depths = "[...document.querySelectorAll('#findings tr.choice')].map(r => Number(r.children[7].textContent))"
+    depths = "[...document.querySelectorAll('#findings tr.choice')].map(r => Number(r.children[2].textContent))"
     before = browser.value(count)
-    browser.click("#findings th:nth-child(8) button")
+    browser.click("#findings th:nth-child(3) button")
     first = browser.value(depths)
     check(first == sorted(first, reverse=True), "a press on the heading sorts by depth, deepest first")
-    browser.click("#findings th:nth-child(8) button")
+    browser.click("#findings th:nth-child(3) button")
     second = browser.value(depths)
     check(second == sorted(second), "a second press turns the order round")
-    browser.click("#findings th:nth-child(8) button")
+    browser.click("#findings th:nth-child(3) button")
     browser.value("(() => { const f = document.querySelector('#filters input'); f.value = 'no such text'; "
                   "f.dispatchEvent(new Event('input', {bubbles: true})); })()")
     check(browser.value(count) == 0 and browser.value(SHOWN) == [], "a text that is nowhere leaves nothing")
@@ -126,9 +165,12 @@ def check_picture(browser):
     full("the first picture is not empty")
     if not rows:
         return
-    browser.click(row(browser, rows[0]))
-    there = browser.settle(different_from=start)
-    check(there != start and there != "", "a press on a row moves the camera")
+    now = browser.value("[...document.querySelectorAll('#findings tr.choice')]"
+                        ".findIndex(r => r.ariaSelected === 'true')")
+    others = [number for number in rows[:6] if number != now]
+    if others:
+        browser.click(row(browser, others[0]))
+        check(browser.settle(different_from=start) != start, "a press on another row moves the camera")
     check(not browser.value("document.getElementById('label').hidden"), "the node has its label")
     full("the picture of a finding is not empty")
     # Presses on the picture, from its middle outward, until one meets another node.
@@ -138,9 +180,13 @@ def check_picture(browser):
         browser.click("#tools button:nth-of-type(2)")
         browser.settle()
         met = False
-        for ring in range(0, 40):
-            for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)):
-                browser.click("#canvas", width / 2 + 7 * ring * x, min(height - 3, max(3, height / 2 + 7 * ring * y)))
+        for ring in range(0, 30):
+            directions = max(8, 5 * ring)
+            for direction in range(directions):
+                x, y = (14 * ring * f(2 * math.pi * direction / directions) for f in (math.cos, math.sin))
+                if abs(x) > width / 2 - 3 or abs(y) > height / 2 - 3:
+                    continue
+                browser.click("#canvas", width / 2 + x, height / 2 + y)
                 now = browser.value(SELECTED)
                 met = len(now) == 1 and now != first
                 if met:
@@ -163,6 +209,7 @@ def check_page(path):
         seconds = browser.open(path)
         print(f"{path}: opened in {seconds:.2f} s")
         if check_tables(browser):
+            check_start(browser)
             check_keyboard(browser)
             check_sorting_and_filters(browser)
             check_states(browser)
@@ -199,6 +246,7 @@ def main():
         print("Chromium is not installed")
         return 77
     check_page(sys.argv[1])
+    check_layout(sys.argv[1])
     check_dark_without_webgl(sys.argv[1])
     return 1 if failures else 0
 

@@ -24,7 +24,8 @@ const data = readData();
 showHead(data);
 const titles = new Map(data.picture.parts.map((part) => [part.id, part.title]));
 let view = null, shown = [], chosen = -1;
-const table = makeFindings(data, (finding) => {
+const worst = worstFirst(data);
+const table = makeFindings(data, worst, (finding) => {
   chosen = finding;
   if (view) view.select(finding);
 });
@@ -37,6 +38,9 @@ showContacts(data, filters.chooseContact);
 showHistogram(data, filters.chooseDepths);
 showMatrix(data, titles, filters.choosePair);
 filters.apply();
+const first = worstOf(data, worst);
+if (first >= 0) table.select(first);
+else byId("caption").textContent = "There is nothing to show.";
 
 // The tables can be read before the picture is there.
 requestAnimationFrame(() => setTimeout(() => {

@@ -26,7 +26,7 @@ function sampleOf(length) {
 function withoutPicture(why) {
   byId("view").replaceChildren(element("p", {}, why));
   byId("tools").remove();
-  byId("parts").parentElement.remove();
+  byId("parts").closest(".card").remove();
   return {show() {}, select() {}};
 }
 
@@ -217,7 +217,8 @@ function makeParts(picture, mesh, redraw) {
   const hidden = new Set();
   const place = byId("parts");
   if (picture.parts.length === 0) {
-    place.parentElement.remove();
+    place.previousElementSibling.remove();
+    place.remove();
     return;
   }
   picture.parts.slice(0, most).forEach((part, p) => {
