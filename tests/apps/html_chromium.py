@@ -7,6 +7,7 @@ usage: html_chromium.py PAGE    exit code 0: good, 1: not, 77: Chromium is not i
 import json
 import math
 import sys
+import time
 
 from chromium import Browser, colors, program
 
@@ -154,6 +155,74 @@ def placed_rows(browser):
         ".filter(([n, i]) => !Number.isNaN(x[3 * i])).map(([n]) => n); })()")
 
 
+def data_set(browser, name):
+    """What the picture says of itself: the numbers of an attribute of its canvas."""
+    return [int(number) for number in browser.value(f"document.getElementById('canvas').dataset.{name} ?? ''").split()]
+
+
+def change(browser, label, value):
+    browser.value(f"(() => {{ const s = [...document.querySelectorAll('#tools select, #tools input')]"
+                  f".find(s => s.ariaLabel === '{label}'); s.value = '{value}';"
+                  "s.dispatchEvent(new Event(s.type === 'range' ? 'input' : 'change')); })()")
+
+
+def check_selection(browser):
+    """A finding of two shells: its node, segment and elements are marked, both are coated, and the cut goes through."""
+    data = json.loads(browser.value("document.getElementById('data').textContent"))
+    shells = [i for i, rule in enumerate(data["findings"]["id"])
+              if data["texts"][rule] in ("GC101", "GC102") and "parts" in data["picture"]]
+    rows = [n for n, i in enumerate(browser.value(SHOWN)) if i in shells]
+    if not rows or data["model"]["shells"] == 0:
+        return
+    browser.click(row(browser, rows[0]))
+    segment, element, tracked = data_set(browser, "marked")
+    check(segment == 1 and element >= 1 and tracked >= 1, "segment, element and the node's elements are marked")
+    check(min(data_set(browser, "coats")) >= 1, "both sides have their thickness")
+    middle = data_set(browser, "cut")[0]
+    check(middle > 0, "the cut goes through both")
+    before = browser.picture("#canvas")
+    change(browser, "Place of the cut", "0.8")
+    browser.settle()
+    check(browser.picture("#canvas") != before, "the slider moves the cut")
+    change(browser, "Cut", "")
+    browser.settle()
+    check(data_set(browser, "cut") == [0], "without a cut nothing is cut")
+    change(browser, "Cut", "across")
+    faces = data_set(browser, "faces")[0]
+    isolate = "[...document.querySelectorAll('#tools label')].find(l => l.textContent === 'its parts only')"
+    browser.value(f"{isolate}.querySelector('input').click()")
+    sizes = {part["id"]: part["faces"] for part in data["picture"]["parts"]}
+    chosen = browser.value(SELECTED)[0]
+    own = {data["findings"][column][chosen] for column in ("part", "element_part")}
+    alone = data_set(browser, "faces")[0]
+    check(alone == sum(sizes[part] for part in own), f"its parts are alone: {alone} of {faces} faces")
+    browser.value(f"{isolate}.querySelector('input').click()")
+    check(data_set(browser, "faces")[0] == faces, "the others come back")
+    browser.settle()
+    for part in ("axes", "scale", "legend"):
+        check(browser.value(f"document.getElementById('{part}').getBoundingClientRect().width") > 20, f"{part} is there")
+    check(float(browser.value("document.querySelector('#scale span').textContent")) > 0, "the scale has a length")
+
+
+def check_links(browser, path):
+    """The address follows the selection, leads to it when the page opens, and moves it when it changes."""
+    data = json.loads(browser.value("document.getElementById('data').textContent"))
+    browser.click(row(browser, 0))
+    chosen = browser.value(SELECTED)[0]
+    number = data["findings"]["number"][chosen]
+    check(browser.value("location.hash") == f"#f{number}", "the address is that of the selected finding")
+    last = len(data["findings"]["number"]) - 1
+    browser.value(f"location.hash = '#f{data['findings']['number'][last]}'")
+    time.sleep(0.5)
+    check(last in browser.value(SELECTED), "a new address selects its finding")
+    browser.open("about:blank")
+    browser.open(f"{path}#f{data['findings']['number'][last]}")
+    check(last in browser.value(SELECTED), "the page opens on the finding of its address")
+    browser.open("about:blank")
+    browser.open(path)
+    check(browser.value("location.hash") == "", "the address stays as it is where nobody selected")
+
+
 def check_picture(browser):
     def full(what):
         counts = colors(browser.picture("#canvas"))
@@ -215,14 +284,16 @@ def check_page(path):
             check_states(browser)
             if browser.value("document.getElementById('canvas') !== null"):
                 check_picture(browser)
+                check_selection(browser)
             else:
                 why = browser.value("document.getElementById('view').textContent")
                 check("known" in why, f"it says why there is no picture: {why}")
+            check_links(browser, path)
         foreign = browser.value("document.querySelectorAll('img, iframe, a').length")
         check(foreign == 0, "nothing but the page's own elements")
         check(browser.value("window.injected === undefined"), "no script of the deck has run")
         check(browser.value("document.documentElement.scrollWidth <= innerWidth"), "1280 pixels are wide enough")
-        loaded = [url for url in browser.events if not url.startswith(("file://", "data:")) and url != "load"]
+        loaded = [url for url in browser.events if not url.startswith(("file://", "data:", "about:")) and url != "load"]
         check(loaded == [], f"nothing is loaded: {loaded}")
         check(browser.errors == [], f"the console is free of errors: {browser.errors}")
 

@@ -7,6 +7,49 @@ function bytesOf(base64) {
   return bytes.buffer;
 }
 
+/** Numbers from their differences: seven bits per byte, the lowest first, the sign in the lowest bit. */
+function unpacked(base64) {
+  const bytes = new Uint8Array(bytesOf(base64));
+  const numbers = new Uint32Array(bytes.reduce((count, byte) => count + (byte < 128 ? 1 : 0), 0));
+  let at = 0, last = 0, step = 0, place = 1;
+  for (const byte of bytes) {
+    step += (byte % 128) * place;
+    place *= 128;
+    if (byte >= 128) continue;
+    last += step % 2 === 1 ? -(step + 1) / 2 : step / 2;
+    numbers[at++] = last;
+    step = 0;
+    place = 1;
+  }
+  return numbers;
+}
+
+/** The id of each face's element; 0: not known. */
+function elementIds(picture) {
+  const ids = new Uint32Array(picture.faces.length / 4);
+  let face = 0;
+  for (let run = 0; run < picture.elements.length; run += 2) {
+    const [first, count] = picture.elements.subarray(run, run + 2);
+    for (let i = 0; i < count; ++i) ids[face++] = first === 0 ? 0 : first + i;
+  }
+  return ids;
+}
+
+/** The contact thickness of each face; 0: none. */
+function thicknesses(picture) {
+  const values = new Float32Array(bytesOf(picture.thickness || ""));
+  const thickness = new Float32Array(picture.faces.length / 4);
+  let face = 0;
+  picture.thickness_faces.forEach((count, run) => {
+    thickness.fill(values[run], face, face + count);
+    face += count;
+  });
+  return thickness;
+}
+
+/** Where there is no point. */
+const nowhere = 0xffffffff;
+
 const severities = ["note", "warning", "error"];
 
 function readData() {
@@ -14,7 +57,11 @@ function readData() {
   const picture = data.picture;
   for (const name of ["positions", "vectors", "points", "outline_points"])
     picture[name] = new Float32Array(bytesOf(picture[name] || ""));
-  for (const name of ["faces", "outline"]) picture[name] = new Uint32Array(bytesOf(picture[name] || ""));
+  for (const name of ["faces", "outline"]) picture[name] = unpacked(picture[name] || "");
+  for (const name of ["node_points", "corners", "elements", "thickness_faces"])
+    picture[name] = new Uint32Array(bytesOf(picture[name] || ""));
+  picture.thickness = thicknesses(picture);
+  picture.elements = elementIds(picture);
   picture.parts = picture.parts || [];
   return data;
 }

@@ -1,0 +1,60 @@
+// The plane that cuts the mesh at the selected finding: what is in front of it is not drawn.
+
+/** A unit vector across `along`, near to `wished`. */
+function across(along, wished) {
+  const made = wished.clone().addScaledVector(along, -wished.dot(along));
+  if (made.length() < 1e-3) made.crossVectors(along, new THREE.Vector3(0.3, 0.9, 0.2));
+  return made.normalize();
+}
+
+/** The way out of a finding, and an edge of its segment across it; without a vector the normal of its faces. */
+function frameOf(data, markers, i, rows) {
+  const {picture} = data;
+  const first = rows.segment.length > 0 ? rows.segment : rows.element.length > 0 ? rows.element : rows.tracked;
+  const corners = Array.from(first.subarray(0, 4), (point) => pointOf(picture, point));
+  const edge = corners.length === 4 ? corners[1].clone().sub(corners[0]) : new THREE.Vector3(1, 0, 0);
+  const out = markers.pointed(i) ? markers.vector(i) : new THREE.Vector3();
+  if (out.length() === 0 && corners.length === 4)
+    out.crossVectors(corners[2].clone().sub(corners[0]), corners[3].clone().sub(corners[1]));
+  if (!(out.length() > 0)) out.set(0, 0, 1);
+  out.normalize();
+  return {out, edge: across(out, edge)};
+}
+
+/** The cut with its controls; `changed` is called when the reader turns or moves it. */
+function makeCut(changed) {
+  const kind = selectOf("Cut", [["across", "cut across"], ["along", "cut along"], ["", "no cut"]]);
+  const slide = element("input", {type: "range", min: -1, max: 1, step: 0.01, value: 0});
+  slide.setAttribute("aria-label", "Place of the cut");
+  const made = {
+    controls: [kind, slide],
+    plane: null,   // keeps what is behind it; null: there is none
+    normal: null,  // towards the reader
+    frame: null,
+    /** At a finding: its place, its frame, and how far the slider moves the plane. */
+    put(place, frame, reach) {
+      made.frame = frame && {...frame, place, reach};
+      slide.value = "0";
+      made.update();
+    },
+    update() {
+      slide.disabled = kind.value === "" || !made.frame;
+      made.plane = made.normal = null;
+      if (!made.frame) return;
+      const {place, out, edge, reach} = made.frame;
+      made.normal = kind.value === "along" ? edge.clone().cross(out) : edge.clone();
+      if (kind.value === "") return;
+      const at = place.clone().addScaledVector(made.normal, Number(slide.value) * reach);
+      made.plane = new THREE.Plane().setFromNormalAndCoplanarPoint(made.normal.clone().negate(), at);
+    },
+  };
+  kind.addEventListener("change", () => {
+    made.update();
+    changed(true);
+  });
+  slide.addEventListener("input", () => {
+    made.update();
+    changed(false);
+  });
+  return made;
+}
