@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Opens a page of gapcheck --html in Chromium and holds it against what it promises.
 
-usage: html_chromium.py PAGE    exit code 0: good, 1: not, 77: Chromium is not installed
+usage: html_chromium.py PAGE [--large]    exit code 0: good, 1: not, 77: Chromium is not installed
 """
 
 import json
@@ -204,6 +204,18 @@ def check_selection(browser):
     check(float(browser.value("document.querySelector('#scale span').textContent")) > 0, "the scale has a length")
 
 
+def check_elements(browser):
+    """A finding of an element whose position is not known is shown where its element is."""
+    data = json.loads(browser.value("document.getElementById('data').textContent"))
+    for i, element in enumerate(data["findings"]["element"]):
+        if element != 0 and data["picture"].get("parts"):
+            browser.value(f"location.hash = '#f{data['findings']['number'][i]}'")
+            browser.settle()
+            check(not browser.value("document.getElementById('label').hidden"), f"element {element} is shown")
+            check(data_set(browser, "marked")[1] > 0, f"element {element} is marked")
+            return
+
+
 def check_links(browser, path):
     """The address follows the selection, leads to it when the page opens, and moves it when it changes."""
     data = json.loads(browser.value("document.getElementById('data').textContent"))
@@ -285,6 +297,7 @@ def check_page(path):
             if browser.value("document.getElementById('canvas') !== null"):
                 check_picture(browser)
                 check_selection(browser)
+                check_elements(browser)
             else:
                 why = browser.value("document.getElementById('view').textContent")
                 check("known" in why, f"it says why there is no picture: {why}")
@@ -312,10 +325,37 @@ def check_dark_without_webgl(path):
         check(browser.errors == [], f"the console is free of errors without WebGL: {browser.errors}")
 
 
+def check_large(path):
+    """More than 40,000 faces and 2,000 findings: colours instead of markers, an outline while it turns."""
+    with Browser() as browser:
+        browser.open(path)
+        browser.settle()
+        faces, markers = data_set(browser, "faces")[0], data_set(browser, "markers")[0]
+        check(faces > 40000, f"the deck is large: {faces} faces")
+        check(markers < 100, f"findings are colours of the mesh, not {markers} markers")
+        browser.click("#tools button:nth-of-type(2)")
+        browser.settle()
+        seen = colors(browser.picture("#canvas"))
+        warm = sum(count for color, count in seen.items() if color[0] > 90 and color[0] > 1.3 * color[2])
+        check(warm > 0.05 * sum(seen.values()), f"the depths are colours: {warm} pixels")
+        browser.value("(() => { window.drawn = []; new MutationObserver(() => drawn.push(canvas.dataset.drawn))"
+                      ".observe(canvas, {attributeFilter: ['data-drawn']}); canvas.focus(); })()")
+        browser.press("ArrowLeft")
+        browser.settle()
+        drawn = browser.value("window.drawn")
+        check("outline" in drawn and drawn[-1] == "all", f"it is an outline while it turns, and then all: {drawn}")
+        browser.click(row(browser, 2))
+        check(len(browser.value(SELECTED)) == 1, "a row can be selected")
+        check(browser.errors == [], f"the console is free of errors: {browser.errors}")
+
+
 def main():
     if program() is None:
         print("Chromium is not installed")
         return 77
+    if "--large" in sys.argv:
+        check_large(sys.argv[1])
+        return 1 if failures else 0
     check_page(sys.argv[1])
     check_layout(sys.argv[1])
     check_dark_without_webgl(sys.argv[1])

@@ -31,8 +31,10 @@ function makeCut(changed) {
     plane: null,   // keeps what is behind it; null: there is none
     normal: null,  // towards the reader
     frame: null,
-    /** At a finding: its place, its frame, and how far the slider moves the plane. */
-    put(place, frame, reach) {
+    wished: null,  // the reader's choice; null: none yet, and what has no depth is not cut
+    /** At a finding: its place, its frame, how far the slider moves the plane, and whether there is a depth to see. */
+    put(place, frame, reach, deep) {
+      kind.value = made.wished ?? (deep ? "across" : "");
       made.frame = frame && {...frame, place, reach};
       slide.value = "0";
       made.update();
@@ -49,6 +51,7 @@ function makeCut(changed) {
     },
   };
   kind.addEventListener("change", () => {
+    made.wished = kind.value;
     made.update();
     changed(true);
   });

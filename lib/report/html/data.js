@@ -47,6 +47,24 @@ function thicknesses(picture) {
   return thickness;
 }
 
+/** Gives findings of an element without a place that of the element's first face in the mesh. */
+function placeByElement({findings, picture}) {
+  const wanted = new Map();
+  findings.element.forEach((element, i) => {
+    if (element > 0 && Number.isNaN(picture.positions[3 * i])) wanted.set(element, [...(wanted.get(element) || []), i]);
+  });
+  if (wanted.size === 0) return;
+  for (const part of picture.parts)
+    for (let f = part.first; f < part.first + part.faces; ++f)
+      for (const i of wanted.get(picture.elements[f]) || []) {
+        const known = [findings.element_part[i], findings.part[i]].filter((id) => id !== 0);
+        if (!Number.isNaN(picture.positions[3 * i]) || (known.length > 0 && !known.includes(part.id))) continue;
+        const corners = picture.faces.subarray(4 * f, 4 * f + 4);
+        for (let axis = 0; axis < 3; ++axis)
+          picture.positions[3 * i + axis] = corners.reduce((sum, p) => sum + picture.points[3 * p + axis] / 4, 0);
+      }
+}
+
 /** Where there is no point. */
 const nowhere = 0xffffffff;
 
@@ -60,9 +78,11 @@ function readData() {
   for (const name of ["faces", "outline"]) picture[name] = unpacked(picture[name] || "");
   for (const name of ["node_points", "corners", "elements", "thickness_faces"])
     picture[name] = new Uint32Array(bytesOf(picture[name] || ""));
+  picture.point_depths = new Uint8Array(bytesOf(picture.point_depths || ""));
   picture.thickness = thicknesses(picture);
   picture.elements = elementIds(picture);
   picture.parts = picture.parts || [];
+  placeByElement(data);
   return data;
 }
 

@@ -2,10 +2,14 @@
 
 const depthShades = ["#ffe88f", "#ffc653", "#ff9f33", "#f77722", "#e24a1d", "#c0222d", "#931344", "#5f0b52"];
 
-/** The greatest depth of these findings at each point of the mesh; 0: none. */
+/** The greatest depth of these findings at each point of the mesh; of all, also those that the page has no rows of. */
 function pointDepths(data, findings) {
-  const {points, node_points} = data.picture;
+  const {points, node_points, point_depths, deepest} = data.picture;
   const depths = new Float32Array(points.length / 3);
+  if (findings.length === data.findings.id.length)
+    point_depths.forEach((share, point) => {
+      depths[point] = (share / 255) * deepest;
+    });
   for (const i of findings) {
     if (!hasPointDepth(data, i)) continue;
     depths[node_points[i]] = Math.max(depths[node_points[i]], data.findings.penetration[i]);

@@ -88,6 +88,26 @@ void add_links(const SceneMesh& scene, const std::vector<HtmlFinding>& findings,
   object.raw("corners", binary(corners));
 }
 
+/// The greatest depth of all penetrations at each point, also of those that are not in the page: 255 is the deepest.
+void add_depths(const SceneMesh& scene, const Report& report, Members& object) {
+  const auto counts = [](const Penetration& record) { return std::isfinite(record.depth) && record.depth > 0; };
+  double deepest = 0;
+  for (const Penetration& record : report.penetrations)
+    if (counts(record)) deepest = std::max(deepest, record.depth);
+  const ScenePoints points(scene);
+  std::string depths(deepest > 0 ? scene.points.size() : 0, '\0');
+  for (const Penetration& record : report.penetrations) {
+    const std::uint32_t point = counts(record) ? points.of(record.node, record.part) : no_position;
+    if (point >= depths.size()) continue;
+    const auto value = static_cast<unsigned char>(std::ceil(255 * (record.depth / deepest)));
+    depths[point] = static_cast<char>(std::max(value, static_cast<unsigned char>(depths[point])));
+  }
+  std::string text = "\"";
+  append_base64(depths, text);
+  object.raw("point_depths", text + '"');
+  object.number("deepest", deepest);
+}
+
 /// Elements and contact thicknesses of the faces, as runs of equal or consecutive ones.
 void add_elements(const SceneMesh& scene, Members& object) {
   object.raw("elements", binary(id_runs(scene.face_elements)));
@@ -154,6 +174,7 @@ std::string picture_json(const Report& report, const std::vector<HtmlFinding>& f
   object.raw("vectors", binary(vectors));
   if (const auto& scene = report.scene) {
     add_links(*scene, findings, object);
+    add_depths(*scene, report, object);
     object.raw("parts", json_array(scene->parts, part_json));
     object.raw("points", binary(scene->points));
     object.raw("faces", packed(scene->faces));

@@ -49,7 +49,7 @@ function makeMarkers(data) {
   const chosen = new THREE.Points(
       chosenPoint,
       new THREE.PointsMaterial(
-          {map: texture, alphaTest: 0.5, sizeAttenuation: false, size: 13, depthTest: false, transparent: true}));
+          {map: texture, alphaTest: 0.5, sizeAttenuation: false, size: 10, depthTest: false, transparent: true}));
   chosen.visible = false;
   chosen.renderOrder = 6;
   objects.forEach((object) => {

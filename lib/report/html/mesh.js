@@ -127,6 +127,10 @@ function makeMesh(picture, look) {
       beams.setIndex(new THREE.BufferAttribute(thinRows(rows, 2), 1));
       particles.setIndex(new THREE.BufferAttribute(thinRows(rows, 1), 1));
     },
+    /** Lines of elements with few pixels would hide the faces. */
+    thinLines(pixels) {
+      made.lines.material.opacity = 0.5 * Math.min(1, Math.max(0.04, (pixels - 3) / 12));
+    },
     /** Calls `draw` with everything that is on, or for `plain` with the outline instead of faces and mesh lines. */
     asOutline(plain, draw) {
       const before = [faces, made.lines, made.outline].map((object) => object.visible);

@@ -31,8 +31,7 @@ function makeAxes(place) {
 function makeScale(place) {
   const text = element("span"), bar = element("div");
   place.append(element("div", {id: "scale", role: "img", "aria-label": "Scale"}, text, bar));
-  return (camera, distance, height) => {
-    const pixel = (2 * distance * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, height);
+  return (pixel) => {
     const length = roundLength(140 * pixel);
     if (!(length > 0)) return;
     text.textContent = short(length);
@@ -41,7 +40,7 @@ function makeScale(place) {
 }
 
 function makeLegend(place, deepest) {
-  const list = element("div", {id: "legend"});
+  const list = element("div", {id: "legend", class: "plain"});
   if (deepest > 0) {
     const bands = depthShades.map((shade) => {
       const band = element("span", {class: "band"});
@@ -55,7 +54,7 @@ function makeLegend(place, deepest) {
   for (const [name, text] of Object.entries(marks)) {
     const swatch = element("span", {class: "swatch"});
     swatch.style.background = `var(--${name})`;
-    list.append(element("div", {}, swatch, ` ${text}`));
+    list.append(element("div", {class: "mark"}, swatch, ` ${text}`));
   }
   place.append(list);
 }
@@ -65,8 +64,8 @@ function makeOverlay(deepest) {
   const place = byId("view");
   const axes = makeAxes(place), scale = makeScale(place);
   makeLegend(place, deepest);
-  return (camera, distance, height) => {
+  return (camera, pixel) => {
     axes(camera);
-    scale(camera, distance, height);
+    scale(pixel);
   };
 }

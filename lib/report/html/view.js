@@ -46,10 +46,10 @@ function makeView(data, pressed) {
   renderer.debug.checkShaderErrors = false;
   const scene = new THREE.Scene();
   renderer.localClippingEnabled = true;
-  const deepest = data.findings.penetration.reduce((most, depth) => Math.max(most, depth ?? 0), 0);
+  const deepest = picture.deepest || 0;
   const look = makeLook(deepest);
   const mesh = makeMesh(picture, look), markers = makeMarkers(data);
-  const overlay = makeOverlay(picture.points.length > 0 ? deepest : 0);
+  const overlay = makeOverlay(deepest);
   const selection = makeSelection({data, mesh, markers, look, canvas, redraw, looked: () => flyTo(chosen)});
   scene.add(mesh.outline, ...mesh.shapes, ...selection.objects, ...markers.objects);
   scene.add(new THREE.AmbientLight(0xffffff, 0.6));
@@ -63,9 +63,9 @@ function makeView(data, pressed) {
   });
 
   /** A large mesh is only an outline while it turns. */
-  function moved() {
+  function moved(still) {
     clearTimeout(moving);
-    moving = picture.faces.length / 4 > mostMoving ? setTimeout(() => {
+    moving = !still && picture.faces.length / 4 > mostMoving ? setTimeout(() => {
       moving = 0;
       redraw();
     }, 250) : 0;
@@ -83,9 +83,10 @@ function makeView(data, pressed) {
     light.position.copy(view.camera.position);
     light.target.position.copy(view.state.target);
     light.target.updateMatrixWorld();
+    mesh.thinLines(edge / view.pixel(canvas.clientHeight));
     mesh.asOutline(moving !== 0, () => renderer.render(scene, view.camera));
     canvas.dataset.drawn = moving !== 0 ? "outline" : "all";
-    overlay(view.camera, view.state.distance, canvas.clientHeight);
+    overlay(view.camera, view.pixel(canvas.clientHeight));
     canvas.dataset.camera = [...view.camera.position.toArray(), ...view.state.target.toArray()].join(" ");
     moveLabel();
   }
@@ -120,14 +121,23 @@ function makeView(data, pressed) {
     return best;
   }
 
-  function fit(box) {
+  function fit(box, direction = null) {
     if (box.isEmpty()) return;
     const radius = Math.max(box.getSize(new THREE.Vector3()).length() / 2, 2 * edge, 1e-12);
-    view.fly(box.getCenter(new THREE.Vector3()), 3.4 * radius);
+    view.fly(box.getCenter(new THREE.Vector3()), 3.4 * radius, direction);
+  }
+
+  /** All of it, from above. */
+  function overview(box) {
+    selection.leave();
+    fit(box, new THREE.Vector3(0.53, -0.67, 0.52));
   }
 
   function flyTo(i) {
-    if (!markers.placed(i)) return;
+    if (!markers.placed(i)) {
+      fit(first);
+      return;
+    }
     const direction = selection.direction() || (markers.pointed(i) ? sideways(markers.vector(i)) : null);
     view.fly(markers.at(i), selection.distance(i) || whole / 5, direction);
   }
@@ -170,8 +180,8 @@ function makeView(data, pressed) {
     markers,
     selection,
     redraw,
-    fitModel: () => fit(first),
-    fitFindings: () => fit(findingsBox()),
+    fitModel: () => overview(first),
+    fitFindings: () => overview(findingsBox()),
     hasMesh: picture.faces.length > 0
   });
   makeParts(picture, mesh, redraw);

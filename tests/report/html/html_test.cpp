@@ -222,6 +222,11 @@ TEST(Html, FindingsKnowTheirPointsOfTheMesh) {
   EXPECT_EQ(nodes[3], no_position) << "no node is known";
   EXPECT_EQ(std::vector(corners.begin(), corners.begin() + 4), (std::vector<std::uint32_t>{5, 6, 7, 4}));
   EXPECT_EQ(corners[12], no_position);
+  const std::string depths = bytes_of(picture["point_depths"]);
+  EXPECT_EQ(depths.size(), scene.points.size());
+  EXPECT_EQ(depths[0], '\xff') << "the deepest";
+  EXPECT_EQ(depths[8], '\0') << "the same node in another part";
+  EXPECT_EQ(picture["deepest"], report.penetrations[0].depth);
   EXPECT_EQ(integers(picture["elements"]), (std::vector<std::uint32_t>{50, 1, 60, 2}));
   EXPECT_EQ(floats(picture["thickness"]), (std::vector<float>{1.5F, 0.5F}));
   EXPECT_EQ(integers(picture["thickness_faces"]), (std::vector<std::uint32_t>{1, 2}));
