@@ -7,18 +7,20 @@ function across(along, wished) {
   return made.normalize();
 }
 
-/** The way out of a finding, and an edge of its segment across it; without a vector the normal of its faces. */
+/** The way out of a finding, and a direction across it: an edge of its segment; without a vector the normal of it. */
 function frameOf(data, markers, i, rows) {
   const {picture} = data;
   const first = rows.segment.length > 0 ? rows.segment : rows.element.length > 0 ? rows.element : rows.tracked;
   const corners = Array.from(first.subarray(0, 4), (point) => pointOf(picture, point));
   const edge = corners.length === 4 ? corners[1].clone().sub(corners[0]) : new THREE.Vector3(1, 0, 0);
-  const out = markers.pointed(i) ? markers.vector(i) : new THREE.Vector3();
-  if (out.length() === 0 && corners.length === 4)
-    out.crossVectors(corners[2].clone().sub(corners[0]), corners[3].clone().sub(corners[1]));
+  const normal = new THREE.Vector3();
+  if (corners.length === 4) normal.crossVectors(corners[2].sub(corners[0]), corners[3].sub(corners[1])).normalize();
+  const out = markers.pointed(i) ? markers.vector(i) : normal.clone();
   if (!(out.length() > 0)) out.set(0, 0, 1);
   out.normalize();
-  return {out, edge: across(out, edge)};
+  // At an edge the way out leaves the segment sideways: the cut is to show both directions.
+  const both = out.clone().cross(normal);
+  return {out, edge: both.length() > 0.3 ? both.normalize() : across(out, edge)};
 }
 
 /** The cut with its controls; `changed` is called when the reader turns or moves it. */
@@ -46,7 +48,8 @@ function makeCut(changed) {
       const {place, out, edge, reach} = made.frame;
       made.normal = kind.value === "along" ? edge.clone().cross(out) : edge.clone();
       if (kind.value === "") return;
-      const at = place.clone().addScaledVector(made.normal, Number(slide.value) * reach);
+      // A little towards the reader: faces in the plane itself would come and go, pixel by pixel.
+      const at = place.clone().addScaledVector(made.normal, (Number(slide.value) + 0.002) * reach);
       made.plane = new THREE.Plane().setFromNormalAndCoplanarPoint(made.normal.clone().negate(), at);
     },
   };
