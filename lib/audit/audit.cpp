@@ -11,6 +11,7 @@
 #include "audit/ignore_reviews.hpp"
 #include "audit/members.hpp"
 #include "audit/mesh/element_mesh.hpp"
+#include "audit/mesh/elements_in_contact.hpp"
 #include "audit/mesh/scene_mesh.hpp"
 #include "audit/rule_log.hpp"
 #include "audit/run_rules.hpp"
@@ -216,7 +217,10 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   report.highest_set = highest_set(model.sets);
   if (options.members) add_named_elements(model, report.findings);
   if (options.mesh) report.mesh = element_mesh(model, results.surface_store(), selection.contacts());
-  if (options.scene) report.scene = scene_mesh(model, report);
+  if (options.scene) {
+    const ElementsInContact in_contact(model, results.surface_store(), selection.contacts());
+    report.scene = scene_mesh(model, report, {}, &in_contact);
+  }
   return report;
 }
 

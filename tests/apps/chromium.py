@@ -120,7 +120,8 @@ class Browser:
         """Loads a page of gapcheck; returns the seconds until its first picture is drawn, or it has said that it has none."""
         start = time.monotonic()
         self.events.clear()
-        self.call("Page.navigate", url="file://" + os.path.abspath(path))
+        address = path if str(path).startswith("about:") else "file://" + os.path.abspath(path)
+        self.call("Page.navigate", url=address)
         while "load" not in self.events:
             self.take(self.message(seconds))
         # A page whose scripts fail never draws: after a minute its errors say more than waiting would.

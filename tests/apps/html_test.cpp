@@ -1,6 +1,8 @@
 // The page of --html: as a file, and in Chromium where it is installed.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <regex>
 #include <string>
@@ -17,6 +19,30 @@ class Html : public Program {
     const Ended run = shell("python3 -B '" + (project / "tests/apps/html_chromium.py").string() + "' " + page);
     if (run.code == 77) GTEST_SKIP() << "Chromium is not installed";
     EXPECT_EQ(run.code, 0) << run.out << run.err;
+  }
+  /// Two wavy plates of n by n shells that penetrate each other here and there.
+  void write_plates(const std::string& name, int n) const {
+    std::ofstream out(folder_ / name);
+    out << "*KEYWORD\n";
+    for (int p = 1; p <= 2; ++p)
+      out << fmt::format("*PART\nplate\n{:10}{:10}{:10}\n*SECTION_SHELL\n{:10}{:10}\n", p, p, 1, p, 2)
+          << "        1.        1.        1.        1.\n";
+    out << "*MAT_ELASTIC\n         1  7.85e-09   210000.       0.3\n*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n         "
+           "1all\n"
+           "         0         0         5         0\n        0.\n        1.        1.\n*NODE\n";
+    for (int p = 0, id = 1; p < 2; ++p)
+      for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i, ++id)
+          out << fmt::format("{:8}{:16}{:16}{:16.6f}\n", id, 5. * i + 1.5 * p, 5. * j + 2 * p,
+                             p * (0.9 + 0.25 * std::sin(0.1 * i) * std::cos(0.1 * j)));
+    out << "*ELEMENT_SHELL\n";
+    for (int p = 0, id = 1; p < 2; ++p)
+      for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i, ++id) {
+          const int a = 1 + (p * (n + 1) + j) * (n + 1) + i;
+          out << fmt::format("{:8}{:8}{:8}{:8}{:8}{:8}\n", id, p + 1, a, a + 1, a + n + 2, a + n + 1);
+        }
+    out << "*END\n";
   }
   [[nodiscard]] std::string deck(const std::string& name) const {
     return "'" + (project / "data" / name).string() + "'";
@@ -79,6 +105,13 @@ TEST_F(Html, TheMeshOfALogComesFromItsDeck) {
   const Ended run = gapcheck("messag --html page.html messag --deck " + deck("two_plates.k"));
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_NE(content(folder_ / "page.html").find("\"model_faces\":"), std::string::npos);
+}
+
+TEST_F(Html, ALargeDeckInChromium) {
+  write_plates("plates.k", 145);
+  ASSERT_EQ(gapcheck("audit --quiet --fail-on never --html page.html plates.k").code, 0);
+  EXPECT_LT(content(folder_ / "page.html").size(), 9'000'000u);
+  expect_good("page.html --large");
 }
 
 TEST_F(Html, AHostileDeckInChromium) {

@@ -2,53 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "audit/mesh/elements_in_contact.hpp"
 
 namespace gapcheck::audit {
 namespace {
 
 using model::ElementKind;
 
-/// What contacts say about the elements of one kind.
-struct InContact {
-  std::vector<std::int64_t> contact;
-  std::vector<double> thickness;
-
-  explicit InContact(std::size_t elements) : contact(elements, 0), thickness(elements, 0) {}
-};
-
-class Contacts {
- public:
-  explicit Contacts(const model::Mesh& mesh)
-      : kinds_{InContact{mesh.shells.size()},
-               InContact{mesh.solids.size()},
-               InContact{mesh.thick_shells.size()},
-               InContact{mesh.beams.size()},
-               InContact{0},
-               InContact{0},
-               InContact{mesh.particles.size()}} {}
-
-  void add(const contact::Segments& segments, std::int64_t contact) {
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      InContact& kind = kinds_[static_cast<std::size_t>(segments.element_kind[i])];
-      const std::uint32_t element = segments.element[i];
-      if (element >= kind.contact.size()) continue;
-      if (kind.contact[element] == 0) kind.contact[element] = contact;
-      if (i >= segments.half.size()) continue;
-      const double thickness = 2 * segments.half[i];
-      if (std::isfinite(thickness)) kind.thickness[element] = std::max(kind.thickness[element], thickness);
-    }
-  }
-  [[nodiscard]] const InContact& of(ElementKind kind) const { return kinds_[static_cast<std::size_t>(kind)]; }
-
- private:
-  std::array<InContact, 7> kinds_;  ///< by ElementKind
-};
-
 /// Puts elements into the mesh, kind by kind.
 class Builder {
  public:
-  Builder(const model::Model& model, const Contacts& contacts, ElementMesh& mesh)
+  Builder(const model::Model& model, const ElementsInContact& contacts, ElementMesh& mesh)
       : model_(model), contacts_(contacts), mesh_(mesh), position_(model.mesh.nodes.size(), no_position) {}
 
   template <std::size_t N>
@@ -84,7 +49,7 @@ class Builder {
   }
 
   const model::Model& model_;
-  const Contacts& contacts_;
+  const ElementsInContact& contacts_;
   ElementMesh& mesh_;
   std::vector<std::uint32_t> position_;  ///< in the mesh, of each node of the model
 };
@@ -93,14 +58,7 @@ class Builder {
 
 ElementMesh element_mesh(const model::Model& model, contact::SurfaceStore& surfaces,
                          std::span<const ContactIndex> contacts) {
-  Contacts in_contact(model.mesh);
-  for (const ContactIndex i : contacts) {
-    const model::Contact& contact = model.contact(i);
-    if (!contact.known || contact.own_layout || !contact.cards.any) continue;
-    const contact::ContactSurfaces& sides = surfaces.at(i);
-    in_contact.add(sides.a.selection.segments, contact.id.value);
-    if (sides.two_sided()) in_contact.add(sides.b.selection.segments, contact.id.value);
-  }
+  const ElementsInContact in_contact(model, surfaces, contacts);
   ElementMesh mesh;
   Builder builder(model, in_contact, mesh);
   builder.add(model.mesh.shells, ElementKind::shell);

@@ -4,43 +4,65 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "model/entity/faces.hpp"
 
 namespace gapcheck::audit {
 namespace {
 
-SceneFace make_face(const model::SegmentNodes& nodes, PartIndex part) {
-  SceneFace face;
-  for (std::size_t i = 0; i < 4; ++i) face.nodes[i] = nodes[i].value;
-  face.part = part;
-  return face;
-}
+/// Collects the faces of a mesh, kind by kind.
+class FaceList {
+ public:
+  FaceList(const model::Mesh& mesh, const ElementsInContact* in_contact) : mesh_(mesh), in_contact_(in_contact) {}
 
-void add_outer_faces(const model::Elements<8>& elements, std::vector<SceneFace>& faces) {
-  std::vector<std::uint32_t> all(elements.size());
-  std::iota(all.begin(), all.end(), 0U);
-  for (const model::Face& face : model::exterior_faces(elements, all))
-    faces.push_back(make_face(face.nodes, elements.part[face.element]));
-}
-
-/// Shells, outer faces of solids and thick shells, beams.
-std::vector<SceneFace> faces_of(const model::Mesh& mesh) {
-  std::vector<SceneFace> faces;
-  faces.reserve(mesh.shells.size() + mesh.beams.size());
-  for (std::size_t i = 0; i < mesh.shells.size(); ++i)
-    faces.push_back(make_face(mesh.shells.nodes[i], mesh.shells.part[i]));
-  add_outer_faces(mesh.solids, faces);
-  add_outer_faces(mesh.thick_shells, faces);
-  for (std::size_t i = 0; i < mesh.beams.size(); ++i) {
-    const auto& [a, b] = mesh.beams.nodes[i];
-    faces.push_back(make_face({a, b, b, b}, mesh.beams.part[i]));
+  template <std::size_t N>
+  void add(const model::Elements<N>& elements, model::ElementKind kind) {
+    static_assert(N == 1 || N == 2 || N == 4);
+    faces_.reserve(faces_.size() + elements.size());
+    for (std::uint32_t i = 0; i < elements.size(); ++i) {
+      model::SegmentNodes nodes;
+      for (std::size_t corner = 0; corner < 4; ++corner) nodes[corner] = elements.nodes[i][std::min(corner, N - 1)];
+      add(elements, kind, i, nodes);
+    }
   }
-  std::erase_if(faces, [&](const SceneFace& face) {
-    return std::any_of(face.nodes.begin(), face.nodes.end(),
-                       [&](std::uint32_t node) { return node >= mesh.nodes.size(); });
-  });
-  return faces;
+  void add_outer(const model::Elements<8>& elements, model::ElementKind kind) {
+    std::vector<std::uint32_t> all(elements.size());
+    std::iota(all.begin(), all.end(), 0U);
+    for (const model::Face& face : model::exterior_faces(elements, all)) add(elements, kind, face.element, face.nodes);
+  }
+  [[nodiscard]] std::vector<SceneFace> taken() { return std::move(faces_); }
+
+ private:
+  template <std::size_t N>
+  void add(const model::Elements<N>& elements, model::ElementKind kind, std::uint32_t i,
+           const model::SegmentNodes& nodes) {
+    SceneFace face;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      face.nodes[corner] = nodes[corner].value;
+      if (face.nodes[corner] >= mesh_.nodes.size()) return;
+    }
+    face.part = elements.part[i];
+    face.element = elements.id[i];
+    if (in_contact_ != nullptr) face.thickness = static_cast<float>(in_contact_->of(kind).thickness[i]);
+    faces_.push_back(face);
+  }
+
+  const model::Mesh& mesh_;
+  const ElementsInContact* in_contact_;
+  std::vector<SceneFace> faces_;
+};
+
+/// Shells, outer faces of solids and thick shells, beams, particles.
+std::vector<SceneFace> faces_of(const model::Mesh& mesh, const ElementsInContact* in_contact) {
+  using enum model::ElementKind;
+  FaceList list(mesh, in_contact);
+  list.add(mesh.shells, shell);
+  list.add_outer(mesh.solids, solid);
+  list.add_outer(mesh.thick_shells, thick_shell);
+  list.add(mesh.beams, beam);
+  list.add(mesh.particles, particle);
+  return list.taken();
 }
 
 /// The faces of every node.
@@ -80,6 +102,7 @@ class Seeds {
       add_element(mesh.solids, finding);
       add_element(mesh.thick_shells, finding);
       add_element(mesh.beams, finding);
+      add_element(mesh.particles, finding);
     }
   }
   [[nodiscard]] const std::vector<std::uint32_t>& nodes() const { return nodes_; }
@@ -156,6 +179,17 @@ std::vector<std::uint32_t> around(const std::vector<std::uint32_t>& seeds, const
   return chosen;
 }
 
+/// Adds the faces that are not chosen yet.
+void add_rest(const std::vector<SceneFace>& faces, std::span<const Vector> x, const Vector& origin,
+              std::vector<std::uint32_t>& chosen) {
+  std::vector<bool> taken(faces.size(), false);
+  for (const std::uint32_t f : chosen) taken[f] = true;
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    if (!taken[f] && std::all_of(faces[f].nodes.begin(), faces[f].nodes.end(),
+                                 [&](std::uint32_t n) { return drawable(x[n], origin); }))
+      chosen.push_back(f);
+}
+
 /// Puts the chosen faces into the scene, part by part in the order of the deck.
 void add_faces(const model::Model& model, const std::vector<SceneFace>& faces, std::vector<std::uint32_t> chosen,
                SceneMesh& scene) {
@@ -182,10 +216,13 @@ void add_faces(const model::Model& model, const std::vector<SceneFace>& faces, s
         const Vector local = x[faces[f].nodes[i]] - scene.origin;
         scene.points.push_back(
             {static_cast<float>(local[0]), static_cast<float>(local[1]), static_cast<float>(local[2])});
+        scene.point_nodes.push_back(model.mesh.nodes.id[faces[f].nodes[i]]);
       }
       corners[i] = known;
     }
     scene.faces.push_back(corners);
+    scene.face_elements.push_back(faces[f].element);
+    scene.face_thickness.push_back(faces[f].thickness);
     ++scene.parts.back().faces;
   }
 }
@@ -228,15 +265,18 @@ SceneFrame scene_frame(std::span<const Vector> x) {
   return frame;
 }
 
-SceneMesh scene_mesh(const model::Model& model, const Report& report, const SceneLimits& limits) {
+SceneMesh scene_mesh(const model::Model& model, const Report& report, const SceneLimits& limits,
+                     const ElementsInContact* in_contact) {
   SceneMesh scene;
   const std::vector<Vector>& x = model.mesh.nodes.x;
   const SceneFrame frame = scene_frame(x);
   scene.origin = frame.origin;
-  const std::vector<SceneFace> faces = faces_of(model.mesh);
+  const std::vector<SceneFace> faces = faces_of(model.mesh, in_contact);
   scene.model_faces = faces.size();
   const Seeds seeds(model.mesh, report);
-  add_faces(model, faces, around(seeds.nodes(), faces, x, scene.origin, limits, scene.faces_cut), scene);
+  std::vector<std::uint32_t> chosen = around(seeds.nodes(), faces, x, scene.origin, limits, scene.faces_cut);
+  if (faces.size() <= std::min(limits.whole, limits.faces)) add_rest(faces, x, scene.origin, chosen);
+  add_faces(model, faces, std::move(chosen), scene);
   add_outline(faces, x, frame, limits.outline_edges, scene);
   add_nodes(model.mesh.nodes, report, scene);
   return scene;

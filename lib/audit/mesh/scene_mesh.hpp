@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "audit/mesh/elements_in_contact.hpp"
 #include "model/model.hpp"
 #include "records/report.hpp"
 
@@ -14,13 +15,16 @@ namespace gapcheck::audit {
 struct SceneLimits {
   std::size_t faces = 150'000;
   std::size_t outline_edges = 40'000;
-  std::uint32_t rings = 4;  ///< faces around the nodes of a finding, ring by ring
+  std::uint32_t rings = 4;     ///< faces around the nodes of a finding, ring by ring
+  std::size_t whole = 60'000;  ///< a mesh with at most that many faces is there as a whole
 };
 
 /// The faces around the nodes and elements of the findings, taken ring by ring in the order of depth, one contact after
-/// the other in turn, until the limit; and the outline of the whole mesh. What has no finite coordinates is left out.
-/// Linear in the size of the mesh, deterministic.
-[[nodiscard]] SceneMesh scene_mesh(const model::Model& model, const Report& report, const SceneLimits& limits = {});
+/// the other in turn, until the limit; all faces of a small mesh; and the outline of the whole mesh. What has no finite
+/// coordinates is left out. `in_contact` has the contact thicknesses; without it they are 0. Linear in the size of the
+/// mesh, deterministic.
+[[nodiscard]] SceneMesh scene_mesh(const model::Model& model, const Report& report, const SceneLimits& limits = {},
+                                   const ElementsInContact* in_contact = nullptr);
 
 // Parts of the above, for tests.
 
@@ -28,6 +32,8 @@ struct SceneLimits {
 struct SceneFace {
   std::array<std::uint32_t, 4> nodes{};
   PartIndex part = none<PartIndex>;
+  std::int64_t element = 0;
+  float thickness = 0;
 };
 
 /// Where most nodes are: between the 2nd and the 98th hundredth along each axis, with as much room around as that box

@@ -1,5 +1,6 @@
 // A camera that circles around a point: drag to turn, with the right button or Shift to shift, the wheel to come
-// nearer; arrow keys, + and - do the same. `changed` is called whenever it moved, `pressed` for a click without a drag.
+// nearer; arrow keys, + and - do the same. `changed` is called whenever it moved (with true: its frame alone has
+// changed), `pressed` for a click without a drag.
 
 function makeCamera(canvas, changed, pressed) {
   const camera = new THREE.PerspectiveCamera(35, 1, 0.01, 1000);
@@ -8,7 +9,7 @@ function makeCamera(canvas, changed, pressed) {
   let reach = 10;  // radius around the origin that must stay visible
   let flight = 0;
 
-  function place() {
+  function place(still = false) {
     const {target, distance, turn, rise} = state;
     camera.position.set(Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise));
     camera.position.multiplyScalar(distance).add(target);
@@ -17,7 +18,7 @@ function makeCamera(canvas, changed, pressed) {
     camera.far = distance + 2 * (reach + target.length());
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
-    changed();
+    changed(still);
   }
 
   function turn(x, y) {
@@ -82,12 +83,16 @@ function makeCamera(canvas, changed, pressed) {
     camera,
     state,
     fly,
+    /** The length that a pixel shows at the target. */
+    pixel(height) {
+      return (2 * state.distance * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, height);
+    },
     setReach(radius) {
       reach = radius;
     },
     resize(width, height) {
       camera.aspect = width / Math.max(1, height);
-      place();
+      place(true);
     },
   };
 }

@@ -7,6 +7,67 @@ function bytesOf(base64) {
   return bytes.buffer;
 }
 
+/** Numbers from their differences: seven bits per byte, the lowest first, the sign in the lowest bit. */
+function unpacked(base64) {
+  const bytes = new Uint8Array(bytesOf(base64));
+  const numbers = new Uint32Array(bytes.reduce((count, byte) => count + (byte < 128 ? 1 : 0), 0));
+  let at = 0, last = 0, step = 0, place = 1;
+  for (const byte of bytes) {
+    step += (byte % 128) * place;
+    place *= 128;
+    if (byte >= 128) continue;
+    last += step % 2 === 1 ? -(step + 1) / 2 : step / 2;
+    numbers[at++] = last;
+    step = 0;
+    place = 1;
+  }
+  return numbers;
+}
+
+/** The id of each face's element; 0: not known. */
+function elementIds(picture) {
+  const ids = new Uint32Array(picture.faces.length / 4);
+  let face = 0;
+  for (let run = 0; run < picture.elements.length; run += 2) {
+    const [first, count] = picture.elements.subarray(run, run + 2);
+    for (let i = 0; i < count; ++i) ids[face++] = first === 0 ? 0 : first + i;
+  }
+  return ids;
+}
+
+/** The contact thickness of each face; 0: none. */
+function thicknesses(picture) {
+  const values = new Float32Array(bytesOf(picture.thickness || ""));
+  const thickness = new Float32Array(picture.faces.length / 4);
+  let face = 0;
+  picture.thickness_faces.forEach((count, run) => {
+    thickness.fill(values[run], face, face + count);
+    face += count;
+  });
+  return thickness;
+}
+
+/** Gives findings of an element without a place that of the element's first face in the mesh. */
+function placeByElement({findings, picture}) {
+  const wanted = new Map();
+  findings.element.forEach((element, i) => {
+    if (element > 0 && Number.isNaN(picture.positions[3 * i])) wanted.set(element, [...(wanted.get(element) || []), i]);
+  });
+  if (wanted.size === 0) return;
+  for (const part of picture.parts)
+    for (let f = part.first; f < part.first + part.faces; ++f)
+      for (const i of wanted.get(picture.elements[f]) || []) {
+        const known = [findings.element_part[i], findings.part[i]].filter((id) => id !== 0);
+        if (!Number.isNaN(picture.positions[3 * i]) || (known.length > 0 && !known.includes(part.id))) continue;
+        const corners = picture.faces.subarray(4 * f, 4 * f + 4);
+        for (let axis = 0; axis < 3; ++axis)
+          picture.positions[3 * i + axis] = corners.reduce((sum, p) => sum + picture.points[3 * p + axis] / 4, 0);
+      }
+}
+
+/** Where there is no point. */
+const nowhere = 0xffffffff;
+
 const severities = ["note", "warning", "error"];
 
 function readData() {
@@ -14,8 +75,14 @@ function readData() {
   const picture = data.picture;
   for (const name of ["positions", "vectors", "points", "outline_points"])
     picture[name] = new Float32Array(bytesOf(picture[name] || ""));
-  for (const name of ["faces", "outline"]) picture[name] = new Uint32Array(bytesOf(picture[name] || ""));
+  for (const name of ["faces", "outline"]) picture[name] = unpacked(picture[name] || "");
+  for (const name of ["node_points", "corners", "elements", "thickness_faces"])
+    picture[name] = new Uint32Array(bytesOf(picture[name] || ""));
+  picture.point_depths = new Uint8Array(bytesOf(picture.point_depths || ""));
+  picture.thickness = thicknesses(picture);
+  picture.elements = elementIds(picture);
   picture.parts = picture.parts || [];
+  placeByElement(data);
   return data;
 }
 

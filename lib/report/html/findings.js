@@ -1,6 +1,6 @@
 // The table of findings: only the rows that can be seen are in the document, so that it stays quick with many.
 
-const rowHeight = 26;
+const rowHeight = 38;
 
 /** Columns: heading, width, kind, text of a finding, and what to sort by. */
 function findingColumns(data) {
@@ -9,22 +9,25 @@ function findingColumns(data) {
   const share = (i) =>
       (f.penetration[i] === null || !(f.contact_distance[i] > 0) ? null : f.penetration[i] / f.contact_distance[i]);
   const state = {head: "state", width: 66, text: (i) => textOf(data, "state", i), key: (i) => textOf(data, "state", i)};
+  const words = (i) => textOf(data, "message", i);
   return [
-    {head: "severity", width: 62, text: (i) => severities[f.severity[i]], key: (i) => f.severity[i], descend: true},
-    {head: "rule", width: 56, text: (i) => textOf(data, "id", i), key: (i) => textOf(data, "id", i)},
-    {head: "contact", width: 58, ...id("contact")},
-    {head: "node", width: 66, ...id("node")},
-    {head: "part", width: 48, ...id("part")},
-    {head: "element", width: 66, ...id("element")},
-    {head: "of part", width: 56, ...id("element_part")},
+    {head: "severity", width: 60, text: (i) => severities[f.severity[i]], key: (i) => f.severity[i], descend: true},
+    {
+      head: "rule",
+      width: 96,
+      kind: "message",
+      text: (i) => `${textOf(data, "id", i)} ${textOf(data, "rule", i)}`,
+      key: (i) => textOf(data, "id", i)
+    },
     {
       head: "depth",
-      width: 60,
+      width: 52,
       kind: "number",
       text: (i) => short(f.penetration[i]),
       key: (i) => f.penetration[i] ?? -1,
       descend: true
     },
+    {head: "message", width: 312, kind: "message", text: words, key: words},
     {
       head: "% of h",
       width: 50,
@@ -33,6 +36,11 @@ function findingColumns(data) {
       key: (i) => share(i) ?? -1,
       descend: true
     },
+    {head: "node", width: 66, ...id("node")},
+    {head: "part", width: 48, ...id("part")},
+    {head: "element", width: 66, ...id("element")},
+    {head: "of part", width: 56, ...id("element_part")},
+    {head: "contact", width: 58, ...id("contact")},
     ...(hasStates(data) ? [state] : []),
     {
       head: "place",
@@ -44,12 +52,33 @@ function findingColumns(data) {
   ];
 }
 
-function makeFindings(data, selected) {
+/** Findings as they are worth looking at: what is left out on purpose last, errors first, the deepest first. */
+function worstFirst(data) {
+  const f = data.findings;
+  const ignored = (i) => Number(textOf(data, "state", i) === "ignored");
+  const order = f.severity.map((_, i) => i);
+  order.sort((a, b) => ignored(a) - ignored(b) || f.severity[b] - f.severity[a] ||
+                 (f.penetration[b] ?? -1) - (f.penetration[a] ?? -1) || a - b);
+  return order;
+}
+
+/** The first of those of the worst severity that has a place in the picture; without any the first; -1: none. */
+function worstOf(data, order) {
+  const placed = (i) => !Number.isNaN(data.picture.positions[3 * i]);
+  const asBad = (i) => data.findings.severity[i] === data.findings.severity[order[0]];
+  return order.find((i) => asBad(i) && placed(i)) ?? order[0] ?? -1;
+}
+
+function makeFindings(data, worst, selected) {
   const columns = findingColumns(data);
   const place = byId("findings");
   const body = element("tbody");
   const above = element("tr", {class: "gap"}, element("td", {colspan: columns.length}));
   const below = above.cloneNode(true);
+  const rank = new Uint32Array(worst.length);
+  worst.forEach((finding, at) => {
+    rank[finding] = at;
+  });
   let passed = [], order = [], sorting = null, chosen = -1;
 
   function head() {
@@ -77,11 +106,11 @@ function makeFindings(data, selected) {
   }
 
   function arrange() {
-    order = passed.slice();
+    order = passed.slice().sort((a, b) => rank[a] - rank[b]);
     if (sorting) {
       const keys = new Map(order.map((i) => [i, columns[sorting.column].key(i)]));
       const sign = sorting.descend ? -1 : 1;
-      order.sort((a, b) => (keys.get(a) < keys.get(b) ? -sign : keys.get(a) > keys.get(b) ? sign : a - b));
+      order.sort((a, b) => (keys.get(a) < keys.get(b) ? -sign : keys.get(a) > keys.get(b) ? sign : rank[a] - rank[b]));
     }
     place.firstChild.setAttribute("aria-rowcount", order.length + 1);
     draw();
@@ -100,7 +129,8 @@ function makeFindings(data, selected) {
     columns.forEach((column, c) => {
       const text = column.text(i);
       const title = column.hint ? column.hint(i) : text;
-      const cell = element("td", {role: "gridcell", class: column.kind || "", title}, text);
+      const inside = column.kind === "message" ? element("span", {}, text) : text;
+      const cell = element("td", {role: "gridcell", class: column.kind || "", title}, inside);
       if (c === 0) cell.classList.add(text === "note" ? "severity-note" : text);
       row.append(cell);
     });
@@ -139,7 +169,7 @@ function makeFindings(data, selected) {
     select(order[next]);
   }
 
-  const table = element("table", {role: "grid", "aria-label": "Findings", class: hasStates(data) ? "states" : ""}, element("thead", {}, head()), body);
+  const table = element("table", {role: "grid", "aria-label": "Findings"}, element("thead", {}, head()), body);
   place.setAttribute("tabindex", "0");
   place.append(table);
   place.addEventListener("scroll", draw, {passive: true});
@@ -168,7 +198,6 @@ function showDetail(data, i) {
   const add = (name, text) => {
     if (text !== "" && text !== null) list.append(element("dt", {}, name), element("dd", {}, String(text)));
   };
-  add("rule", `${textOf(data, "id", i)} ${textOf(data, "rule", i)}`);
   add("place", placeOf(textOf(data, "file", i), f.line[i]));
   const lengths = [f.penetration[i], f.contact_distance[i]].filter((value) => value !== null);
   const digits = (value) => Number(value.toPrecision(9));
@@ -181,5 +210,10 @@ function showDetail(data, i) {
   const [x, y, z] = data.picture.positions.subarray(3 * i, 3 * i + 3);
   if (!Number.isNaN(x))
     add("position", [x, y, z].map((value, axis) => short(value + data.picture.origin[axis])).join(", "));
-  byId("detail").replaceChildren(element("div", {}, textOf(data, "message", i)), list);
+  byId("detail").replaceChildren(list);
+  const severity = severities[f.severity[i]];
+  const rule = `${severity} ${textOf(data, "id", i)} ${textOf(data, "rule", i)}`;
+  const kind = severity === "note" ? "severity-note" : severity;
+  byId("caption").title = textOf(data, "message", i);
+  byId("caption").replaceChildren(element("strong", {class: kind}, rule), textOf(data, "message", i));
 }

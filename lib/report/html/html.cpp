@@ -22,8 +22,9 @@ std::string_view file(std::string_view name) {
 /// The page's own scripts in order of dependency.
 std::string scripts() {
   std::string text = "\"use strict\";\n(() => {\n";
-  for (const std::string_view name : {"data", "dom", "chart", "matrix", "contacts", "filters", "findings", "camera",
-                                      "mesh", "markers", "view", "main"})
+  for (const std::string_view name :
+       {"data", "dom", "chart", "matrix", "contacts", "filters", "findings", "camera", "depth", "mesh", "markers",
+        "focus", "coats", "cut", "select", "overlay", "tools", "view", "main"})
     text += file(name);
   return text + "})();\n";
 }

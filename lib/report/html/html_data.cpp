@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <map>
 #include <span>
 
 #include "report/baseline/baseline.hpp"
+#include "report/html/html_json.hpp"
+#include "report/html/html_picture.hpp"
 #include "report/item/describe.hpp"
 #include "report/item/sums.hpp"
-#include "report/write/base64.hpp"
 #include "report/write/json_members.hpp"
 #include "report/write/writers.hpp"
 
@@ -22,12 +20,6 @@ namespace gapcheck::report {
 namespace {
 
 constexpr std::size_t most_pairs = 500, depth_bins = 24, ratio_bins = 20;
-
-/// Numbers beyond 2^53 become texts: a browser would round them.
-std::string id_text(std::int64_t id) {
-  constexpr std::int64_t largest = std::int64_t{1} << 53;
-  return id > largest || id < -largest ? fmt::format("\"{}\"", id) : fmt::format("{}", id);
-}
 
 /// Texts that occur more than once, by their positions.
 class Texts {
@@ -47,31 +39,6 @@ class Texts {
   std::map<std::string, std::size_t> positions_;
   std::vector<std::string> list_;
 };
-
-/// An array with the result of `text` for each element.
-template <class Range, class Text>
-std::string json_array(const Range& range, const Text& text) {
-  std::string out = "[";
-  for (const auto& element : range) {
-    if (out.size() > 1) out += ',';
-    out += text(element);
-  }
-  return out + "]";
-}
-
-/// Numbers of four bytes.
-template <class Number>
-std::string binary(std::span<const Number> values) {
-  static_assert(sizeof(Number) == 4 && std::endian::native == std::endian::little);
-  std::string out = "\"";
-  append_base64({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number)}, out);
-  return out + '"';
-}
-
-template <class Number, std::size_t N>
-std::string binary(const std::vector<std::array<Number, N>>& rows) {
-  return binary(std::span<const Number>(rows.empty() ? nullptr : rows.front().data(), rows.size() * N));
-}
 
 void add_head(const Report& report, const HtmlOptions& options, std::size_t shown, Members& data) {
   const Totals total = totals(report);
@@ -154,6 +121,7 @@ std::string findings_json(const std::vector<HtmlFinding>& findings, Texts& texts
                  return value >= 0 && std::isfinite(value) ? fmt::format("{}", value) : std::string("null");
                }));
   };
+  object.raw("number", json_array(findings, [](const HtmlFinding& f) { return fmt::format("{}", f.number); }));
   text("id", [](const Item& item) { return item.id; });
   text("rule", [](const Item& item) { return item.rule; });
   object.raw("severity", json_array(findings, [](const HtmlFinding& f) {
@@ -224,60 +192,6 @@ std::string depths_json(const Report& report) {
   object.number("deepest", deepest);
   object.array("depths", depths);
   object.array("ratios", ratios);
-  object.close();
-  return fmt::to_string(out);
-}
-
-/// A point in single precision; NaN if there is none, or it cannot be drawn.
-std::array<float, 3> local(const std::optional<Vector>& point, const Vector& origin) {
-  constexpr double farthest = 1e18;
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  if (!point) return {nan, nan, nan};
-  const Vector x = *point - origin;
-  if (!(x.array().abs() <= farthest).all()) return {nan, nan, nan};
-  return {static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])};
-}
-
-std::string part_json(const SceneMesh::Part& part) {
-  Buffer out;
-  Members object(out);
-  object.raw("id", id_text(part.id));
-  object.string("title", part.title);
-  object.integer("first", part.first_face);
-  object.integer("faces", part.faces);
-  object.close();
-  return fmt::to_string(out);
-}
-
-std::string picture_json(const Report& report, const std::vector<HtmlFinding>& findings) {
-  Vector origin = Vector::Zero();
-  const auto placed = std::find_if(findings.begin(), findings.end(), [](const HtmlFinding& finding) {
-    return finding.position && finding.position->allFinite();
-  });
-  if (report.scene)
-    origin = report.scene->origin;
-  else if (placed != findings.end())
-    origin = *placed->position;
-  std::vector<std::array<float, 3>> positions, vectors;
-  for (const HtmlFinding& finding : findings) {
-    positions.push_back(local(finding.position, origin));
-    vectors.push_back(local(finding.vector, Vector::Zero()));
-  }
-  Buffer out;
-  Members object(out);
-  object.array("origin", std::array{origin[0], origin[1], origin[2]});
-  object.raw("positions", binary(positions));
-  object.raw("vectors", binary(vectors));
-  if (const auto& scene = report.scene) {
-    object.raw("parts", json_array(scene->parts, part_json));
-    object.raw("points", binary(scene->points));
-    object.raw("faces", binary(scene->faces));
-    object.raw("outline_points", binary(scene->outline_points));
-    object.raw("outline", binary(scene->outline));
-    object.integer("model_faces", scene->model_faces);
-    object.integer("outline_left_out", scene->outline_left_out);
-    object.raw("faces_cut", scene->faces_cut ? "true" : "false");
-  }
   object.close();
   return fmt::to_string(out);
 }

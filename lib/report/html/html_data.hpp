@@ -18,6 +18,7 @@ namespace gapcheck::report {
 struct HtmlFinding {
   Item item;
   std::vector<std::int64_t> segment;  ///< node ids; empty: none
+  std::size_t number = 0;             ///< from 1, in the order of --format csv; those left out on purpose follow
   std::optional<Vector> position;     ///< where it is drawn
   std::optional<Vector> vector;       ///< from there to the contact surface
 };

@@ -52,7 +52,7 @@ std::vector<Candidate> candidates(const Report& report, std::size_t group) {
 }
 
 HtmlFinding make(const Report& report, const Penetration& record, const NodePosition& position) {
-  HtmlFinding finding{item_of(report, record), {}, node_of(report, record, position), std::nullopt};
+  HtmlFinding finding{item_of(report, record), {}, 0, node_of(report, record, position), std::nullopt};
   if (std::any_of(record.segment.begin(), record.segment.end(), [](std::int64_t node) { return node != 0; }))
     finding.segment.assign(record.segment.begin(), record.segment.end());
   if (const auto line = penetration_line(report, record, position)) finding.vector = line->surface - line->node;
@@ -67,10 +67,10 @@ HtmlFinding made_from(const Report& report, const Lists& lists, std::size_t numb
   if (number < ties) return make(report, lists.penetrations[number], position);
   if (number < others) {
     const TieFailure& failure = lists.tie_failures[number - ties];
-    return {item_of(report, failure), {}, node_position(failure.node), std::nullopt};
+    return {item_of(report, failure), {}, 0, node_position(failure.node), std::nullopt};
   }
   const Finding& finding = lists.findings[number - others];
-  return {item_of(finding), {}, finding.point ? finding.point : node_position(finding.node), std::nullopt};
+  return {item_of(finding), {}, 0, finding.point ? finding.point : node_position(finding.node), std::nullopt};
 }
 
 }  // namespace
@@ -96,6 +96,7 @@ std::vector<HtmlFinding> html_findings(const Report& report, const NodePosition&
       list.push_back(made_from(report, report.ignored, number, position));
       list.back().item.ignored = &report.ignored.sources[report.ignored.source[number]];
     }
+    list.back().number = candidate.place + 1;
   }
   return list;
 }

@@ -49,11 +49,11 @@ function makeMarkers(data) {
   const chosen = new THREE.Points(
       chosenPoint,
       new THREE.PointsMaterial(
-          {map: texture, alphaTest: 0.5, sizeAttenuation: false, size: 13, depthTest: false, transparent: true}));
+          {map: texture, alphaTest: 0.5, sizeAttenuation: false, size: 10, depthTest: false, transparent: true}));
   chosen.visible = false;
-  chosen.renderOrder = 2;
+  chosen.renderOrder = 6;
   objects.forEach((object) => {
-    object.renderOrder = 1;
+    object.renderOrder = 5;
     object.frustumCulled = false;
   });
   chosen.frustumCulled = false;
@@ -67,11 +67,15 @@ function makeMarkers(data) {
     shown: [],
     at: (i) => new THREE.Vector3().fromArray(positions, 3 * i),
     vector: (i) => new THREE.Vector3().fromArray(vectors, 3 * i),
-    show(list) {
+    drawn: 0,
+    /** Findings that can be pressed, and those of them that are drawn. */
+    show(list, drawn = list) {
       made.shown = list.filter(placed);
-      points.setIndex(new THREE.BufferAttribute(new Uint32Array(made.shown), 1));
+      const dots = drawn.filter(placed);
+      made.drawn = dots.length;
+      points.setIndex(new THREE.BufferAttribute(new Uint32Array(dots), 1));
       const pairs =
-          new THREE.BufferAttribute(new Uint32Array(made.shown.filter(pointed).flatMap((i) => [2 * i, 2 * i + 1])), 1);
+          new THREE.BufferAttribute(new Uint32Array(dots.filter(pointed).flatMap((i) => [2 * i, 2 * i + 1])), 1);
       lines.setIndex(pairs);
       farLines.setIndex(pairs);
     },

@@ -44,7 +44,17 @@ function faceTriangles(faces) {
   return corners.slice(0, length);
 }
 
-function makeMesh(picture) {
+/** Corners of the rows that are particles or, with `ends` of 2, beams. */
+function thinRows(faces, ends) {
+  const corners = [];
+  for (let f = 0; f < faces.length; f += 4) {
+    const kind = faces[f + 1] !== faces[f + 2] ? 4 : faces[f] !== faces[f + 1] ? 2 : 1;
+    if (kind === ends) for (let i = 0; i < ends; ++i) corners.push(faces[f + i]);
+  }
+  return new Uint32Array(corners);
+}
+
+function makeMesh(picture, look) {
   const points = new THREE.BufferAttribute(picture.points, 3);
   const colors = new Uint8Array(picture.points.length);
   picture.parts.forEach((part, p) => {
@@ -53,12 +63,17 @@ function makeMesh(picture) {
       colors.set(color, 3 * point);
   });
   const surface = new THREE.BufferGeometry(), lines = new THREE.BufferGeometry(), outline = new THREE.BufferGeometry();
-  surface.setAttribute("position", points);
-  surface.setAttribute("color", new THREE.BufferAttribute(colors, 3, true));
+  const beams = new THREE.BufferGeometry(), particles = new THREE.BufferGeometry();
+  const depths = new THREE.BufferAttribute(new Float32Array(picture.points.length / 3), 1);
+  for (const geometry of [surface, beams, particles]) {
+    geometry.setAttribute("position", points);
+    geometry.setAttribute("color", new THREE.BufferAttribute(colors, 3, true));
+    geometry.setAttribute("depth", depths);
+  }
   lines.setAttribute("position", points);
   outline.setAttribute("position", new THREE.BufferAttribute(picture.outline_points, 3));
   outline.setIndex(new THREE.BufferAttribute(picture.outline, 1));
-  const faces = new THREE.Mesh(surface, new THREE.MeshPhongMaterial({
+  const faces = new THREE.Mesh(surface, useLook(new THREE.MeshPhongMaterial({
     vertexColors: THREE.VertexColors,
     flatShading: true,
     side: THREE.DoubleSide,
@@ -68,15 +83,40 @@ function makeMesh(picture) {
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,
-  }));
+  }), look, true));
+  const thin = {vertexColors: THREE.VertexColors};
   const made = {
     faces,
-    lines: new THREE.LineSegments(lines, new THREE.LineBasicMaterial({transparent: true, opacity: 0.5})),
+    lines: new THREE.LineSegments(
+        lines, useLook(new THREE.LineBasicMaterial({transparent: true, opacity: 0.5}), look, false)),
+    beams: new THREE.LineSegments(beams, useLook(new THREE.LineBasicMaterial(thin), look, true)),
+    particles: new THREE.Points(
+        particles, useLook(new THREE.PointsMaterial({...thin, sizeAttenuation: false, size: 4}), look, true)),
     outline: new THREE.LineSegments(outline, new THREE.LineBasicMaterial({transparent: true, opacity: 0.7})),
-    /** Shows only the parts whose positions are not in `hidden`. */
-    showParts(hidden) {
-      const shown = picture.parts.filter((_, p) => !hidden.has(p));
-      const rows = new Uint32Array(4 * shown.reduce((sum, part) => sum + part.faces, 0));
+    showDepths(values) {
+      depths.array.set(values);
+      depths.needsUpdate = true;
+    },
+    hidden: new Set(),  // positions of parts
+    only: null,         // ids of the parts that are shown alone; null: all
+    shownFaces: 0,
+    /** Hides a part, or shows it again. */
+    hide(p, on) {
+      if (on) made.hidden.add(p);
+      else made.hidden.delete(p);
+      made.update();
+    },
+    /** Shows parts with these ids alone; null: all. */
+    isolate(ids) {
+      if (String(ids) === String(made.only)) return;
+      made.only = ids;
+      made.update();
+    },
+    update() {
+      const shown =
+          picture.parts.filter((part, p) => !made.hidden.has(p) && (made.only === null || made.only.includes(part.id)));
+      made.shownFaces = shown.reduce((sum, part) => sum + part.faces, 0);
+      const rows = new Uint32Array(4 * made.shownFaces);
       let at = 0;
       for (const part of shown) {
         rows.set(picture.faces.subarray(4 * part.first, 4 * (part.first + part.faces)), at);
@@ -84,6 +124,20 @@ function makeMesh(picture) {
       }
       surface.setIndex(new THREE.BufferAttribute(faceTriangles(rows), 1));
       lines.setIndex(new THREE.BufferAttribute(faceEdges(rows, picture.points.length / 3), 1));
+      beams.setIndex(new THREE.BufferAttribute(thinRows(rows, 2), 1));
+      particles.setIndex(new THREE.BufferAttribute(thinRows(rows, 1), 1));
+    },
+    /** Lines of elements with few pixels would hide the faces. */
+    thinLines(pixels) {
+      made.lines.material.opacity = 0.5 * Math.min(1, Math.max(0.04, (pixels - 3) / 12));
+    },
+    /** Calls `draw` with everything that is on, or for `plain` with the outline instead of faces and mesh lines. */
+    asOutline(plain, draw) {
+      const before = [faces, made.lines, made.outline].map((object) => object.visible);
+      if (plain) [faces.visible, made.lines.visible, made.outline.visible] = [false, false, true];
+      if (made.only !== null) made.outline.visible = false;
+      draw();
+      [faces.visible, made.lines.visible, made.outline.visible] = before;
     },
     paint() {
       made.lines.material.color.set(styleValue("--mesh-line"));
@@ -91,8 +145,9 @@ function makeMesh(picture) {
     },
   };
   // Stray points would make the bounds useless, so three.js is not to ask for them.
-  for (const object of [faces, made.lines, made.outline]) object.frustumCulled = false;
-  made.showParts(new Set());
+  for (const object of [faces, made.lines, made.beams, made.particles, made.outline]) object.frustumCulled = false;
+  made.shapes = [faces, made.lines, made.beams, made.particles];
+  made.update();
   made.paint();
   return made;
 }

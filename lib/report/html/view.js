@@ -23,10 +23,13 @@ function sampleOf(length) {
   return Array.from({length: Math.ceil(length / step)}, (_, i) => i * step);
 }
 
+/** More findings than that are colours of the mesh; a mesh with more faces than that is an outline while it moves. */
+const mostMarkers = 2000, mostMoving = 40000;
+
 function withoutPicture(why) {
   byId("view").replaceChildren(element("p", {}, why));
   byId("tools").remove();
-  byId("parts").parentElement.remove();
+  byId("parts").closest(".card").remove();
   return {show() {}, select() {}};
 }
 
@@ -35,23 +38,39 @@ function makeView(data, pressed) {
   const canvas = byId("canvas");
   if (picture.points.length === 0 && picture.outline_points.length === 0 && picture.positions.every(Number.isNaN))
     return withoutPicture("Nothing is known of where the findings are.");
-  const context = canvas.getContext("webgl", {antialias: true});
+  const context = canvas.getContext("webgl", {antialias: true, stencil: true});
   if (!context)
     return withoutPicture("This browser has no WebGL, so there is no picture. The tables work all the same.");
   const renderer = new THREE.WebGLRenderer({canvas, context});
   // Asking whether each shader is well would wait for it.
   renderer.debug.checkShaderErrors = false;
   const scene = new THREE.Scene();
-  const mesh = makeMesh(picture), markers = makeMarkers(data);
-  scene.add(mesh.outline, mesh.faces, mesh.lines, ...markers.objects, new THREE.AmbientLight(0xffffff, 0.6));
+  renderer.localClippingEnabled = true;
+  const deepest = picture.deepest || 0;
+  const look = makeLook(deepest);
+  const mesh = makeMesh(picture, look), markers = makeMarkers(data);
+  const overlay = makeOverlay(deepest);
+  const selection = makeSelection({data, mesh, markers, look, canvas, redraw, looked: () => flyTo(chosen)});
+  scene.add(mesh.outline, ...mesh.shapes, ...selection.objects, ...markers.objects);
+  scene.add(new THREE.AmbientLight(0xffffff, 0.6));
   const light = new THREE.DirectionalLight(0xffffff, 0.45);
   scene.add(light, light.target);
-  let waiting = false, chosen = -1;
+  let waiting = false, chosen = -1, moving = 0;
 
-  const view = makeCamera(canvas, redraw, (x, y) => {
+  const view = makeCamera(canvas, moved, (x, y) => {
     const hit = nearest(x, y);
     if (hit >= 0) pressed(hit);
   });
+
+  /** A large mesh is only an outline while it turns. */
+  function moved(still) {
+    clearTimeout(moving);
+    moving = !still && picture.faces.length / 4 > mostMoving ? setTimeout(() => {
+      moving = 0;
+      redraw();
+    }, 250) : 0;
+    redraw();
+  }
 
   function redraw() {
     if (waiting) return;
@@ -64,7 +83,10 @@ function makeView(data, pressed) {
     light.position.copy(view.camera.position);
     light.target.position.copy(view.state.target);
     light.target.updateMatrixWorld();
-    renderer.render(scene, view.camera);
+    mesh.thinLines(edge / view.pixel(canvas.clientHeight));
+    mesh.asOutline(moving !== 0, () => renderer.render(scene, view.camera));
+    canvas.dataset.drawn = moving !== 0 ? "outline" : "all";
+    overlay(view.camera, view.pixel(canvas.clientHeight));
     canvas.dataset.camera = [...view.camera.position.toArray(), ...view.state.target.toArray()].join(" ");
     moveLabel();
   }
@@ -84,7 +106,7 @@ function makeView(data, pressed) {
     if (label.hidden) return;
     const {x, y, behind} = onScreen(chosen);
     label.hidden = behind || x < 0 || y < 0 || x > canvas.clientWidth || y > canvas.clientHeight;
-    label.style.transform = `translate(${Math.round(x) + 10}px, ${Math.round(y) - 26}px)`;
+    label.style.transform = `translate(${Math.round(x) + 12}px, ${Math.round(y) - 64}px)`;
   }
 
   function nearest(x, y) {
@@ -99,17 +121,25 @@ function makeView(data, pressed) {
     return best;
   }
 
-  function fit(box) {
+  function fit(box, direction = null) {
     if (box.isEmpty()) return;
     const radius = Math.max(box.getSize(new THREE.Vector3()).length() / 2, 2 * edge, 1e-12);
-    view.fly(box.getCenter(new THREE.Vector3()), 3.4 * radius);
+    view.fly(box.getCenter(new THREE.Vector3()), 3.4 * radius, direction);
+  }
+
+  /** All of it, from above. */
+  function overview(box) {
+    selection.leave();
+    fit(box, new THREE.Vector3(0.53, -0.67, 0.52));
   }
 
   function flyTo(i) {
-    if (!markers.placed(i)) return;
-    const h = data.findings.contact_distance[i] || 0;
-    const distance = Math.max(12 * h, 6 * edge, 20 * (data.findings.penetration[i] || 0)) || whole / 5;
-    view.fly(markers.at(i), distance, markers.pointed(i) ? sideways(markers.vector(i)) : null);
+    if (!markers.placed(i)) {
+      fit(first);
+      return;
+    }
+    const direction = selection.direction() || (markers.pointed(i) ? sideways(markers.vector(i)) : null);
+    view.fly(markers.at(i), selection.distance(i) || whole / 5, direction);
   }
 
   /** From where a vector can be seen from its side, near to where the camera is. */
@@ -118,15 +148,13 @@ function makeView(data, pressed) {
     const along = vector.clone().normalize();
     const rise = now.dot(along);
     if (Math.abs(rise) > 0.35 && Math.abs(rise) < 0.75) return now;
-    const across = now.addScaledVector(along, -rise);
-    if (across.length() < 1e-3) across.crossVectors(along, new THREE.Vector3(0.3, 0.9, 0.2));
-    return across.normalize().multiplyScalar(0.85).addScaledVector(along, rise < 0 ? -0.5 : 0.5);
+    return across(along, now).multiplyScalar(0.85).addScaledVector(along, rise < 0 ? -0.5 : 0.5);
   }
 
   function paint() {
     renderer.setClearColor(new THREE.Color(styleValue("--view")), 1);
-    mesh.paint();
-    markers.paint();
+    look.back.value.set(styleValue("--view"));
+    for (const painted of [mesh, markers, selection]) painted.paint();
     redraw();
   }
 
@@ -144,14 +172,16 @@ function makeView(data, pressed) {
   const first = [modelBox, meshBox, findingsBox()].find((box) => !box.isEmpty()) || new THREE.Box3();
   const whole = first.isEmpty() ? 1 : Math.max(1e-12, first.getSize(new THREE.Vector3()).length());
   const edge = usualEdge(picture) || whole / 50;
+  selection.setEdge(edge);
   view.setReach(whole);
 
   makeTools({
     mesh,
     markers,
+    selection,
     redraw,
-    fitModel: () => fit(first),
-    fitFindings: () => fit(findingsBox()),
+    fitModel: () => overview(first),
+    fitFindings: () => overview(findingsBox()),
     hasMesh: picture.faces.length > 0
   });
   makeParts(picture, mesh, redraw);
@@ -163,12 +193,16 @@ function makeView(data, pressed) {
   sayWhatIsLeftOut(picture);
   return {
     show(list) {
-      markers.show(list);
+      mesh.showDepths(pointDepths(data, list));
+      const inField = list.length > mostMarkers ? (i) => hasPointDepth(data, i) : () => false;
+      markers.show(list, list.filter((i) => !inField(i)));
+      canvas.dataset.markers = String(markers.drawn);
       redraw();
     },
     select(i) {
       chosen = i;
       markers.choose(i);
+      selection.select(i);
       const node = idText(data.findings.node[i]), depth = data.findings.penetration[i];
       byId("label").textContent =
           [node && `node ${node}`, depth !== null && depth > 0 && `depth ${short(depth)}`].filter(Boolean).join(", ") ||
@@ -177,78 +211,4 @@ function makeView(data, pressed) {
       redraw();
     },
   };
-}
-
-function makeTools({mesh, markers, redraw, fitModel, fitFindings, hasMesh}) {
-  const button = (text, act) => {
-    const made = element("button", {type: "button"}, text);
-    made.addEventListener("click", act);
-    return made;
-  };
-  const visible = (object) => (on) => {
-    object.visible = on;
-    redraw();
-  };
-  const factor = selectOf(
-      "Length of the vectors",
-      [1, 2, 5, 10, 20, 50, 100, 1000].map((f) => [f, f === 1 ? "vectors in true scale" : `vectors × ${f}`]));
-  factor.addEventListener("change", () => {
-    markers.magnify(Number(factor.value));
-    redraw();
-  });
-  const faces = selectOf("Faces", [["1", "faces solid"], ["0.35", "faces transparent"], ["0", "no faces"]]);
-  faces.addEventListener("change", () => {
-    const opacity = Number(faces.value);
-    mesh.faces.visible = opacity > 0;
-    mesh.faces.material.opacity = opacity;
-    mesh.faces.material.depthWrite = opacity === 1;
-    redraw();
-  });
-  const tools = byId("tools");
-  tools.append(button("Model", fitModel), button("Findings", fitFindings), factor);
-  if (hasMesh)
-    tools.append(
-        faces, checkBox("mesh lines", true, visible(mesh.lines)), checkBox("outline", true, visible(mesh.outline)));
-  tools.addEventListener("submit", (event) => event.preventDefault());
-}
-
-function makeParts(picture, mesh, redraw) {
-  const most = 500;
-  const hidden = new Set();
-  const place = byId("parts");
-  if (picture.parts.length === 0) {
-    place.parentElement.remove();
-    return;
-  }
-  picture.parts.slice(0, most).forEach((part, p) => {
-    const box = checkBox(` part ${part.id} ${part.title}`, true, (on) => {
-      if (on)
-        hidden.delete(p);
-      else
-        hidden.add(p);
-      mesh.showParts(hidden);
-      redraw();
-    });
-    const swatch = element("span", {class: "swatch"});
-    swatch.style.background = `#${partColor(p).getHexString()}`;
-    box.insertBefore(swatch, box.childNodes[1]);
-    place.append(box);
-  });
-  if (picture.parts.length > most)
-    place.append(element("p", {class: "note"}, `${counted(picture.parts.length - most, "further part")} not listed.`));
-}
-
-function sayWhatIsLeftOut(picture) {
-  const words = [];
-  if (picture.model_faces > 0)
-    words.push(`${(picture.faces.length / 4).toLocaleString("en")} of ${
-        counted(picture.model_faces, "face")} of the model: those around the findings, and an outline of the rest.`);
-  else
-    words.push("No mesh is known: nodes and vectors only.");
-  if (picture.faces_cut)
-    words.push("There are more findings than the page can show the mesh around; the deepest come first.");
-  if (picture.outline_left_out > 0)
-    words.push(`${counted(picture.outline_left_out, "edge")} far away from the rest not drawn.`);
-  words.push("Drag to turn, Shift to shift, wheel to zoom; press a node to see its finding.");
-  byId("view-note").textContent = words.join(" ");
 }

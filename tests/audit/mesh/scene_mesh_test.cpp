@@ -108,6 +108,7 @@ TEST(SceneMesh, RingsGrowUntilTheLimit) {
     SceneLimits limits;
     limits.rings = rings;
     limits.faces = limit;
+    limits.whole = 0;
     const SceneMesh scene = scene_mesh(subject.model, subject.report, limits);
     expect_sound(scene);
     return std::pair(scene.faces.size(), scene.faces_cut);
@@ -115,6 +116,52 @@ TEST(SceneMesh, RingsGrowUntilTheLimit) {
   EXPECT_EQ(faces(0, 100), (std::pair<std::size_t, bool>(0, false)));
   EXPECT_LT(faces(1, 100).first, faces(2, 100).first);
   EXPECT_EQ(faces(2, 5), (std::pair<std::size_t, bool>(5, true)));
+}
+
+TEST(SceneMesh, ASmallMeshIsThereAsAWhole) {
+  const Subject subject = read("two_plates.k");
+  const SceneMesh scene = scene_mesh(subject.model, Report{});
+  expect_sound(scene);
+  EXPECT_EQ(scene.faces.size(), subject.model.mesh.shells.size()) << "although nothing is found";
+  SceneLimits limits;
+  limits.whole = scene.faces.size() - 1;
+  EXPECT_TRUE(scene_mesh(subject.model, Report{}, limits).faces.empty());
+}
+
+TEST(SceneMesh, FacesKnowTheirElementsNodesAndContactThickness) {
+  const Subject subject = read("two_plates.k");
+  AuditOptions options;
+  options.scene = true;
+  const SceneMesh scene = *audit_test::run_file(std::string(data) + "two_plates.k", options).report.scene;
+  expect_sound(scene);
+  const model::Shells& shells = subject.model.mesh.shells;
+  ASSERT_EQ(scene.faces.size(), shells.size());
+  ASSERT_EQ(scene.point_nodes.size(), scene.points.size());
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+    const auto shell = shells.lookup.find(scene.face_elements[f]);
+    ASSERT_TRUE(shell);
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      EXPECT_EQ(scene.point_nodes[scene.faces[f][corner]],
+                subject.model.mesh.nodes.id[shells.nodes[*shell][corner].value]);
+    EXPECT_FLOAT_EQ(scene.face_thickness[f], 1);
+  }
+}
+
+TEST(SceneMesh, ParticlesAndThickShellsAreDrawn) {
+  Subject subject = read("solid_on_solid.k");
+  model::Mesh& mesh = subject.model.mesh;
+  std::swap(mesh.thick_shells, mesh.solids);
+  mesh.particles.id = {7, 8};
+  mesh.particles.nodes = {{NodeIndex(0)}, {NodeIndex(3)}};
+  mesh.particles.part = {PartIndex(0), PartIndex(1)};
+  const SceneMesh scene = scene_mesh(subject.model, Report{});
+  expect_sound(scene);
+  EXPECT_EQ(scene.faces.size(), scene.model_faces);
+  EXPECT_GT(scene.faces.size(), 2u) << "outer faces of thick shells";
+  const auto particles = std::count_if(scene.faces.begin(), scene.faces.end(), [](const auto& face) {
+    return face[0] == face[1] && face[1] == face[2] && face[2] == face[3];
+  });
+  EXPECT_EQ(particles, 2);
 }
 
 TEST(SceneMesh, SolidsShowTheirOuterFaces) {

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "report/html/html_data.hpp"
+#include "report/html/html_picture.hpp"
 #include "report/sample.hpp"
 
 namespace gapcheck::report::html_test {
@@ -26,7 +27,7 @@ nlohmann::json data_of(const Report& report, const NodePosition& position = {}, 
   return nlohmann::json::parse(html_data(report, position, with));
 }
 
-std::vector<float> floats(const std::string& base64) {
+std::string bytes_of(const std::string& base64) {
   constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
   unsigned bits = 0;
@@ -37,10 +38,19 @@ std::vector<float> floats(const std::string& base64) {
     count += 6;
     if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 255u);
   }
-  std::vector<float> values(bytes.size() / sizeof(float));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+  return bytes;
+}
+
+template <class Number>
+std::vector<Number> numbers(const std::string& base64) {
+  const std::string bytes = bytes_of(base64);
+  std::vector<Number> values(bytes.size() / sizeof(Number));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Number));
   return values;
 }
+
+std::vector<float> floats(const std::string& base64) { return numbers<float>(base64); }
+std::vector<std::uint32_t> integers(const std::string& base64) { return numbers<std::uint32_t>(base64); }
 
 std::size_t occurrences(const std::string& text, std::string_view word) {
   std::size_t count = 0;
@@ -57,8 +67,10 @@ TEST(Html, IsOnePageWithItsPolicyDataAndScripts) {
   EXPECT_NE(page.find("REVISION=\"111\""), std::string::npos) << "three.js is not in it";
   EXPECT_EQ(page.find("<!--style-->"), std::string::npos);
   EXPECT_EQ(page.find("<!--scripts-->"), std::string::npos);
-  for (const char* function : {"readData", "element", "showHistogram", "showMatrix", "showContacts", "makeFilters",
-                               "makeFindings", "makeCamera", "makeMesh", "makeMarkers", "makeView", "showHead"})
+  for (const char* function :
+       {"readData", "element", "showHistogram", "showMatrix", "showContacts", "makeFilters", "makeFindings",
+        "makeCamera", "makeLook", "makeFocus", "makeCoats", "makeCut", "makeSelection", "makeOverlay", "makeTools",
+        "makeMesh", "makeMarkers", "makeView", "showHead"})
     EXPECT_EQ(occurrences(page, std::string("function ") + function + "("), 1u) << function;
 }
 
@@ -162,6 +174,76 @@ TEST(Html, PositionsAndVectorsAreThoseOfTheRecords) {
   EXPECT_FLOAT_EQ(vectors[6], 0);
   EXPECT_FLOAT_EQ(vectors[8], 0.3F);
   EXPECT_TRUE(std::isnan(vectors[12]));
+}
+
+TEST(Html, FacesAreDifferencesInFewBytes) {
+  const std::vector<std::uint32_t> list{0, 1, 5, 4, 300, 4294967295U, 0};
+  const std::string bytes = packed_differences(list);
+  EXPECT_EQ(bytes.substr(0, 5), std::string("\0\2\x8\1\xd0", 5));
+  std::vector<std::uint32_t> back;
+  std::uint64_t step = 0;
+  std::int64_t last = 0;
+  int shift = 0;
+  for (const char c : bytes) {
+    step |= static_cast<std::uint64_t>(c & 127) << shift;
+    shift += 7;
+    if ((c & 128) != 0) continue;
+    last += step % 2 == 1 ? -static_cast<std::int64_t>(step / 2) - 1 : static_cast<std::int64_t>(step / 2);
+    back.push_back(static_cast<std::uint32_t>(last));
+    step = 0;
+    shift = 0;
+  }
+  EXPECT_EQ(back, list);
+}
+
+TEST(Html, IdsOfElementsAreRuns) {
+  using Runs = std::vector<std::array<std::uint32_t, 2>>;
+  EXPECT_EQ(id_runs({}), Runs{});
+  EXPECT_EQ(id_runs({7, 8, 9, 9, 11, 3}), (Runs{{7, 3}, {9, 1}, {11, 1}, {3, 1}}));
+  EXPECT_EQ(id_runs({-1, 0, 1}), (Runs{{0, 1}, {0, 1}, {1, 1}})) << "unknown ids do not count on";
+  EXPECT_EQ(id_runs({std::int64_t{1} << 32, 4294967295}), (Runs{{0, 1}, {4294967295U, 1}}));
+}
+
+TEST(Html, FindingsKnowTheirPointsOfTheMesh) {
+  Report report = sample_report();  // node 14 of part 1 in the segment 22124 22164 22165 22125 of part 2
+  SceneMesh& scene = report.scene.emplace();
+  scene.parts = {{1, "", 0, 1}, {2, "", 1, 2}};
+  scene.points.resize(10);
+  scene.point_nodes = {14, 1, 2, 3, 22125, 22124, 22164, 22165, 14, 99};
+  scene.faces = {{0, 1, 2, 3}, {5, 6, 7, 4}, {8, 9, 4, 4}};
+  scene.face_elements = {50, 60, 61};
+  scene.face_thickness = {1.5F, 0.5F, 0.5F};
+  const nlohmann::json picture = data_of(report)["picture"];
+  const auto nodes = integers(picture["node_points"]), corners = integers(picture["corners"]);
+  ASSERT_EQ(nodes.size(), 5u);
+  ASSERT_EQ(corners.size(), 20u);
+  EXPECT_EQ(nodes[0], 0u) << "the point of its own part";
+  EXPECT_EQ(nodes[1], no_position) << "node 15 is not in the scene";
+  EXPECT_EQ(nodes[3], no_position) << "no node is known";
+  EXPECT_EQ(std::vector(corners.begin(), corners.begin() + 4), (std::vector<std::uint32_t>{5, 6, 7, 4}));
+  EXPECT_EQ(corners[12], no_position);
+  const std::string depths = bytes_of(picture["point_depths"]);
+  EXPECT_EQ(depths.size(), scene.points.size());
+  EXPECT_EQ(depths[0], '\xff') << "the deepest";
+  EXPECT_EQ(depths[8], '\0') << "the same node in another part";
+  EXPECT_EQ(picture["deepest"], report.penetrations[0].depth);
+  EXPECT_EQ(integers(picture["elements"]), (std::vector<std::uint32_t>{50, 1, 60, 2}));
+  EXPECT_EQ(floats(picture["thickness"]), (std::vector<float>{1.5F, 0.5F}));
+  EXPECT_EQ(integers(picture["thickness_faces"]), (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(bytes_of(picture["faces"]),
+            packed_differences(std::vector<std::uint32_t>{0, 1, 2, 3, 5, 6, 7, 4, 8, 9, 4, 4}));
+}
+
+TEST(Html, NumbersOfFindingsAreThoseOfTheReport) {
+  const Report report = random_report(500, 3, 1);
+  HtmlOptions with = options();
+  with.findings = 40;
+  with.group = 2;
+  for (const HtmlFinding& finding : html_findings(report, {}, with)) {
+    ASSERT_LE(finding.number, report.penetrations.size());
+    EXPECT_EQ(report.penetrations[finding.number - 1].node, finding.item.node);
+  }
+  EXPECT_EQ(data_of(sample_report())["findings"]["number"], nlohmann::json({1, 2, 3, 4, 5}));
 }
 
 TEST(Html, PositionsComeFromTheCallerOrTheScene) {
