@@ -15,7 +15,8 @@ function frameOf(data, markers, i, rows) {
   const edge = corners.length === 4 ? corners[1].clone().sub(corners[0]) : new THREE.Vector3(1, 0, 0);
   const normal = new THREE.Vector3();
   if (corners.length === 4) normal.crossVectors(corners[2].sub(corners[0]), corners[3].sub(corners[1])).normalize();
-  const out = markers.pointed(i) ? markers.vector(i) : normal.clone();
+  const out = markers.pointed(i) ? markers.vector(i) : new THREE.Vector3();
+  if (!(out.length() > 0)) out.copy(normal);
   if (!(out.length() > 0)) out.set(0, 0, 1);
   out.normalize();
   // At an edge the way out leaves the segment sideways: the cut is to show both directions.

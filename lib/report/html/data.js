@@ -51,7 +51,9 @@ function thicknesses(picture) {
 function placeByElement({findings, picture}) {
   const wanted = new Map();
   findings.element.forEach((element, i) => {
-    if (element > 0 && Number.isNaN(picture.positions[3 * i])) wanted.set(element, [...(wanted.get(element) || []), i]);
+    if (!(element > 0) || !Number.isNaN(picture.positions[3 * i])) return;
+    if (!wanted.has(element)) wanted.set(element, []);
+    wanted.get(element).push(i);
   });
   if (wanted.size === 0) return;
   for (const part of picture.parts)

@@ -11,6 +11,8 @@ function makeSelection({data, mesh, markers, look, canvas, redraw, looked}) {
   let usual = 0, chosen = -1, fades = true, isolated = false;
   let near = false;  // the selected finding is looked at, not the whole
   const h = (i) => data.findings.contact_distance[i] || 0;
+  // A node on the segment itself has a depth, but no vector.
+  const deep = (i) => data.findings.penetration[i] > 0;
 
   /** The length of an edge at the finding. */
   function edgeHere() {
@@ -46,7 +48,7 @@ function makeSelection({data, mesh, markers, look, canvas, redraw, looked}) {
     canvas.dataset.coats = coated.join(" ");
     canvas.dataset.marked = [rows.segment, rows.element, rows.tracked].map((list) => list.length / 4).join(" ");
     const inMesh = placed && rows.tracked.length + rows.element.length > 0;
-    cut.put(place, inMesh ? frameOf(data, markers, i, rows) : null, reachOf(i) / 2, markers.pointed(i));
+    cut.put(place, inMesh ? frameOf(data, markers, i, rows) : null, reachOf(i) / 2, deep(i));
     byId("legend").classList.toggle("plain", !inMesh);
     apply();
   }
@@ -79,7 +81,7 @@ function makeSelection({data, mesh, markers, look, canvas, redraw, looked}) {
     /** How near the camera comes: a tenth of the contact distance is to be visible. */
     distance(i) {
       const edge = edgeHere();
-      if (!(h(i) > 0) || !markers.pointed(i)) return 6 * edge;
+      if (!(h(i) > 0) || !deep(i)) return 6 * edge;
       return Math.max(16 * h(i), 12 * (data.findings.penetration[i] || 0), 0.5 * edge);
     },
     /** Onto the cut, a little from above and from the side; without a cut onto the face. null: any is as good. */
