@@ -189,7 +189,9 @@ class Run {
     // Every record of a deck knows where its node is.
     const auto position = [](std::int64_t) { return std::nullopt; };
     const Status made = make_folders(arguments_, own);
-    failures_.add(made.ok() ? write_page(report, own.output, position) : made);
+    const Status page = made.ok() ? write_page(report, own.output, position) : made;
+    failures_.add(page);
+    if (page.ok()) report.page = own.output.html;
     failures_.add(write(report, own.baseline, whole));
     write(report, own.exports, position, failures_);
     report.scene.reset();

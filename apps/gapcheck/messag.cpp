@@ -151,7 +151,9 @@ int show_logs(const MessagArguments& arguments) {
   if (mesh) known = std::move(mesh).value();
   results::add_parts(known, report);
   if (model) add_deck(*model, picture, grid, report);
-  failures.add(write_page(report, arguments.output, positions(known)));
+  const Status page = write_page(report, arguments.output, positions(known));
+  failures.add(page);
+  if (page.ok()) report.page = arguments.output.html;
   failures.add(write(report, arguments.output));
   write(report, arguments.exports, positions(known), failures);
   return failures.any() ? failed : exit_code(report, arguments.output.fail_on);

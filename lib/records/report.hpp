@@ -102,6 +102,7 @@ struct Report {
   std::vector<std::string> as_if;           ///< values that replaced the deck's: "SST=0.5"
   std::vector<std::int64_t> unknown_parts;  ///< of --part: ids that the deck does not have
   std::string settings;                     ///< path of the settings file that was used; empty: none
+  std::string page;                         ///< of --html, for links to its findings; empty: none was written
   Severities severities;                    ///< of the records; `findings` already have theirs
   std::vector<std::string> files;           ///< what Penetration::file points into
   ModelCounts model;

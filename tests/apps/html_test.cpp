@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
 
@@ -58,6 +59,26 @@ TEST_F(Html, IsWrittenBesideTheResults) {
   EXPECT_TRUE(page.starts_with("<!doctype html>"));
   EXPECT_NE(page.find("\"model_faces\":"), std::string::npos) << "the mesh is not in it";
   EXPECT_LT(page.size(), 1'500'000u);
+}
+
+// Each line of the report, and each annotation, names its finding by the position that it has in the JSON.
+TEST_F(Html, LinesAndAnnotationsPointToTheirFindings) {
+  const std::string file = deck("tied_then_contact.k");
+  const auto findings = nlohmann::json::parse(gapcheck("audit --format json " + file).out)["findings"];
+  for (const char* format : {"text", "github"}) {
+    const std::string command = std::string("audit --fail-on never --format ") + format + " " + file;
+    EXPECT_EQ(gapcheck(command).out.find("#f"), std::string::npos);
+    const std::string out = gapcheck(command + " --html page.html").out;
+    std::size_t links = 0;
+    const std::regex line("(GC[0-9]+) [^\\n]*node ([0-9]+)[^\\n]*page[.]html#f([0-9]+)");
+    for (std::sregex_iterator match(out.begin(), out.end(), line), end; match != end; ++match, ++links) {
+      const std::size_t number = std::stoul((*match)[3]);
+      ASSERT_TRUE(number >= 1 && number <= findings.size()) << match->str();
+      EXPECT_EQ(findings[number - 1]["id"], (*match)[1].str()) << match->str();
+      EXPECT_EQ(findings[number - 1]["node"], std::stoll((*match)[2])) << match->str();
+    }
+    EXPECT_GE(links, 2U) << out;
+  }
 }
 
 TEST_F(Html, IsTheSameForAnyNumberOfThreads) {

@@ -35,8 +35,11 @@ void annotate(Severity severity, std::string_view file, std::uint32_t line, std:
 
 void annotate(const Report& report, const ItemGroup& group, Stream& stream) {
   const std::string title = fmt::format("{} {}", group.id, group.rule);
-  for (const Item& item : group.shown)
-    annotate(item.severity, item.file.empty() ? report.input : item.file, item.line, title, item.message, stream);
+  for (const Item& item : group.shown) {
+    const std::string link = link_to(report, item.number);
+    annotate(item.severity, item.file.empty() ? report.input : item.file, item.line, title,
+             link.empty() ? item.message : item.message + " (" + link + ")", stream);
+  }
   const std::size_t more = group.items - group.shown.size();
   if (more == 0) return;
   const bool of_contact = group.contact_position != no_position;

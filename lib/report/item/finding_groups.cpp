@@ -118,4 +118,11 @@ std::vector<FindingGroup> finding_groups(const Report& report) {
   return groups.gravest_first();
 }
 
+std::size_t number_of(const Report& report, const FindingGroup& group) {
+  const std::size_t ties = report.penetrations.size(), others = ties + report.tie_failures.size();
+  if (group.deepest != nullptr) return static_cast<std::size_t>(group.deepest - report.penetrations.data()) + 1;
+  if (group.widest != nullptr) return ties + static_cast<std::size_t>(group.widest - report.tie_failures.data()) + 1;
+  return others + static_cast<std::size_t>(group.first - report.findings.data()) + 1;
+}
+
 }  // namespace gapcheck::report

@@ -30,4 +30,7 @@ struct FindingGroup {
 /// then by rule id, and within a rule the gravest first. Findings that follow from another one are in no group.
 [[nodiscard]] std::vector<FindingGroup> finding_groups(const Report& report);
 
+/// Item::number of what represents a group of this report.
+[[nodiscard]] std::size_t number_of(const Report& report, const FindingGroup& group);
+
 }  // namespace gapcheck::report

@@ -116,7 +116,8 @@ std::optional<BaselineState> state_of(const Report& report, std::size_t number) 
 void for_each_item(const Report& report, const std::function<bool(const Item&)>& visit) {
   std::size_t number = 0;
   hand_over(report, report, [&](Item item) {
-    item.state = state_of(report, number++);
+    item.state = state_of(report, number);
+    item.number = ++number;
     return visit(item);
   });
 }
@@ -130,6 +131,10 @@ void for_each_ignored(const Report& report, const std::function<bool(const Item&
     item.ignored = &ignored.sources[ignored.source[number++]];
     return visit(item);
   });
+}
+
+std::string link_to(const Report& report, std::size_t number) {
+  return report.page.empty() ? "" : fmt::format("{}#f{}", report.page, number);
 }
 
 std::string describe(const IgnoreSource& source) {

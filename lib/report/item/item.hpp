@@ -27,6 +27,7 @@ struct Item {
   std::uint32_t line = 0;
   std::uint64_t count = 1;  ///< number of things that the line represents
   std::uint64_t fingerprint = 0;
+  std::size_t number = 0;                 ///< among all findings, from 1, in the order of for_each_item(); 0: not known
   std::optional<BaselineState> state;     ///< only where there is a baseline
   const IgnoreSource* ignored = nullptr;  ///< what leaves it out; nullptr: nothing
 
@@ -49,6 +50,9 @@ void for_each_item(const Report& report, const std::function<bool(const Item&)>&
 
 /// The same for the findings that were left out on purpose; Item::ignored says by what.
 void for_each_ignored(const Report& report, const std::function<bool(const Item&)>& visit);
+
+/// "page.html#f12": the finding with this number in the page of --html; empty without a page.
+[[nodiscard]] std::string link_to(const Report& report, std::size_t number);
 
 /// How much of a reason is shown where it may be shortened.
 inline constexpr std::size_t reason_shown = 200;

@@ -9,6 +9,7 @@
 
 #include "report/item/describe.hpp"
 #include "report/item/describe_tie.hpp"
+#include "report/item/item.hpp"
 #include "report/write/harmless.hpp"
 
 namespace gapcheck::report {
@@ -82,6 +83,8 @@ std::string line_of(const Report& report, const FindingGroup& group, std::string
   if (group.following > 0) tail += fmt::format("; {} more may follow from this", group.following);
   if (!more.empty()) tail += fmt::format("; {}", more);
   if (const std::string where = place(report, group); !where.empty()) tail += "  " + where;
+  if (const std::string link = link_to(report, number_of(report, group)); !link.empty())
+    tail += "  " + printable_path(link);
   text += body(group);
   if (options.width > 0) {
     const std::size_t taken = columns(head) + columns(tail), least = 20;

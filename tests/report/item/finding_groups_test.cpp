@@ -101,6 +101,40 @@ TEST(FindingGroups, KnownFindingsAreInNone) {
   EXPECT_EQ(groups[0].id, "GC503");  // new, although its cause is known
 }
 
+// The number by which lists and the page of --html call what represents a group.
+TEST(FindingGroups, NumbersAreThoseOfTheItems) {
+  Report report = sample_report();
+  report.tie_failures.push_back({.node = 77, .distance = 2, .reason = TieReason::too_far});
+  report.tie_failures.push_back({.node = 78, .distance = 3, .reason = TieReason::too_far});
+  std::vector<Item> items;
+  for_each_item(report, [&](const Item& item) {
+    items.push_back(item);
+    EXPECT_EQ(item.number, items.size());
+    return true;
+  });
+  std::size_t ties = 0;
+  const auto groups = finding_groups(report);
+  ASSERT_GT(groups.size(), 3U);
+  for (const FindingGroup& group : groups) {
+    const std::size_t number = number_of(report, group);
+    ASSERT_TRUE(number >= 1 && number <= items.size()) << group.id;
+    EXPECT_EQ(items[number - 1].id, group.id);
+    if (group.deepest != nullptr) {
+      EXPECT_EQ(items[number - 1].node, group.deepest->node);
+    }
+    if (group.first != nullptr) {
+      EXPECT_EQ(items[number - 1].message, group.first->message);
+    }
+    if (group.widest == nullptr) continue;
+    ++ties;
+    EXPECT_EQ(items[number - 1].node, 78);
+  }
+  EXPECT_EQ(ties, 1U);
+  EXPECT_EQ(link_to(report, 3), "");
+  report.page = "out/page.html";
+  EXPECT_EQ(link_to(report, 3), "out/page.html#f3");
+}
+
 TEST(FindingGroups, TiesByReasonAndSeverity) {
   Report report;
   report.contacts.push_back(make_contact(4, 1, "CONTACT_TIED", "2", 10, 10));
