@@ -225,7 +225,8 @@ class Decider {
     for (const SegmentIndex other : side.neighbours().at(u)) {
       const auto& n = side.segments.nodes[other.value];
       if (other == segment || std::find(n.begin(), n.end(), v) == n.end()) continue;
-      for (const Piece& beyond : Pieces(n, side.x).all()) surface.push_back(beyond.x);
+      const Pieces beyond(n, side.x);
+      for (const Piece& one : beyond.all()) surface.push_back(one.x);
     }
     return surface;
   }
