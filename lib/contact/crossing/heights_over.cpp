@@ -7,29 +7,32 @@
 namespace gapcheck::contact {
 namespace {
 
-/// A convex polygon that is cut smaller. Each of three cuts of a triangle adds at most one corner.
+/// A convex polygon that is cut smaller. Each of three cuts of a triangle adds one corner; where rounding makes it more,
+/// as on triangles without an area, corners beyond that are left out.
 class Polygon {
  public:
   explicit Polygon(const geometry::Triangle& t) { std::copy(t.begin(), t.end(), corners_.begin()); }
   /// Keeps what has a distance of at least 0: distance(x), linear.
   template <class Distance>
   void cut(const Distance& distance) {
-    std::array<Vector, 6> kept;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Vector &from = corners_[i], &to = corners_[(i + 1) % count_];
+    const Polygon whole = *this;
+    count_ = 0;
+    for (std::size_t i = 0; i < whole.count_; ++i) {
+      const Vector &from = whole.corners_[i], &to = whole.corners_[(i + 1) % whole.count_];
       const double a = distance(from), b = distance(to);
-      if (a >= 0) kept[count++] = from;
-      if ((a >= 0) != (b >= 0)) kept[count++] = from + a / (a - b) * (to - from);
+      if (a >= 0) add(from);
+      if ((a >= 0) != (b >= 0)) add(from + a / (a - b) * (to - from));
     }
-    corners_ = kept;
-    count_ = count;
   }
   [[nodiscard]] const Vector* begin() const { return corners_.data(); }
   [[nodiscard]] const Vector* end() const { return corners_.data() + count_; }
 
  private:
-  std::array<Vector, 6> corners_;
+  void add(const Vector& corner) {
+    if (count_ < corners_.size()) corners_[count_++] = corner;
+  }
+
+  std::array<Vector, 8> corners_;
   std::size_t count_ = 3;
 };
 
