@@ -7,8 +7,8 @@
 namespace gapcheck::contact {
 namespace {
 
-/// A convex polygon that is cut smaller. Each of three cuts of a triangle adds one corner; where rounding makes it more,
-/// as on triangles without an area, corners beyond that are left out.
+/// A convex polygon that is cut smaller. Each of three cuts of a triangle adds one corner; where rounding makes it
+/// more, as on triangles without an area, corners beyond that are left out.
 class Polygon {
  public:
   explicit Polygon(const geometry::Triangle& t) { std::copy(t.begin(), t.end(), corners_.begin()); }
