@@ -326,7 +326,7 @@ def vanishing_folder(bench, command, what, moment):
     running = bench.start(call)
     time.sleep(long * moment / faults.VANISH_MOMENTS)
     name = {"fix": "p.k", "run": "messag", "audit": "page"}[command]
-    # A run writes to its files until it ends; those of others are finished once they have their name.
+    # A run writes to its files until it ends. The other commands give a file its name when it is complete.
     with open_or_none(folder / name) as file:
         finished = running.has_ended() or (command != "run" and file is not None)
         if what == "moved":
