@@ -1,25 +1,29 @@
 #!/usr/bin/env python3
 """Changes one line of the library at a time and counts the changes that no test notices.
 
-    scripts/mutate.py [--count N] [--seed S] [--rooms ROOM,…] [--folder BUILD] [--results FILE] [--report]
+    scripts/mutate.py [--count N] [--seed S] [--jobs N] [--rooms ROOM,…] [--folder BUILD] [--results FILE] [--report]
 
 A mutant turns an operator, a constant or a condition round or drops a statement. Lines are drawn at random, the same ones
-for the same seed, in proportion to the code of the rooms. Each mutant is compiled in a copy of the working tree in BUILD
-(default: build/mutants), where the rooms are compiled file by file, and the tests of its room run until the first one
-fails. Results are appended to FILE (default: BUILD/mutants.jsonl); mutants that are in there already are not run again, so
+for the same seed, in proportion to the code of the rooms. A copy of the working tree is compiled in BUILD (default:
+build/mutants), file by file. Each mutant is compiled alone and linked with the rest, and the tests of its room run until the
+first one fails, those of its own file first. Results are appended to FILE (default: BUILD/mutants.jsonl); mutants that are in there already are not run again, so
 a broken run continues. --report prints a table of a file without running anything.
 """
 import argparse
 import collections
+import concurrent.futures
 import json
 import os
 import pathlib
 import random
 import re
+import resource
+import shlex
 import shutil
+import signal
 import subprocess
 import sys
-import time
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # Test programs that a change in a room must fail, the quickest first.
@@ -29,6 +33,8 @@ TESTS = {
     "audit": ["audit/gapcheck_test_rules", "audit/gapcheck_test_audit", "audit/fix/gapcheck_test_fix"],
     "solver": ["solver/gapcheck_test_solver"],
 }
+MEMORY = 6 << 30  # bytes of address space that a test program may take
+FAST_LINKER = ["-fuse-ld=lld"] if shutil.which("ld.lld") else []
 
 # Lines ------------------------------------------------------------------------------------------------------------------
 
@@ -112,58 +118,107 @@ def slow_tests():
     return ":".join(line for line in lines if line and not line.startswith("#"))
 
 
-def test(build, programs, limits):
+def near_suites(mutant):
+    """A filter for the tests of the mutant's own file: these are the likeliest to fail."""
+    suites = {suite for path in (ROOT / "tests").rglob(f"{pathlib.PurePath(mutant['file']).stem}_test.cpp")
+              for suite in re.findall(r"^TEST(?:_F|_P)?\((\w+),", path.read_text(encoding="utf-8"), re.MULTILINE)}
+    return ":".join(f"{suite}.*:*/{suite}.*" for suite in sorted(suites))
+
+
+def limited(seconds):
+    """For a child process: what a mutant may use of processor time and memory."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    return limit
+
+
+def test(program, filters, seconds, folder):
     """The first test that fails, "crashed", "too slow", or nothing."""
-    for program in programs:
-        command = [build / "tests" / program, f"--gtest_filter=-{slow_tests()}", "--gtest_fail_fast", "--gtest_brief=1"]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, errors="replace", timeout=limits[program])
-        except subprocess.TimeoutExpired:
-            return "too slow"
-        if done.returncode != 0:
-            failed = re.search(r"\[  FAILED  \] (\S+?)(?:,| |$)", done.stdout, re.MULTILINE)
-            return failed[1] if failed else "crashed"
-    return ""
-
-
-def compiles(build, programs):
-    targets = [pathlib.PurePath(program).name for program in programs]
-    done = subprocess.run(["ninja", "-C", build, *targets], capture_output=True, text=True)
-    return done.returncode == 0, done.stdout[-3000:]
-
-
-def prepare(folder, rooms):
-    """Configures, builds and times the unchanged tests. Returns the build folder and the seconds that each may take."""
-    tree, build = folder / "tree", folder / "build"
-    mirror(tree)
-    if not (build / "build.ninja").exists():
-        subprocess.run(["cmake", "--preset", "release", "-B", build, "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
-                        f"-DGAPCHECK_PLAIN={';'.join(TESTS)}", "-DGAPCHECK_WERROR=OFF"], cwd=tree, check=True,
-                       stdout=subprocess.DEVNULL)
-    programs = sorted({program for room in rooms for program in TESTS[room]})
-    good, log = compiles(build, programs)
-    if not good:
-        sys.exit("the unchanged tree does not compile:\n" + log)
-    limits = {}
-    for program in programs:
-        start = time.monotonic()
-        if failed := test(build, [program], {program: 3600}):
-            sys.exit(f"the unchanged {program} fails: {failed}")
-        limits[program] = 10 + 4 * (time.monotonic() - start)
-    return tree, build, limits
-
-
-def judge(mutant, tree, build, limits):
-    path = tree / mutant["file"]
-    before = path.read_text(encoding="utf-8")
-    lines = before.split("\n")
-    lines[mutant["line"] - 1] = mutant["text"]
-    path.write_text("\n".join(lines), encoding="utf-8")
+    command = [program, f"--gtest_filter={filters}-{slow_tests()}", "--gtest_fail_fast", "--gtest_brief=1"]
+    environment = {**os.environ, "TMPDIR": str(folder), "TEST_TMPDIR": str(folder)}
     try:
-        good, _ = compiles(build, TESTS[mutant["room"]])
-        return test(build, TESTS[mutant["room"]], limits) or "survived" if good else "does not compile"
-    finally:
-        path.write_text(before, encoding="utf-8")
+        done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, errors="replace",
+                              timeout=10 * seconds, preexec_fn=limited(seconds))
+    except subprocess.TimeoutExpired:
+        return "too slow"
+    if done.returncode == 0:
+        return ""
+    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        return "too slow"
+    failed = re.search(r"\[  FAILED  \] (\S+?)(?:,| |$)", done.stdout, re.MULTILINE)
+    return failed[1] if failed else "crashed"
+
+
+class Build:
+    """The unchanged tree, compiled: how to compile one of its files and to link a test program, and what tests may take."""
+
+    def __init__(self, folder, rooms):
+        self.tree, self.build = folder / "tree", folder / "build"
+        mirror(self.tree)
+        if not (self.build / "build.ninja").exists():
+            subprocess.run(["cmake", "--preset", "release", "-B", self.build, "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
+                            f"-DGAPCHECK_PLAIN={';'.join(TESTS)}", "-DGAPCHECK_WERROR=OFF"], cwd=self.tree, check=True,
+                           stdout=subprocess.DEVNULL)
+        programs = sorted({program for room in rooms for program in TESTS[room]})
+        targets = [pathlib.PurePath(program).name for program in programs]
+        done = subprocess.run(["ninja", "-C", self.build, *targets], capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit("the unchanged tree does not compile:\n" + done.stdout[-3000:])
+        commands = json.loads((self.build / "compile_commands.json").read_text(encoding="utf-8"))
+        self.compilers = {str(pathlib.Path(one["file"])): shlex.split(one["command"]) for one in commands}
+        self.linkers = {program: self.linker(program) for program in programs}
+        self.seconds = {program: self.measured(program, folder) for program in programs}
+
+    def linker(self, program):
+        lines = subprocess.run(["ninja", "-C", self.build, "-t", "commands", pathlib.PurePath(program).name], check=True,
+                               capture_output=True, text=True).stdout.splitlines()
+        return [word for word in shlex.split(lines[-1]) if word not in (":", "&&")]
+
+    def measured(self, program, folder):
+        used = lambda: sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2])
+        before = used()
+        if failed := test(self.build / "tests" / program, "*", 3600, folder):
+            sys.exit(f"the unchanged {program} fails: {failed}")
+        return 10 + int(4 * (used() - before))
+
+    def compile(self, mutant, folder):
+        """The object of the changed file, or nothing."""
+        path = self.tree / mutant["file"]
+        lines = path.read_text(encoding="utf-8").split("\n")
+        lines[mutant["line"] - 1] = mutant["text"]
+        changed, target = folder / path.name, folder / "mutant.o"
+        changed.write_text("\n".join(lines), encoding="utf-8")
+        command = list(self.compilers[str(path)])
+        command[command.index("-o") + 1] = str(target)
+        command[command.index("-c") + 1] = str(changed)
+        done = subprocess.run([*command, "-w", "-iquote", path.parent], cwd=self.build, capture_output=True)
+        return target if done.returncode == 0 else None
+
+    def link(self, program, target, folder):
+        """The test program with the changed object before the libraries, whose own one is then not taken."""
+        command, linked = list(self.linkers[program]), folder / pathlib.PurePath(program).name
+        command[command.index("-o") + 1] = str(linked)
+        command.insert(1, str(target))
+        subprocess.run([*command, *FAST_LINKER], cwd=self.build, check=True, capture_output=True)
+        return linked
+
+
+def judge(mutant, build):
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        target = build.compile(mutant, folder)
+        if target is None:
+            return "does not compile"
+        near = near_suites(mutant)
+        linked = {}
+        for filters in filter(None, [near, "*"]):
+            for program in TESTS[mutant["room"]]:
+                linked[program] = linked.get(program) or build.link(program, target, folder)
+                if failed := test(linked[program], filters, build.seconds[program], folder):
+                    return failed
+        return "survived"
 
 
 def key(mutant):
@@ -194,6 +249,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=500)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--rooms", default=",".join(TESTS))
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build" / "mutants")
     parser.add_argument("--results", type=pathlib.Path)
@@ -212,15 +268,14 @@ def main():
         return
     given.folder.mkdir(parents=True, exist_ok=True)
     os.environ["CCACHE_DISABLE"] = "1"
-    tree, build, limits = prepare(given.folder.resolve(), rooms)
+    build = Build(given.folder.resolve(), rooms)
     done = {key(mutant) for mutant in read(results)}
-    for number, mutant in enumerate(mutants, 1):
-        if key(mutant) in done:
-            continue
-        outcome = judge(mutant, tree, build, limits)
-        with results.open("a", encoding="utf-8") as file:
-            file.write(json.dumps({**mutant, "outcome": outcome}) + "\n")
-        print(f"{number}/{len(mutants)} {mutant['file']}:{mutant['line']} {outcome}", flush=True)
+    open_ones = [mutant for mutant in mutants if key(mutant) not in done]
+    with concurrent.futures.ThreadPoolExecutor(given.jobs) as workers:
+        for number, (mutant, outcome) in enumerate(zip(open_ones, workers.map(lambda one: judge(one, build), open_ones)), 1):
+            with results.open("a", encoding="utf-8") as file:
+                file.write(json.dumps({**mutant, "outcome": outcome}) + "\n")
+            print(f"{number}/{len(open_ones)} {mutant['file']}:{mutant['line']} {outcome}", flush=True)
     print(report(read(results)))
 
 

@@ -95,11 +95,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC512", "sharp-corner", Severity::note, "two segments in contact fold onto each other at an edge", Need::surfaces,
-     "Nodes near the fold jump between its two sides"},
-    run,
-    nullptr,
-    nullptr,
-    thresholds};
+    .identity = {"GC512", "sharp-corner", Severity::note, "two segments in contact fold onto each other at an edge",
+                 Need::surfaces, "Nodes near the fold jump between its two sides"},
+    .run = run,
+    .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::sharp_corner

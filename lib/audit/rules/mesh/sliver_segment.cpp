@@ -62,11 +62,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC506", "sliver-segment", Severity::warning, "a segment in contact is much longer than it is wide",
-     Need::surfaces, "Contact on the slivers is unstable, or needs a small step"},
-    run,
-    nullptr,
-    nullptr,
-    thresholds};
+    .identity = {"GC506", "sliver-segment", Severity::warning, "a segment in contact is much longer than it is wide",
+                 Need::surfaces, "Contact on the slivers is unstable, or needs a small step"},
+    .run = run,
+    .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::sliver_segment

@@ -83,11 +83,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC511", "uneven-mesh", Severity::note, "neighbouring segments in contact differ much in size",
-                       Need::surfaces, "Contact forces are uneven where sizes jump"},
-                      run,
-                      nullptr,
-                      nullptr,
-                      thresholds};
+const Rule definition{
+    .identity = {"GC511", "uneven-mesh", Severity::note, "neighbouring segments in contact differ much in size",
+                 Need::surfaces, "Contact forces are uneven where sizes jump"},
+    .run = run,
+    .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::uneven_mesh

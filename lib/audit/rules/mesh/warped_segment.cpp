@@ -50,11 +50,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 }  // namespace
 
 const Rule definition{
-    {"GC504", "warped-segment", Severity::warning, "a quadrilateral segment in contact is far from flat",
-     Need::surfaces, "Contact finds wrong distances on the warped segments"},
-    run,
-    nullptr,
-    nullptr,
-    thresholds};
+    .identity = {"GC504", "warped-segment", Severity::warning, "a quadrilateral segment in contact is far from flat",
+                 Need::surfaces, "Contact finds wrong distances on the warped segments"},
+    .run = run,
+    .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::warped_segment

@@ -191,12 +191,11 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC425", "local-contacts", Severity::note,
-                       "many local contacts with the same settings hold parts that hang together", Need::surfaces,
-                       "The run takes longer than with one contact, and pairs are forgotten easily"},
-                      run,
-                      nullptr,
-                      nullptr,
-                      thresholds};
+const Rule definition{
+    .identity = {"GC425", "local-contacts", Severity::note,
+                 "many local contacts with the same settings hold parts that hang together", Need::surfaces,
+                 "The run takes longer than with one contact, and pairs are forgotten easily"},
+    .run = run,
+    .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::local_contacts

@@ -30,12 +30,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC411", "soft-scale", Severity::note, "SOFSCL of a contact with SOFT = 1 or 2 lies outside 0.04 to 0.1",
-     Need::model, "The contact is softer or less stable than usual"},
-    run,
-    nullptr,
-    nullptr,
-    thresholds};
+const Rule definition{.identity = {"GC411", "soft-scale", Severity::note,
+                                   "SOFSCL of a contact with SOFT = 1 or 2 lies outside 0.04 to 0.1", Need::model,
+                                   "The contact is softer or less stable than usual"},
+                      .run = run,
+                      .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::soft_scale

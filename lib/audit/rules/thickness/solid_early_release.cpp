@@ -95,12 +95,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC306", "solid-early-release", Severity::warning,
-                       "a single-surface contact gives up on nodes in thin solids before it does in shells",
-                       Need::surfaces, "Nodes that enter thin solids are given up early and pass through"},
-                      run,
-                      nullptr,
-                      nullptr,
-                      thresholds};
+const Rule definition{.identity = {"GC306", "solid-early-release", Severity::warning,
+                                   "a single-surface contact gives up on nodes in thin solids before it does in shells",
+                                   Need::surfaces, "Nodes that enter thin solids are given up early and pass through"},
+                      .run = run,
+                      .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::solid_early_release

@@ -142,12 +142,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC307", "thickness-conflict", Severity::note,
-                       "elements that share nodes have very different thickness in one contact", Need::surfaces,
-                       "Contact thickness jumps from element to element, so forces do too"},
-                      run,
-                      nullptr,
-                      nullptr,
-                      thresholds};
+const Rule definition{.identity = {"GC307", "thickness-conflict", Severity::note,
+                                   "elements that share nodes have very different thickness in one contact",
+                                   Need::surfaces, "Contact thickness jumps from element to element, so forces do too"},
+                      .run = run,
+                      .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::thickness_conflict

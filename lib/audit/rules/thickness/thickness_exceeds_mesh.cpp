@@ -78,12 +78,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC304", "thickness-exceeds-mesh", Severity::warning, "a contact is thicker than the elements are wide",
-     Need::surfaces, "Neighbouring nodes touch each other's segments: forces from nothing"},
-    run,
-    nullptr,
-    nullptr,
-    thresholds};
+const Rule definition{.identity = {"GC304", "thickness-exceeds-mesh", Severity::warning,
+                                   "a contact is thicker than the elements are wide", Need::surfaces,
+                                   "Neighbouring nodes touch each other's segments: forces from nothing"},
+                      .run = run,
+                      .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::thickness_exceeds_mesh

@@ -70,12 +70,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC303", "thickness-too-thin", Severity::warning, "a contact thickness is so small that nodes may pass through",
-     Need::surfaces, "Nodes pass through the thin contact zone within a few steps"},
-    run,
-    nullptr,
-    nullptr,
-    thresholds};
+const Rule definition{.identity = {"GC303", "thickness-too-thin", Severity::warning,
+                                   "a contact thickness is so small that nodes may pass through", Need::surfaces,
+                                   "Nodes pass through the thin contact zone within a few steps"},
+                      .run = run,
+                      .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::thickness_too_thin

@@ -103,12 +103,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{{"GC207", "tie-large-segment", Severity::warning,
-                       "a node ties only because the segment is large beside the node's own elements", Need::ties,
-                       "Nodes tie that may not be meant to"},
-                      run,
-                      nullptr,
-                      nullptr,
-                      thresholds};
+const Rule definition{.identity = {"GC207", "tie-large-segment", Severity::warning,
+                                   "a node ties only because the segment is large beside the node's own elements",
+                                   Need::ties, "Nodes tie that may not be meant to"},
+                      .run = run,
+                      .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::tie_large_segment
