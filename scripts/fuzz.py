@@ -2,15 +2,15 @@
 """Runs the fuzz targets of tests/fuzz one after the other and rewrites the table of docs/reliability.md.
 
     cmake --preset fuzz && ninja -C build/fuzz gapcheck_fuzz      # clang 14
-    scripts/fuzz.py build/fuzz --seconds 300                      # all targets
+    scripts/fuzz.py build/fuzz --seconds 300                      # all targets, 300 s of processor time each
     scripts/fuzz.py build/fuzz deck audit --seconds 60
     scripts/fuzz.py build/fuzz deck --minimise                    # what was found becomes tests/fuzz/corpus/deck
     scripts/fuzz.py build/fuzz --dictionary                       # tests/fuzz/keywords.dict from the known keywords
 
 BUILD/corpus/TARGET holds what a target has found so far, and the next run goes on from there; BUILD/finds/TARGET holds
-the inputs that crashed, hung or took too much memory. The numbers are kept in tests/fuzz/last_run.json, target by
-target. Without clang, which makes the programs, only the table is written again from there. Exit code 1 if something
-was found.
+the inputs that crashed, hung or took too much memory. tests/fuzz/executions.json adds up executions, processor time and
+finds of all runs, target by target, and keeps the most edges that a run reached; --anew begins at zero. Without clang,
+which makes the programs, only the table is written again from there. Exit code 1 if something was found.
 """
 import argparse
 import json
@@ -22,13 +22,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "reliability.md"
 SEEDS = ROOT / "tests" / "fuzz" / "corpus"
 DICTIONARY = ROOT / "tests" / "fuzz" / "keywords.dict"
-NUMBERS = ROOT / "tests" / "fuzz" / "last_run.json"
+NUMBERS = ROOT / "tests" / "fuzz" / "executions.json"
 BEGIN, END = "<!-- fuzz -->", "<!-- /fuzz -->"
 PROGRAM = "gapcheck_fuzz_"
 
@@ -40,6 +39,8 @@ KEPT = {"audit": 40_000, "deck": 30_000, "fix": 15_000, "run": 40_000, "twins": 
 KEPT_OTHERS = 8_000
 # Seconds for one input, on a machine that has other work too. Exact numbers take long where a distance equals the bound.
 TIMEOUT, TIMEOUTS = 10, {"decisions": 60}
+# Seconds of a run: each reads the corpus again.
+SHORTEST = 15
 DECKS = {"audit", "deck", "fix", "run", "twins", "writers"}
 # Most of the time went into libFuzzer's entropic schedule and into stacks and quarantine of the address sanitizer.
 SANITIZERS = "detect_leaks=1:allocator_may_return_null=1:malloc_context_size=2:quarantine_size_mb=8"
@@ -85,14 +86,14 @@ def processor_time():
 
 
 def fuzz(name, program, build, seconds):
-    """Runs a target again after each find, until the time is up."""
+    """Runs a target, again after each find, until its time is up. On a busy machine the time of the clock is not enough."""
     corpus, finds = build / "corpus" / name, build / "finds" / name
     for folder in (corpus, finds, SEEDS / name):
         folder.mkdir(parents=True, exist_ok=True)
     result = {"executions": 0, "processor": 0, "edges": 0, "of": 0, "finds": 0}
-    end, used = time.monotonic() + seconds, processor_time()
-    while time.monotonic() < end:
-        left = max(1, round(end - time.monotonic()))
+    used = processor_time()
+    while (spent := processor_time() - used) < seconds:
+        left = max(SHORTEST, round(seconds - spent))
         code, said = call(program, [str(corpus), str(SEEDS / name), *options_of(name), f"-max_total_time={left}",
                                     f"-artifact_prefix={finds}/"], left + 600)
         result["processor"] = round(processor_time() - used, 1)
@@ -100,7 +101,7 @@ def fuzz(name, program, build, seconds):
         result["edges"] = max(result["edges"], number(r" cov: (\d+)", said))
         result["of"] = max(result["of"], number(r"\((\d+) inline 8-bit counters\)", said))
         if code == 0:
-            break
+            continue
         result["finds"] += 1
         report = finds / f"{result['finds']}.txt"
         report.write_text(said[-20000:], encoding="utf-8")
@@ -159,13 +160,22 @@ def write_dictionary():
     print(f"{len(lines) - 1} words in {DICTIONARY}")
 
 
+def added(before, now):
+    """Of all runs together; the edges of the programs as they are now."""
+    sums = {name: round(before.get(name, 0) + now[name], 1) for name in ("executions", "processor", "finds")}
+    same = before.get("of") == now["of"]
+    return {**now, **sums, "edges": max(now["edges"], before["edges"] if same else 0)}
+
+
 def table(numbers):
-    lines = ["| target | executions | per second | edges reached | of all | finds |", "|---|---:|---:|---:|---:|---:|"]
+    lines = ["| target | executions | minutes | per second | edges reached | of all | finds |",
+             "|---|---:|---:|---:|---:|---:|---:|"]
     for name, row in sorted(numbers.items()):
         rate, share = row["executions"] / max(1, row["processor"]), 100 * row["edges"] / max(1, row["of"])
-        lines.append(f"| {name} | {row['executions']:,} | {rate:,.0f} | {row['edges']:,} | {share:.0f} % | {row['finds']} |")
-    total = sum(row["executions"] for row in numbers.values())
-    lines.append(f"| all | {total:,} | | | | {sum(row['finds'] for row in numbers.values())} |")
+        lines.append(f"| {name} | {row['executions']:,} | {row['processor'] / 60:.1f} | {rate:,.0f} | {row['edges']:,} | "
+                     f"{share:.0f} % | {row['finds']} |")
+    total = {key: sum(row[key] for row in numbers.values()) for key in ("executions", "processor", "finds")}
+    lines.append(f"| all | {total['executions']:,} | {total['processor'] / 60:.0f} | | | | {total['finds']} |")
     return "\n".join(lines)
 
 
@@ -178,7 +188,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", metavar="BUILD", type=lambda text: pathlib.Path(text).resolve())
     parser.add_argument("targets", metavar="TARGET", nargs="*")
-    parser.add_argument("--seconds", type=int, default=60, help="for each target (default: 60)")
+    parser.add_argument("--seconds", type=int, default=60, help="processor time for each target (default: 60)")
+    parser.add_argument("--anew", action="store_true", help="forget the sums of earlier runs")
     parser.add_argument("--minimise", action="store_true", help="do not fuzz: renew tests/fuzz/corpus")
     parser.add_argument("--dictionary", action="store_true", help="do not fuzz: renew tests/fuzz/keywords.dict")
     arguments = parser.parse_args()
@@ -190,15 +201,16 @@ def main():
         for name, program in found.items():
             minimise(name, program, arguments.build)
         return 0
-    numbers = json.loads(NUMBERS.read_text(encoding="utf-8")) if NUMBERS.exists() else {}
+    numbers = json.loads(NUMBERS.read_text(encoding="utf-8")) if NUMBERS.exists() and not arguments.anew else {}
     if not found:
         print(f"nothing is fuzzed: {arguments.build} has no fuzz targets, which clang makes: cmake --preset fuzz && ninja -C "
               "build/fuzz gapcheck_fuzz; the table is written again from the last run", flush=True)
     finds = 0
     for name, program in found.items():
-        numbers[name] = fuzz(name, program, arguments.build, arguments.seconds)
-        finds += numbers[name]["finds"]
-        print(f"{name}: {numbers[name]}", flush=True)
+        now = fuzz(name, program, arguments.build, arguments.seconds)
+        finds += now["finds"]
+        print(f"{name}: {now}", flush=True)
+        numbers[name] = added(numbers.get(name, {}), now)
         NUMBERS.write_text(json.dumps(numbers, indent=1, sort_keys=True) + "\n", encoding="utf-8")
     write_page(numbers)
     return 1 if finds else 0

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string_view>
 
 #include "base/number.hpp"
 
 namespace gapcheck::keyword {
 namespace {
 
-/// The number in a keyword like CASE_BEGIN_3; 0: it is another keyword.
+/// The number behind `beginning`; 0: the name is another one.
 std::int64_t number_after(std::string_view beginning, std::string_view name) {
   if (!name.starts_with(beginning)) return 0;
   const auto number = parse_integer(name.substr(beginning.size()));
@@ -18,12 +17,21 @@ std::int64_t number_after(std::string_view beginning, std::string_view name) {
 
 }  // namespace
 
+std::int64_t case_begun(std::string_view name) { return number_after("CASE_BEGIN_", name); }
+
+std::int64_t case_that_writes(std::string_view file) {
+  const std::size_t slash = file.find_last_of("/\\");
+  const std::string_view name = slash == std::string_view::npos ? file : file.substr(slash + 1);
+  const std::size_t dot = name.find('.');
+  return dot == std::string_view::npos ? 0 : number_after("case", name.substr(0, dot));
+}
+
 Cases::Cases(const Deck& deck) {
   const auto begins = [](const Block& block) { return block.name.starts_with("CASE_BEGIN_"); };
   if (std::none_of(deck.blocks().begin(), deck.blocks().end(), begins)) return;
   Numbers open;
   for (const Block& block : deck.blocks()) {
-    if (const std::int64_t first = number_after("CASE_BEGIN_", block.name); first > 0) {
+    if (const std::int64_t first = case_begun(block.name); first > 0) {
       const auto place = std::lower_bound(open.begin(), open.end(), first);
       if (place == open.end() || *place != first) open.insert(place, first);
     } else if (const std::int64_t last = number_after("CASE_END_", block.name); last > 0) {

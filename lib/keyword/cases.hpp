@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "keyword/deck.hpp"
@@ -13,9 +14,15 @@ struct FileLine {
   std::uint32_t line = 0;
 };
 
+/// The n of a keyword *CASE_BEGIN_n; 0: it is another one.
+[[nodiscard]] std::int64_t case_begun(std::string_view name);
+
+/// The n of a file that the run of *CASE n writes, which is named casen.dynain.lsda and the like; 0: it has another
+/// name.
+[[nodiscard]] std::int64_t case_that_writes(std::string_view file);
+
 /// Which *CASEs a line of the deck belongs to: *CASE_BEGIN_n to *CASE_END_n in the order of the input, which may
-/// overlap
-/// (*CASE). A run has one case, and what is outside of all.
+/// overlap (*CASE). A run has one case, and what is outside of all.
 class Cases {
  public:
   explicit Cases(const Deck& deck);

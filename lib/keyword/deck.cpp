@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/number.hpp"
+#include "keyword/cases.hpp"
 #include "keyword/deck_reader.hpp"
 #include "keyword/line_ends.hpp"
 #include "keyword/template_fields.hpp"
@@ -323,8 +324,10 @@ void DeckReader::dispatch(const FileContext& context, const Block& block) {
     read_parameters(block);
   } else if (name == "DEFINE_TRANSFORMATION" || name == "DEFINE_TRANSFORMATION_TITLE") {
     transforms_.add_definition(block.order);
-  } else if (name.starts_with("CASE_BEGIN") && !warned_of_cases_) {
-    warned_of_cases_ = true;
+  } else if (name.starts_with("CASE_BEGIN")) {
+    const bool first = cases_.empty();
+    cases_.insert(case_begun(name));
+    if (!first) return;
     diagnostics_.warning(path_of(block.file), block.line,
                          "*CASE: the keywords of all cases are read as one model; split the deck to check one case");
   }

@@ -65,6 +65,7 @@ struct MissingInclude {
   std::string name;  ///< as written
   FileIndex file;    ///< that names it
   std::uint32_t line = 0;
+  std::int64_t written_by = 0;  ///< the *CASE before it in the deck whose run writes the file; 0: none
 };
 
 /// What was skipped on purpose, for --stats.

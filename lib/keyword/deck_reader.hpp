@@ -1,4 +1,5 @@
 #pragma once
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,9 +70,9 @@ class DeckReader {
   IncludePaths paths_;
   IncludeTransforms transforms_;
   HighestIds highest_;
-  std::size_t includes_ = 0;  ///< names of includes so far
-  bool warned_of_cases_ = false;
-  bool stopped_ = false;  ///< a limit was exceeded: nothing more is read
+  std::size_t includes_ = 0;      ///< names of includes so far
+  std::set<std::int64_t> cases_;  ///< whose *CASE_BEGIN was read; 0: one without a number
+  bool stopped_ = false;          ///< a limit was exceeded: nothing more is read
 };
 
 }  // namespace gapcheck::keyword

@@ -95,12 +95,16 @@ std::optional<FoundInclude> IncludePaths::find(const std::string& name, const st
       if (const auto candidate = directory / file; is_file(candidate))
         return FoundInclude{candidate.string(), false, {}};
   }
-  return may_be_of_another_machine(name) ? find_by_end(name, main_file, including_file, open) : std::nullopt;
+  if (!may_be_of_another_machine(name)) return std::nullopt;
+  auto found = find_by_end(name, main_file, including_file, open);
+  std::error_code error;
+  if (found) taken_.emplace(std::filesystem::canonical(found->path, error).string(), one_spelling(name));
+  return found;
 }
 
 std::optional<FoundInclude> IncludePaths::find_by_end(const std::string& name, const std::string& main_file,
                                                       const std::string& including_file,
-                                                      const std::function<bool(const std::string&)>& open) {
+                                                      const std::function<bool(const std::string&)>& open) const {
   std::vector<std::filesystem::path> directories{std::filesystem::path(including_file).parent_path(),
                                                  std::filesystem::path(main_file).parent_path()};
   directories.insert(directories.end(), paths_.begin(), paths_.end());
@@ -129,7 +133,6 @@ std::optional<FoundInclude> IncludePaths::find_by_end(const std::string& name, c
     }
     if (found) break;  // what fits a longer end is the better answer
   }
-  if (found) taken_.emplace(first, spelling);
   return found;
 }
 

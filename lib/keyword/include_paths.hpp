@@ -49,11 +49,12 @@ class IncludePaths {
   [[nodiscard]] std::optional<FoundInclude> find(const std::string& name, const std::string& main_file,
                                                  const std::string& including_file,
                                                  const std::function<bool(const std::string&)>& open);
-
- private:
+  /// A file with the longest end of the name, where find() looks for names of another machine.
   [[nodiscard]] std::optional<FoundInclude> find_by_end(const std::string& name, const std::string& main_file,
                                                         const std::string& including_file,
-                                                        const std::function<bool(const std::string&)>& open);
+                                                        const std::function<bool(const std::string&)>& open) const;
+
+ private:
   const std::vector<std::string>& further_;
   std::vector<std::string> paths_;
   std::map<std::string, std::string> taken_;  ///< files found by the end of a name, and that name

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "base/number.hpp"
+#include "keyword/cases.hpp"
 #include "keyword/deck_reader.hpp"
 #include "keyword/line_ends.hpp"
 
@@ -17,8 +18,14 @@ std::string problem_of(std::string_view bytes) {
   return ends.empty() ? "" : about_line_ends(ends);
 }
 
-/// What would help if an include is not found.
-std::string advice(const std::string& name) {
+std::string about_case(std::int64_t number) {
+  return "\" was not found: the run of *CASE " + std::to_string(number) +
+         " writes it, and what starts from there is read without it";
+}
+
+/// What would help if an include is not found. `like`: a file elsewhere that ends as the name does; empty: none.
+std::string advice(const std::string& name, const std::string& like) {
+  if (!like.empty()) return "\" was not found, but there is \"" + like + "\": correct the name";
   const std::size_t cut = name.find_last_of("/\\:");
   const std::string last = cut == std::string::npos ? name : name.substr(cut + 1);
   if (!last.empty() && may_be_of_another_machine(name))
@@ -164,10 +171,15 @@ bool DeckReader::open_include(const FileContext& context, const Block& block, co
   };
   const auto found = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file), open);
   if (!found) {
+    const std::int64_t writer = case_that_writes(include.name);
+    const bool written = writer > 0 && cases_.contains(writer);
+    const auto like = paths_.find_by_end(include.name, path_of(FileIndex(0)), path_of(context.file), open);
     ++deck_.counters_.missing_includes;
-    deck_.missing_includes_.push_back({include.name, block.file, include.line});
-    diagnostics_.add({options_.skip_missing_includes ? Severity::warning : Severity::error, path_of(block.file),
-                      include.line, "include \"" + include.name + advice(include.name)});
+    deck_.missing_includes_.push_back({include.name, block.file, include.line, written ? writer : 0});
+    diagnostics_.add(
+        {written || options_.skip_missing_includes ? Severity::warning : Severity::error, path_of(block.file),
+         include.line,
+         "include \"" + include.name + (written ? about_case(writer) : advice(include.name, like ? like->path : ""))});
     return false;
   }
   if (found->by_end)

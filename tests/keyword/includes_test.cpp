@@ -131,6 +131,36 @@ TEST_F(Includes, AdviceThatHelps) {
       << all;
 }
 
+TEST_F(Includes, AFileOfTheSameNameIsNamed) {
+  directory.write("controls.k", "*NODE\n");
+  directory.write("main.k", "*INCLUDE\n../shared/controls.k\n");
+  read("main.k");
+  EXPECT_EQ(count_errors(diagnostics), 1u);
+  const std::string all = reports(diagnostics);
+  EXPECT_NE(all.find(":2: include \"../shared/controls.k\" was not found, but there is \"" +
+                     directory.path("controls.k") + "\": correct the name\n"),
+            std::string::npos)
+      << all;
+  EXPECT_EQ(names(deck), std::vector<std::string>{"INCLUDE"}) << "it is not read";
+}
+
+TEST_F(Includes, WhatAnEarlierCaseWritesIsMissingWithoutAnError) {
+  directory.write("main.k",
+                  "*CASE_BEGIN_1\n*CASE_END_1\n*CASE_BEGIN_2\n*INCLUDE\ncase1.dynain.lsda\ncase3.dynain.lsda\n"
+                  "old/case1.dynain\ncase1\nCASE_1.k\n*CASE_END_2\n");
+  read("main.k");
+  const std::string all = reports(diagnostics);
+  EXPECT_NE(all.find(directory.path("main.k") +
+                     ":5: include \"case1.dynain.lsda\" was not found: the "
+                     "run of *CASE 1 writes it"),
+            std::string::npos)
+      << all;
+  ASSERT_EQ(deck.missing_includes().size(), 5u);
+  const std::vector<std::int64_t> writers{1, 0, 1, 0, 0};
+  for (std::size_t i = 0; i < writers.size(); ++i) EXPECT_EQ(deck.missing_includes()[i].written_by, writers[i]) << i;
+  EXPECT_EQ(count_errors(diagnostics), 3u) << all;
+}
+
 TEST_F(Includes, AllMissingOnesAreReported) {
   directory.write("main.k", "*KEYWORD\n*INCLUDE\nno.k\nneither.k\n*NODE\n");
   read("main.k");

@@ -26,13 +26,19 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     nodes += summaries[i.value].penetrations;
   }
   if (first == nullptr) return;
-  Finding f = finding_at(
-      rule, context, *first,
-      fmt::format("{} {} with IGNORE = 0 {} {} initial {}: the solver changes the geometry or starts with a force; "
-                  "remove them, and set IGNORE = 1 or 2 on *CONTROL_CONTACT",
-                  contacts, contacts == 1 ? "contact" : "contacts", contacts == 1 ? "has" : "have", nodes,
-                  nodes == 1 ? "penetration" : "penetrations"));
-  if (model.controls.contact_given) {
+  // On the card of all contacts they are counted; at the one contact's own keyword its number goes without saying.
+  const bool at_card = model.controls.contact_given;
+  const std::string with = fmt::format("{} initial {}", nodes, nodes == 1 ? "penetration" : "penetrations");
+  const std::string which = contacts == 1 && !at_card ? "IGNORE = 0 and " + with
+                                                      : fmt::format("{} {} with IGNORE = 0 {} {}", contacts,
+                                                                    contacts == 1 ? "contact" : "contacts",
+                                                                    contacts == 1 ? "has" : "have", with);
+  Finding f = finding_at(rule, context, *first,
+                         which +
+                             ": the solver changes the geometry or starts with a force; remove them, and set "
+                             "IGNORE = 1 or 2 on *CONTROL_CONTACT");
+  if (contacts > 1) f.contact = 0;
+  if (at_card) {
     f.file = context.path(model.controls.contact_place.file);
     f.line = model.controls.contact_place.line;
     f.contact = 0;

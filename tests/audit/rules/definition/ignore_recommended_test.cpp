@@ -14,7 +14,8 @@ RuleDeck plates(double gap, const std::string& keyword = "AUTOMATIC_SINGLE_SURFA
 TEST(IgnoreRecommended, OnlyWithPenetrations) {
   const Report report = run_rule("GC421", plates(0.7));
   ASSERT_EQ(report.findings.size(), 1U);
-  EXPECT_TRUE(report.findings[0].message.starts_with("1 contact with IGNORE = 0 has 18 initial penetrations"));
+  EXPECT_TRUE(report.findings[0].message.starts_with("IGNORE = 0 and 18 initial penetrations: "));
+  EXPECT_EQ(report.findings[0].contact, 1);
   EXPECT_EQ(report.findings[0].severity, Severity::note);
   EXPECT_EQ(run_rule("GC421", plates(1)).findings.size(), 0U);
 }
@@ -25,6 +26,7 @@ TEST(IgnoreRecommended, NotWithIgnoreNorForOtherTypes) {
   const Report at_control = run_rule("GC421", off.raw("CONTROL_CONTACT", "\n\n\n0\n"));
   ASSERT_EQ(at_control.findings.size(), 1U);
   EXPECT_EQ(at_control.findings[0].contact, 0);
+  EXPECT_TRUE(at_control.findings[0].message.starts_with("1 contact with IGNORE = 0 has 18 initial penetrations: "));
   EXPECT_EQ(run_rule("GC421", plates(0.7, "SURFACE_TO_SURFACE", "1,2,3,3")).findings.size(), 0U);
   EXPECT_EQ(run_rule("GC421", plates(0.7, "SINGLE_SURFACE")).findings.size(), 0U);
 }
@@ -32,7 +34,10 @@ TEST(IgnoreRecommended, NotWithIgnoreNorForOtherTypes) {
 TEST(IgnoreRecommended, OneNoteForAllContacts) {
   RuleDeck deck = plates(0.7);
   deck.contact(2, "AUTOMATIC_SURFACE_TO_SURFACE", "1,2,3,3", "0.\n1.,1.,2.,2.\n");
-  EXPECT_EQ(run_rule("GC421", deck).findings.size(), 1U);
+  const Report report = run_rule("GC421", deck);
+  ASSERT_EQ(report.findings.size(), 1U);
+  EXPECT_TRUE(report.findings[0].message.starts_with("2 contacts with IGNORE = 0 have ")) << report.findings[0].message;
+  EXPECT_EQ(report.findings[0].contact, 0);
 }
 
 }  // namespace

@@ -27,6 +27,19 @@ TEST(MissingInclude, AnErrorUnlessItIsSkippedOnPurpose) {
   EXPECT_EQ(run.report.findings[0].severity, Severity::error);
 }
 
+TEST(MissingInclude, AWarningWhereAnEarlierCaseWritesIt) {
+  audit::AuditOptions options;
+  options.select = {"GC901"};
+  const AuditRun run = run_text(
+      "*KEYWORD\n*CASE_BEGIN_1\n*CASE_END_1\n*CASE_BEGIN_2\n*INCLUDE\ncase1.dynain\nnot_here.k\n*CASE_END_2\n*END\n",
+      options);
+  ASSERT_EQ(run.report.findings.size(), 2U);
+  EXPECT_EQ(run.report.findings[0].severity, Severity::warning);
+  EXPECT_EQ(run.report.findings[0].message,
+            "include \"case1.dynain\" is written by the run of *CASE 1: what starts from there is judged without it");
+  EXPECT_EQ(run.report.findings[1].severity, Severity::error);
+}
+
 TEST(MissingInclude, TenInFullAndTheRestCounted) {
   std::string names;
   for (int i = 0; i < 13; ++i) names += fmt::format("not_here_{}.k\n", i);
