@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "model/entity/faces.hpp"
 
@@ -98,7 +99,7 @@ Members Selection::all(SetKind kind) const {
   Members result;
   if (!budget_.spend(count)) return result;
   result.positions.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) result.positions[i] = i;
+  std::iota(result.positions.begin(), result.positions.end(), 0U);
   return result;
 }
 

@@ -134,17 +134,19 @@ TEST_F(RealDecks, DecksWithHolesSayWhatIsMissing) {
 }
 
 TEST_F(RealDecks, ContactsOfTheTemplatesAreKnown) {
-  std::size_t contacts = 0;
+  std::size_t contacts = 0, expected = 0;
   for (const auto& entry : fs::directory_iterator(decks / "keyword_templates" / "keywords" / "c")) {
     Diagnostics diagnostics;
     auto deck = keyword::read_deck(entry.path().string(), {}, diagnostics);
-    if (!deck) continue;
+    ASSERT_TRUE(deck.ok()) << entry.path();
     const auto model = read_model(deck.value(), diagnostics);
     for (const Contact& contact : model.value().contacts) {
       EXPECT_TRUE(contact.known) << contact.written;
       ++contacts;
     }
+    for (const PlainBlock& block : plain_blocks({entry.path()})) expected += block.name.starts_with("CONTACT_") ? 1 : 0;
   }
+  EXPECT_EQ(contacts, expected);
   EXPECT_GT(contacts, 10u);
 }
 

@@ -70,6 +70,10 @@ Bounds box_of(const SurfaceEdge& edge) {
   return grown(box, edge.half);
 }
 
+bool have_a_common_end(const SurfaceEdge& e, const SurfaceEdge& f) {
+  return e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b;
+}
+
 double largest_end_coordinate(const geometry::Edge& e) {
   return std::max(e[0].cwiseAbs().maxCoeff(), e[1].cwiseAbs().maxCoeff());
 }
@@ -100,7 +104,7 @@ EdgeMeeting meet_edges(const PairScene& scene, const geometry::Edge& e, const ge
 }
 
 bool edges_are_joined(const PairScene& scene, const SurfaceEdge& e, const SurfaceEdge& f) {
-  if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return true;
+  if (have_a_common_end(e, f)) return true;
   const Neighbours& around = scene.neighbours;
   return around.in_ring(e.a, f.segment) || around.in_ring(e.b, f.segment) || around.in_ring(f.a, e.segment) ||
          around.in_ring(f.b, e.segment);
@@ -152,7 +156,7 @@ std::vector<EdgeHit> penetrating_edges(const PairScene& scene, const std::vector
     const bool swap = line(k) && !line(i);
     const std::uint32_t tracked = swap ? k : i, other = swap ? i : k;
     const SurfaceEdge &e = edges[tracked], &f = edges[other];
-    if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return;
+    if (have_a_common_end(e, f)) return;
     const EdgeMeeting meeting = meet_edges(scene, e.x, f.x, e.half + f.half);
     if (!meeting.between) return;
     Mine& mine = found.local();

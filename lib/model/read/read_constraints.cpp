@@ -61,16 +61,14 @@ void read_extra_nodes(Context& context, const Block& block, const Options& optio
   const Nodes& nodes = context.model.mesh.nodes;
   CardReader reader(context.deck, block, context.diagnostics);
   bool group_open = false;
-  std::int64_t last_part = 0;
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
     const Card card = reader.next(layout);
     const std::int64_t part = card.integer("pid");
     const Place place = Context::place(block, card.line());
-    if (sets || !group_open || part != last_part) {
+    if (sets || !group_open || part != context.model.rigid_groups.back().id) {
       RigidGroup group{RigidGroup::Kind::extra_nodes, part, {}, {}, {}, {}, place};
       group_open = find_part(context, part, block.name, place, group.parts);
-      last_part = part;
       if (group_open) context.model.rigid_groups.push_back(std::move(group));
     }
     if (!group_open) continue;

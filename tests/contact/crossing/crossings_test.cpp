@@ -87,6 +87,67 @@ TEST(Crossings, FlatGridsInAnyPosition) {
   EXPECT_GT(all, 300U);
 }
 
+// Pairs of elements whose boxes meet and that share no node are what the search leaves to decide.
+TEST(Crossings, PairsWithBoxesThatMeetAreCounted) {
+  const auto pairs = [](std::uint32_t n, bool second) {
+    Scene scene;
+    scene.plate(scene.part(1, 1), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, n, 1);
+    if (second) scene.plate(scene.part(2, 1), {0.5, 0.5, -0.5}, {1, 0, 0}, {0, 0, 1}, n, 1);
+    scene.contact("AUTOMATIC_SINGLE_SURFACE");
+    SurfaceStore surfaces(scene.model);
+    CrossingCounters counters;
+    const auto found = find_crossings(scene.model, ContactIndex{0}, surfaces.at(ContactIndex{0}), {}, counters);
+    EXPECT_LE(found.size(), counters.box_pairs);
+    return counters.box_pairs.load();
+  };
+  EXPECT_EQ(pairs(1, true), 1U);
+  EXPECT_EQ(pairs(3, false), 0U) << "neighbours share nodes, the others are apart";
+  EXPECT_EQ(pairs(3, true), 3U + 2U) << "element i of the second is over i and i + 1 of the first";
+}
+
+// A sheet through a brick crosses four of its faces alike: one crossing, that with the lowest middle.
+TEST(Crossings, OfEquallyLongOnesTheFirstByPosition) {
+  std::array<std::size_t, 8> order{0, 1, 2, 3, 4, 5, 6, 7};
+  for (int turn = 0; turn < 4; ++turn) {
+    Scene scene;
+    scene.brick(scene.part(1, 0), {0, 0, 0}, {1, 1, 1});
+    auto& nodes = scene.model.mesh.solids.nodes[0];
+    const auto before = nodes;
+    for (std::size_t i = 0; i < 8; ++i) nodes[i] = before[order[i]];
+    std::rotate(order.begin(), order.begin() + 1, order.begin() + 4);
+    std::rotate(order.begin() + 4, order.begin() + 5, order.end());
+    scene.plate(scene.part(2, 1), {-1, -1, 0.5}, {3, 0, 0}, {0, 3, 0}, 1, 1);
+    scene.contact("AUTOMATIC_SINGLE_SURFACE");
+    const std::vector<Crossing> found = crossings(scene);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NEAR(found[0].length(), 1, 1e-12);
+    EXPECT_TRUE((0.5 * (found[0].from + found[0].to)).isApprox(Vector(0, 0.5, 0.5))) << turn;
+  }
+}
+
+/// Meshes whose lines lie in each other: a flat sheet with a line of nodes in x = 0, an upright one with a line of
+/// other nodes in z = 0, of one or two rows of elements on each side of that line; turned by an angle about y.
+std::size_t along_mesh_lines(int left, int right, int below, int above, double angle) {
+  Scene scene;
+  const Vector u(std::cos(angle), 0, std::sin(angle)), w(-std::sin(angle), 0, std::cos(angle)), ey(0, 1, 0);
+  const auto rows = [](int low, int high) { return static_cast<std::uint32_t>(low + high); };
+  scene.plate(scene.part(1, 1), Vector(-left * u - ey), u, ey, rows(left, right), 2);
+  scene.plate(scene.part(2, 1), Vector(-below * w - ey), w, ey, rows(below, above), 2);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  return crossings(scene).size();
+}
+
+TEST(Crossings, AlongMeshLinesOnlyIfBothGoOnBehindThem) {
+  for (const double angle : {0.0, 0.3, 2.0, -1.2}) {
+    // Two of the flat and two of the upright one meet in each of the two pieces of the line.
+    EXPECT_EQ(along_mesh_lines(1, 1, 1, 1, angle), 8U) << angle;
+    EXPECT_EQ(along_mesh_lines(2, 2, 2, 2, angle), 8U) << angle;
+    EXPECT_EQ(along_mesh_lines(1, 0, 0, 1, angle), 0U) << "an L, " << angle;
+    EXPECT_EQ(along_mesh_lines(1, 1, 0, 1, angle), 0U) << "a T, " << angle;
+    EXPECT_EQ(along_mesh_lines(0, 1, 1, 1, angle), 0U) << "a T, " << angle;
+  }
+}
+
 /// Crumpled sheets: warped quads, many crossings with themselves and each other.
 Scene crumpled(std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -146,15 +207,28 @@ TEST(Crossings, FarFromTheOriginAndInOtherUnits) {
   EXPECT_EQ(at(0x1p60, Vector::Zero()), count);
 }
 
-TEST(Crossings, StrangeCoordinatesCrossNothing) {
+TEST(Crossings, StrangeCoordinatesHurtNoOthers) {
   Scene scene = crumpled(31);
   scene.contact("AUTOMATIC_SINGLE_SURFACE");
   for (std::size_t i = 0; i < scene.model.mesh.nodes.size(); i += 3) {
     const double bad[] = {std::nan(""), 1e300, -std::numeric_limits<double>::infinity(), 0};
     scene.model.mesh.nodes.x[i] = Vector(bad[i % 4], bad[(i / 3) % 4], 1);
   }
-  const std::vector<Crossing> found = crossings(scene);
-  for (const Crossing& c : found) EXPECT_TRUE(c.length() >= 0);
+  // What the other nodes span crosses as before.
+  const auto& x = scene.model.mesh.nodes.x;
+  const auto strange = [&](const CrossingSegment& s) {
+    return std::any_of(s.nodes.begin(), s.nodes.end(), [&](NodeIndex n) { return n.value % 3 == 0; });
+  };
+  std::vector<Crossing> before, found = crossings(scene);
+  Scene whole = crumpled(31);
+  whole.contact("AUTOMATIC_SINGLE_SURFACE");
+  before = crossings(whole);
+  for (const Crossing& c : found)
+    EXPECT_TRUE(c.from.allFinite() && c.to.allFinite()) << c.a.element << ' ' << c.b.element;
+  std::erase_if(before, [&](const Crossing& c) { return strange(c.a) || strange(c.b); });
+  std::erase_if(found, [&](const Crossing& c) { return strange(c.a) || strange(c.b); });
+  EXPECT_TRUE(same(found, before));
+  EXPECT_EQ(x.size(), 2U * 169);
 }
 
 }  // namespace

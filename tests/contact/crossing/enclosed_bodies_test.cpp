@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
+#include <utility>
 
 #include "contact/scene.hpp"
 
@@ -57,7 +59,13 @@ TEST(EnclosedBodies, OneOfTwoNestedInAThird) {
   // A Russian doll: the smallest is in both others.
   Scene scene;
   for (int i = 0; i < 3; ++i) scene.brick(scene.part(i + 1, 1), Vector::Constant(i), Vector::Constant(10 - 2 * i));
-  EXPECT_EQ(enclosed(scene).size(), 3U);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> nested;  // inner, outer
+  for (const EnclosedBody& body : enclosed(scene)) {
+    EXPECT_TRUE(nested.emplace(body.inner.value, body.outer.value).second);
+    EXPECT_EQ(body.first_solid, body.inner.value);
+    EXPECT_EQ(body.solids, 1U);
+  }
+  EXPECT_EQ(nested, (std::set<std::pair<std::uint32_t, std::uint32_t>>{{1, 0}, {2, 0}, {2, 1}}));
 }
 
 TEST(EnclosedBodies, OfOnePartOrWithACommonNodeTheyDoNotCount) {

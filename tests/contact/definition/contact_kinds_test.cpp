@@ -110,7 +110,6 @@ TEST(ContactKinds, NamesAreThereOnceAndSurviveParsing) {
 TEST(ContactKinds, EachSaysWhatTheRunDoes) {
   for (const ContactKind& kind : model::contact_kinds()) {
     EXPECT_EQ(kind.method == model::RunMethod::none, !kind.not_run.empty()) << kind.name;
-    EXPECT_EQ(kind.ties(), kind.tie != model::TieForm::none) << kind.name;
     if (kind.method == model::RunMethod::tie || kind.method == model::RunMethod::tiebreak) {
       EXPECT_TRUE(kind.ties()) << kind.name;
     }

@@ -95,6 +95,15 @@ TEST(Friction, OfTheTable) {
   EXPECT_EQ(scene.between(scene.b, scene.a).fs, 0.2);
   EXPECT_EQ(scene.between(scene.c, scene.b).fs, 0.3);
   EXPECT_EQ(scene.between(scene.a, scene.a).fs, 0.1);
+  // Rows that name what the deck does not have say nothing, whichever side that is; the last row that names a pair
+  // counts.
+  auto& rows = scene.model.friction_tables[7].rows;
+  rows.push_back({1, 99, false, false, {0.4, 0.4, 0, 0}});
+  rows.push_back({99, 1, true, false, {0.4, 0.4, 0, 0}});
+  rows.push_back({2, 1, false, false, {0.5, 0.5, 0, 0}});
+  EXPECT_EQ(scene.between(scene.a, scene.a).fs, 0.1);
+  EXPECT_EQ(scene.between(scene.a, scene.c).fs, 0.3);
+  EXPECT_EQ(scene.between(scene.a, scene.b).fs, 0.5);
   for (const double fd : {9., 1e29, -1e29}) {  // no such table, and two to choose from
     scene.card().fd = fd;
     EXPECT_FALSE(Friction(scene.model, scene.card()).any());

@@ -174,6 +174,27 @@ TEST(EdgePairs, OnlyWhereAskedForAndNothingIsMoved) {
   EXPECT_EQ(state.x, scene.model.mesh.nodes.x);
 }
 
+// Every pair whose nearest points are within both edges is one decision, of the stage that reached it.
+TEST(EdgePairs, DecisionsAreCountedByTheirStage) {
+  Scene scene;
+  const PartIndex part = beam_part(scene, 1, 1);
+  beam(scene, part, scene.node({-9, 0, 0}), scene.node({9, 0, 0}));
+  beam(scene, part, scene.node({0, -9, 1.5}), scene.node({0, 9, 1.5}));
+  scene.contact("AUTOMATIC_GENERAL");
+  for (const auto mode : {geometry::Mode::filtered, geometry::Mode::exact}) {
+    InitialOptions options;
+    options.edges = true;
+    options.mode = mode;
+    InitialCounters counters;
+    SurfaceStore surfaces(scene.model);
+    EXPECT_EQ(initialise_contacts(scene.model, surfaces, options, counters).penetrations.size(), 1U);
+    EXPECT_EQ(counters.decisions.filter, mode == geometry::Mode::filtered ? 1U : 0U);
+    EXPECT_EQ(counters.decisions.exact, mode == geometry::Mode::exact ? 1U : 0U);
+    EXPECT_EQ(counters.decisions.interval + counters.decisions.triangulated, 0U);
+    EXPECT_EQ(counters.edges, 2U);
+  }
+}
+
 TEST(EdgePairs, NumbersThatAreNoneAndBeamsWithoutLengthMeetNothing) {
   Scene scene;
   const PartIndex part = beam_part(scene, 1, 1);

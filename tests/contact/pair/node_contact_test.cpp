@@ -58,6 +58,41 @@ TEST(NodeContact, BaselineOfSegmentsIsWhatIsFoundSuddenly) {
   EXPECT_EQ(node.forgiven, 0);
 }
 
+TEST(NodeContact, DprfacIsAShareOrACurve) {
+  model::Model model;
+  model.curves[0].points = {{0, 0.5}, {1, 0.5}};
+  model.curves[4].points = {{0, 0.25}, {1, 0.75}};
+  model::Contact contact;
+  const auto reduction = [&](double dprfac, double time) {
+    contact.dprfac = dprfac;
+    return baseline_reduction(model, contact, time);
+  };
+  EXPECT_EQ(reduction(0.1, 0), 0.1);
+  EXPECT_EQ(reduction(7, 0), 1) << "more than everything";
+  EXPECT_EQ(reduction(0, 0), 0) << "none, and no curve";
+  EXPECT_EQ(reduction(-4, 0), 0.25);
+  EXPECT_EQ(reduction(-4, 0.5), 0.5);
+  EXPECT_EQ(reduction(-5, 0), 0) << "not defined";
+  EXPECT_EQ(reduction(-1e300, 0), 0);
+  model.curves[4].points = {{0, -1}, {1, 3}};
+  EXPECT_EQ(reduction(-4, 0), 0);
+  EXPECT_EQ(reduction(-4, 1), 1);
+}
+
+// What is left of the baseline: the smaller of it and the depth, less the share.
+TEST(NodeContact, BaselineShrinksByTheShare) {
+  NodeContact node;
+  EXPECT_EQ(advance_from_baseline(node, inside(0.8), 0.25), NodeAction::force);
+  EXPECT_EQ(node.forgiven, 0.8);
+  EXPECT_EQ(advance_from_baseline(node, inside(0.9), 0.25), NodeAction::force);
+  EXPECT_DOUBLE_EQ(node.forgiven, 0.6);
+  EXPECT_EQ(advance_from_baseline(node, inside(0.4), 0.25), NodeAction::force);
+  EXPECT_DOUBLE_EQ(node.forgiven, 0.3);
+  EXPECT_EQ(advance_from_baseline(node, outside, 0.25), NodeAction::none);
+  EXPECT_EQ(node.forgiven, 0);
+  EXPECT_EQ(node.state, State::apart);
+}
+
 TEST(NodeContact, InSightIsApartByLessThanTheZone) {
   EXPECT_TRUE(was_followed(1.0, 1, 1, 0));
   EXPECT_TRUE(was_followed(1.999, 1, 1, 0));
@@ -86,13 +121,13 @@ TEST(NodeContact, IgnoreForgivesWhatWasThere) {
     NodeContact node;
     EXPECT_EQ(advance(node, ignore(value, 1), inside(0.3)), NodeAction::force);
     EXPECT_EQ(node.forgiven, 0.3);
-    EXPECT_NE(advance(node, ignore(value), inside(0.5)), NodeAction::move);
+    EXPECT_EQ(advance(node, ignore(value), inside(0.5)), NodeAction::force);
     EXPECT_EQ(node.forgiven, 0.3);
-    EXPECT_NE(advance(node, ignore(value), inside(0.1)), NodeAction::move);
+    EXPECT_EQ(advance(node, ignore(value), inside(0.1)), NodeAction::force);
     EXPECT_EQ(node.forgiven, 0.1);
-    EXPECT_NE(advance(node, ignore(value), inside(0.2)), NodeAction::move);
+    EXPECT_EQ(advance(node, ignore(value), inside(0.2)), NodeAction::force);
     EXPECT_EQ(node.forgiven, 0.1);
-    EXPECT_NE(advance(node, ignore(value), outside), NodeAction::move);
+    EXPECT_EQ(advance(node, ignore(value), outside), NodeAction::none);
     EXPECT_EQ(node.forgiven, 0);
     EXPECT_EQ(node.state, State::apart);
   }

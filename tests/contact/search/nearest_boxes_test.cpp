@@ -47,6 +47,8 @@ Lists nearest(const std::vector<Vector>& points, const std::vector<Bounds>& boxe
   Lists lists;
   run_nearest(points, boxes, cores, [&](std::uint32_t box, std::span<const std::uint32_t> inside) {
     const std::lock_guard lock(mutex);
+    EXPECT_FALSE(inside.empty());
+    ASSERT_LT(box, boxes.size());
     for (const std::uint32_t p : inside) lists[p].push_back(box);
   });
   return lists;
@@ -123,6 +125,7 @@ TEST(NearestBoxes, PairsOfBoxesHoldTheNearestOfEach) {
     EXPECT_TRUE(boxes[a].meets(boxes[b]));
     EXPECT_TRUE(pairs.emplace(a, b).second) << "twice";
   });
+  std::size_t clear = 0;
   for (std::uint32_t i = 30; i < boxes.size(); ++i) {
     std::vector<std::pair<double, std::uint32_t>> others;
     const auto centre = [&](std::uint32_t b) { return Vector(0.5 * (boxes[b].low + boxes[b].high)); };
@@ -130,9 +133,11 @@ TEST(NearestBoxes, PairsOfBoxesHoldTheNearestOfEach) {
       if (k != i && boxes[i].meets(boxes[k])) others.emplace_back((centre(k) - centre(i)).norm(), k);
     std::sort(others.begin(), others.end());
     if (others.size() > each && others[each].first - others[each - 1].first < 1e-5) continue;
+    ++clear;
     for (std::size_t n = 0; n < std::min<std::size_t>(each, others.size()); ++n)
       EXPECT_TRUE(pairs.contains(std::minmax(i, others[n].second))) << i << ' ' << others[n].second;
   }
+  EXPECT_GT(clear, 250u);
 }
 
 /// Two plates, 3 apart, of n × n elements of 5.

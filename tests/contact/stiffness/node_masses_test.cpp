@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "base/parallel.hpp"
 #include "contact/scene.hpp"
 
@@ -88,6 +90,9 @@ TEST(NodeMasses, AnyNumberOfThreads) {
   scene.material(part, 7.85e-9);
   scene.plate(part, Vector(0.1, 0.2, 0.3), Vector(1.1, 0.01, 0), Vector(0.02, 0.9, 0), 300, 200);
   const auto many = masses(scene);
+  const double area = 1.1 * 0.9 - 0.01 * 0.02;
+  EXPECT_NEAR(many.front(), 7.85e-9 * 0.3 * area / 4, 1e-22) << "a corner";
+  EXPECT_NEAR(std::accumulate(many.begin(), many.end(), 0.0), 7.85e-9 * 0.3 * area * 60000, 1e-15);
   const JobLimit one(1);
   EXPECT_EQ(many, masses(scene));
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "contact/scene.hpp"
 #include "model/read.hpp"
 
 namespace gapcheck::contact::erosion_test {
@@ -80,6 +81,49 @@ TEST(Erosion, MiddleBrickOpensBothSides) {
   const Eroded e = erode(row(eroding), {}, {false, true, false});
   EXPECT_EQ(segments(e.left.a), 12u);
   EXPECT_EQ(e.left.a.nodes.size(), 16u);
+}
+
+// A shell, then eight bricks around the node in the middle, which no outer face has. Once a corner brick has failed,
+// the opened faces bring the middle node, with the thickness of solids, to its place among the shell's and the bricks'
+// nodes.
+TEST(Erosion, NodesOfOpenedFacesAreTracked) {
+  for (const std::int64_t type : {0, 2, 5}) {
+    Scene scene;
+    scene.plate(scene.part(1, 0.25), {0, 0, 9}, {1, 0, 0}, {0, 1, 0}, 1, 1);
+    const PartIndex solid = scene.part(2, 0);
+    std::vector<NodeIndex> grid;
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) grid.push_back(scene.node(Vector(i, j, k)));
+    for (const std::size_t a : {0, 1, 3, 4, 9, 10, 12, 13})
+      scene.solid(solid, {grid[a], grid[a + 1], grid[a + 4], grid[a + 3], grid[a + 9], grid[a + 10], grid[a + 13],
+                          grid[a + 12]});
+    model::Contact& contact = scene.contact("ERODING_SINGLE_SURFACE");
+    contact.a = {0, type, 0, true};
+    contact.erosop = 1;
+    SurfaceStore store(scene.model);
+    const auto& x = scene.model.mesh.nodes.x;
+    const ContactSurfaces start = store.at(ContactIndex{0});
+    const NodeIndex middle = grid[13], corner = grid[0];
+    EXPECT_EQ(segments(start.a), 1u + 24);
+    EXPECT_FALSE(tracks(start.a, middle.value));
+    const std::vector<bool> shells, solids{true};
+    const ContactSurfaces left = store.erode(ContactIndex{0}, start, {shells, solids}, x);
+    EXPECT_EQ(segments(left.a), 1u + 24 - 3 + 3);
+    std::vector<NodeIndex> expected;
+    std::vector<double> half;
+    std::vector<PartIndex> parts;
+    for (const NodeIndex node : positions<NodeIndex>(x.size())) {
+      if (node == corner) continue;
+      expected.push_back(node);
+      half.push_back(node.value < 4 ? 0.125 : 0);
+      parts.push_back(node.value < 4 ? PartIndex{0} : solid);
+    }
+    EXPECT_EQ(left.a.nodes.node, expected) << type;
+    EXPECT_EQ(left.a.nodes.half, half) << type;
+    EXPECT_EQ(left.a.nodes.part, parts) << type;
+    EXPECT_EQ(left.a.nodes.rule.size(), expected.size());
+  }
 }
 
 // Without EROSOP and IADJ, and in types that do not erode, nothing opens.

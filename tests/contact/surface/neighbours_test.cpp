@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "contact/scene.hpp"
 
@@ -39,7 +40,7 @@ TEST(Neighbours, ListsTheSegmentsAtANode) {
 
 /// An element that a box cuts is still the node's own.
 TEST(Neighbours, SegmentsThatABoxCutsAreInTheRing) {
-  Surface s(plate(2));
+  Surface s(plate(3));
   Segments cut;
   cut.nodes = {s.segments.nodes.back()};
   s.segments.nodes.pop_back();
@@ -47,10 +48,13 @@ TEST(Neighbours, SegmentsThatABoxCutsAreInTheRing) {
   const NodeIndex corner = *std::max_element(last.begin(), last.end());
   const Neighbours without(s.segments, s.scene.model.mesh), with(s.segments, s.scene.model.mesh, false, &cut);
   for (const SegmentIndex i : positions<SegmentIndex>(s.segments.nodes.size())) {
+    const auto& nodes = s.segments.nodes[i.value];
+    const bool meets = std::any_of(nodes.begin(), nodes.end(),
+                                   [&](NodeIndex n) { return std::find(last.begin(), last.end(), n) != last.end(); });
     EXPECT_FALSE(without.in_ring(corner, i));
-    EXPECT_TRUE(with.in_ring(corner, i)) << "all of them have the middle node";
+    EXPECT_EQ(with.in_ring(corner, i), meets) << i.value;
+    EXPECT_EQ(with.in_ring(NodeIndex{0}, i), without.in_ring(NodeIndex{0}, i)) << "not of the element that is cut";
   }
-  EXPECT_FALSE(with.in_ring(NodeIndex{0}, SegmentIndex{1}) && !without.in_ring(NodeIndex{0}, SegmentIndex{1}));
 }
 
 TEST(Neighbours, RingIsOneElementWide) {
@@ -76,6 +80,30 @@ TEST(Neighbours, SolidsCountWithAllTheirNodes) {
   const Surface s(std::move(scene));
   const Neighbours n(s.segments, s.scene.model.mesh);
   for (const SegmentIndex segment : positions<SegmentIndex>(6)) EXPECT_TRUE(n.in_ring(NodeIndex{6}, segment));
+}
+
+// Of a brick or thick shell whose sides are no segments, the opposite faces are in each other's ring.
+TEST(Neighbours, OppositeFacesOfOneElement) {
+  using Kind = model::ElementKind;
+  for (const auto& [kind, element, expected] :
+       {std::tuple{Kind::solid, 0U, true}, std::tuple{Kind::thick_shell, 0U, true}, std::tuple{Kind::shell, 0U, false},
+        std::tuple{Kind::solid, no_position, false}}) {
+    Scene scene;
+    scene.brick(scene.part(1, 0), {0, 0, 0}, {1, 1, 1});
+    model::Mesh& mesh = scene.model.mesh;
+    const auto n = mesh.solids.nodes[0];
+    mesh.thick_shells.nodes = {n};
+    Segments s;
+    s.nodes = {{n[0], n[1], n[2], n[3]}, {n[4], n[5], n[6], n[7]}};
+    s.element = {element, element};
+    s.element_kind = {kind, kind};
+    s.kind = {SegmentKind::solid, SegmentKind::solid};
+    const Neighbours around(s, mesh), whole(s, mesh, true);
+    EXPECT_EQ(around.in_ring(n[0], SegmentIndex{1}), expected);
+    EXPECT_EQ(around.in_ring(n[6], SegmentIndex{0}), expected);
+    EXPECT_TRUE(around.in_ring(n[0], SegmentIndex{0}));
+    EXPECT_TRUE(whole.in_ring(n[0], SegmentIndex{1}));
+  }
 }
 
 TEST(Neighbours, FreeEdges) {

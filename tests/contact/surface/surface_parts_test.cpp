@@ -46,6 +46,26 @@ TEST(SurfaceParts, OfTwoEqualLotsTheLater) {
   EXPECT_EQ(found[0].segment, SegmentIndex{1});
 }
 
+// A strip whose middle shell is the last one: from the first one the way to the second leads back to a lower number.
+TEST(SurfaceParts, ConnectedInAnyOrderOfTheShells) {
+  Scene scene;
+  const PartIndex part = scene.part(1, 1);
+  scene.plate(part, Vector(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0), 3, 1);
+  auto& nodes = scene.model.mesh.shells.nodes;
+  std::swap(nodes[1], nodes[2]);
+  EXPECT_TRUE(misoriented_segments(scene.model.mesh, segments_of(scene.model)).empty());
+  turn(scene, 1);
+  const auto found = misoriented_segments(scene.model.mesh, segments_of(scene.model));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].segment, SegmentIndex{1});
+  std::size_t surfaces = 0;
+  for_each_connected_surface(segments_of(scene.model), [&](const ConnectedSurface& surface) {
+    ++surfaces;
+    EXPECT_EQ(surface.segments.size(), 3u);
+  });
+  EXPECT_EQ(surfaces, 1u);
+}
+
 // Three shells at one edge: no orientation of a T is consistent, so the edge says nothing.
 TEST(SurfaceParts, EdgesOfThreeSegmentsConnectNothing) {
   Scene scene;

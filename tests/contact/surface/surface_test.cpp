@@ -43,6 +43,33 @@ TEST(Surface, PartsGiveShellsAndFreeFaces) {
   EXPECT_TRUE(pick(scene, 9, 3).unknown_id);
 }
 
+TEST(Surface, ParticlesOfPartsAreNodesAndBeamsLines) {
+  Scene scene = mixed();
+  const PartIndex powder = scene.part(5, 0), rods = scene.part(6, 0);
+  auto& particles = scene.model.mesh.particles;
+  auto& beams = scene.model.mesh.beams;
+  const NodeIndex a = scene.node({200, 0, 0}), b = scene.node({210, 0, 0}), c = scene.node({220, 0, 0});
+  particles.id = {1, 2};
+  particles.nodes = {{c}, {a}};
+  particles.part = {powder, powder};
+  particles.line = {0, 0};
+  beams.id = {7};
+  beams.nodes = {{a, b}};
+  beams.part = {rods};
+  beams.line = {0};
+  const Selection grains = pick(scene, 5, 3);
+  EXPECT_EQ(grains.nodes, (std::vector<NodeIndex>{c, a}));
+  EXPECT_EQ(grains.segments.size(), 0U);
+  EXPECT_EQ(grains.empty_reason, "");
+  const Selection lines = pick(scene, 6, 3);
+  ASSERT_EQ(lines.segments.size(), 1U);
+  EXPECT_EQ(lines.segments.kind[0], SegmentKind::line);
+  EXPECT_EQ(lines.segments.nodes[0], (model::SegmentNodes{a, b, b, b}));
+  EXPECT_EQ(element_id(scene.model.mesh, lines.segments, 0), 7);
+  EXPECT_TRUE(lines.nodes.empty());
+  EXPECT_EQ(pick(scene, 0, 5, single).nodes.size(), 2U);
+}
+
 TEST(Surface, ShellsCoverTheFacesTheyLieOn) {
   Scene scene = mixed();
   scene.model.sets.parts[7].members = {PartIndex{2}, PartIndex{3}};

@@ -132,5 +132,30 @@ TEST(Thickness, ElementValueGoesBeforeSectionAndIsAveraged) {
   EXPECT_DOUBLE_EQ(element_thickness(m, 1), 5);
 }
 
+// NLOC = 1: the nodes are on top, so the mid-surface is half a thickness below them.
+TEST(Thickness, MidSurfaceByNlocOrTheElementsOwnOffset) {
+  model::Model m;
+  model::Section section;
+  section.thickness.fill(3);
+  m.sections.push_back(section);
+  model::Part part;
+  part.section = 0;
+  m.parts.push_back(part);
+  auto& shells = m.mesh.shells;
+  for (std::uint32_t e = 0; e < 2; ++e) {
+    shells.id.push_back(e + 1);
+    shells.part.push_back(e == 0 ? PartIndex{0} : none<PartIndex>);
+    shells.nodes.push_back({NodeIndex{0}, NodeIndex{1}, NodeIndex{2}, NodeIndex{3}});
+  }
+  for (const double nloc : {1.0, -1.0, 0.5, 0.0}) {
+    m.sections[0].nloc = nloc;
+    EXPECT_EQ(mid_surface_offset(m, 0), -1.5 * nloc);
+    EXPECT_EQ(mid_surface_offset(m, 1), 0) << "no part";
+  }
+  m.sections[0].nloc = 1;
+  shells.own_offset = {{0, 0.25}};
+  EXPECT_EQ(mid_surface_offset(m, 0), 0.25);
+}
+
 }  // namespace
 }  // namespace gapcheck::contact::thickness_test

@@ -1,8 +1,5 @@
 #include "model/contact/contact.hpp"
 
-#include <fstream>
-#include <utility>
-
 #include "model/read.hpp"
 
 namespace gapcheck::model::contact_test {
@@ -42,19 +39,6 @@ void expect_cards_1_to_3(const Contact& contact) {
   EXPECT_EQ(contact.sfmt, 1.6);
   EXPECT_EQ(contact.fsf, 1.7);
   EXPECT_EQ(contact.vsf, 1.8);
-}
-
-/// PENMAX is a length in old types, a multiple of the thickness in the others.
-TEST(Contacts, PenmaxOfIncludesInOtherUnits) {
-  const std::string path = testing::TempDir() + "contact_include.k";
-  for (const auto& [name, factor] :
-       {std::pair{"SURFACE_TO_SURFACE", 1000.}, std::pair{"AUTOMATIC_SURFACE_TO_SURFACE", 1.},
-        std::pair{"AUTOMATIC_SURFACE_TO_SURFACE_MORTAR", 1000.}, std::pair{"ERODING_SINGLE_SURFACE", 1.}}) {
-    const std::string extra = std::string(name).starts_with("ERODING") ? "\n" : "";
-    std::ofstream(path) << "*CONTACT_" << name << "\n" << cards_1_to_3 << extra << "\n       0.4\n";
-    const Read read = read_text("*INCLUDE_TRANSFORM\n" + path + "\n100\n,,\n1.,1.,1000.\n\n");
-    EXPECT_NEAR(only(read).penmax, 0.4 * factor, 1e-9) << name;
-  }
 }
 
 TEST(Contacts, AllCards) {
@@ -248,7 +232,7 @@ TEST(Contacts, MoreLinesThanCards) {
   EXPECT_EQ(only(read).cards.first_surplus, 13u);
 }
 
-TEST(Contacts, TimesTakeTheFactorOfTheirInclude) {
+TEST(Contacts, BirthAndDeathAsWritten) {
   const Read read = read_text("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n,,,,,,-1.,-9999.\n\n");
   EXPECT_EQ(only(read).birth, -1);
   EXPECT_EQ(only(read).death, curve_of_times);

@@ -97,13 +97,13 @@ TEST(Boundary, PrescribedMotions) {
 // Millimetres and milliseconds come as metres and seconds; ids move by kind.
 TEST(Boundary, IncludesChangeUnitsAndIds) {
   const std::string path = testing::TempDir() + "boundary_include.k";
-  std::ofstream(path) << "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,1,0,12,3.,0,20.,10.\n7,5,1,12\n"
+  std::ofstream(path) << "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,1,0,12,3.,0,20.,10.\n7,5,1,12\n7,2,2,12,4.\n"
                          "*BOUNDARY_SPC_SET\n4,0,1\n*BOUNDARY_SPC_NODE\n4,0,1\n"
                          "*INITIAL_VELOCITY_NODE\n5,2.,0.,0.,3.\n";
   const Read read = read_text("*DEFINE_TRANSFORMATION\n3\nROTATE,0.,0.,1.,0.,0.,0.,90.\n*INCLUDE_TRANSFORM\n" + path +
                               "\n100,,1000,,10000,100000\n,,\n0.001,0.001,0.001\n3\n");
   EXPECT_EQ(read.errors(), 0u) << read.text();
-  ASSERT_EQ(read.model.prescribed_motions.size(), 2u);
+  ASSERT_EQ(read.model.prescribed_motions.size(), 3u);
   const PrescribedMotion& motion = read.model.prescribed_motions[0];
   EXPECT_EQ(motion.part, 1007);
   EXPECT_EQ(motion.curve, 100012);
@@ -111,6 +111,9 @@ TEST(Boundary, IncludesChangeUnitsAndIds) {
   EXPECT_DOUBLE_EQ(motion.lifetime.birth, 0.01);
   EXPECT_DOUBLE_EQ(motion.lifetime.death, 0.02);
   EXPECT_DOUBLE_EQ(read.model.prescribed_motions[1].turn_scale, 1e6);
+  EXPECT_DOUBLE_EQ(read.model.prescribed_motions[1].scale, 1e3);
+  EXPECT_DOUBLE_EQ(read.model.prescribed_motions[2].turn_scale, 4);  // a displacement has no time in it
+  EXPECT_DOUBLE_EQ(read.model.prescribed_motions[2].scale, 0.004);
   ASSERT_EQ(read.model.spcs.size(), 2u);
   EXPECT_EQ(read.model.spcs[0].nodes.id, 10004);
   EXPECT_EQ(read.model.spcs[1].nodes.id, 104);

@@ -17,6 +17,9 @@ TEST(Loads, ConcentratedLoads) {
   ASSERT_EQ(loads.size(), 4u) << read.text();
   EXPECT_TRUE(loads[0].nodes.set);
   EXPECT_EQ(loads[0].nodes.id, 2);
+  EXPECT_EQ(loads[0].keyword, "LOAD_NODE_SET");
+  EXPECT_EQ(loads[2].keyword, "LOAD_NODE_POINT");
+  EXPECT_EQ(loads[3].keyword, "LOAD_RIGID_BODY");
   EXPECT_EQ(loads[0].freedom, 1);
   EXPECT_EQ(loads[0].curve, 4);
   EXPECT_EQ(loads[0].scale, 2.5);
@@ -24,6 +27,7 @@ TEST(Loads, ConcentratedLoads) {
   EXPECT_EQ(loads[1].freedom, 5);
   EXPECT_EQ(loads[1].scale, 1);
   EXPECT_FALSE(loads[2].nodes.set);
+  EXPECT_EQ(loads[2].nodes.id, 7);
   EXPECT_TRUE(loads[3].rigid);
   EXPECT_EQ(loads[3].part, 8);
 }
@@ -36,6 +40,9 @@ TEST(Loads, Pressures) {
   const auto& loads = read.model.loads.pressures;
   ASSERT_EQ(loads.size(), 6u) << read.text();
   EXPECT_EQ(loads[0].nodes, (std::array<std::int64_t, 4>{1, 2, 3, 4}));
+  EXPECT_EQ(loads[0].keyword, "LOAD_SEGMENT_ID");
+  EXPECT_EQ(loads[3].keyword, "LOAD_SEGMENT_SET");
+  EXPECT_EQ(loads[4].keyword, "LOAD_SHELL_ELEMENT");
   EXPECT_EQ(loads[0].scale, 2);
   EXPECT_EQ(loads[0].arrival, 0.5);
   EXPECT_EQ(loads[1].nodes[3], 0);
@@ -55,6 +62,7 @@ TEST(Loads, BodyLoadsAndDamping) {
       "*DAMPING_GLOBAL\n0,2.\n*DAMPING_GLOBAL\n7,0.,0.,1.,0.5\n");
   const Loads& loads = read.model.loads;
   ASSERT_EQ(loads.bodies.size(), 2u) << read.text();
+  EXPECT_EQ(loads.bodies[0].keyword, "LOAD_BODY_Z");
   EXPECT_EQ(loads.bodies[0].axis, 2);
   EXPECT_EQ(loads.bodies[0].scale, 9.81);
   EXPECT_EQ(loads.bodies[1].axis, 0);

@@ -1,0 +1,100 @@
+// Contacts of includes in other units, and the cards of the types.
+#include <fstream>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "model/read.hpp"
+
+namespace gapcheck::model::read_contacts_test {
+namespace {
+
+const std::string cards_1_to_3 = "1,2,2,3\n0.1,0.2,0.3,0.4,20.,1,5.,8.\n1.1,1.2,1.3,1.4,1.5,1.6,1.7,1.8\n";
+
+/// The only contact of an include whose unit of mass is 3 of the model's, of time 5, of length 7; sets move by 100.
+Contact included(const std::string& block) {
+  const std::string path = testing::TempDir() + "/read_contacts_include.k";
+  std::ofstream(path) << block;
+  const Read read = read_text("*INCLUDE_TRANSFORM\n" + path + "\n,,1000,,100\n,,\n3.,5.,7.\n\n");
+  EXPECT_EQ(read.model.contacts.size(), 1u) << read.text();
+  return read.model.contacts.empty() ? Contact{} : read.model.contacts[0];
+}
+
+TEST(ReadContacts, LengthsAndTimesOfIncludes) {
+  const Contact contact = included("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n" + cards_1_to_3 + "\n,,,,,,0.5,0.25\n");
+  EXPECT_EQ(contact.a.id, 101);
+  EXPECT_EQ(contact.b.id, 1002);
+  EXPECT_DOUBLE_EQ(contact.birth, 25);
+  EXPECT_DOUBLE_EQ(contact.death, 40);
+  EXPECT_DOUBLE_EQ(contact.sst, 7 * 1.3);
+  EXPECT_DOUBLE_EQ(contact.mst, 7 * 1.4);
+  EXPECT_DOUBLE_EQ(contact.sldthk, 3.5);
+  // Without dimension.
+  EXPECT_EQ(contact.fs, 0.1);
+  EXPECT_EQ(contact.fd, 0.2);
+  EXPECT_EQ(contact.vdc, 20);
+  EXPECT_EQ(contact.sfs, 1.1);
+  EXPECT_EQ(contact.sfm, 1.2);
+  EXPECT_EQ(contact.sfst, 1.5);
+  EXPECT_EQ(contact.sfmt, 1.6);
+  EXPECT_EQ(contact.sldstf, 0.25);
+}
+
+TEST(ReadContacts, WithDeathByACurveBirthIsItsNumber) {
+  const Contact contact = included("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n,,,,,,4.,-9999.\n\n");
+  EXPECT_EQ(contact.birth, 4);
+  EXPECT_EQ(contact.death, curve_of_times);
+}
+
+/// PENMAX is a length in old types and in mortar contacts, a multiple of the thickness in the others.
+TEST(ReadContacts, PenmaxOfIncludesInOtherUnits) {
+  for (const auto& [name, factor] :
+       {std::pair{"SURFACE_TO_SURFACE", 7.}, std::pair{"AUTOMATIC_SURFACE_TO_SURFACE", 1.},
+        std::pair{"AUTOMATIC_SURFACE_TO_SURFACE_MORTAR", 7.}, std::pair{"ERODING_SINGLE_SURFACE", 1.}}) {
+    const std::string extra = std::string(name).starts_with("ERODING") ? "\n" : "";
+    const Contact contact = included("*CONTACT_" + std::string(name) + "\n" + cards_1_to_3 + extra + "\n0.4\n");
+    EXPECT_NEAR(contact.penmax, 0.4 * factor, 1e-12) << name;
+  }
+}
+
+// A force is a mass times a length by a time squared, a stress a force by a length squared.
+TEST(ReadContacts, StrengthsOfTiebreaksOfIncludes) {
+  constexpr double force = 3 * 7 / 25.0, stress = force / 49;
+  const auto strength = [](const char* name, const char* card) {
+    return included("*CONTACT_" + std::string(name) + "\n" + cards_1_to_3 + card + "\n").tiebreak;
+  };
+  const TiebreakStrength nodes = strength("TIEBREAK_NODES_TO_SURFACE", "10.,20.,1.,1.5");
+  EXPECT_DOUBLE_EQ(nodes.normal, 10 * force);
+  EXPECT_DOUBLE_EQ(nodes.shear, 20 * force);
+  EXPECT_EQ(nodes.normal_power, 1);
+  EXPECT_EQ(nodes.shear_power, 1.5);
+  const TiebreakStrength surfaces = strength("TIEBREAK_SURFACE_TO_SURFACE", "10.,20.");
+  EXPECT_DOUBLE_EQ(surfaces.normal, 10 * stress);
+  EXPECT_DOUBLE_EQ(surfaces.shear, 20 * stress);
+  // PARAM is a length with OPTION = 6 alone.
+  const TiebreakStrength damage = strength("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "6,10.,20.,0.5");
+  EXPECT_DOUBLE_EQ(damage.normal, 10 * stress);
+  EXPECT_DOUBLE_EQ(damage.shear, 20 * stress);
+  EXPECT_DOUBLE_EQ(damage.param, 3.5);
+  EXPECT_EQ(strength("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "5,10.,20.,0.5").param, 0.5);
+}
+
+TEST(ReadContacts, SidesThatArePrinted) {
+  for (const auto& [fields, a, b] :
+       {std::tuple{"0,0", false, false}, std::tuple{"1,0", true, false}, std::tuple{"0,1", false, true}}) {
+    const Read read = read_text("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,3,0,0," + std::string(fields) + "\n\n\n");
+    ASSERT_EQ(read.model.contacts.size(), 1u);
+    EXPECT_EQ(read.model.contacts[0].print_a, a) << fields;
+    EXPECT_EQ(read.model.contacts[0].print_b, b) << fields;
+  }
+}
+
+TEST(ReadContacts, CurvesOfInterference) {
+  const Read read = read_text("*CONTACT_SURFACE_TO_SURFACE_INTERFERENCE\n" + cards_1_to_3 + "11,12\n");
+  ASSERT_EQ(read.model.contacts.size(), 1u);
+  EXPECT_EQ(read.model.contacts[0].interference_curve_relaxation, 11);
+  EXPECT_EQ(read.model.contacts[0].interference_curve, 12);
+}
+
+}  // namespace
+}  // namespace gapcheck::model::read_contacts_test
