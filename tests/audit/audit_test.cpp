@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "audit/rules/rule_deck.hpp"
 #include "audit/run.hpp"
 
 namespace gapcheck::audit_test::audit_test {
@@ -46,7 +48,7 @@ TEST(AuditOptions, PenetrationTolerance) {
   EXPECT_EQ(plates(with(&AuditOptions::ptol, 0.31)), 0u);
   // Zero is a tolerance too: touching plates penetrate by the rounding of their decimals.
   EXPECT_EQ(found("clean", {}), 0u);
-  EXPECT_GT(found("clean", with(&AuditOptions::ptol, 0)), 0u);
+  EXPECT_EQ(found("clean", with(&AuditOptions::ptol, 0)), 18u) << "nine nodes of each plate lie over the other one";
 }
 
 TEST(AuditOptions, RemainingDistance) {
@@ -63,9 +65,22 @@ TEST(AuditOptions, Parts) {
   // A part takes part with its nodes and with its segments.
   EXPECT_EQ(plates(with(&AuditOptions::parts, Ids{2})), 18u);
   EXPECT_EQ(plates(with(&AuditOptions::parts, Ids{3})), 0u);
-  const AuditRun run = run_data("stray_part", with(&AuditOptions::parts, Ids{1}));
-  EXPECT_FALSE(run.report.penetrations.empty());
-  for (const auto& p : run.report.penetrations) EXPECT_TRUE(p.part == 1 || p.element_part == 1);
+  const auto rows = [](const Report& report, std::int64_t part) {
+    std::set<std::pair<std::int64_t, std::int64_t>> list;  // contact, node
+    for (const auto& p : report.penetrations)
+      if (part == 0 || p.part == part || p.element_part == part) list.emplace(p.contact, p.node);
+    return list;
+  };
+  // Parts 1 and 2 penetrate each other, and 3 and 4.
+  RuleDeck deck;
+  for (int part = 1; part <= 4; ++part)
+    deck.shell_part(part, 1).plate(100 * part, part, 2, 2, Vector(0, 0, part < 3 ? 0.7 * part : 20 + 0.7 * part), 5, 5);
+  const std::string text = deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0").text();
+  const Report all = run_text(text).report;
+  EXPECT_EQ(all.penetrations.size(), 36u);
+  EXPECT_EQ(rows(all, 1).size(), 18u);
+  EXPECT_EQ(rows(run_text(text, with(&AuditOptions::parts, Ids{1})).report, 0), rows(all, 1));
+  EXPECT_EQ(rows(run_text(text, with(&AuditOptions::parts, Ids{2, 3})).report, 0), rows(all, 0));
 }
 
 TEST(AuditOptions, ContactsLeftOutMoveNothing) {
@@ -81,6 +96,11 @@ std::string statistic(const AuditRun& run, std::string_view wanted) {
   for (const auto& [name, value] : run.report.statistics)
     if (name == wanted) return value;
   return "missing";
+}
+
+TEST(AuditOptions, FilesOfAnEarlierDeckAreCountedWhereThereAreAny) {
+  EXPECT_EQ(statistic(run_data("two_plates", {}), "files read"), "1");
+  EXPECT_EQ(statistic(run_data("two_plates", {}), "files read before in this call"), "missing");
 }
 
 TEST(AuditOptions, RulesThatNeedNoSearchStartNone) {
@@ -120,6 +140,7 @@ TEST(AuditReport, IsSortedByContactDepthAndNode) {
 TEST(AuditReport, SummariesCountTheRecords) {
   for (const char* name : {"two_plates", "two_plates_crossing", "free_edge_node", "contact_chain"}) {
     const AuditRun run = run_data(name, {});
+    ASSERT_EQ(run.report.contacts.size(), std::string(name) == "contact_chain" ? 2u : 1u);
     for (std::size_t c = 0; c < run.report.contacts.size(); ++c) {
       const auto count = [&](PenetrationKind kind) {
         return static_cast<std::uint64_t>(
@@ -130,6 +151,10 @@ TEST(AuditReport, SummariesCountTheRecords) {
       EXPECT_EQ(contact.penetrations, count(PenetrationKind::initial)) << name;
       EXPECT_EQ(contact.released, count(PenetrationKind::released)) << name;
       EXPECT_EQ(contact.edge_zone, count(PenetrationKind::edge_zone)) << name;
+      double deepest = 0;
+      for (const Penetration& p : run.report.penetrations)
+        if (p.contact == c && p.kind == PenetrationKind::initial) deepest = std::max(deepest, p.depth);
+      EXPECT_EQ(contact.max_penetration, deepest) << name;
     }
   }
 }

@@ -107,10 +107,13 @@ TEST_P(Data, SaysWhatWasNotChecked) {
   options.select = {"GC101", "GC102", "GC106"};
   const AuditRun run = run_file((data_folder / (GetParam() + ".k")).string(), options);
   ASSERT_TRUE(clean(run));
+  std::size_t found = 0;
   for (const auto& contact : run.report.contacts) {
     const bool expected = std::find(not_checked.begin(), not_checked.end(), contact.id) != not_checked.end();
     EXPECT_EQ(!contact.not_checked.empty(), expected) << "contact " << contact.id << ": " << contact.not_checked;
+    found += expected ? 1 : 0;
   }
+  EXPECT_EQ(found, not_checked.size()) << "a contact that is expected is not there";
 }
 
 // The slow search, decisions without the filter, and one thread give the same bytes.

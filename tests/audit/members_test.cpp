@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <iterator>
 #include <set>
@@ -70,18 +71,23 @@ TEST(Members, BothElementsOfEveryCrossing) {
 }
 
 TEST(Members, NothingUnlessAskedFor) {
-  for (const Finding& finding : audit_test::run_text(crossing_squares(30)).report.findings) {
+  const Report report = audit_test::run_text(crossing_squares(30)).report;
+  EXPECT_EQ(of_rule(report, "GC103").size(), 11U);
+  for (const Finding& finding : report.findings) {
     EXPECT_TRUE(finding.members.nodes.empty());
     EXPECT_TRUE(finding.members.segments.empty());
   }
 }
 
 TEST(Members, ChangeNothingElse) {
+  std::size_t decks = 0;
   for (const auto& entry : std::filesystem::directory_iterator(data)) {
     if (entry.path().extension() != ".k") continue;
+    ++decks;
     EXPECT_EQ(audit_test::dump(audit_test::run_file(entry.path()).report),
               audit_test::dump(audit_test::run_file(entry.path(), with_members()).report));
   }
+  EXPECT_GT(decks, 20U);
 }
 
 TEST(Members, ElementsThatFindingsName) {

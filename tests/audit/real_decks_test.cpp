@@ -147,7 +147,6 @@ TEST(TemplateDeck, NeedsItsParameters) {
   EXPECT_EQ(run.report.contacts.size(), count.contacts.size());
 }
 
-/// Fragments, templates and decks of other solvers' physics: no crash, and a report or a reason.
 // The solver's own run of this deck counts three constraint equations for each node that it tied.
 TEST(RealRun, TiesAsManyNodesAsTheSolver) {
   NEED_REAL_DECKS();
@@ -215,6 +214,7 @@ TEST(RealRun, TimeStepsOfContactAreThoseThatTheSolverPrints) {
   EXPECT_EQ(fmt::format("{:.4E}", run.report.predicted->element_timestep), step);
 }
 
+/// Fragments, templates and decks of other solvers' physics: no crash, and a report or a reason.
 TEST(AnyDeck, GivesAReportOrAReason) {
   NEED_REAL_DECKS();
   std::size_t files = 0;

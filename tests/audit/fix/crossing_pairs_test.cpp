@@ -1,5 +1,7 @@
 #include "audit/fix/crossing_pairs.hpp"
 
+#include <string>
+
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
 
@@ -26,12 +28,21 @@ TEST(CrossingPairs, FindsElementsThatPassThroughEachOther) {
   EXPECT_EQ(audit::nodes_of(model.mesh, {model::ElementKind::mass, 0}).size(), 0u);
 }
 
-// Both ways out of a plate that has been passed through would move nodes; none of them may make more elements cross.
+// A plate 0.01 above another one, but for a corner that has passed through it: both ways out of the plate would move
+// nodes, and none of them may make more elements cross.
 TEST(CrossingPairs, ACorrectionNeverAddsAny) {
   const Plate lower{.id = 1}, upper{.id = 2, .z = 0.01, .x = 1.3, .y = 0.9};
+  const FixRun flat = fix_text(plates_deck(lower, upper));
+  EXPECT_FALSE(flat.report().moved.empty());
+  EXPECT_EQ(flat.report().crossings_before, 0u);
+  EXPECT_EQ(flat.report().crossings_after, 0u);
   std::string text = plates_deck(lower, upper);
-  const FixRun run = fix_text(text);
-  EXPECT_LE(run.report().crossings_after, run.report().crossings_before);
+  const std::string corner = fmt::format("{:8}{:16}{:16}", upper.node(0, 0), 1.3, 0.9);
+  text.replace(text.find(corner) + corner.size(), 16, fmt::format("{:16}", -0.4));
+  const FixRun through = fix_text(text);
+  // The shell leaves the plate along a curve over three shells.
+  EXPECT_EQ(through.report().crossings_before, 3u);
+  EXPECT_LE(through.report().crossings_after, 3u);
 }
 
 }  // namespace

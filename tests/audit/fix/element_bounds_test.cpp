@@ -69,6 +69,59 @@ TEST(ElementBounds, WhatWasWorseMayStay) {
   EXPECT_TRUE(shell.offenders(1, {0.01, 0.01, 0.1}).empty());
 }
 
+TEST(ElementBounds, AnElementThatIsTooSlenderMayMoveAsItIs) {
+  One shell(false);
+  shell.x[2].y() = shell.x[3].y() = 1.0 / 64;  // below the limit of 0.1
+  ElementBounds bounds(shell.model, shell.x);
+  std::vector<Vector> now = shell.x;
+  for (Vector& x : now) x += Vector(4, 2, 1);
+  EXPECT_TRUE(bounds.offenders(now, shell.nodes).empty());
+  now[2].y() = now[3].y() = 2 + 0.9 / 64;
+  EXPECT_EQ(bounds.offenders(now, shell.nodes).size(), 4u) << "thinner still";
+}
+
+TEST(ElementBounds, NodesThatHardlyMoveAreNotToBlame) {
+  One shell(false);
+  ElementBounds bounds(shell.model, shell.x);
+  std::vector<Vector> now = shell.x;
+  now[0] += Vector(0, 0, 0.9);
+  now[1] += Vector(0, 0, 0.44);
+  EXPECT_EQ(bounds.offenders(now, shell.nodes), (std::vector{NodeIndex{0}}));
+  now[1] += Vector(0, 0, 0.02);
+  EXPECT_EQ(bounds.offenders(now, shell.nodes), (std::vector{NodeIndex{0}, NodeIndex{1}})) << "half as far";
+}
+
+TEST(ElementBounds, WhateverTheUnitOfLength) {
+  for (const double size : {1e-3, 1.0, 1e3}) {
+    One shell(false);
+    for (Vector& x : shell.x) x *= size;
+    EXPECT_EQ(shell.offenders(0, size * Vector(0.9, 0.9, 0)), std::vector{NodeIndex{0}}) << size;
+    EXPECT_TRUE(shell.offenders(0, size * Vector(0.1, 0, 0.05)).empty()) << size;
+  }
+}
+
+// The edges of one shell say nothing of the next one.
+TEST(ElementBounds, EachElementByItself) {
+  One shell(false);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    shell.x.push_back(shell.x[i] + Vector(5, 0, 0));
+    shell.nodes.push_back(NodeIndex{4 + i});
+  }
+  shell.model.mesh.nodes.id.resize(8);
+  shell.model.mesh.nodes.x = shell.x;
+  auto& shells = shell.model.mesh.shells;
+  shells.id.push_back(2);
+  shells.part.push_back(PartIndex{0});
+  shells.nodes.push_back({NodeIndex{4}, NodeIndex{5}, NodeIndex{6}, NodeIndex{7}});
+  ElementBounds bounds(shell.model, shell.x);
+  std::vector<Vector> now = shell.x;
+  now[2] += Vector(0.1, 0, 0);
+  now[4] += Vector(-1.5, 0, 0);
+  const auto broken = bounds.broken(now, shell.nodes);
+  ASSERT_EQ(broken.size(), 1u);
+  EXPECT_EQ(broken[0].second, 1u);
+}
+
 TEST(ElementBounds, CountsWhatHasChanged) {
   One shell(false);
   ElementBounds bounds(shell.model, shell.x);

@@ -39,6 +39,20 @@ TEST(Gaps, BesideAnEdgeTheWayLeadsAwayFromIt) {
   EXPECT_FALSE(measure_gap(gap_over_square(), x).counts);
 }
 
+// A beam counts up to a quarter of its length beyond its ends, as segments do.
+TEST(Gaps, BeamsCountUpToTheEndOfTheirBand) {
+  Gap gap = gap_over_square();
+  gap.line = true;
+  gap.corners = {NodeIndex{0}, NodeIndex{1}, NodeIndex{1}, NodeIndex{1}};
+  const auto counts = [&](double x) {
+    std::vector<Vector> at = corners;
+    at[4] = {x, 0, 0.125};
+    return measure_gap(gap, at).counts;
+  };
+  EXPECT_TRUE(counts(1.25) && counts(-0.25));
+  EXPECT_FALSE(counts(1.2501) || counts(-0.2501));
+}
+
 TEST(Gaps, ThicknessAndMidSurfacesShift) {
   Gap gap = gap_over_square();
   gap.shift = {0, 0, 0.3};

@@ -56,6 +56,15 @@ TEST(HeldTies, TiedNodesGoWithTheirSegments) {
   EXPECT_TRUE(complete(run.report()));
   // The patch is tied to the lower plate, which goes down.
   EXPECT_LT(run.move(patch.node(0, 0)).z(), -0.1);
+  // Each of its nodes goes as the point above it on the lower plate, by the shape functions of the shell there.
+  for (int j = 0; j <= 1; ++j)
+    for (int i = 0; i <= 1; ++i) {
+      Vector with = Vector::Zero();
+      for (int b = 0; b <= 1; ++b)
+        for (int a = 0; a <= 1; ++a)
+          with += (a == 0 ? 0.6 : 0.4) * (b == 0 ? 0.6 : 0.4) * run.move(lower.node(i + a, j + b));
+      EXPECT_LT((run.move(patch.node(i, j)) - with).norm(), 1e-6) << i << " " << j;
+    }
   EXPECT_EQ(run.report().contacts[1].after.penetrations, 0u);
 }
 

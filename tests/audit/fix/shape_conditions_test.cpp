@@ -47,6 +47,36 @@ TEST(ShapeConditions, LimitWarpAndShortening) {
   EXPECT_FALSE(allow(list, moves));
 }
 
+// Edges may become shorter by 0.8 of half their length.
+TEST(ShapeConditions, ShorterEdgesWithinTheLimit) {
+  for (const double size : {1.0, 8.0}) {
+    std::vector<Vector> x = square;
+    for (Vector& corner : x) corner *= size;
+    const auto list = shape_conditions(mesh_with(quad), x, first_shell, {});
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      std::vector<Vector> moves(4, Vector::Zero());
+      const Vector inwards = (x[(corner + 1) % 4] - x[corner]) / size;
+      moves[corner] = 0.39 * size * inwards;
+      EXPECT_TRUE(allow(list, moves)) << size << " " << corner;
+      moves[corner] = 0.41 * size * inwards;
+      EXPECT_FALSE(allow(list, moves)) << size << " " << corner;
+    }
+  }
+}
+
+// The corners of a quadrilateral leave its middle plane, whose normal is at right angles to both diagonals.
+TEST(ShapeConditions, WarpIsMeasuredAcrossTheDiagonals) {
+  std::vector<Vector> x = square;
+  x[2].z() = 0.5;
+  const auto list = shape_conditions(mesh_with(quad), x, first_shell, {});
+  ASSERT_EQ(list.size(), 6u);
+  for (const std::size_t i : {0, 1}) {
+    EXPECT_NEAR(list[i].direction.dot(x[2] - x[0]), 0, 1e-15);
+    EXPECT_NEAR(list[i].direction.dot(x[3] - x[1]), 0, 1e-15);
+    EXPECT_NEAR(list[i].direction.norm(), 1, 1e-15);
+  }
+}
+
 TEST(ShapeConditions, AllowTheElementAsItIs) {
   std::vector<Vector> x = square;
   x[0].z() = 0.8;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -116,6 +117,15 @@ inline Report run_rule_on_example(const std::string& rule, const std::string& na
   const AuditRun run = run_file(std::string(GAPCHECK_ROOT) + "/data/" + name + ".k", options);
   EXPECT_TRUE(clean(run)) << describe(run.diagnostics);
   return run.report;
+}
+
+/// The number of the line that is `line`; 0 if there is none.
+inline std::uint32_t line_of(const RuleDeck& deck, const std::string& line) {
+  const std::string text = "\n" + deck.text();
+  const auto at = text.find("\n" + line + "\n");
+  EXPECT_NE(at, std::string::npos) << line;
+  return at == std::string::npos ? 0U
+                                 : static_cast<std::uint32_t>(std::count(text.begin(), text.begin() + at, '\n') + 1);
 }
 
 /// How many things a report lists, whatever their kind.

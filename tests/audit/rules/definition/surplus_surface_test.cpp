@@ -10,7 +10,10 @@ Report single_surface(const std::string& keyword, const std::string& card1) {
 }
 
 TEST(SurplusSurface, OnlyWhereThereIsOneSurface) {
-  EXPECT_EQ(listed(single_surface("AUTOMATIC_SINGLE_SURFACE", "1,1,3,3")), 1U);
+  const Report report = single_surface("AUTOMATIC_SINGLE_SURFACE", "1,1,3,3");
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_EQ(report.findings[0].contact, 1);
+  EXPECT_NE(report.findings[0].message.find("SURFB"), std::string::npos) << report.findings[0].message;
   EXPECT_EQ(listed(single_surface("AUTOMATIC_GENERAL", "1,1,3,3")), 1U);
   EXPECT_EQ(listed(single_surface("AUTOMATIC_SINGLE_SURFACE", "1,0,3,3")), 0U);
   EXPECT_EQ(listed(single_surface("AUTOMATIC_SURFACE_TO_SURFACE", "1,1,3,3")), 0U);

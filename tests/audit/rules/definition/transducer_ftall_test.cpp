@@ -1,4 +1,5 @@
 #include "audit/rules/rule_deck.hpp"
+#include "contact/tie/transducers.hpp"
 
 namespace gapcheck::audit_test::transducer_ftall_test {
 namespace {
@@ -40,6 +41,28 @@ TEST(TransducerFtall, BeamsCountAsWell) {
   beams.raw("PART", "rod\n5,5,1\n").raw("SECTION_BEAM", "5,1\n1.,1.,0.,0.\n");
   beams.raw("NODE", "501,0.,0.,0.\n502,9.,0.,0.\n").raw("ELEMENT_BEAM", "1,5,501,502\n");
   EXPECT_EQ(listed(run(beams)), 1U);
+}
+
+/// What the report says of transducers that were not looked at.
+std::string left_out(const Report& report) {
+  std::string text;
+  for (const auto& [name, value] : report.statistics)
+    if (name == "not looked at") text += value;
+  return text;
+}
+
+TEST(TransducerFtall, MoreThanCanBeComparedAreNamed) {
+  RuleDeck deck;
+  deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 1, 1, Vector(0, 0, 0), 5, 5);
+  deck.plate(101, 2, 1, 1, Vector(0, 0, 9), 5, 5).contact(1000, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
+  const int most = static_cast<int>(contact::max_transducers);
+  for (int i = 1; i <= most; ++i) deck.contact(i, "FORCE_TRANSDUCER_PENALTY", "1,2,3,3");
+  EXPECT_EQ(left_out(run(deck)), "");
+  const Report more = run(deck.contact(most + 1, "FORCE_TRANSDUCER_PENALTY", "1,2,3,3"));
+  EXPECT_EQ(left_out(more), fmt::format("GC413: 1 of {} force transducers", most + 1));
+  std::uint64_t all = 0;
+  for (const Finding& f : more.findings) all += f.count;
+  EXPECT_EQ(all, contact::max_transducers - 1) << "all that are compared measure what the first one does";
 }
 
 TEST(TransducerFtall, FtallSettlesIt) {

@@ -3,7 +3,7 @@
 namespace gapcheck::audit_test::unused_ignore_test {
 namespace {
 
-/// Two plates that touch in one contact; nothing penetrates.
+/// Two plates 1 thick and 0.5 apart in one contact: nodes penetrate (GC101), none is released (GC102).
 std::string deck(const std::string& comment) {
   RuleDeck deck;
   deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);

@@ -8,7 +8,11 @@ TEST(DuplicateId, TwoContactsWithOneId) {
   deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
   EXPECT_EQ(listed(run_rule("GC501", deck)), 0U);
   deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
-  EXPECT_EQ(listed(run_rule("GC501", deck)), 1U);
+  const Report report = run_rule("GC501", deck);
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_EQ(report.findings[0].severity, Severity::error);
+  EXPECT_NE(report.findings[0].message.find("contact 1 is defined again"), std::string::npos)
+      << report.findings[0].message;
 }
 
 // A run has one case, and what is outside of all.

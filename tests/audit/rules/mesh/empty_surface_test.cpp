@@ -52,7 +52,8 @@ TEST(EmptySurface, ParticlesThatTheRunMakes) {
       EXPECT_EQ(findings(card1, "GC502", keyword, "3,0,1,7,7,1"), 0U) << keyword;
     }
   EXPECT_EQ(findings("7,1,3,3", "GC503", "DEFINE_ADAPTIVE_SOLID_TO_SPH_ID", "12\n3,0,1,7,7,1"), 0U);
-  EXPECT_GT(findings("7,1,3,3", "GC502", "DEFINE_ADAPTIVE_SOLID_TO_SPH", "3,0,1,6,6,1"), 0U) << "of another part";
+  EXPECT_EQ(findings("7,1,3,3", "GC502", "DEFINE_ADAPTIVE_SOLID_TO_SPH", "3,0,1,6,6,1"), 3U)
+      << "of another part; the contact and two sets name part 7";
   EXPECT_EQ(findings("9,1,2,3", "GC503", "DEFINE_ADAPTIVE_SOLID_TO_SPH", "3,0,1,7,7,1"), 1U) << "part 4 is just empty";
 }
 

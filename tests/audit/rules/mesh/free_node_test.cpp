@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <utility>
+
 #include "audit/rules/rule_deck.hpp"
 
 namespace gapcheck::audit_test::free_node_test {
@@ -38,6 +41,36 @@ TEST(FreeNode, NotWhatOtherKeywordsName) {
   ASSERT_EQ(listed(one_left), 1U);
   EXPECT_EQ(one_left.findings[0].node, 50);
   EXPECT_EQ(one_left.findings[0].count, 1U);
+}
+
+TEST(FreeNode, NotInADeckThatIsNotComplete) {
+  audit::AuditOptions options;
+  options.select = {"GC508"};
+  options.read.skip_missing_includes = true;
+  RuleDeck complete = plate_and("50,51"), incomplete = plate_and("50,51").raw("INCLUDE", "not_here.k");
+  EXPECT_EQ(listed(run_text(complete.text(), options).report), 2U);
+  const Report report = run_text(incomplete.text(), options).report;
+  EXPECT_EQ(listed(report), 0U);
+  EXPECT_NE(std::find(report.statistics.begin(), report.statistics.end(),
+                      std::pair<std::string, std::string>(
+                          "not looked at", "GC508: the deck is not complete, so elements may be missing")),
+            report.statistics.end());
+}
+
+TEST(FreeNode, OnBothSidesAndManyAreCounted) {
+  RuleDeck deck;
+  deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);
+  std::string ids;
+  for (int i = 0; i < 13; ++i) {
+    deck.node(50 + i, {2, 0.1 * i, 3});
+    ids += fmt::format("{}{}", 50 + i, i % 8 == 7 ? "\n" : ",");
+  }
+  deck.raw("SET_NODE_LIST", "7\n" + ids).contact(1, "TIED_NODES_TO_SURFACE", "7,1,4,3");
+  const Report report = run_rule("GC508", deck);
+  ASSERT_EQ(listed(report), 11U);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(report.findings[static_cast<std::size_t>(i)].node, 50 + i);
+  EXPECT_EQ(report.findings[10].count, 3U);
+  EXPECT_EQ(report.findings[10].message, "3 more tracked nodes of contact 1 belong to no element");
 }
 
 TEST(FreeNode, NeedsAContact) {

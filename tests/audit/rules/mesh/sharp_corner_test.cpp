@@ -44,6 +44,20 @@ TEST(SharpCorner, BelowThirtyDegrees) {
   }
 }
 
+// The cosine of the angle may come out a little above 1.
+TEST(SharpCorner, FoldedFlat) {
+  for (int turn = 0; turn < 40; ++turn) {
+    const double c = std::cos(turn), s = std::sin(turn);
+    const auto at = [&](double x, double y) { return Vector(c * x - s * y, s * x + c * y, 0.7 * x + 0.3 * y); };
+    RuleDeck deck;
+    deck.shell_part(1, 0.1).node(1, at(0, 0)).node(2, at(10, 0)).node(3, at(10, 10)).node(4, at(0, 10));
+    deck.node(5, at(10, 7)).node(6, at(0, 7)).shell(1, 1, {1, 2, 3, 4}).shell(2, 1, {1, 2, 5, 6});
+    const Report report = run_rule("GC512", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"));
+    ASSERT_EQ(listed(report), 1U) << turn;
+    EXPECT_NE(report.findings[0].message.find("meet at 0.0 degrees"), std::string::npos) << report.findings[0].message;
+  }
+}
+
 TEST(SharpCorner, NotAShellOnASolid) {
   RuleDeck deck;
   deck.solid_part(1).shell_part(2, 0.1).block(1, 1, 1, 1, 1, {0, 0, 0}, {5, 5, 5}).shell(50, 2, {1, 2, 4, 3});
@@ -59,6 +73,14 @@ TEST(SharpCorner, NotInTiesAndNotAtSeamsOfFabric) {
   RuleDeck in_both = tied(hinge_deck(20));
   EXPECT_EQ(listed(run_rule("GC512", tied(hinge_deck(20)))), 0U);
   EXPECT_EQ(listed(run_rule("GC512", in_both.contact(2, "AUTOMATIC_SINGLE_SURFACE", "0"))), 2U);
+  // One wing of the hinge is part 3, which is tied; part 1 alone is in the other contact.
+  RuleDeck one_wing;
+  one_wing.shell_part(1, 0.1).shell_part(2, 0.1).shell_part(3, 0.1).node(1, {0, 0, 0}).node(2, {10, 0, 0});
+  one_wing.node(3, {10, 10, 0}).node(4, {0, 10, 0}).node(5, {10, 9.4, 3.4}).node(6, {0, 9.4, 3.4});
+  one_wing.shell(1, 1, {1, 2, 3, 4}).shell(3, 3, {1, 2, 5, 6}).plate(101, 2, 1, 1, {0, 0, 0.05}, 10, 10);
+  RuleDeck touched = one_wing.contact(1, "AUTOMATIC_SINGLE_SURFACE", "1,0,3,0");
+  EXPECT_EQ(listed(run_rule("GC512", one_wing.contact(2, "TIED_SURFACE_TO_SURFACE", "2,3,3,3"))), 0U);
+  EXPECT_EQ(listed(run_rule("GC512", touched.contact(2, "AUTOMATIC_SINGLE_SURFACE", "3,0,3,0"))), 1U);
   RuleDeck fabric = hinge_deck(20, false, 3);
   fabric.raw("MAT_FABRIC", "3,1e-9,300.,300.,,0.3,0.3\n100.\n\n\n\n");
   EXPECT_EQ(listed(run_rule("GC512", fabric.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 0U);

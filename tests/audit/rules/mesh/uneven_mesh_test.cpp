@@ -26,6 +26,18 @@ TEST(UnevenMesh, MoreThanFiveTimes) {
   EXPECT_EQ(listed(strip(0.403)), 0U);
 }
 
+TEST(UnevenMesh, WhateverTheUnitOfLength) {
+  for (const double size : {1e-4, 0.1, 1e4}) {
+    RuleDeck even, uneven;
+    even.shell_part(1, size / 100).plate(1, 1, 2, 2, {0, 0, 0}, size, size);
+    EXPECT_EQ(listed(run_rule("GC511", even.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 0U) << size;
+    uneven.shell_part(1, size / 100).node(1, {0, 0, 0}).node(2, {size, 0, 0}).node(3, {size, size, 0});
+    uneven.node(4, {0, size, 0}).node(5, {size, 1.03 * size, 0}).node(6, {0, 1.03 * size, 0});
+    uneven.shell(1, 1, {1, 2, 3, 4}).shell(2, 1, {4, 3, 5, 6});
+    EXPECT_EQ(listed(run_rule("GC511", uneven.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 1U) << size;
+  }
+}
+
 TEST(UnevenMesh, OnlyWithACommonEdge) {
   RuleDeck deck;
   deck.shell_part(1, 0.1).plate(1, 1, 1, 1, {0, 0, 0}, 10, 10).plate(11, 1, 1, 1, {10, 0, 0}, 0.5, 0.5);

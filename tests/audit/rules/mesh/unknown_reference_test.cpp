@@ -8,7 +8,11 @@ TEST(UnknownReference, APartThatIsNotThere) {
   deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).contact(1, "AUTOMATIC_SINGLE_SURFACE", "1,0,3,0");
   EXPECT_EQ(listed(run_rule("GC502", deck)), 0U);
   deck.contact(2, "AUTOMATIC_SINGLE_SURFACE", "9,0,3,0");
-  EXPECT_EQ(listed(run_rule("GC502", deck)), 1U);
+  const Report report = run_rule("GC502", deck);
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_EQ(report.findings[0].line, line_of(deck, "9,0,3,0") - 2) << "its keyword";
+  EXPECT_EQ(report.findings[0].severity, Severity::error);
+  EXPECT_NE(report.findings[0].message.find("part 9"), std::string::npos) << report.findings[0].message;
 }
 
 TEST(UnknownReference, BothSidesOfAllKindsOfContactAndTheirBoxes) {

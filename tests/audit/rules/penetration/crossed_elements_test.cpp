@@ -56,7 +56,7 @@ TEST(CrossedElements, EachElementOfTheUprightPlateCutsOne) {
     EXPECT_EQ(f.part, 2);
     ASSERT_TRUE(f.point);
     EXPECT_NE(f.message.find("cross along 10,"), std::string::npos) << f.message;
-    EXPECT_GT(f.line, 0U);
+    EXPECT_EQ(f.line, line_of(deck, f.element == 1 ? "1,1,1,2,5,4" : "3,1,4,5,8,7"));
   }
   EXPECT_EQ(report.findings[0].element, 1);
   EXPECT_LT((*report.findings[0].point - Vector(5, 5, 0)).norm(), 1e-12);
@@ -123,7 +123,9 @@ TEST(CrossedElements, OncePerPairInTheFirstContact) {
   for (const Finding& f : report.findings) EXPECT_EQ(f.contact, 7);
   audit::AuditOptions options;
   options.contacts = {8};
-  for (const Finding& f : run_rule("GC103", deck, options).findings) EXPECT_EQ(f.contact, 8);
+  const Report second = run_rule("GC103", deck, options);
+  ASSERT_EQ(second.findings.size(), 2U);
+  for (const Finding& f : second.findings) EXPECT_EQ(f.contact, 8);
   options = {};
   options.parts = {2};
   EXPECT_EQ(listed(run_rule("GC103", deck, options)), 2U);
@@ -177,13 +179,23 @@ TEST(CrossedElements, BeamsInTypes26Only) {
   EXPECT_LT((*report.findings[0].point - Vector(3, 4, 0)).norm(), 1e-12);
 }
 
-TEST(CrossedElements, ManyPairsOfTwoPartsAreCounted) {
+/// A long plate with an upright one along it: as many pairs of elements as it is long.
+RuleDeck long_plates(int length) {
   RuleDeck deck;
-  deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 4, 15, Vector(0, 0, 0), 10, 10);
-  upright(deck, 1001, 2, 15, 1, {5, 0, -5}).contact(1, single, everything);
+  deck.shell_part(1, 1).shell_part(2, 1).plate(1, 1, 4, length, Vector(0, 0, 0), 10, 10);
+  return upright(deck, 1001, 2, length, 1, {5, 0, -5}).contact(1, single, everything);
+}
+
+TEST(CrossedElements, ManyPairsOfTwoPartsAreCounted) {
+  const RuleDeck deck = long_plates(15);
   const Report report = run_rule("GC103", deck);
   ASSERT_EQ(report.findings.size(), 11U);
   EXPECT_EQ(report.findings.back().count, 5U);
+  EXPECT_EQ(report.findings.back().message.find("5 more pairs of elements of part 1 "), 0U)
+      << report.findings.back().message;
+  EXPECT_EQ(run_rule("GC103", long_plates(12)).findings.back().message,
+            "2 more pairs of elements of part 1 and part 2 cross");
+  EXPECT_EQ(run_rule("GC103", long_plates(11)).findings.back().count, 1U) << "a rest of one stands there itself";
   audit::AuditOptions exact, slow;
   exact.exact = slow.brute_force = true;
   for (const auto& options : {exact, slow}) {

@@ -53,6 +53,19 @@ TEST(InvertedByMove, AShellOnItsEdge) {
       << report.findings[0].message;
 }
 
+TEST(InvertedByMove, AShellThatBecomesALine) {
+  RuleDeck deck = plate_with_tie("101,102,103,104");
+  deck.shell_part(2, 0.1);
+  deck.node(101, Vector(3, 4, 0.25)).node(102, Vector(5, 4, 0.25));
+  deck.node(103, Vector(5, 4, 0.5)).node(104, Vector(3, 4, 0.5)).shell(201, 2, {101, 102, 103, 104});
+  const Report report = run_rule("GC114", deck);
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_NE(report.findings[0].message.find("shell 201 is flattened: the tie moves its node 103 by 0.5; area 0.5 "
+                                            "before, 0 after"),
+            std::string::npos)
+      << report.findings[0].message;
+}
+
 // Lower nodes at 0.3 and upper ones at 0.45 are all moved to the surface at 0.501 and beyond, by 1.002 times their
 // depth.
 TEST(InvertedByMove, AThinBrickWithinTheContactDistance) {
@@ -68,6 +81,21 @@ TEST(InvertedByMove, AThinBrickWithinTheContactDistance) {
   EXPECT_NE(report.findings[0].message.find("the contact moves its node"), std::string::npos)
       << report.findings[0].message;
   EXPECT_EQ(listed(run_rule("GC114", deck("0.,0,0,0\n1,1\n"))), 0U);  // IGNORE = 1 moves nothing
+}
+
+// The same nodes penetrate in a contact before the tie, which leaves them where they are.
+TEST(InvertedByMove, ByTheTieAndNotByAContactThatKeepsItsNodes) {
+  RuleDeck deck;
+  deck.shell_part(1, 1).shell_part(4, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 10, 10);
+  deck.plate(401, 4, 1, 1, Vector(2, 3, 0.9), 6, 6).raw("SET_NODE_LIST", "7\n105,106,107,108\n");
+  deck.contact(1, "AUTOMATIC_NODES_TO_SURFACE", "7,4,4,3", "0.\n1.,1.\n0\n0.,0,0,0\n1,1\n");
+  deck = with_brick(deck.contact(3, "TIED_NODES_TO_SURFACE", "7,1,4,3"));
+  EXPECT_EQ(run_rule("GC101", deck).penetrations.size(), 4U);
+  const Report report = run_rule("GC114", deck);
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_EQ(report.findings[0].contact, 3);
+  EXPECT_NE(report.findings[0].message.find("the tie moves its node 105 by 0.5"), std::string::npos)
+      << report.findings[0].message;
 }
 
 TEST(InvertedByMove, AnElementThatWasInvertedBeforeIsNotTheMovesFault) {

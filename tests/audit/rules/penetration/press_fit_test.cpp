@@ -32,6 +32,20 @@ TEST(PressFit, SaysWhatWillPress) {
             "t = 0.002; until the parts give way, the springs press with up to 6300, a mean pressure of 98.44");
 }
 
+// The lower face of a wedge is a triangle of 8, which its nodes share; V = 32, so its spring has 0.1 K A^2 / V = 35000.
+TEST(PressFit, Triangles) {
+  RuleDeck deck;
+  deck.solid_part(1).solid_part(2).block(1, 1, 5, 5, 1, Vector(0, 0, 0), Vector(4, 4, 4));
+  deck.node(201, {9, 9, 3.99}).node(202, {13, 9, 3.99}).node(203, {9, 13, 3.99});
+  deck.node(204, {9, 9, 7.99}).node(205, {13, 9, 7.99}).node(206, {9, 13, 7.99});
+  deck.solid(200, 2, {201, 202, 205, 204, 203, 203, 206, 206}).raw("DEFINE_CURVE", "5\n0.,0.\n0.002,1.\n0.01,1.\n");
+  const Report report = run_rule("GC113", deck.contact(7, fit, "2,1,3,3", "0.\n1.,1.\n4,5\n"));
+  ASSERT_EQ(report.findings.size(), 1U);
+  EXPECT_EQ(report.findings[0].count, 3U);
+  EXPECT_NE(report.findings[0].message.find("press with up to 1050, a mean pressure of 131.2"), std::string::npos)
+      << report.findings[0].message;
+}
+
 TEST(PressFit, ScalesWithItsSprings) {
   const Report report = run_rule("GC113", blocks(0.02, fit, "0.\n3.,2.\n4,5\n"));  // the weaker side counts
   ASSERT_EQ(report.findings.size(), 1U);

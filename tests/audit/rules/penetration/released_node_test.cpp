@@ -12,8 +12,17 @@ RuleDeck plates(double gap) {
 }
 
 TEST(ReleasedNode, BelowAFifthOfTheDistanceOnly) {
-  EXPECT_EQ(run_rule("GC102", plates(0.19)).penetrations.size(), 18U);
-  EXPECT_EQ(listed(run_rule("GC102", plates(0.21))), 0U);
+  const Report report = run_rule("GC102", plates(0.199));
+  ASSERT_EQ(report.penetrations.size(), 18U);
+  for (const Penetration& p : report.penetrations) {
+    EXPECT_EQ(p.kind, PenetrationKind::released);
+    EXPECT_EQ(p.outcome, Outcome::released);
+    EXPECT_NEAR(p.depth, 0.801, 1e-12);
+    EXPECT_EQ(p.moved_to, p.original);
+  }
+  EXPECT_EQ(report.contacts[0].released, 18U);
+  EXPECT_EQ(report.contacts[0].penetrations, 0U);
+  EXPECT_EQ(listed(run_rule("GC102", plates(0.201))), 0U);
 }
 
 }  // namespace

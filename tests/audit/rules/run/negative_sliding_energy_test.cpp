@@ -1,3 +1,5 @@
+#include <tuple>
+
 #include "audit/rules/judged_run.hpp"
 
 namespace gapcheck::audit_test::negative_sliding_energy_test {
@@ -39,6 +41,14 @@ TEST(NegativeSlidingEnergy, WhatPrintingTakesAwayIsNone) {
   EXPECT_TRUE(run.findings("GC601").empty()) << "four digits of 5000";
   run.sleout(2, 3, 5000, -5003, 0);
   EXPECT_EQ(run.findings("GC601").size(), 1u);
+  // A unit of the last digit of either side and of the friction may be missing.
+  for (const auto& [side_a, side_b, friction] :
+       {std::tuple{5000., -5001.9, 0.}, std::tuple{-5001.9, 5000., 0.}, std::tuple{5., -5.001, 5000.}}) {
+    JudgedRun rounded;
+    rounded.internal(1);
+    rounded.sleout(1, 3, side_a, side_b + (friction > 0 ? friction - 0.9 : 0), friction);
+    EXPECT_TRUE(rounded.findings("GC601").empty()) << side_a << " " << side_b << " " << friction;
+  }
 }
 
 TEST(NegativeSlidingEnergy, AllContactsByGlstatWithoutSleout) {

@@ -33,6 +33,23 @@ TEST(InconsistentNormals, CountsTheFewer) {
   EXPECT_EQ(listed(plate_with({0, 1, 2, 3, 4, 5, 6, 7, 8}, "SURFACE_TO_SURFACE")), 0U);
 }
 
+TEST(InconsistentNormals, SegmentsWithoutAnElementByTheirNumber) {
+  // A strip of four segments between nodes that no element has, the third one the other way round.
+  RuleDeck deck;
+  deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);
+  for (int i = 0; i < 5; ++i) deck.node(101 + i, {5.0 * i, 0, 9}).node(201 + i, {5.0 * i, 5, 9});
+  deck.raw("SET_SEGMENT", "4\n101,102,202,201\n102,103,203,202\n103,203,204,104\n104,105,205,204\n");
+  const Report report = run_rule("GC416", deck.contact(6, "SURFACE_TO_SURFACE", "1,4,3,0", "0.\n1.,1.\n"));
+  ASSERT_EQ(listed(report), 1U);
+  const Finding& f = report.findings[0];
+  EXPECT_EQ(f.element, 0);
+  EXPECT_NE(f.message.find("side B: 1 segment is oriented against its neighbours (first: segment 3)"),
+            std::string::npos)
+      << f.message;
+  ASSERT_TRUE(f.point);
+  EXPECT_EQ(*f.point, Vector(12.5, 2.5, 9));
+}
+
 TEST(InconsistentNormals, OrientedTypesAndReferenceSidesOnly) {
   for (const char* keyword : {"ONE_WAY_SURFACE_TO_SURFACE", "FORMING_ONE_WAY_SURFACE_TO_SURFACE"}) {
     EXPECT_EQ(listed(plate_with({4}, keyword)), 1U) << keyword;

@@ -71,6 +71,11 @@ TEST(LocalContacts, OtherSettingsAreAReason) {
   EXPECT_EQ(found(chain(5, third({.keyword = "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"}))), 0U);  // one way
   EXPECT_EQ(found(chain(5, third({.keyword = "SURFACE_TO_SURFACE"}))), 0U);
   EXPECT_EQ(found(chain(5, third({.keyword = "AUTOMATIC_SURFACE_TO_SURFACE_MORTAR"}))), 0U);
+  EXPECT_EQ(found(chain(5, third({.keyword = "AUTOMATIC_SURFACE_TO_SURFACE_SMOOTH"}))), 0U);
+  EXPECT_EQ(found(chain(5, third({.keyword = "AUTOMATIC_SURFACE_TO_SURFACE_THERMAL", .cards = "0.2\n1.,1.\n0.\n"}))),
+            0U);
+  EXPECT_EQ(found(chain(5, third({.keyword = "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", .cards = "0.2\n1.,1.\n2,1.\n"}))),
+            0U);
   const auto soft = [](int) { return Cards{.cards = "0.2\n1.,1.\n1\n"}; };
   EXPECT_EQ(found(chain(5, soft)), 1U);  // the same for all
   const auto sides = [](int) { return Cards{.cards = "0.2\n1.,1.,0.5,0.6\n"}; };

@@ -49,6 +49,29 @@ TEST(PenetrationFreeAt, TwoPlates) {
   EXPECT_EQ(listed(run_rule("GC308", plates(1, 1, 1).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"))), 0U);
 }
 
+/// Node 50 alone above a plate of thickness 1.
+RuleDeck node_above(double height, double sst, const std::string& keyword = "AUTOMATIC_NODES_TO_SURFACE") {
+  RuleDeck deck;
+  deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).node(50, Vector(2, 2, height));
+  return deck.raw("SET_NODE_LIST", "7\n50\n").contact(1, keyword, "7,1,4,3", cards(sst));
+}
+
+TEST(PenetrationFreeAt, ASingleNode) {
+  // A node without an element has no thickness but SST, so that h = (SST + MST) / 2.
+  const auto make = [](double sst) { return node_above(0.3, sst); };
+  verify(make, 0.3);
+  const Report report = run_rule("GC308", make(0));
+  ASSERT_EQ(listed(report), 1U);
+  const Finding& f = report.findings[0];
+  EXPECT_EQ(f.count, 1U);
+  EXPECT_EQ(f.node, 50);
+  EXPECT_EQ(f.element, 1);
+  EXPECT_EQ(f.element_part, 1);
+  ASSERT_TRUE(f.point);
+  EXPECT_EQ(*f.point, Vector(2, 2, 0.3));
+  EXPECT_NE(f.message.find("the closest is node 50, 0.3 from element 1"), std::string::npos) << f.message;
+}
+
 TEST(PenetrationFreeAt, ThinPartsThatSstWouldThicken) {
   // The thick plates penetrate at 1.5 of 2; with SST = 1.5 the thin ones, 0.4 apart, would.
   const auto make = [](double sst) {

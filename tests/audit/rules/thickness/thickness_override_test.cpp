@@ -64,6 +64,27 @@ TEST(ThicknessOverride, MstOfTheOtherSideAlone) {
       << report.findings[0].message;
 }
 
+/// Nodes 1 to 3 of a shell of 0.25 alone are tracked, with this SST; 0.4 above a plate of 0.25.
+Report three_nodes(double sst) {
+  RuleDeck deck;
+  deck.shell_part(1, 0.25).shell_part(2, 0.25).plate(101, 2, 2, 2, Vector(0, 0, 0), 5, 5);
+  deck.plate(1, 1, 2, 1, Vector(1, 1, 0.4), 2, 2).raw("SET_NODE_LIST", "7\n1,2,3\n");
+  return run_rule("GC301",
+                  deck.contact(1, "AUTOMATIC_NODES_TO_SURFACE", "7,2,4,3", fmt::format("0.\n1.,1.,{},0.\n", sst)));
+}
+
+TEST(ThicknessOverride, SstOfNodesAlone) {
+  const Report report = three_nodes(0.8);  // h = 0.4 + 0.125
+  ASSERT_EQ(listed(report), 1U);
+  const Finding& f = report.findings[0];
+  EXPECT_EQ(f.count, 3U);
+  EXPECT_NEAR(f.penetration, 0.125, 1e-12);
+  EXPECT_NE(f.message.find("SST = 0.8 where the elements have 0.25: 3 of 3 penetrations exist only by it"),
+            std::string::npos)
+      << f.message;
+  EXPECT_EQ(listed(three_nodes(0.54)), 0U);  // h = 0.395
+}
+
 TEST(ThicknessOverride, OpttOfOnePart) {
   RuleDeck deck;
   deck.shell_part(1, 0.25).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).plate(101, 3, 2, 2, Vector(0, 0, 0.5), 5, 5);

@@ -41,9 +41,24 @@ TEST(FlippedTiebreak, NodesBehindTheSegments) {
   EXPECT_EQ(f.part, 2);
   EXPECT_EQ(f.count, 4U);
   EXPECT_EQ(f.element, 101);
+  ASSERT_TRUE(f.point);
+  EXPECT_EQ(*f.point, Vector(2.5, 2.5, 0));
   EXPECT_NE(f.message.find("part 2: all 4 connected segments look away from the 9 nodes tied there"), std::string::npos)
       << f.message;
   EXPECT_EQ(listed(plate_at(1)), 0U);
+}
+
+// Node 50 lies near the raised corner of a segment, below its surface and above the plane of the other corners.
+TEST(FlippedTiebreak, WarpedSegments) {
+  const auto node_at = [](double z) {
+    RuleDeck deck;
+    deck.shell_part(2, 1).node(1, {0, 0, 0}).node(2, {5, 0, 0}).node(3, {5, 5, 2}).node(4, {0, 5, 0});
+    deck.shell(101, 2, {1, 2, 3, 4}).node(50, {4.5, 4.5, z}).raw("SET_SHELL_LIST", "9\n101\n");
+    return listed(
+        run_rule("GC212", tiebreak(deck.raw("SET_NODE_LIST", "4\n50\n"), "4,9,4,1", "TIEBREAK_NODES_TO_SURFACE")));
+  };
+  EXPECT_EQ(node_at(1.4), 1U);  // 2 x 0.9 x 0.9 = 1.62
+  EXPECT_EQ(node_at(1.8), 0U);
 }
 
 TEST(FlippedTiebreak, SegmentSetsAndNodeSets) {
@@ -107,6 +122,22 @@ TEST(FlippedTiebreak, EachConnectedSurfaceAlone) {
   EXPECT_EQ(report.findings[0].count, 1U);
   EXPECT_EQ(report.findings[0].element, 301);
   EXPECT_NE(report.findings[0].message.find("the segment looks away from the 4 nodes tied there"), std::string::npos)
+      << report.findings[0].message;
+}
+
+TEST(FlippedTiebreak, NamesTheFirstSegmentWithNodesBehindIt) {
+  // A strip of shells 101, 103, 102; nodes hang below the last two.
+  RuleDeck deck;
+  deck.shell_part(2, 1);
+  for (int i = 0; i < 4; ++i) deck.node(1 + i, {5.0 * i, 0, 0}).node(11 + i, {5.0 * i, 5, 0});
+  deck.shell(101, 2, {1, 2, 12, 11}).shell(102, 2, {3, 4, 14, 13}).shell(103, 2, {2, 3, 13, 12});
+  deck.node(50, {7, 2, -0.3}).node(51, {12, 2, -0.3}).raw("SET_NODE_LIST", "4\n50,51\n");
+  deck.raw("SET_SHELL_LIST", "9\n101,102,103\n");
+  const Report report = run_rule("GC212", tiebreak(deck, "4,9,4,1", "TIEBREAK_NODES_TO_SURFACE"));
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_EQ(report.findings[0].element, 102);
+  EXPECT_EQ(report.findings[0].count, 3U);
+  EXPECT_NE(report.findings[0].message.find("away from the 2 nodes tied there"), std::string::npos)
       << report.findings[0].message;
 }
 

@@ -28,6 +28,23 @@ TEST(TieConflict, NamesTheFirstContact) {
   EXPECT_NE(finding.message.find("contact 3"), std::string::npos) << finding.message;
 }
 
+TEST(TieConflict, FiveNodesAreNamedAndTheRestIsNot) {
+  const auto message = [](int nodes) {
+    RuleDeck deck = sandwich();
+    std::string ids;
+    for (int i = 0; i < nodes; ++i) {
+      deck.node(60 + i, Vector(2 + 0.5 * i, 6, 0.2));
+      ids += fmt::format("{}{}", i > 0 ? "," : "", 60 + i);
+    }
+    deck.raw("SET_NODE_LIST", "8\n" + ids + "\n").contact(3, "TIED_NODES_TO_SURFACE", "8,1,4,3");
+    deck.contact(4, "TIED_NODES_TO_SURFACE", "8,2,4,3");
+    return run_rule("GC203", deck).findings.at(0).message;
+  };
+  EXPECT_NE(message(1).find("1 node (60)"), std::string::npos) << message(1);
+  EXPECT_NE(message(5).find("5 nodes (60, 61, 62, 63, 64)"), std::string::npos) << message(5);
+  EXPECT_NE(message(6).find("6 nodes (60, 61, 62, 63, 64, ...)"), std::string::npos) << message(6);
+}
+
 TEST(TieConflict, PenaltyTakesAnyNode) {
   RuleDeck offset = sandwich();
   offset.contact(3, "TIED_NODES_TO_SURFACE", "7,1,4,3").contact(4, "TIED_NODES_TO_SURFACE_OFFSET", "7,2,4,3");

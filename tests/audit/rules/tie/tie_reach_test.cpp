@@ -23,6 +23,18 @@ TEST(TieReach, NamesTheThicknessThatTies) {
   EXPECT_EQ(listed(run_rule("GC201", nodes_above("0.\n1.,1.,-3.999\n"))), 1U);
 }
 
+TEST(TieReach, LessThanOne) {
+  // 0.9 = 0.6 (0.5 + 1), where the diagonal of 7.07 ties up to 0.35 and the shell up to 0.6.
+  RuleDeck deck;
+  deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).node(50, Vector(2, 2, 0.9));
+  deck.raw("SET_NODE_LIST", "7\n50\n").contact(1, "TIED_NODES_TO_SURFACE", "7,1,4,3");
+  const Report report = run_rule("GC208", deck);
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_EQ(report.findings[0].message,
+            "1 node is too far to tie, node 50 by most: 0.9 from its segment, tie distance 0.6; SST = -0.5 would tie "
+            "it and all that tie now");
+}
+
 TEST(TieReach, CountsWithTheReferenceThickness) {
   const Report report = run_rule("GC208", nodes_above("0.\n1.,1.,0.,-2.\n"));  // 3 = 0.6 (3 + 2)
   ASSERT_EQ(listed(report), 1U);

@@ -43,6 +43,24 @@ TEST(TieRotations, SolidsHaveNoneAndBeamsDo) {
   EXPECT_EQ(report.findings[0].node, 101);
 }
 
+// *PART_COMPOSITE has no section, but layers: 0.2 and 0.3 thick.
+TEST(TieRotations, CompositesAndCoats) {
+  const auto edge = [](const std::string& part) {
+    RuleDeck deck;
+    deck.shell_part(1, 1)
+        .plate(1, 1, 2, 2, Vector(0, 0, 0), 10, 10)
+        .raw(part.substr(0, part.find('\n')), part.substr(part.find('\n') + 1));
+    deck.raw("MAT_NULL", "9,7.85e-9\n").raw("SECTION_SHELL", "9,2\n0.1\n");
+    for (int i = 0; i < 2; ++i) deck.node(51 + i, Vector(3 + 6 * i, 5, 0)).node(61 + i, Vector(3 + 6 * i, 5, 10));
+    deck.shell(51, 2, {51, 52, 62, 61}).raw("SET_NODE_LIST", "7\n51,52\n");
+    return listed(run_rule("GC205", deck.contact(1, "TIED_NODES_TO_SURFACE", "7,1,4,3")));
+  };
+  EXPECT_EQ(edge("PART_COMPOSITE\nlayers\n2,2\n1,0.2,0.,0,1,0.3,0.,0\n"), 1U);
+  EXPECT_EQ(edge("PART\nsheet\n2,9,1\n"), 1U);
+  EXPECT_EQ(edge("PART\ncoat\n2,9,9\n"), 0U);
+  EXPECT_EQ(edge("PART\nno section\n2,0,1\n"), 0U);
+}
+
 // A lying plate of which whole shells are tied turns with them; one more shell over the edge does not change that.
 TEST(TieRotations, NotWhereWholeElementsAreTied) {
   const auto lying = [](const std::string& tied) {

@@ -14,8 +14,13 @@ Report node_above(double height) {
 TEST(UntiedNode, BeyondTheTieDistanceOnly) {
   const Report far = node_above(0.7);
   ASSERT_EQ(listed(far), 1U);
+  ASSERT_EQ(far.tie_failures.size(), 1U);
   EXPECT_EQ(far.tie_failures[0].reason, TieReason::too_far);
-  EXPECT_EQ(listed(node_above(0.5)), 0U);
+  EXPECT_EQ(far.tie_failures[0].node, 50);
+  EXPECT_NEAR(far.tie_failures[0].distance, 0.7, 1e-12);
+  EXPECT_NEAR(far.tie_failures[0].allowed, 0.6, 1e-12);
+  EXPECT_EQ(listed(node_above(0.601)), 1U);
+  EXPECT_EQ(listed(node_above(0.599)), 0U);
 }
 
 }  // namespace
