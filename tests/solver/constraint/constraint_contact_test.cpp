@@ -180,6 +180,22 @@ TEST(ConstraintContact, NodeInsideIsMovedBack) {
   EXPECT_NEAR(contact(scene).energy_a, 0, 1e-15);
 }
 
+// A thick quad beside a thin one: a node inside it is moved by what it lacks of half the thick one's thickness.
+TEST(ConstraintContact, NodeInsideAThickQuad) {
+  std::string deck = node_over_row("1.4,0.3,0.08", "0.,0.,0.", 2, "0.,0.,0.,0.,0.,0,0.0055",
+                                   "*SET_NODE_GENERAL\n5\nPART,1,2\n*BOUNDARY_SPC_SET\n5,0,1,1,1,1,1,1\n"
+                                   "*PART\nthick\n2,2,1\n*SECTION_SHELL\n2,2\n0.2\n");
+  const auto put = [&](const std::string& old, const std::string& now) {
+    deck.replace(deck.find(old), old.size(), now);
+  };
+  put("\n2,1,3,5,6,4\n", "\n2,2,3,5,6,4\n");
+  put("*SET_PART_LIST\n1\n1\n", "*SET_PART_LIST\n1\n1,2\n");
+  RunScene scene(deck, cycles(20));
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  scene.go();
+  EXPECT_NEAR(scene.state().x[0].z(), 0.1, 4.1e-5);
+}
+
 /// A block of 1 x 1 x 0.5 of n x n bricks, and one of 0.8 x 0.8 x 0.5 of m x m bricks above it.
 std::string blocks(int below, int above, double gap, const std::string& material, const std::string& more) {
   std::string nodes = "*NODE\n", solids = "*ELEMENT_SOLID\n";
