@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -18,6 +20,7 @@
 #include "results/log/solver_log.hpp"
 #include "solver/output/plot.hpp"
 #include "solver/output/run_files.hpp"
+#include "solver/run_scene.hpp"
 #include "solver/structure_of.hpp"
 
 namespace gapcheck::solver::run_test {
@@ -160,6 +163,57 @@ TEST_F(RunTest, IntervalsWhereTheDeckGivesNone) {
   EXPECT_EQ(output.d3plot, 0.025);
   EXPECT_EQ(output.sleout, 0) << "no contacts";
   EXPECT_EQ(output.matsum, 0);
+  EXPECT_EQ(output.nodout, 0) << "no history nodes";
+  EXPECT_EQ(ended.names, (std::vector<std::string>{"messag", "d3hsp", "glstat", "d3plot"}));
+}
+
+/// Something of each cycle, by its number.
+std::vector<double> history(const std::string& deck, const std::function<double(const solver::Run&)>& of) {
+  std::vector<double> list;
+  RunScene(deck).go([&](const solver::Run& run) { list.push_back(of(run)); });
+  return list;
+}
+
+// In percent: the run ends in the first cycle in which the ratio is off by more than that.
+TEST(RunEnds, EnergyRatio) {
+  const std::vector<double> off =
+      history(strip(""), [](const solver::Run& run) { return std::abs(run.stepper().energies().ratio() - 1); });
+  const double most = *std::max_element(off.begin(), off.end());
+  std::size_t first = 0;
+  while (off[first] < most / 2) ++first;
+  const double percent = 100.5 * off[first];  // a little more than what that cycle has
+  const auto ends = std::find_if(off.begin(), off.end(), [&](double o) { return o > percent / 100; });
+  ASSERT_NE(ends, off.end());
+  std::string deck = strip("");
+  deck.replace(deck.find("\n0.5\n") + 4, 0, fmt::format(",0,0.,{:.17g}", percent));
+  RunScene scene(deck);
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  EXPECT_EQ(scene.try_to_go(), RunEnd::energy);
+  EXPECT_EQ(scene.state().cycle, static_cast<std::uint64_t>(ends - off.begin()));
+  EXPECT_GT(scene.state().cycle, first);
+}
+
+// DTMIN: a share of the first step.
+TEST(RunEnds, StepThatHasFallen) {
+  const std::vector<double> steps =
+      history(strip(""), [](const solver::Run& run) { return run.stepper().next_step(); });
+  const double least = *std::min_element(steps.begin(), steps.end()), limit = (steps[0] + least) / 2;
+  ASSERT_LT(least, 0.999 * steps[0]);
+  const auto ends = std::find_if(steps.begin(), steps.end(), [&](double s) { return s < limit; });
+  std::string deck = strip("");
+  deck.replace(deck.find("\n0.5\n") + 4, 0, fmt::format(",0,{:.17g}", limit / steps[0]));
+  RunScene scene(deck);
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  EXPECT_EQ(scene.try_to_go(), RunEnd::step);
+  EXPECT_EQ(scene.state().cycle, static_cast<std::uint64_t>(ends - steps.begin()));
+}
+
+TEST(RunEnds, CyclesOfTheDeck) {
+  std::string deck = strip("");
+  deck.replace(deck.find("\n0.5\n") + 4, 0, ",7");
+  RunScene scene(deck);
+  EXPECT_EQ(scene.try_to_go(), RunEnd::cycles);
+  EXPECT_EQ(scene.state().cycle, 7u);
 }
 
 TEST_F(RunTest, Ends) {

@@ -17,6 +17,8 @@ TEST(BodyProperties, ConstraintsOfTheMaterial) {
   Stepper stepper = std::move(again).stepper(fixed_step(0.25));
   run(stepper, 4);
   EXPECT_EQ(stepper.structure().rigid[0].velocity(), Vector(0, 0, 3));
+  // Without CMO the codes mean nothing.
+  EXPECT_EQ(good(rigid_box + "*MAT_RIGID\n7,2.,1000.,0.3\n0.,7,7\n").structure.rigid.held(0), 0u);
   const Conditioned local = conditioned(rigid_box + "*MAT_RIGID\n7,2.,1000.,0.3\n-1.,3,111111\n");
   ASSERT_FALSE(local.status.ok());
   EXPECT_EQ(local.status.error().kind, Failure::Kind::not_calculated);
@@ -27,12 +29,14 @@ TEST(BodyProperties, ConstraintsOfMergedParts) {
   const std::string second =
       "*NODE\n21,5.,0.,0.\n22,6.,0.,0.\n23,6.,2.,0.\n24,5.,2.,0.\n25,5.,0.,3.\n26,6.,0.,3.\n27,6.,2.,3.\n28,5.,2.,3.\n"
       "*ELEMENT_SOLID\n10,6,21,22,23,24,25,26,27,28\n*PART\nsecond\n6,7,6\n*MAT_RIGID\n6,2.,1000.,0.3\n1.,7,7\n";
-  const Conditioned result =
-      good(rigid_box + "*MAT_RIGID\n7,2.,1000.,0.3\n1.,1,0\n" + second + "*CONSTRAINED_RIGID_BODIES\n7,6\n");
-  ASSERT_EQ(result.structure.rigid.size(), 1u);
-  EXPECT_EQ(result.structure.rigid.held(0), 1u);
-  EXPECT_EQ(result.structure.body_of_id.at(6), 0u);
-  EXPECT_EQ(result.structure.body_of_id.at(7), 0u);
+  for (const auto& [merged, held] : {std::pair{"7,6", 1u}, {"6,7", 63u}}) {
+    const Conditioned result = good(rigid_box + "*MAT_RIGID\n7,2.,1000.,0.3\n1.,1,0\n" + second +
+                                    "*CONSTRAINED_RIGID_BODIES\n" + merged + "\n");
+    ASSERT_EQ(result.structure.rigid.size(), 1u);
+    EXPECT_EQ(result.structure.rigid.held(0), held) << merged;
+    EXPECT_EQ(result.structure.body_of_id.at(6), 0u);
+    EXPECT_EQ(result.structure.body_of_id.at(7), 0u);
+  }
 }
 
 TEST(BodyProperties, InertiaOfThePart) {
@@ -52,6 +56,15 @@ TEST(BodyProperties, InertiaOfThePart) {
                body.angular_velocity().cross(result.structure.state.x[0] - body.center()))
                   .norm(),
               0, 1e-14);
+}
+
+// Nodes of a part that is not there belong to no body.
+TEST(BodyProperties, ExtraNodesOfNoPart) {
+  const Conditioned result =
+      good(rigid_box + rigid_material + point_mass + "*CONSTRAINED_EXTRA_NODES_NODE\n99,1\n*INITIAL_VELOCITY\n0\n1.\n");
+  EXPECT_EQ(result.structure.rigid.size(), 1u);
+  EXPECT_FALSE(result.structure.rigid.holds(8));
+  EXPECT_EQ(result.structure.rigid.nodes(0).size(), 8u);
 }
 
 // Local axes: x along global y, y along global z. A mass on a node moves the centre.

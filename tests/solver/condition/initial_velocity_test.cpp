@@ -69,6 +69,18 @@ TEST(InitialVelocity, MomentumOfUnequalNodes) {
                 1e-13);
 }
 
+// Only two corners have a velocity. About the line between them their own rotations count: the mean by mass, which is
+// 1.5 and 4.5 here.
+TEST(InitialVelocity, NodesOnALineTurnByTheirOwnRotation) {
+  const Conditioned result = good(rigid_box + rigid_material +
+                                  "*ELEMENT_MASS\n1,15,3.\n*INITIAL_VELOCITY_NODE\n11,1.,0.,0.,0.,0.,2.\n"
+                                  "15,1.,0.,0.,0.,0.,6.\n");
+  const RigidBody& body = result.structure.rigid[0];
+  const Vector spin(0, 0, (1.5 * 2 + 4.5 * 6) / 6);
+  EXPECT_NEAR((body.angular_velocity() - spin).norm(), 0, 1e-13);
+  EXPECT_NEAR((body.velocity() - Vector(1, 0, 0) - spin.cross(body.center())).norm(), 0, 1e-12);
+}
+
 TEST(InitialVelocity, OfARigidBodyGoesOverAll) {
   const Conditioned result =
       good(rigid_box + rigid_material +

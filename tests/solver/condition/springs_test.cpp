@@ -106,13 +106,37 @@ TEST(Springs, NonlinearCurve) {
   Oscillation run = run_of(
       two_masses + part + "*MAT_SPRING_NONLINEAR_ELASTIC\n1,7\n*DEFINE_CURVE\n7\n-1.,-20.\n0.,0.\n0.1,1.\n0.2,9.\n",
       {Vector(0, 0, 0), Vector(0.5, 0, 0)}, 1e-3);
+  double least = 0, most = 0;
   for (int i = 0; i < 1000; ++i) {
     go(run, 1);
     const double u = run.springs->elongation(0);
     const double expected = u < 0 ? 20 * u : u < 0.1 ? 10 * u : 1 + 80 * (u - 0.1);
     EXPECT_NEAR(run.springs->tension(0), expected, 1e-12);
+    // The area below the curve, which the works meet but for the steps over its corners.
+    const double stored = u < 0 ? 10 * u * u : u < 0.1 ? 5 * u * u : 0.05 + (u - 0.1) + 40 * (u - 0.1) * (u - 0.1);
+    Absorbed held;
+    run.springs->held(held);
+    EXPECT_NEAR(held.springs, stored, 1e-13);
+    EXPECT_NEAR(run.stepper.energies().absorbed.springs, stored, 1e-4);
+    least = std::min(least, u);
+    most = std::max(most, u);
   }
+  EXPECT_LT(least, -0.05);
+  EXPECT_GT(most, 0.1);
   EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-9);
+}
+
+// Node and ground are in one place: there is no line for an offset to count along, nor energy in it.
+TEST(Springs, NoOffsetWithoutALine) {
+  Oscillation run = run_of("*NODE\n1,0.,0.,0.\n*ELEMENT_MASS\n1,1,2.\n*ELEMENT_DISCRETE\n1,1,1,0,0,1.,0,0.3\n" + part +
+                               "*MAT_SPRING_ELASTIC\n1,50.\n",
+                           {Vector(0.1, 0, 0)}, 1e-3);
+  go(run, 100);
+  const double u = run.springs->elongation(0);
+  EXPECT_NEAR(u, 0.1 / 5 * std::sin(5 * 0.099), 1e-6);
+  Absorbed held;
+  run.springs->held(held);
+  EXPECT_NEAR(held.springs, 25 * u * u, 1e-13);
 }
 
 // Two inertias turn against one another about the line between them.
@@ -126,6 +150,20 @@ TEST(Springs, Torsion) {
     EXPECT_NEAR(run.springs->elongation(0), 0.1 * step * std::sin(n * turn) / std::sin(turn), 1e-12);
   }
   EXPECT_NEAR(run.stepper.energies().ratio(), 1, 1e-11);
+}
+
+// Nodes that meet leave no axis to turn about: no moment, until they part again.
+TEST(Springs, TorsionOfNodesThatMeet) {
+  Oscillation run = run_of(two_masses + "*PART\np\n1,1,1\n*SECTION_DISCRETE\n1,1\n\n*MAT_SPRING_ELASTIC\n1,50.\n",
+                           {Vector(0, 0, 0), Vector(0.1, 0, 0)}, 1e-2, {2, 3});
+  go(run, 10);
+  State state = run.stepper.state();
+  state.x[1] = state.x[0];
+  Forces forces;
+  forces.resize(2);
+  const_cast<Springs*>(run.springs)->add(state, forces);
+  EXPECT_EQ(forces.moment[0], Vector::Zero());
+  EXPECT_EQ(forces.moment[1], Vector::Zero());
 }
 
 // The step is limited so that a chain of springs stays stable, and not more than needed.
@@ -148,6 +186,9 @@ TEST(Springs, StableStep) {
   // ω² = 4 k / m for the chain.
   Oscillation run = run_of(deck + part + "*MAT_SPRING_ELASTIC\n1,5000.\n", velocity, 1);
   EXPECT_NEAR(run.springs->stable_step(), std::sqrt(0.19) * 2 / std::sqrt(4 * 5000 / 0.01), 1e-12);
+  // 2 c dt = 0.76 with c = 4 · 30 / m.
+  const Oscillation damped = run_of(deck + part + "*MAT_DAMPER_VISCOUS\n1,30.\n", velocity, 1);
+  EXPECT_NEAR(damped.springs->stable_step(), 0.38 / (4 * 30 / 0.01), 1e-15);
 }
 
 // On a rigid body its mass counts, not that of the node.

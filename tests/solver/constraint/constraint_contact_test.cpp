@@ -85,6 +85,47 @@ TEST(ConstraintContact, CentralImpactIsExact) {
 
 const std::string weight = "*DEFINE_CURVE\n9\n0.,1.\n1.,1.\n*LOAD_NODE_POINT\n100,3,9,-2.\n";
 
+// A plate that is moved takes the node along, and it has the plate's velocity; the motion pays m v².
+TEST(ConstraintContact, MovedPlateTakesTheNodeAlong) {
+  const std::string moved =
+      "*SET_NODE_GENERAL\n5\nPART,1\n*BOUNDARY_SPC_SET\n5,0,1,1,0,1,1,1\n*BOUNDARY_PRESCRIBED_MOTION_SET\n5,3,0,8\n"
+      "*DEFINE_CURVE\n8\n0.,2.\n9.,2.\n";
+  RunScene scene(node_over_row("0.4,0.3,0.0623", "0.,0.,0.", 1, "0.", moved), cycles(20));
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  double impulse = 0;
+  scene.go([&](const solver::Run& run) { impulse += run.contacts()[0].state().force_a.z() * 1e-3; });
+  EXPECT_NEAR(impulse, 2, 1e-12);
+  EXPECT_NEAR(scene.state().v[0].z(), 2, 1e-13);
+  EXPECT_NEAR(scene.state().x[0].z(), 20 * 2e-3 + thickness / 2, 1e-14);
+  EXPECT_NEAR(scene.state().x[1].z(), 20 * 2e-3, 1e-14);
+  EXPECT_NEAR(scene.energies().external - contact(scene).energy_b, 0, 1e-12);
+}
+
+// Two nodes meet a free plate in one step. The fast one takes the plate away from the slow one, which is then in no
+// contact: no force, no record.
+TEST(ConstraintContact, WhatTheOtherOneTakesAwayIsNotTouched) {
+  std::string deck = node_over_row("0.5,0.5,0.051", "0.,0.,-3.");
+  const auto put = [&](const std::string& old, const std::string& now) {
+    deck.replace(deck.find(old), old.size(), now);
+  };
+  put("*INITIAL_VELOCITY_NODE\n",
+      "*NODE\n101,0.2,0.3,0.05005\n*ELEMENT_MASS\n101,101,1.\n*INITIAL_VELOCITY_NODE\n"
+      "101,0.,0.,-0.1\n");
+  put("*SET_NODE_LIST\n1\n100\n", "*SET_NODE_LIST\n1\n101,100\n");
+  RunScene scene(deck, cycles(1));
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  scene.go();
+  EXPECT_EQ(contact(scene).touching, 1u);
+  const std::vector<ContactNode> nodes = scene.run().contacts()[0].nodes();
+  ASSERT_EQ(nodes.size(), 1u);
+  EXPECT_EQ(scene.read().model.mesh.nodes.id[nodes[0].node.value], 100);
+  EXPECT_EQ(scene.state().v.back().z(), -0.1);
+  std::vector<ContactLink> links;
+  const ContactView view = scene.run().contacts()[0];
+  view.source->links(view.position, links);
+  EXPECT_EQ(links.size(), 1u);
+}
+
 // A constant load: the reaction is that load in each cycle, and the node stays where it is.
 TEST(ConstraintContact, LoadIsCarriedWithoutOscillation) {
   RunScene scene(node_over_row("0.4,0.3,0.05", "0.,0.,0.", 1, "0.", hold_row + weight), cycles(200));
@@ -137,6 +178,22 @@ TEST(ConstraintContact, NodeInsideIsMovedBack) {
   EXPECT_NEAR(scene.state().x[0].z(), 0.05, 2.1e-5);
   EXPECT_EQ(scene.state().v[0].norm(), 0);
   EXPECT_NEAR(contact(scene).energy_a, 0, 1e-15);
+}
+
+// A thick quad beside a thin one: a node inside it is moved by what it lacks of half the thick one's thickness.
+TEST(ConstraintContact, NodeInsideAThickQuad) {
+  std::string deck = node_over_row("1.4,0.3,0.08", "0.,0.,0.", 2, "0.,0.,0.,0.,0.,0,0.0055",
+                                   "*SET_NODE_GENERAL\n5\nPART,1,2\n*BOUNDARY_SPC_SET\n5,0,1,1,1,1,1,1\n"
+                                   "*PART\nthick\n2,2,1\n*SECTION_SHELL\n2,2\n0.2\n");
+  const auto put = [&](const std::string& old, const std::string& now) {
+    deck.replace(deck.find(old), old.size(), now);
+  };
+  put("\n2,1,3,5,6,4\n", "\n2,2,3,5,6,4\n");
+  put("*SET_PART_LIST\n1\n1\n", "*SET_PART_LIST\n1\n1,2\n");
+  RunScene scene(deck, cycles(20));
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  scene.go();
+  EXPECT_NEAR(scene.state().x[0].z(), 0.1, 4.1e-5);
 }
 
 /// A block of 1 x 1 x 0.5 of n x n bricks, and one of 0.8 x 0.8 x 0.5 of m x m bricks above it.

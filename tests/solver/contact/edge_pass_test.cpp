@@ -228,6 +228,16 @@ TEST(EdgePass, InitialDepthIsForgivenOrForcedAtOnce) {
   ASSERT_EQ(kept.contacts->nodes(0).size(), 1u);
   EXPECT_EQ(kept.contacts->nodes(0)[0].kind, ContactNode::Kind::kept);
   EXPECT_NEAR(kept.contacts->nodes(0)[0].forgiven, 0.05, 1e-7);
+  // They cross at x = 0.05, which is nearer to the second end of the first beam, and at y = 0.
+  const auto id = [&](NodeIndex n) { return kept.read.model.mesh.nodes.id[n.value]; };
+  EXPECT_EQ(id(kept.contacts->nodes(0)[0].node), 12);
+  EXPECT_EQ(id(kept.contacts->nodes(0)[0].segment[0]), 21);
+  EXPECT_EQ(id(kept.contacts->nodes(0)[0].segment[1]), 22);
+  std::vector<ContactLink> links;
+  kept.contacts->links(0, links);
+  ASSERT_EQ(links.size(), 1u);
+  EXPECT_NEAR((links[0].tracked.of(kept.state().x) - Vector(0.05, 0, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((links[0].reference.of(kept.state().x) - Vector(0.05, 0, 0.15)).norm(), 0, 1e-12);
   ContactScene forced(crossing_beams(0.15, contact_of("AUTOMATIC_GENERAL", "0.\n")), {}, steps(1e-3));
   forced.step(1);
   ASSERT_EQ(forced.contacts->nodes(0).size(), 1u);
@@ -366,6 +376,38 @@ struct Alone {
   ContactCounters counters;
   std::unique_ptr<EdgePass> pass;
 };
+
+// A pair that touches is no candidate any more when it is farther past the mid-line than candidates lie apart: it
+// stays.
+TEST(EdgePass, PairsInContactStayHoweverDeep) {
+  Alone run(crossing_beams(0.15, contact_of("AUTOMATIC_GENERAL")));
+  constexpr double margin = 0.01, h = 0.2, stiffness = 0.1 * (1000 / 1.5) * h;
+  double distance = 0.15;
+  for (int i = 0; i < 40; ++i) {
+    run.pass->find_candidates(margin, run.counters);
+    const std::vector<Vector> forces = run.forces(0);
+    ASSERT_NEAR((forces[2] + forces[3]).z(), stiffness * (h - distance), 1e-6 * stiffness) << distance;
+    distance -= 0.01;
+    for (const std::size_t node : {2u, 3u}) run.state.x[node].z() -= 0.01;
+  }
+}
+
+// IGNORE = 1 forgives what jumps into the contact distance from out of sight, and nothing of an approach that was
+// followed: sight ends at twice the distance.
+TEST(EdgePass, OnlyJumpsAreForgiven) {
+  for (const bool jumps : {true, false}) {
+    const double start = jumps ? 0.45 : 0.35;
+    ContactScene scene(crossing_beams(start, contact_of("AUTOMATIC_GENERAL", "0.\n1.,1.\n0\n0.\n1,1\n")),
+                       down((start - 0.15) / 1e-2, 2), steps(1e-2));
+    ASSERT_TRUE(scene.stepper) << scene.why_not;
+    scene.step(2);
+    const std::vector<ContactNode> nodes = scene.contacts->nodes(0);
+    ASSERT_EQ(nodes.size(), 1u);
+    EXPECT_NEAR(nodes[0].penetration, 0.05, 1e-6);
+    EXPECT_NEAR(nodes[0].forgiven, jumps ? 0.05 : 0, 1e-6);
+    EXPECT_EQ(nodes[0].kind, jumps ? ContactNode::Kind::kept : ContactNode::Kind::touching);
+  }
+}
 
 TEST(EdgePass, AgreesWithTheSlowTwin) {
   std::size_t touched = 0, deep = 0;

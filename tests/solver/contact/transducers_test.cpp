@@ -140,6 +140,12 @@ TEST(Transducers, ResultantsOfAPairAreItsForcesAndMoments) {
   }
   expect_near(t.scene.result().moment_a, moment);
   EXPECT_GT(moment.norm(), 0);
+  Vector other = Vector::Zero();
+  for (const ContactLink& link : t.links()) {
+    const ContactPoint& on_b = link.exchanged ? link.tracked : link.reference;
+    other += (link.exchanged ? 1 : -1) * on_b.of(t.scene.state().x).cross(link.force);
+  }
+  expect_near(t.scene.result().moment_b, other);
 }
 
 }  // namespace

@@ -64,6 +64,29 @@ TEST(Beam, TorsionAndTension) {
   EXPECT_NEAR(pulled.force[1].x(), 0.2, 1e-12);
 }
 
+// ½ P w of the cantilever in both planes, ½ G J θ² / L of torsion, ½ E A u² / L of tension; of a truss σ² / 2E.
+TEST(Beam, StoredEnergy) {
+  constexpr double load = 1e-9, length = 2;
+  const auto stored = [](const BeamProperties& properties, const Vector& way, const Vector& turn) {
+    BeamState state = start();
+    const BeamEnds ends{{Vector(0, 0, 0), Vector(2, 0, 0) + way}, {Vector(0, 0, 0), way}, {Vector(0, 0, 0), turn}};
+    static_cast<void>(properties.truss ? truss_forces(properties, ends, 1, state)
+                                       : resultant_beam_forces(properties, ends, 1, state));
+    return stored_energy(properties, state, (ends.x[1] - ends.x[0]).norm());
+  };
+  for (const int direction : {1, 2}) {
+    const double stiffness = young * (direction == 2 ? 3e-5 : 5e-5);
+    Vector way = Vector::Zero(), turn = Vector::Zero();
+    way[direction] = load * std::pow(length, 3) / 3 / stiffness;
+    turn[3 - direction] = (direction == 2 ? -1 : 1) * load * length * length / 2 / stiffness;
+    EXPECT_NEAR(stored(bar(), way, turn) / (load * way[direction] / 2), 1, 1e-6) << direction;
+  }
+  EXPECT_NEAR(stored(bar(), {0, 0, 0}, {0.01, 0, 0}), shear * 7e-5 * 0.01 * 0.01 / 2 / 2, 1e-16);
+  EXPECT_NEAR(stored(bar(), {0.02, 0, 0}, {0, 0, 0}), young * 0.02 * 0.02 * 0.02 / 2 / 2, 1e-15);
+  const double strain = 2 * 0.02 / 4.02;
+  EXPECT_NEAR(stored(bar(true), {0.02, 0, 0}, {0, 0, 0}), young * strain * strain / 2 * 0.02 * 2.02, 1e-15);
+}
+
 TEST(Beam, ForcesAndMomentsBalance) {
   const Vector way(0.1, -0.2, 0.3), turn(0.2, 0.1, -0.3);
   for (const bool truss : {false, true}) {
@@ -219,6 +242,10 @@ TEST(BeamElements, ConserveEnergyAndMomentum) {
     bent = std::max(bent, stepper.energies().internal);
   }
   EXPECT_GT(bent, 1e-2 * stepper.energies().kinetic);
+  // The works of the forces are what the shape of the beams stores.
+  double stored = 0;
+  for (std::size_t e = 0; e < 10; ++e) stored += stepper.structure().beams.stored(e, stepper.state().x);
+  EXPECT_NEAR(stored / stepper.energies().internal, 1, 0.02);
   Vector now = Vector::Zero();
   for (std::size_t i = 0; i <= 10; ++i) now += stepper.state().mass[i] * stepper.state().v[i];
   EXPECT_NEAR((now - momentum).norm(), 0, 1e-12);
@@ -268,6 +295,18 @@ TEST(BeamElements, WaveInATrussRod) {
   EXPECT_NEAR(mean / (-density * wave * speed), 1, 0.02);
   EXPECT_NEAR(stepper.structure().beams.state(70).stress, 0, 0.02 * density * wave * speed);
   EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-3);
+}
+
+// s lies in the plane with the third node, across the beam, wherever in that plane the node is.
+TEST(BeamElements, AxisAcrossTheBeam) {
+  const auto axis = [](const char* third) {
+    const Structure beam =
+        structure_of(fmt::format("*NODE\n1,0.,0.,0.\n2,2.,0.,0.\n3,{}\n*ELEMENT_BEAM\n1,1,1,2,3\n", third) +
+                     elastic_deck("*SECTION_BEAM\n1,2\n0.02,3e-5,5e-5,7e-5\n", young, poisson, density));
+    return beam.beams.state(0).axis;
+  };
+  EXPECT_NEAR((axis("5.,0.,3.") - Vector::UnitZ()).norm(), 0, 1e-15);
+  EXPECT_NEAR((axis("-7.,2.,2.") - Vector(0, 1, 1).normalized()).norm(), 0, 1e-15);
 }
 
 TEST(BeamElements, MassAndInertia) {

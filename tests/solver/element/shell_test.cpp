@@ -281,6 +281,7 @@ TEST(Shell, StableStepIsABound) {
       Eigen::VectorXd root(24);
       for (int i = 0; i < 24; ++i) root[i] = 1 / std::sqrt(i % 6 < 3 ? share : inertia);
       const Eigen::MatrixXd k = shell_stiffness(shell, x);
+      EXPECT_LT((k - k.transpose()).norm(), 1e-5 * k.norm()) << "forces have an energy";
       const Eigen::MatrixXd scaled = root.asDiagonal() * (k + k.transpose()) / 2 * root.asDiagonal();
       const double highest = std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues()[23]);
       const double step = shell.step(at_rest(x), 0).stable_step;
@@ -323,7 +324,22 @@ TEST(Shell, StableStepCountsHourglassViscosity) {
       trapezoid{Vector(0, 0, 0), {2, 0, 0}, {1.2, 1, 0}, {0.8, 1, 0}};
   EXPECT_EQ(step(HourglassKind::viscous, rectangle), step(HourglassKind::none, rectangle));
   EXPECT_EQ(step(HourglassKind::stiffness, rectangle), step(HourglassKind::none, rectangle));
+  // The largest eigenvalue of dt² K + 2 dt C at the step, over the masses.
+  const auto largest = [](const std::array<Vector, 4>& x) {
+    const OneShell plain(elastic_shell(poisson, HourglassKind::none), thickness);
+    OneShell viscous(elastic_shell(poisson, HourglassKind::viscous), thickness);
+    const Eigen::MatrixXd k = shell_stiffness(plain, x), c = (shell_stiffness(viscous, x) - k) * 1e-8;
+    const double dt = viscous.step(at_rest(x), 0).stable_step;
+    const double share = shell_area(x) * thickness / 4, inertia = share * rotational_inertia(shell_area(x), thickness);
+    Eigen::VectorXd root(24);
+    for (int i = 0; i < 24; ++i) root[i] = 1 / std::sqrt(i % 6 < 3 ? share : inertia);
+    const Eigen::MatrixXd a = root.asDiagonal() * (dt * dt * k + 2 * dt * c) * root.asDiagonal();
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>((a + a.transpose()) / 2).eigenvalues()[23];
+  };
   EXPECT_LT(step(HourglassKind::viscous, trapezoid), 0.99 * step(HourglassKind::none, trapezoid));
+  EXPECT_LE(largest(trapezoid), 4 * (1 + 1e-5));
+  EXPECT_GE(largest(trapezoid), 3);
+  EXPECT_LE(largest(rectangle), 4 * (1 + 1e-5));
 }
 
 // L = A / longest side (triangles: twice that), c² = E / (ρ (1 − ν²)).

@@ -102,6 +102,16 @@ TEST(Welds, FailureTime) {
   EXPECT_FALSE(stepper.structure().rigid.holds(0));
 }
 
+// In the cycle whose time is the failure time, not one later: both are whole numbers of 1/1024 here.
+TEST(Welds, FailsAtItsTimeAndNotLater) {
+  Stepper stepper = stepper_of(masses + "*CONSTRAINED_SPOTWELD\n1,2,0.,0.,0.,0.,0.0078125\n", 1.0 / 1024);
+  run_cycles(stepper, 8);
+  EXPECT_EQ(stepper.state().time, 8.0 / 1024);
+  EXPECT_FALSE(stepper.structure().rigid.failed(0));
+  run_cycles(stepper, 1);
+  EXPECT_TRUE(stepper.structure().rigid.failed(0));
+}
+
 TEST(Welds, SharedNodesAndWhatIsNotCalculatedAreNamed) {
   const model::Read read = model::read_text(
       masses +

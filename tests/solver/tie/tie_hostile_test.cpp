@@ -13,8 +13,9 @@ const std::vector<std::string> forms{"TIED_NODES_TO_SURFACE",
                                      "TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET",
                                      "TIEBREAK_NODES_TO_SURFACE"};
 
-/// Nodes of a plate tied to segments as given; the end of the run has numbers, or the run says why there is none.
-void expect_orderly(const std::string& form, const std::string& segments, const std::string& card_3,
+/// Nodes of a plate tied to segments as given; the end of the run has numbers, or the run says why there is none. True
+/// if it came to its end.
+bool expect_orderly(const std::string& form, const std::string& segments, const std::string& card_3,
                     const std::string& more = "") {
   const TieDeck::Grid base{1, {0, 0, 0}, {1, 1, 0.1}, 1, 1, 0}, upper{2, {0.2, 0.2, 0}, {0.6, 0.6, 0.1}, 1, 1, 0};
   TieDeck deck;
@@ -27,17 +28,23 @@ void expect_orderly(const std::string& form, const std::string& segments, const 
   const auto end = scene.try_to_go();
   if (!end || *end == RunEnd::failed) {
     EXPECT_FALSE(scene.message().empty()) << form << " " << segments;
-    return;
+    return false;
   }
   for (const Vector& x : scene.state().x) EXPECT_TRUE(std::isfinite(x.sum())) << form << " " << segments << card_3;
+  return true;
 }
 
 TEST(TieHostile, SegmentsWithoutArea) {
   for (const std::string& form : forms)
     for (const char* segments : {"1001,1001,1001,1001\n", "1001,1002,1002,1001\n", "1001,1002,1001,1002\n",
                                  "1001,1002,1004,1003\n", "1001,1002,1004,1004\n", "1001,1003,1002,1004\n",
-                                 "1001,1002,2001,2001\n", "2001,2002,2004,2003\n", "0,0,0,0\n"})
-      expect_orderly(form, segments, "1.,1.,-1.,-1.");
+                                 "1001,1002,2001,2001\n", "2001,2002,2004,2003\n", "0,0,0,0\n"}) {
+      const bool ended = expect_orderly(form, segments, "1.,1.,-1.,-1.");
+      // The springs of the edges are too stiff for lone shells at the bound of their step.
+      const bool sound =
+          std::string_view(segments) == "1001,1002,1004,1003\n" && form != "TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET";
+      EXPECT_TRUE(ended || !sound) << form;
+    }
 }
 
 TEST(TieHostile, NumbersOfCard3) {

@@ -38,13 +38,16 @@ struct Pull {
   std::optional<ContactNode::Kind> kind;
 };
 
-/// A force that grows slowly in the direction (x, z).
-Pull pull(const std::string& keyword, const std::string& card, double x, double z) {
+/// A force that grows slowly in the direction (x, z); the shell has an area of `area`.
+Pull pull(const std::string& keyword, const std::string& card, double x, double z, double area = 1) {
   constexpr double end = 60, rate = 0.05;
   std::string drive = "*LOAD_NODE_POINT\n";
   if (x != 0) drive += fmt::format("5,1,1,{}\n", x);
   if (z != 0) drive += fmt::format("5,3,1,{}\n", z);
-  RunScene scene(node_on_shell(keyword, card, drive, fmt::format("0.,0.\n{},{}\n", end, rate * end), end));
+  std::string deck = node_on_shell(keyword, card, drive, fmt::format("0.,0.\n{},{}\n", end, rate * end), end);
+  for (const std::string corner : {"\n2,1.", "\n3,1."})
+    deck.replace(deck.find(corner), corner.size(), fmt::format("{}{}", corner.substr(0, 3), area));
+  RunScene scene(deck);
   Pull pull;
   if (!scene.prepared()) {
     ADD_FAILURE() << scene.message();
@@ -74,9 +77,32 @@ TEST(Tiebreak, FailsByTheCriterion) {
   // Stresses, on the area of the segment; powers are 2.
   EXPECT_NEAR(pull(automatic, "2,1.5,1.", 0, 1).force, 1.5, 0.03);
   EXPECT_NEAR(pull(automatic, "2,1.,1.", 1, 1).force, std::sqrt(0.5), 0.02);
+  // On another area the stresses are others, the forces the same.
+  EXPECT_NEAR(pull(automatic, "2,1.5,1.", 0, 1, 1.5).force, 1.5 * 1.5, 0.03);
+  EXPECT_NEAR(pull(old_type, "2.,1.,1.,2.", 0, 1, 1.5).force, 2, 0.03);
   // Zero is not a limit, and compression never counts.
   EXPECT_EQ(pull(old_type, "0.,1.", 0, 1).force, 0);
   EXPECT_EQ(pull(old_type, "0.1,0.", 0, -1).force, 0);
+}
+
+/// The tie of another contact beside a tiebreak has no strength that it could lose.
+TEST(Tiebreak, LeavesOtherTiesAsTheyAre) {
+  RunScene scene(node_on_shell(old_type, "0.1,0.1", "*LOAD_NODE_POINT\n5,3,1,1.\n6,3,1,1.\n", "0.,0.\n10.,1.\n", 5) +
+                 "*NODE\n6,0.3,0.3,0.05\n*ELEMENT_MASS\n6,6,1.\n*SET_NODE_LIST\n2\n6\n"
+                 "*CONTACT_TIED_NODES_TO_SURFACE_OFFSET\n2,1,4,3\n0.\n1.,1.,-1.,-1.\n");
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  scene.go();
+  const auto kinds = [&](ContactIndex contact) {
+    std::vector<ContactNode::Kind> list;
+    for (const ContactView& view : scene.run().contacts())
+      for (const ContactNode& node : view.nodes())
+        if (view.state().contact == contact) list.push_back(node.kind);
+    return list;
+  };
+  EXPECT_EQ(kinds(ContactIndex{0}), std::vector{ContactNode::Kind::broken});
+  EXPECT_EQ(kinds(ContactIndex{1}), std::vector{ContactNode::Kind::tied});
+  EXPECT_GT(scene.state().x[4].z(), 0.5) << "flies off";
+  EXPECT_LT(scene.state().x[5].z(), half_thickness + 0.1);
 }
 
 TEST(Tiebreak, TellsOfItsFailure) {
@@ -164,7 +190,9 @@ TEST(TieEnd, HugeDampingStillTies) {
   RunScene scene(text);
   ASSERT_TRUE(scene.prepared()) << scene.message();
   scene.go();
-  EXPECT_GT(scene.run().contacts().front().state().force_a.norm(), 0);
+  // Free it would fly by ½ F t² = 1.25.
+  EXPECT_GT(scene.state().x[4].z(), half_thickness);
+  EXPECT_LT(scene.state().x[4].z() - half_thickness, 0.1 * 1.25);
 }
 
 /// Ties that are over leave their nodes to other contacts.
@@ -182,7 +210,7 @@ TEST(TieEnd, OtherContactsFollow) {
       largest = std::max(largest, run.contacts().front().state().force_a.norm());
     });
     EXPECT_EQ(before, 0) << keyword;
-    EXPECT_GT(after, 0) << keyword;
+    EXPECT_GE(after, 0.1) << keyword << " carries the load";
   }
 }
 
@@ -225,6 +253,10 @@ TEST(Tiebreak, WhatIsNotCalculatedIsRefused) {
     EXPECT_FALSE(method(surfaces, card).why_not.empty()) << card;
   }
   EXPECT_EQ(method("TIEBREAK_SURFACE_TO_SURFACE", "1.,1.,7").method, ContactMethod::none);
+  for (const int soft : {0, 1})
+    EXPECT_EQ(method(surfaces, fmt::format("2,1.,1.\n{}", soft)).method, ContactMethod::tiebreak);
+  EXPECT_EQ(method(surfaces, "2,1.,1.\n2").method, ContactMethod::none);
+  EXPECT_NE(method(surfaces, "2,1.,1.\n2").why_not.find("SOFT"), std::string_view::npos);
   EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "2,1.,1.").method, ContactMethod::none);
   EXPECT_EQ(method("TIED_SURFACE_TO_SURFACE_FAILURE", "1.,1.").method, ContactMethod::none);
 }
