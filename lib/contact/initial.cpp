@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/stopwatch.hpp"
 #include "contact/definition/exclusions.hpp"
@@ -56,6 +57,32 @@ void count_surfaces(const ContactSurfaces& sides, ContactSummary& summary) {
   summary.segments += a.selection.segments.size();
 }
 
+/// What a search counts besides its own work.
+struct FoundCounts {
+  std::uint64_t crowded_nodes = 0, crowded_edges = 0, tied_pairs = 0, excluded_pairs = 0;
+
+  FoundCounts() = default;
+  explicit FoundCounts(const InitialCounters& counters)
+      : crowded_nodes(counters.sweep.crowded_nodes),
+        crowded_edges(counters.sweep.crowded_edges),
+        tied_pairs(counters.tied_pairs),
+        excluded_pairs(counters.excluded_pairs) {}
+  [[nodiscard]] FoundCounts operator-(const FoundCounts& before) const {
+    FoundCounts since = *this;
+    since.crowded_nodes -= before.crowded_nodes;
+    since.crowded_edges -= before.crowded_edges;
+    since.tied_pairs -= before.tied_pairs;
+    since.excluded_pairs -= before.excluded_pairs;
+    return since;
+  }
+  void add_to(InitialCounters& counters) const {
+    counters.sweep.crowded_nodes += crowded_nodes;
+    counters.sweep.crowded_edges += crowded_edges;
+    counters.tied_pairs += tied_pairs;
+    counters.excluded_pairs += excluded_pairs;
+  }
+};
+
 /// Takes the contacts one after the other and keeps the books.
 class Initialiser {
  public:
@@ -67,8 +94,10 @@ class Initialiser {
         state_(state),
         search_(search_by_options(options, counters.searches_by_kind)),
         ties_(model),
-        present_(surfaces, state.x, counters) {
-    if (!options.repeated) first_ = repeated_contacts(model);
+        present_(surfaces, state.x, counters),
+        first_(repeated_contacts(model)) {
+    for (const ContactIndex first : first_)
+      if (first != none<ContactIndex>) found_.try_emplace(first);
   }
 
   void run() {
@@ -82,7 +111,7 @@ class Initialiser {
         state_.contacts.back().not_checked = "not selected";
       else if (type.family == Family::tied)
         tie_nodes(c);
-      else if (!first_.empty() && first_[c.value] != none<ContactIndex>)
+      else if (!options_.repeated && first_[c.value] != none<ContactIndex>)
         leave_out(c);
       else if (is_searched(type, options_))
         list_penetrations(c);
@@ -141,10 +170,48 @@ class Initialiser {
       note(c, fmt::format("DEPTH = {} also holds edges against edges, which was not done", depth));
     count_surfaces(sides, summary);
     PenetrationList list(state_.penetrations);
-    find_penetrations({model_, options_, *search_, ties_, present_, counters_}, c, sides, exclusions, list,
-                      state_.moved_into);
+    if (!repeat_penetrations(c, list)) search_penetrations(c, sides, exclusions, list);
     for (const Penetration& p : list.records()) count(p, summary);
     if (state_.penetrations.size() > options_.most_listed) list_fewer(c, list.records().size());
+  }
+
+  /// What the first of several equal contacts has found, or the last of them that was searched.
+  struct Found {
+    std::optional<std::uint64_t> moves;  ///< PresentSurfaces::moves() before the search; nothing: not known
+    std::size_t ties = 0;                ///< tied pairs then
+    std::size_t begin = 0, end = 0;      ///< in InitialState::penetrations
+    FoundCounts counts;
+  };
+
+  void search_penetrations(ContactIndex c, const ContactSurfaces& sides, const Exclusions& exclusions,
+                           PenetrationList& list) {
+    const std::size_t begin = state_.penetrations.size();
+    const FoundCounts before(counters_);
+    const std::uint64_t moves = present_.moves();
+    find_penetrations({model_, options_, *search_, ties_, present_, counters_}, c, sides, exclusions, list,
+                      state_.moved_into);
+    if (const auto found = found_of(c); found != found_.end())
+      found->second = {moves, ties_.size(), begin, state_.penetrations.size(), FoundCounts(counters_) - before};
+  }
+
+  [[nodiscard]] std::map<ContactIndex, Found>::iterator found_of(ContactIndex c) {
+    const ContactIndex first = first_[c.value];
+    return found_.find(first == none<ContactIndex> ? c : first);
+  }
+
+  /// Lists what a contact with the same cards has found, if neither nodes nor ties have changed since it was searched.
+  bool repeat_penetrations(ContactIndex c, PenetrationList& list) {
+    const auto known = found_of(c);
+    if (known == found_.end() || known->second.moves != present_.moves() || known->second.ties != ties_.size())
+      return false;
+    const Found& found = known->second;
+    const std::span<Penetration> records = list.add(found.end - found.begin);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      records[i] = state_.penetrations[found.begin + i];
+      records[i].contact = c.value;
+    }
+    found.counts.add_to(counters_);
+    return true;
   }
 
   /// Drops the shallowest of a contact's penetrations, which are the last ones.
@@ -153,6 +220,7 @@ class Initialiser {
     summary.reported_penetrations = summary.penetrations + summary.released;
     const std::size_t before = state_.penetrations.size() - found;
     state_.penetrations.resize(std::max(before, options_.most_listed));
+    for (auto& known : found_) known.second.moves.reset();
     note(c, fmt::format("of its {} penetrations the {} deepest are listed, since all contacts have more than {}; the "
                         "others are counted",
                         found, state_.penetrations.size() - before, options_.most_listed));
@@ -213,7 +281,8 @@ class Initialiser {
   std::unique_ptr<CandidateSearch> search_;
   TiedPairs ties_;
   PresentSurfaces present_;
-  std::vector<ContactIndex> first_;  ///< by contact, that which it repeats; empty: repeated ones are searched
+  std::vector<ContactIndex> first_;      ///< by contact, that which it repeats
+  std::map<ContactIndex, Found> found_;  ///< by the first of equal contacts
   std::size_t left_out_ = 0;
   std::int64_t example_ = 0;  ///< id of the first one left out
 };

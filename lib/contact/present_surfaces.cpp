@@ -5,7 +5,7 @@
 namespace gapcheck::contact {
 
 const ContactSurfaces& PresentSurfaces::at(ContactIndex contact) {
-  if (!moved_) return deck_.at(contact);
+  if (moves_ == 0) return deck_.at(contact);
   const Stopwatch watch(counters_.surface_s);
   ++counters_.surfaces_built;
   return built_.emplace(deck_.build(contact, x_, &sides_));
@@ -13,7 +13,7 @@ const ContactSurfaces& PresentSurfaces::at(ContactIndex contact) {
 
 void PresentSurfaces::move(NodeIndex node, const Vector& to) {
   x_[node.value] = to;
-  moved_ = true;
+  ++moves_;
   sides_.clear();
 }
 
@@ -21,7 +21,7 @@ TieResult PresentSurfaces::tie(const TieScene& scene, ContactIndex contact, cons
                                TiedPairs& ties) {
   TieResult result = apply_ties(scene, contact, surfaces, x_, ties);
   if (result.moved > 0) {
-    moved_ = true;
+    ++moves_;
     sides_.clear();
   }
   return result;

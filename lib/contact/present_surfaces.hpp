@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,8 @@ class PresentSurfaces {
   /// Valid until the next call.
   [[nodiscard]] const ContactSurfaces& at(ContactIndex contact);
   void move(NodeIndex node, const Vector& to);
+  /// How often nodes have moved: as long as it stays, so do all coordinates.
+  [[nodiscard]] std::uint64_t moves() const { return moves_; }
   /// Ties the nodes of a contact, which may move them.
   [[nodiscard]] TieResult tie(const TieScene& scene, ContactIndex contact, const ContactSurfaces& surfaces,
                               TiedPairs& ties);
@@ -25,8 +28,8 @@ class PresentSurfaces {
   SurfaceStore& deck_;
   std::vector<Vector>& x_;
   InitialCounters& counters_;
-  bool moved_ = false;  ///< some node is no longer at its position in the deck
-  SideCache sides_;     ///< on the present coordinates
+  std::uint64_t moves_ = 0;  ///< 0: all nodes are at their positions in the deck
+  SideCache sides_;          ///< on the present coordinates
   std::optional<ContactSurfaces> built_;
 };
 

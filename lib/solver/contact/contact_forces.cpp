@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/stopwatch.hpp"
+#include "contact/definition/repeated_contacts.hpp"
 #include "contact/surface/erosion.hpp"
 
 namespace gapcheck::solver {
@@ -15,6 +16,19 @@ void clear_sums(ContactState& result) {
   result.moment_a.setZero();
   result.moment_b.setZero();
   result.touching = result.released = 0;
+}
+
+std::span<const Penetration> of_contact(std::span<const Penetration> found, ContactIndex contact) {
+  const auto [begin, end] = std::ranges::equal_range(found, contact.value, {}, &Penetration::contact);
+  return {begin, end};
+}
+
+/// Whether the initialisation has found the same in two contacts; `found`: sorted by contact.
+bool same_found(std::span<const Penetration> found, ContactIndex a, ContactIndex b) {
+  return std::ranges::equal(of_contact(found, a), of_contact(found, b), [](const Penetration& p, const Penetration& q) {
+    return p.node == q.node && p.segment == q.segment && p.segment_number == q.segment_number &&
+           p.element == q.element && p.depth == q.depth && p.outcome == q.outcome && p.kind == q.kind;
+  });
 }
 
 }  // namespace
@@ -36,12 +50,19 @@ ContactForces::ContactForces(const model::Model& model, contact::SurfaceStore& s
 
 void ContactForces::build(const State& state) {
   SearchMargin margin;
-  contact::SideCache sides;
+  Building building{{}, contact::repeated_contacts(model_), {}};
+  for (const ContactIndex first : building.first)
+    if (first != none<ContactIndex>) building.last.try_emplace(first);
+  const auto count =
+      static_cast<std::size_t>(std::count_if(model_.contacts.begin(), model_.contacts.end(), calculates));
+  interface_of_.reserve(count);
+  states_.reserve(count);
+  interfaces_.reserve(count);
   for (const ContactIndex c : positions<ContactIndex>(model_.contacts.size())) {
     const model::Contact& contact = model_.contact(c);
     if (!calculates(contact)) continue;
-    ContactInterface& interface = interfaces_.emplace_back(setting_, store_, sides, c, moved_, state);
-    interface.set_memories(found_);
+    add_interface(c, building, state);
+    const ContactInterface& interface = interfaces_[interface_of_.back()];
     const contact::ContactSurfaces& surfaces = interface.surfaces();
     for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) margin.add(side->selection.segments, state.x);
     if (contact.bsort > 0 && (sort_interval_ == 0 || contact.bsort < sort_interval_)) sort_interval_ = contact.bsort;
@@ -55,6 +76,26 @@ void ContactForces::build(const State& state) {
   limit_step();
   margin_.set_margin(margin.value());
   built_ = true;
+}
+
+void ContactForces::add_interface(ContactIndex contact, Building& building, const State& state) {
+  const auto position = static_cast<std::uint32_t>(interface_of_.size());
+  const ContactIndex first = building.first[contact.value];
+  const auto last = building.last.find(first == none<ContactIndex> ? contact : first);
+  if (first != none<ContactIndex> && last != building.last.end()) {
+    const std::uint32_t number = interface_of_[last->second];
+    ContactInterface& known = interfaces_[number];
+    known.begin_passes();
+    if (known.can_be_shared() && same_found(found_, known.contact(), contact)) {
+      interface_of_.push_back(number);
+      std::vector<std::uint32_t>& positions = sharing_[number].positions;
+      if (positions.empty()) positions.push_back(last->second);
+      return positions.push_back(position);
+    }
+  }
+  interface_of_.push_back(static_cast<std::uint32_t>(interfaces_.size()));
+  interfaces_.emplace_back(setting_, store_, building.sides, contact, moved_, state).set_memories(found_);
+  if (last != building.last.end()) last->second = position;
 }
 
 void ContactForces::gather_nodes() {
@@ -88,7 +129,15 @@ void ContactForces::limit_step() {
 void ContactForces::erode(const State& state) {
   failures_ = state.failed.count;
   const contact::GoneElements gone{state.failed.shells, state.failed.solids};
-  for (std::size_t i = 0; i < interfaces_.size(); ++i) interfaces_[i].erode(store_, gone, state, states_[i]);
+  std::vector<bool> done(interfaces_.size(), false);
+  for (std::size_t i = 0; i < interface_of_.size(); ++i) {
+    const std::uint32_t interface = interface_of_[i];
+    if (done[interface])
+      repeat_state(i);
+    else
+      interfaces_[interface].erode(store_, gone, state, states_[i]);
+    done[interface] = true;
+  }
   gather_nodes();
   limit_step();
 }
@@ -108,13 +157,13 @@ void ContactForces::find_candidates(const State& state) {
   released_ = false;
 }
 
-void ContactForces::find_candidates_again(std::size_t i) {
+void ContactForces::find_candidates_again(std::uint32_t i) {
   const Stopwatch watch(counters_.search_s);
   interfaces_[i].find_candidates(margin_.margin(), counters_);
   used_at_search_[i] = margin_.used();
 }
 
-double ContactForces::used_since_search(std::size_t i) const {
+double ContactForces::used_since_search(std::uint32_t i) const {
   const double before = used_at_search_[i], now = margin_.used();
   return before > 0 ? now * rounding_of_motion - before : now;
 }
@@ -133,25 +182,70 @@ void ContactForces::add(State& state, Forces& forces) {
   if (eroded) erode(state);
   if (first || eroded || search_is_due(state)) find_candidates(state);
   const Stopwatch watch(counters_.force_s);
-  for (std::size_t i = 0; i < interfaces_.size(); ++i) advance_interface(i, state, forces);
+  for (std::size_t i = 0; i < interface_of_.size(); ++i) advance_contact(i, state, forces);
+}
+
+void ContactForces::advance_contact(std::size_t i, State& state, Forces& forces) {
+  const auto found = sharing_.empty() ? sharing_.end() : sharing_.find(interface_of_[i]);
+  if (found == sharing_.end()) return advance_interface(i, state, forces);
+  Shared& shared = found->second;
+  if (shared.positions.front() == i) {
+    shared.before = interfaces_[found->first].memory();
+    shared.moves = moves_;
+    return advance_interface(i, state, forces);
+  }
+  if (shared.moves == moves_) return repeat_interface(i, state, forces);
+  part_interface(i);
+  advance_contact(i, state, forces);
+}
+
+void ContactForces::repeat_interface(std::size_t i, const State& state, Forces& forces) {
+  const ContactInterface& interface = interfaces_[interface_of_[i]];
+  ContactState unused;
+  unused.single_surface = true;
+  if (interface.acts_at(state.time))
+    for (const auto& pass : interface.passes()) pass->add_forces(state, forces, unused);
+  repeat_state(i);
+}
+
+void ContactForces::repeat_state(std::size_t i) {
+  const ContactIndex contact = states_[i].contact;
+  states_[i] = states_[sharing_.at(interface_of_[i]).positions.front()];
+  states_[i].contact = contact;
+}
+
+void ContactForces::part_interface(std::size_t i) {
+  const std::uint32_t from = interface_of_[i], to = static_cast<std::uint32_t>(interfaces_.size());
+  std::vector<std::uint32_t>& positions = sharing_.at(from).positions;
+  const auto at = std::find(positions.begin(), positions.end(), i);
+  std::vector<std::uint32_t> later(at, positions.end());
+  positions.erase(at, positions.end());
+  for (const std::uint32_t position : later) interface_of_[position] = to;
+  interfaces_.push_back(ContactInterface(interfaces_[from], states_[i].contact, sharing_.at(from).before));
+  used_at_search_.push_back(used_at_search_[from]);
+  if (positions.size() == 1) sharing_.erase(from);
+  if (later.size() > 1) sharing_[to].positions = std::move(later);
 }
 
 void ContactForces::advance_interface(std::size_t i, State& state, Forces& forces) {
-  ContactInterface& interface = interfaces_[i];
+  const std::uint32_t number = interface_of_[i];
+  ContactInterface& interface = interfaces_[number];
   ContactState& result = states_[i];
+  const std::uint64_t moved = result.moved;
   clear_sums(result);
   if (!interface.acts_at(state.time)) {
     interface.deactivate(state, result);
     return;
   }
+  if (interface.passes().empty() && !(used_since_search(number) <= margin_.margin())) find_candidates_again(number);
   interface.activate();
   if (auto event = interface.follow_step(state)) events_.push_back(std::move(*event));
   for (const auto& pass : interface.passes()) {
     // A node moved by a pass is nearer to something than the search knew; so is one that has become thicker. Only this
     // contact is searched again: if each of many contacts moves nodes, searching all would take the square of the time.
-    double used = used_since_search(i) + interface.update_thickness(state.time);
+    double used = used_since_search(number) + interface.update_thickness(state.time);
     if (!(used <= margin_.margin())) {
-      find_candidates_again(i);
+      find_candidates_again(number);
       used = 0;
     }
     // It may be the node or a corner of the segment, or both.
@@ -159,6 +253,7 @@ void ContactForces::advance_interface(std::size_t i, State& state, Forces& force
     pass->add_forces(state, forces, result);
     if (state.cycle == 0) result.lost -= pass->stored();
   }
+  moves_ += result.moved - moved;
 }
 
 void ContactForces::absorbed(Absorbed& work) const {
@@ -169,9 +264,14 @@ void ContactForces::absorbed(Absorbed& work) const {
   }
 }
 
+std::size_t ContactForces::waiting() const {
+  return static_cast<std::size_t>(std::count_if(interfaces_.begin(), interfaces_.end(),
+                                                [](const auto& interface) { return interface.passes().empty(); }));
+}
+
 std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {
   std::vector<ContactNode> all;
-  for (const auto& pass : interfaces_[position].passes()) {
+  for (const auto& pass : interfaces_[interface_of_[position]].passes()) {
     const std::vector<ContactNode> more = pass->nodes();
     all.insert(all.end(), more.begin(), more.end());
   }
@@ -180,12 +280,12 @@ std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {
 
 std::optional<double> ContactForces::stored(std::size_t position) const {
   double sum = 0;
-  for (const auto& pass : interfaces_[position].passes()) sum += pass->stored();
+  for (const auto& pass : interfaces_[interface_of_[position]].passes()) sum += pass->stored();
   return sum;
 }
 
 void ContactForces::links(std::size_t position, std::vector<ContactLink>& links) const {
-  for (const auto& pass : interfaces_[position].passes()) pass->add_links(links);
+  for (const auto& pass : interfaces_[interface_of_[position]].passes()) pass->add_links(links);
 }
 
 }  // namespace gapcheck::solver

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <span>
 #include <utility>
@@ -19,7 +21,8 @@ namespace gapcheck::solver {
 
 /// The penalty contacts of a model, and the contact part of tiebreaks besides their ties: side A's nodes in side B's
 /// segments. In deck order, SURFA's nodes before SURFB's, each on the coordinates left by the one before. Others are
-/// left out.
+/// left out. Contacts with the same cards share one interface, which is calculated once, and each adds its forces; as
+/// soon as a node is moved between them, the later ones have an interface of their own.
 class ContactForces : public Force, public ContactSource {
  public:
   /// `surfaces` and `initial` are of this model and of one initialisation; the calculation must start from initial.x.
@@ -39,6 +42,8 @@ class ContactForces : public Force, public ContactSource {
   [[nodiscard]] std::optional<double> stored(std::size_t position) const override;
   [[nodiscard]] std::vector<ContactEvent> take_events() override { return std::exchange(events_, {}); }
   [[nodiscard]] const ContactCounters& counters() const { return counters_; }
+  /// Interfaces that have had nothing near so far.
+  [[nodiscard]] std::size_t waiting() const;
 
   [[nodiscard]] static bool calculates(const model::Contact& contact) {
     const ContactMethod method = choose_method(contact).method;
@@ -49,7 +54,24 @@ class ContactForces : public Force, public ContactSource {
   void release(NodeIndex node, PartIndex part);
 
  private:
+  /// An interface that several contacts share.
+  struct Shared {
+    std::vector<std::uint32_t> positions;  ///< ascending; the first one calculates
+    InterfaceMemory before;                ///< what it remembered at the beginning of its last cycle
+    std::uint64_t moves = 0;               ///< `moves_` at that time
+  };
+
+  /// What is needed while the interfaces are built.
+  struct Building {
+    contact::SideCache sides;
+    std::vector<ContactIndex> first;  ///< by contact, that which it repeats
+    std::map<ContactIndex, std::uint32_t>
+        last;  ///< by such a first one: position of the last equal one that calculates
+  };
+
   void build(const State& state);
+  /// For the next contact, unless an earlier one acts for it.
+  void add_interface(ContactIndex contact, Building& building, const State& state);
   /// Elements have failed since the last call.
   void erode(const State& state);
   void limit_step();
@@ -57,11 +79,19 @@ class ContactForces : public Force, public ContactSource {
   [[nodiscard]] bool search_is_due(const State& state) const;
   void find_candidates(const State& state);
   /// For one contact, between the searches for all of them.
-  void find_candidates_again(std::size_t interface);
+  void find_candidates_again(std::uint32_t interface);
   /// How much of the margin is used up since the last search for this contact.
-  [[nodiscard]] double used_since_search(std::size_t interface) const;
+  [[nodiscard]] double used_since_search(std::uint32_t interface) const;
   /// Calculates one contact in this cycle: forces, energies and events.
-  void advance_interface(std::size_t interface, State& state, Forces& forces);
+  void advance_contact(std::size_t position, State& state, Forces& forces);
+  /// The same by its interface.
+  void advance_interface(std::size_t position, State& state, Forces& forces);
+  /// The same as the first contact of its interface has done in this cycle.
+  void repeat_interface(std::size_t position, const State& state, Forces& forces);
+  /// Another interface for this contact and the later ones that share its interface.
+  void part_interface(std::size_t position);
+  /// Its sums are those of the first contact of its interface.
+  void repeat_state(std::size_t position);
 
   const model::Model& model_;
   contact::SurfaceStore& store_;
@@ -74,7 +104,10 @@ class ContactForces : public Force, public ContactSource {
   SharedTables shared_;
   ContactSetting setting_;
   std::vector<ContactInterface> interfaces_;
+  std::vector<std::uint32_t> interface_of_;  ///< by position among the contacts
+  std::map<std::uint32_t, Shared> sharing_;  ///< by interface, those of several contacts
   std::vector<ContactState> states_;
+  std::uint64_t moves_ = 0;  ///< of shooting nodes, so far
   std::vector<ContactEvent> events_;
   ContactCounters counters_;
   MarginUse margin_;                    ///< since the last search for all contacts

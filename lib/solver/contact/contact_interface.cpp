@@ -1,6 +1,7 @@
 #include "solver/contact/contact_interface.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/definition/active_time.hpp"
@@ -43,19 +44,43 @@ bool is_tiebreak(const model::Contact& contact) { return choose_method(contact).
 
 ContactInterface::ContactInterface(const ContactSetting& setting, contact::SurfaceStore& store,
                                    contact::SideCache& sides, ContactIndex contact, bool moved, const State& state)
-    : setting_(setting), contact_(contact), first_step_(state.coming) {
+    : setting_(setting), x_(state.x), contact_(contact), first_step_(state.coming) {
   if (card().airbag_thickness > 0) thickness_ = &setting.model.curves.at(card().lcidab);
   searched_thickness_ = card().airbag_thickness;
   const contact::ActiveTime time = contact::active_time(card());
   start_ = time.start;
   end_ = time.end;
   build_surfaces(store, sides, moved, state.x);
-  add_passes(state.x);
-  const double fixed = card().dtstif;
-  set_timestep(fixed > 0 ? fixed : first_step_);
+  if (!may_wait()) begin_passes();
   if (!surfaces_->type.by_segments()) return;
-  step_ = fixed > 0 ? 0 : first_step_;
+  step_ = card().dtstif > 0 ? 0 : first_step_;
   crossings_ = SegmentCrossings(card().dtpchk);
+}
+
+ContactInterface::ContactInterface(const ContactInterface& other, ContactIndex contact, const InterfaceMemory& memory)
+    : setting_(other.setting_),
+      x_(other.x_),
+      contact_(contact),
+      own_(std::make_unique<contact::ContactSurfaces>(*other.surfaces_)),
+      start_(other.start_),
+      end_(other.end_),
+      active_(memory.active),
+      first_step_(other.first_step_) {
+  surfaces_ = own_.get();
+  begin_passes();
+  for (std::size_t k = 0; k < passes_.size(); ++k) passes_[k]->continue_as(*other.passes_[k], *memory.passes[k]);
+}
+
+bool ContactInterface::can_be_shared() const {
+  return thickness_ == nullptr && !is_tiebreak(card()) &&
+         std::all_of(passes_.begin(), passes_.end(), [](const auto& pass) { return pass->memory() != nullptr; });
+}
+
+InterfaceMemory ContactInterface::memory() const {
+  InterfaceMemory memory;
+  memory.active = active_;
+  for (const auto& pass : passes_) memory.passes.push_back(pass->memory());
+  return memory;
 }
 
 void ContactInterface::build_surfaces(contact::SurfaceStore& store, contact::SideCache& sides, bool moved,
@@ -76,17 +101,59 @@ void ContactInterface::set_own_surfaces(const contact::ContactSurfaces& surfaces
   surfaces_ = own_.get();
 }
 
-void ContactInterface::add_passes(const std::vector<Vector>& x) {
+bool ContactInterface::may_wait() const {
+  const contact::ContactType& type = surfaces_->type;
+  const bool oriented = type.family == contact::Family::old || type.family == contact::Family::forming;
+  if (thickness_ != nullptr || is_tiebreak(card()) || oriented || !surfaces_->two_sided() || type.by_segments() ||
+      contact::looks_at_edges(card(), type) || has_offsets())
+    return false;
+  const auto of_shells = [](const contact::ContactSide& side) {
+    const std::vector<contact::SegmentKind>& kinds = side.selection.segments.kind;
+    return std::all_of(kinds.begin(), kinds.end(),
+                       [](contact::SegmentKind kind) { return kind == contact::SegmentKind::shell; });
+  };
+  return of_shells(surfaces_->a) && of_shells(surfaces_->b);
+}
+
+bool ContactInterface::sides_are_near(double margin) const {
+  // More than rounding, and than the tolerance of a penetration.
+  constexpr double slack = 1 + 1e-6;
+  std::array<contact::Bounds, 2> box;
+  double reach = margin;
+  for (const bool second : {false, true}) {
+    const contact::ContactSide& side = second ? surfaces_->b : surfaces_->a;
+    double half = 0;
+    for (const auto* const halves : {&side.nodes.half, &side.selection.segments.half})
+      for (const double of_one : *halves) half = std::max(half, of_one);
+    reach += half;
+    for (const NodeIndex node : side.nodes.node) box[second].add(x_[node.value]);
+    for (const model::SegmentNodes& corners : side.selection.segments.nodes)
+      for (const NodeIndex node : corners) box[second].add(x_[node.value]);
+  }
+  const Vector gap = (box[0].low - box[1].high).cwiseMax(box[1].low - box[0].high);
+  return !(gap.maxCoeff() > reach * slack);
+}
+
+void ContactInterface::begin_passes() {
+  if (!passes_.empty()) return;
+  add_passes();
+  const double fixed = card().dtstif;
+  set_timestep(fixed > 0 ? fixed : step_ > 0 ? step_ : first_step_);
+  for (const auto& pass : passes_)
+    if (active_) pass->set_followed();
+}
+
+void ContactInterface::add_passes() {
   const contact::ContactSurfaces& surfaces = *surfaces_;
   const auto add_nodes_in_segments = [&](bool exchanged) {
-    passes_.push_back(std::make_unique<ContactPass>(setting_, contact_, surfaces, exchanged, x));
+    passes_.push_back(std::make_unique<ContactPass>(setting_, contact_, surfaces, exchanged, x_));
   };
   add_nodes_in_segments(false);
   if (is_tiebreak(card())) return;
   if (surfaces.type.treatment == contact::Treatment::two_way || (surfaces.type.by_segments() && surfaces.two_sided()))
     add_nodes_in_segments(true);
   if (contact::looks_at_edges(card(), surfaces.type))
-    passes_.push_back(std::make_unique<EdgePass>(setting_, contact_, surfaces, x));
+    passes_.push_back(std::make_unique<EdgePass>(setting_, contact_, surfaces, x_));
 }
 
 bool ContactInterface::has_offsets() const { return is_shifted(surfaces_->a) || is_shifted(surfaces_->b); }
@@ -94,6 +161,7 @@ bool ContactInterface::has_offsets() const { return is_shifted(surfaces_->a) || 
 void ContactInterface::set_memories(std::span<const Penetration> found) {
   const auto before = [](const Penetration& record, ContactIndex contact) { return record.contact < contact.value; };
   auto record = std::lower_bound(found.begin(), found.end(), contact_, before);
+  if (record != found.end() && record->contact == contact_.value) begin_passes();
   for (; record != found.end() && record->contact == contact_.value; ++record)
     for (const auto& pass : passes_) pass->set_memory(*record, memory_of(*record));
 }
@@ -110,13 +178,15 @@ void ContactInterface::erode(contact::SurfaceStore& store, const contact::GoneEl
   const std::unique_ptr<contact::ContactSurfaces> old = std::move(own_);  // the old passes still use it
   const std::vector<std::unique_ptr<InterfacePass>> before = std::exchange(passes_, {});
   set_own_surfaces(rims ? contact::free_edge_surface(setting_.model, contact_, left, state.x) : left);
-  add_passes(state.x);
+  if (before.empty()) return;
+  add_passes();
   const double fixed = card().dtstif;
   set_timestep(fixed > 0 ? fixed : step_ > 0 ? step_ : first_step_);
   for (std::size_t k = 0; k < passes_.size(); ++k) passes_[k]->continue_from(*before[k], state, result);
 }
 
 void ContactInterface::find_candidates(double margin, ContactCounters& counters) {
+  if (passes_.empty() && sides_are_near(margin)) begin_passes();
   for (const auto& pass : passes_) pass->find_candidates(margin, counters);
   if (thickness_ != nullptr) searched_thickness_ = present_thickness_;
 }

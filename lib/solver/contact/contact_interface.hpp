@@ -13,7 +13,14 @@
 
 namespace gapcheck::solver {
 
-/// One penalty contact of a run: its present surfaces, the passes over them, and how they follow time and step.
+/// What an interface remembers from cycle to cycle.
+struct InterfaceMemory {
+  bool active = false;
+  std::vector<std::unique_ptr<PassMemory>> passes;
+};
+
+/// One penalty contact of a run: its present surfaces, the passes over them, and how they follow time and step. Most of
+/// many contacts have nothing near: where that changes nothing, the passes are made when the first search needs them.
 class ContactInterface {
  public:
   /// `contact`: position in Model::contacts. `moved`: the initialisation has moved nodes, so the store's surfaces do
@@ -22,12 +29,23 @@ class ContactInterface {
   ContactInterface(const ContactSetting& setting, contact::SurfaceStore& store, contact::SideCache& sides,
                    ContactIndex contact, bool moved, const State& state);
 
+  /// Continues as `other`, the interface of a contact with the same cards, would have from what it remembered.
+  ContactInterface(const ContactInterface& other, ContactIndex contact, const InterfaceMemory& memory);
+
   [[nodiscard]] ContactIndex contact() const { return contact_; }
   [[nodiscard]] const model::Contact& card() const { return setting_.model.contact(contact_); }
   [[nodiscard]] const contact::ContactSurfaces& surfaces() const { return *surfaces_; }
   [[nodiscard]] bool has_offsets() const;
+  /// Empty: nothing has been near so far.
   [[nodiscard]] std::span<const std::unique_ptr<InterfacePass>> passes() const { return passes_; }
+  /// Makes the passes, if that has not been done.
+  void begin_passes();
   [[nodiscard]] bool acts_at(double time) const { return time >= start_ && time < end_; }
+
+  /// Whether it may act for other contacts with the same cards: its memory is known, and only coordinates and
+  /// velocities change it.
+  [[nodiscard]] bool can_be_shared() const;
+  [[nodiscard]] InterfaceMemory memory() const;
 
   /// Sets what the initialisation did to the nodes. `found`: the records of all contacts, sorted by contact.
   void set_memories(std::span<const Penetration> found);
@@ -47,10 +65,15 @@ class ContactInterface {
   void build_surfaces(contact::SurfaceStore& store, contact::SideCache& sides, bool moved,
                       const std::vector<Vector>& x);
   void set_own_surfaces(const contact::ContactSurfaces& surfaces);
-  void add_passes(const std::vector<Vector>& x);
+  void add_passes();
+  /// Whether the passes may wait for something to be near: nothing in them depends on the coordinates at their start.
+  [[nodiscard]] bool may_wait() const;
+  /// False if no node of one side can be a candidate of the other side.
+  [[nodiscard]] bool sides_are_near(double margin) const;
   void set_timestep(double timestep);
 
   const ContactSetting& setting_;
+  const std::vector<Vector>& x_;  ///< coordinates of the state
   ContactIndex contact_;
   const contact::ContactSurfaces* surfaces_ = nullptr;
   /// Used if the initialisation has moved nodes, thickness changes or elements have failed.

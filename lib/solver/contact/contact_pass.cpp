@@ -17,6 +17,11 @@ namespace {
 constexpr std::size_t places_per_block = 256;
 static_assert(places_per_block % FollowedPairs::capacity == 0);
 
+struct NodeMemories final : PassMemory {
+  std::vector<KnownNode> nodes;
+  bool fresh = true;
+};
+
 std::unique_ptr<NodeRule> make_rule(const ContactSetting& setting, const TrackedPairs& pairs) {
   if (pairs.scene().type.by_segments()) return std::make_unique<SegmentRule>(setting, pairs);
   return std::make_unique<PenaltyRule>(setting, pairs);
@@ -121,6 +126,23 @@ void ContactPass::continue_from(InterfacePass& before, const State& state, Conta
   for (const SlotIndex slot : pairs_.continue_from(old->pairs_)) old->end_force(slot, state, result);
   rule_->continue_from(*old->rule_);
   settler_.continue_from(old->settler_);
+}
+
+std::unique_ptr<PassMemory> ContactPass::memory() const {
+  // The rule of SOFT = 2 has a memory of its own.
+  if (pairs_.scene().type.by_segments()) return nullptr;
+  auto memory = std::make_unique<NodeMemories>();
+  memory->nodes = pairs_.known_nodes();
+  memory->fresh = settler_.fresh();
+  return memory;
+}
+
+void ContactPass::continue_as(const InterfacePass& other, const PassMemory& memory) {
+  const auto* const pass = dynamic_cast<const ContactPass*>(&other);
+  const auto* const known = dynamic_cast<const NodeMemories*>(&memory);
+  if (pass == nullptr || known == nullptr) return;
+  pairs_.continue_as(pass->pairs_, known->nodes);
+  if (!known->fresh) set_followed();
 }
 
 void ContactPass::deactivate(const State& state, ContactState& result) {

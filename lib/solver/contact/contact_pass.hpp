@@ -31,6 +31,9 @@ class ContactPass final : public InterfacePass {
   double advance_state(State& state, double used, ContactCounters& counters) override;
   void add_forces(const State& state, Forces& forces, ContactState& result) const override;
   void continue_from(InterfacePass& before, const State& state, ContactState& result) override;
+  void set_followed() override { settler_.end_cycle(); }
+  [[nodiscard]] std::unique_ptr<PassMemory> memory() const override;
+  void continue_as(const InterfacePass& other, const PassMemory& memory) override;
   void deactivate(const State& state, ContactState& result) override;
   [[nodiscard]] double stored() const override;
   [[nodiscard]] std::vector<ContactNode> nodes() const override;

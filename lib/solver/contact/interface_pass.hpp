@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "contact/pair/node_contact.hpp"
@@ -18,6 +19,11 @@ struct ContactCounters {
   std::uint64_t followed = 0;    ///< of these: started from their position in the last cycle
   std::uint64_t asleep = 0;      ///< nodes near something that needed no check, over all cycles
   double search_s = 0, force_s = 0;
+};
+
+/// What a pass remembers of its nodes from cycle to cycle.
+struct PassMemory {
+  virtual ~PassMemory() = default;
 };
 
 /// One part of what a penalty contact does in every cycle: nodes against segments, edges against edges, …
@@ -40,6 +46,12 @@ class InterfacePass {
   virtual void continue_from(InterfacePass& before, const State& state, ContactState& result) {
     before.deactivate(state, result);
   }
+  /// For a new pass of a contact that was active in the last cycle: its nodes may have been followed.
+  virtual void set_followed() {}
+  /// What it remembers, for continue_as(); null: a pass of this kind acts for no other contact.
+  [[nodiscard]] virtual std::unique_ptr<PassMemory> memory() const { return nullptr; }
+  /// Continues as the pass `other` of a contact with the same cards and surfaces would have from that memory.
+  virtual void continue_as(const InterfacePass& /*other*/, const PassMemory& /*memory*/) {}
   /// The contact is not active: forces end, memory is lost.
   virtual void deactivate(const State& state, ContactState& result) = 0;
   /// The energy of its springs at that time.

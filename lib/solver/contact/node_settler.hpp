@@ -26,6 +26,8 @@ class NodeSettler {
   /// The contact is not active: what penetrates when it becomes active is found suddenly.
   void forget() { fresh_ = true; }
   void continue_from(const NodeSettler& before) { fresh_ = before.fresh_; }
+  /// No cycle has ended since the contact has become active.
+  [[nodiscard]] bool fresh() const { return fresh_; }
 
  private:
   [[nodiscard]] contact::NodeEncounter encounter_of(SlotIndex slot, const NodeMeeting& meeting, TrackedNode& tracked,

@@ -109,6 +109,32 @@ std::vector<SlotIndex> TrackedPairs::continue_from(const TrackedPairs& before) {
   return ended;
 }
 
+std::vector<KnownNode> TrackedPairs::known_nodes() const {
+  std::vector<KnownNode> all;
+  for (const SlotIndex slot : positions<SlotIndex>(nodes_.size()))
+    if (const TrackedNode* const now = nodes_[slot.value].get())
+      all.push_back({slot, {now->memory, now->active, now->penetration, 0, now->pair, now->link, {}}});
+  return all;
+}
+
+void TrackedPairs::continue_as(const TrackedPairs& other, std::span<const KnownNode> nodes) {
+  contact::PairScene& scene = side_.scene();
+  scene.flipped = other.scene_.flipped;
+  scene.nearby = other.scene_.nearby;
+  scene.solids = other.scene_.solids;
+  greatest_reach_ = other.greatest_reach_;
+  candidates_ = other.candidates_;
+  for (std::size_t place = 0; place < near_places(); ++place)
+    for (contact::Candidate& candidate : candidates_at(place)) candidate.wake = 0;
+  const std::span<const SlotIndex> near = candidates_.slots();
+  sleep_.assign(near.size(), 0);
+  lost_.clear();
+  for (const KnownNode& known : nodes) {
+    touch(known.slot) = known.state;
+    if (!std::binary_search(near.begin(), near.end(), known.slot)) lost_.push_back(known.slot);
+  }
+}
+
 void TrackedPairs::forget_pair_data() {
   for (const std::unique_ptr<TrackedNode>& tracked : nodes_)
     if (tracked) tracked->pair = {};

@@ -50,6 +50,12 @@ struct TrackedNode {
   [[nodiscard]] bool at_rest() const { return !active && memory.state == contact::NodeContact::State::apart; }
 };
 
+/// The state of one of several tracked nodes.
+struct KnownNode {
+  SlotIndex slot;
+  TrackedNode state;
+};
+
 /// Velocities of a tracked node and of a segment's corners.
 struct PairVelocities {
   Vector node;
@@ -141,6 +147,10 @@ class TrackedPairs {
   /// Takes over memories, and links whose segments still exist, from other surfaces of the same contact. Returns the
   /// slots of `before`, ascending, whose force ends.
   [[nodiscard]] std::vector<SlotIndex> continue_from(const TrackedPairs& before);
+  /// The nodes that have a state, without what only saves decisions.
+  [[nodiscard]] std::vector<KnownNode> known_nodes() const;
+  /// Continues with these nodes and the candidates of `other`, which has the same sides and has decided pairs since.
+  void continue_as(const TrackedPairs& other, std::span<const KnownNode> nodes);
   /// Springs and release depths are computed again.
   void forget_pair_data();
   /// Forgets the memory of all nodes and ends their forces.

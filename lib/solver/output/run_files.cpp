@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <system_error>
 
 #include "base/file_writer.hpp"
@@ -244,8 +245,6 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
       return results::matsum_text(state.time, part_states(run, *masses_));
     case nodout:
       return results::nodout_text(state.cycle + 1, state.time, node_states(run));
-    case rcforc:
-      return results::rcforc_text(state.time, interface_states(run, true));
     case sleout:
       return results::sleout_text(state.time, state.cycle + 1, interface_states(run, false));
     default:
@@ -257,6 +256,19 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
       text += results::ncforc_text(state.time, run.model().contact(contact).id.value, *nodes);
   }
   return text;
+}
+
+bool RunFiles::write_state(std::size_t which, const Run& run) const {
+  std::FILE* const file = texts_[which].file.get();
+  if (which != rcforc) return write(file, state_text(which, run));
+  // The rows of thousands of contacts are never all in memory.
+  constexpr std::size_t at_once = 1024;
+  const std::vector<results::InterfaceState> states = interface_states(run, true);
+  const double time = run.stepper().state().time;
+  for (std::size_t i = 0; i < states.size(); i += at_once)
+    if (!write(file, results::rcforc_text(time, std::span(states).subspan(i, std::min(at_once, states.size() - i)))))
+      return false;
+  return true;
 }
 
 SolverStatus RunFiles::plot(const Run& run) {
@@ -283,7 +295,7 @@ SolverStatus RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
   for (std::size_t i = 0; i < texts_.size(); ++i) {
     Text& text = texts_[i];
     if (!text.file || !(text.interval.due(state.time) || end)) continue;
-    if (!write(text.file.get(), state_text(i, run))) return not_written(text.path);
+    if (!write_state(i, run)) return not_written(text.path);
     text.interval.written(state.time);
   }
   if (plot_interval_.due(state.time) || end) {

@@ -76,6 +76,8 @@ class RunFiles : public Run::Observer {
   [[nodiscard]] SolverStatus log_failures(const Run& run);
   [[nodiscard]] SolverStatus log_end(const Run& run, RunEnd end);
   [[nodiscard]] std::string state_text(std::size_t which, const Run& run) const;
+  /// Writes the present state to one of the text files; false: not all of it could be written.
+  [[nodiscard]] bool write_state(std::size_t which, const Run& run) const;
   [[nodiscard]] SolverStatus plot(const Run& run);
   /// A failure if a file is no longer where it was written.
   [[nodiscard]] SolverStatus check_names() const;

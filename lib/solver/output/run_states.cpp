@@ -130,19 +130,17 @@ std::vector<results::NodeState> node_states(const Run& run) {
 }
 
 std::vector<results::InterfaceState> interface_states(const Run& run, bool transducers) {
-  const std::vector<ContactView> views = run.contacts();
-  std::vector<ContactState> states;
-  states.reserve(views.size());
-  for (const ContactView& view : views) states.push_back(view.state());
-  if (transducers)
-    for (const ContactState& state : run.transducers()) states.push_back(state);
+  std::vector<const ContactState*> states;
+  for (const ContactView& view : run.contacts()) states.push_back(&view.state());
+  const std::vector<ContactState> measured = transducers ? run.transducers() : std::vector<ContactState>();
+  for (const ContactState& state : measured) states.push_back(&state);
   std::stable_sort(states.begin(), states.end(),
-                   [](const ContactState& a, const ContactState& b) { return a.contact < b.contact; });
+                   [](const ContactState* a, const ContactState* b) { return a->contact < b->contact; });
   std::vector<results::InterfaceState> list;
   list.reserve(states.size());
   for (std::size_t i = 0; i < states.size(); ++i) {
-    ContactState state = states[i];
-    for (; i + 1 < states.size() && states[i + 1].contact == state.contact; ++i) add(states[i + 1], state);
+    ContactState state = *states[i];
+    for (; i + 1 < states.size() && states[i + 1]->contact == state.contact; ++i) add(*states[i + 1], state);
     results::InterfaceState contact;
     contact.contact = run.model().contact(state.contact).id.value;
     contact.single_surface = state.single_surface;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "contact/scene.hpp"
 
 namespace gapcheck::contact::repeated_contacts_test {
@@ -54,6 +56,34 @@ TEST(RepeatedContacts, AreCountedOnceOnRequest) {
       "3 contacts have the same cards as an earlier one, contact 11 for instance; they find the same nodes, which "
       "are counted once");
   EXPECT_EQ(once.contacts[3].not_checked, "it repeats contact 10");
+}
+
+TEST(RepeatedContacts, AreSearchedAgainOnlyIfNodesHaveMoved) {
+  Scene same = plates(4), different = plates(4);
+  // Without friction its decay has no effect.
+  for (std::size_t i = 0; i < 4; ++i) different.model.contacts[i].dc = static_cast<double>(i);
+  for (const bool nodes_stay : {true, false}) {
+    InitialOptions options;
+    options.nodes_stay = nodes_stay;
+    InitialCounters counters, all_counters;
+    SurfaceStore surfaces(same.model), all_surfaces(different.model);
+    const InitialState state = initialise_contacts(same.model, surfaces, options, counters);
+    const InitialState all = initialise_contacts(different.model, all_surfaces, options, all_counters);
+    EXPECT_EQ(counters.contacts_searched, nodes_stay ? 1U : 2U);
+    EXPECT_EQ(all_counters.contacts_searched, 4U);
+    EXPECT_EQ(state.x, all.x);
+    EXPECT_GT(all.penetrations.size(), 0U);
+    ASSERT_EQ(state.penetrations.size(), all.penetrations.size());
+    for (std::size_t i = 0; i < all.penetrations.size(); ++i) {
+      const Penetration &p = state.penetrations[i], &q = all.penetrations[i];
+      EXPECT_EQ(std::tie(p.contact, p.node, p.segment, p.depth, p.outcome),
+                std::tie(q.contact, q.node, q.segment, q.depth, q.outcome));
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(state.contacts[i].penetrations, all.contacts[i].penetrations);
+      EXPECT_EQ(state.contacts[i].tracked_nodes, all.contacts[i].tracked_nodes);
+    }
+  }
 }
 
 }  // namespace
