@@ -164,8 +164,8 @@ TEST(Sets, SegmentsOfElementSets) {
 
 TEST(Sets, ABoxAroundEverythingHoldsEveryNodeOnce) {
   for (const int count : {1, 2, 8, 64, 100}) {
-    const Read read = read_text(nodes_text(count) +
-                                "*DEFINE_BOX\n1,-1e29,1e29,-1e29,1e29,-1e29,1e29\n*SET_NODE_GENERAL\n1\nBOX,1\n");
+    const Read read =
+        read_text(nodes_text(count) + "*DEFINE_BOX\n1,-1e29,1e29,-1e29,1e29,-1e29,1e29\n*SET_NODE_GENERAL\n1\nBOX,1\n");
     ASSERT_EQ(read.model.sets.nodes.at(1).members.size(), static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) EXPECT_EQ(node_ids(read.model, 1)[static_cast<std::size_t>(i)], i + 1);
   }
