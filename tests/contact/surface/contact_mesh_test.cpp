@@ -49,6 +49,16 @@ TEST(ContactMesh, EdgesByTheirLowerNode) {
   EXPECT_EQ(mesh.quality().size(), 2U);
 }
 
+TEST(ContactMesh, OfASingleSegment) {
+  Scene scene;
+  scene.plate(scene.part(1, 1), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1, 1);
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  SurfaceStore surfaces(scene.model);
+  const ContactMesh mesh(scene.model, surfaces, all_contacts(scene.model));
+  ASSERT_EQ(mesh.size(), 1U);
+  EXPECT_EQ(mesh.part(0), PartIndex{0});
+}
+
 TEST(ContactMesh, WithoutContactsThereIsNothing) {
   Scene scene;
   scene.plate(scene.part(1, 1), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 2, 1);

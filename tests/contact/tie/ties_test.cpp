@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <random>
@@ -116,6 +118,26 @@ TEST(Ties, EachReasonIsTold) {
   EXPECT_EQ(scene.run().contacts[0].ties, 3U);
 }
 
+// Beside the edge of a near plate and right over a far one: the segment that the node is on says why it does not tie.
+TEST(Ties, ASegmentUnderTheNodeSaysMoreThanANearerOneBesideIt) {
+  for (const bool far_first : {false, true}) {
+    Scene scene;
+    const PartIndex part = scene.part(1, 1);
+    const Vector near_corner(0, 0, 0), far_corner(10.5, 0, -2);
+    scene.plate(part, far_first ? far_corner : near_corner, {10, 0, 0}, {0, 10, 0}, 1, 1);
+    scene.plate(part, far_first ? near_corner : far_corner, {10, 0, 0}, {0, 10, 0}, 1, 1);
+    scene.model.sets.nodes[5].members = {scene.node({11, 5, 0})};
+    auto& c = scene.contact("TIED_NODES_TO_SURFACE_OFFSET");
+    c.a = {5, 4, 0, true};
+    c.b = {1, 3, 0, true};
+    const InitialState state = scene.run();
+    ASSERT_EQ(state.judged.size(), 1U);
+    EXPECT_EQ(state.judged[0].reason, TieReason::too_far);
+    EXPECT_EQ(state.judged[0].segment, (SegmentIndex{far_first ? 0U : 1U}));
+    EXPECT_DOUBLE_EQ(state.judged[0].distance, 2);
+  }
+}
+
 TEST(Ties, OfPartsOnlyNodesNearTheSurfaceAreJudged) {
   // A plate 0.9 above another (allowed 1.2, they tie), one 2 above (within twice the distance), one 5 above (not
   // meant).
@@ -140,7 +162,7 @@ TEST(Ties, AgreeWithTheFormulaOnRandomNodesOverAFlatPlate) {
   std::uniform_real_distribution<double> inside(0.1, 19.9), height(-1.5, 1.5);
   std::vector<Vector> at;
   std::size_t expected = 0;
-  const double limit = tie_distance(0, 1, std::sqrt(200.0), false, false);
+  const double limit = std::max(0.6 * (0 + 1), 0.05 * std::sqrt(200.0));
   for (int i = 0; i < 500; ++i) {
     at.emplace_back(inside(random), inside(random), height(random));
     expected += std::abs(at.back().z()) <= limit ? 1 : 0;

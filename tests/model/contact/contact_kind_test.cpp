@@ -43,7 +43,7 @@ TEST(ContactKind, AbilitiesByCode) {
   }
 }
 
-/// Section 1 of the contact rules: families by the first word, treatment by what stands on both sides of TO.
+/// Families by the first word, treatment by what stands on both sides of TO (contact rules, section 1).
 TEST(ContactKind, TreatmentAndFamilyByTheWords) {
   for (const ContactKind& kind : contact_kinds()) {
     const auto has = [&](std::string_view word) { return kind.name.find(word) != std::string_view::npos; };

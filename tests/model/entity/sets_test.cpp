@@ -147,6 +147,30 @@ TEST(Sets, Segments) {
   EXPECT_EQ(node_ids(read.model, 4), (Ids{1, 2, 3, 4}));
 }
 
+TEST(Sets, SegmentsOfElementSets) {
+  const Read read = read_text(nodes_text(12) + part_text +
+                              "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,5,6,7\n*ELEMENT_SOLID\n4,1,1,2,3,4,5,6,7,8\n"
+                              "*ELEMENT_BEAM\n5,1,1,2\n"
+                              "*SET_SHELL_LIST\n1\n1,2\n*SET_SOLID\n1\n4\n*SET_BEAM\n1\n5\n"
+                              "*SET_SEGMENT_GENERAL\n2\nSET_SHELL,1\n*SET_SEGMENT_GENERAL\n3\nSET_SOLID,1\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(segment_ids(read.model, 2), (std::vector<Ids>{{1, 2, 3, 4}, {5, 6, 7, 7}}));
+  EXPECT_EQ(segment_ids(read.model, 3).size(), 6u);
+  const Read beams = read_text(nodes_text(2) + part_text +
+                               "*ELEMENT_BEAM\n5,1,1,2\n*SET_BEAM\n1\n5\n*SET_SEGMENT_GENERAL\n2\nSET_BEAM,1\n");
+  EXPECT_EQ(beams.warnings(), 1u) << beams.text();
+  EXPECT_TRUE(beams.model.sets.segments.at(2).members.empty());
+}
+
+TEST(Sets, ABoxAroundEverythingHoldsEveryNodeOnce) {
+  for (const int count : {1, 2, 8, 64, 100}) {
+    const Read read =
+        read_text(nodes_text(count) + "*DEFINE_BOX\n1,-1e29,1e29,-1e29,1e29,-1e29,1e29\n*SET_NODE_GENERAL\n1\nBOX,1\n");
+    ASSERT_EQ(read.model.sets.nodes.at(1).members.size(), static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) EXPECT_EQ(node_ids(read.model, 1)[static_cast<std::size_t>(i)], i + 1);
+  }
+}
+
 TEST(Sets, ElementKinds) {
   const Read read =
       read_text(nodes_text(12) + part_text +
