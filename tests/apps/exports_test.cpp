@@ -44,8 +44,11 @@ TEST_F(Exports, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(Exports, FilesThatCannotBeWrittenAreErrors) {
-  EXPECT_EQ(gapcheck("audit --vtu no/such/folder.vtu " + deck("clean.k")).code, 2);
-  EXPECT_EQ(gapcheck("audit --sets no/such/folder.k " + deck("clean.k")).code, 2);
+  for (const std::string words : {"--vtu no/such/folder.vtu", "--sets no/such/folder.k"}) {
+    const Ended run = gapcheck("audit " + words + " " + deck("clean.k"));
+    EXPECT_EQ(run.code, 2) << words;
+    EXPECT_NE(run.err.find("no/such/folder"), std::string::npos) << run.err;
+  }
   file("own.k", content(project / "data/clean.k"));
   const Ended own = gapcheck("audit own.k --sets own.k");
   EXPECT_EQ(own.code, 2);

@@ -65,7 +65,8 @@ GapState measure_gap(const Gap& gap, const std::vector<Vector>& x) {
   return state;
 }
 
-/// Sum of the heights of the nodes around a node above a plane: the side on which its elements are.
+/// Sum of the heights of the nodes around a node above a plane: the side on which its elements are. Where middles are
+/// beside their nodes, the plane is shifted instead of each of them.
 double Gaps::neighbours_height(const model::Mesh& mesh, NodeIndex node, const Vector& point, const Vector& normal,
                                const std::vector<Vector>& x) {
   double height = 0;
@@ -99,7 +100,7 @@ void Gaps::take_side(Gap& gap, const model::Mesh& mesh, const contact::ContactSu
                          surfaces.type.family != contact::Family::old &&
                          surfaces.type.family != contact::Family::forming;
   if (two_sided && distance < ambiguous * gap.distance)
-    height = neighbours_height(mesh, gap.node, closest.point, closest.normal, x);
+    height = neighbours_height(mesh, gap.node, closest.point - gap.shift, closest.normal, x);
   gap.side = (distance < 0 ? -height : height) < 0 ? -1 : 1;
 }
 

@@ -73,22 +73,38 @@ TEST(Fix, AsExactForThinPlates) {
   for (std::size_t i = 0; i < thin.size(); ++i) EXPECT_NEAR(thinner[i], thin[i], 1e-6) << i;
 }
 
+/// Two plates of thickness 1; the middle of the upper one is beside its nodes (NLOC), and contact knows it (CNTCO).
+std::string with_offset(const Plate& lower, const Plate& upper, const char* nloc) {
+  std::string text = plates_deck(lower, upper);
+  const std::string thicknesses = fmt::format("{:10}{:10}{:10}{:10}\n", 1.0, 1.0, 1.0, 1.0);
+  const std::size_t second = text.find(thicknesses, text.find(thicknesses) + 1);
+  text.insert(second + thicknesses.size() - 1, nloc);
+  return text.replace(text.find("*END"), 4, "*CONTROL_SHELL\n\n\n         0         0         1\n*END");
+}
+
 // Nodes on the lower side of the upper shells, whose middle is half their thickness higher: 0.8 above the lower one's.
 TEST(Fix, ShellsBesideTheirNodes) {
   const Plate lower{.id = 1}, upper{.id = 2, .z = 0.3};
-  const auto deck = [&](const char* nloc) {
-    std::string text = plates_deck(lower, upper);
-    const std::string thicknesses = fmt::format("{:10}{:10}{:10}{:10}\n", 1.0, 1.0, 1.0, 1.0);
-    const std::size_t second = text.find(thicknesses, text.find(thicknesses) + 1);
-    text.insert(second + thicknesses.size() - 1, nloc);
-    return text.replace(text.find("*END"), 4, "*CONTROL_SHELL\n\n\n         0         0         1\n*END");
-  };
-  const std::string offset = deck("       -1.");
+  const std::string offset = with_offset(lower, upper, "       -1.");
   EXPECT_EQ(penetrations(offset), 32u);
   const FixRun run = fix_text(offset);
   EXPECT_TRUE(complete(run.report()));
   for (int j = 0; j <= 3; ++j)
     for (int i = 0; i <= 3; ++i) EXPECT_NEAR(run.move(upper.node(i, j)).z(), clear * 0.1, 1e-3);
+  EXPECT_EQ(penetrations(run.text), 0u);
+}
+
+// Nodes on the upper side: the middle of the upper shells is 0.15 below the lower ones, though their nodes are above.
+TEST(Fix, ShellsThatLieBelowThoughTheirNodesDoNot) {
+  const Plate lower{.id = 1}, upper{.id = 2, .z = 0.35};
+  const std::string text = with_offset(lower, upper, "        1.");
+  const FixRun run = fix_text(text);
+  EXPECT_TRUE(complete(run.report()));
+  for (int j = 0; j <= 3; ++j)
+    for (int i = 0; i <= 3; ++i) {
+      EXPECT_NEAR(run.move(upper.node(i, j)).z(), -clear * 0.425, 2e-3);
+      EXPECT_NEAR(run.move(lower.node(i, j)).z(), clear * 0.425, 2e-3);
+    }
   EXPECT_EQ(penetrations(run.text), 0u);
 }
 

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "audit/fix/plates.hpp"
 #include "audit/fix/run_fix.hpp"
@@ -36,6 +38,24 @@ TEST(NodeLines, WritesOnlyWhatMoves) {
   EXPECT_EQ(lines.edit(NodeIndex{0}, to).line, 3u);
   EXPECT_EQ(lines.written(NodeIndex{0}, to), to);
   EXPECT_EQ(lines.written(NodeIndex{0}, read.x[0]), read.x[0]);
+}
+
+TEST(NodeLines, EachBlockInItsOwnFormat) {
+  Read read(
+      "*KEYWORD\n*NODE\n       1              1.              2.            3.00\n"
+      "*NODE%\n         2              1.              2.            3.00\n"
+      "*NODE+\n                   3                  1.                  2.                "
+      "3.00\n*NODE\n4,1,2,3.00\n*END\n");
+  audit::NodeLines lines(read.deck, read.model, read.x);
+  const std::vector<std::string> expected{
+      "       1              1.              2.            3.25",
+      "         2              1.              2.            3.25",
+      "                   3                  1.                  2.                3.25", "4,1,2,3.25"};
+  ASSERT_EQ(read.x.size(), expected.size());
+  for (std::uint32_t i = 0; i < expected.size(); ++i) {
+    EXPECT_TRUE(lines.check(NodeIndex{i}).ok());
+    EXPECT_EQ(lines.edit(NodeIndex{i}, Vector(1, 2, 3.25)).text, expected[i]);
+  }
 }
 
 TEST(NodeLines, SaysWhatCannotBeRewritten) {

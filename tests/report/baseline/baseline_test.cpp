@@ -204,6 +204,8 @@ TEST(Baseline, ManyInOnePlaceTakeNoTime) {
   const BaselineComparison comparison = compared(before, after);
   EXPECT_EQ(comparison.states.size(), 20000U);
   EXPECT_GT(comparison.count(unchanged), 0U);
+  EXPECT_EQ(comparison.count(unchanged) + comparison.count(fresh), 20000U);
+  EXPECT_EQ(comparison.count(fresh), comparison.gone.size()) << "what has no partner here has none there";
 }
 
 TEST(Baseline, FormatsSayIt) {

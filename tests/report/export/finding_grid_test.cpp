@@ -132,6 +132,8 @@ TEST(FindingGrid, ArraysAreAsLongAsTheGrid) {
     Report report = random_report(300, 3, seed);
     report.mesh = two_shells();
     const VtuGrid grid = finding_grid(report, nowhere);
+    EXPECT_GT(grid.points.size(), 4U);
+    EXPECT_FALSE(grid.point_data.empty() || grid.point_ids.empty() || grid.cell_data.empty() || grid.cell_ids.empty());
     for (const VtuArray& array : grid.point_data) EXPECT_EQ(array.values.size(), array.components * grid.points.size());
     for (const VtuIds& array : grid.point_ids) EXPECT_EQ(array.values.size(), grid.points.size());
     for (const VtuArray& array : grid.cell_data) EXPECT_EQ(array.values.size(), grid.types.size());

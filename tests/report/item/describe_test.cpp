@@ -59,6 +59,7 @@ TEST(Describe, CauseNamesBothSidesWhereTheyDiffer) {
 TEST(Describe, MessagesNeedNoEscapes) {
   for (const Penetration& record : random_report(2000, 1, 7).penetrations) {
     const std::string both = message(record) + cause(record);
+    EXPECT_FALSE(message(record).empty());
     EXPECT_TRUE(
         std::all_of(both.begin(), both.end(), [](char c) { return c >= 0x20 && c < 0x7f && c != '"' && c != '\\'; }));
   }

@@ -62,6 +62,10 @@ TEST(Fingerprint, AnyNumberIsFine) {
   const double huge = 1.7e308, tiny = 5e-324, nan = std::nan("");
   for (const double x : {huge, -huge, tiny, -tiny, nan, HUGE_VAL})
     for (const double y : {0.0, huge, tiny, nan}) EXPECT_EQ(fingerprint(at(x, y, 0), 1), fingerprint(at(x, y, 0), 1));
+  std::set<std::uint64_t> all;
+  for (const double x : {huge, -huge, 1.0, 0.0}) all.insert(fingerprint(at(x, 0, 0), 1));
+  EXPECT_EQ(all.size(), 4u);
+  EXPECT_EQ(fingerprint(at(-0.0, -0.0, 0), 1), fingerprint(at(0, 0, 0), 1));
 }
 
 TEST(Fingerprint, RandomPositionsDoNotCollide) {

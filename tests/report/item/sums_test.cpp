@@ -51,6 +51,7 @@ TEST(Sums, EqualThePlainCount) {
     EXPECT_TRUE(std::is_sorted(result.pairs.begin(), result.pairs.end(), [](const PartPair& a, const PartPair& b) {
       return a.deepest->depth > b.deepest->depth;
     }));
+    EXPECT_EQ(result.deepest == nullptr, count == 0);
     if (result.deepest != nullptr) {
       const double node = result.pairs.empty() ? 0 : result.pairs.front().deepest->depth;
       const double edge = result.edge_pairs.empty() ? 0 : result.edge_pairs.front().deepest->depth;

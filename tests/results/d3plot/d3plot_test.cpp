@@ -181,7 +181,7 @@ TEST(D3plot, AbsurdControlWordsDoNotChangeTheMesh) {
             EXPECT_FALSE(plot.error().message.empty());
             ++refused;
           } else if (word != narbs) {
-            EXPECT_TRUE(particles || same(plot.value(), expected)) << "word " << word << " = " << value;
+            EXPECT_TRUE((particles && word == 37) || same(plot.value(), expected)) << "word " << word << " = " << value;
             expect_sound(plot.value());
           }
         }

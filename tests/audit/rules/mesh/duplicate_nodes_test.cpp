@@ -1,3 +1,6 @@
+#include <map>
+#include <utility>
+
 #include "audit/rules/rule_deck.hpp"
 
 namespace gapcheck::audit_test::duplicate_nodes_test {
@@ -57,6 +60,23 @@ TEST(DuplicateNodes, NotCornersThatOnlyMeet) {
   RuleDeck deck;
   deck.shell_part(1, 1).plate(1, 1, 1, 1, Vector(0, 0, 0), 5, 5).plate(101, 1, 1, 1, Vector(5, 5, 0), 5, 5);
   EXPECT_EQ(listed(run_rule("GC507", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 0U);
+}
+
+/// Shells 1 2 3 4 and 2 5 6 3, and a triangle of another part on two of these nodes.
+std::size_t triangle_on(std::int64_t a, std::int64_t b) {
+  const std::map<std::int64_t, Vector> x{{1, {0, 0, 0}}, {2, {5, 0, 0}},  {3, {5, 5, 0}},
+                                         {4, {0, 5, 0}}, {5, {10, 0, 0}}, {6, {10, 5, 0}}};
+  RuleDeck deck;
+  deck.shell_part(1, 0.1).shell_part(2, 0.1).node(22, x.at(a)).node(24, x.at(b)).node(25, {2, 2, 7});
+  for (const auto& [id, at] : x) deck.node(id, at);
+  deck.shell(1, 1, {1, 2, 3, 4}).shell(2, 1, {2, 5, 6, 3}).shell(3, 2, {22, 24, 25});
+  return listed(run_rule("GC507", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0")));
+}
+
+TEST(DuplicateNodes, AlongEdgesAndNotAlongDiagonals) {
+  for (const auto& [a, b] : {std::pair{1, 2}, {2, 3}, {3, 4}, {4, 1}})
+    EXPECT_EQ(triangle_on(a, b), 2U) << a << " " << b;
+  for (const auto& [a, b] : {std::pair{1, 3}, {2, 4}}) EXPECT_EQ(triangle_on(a, b), 0U) << a << " " << b;
 }
 
 TEST(DuplicateNodes, NotSheetsOfFoil) {

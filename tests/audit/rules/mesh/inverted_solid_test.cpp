@@ -40,7 +40,7 @@ TEST(InvertedSolid, OneCorner) {
 TEST(InvertedSolid, ManyAreCountedByWhatIsWrong) {
   // Bricks 1 … 12 with the corner of OneCorner, and 21 … 33 turned inside out.
   RuleDeck deck;
-  deck.raw("SECTION_SOLID", "1,1\n").raw("PART", "bricks\n1,1,1\n");
+  deck.shell_part(9, 1).raw("SECTION_SOLID", "1,1\n").raw("PART", "bricks\n1,1,1\n");
   for (int i = 0; i < 33; ++i) {
     if (i >= 12 && i < 20) continue;
     const std::int64_t n = 100 + 8 * i;

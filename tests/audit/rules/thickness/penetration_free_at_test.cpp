@@ -72,6 +72,22 @@ TEST(PenetrationFreeAt, ASingleNode) {
   EXPECT_NE(f.message.find("the closest is node 50, 0.3 from element 1"), std::string::npos) << f.message;
 }
 
+TEST(PenetrationFreeAt, ANodeThatOnlyTheNewThicknessReaches) {
+  // Node 50 penetrates at 0.7 of 1; with SST = 0.7 node 51, 0.4 above a thin plate, would.
+  const auto make = [](double sst) {
+    RuleDeck deck;
+    deck.shell_part(1, 2).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5).node(50, Vector(2, 2, 0.7));
+    deck.shell_part(3, 0.1).plate(201, 3, 2, 2, Vector(0, 0, 40), 5, 5).node(51, Vector(2, 2, 40.4));
+    deck.raw("SET_NODE_LIST", "7\n50,51\n").raw("SET_PART_LIST", "8\n1,3\n");
+    return deck.contact(1, "AUTOMATIC_NODES_TO_SURFACE", "7,8,4,2", cards(sst));
+  };
+  verify(make, 0.4);
+  const Finding f = run_rule("GC308", make(0)).findings.at(0);
+  EXPECT_EQ(f.node, 51);
+  EXPECT_EQ(f.element, 201);
+  EXPECT_NE(f.message.find("<= 0.4; the closest is node 51, 0.4 from element 201"), std::string::npos) << f.message;
+}
+
 TEST(PenetrationFreeAt, ThinPartsThatSstWouldThicken) {
   // The thick plates penetrate at 1.5 of 2; with SST = 1.5 the thin ones, 0.4 apart, would.
   const auto make = [](double sst) {
@@ -185,17 +201,17 @@ TEST(PenetrationFreeAt, WithoutOpttThinPartsBecomeThicker) {
 }
 
 /// A plate above a block whose faces are coated.
-RuleDeck coated(double gap, double coating, double sst) {
+RuleDeck coated(double gap, double coating, double sst, const std::string& keyword = "AUTOMATIC_SURFACE_TO_SURFACE") {
   RuleDeck deck;
   deck.solid_part(1).shell_part(2, 1).block(1, 1, 2, 2, 1, Vector(0, 0, -5), Vector(5, 5, 5));
   deck.plate(101, 2, 2, 2, Vector(0, 0, gap), 5, 5);
-  return deck.contact(1, "AUTOMATIC_SURFACE_TO_SURFACE", "2,1,3,3",
-                      cards(sst) + "0\n" + fmt::format(",,,,,,{}\n", coating));
+  return deck.contact(1, keyword, "2,1,3,3", cards(sst) + "0\n" + fmt::format(",,,,,,{}\n", coating));
 }
 
 TEST(PenetrationFreeAt, CoatedSolidsKeepTheirHalf) {
   // d = 0.55 = 0.2 / 2 + SST / 2
   verify([](double sst) { return coated(0.55, 0.2, sst); }, 0.9);
+  verify([](double sst) { return coated(0.55, 0.2, sst, "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE"); }, 0.9);
   const Report report = run_rule("GC308", coated(0.3, 0.8, 0));
   ASSERT_EQ(listed(report), 1U);
   EXPECT_NE(report.findings[0].message.find("SLDTHK = 0.8 of solids alone makes 9 of 9 nodes penetrate; with SLDTHK "
