@@ -105,6 +105,23 @@ TEST(Tiebreak, LeavesOtherTiesAsTheyAre) {
   EXPECT_LT(scene.state().x[5].z(), half_thickness + 0.1);
 }
 
+/// When a tie beside it has ended, the failure is still told, once and by its own contact.
+TEST(Tiebreak, TellsOfItsFailureAfterAnotherTieHasEnded) {
+  std::string deck =
+      node_on_shell("TIED_NODES_TO_SURFACE_OFFSET", "", "*LOAD_NODE_POINT\n6,3,1,1.\n", "0.,0.\n10.,1.\n", 5);
+  const std::string cards = "1,1,4,3\n0.\n1.,1.\n";
+  deck.replace(deck.find(cards), cards.size(), "1,1,4,3\n0.,0.,0.,0.,0.,0,0.,0.5\n1.,1.,-1.,-1.\n");
+  RunScene scene(deck +
+                 "*NODE\n6,0.3,0.3,0.05\n*ELEMENT_MASS\n6,6,1.\n*SET_NODE_LIST\n2\n6\n"
+                 "*CONTACT_TIEBREAK_NODES_TO_SURFACE\n2,1,4,3\n0.\n1.,1.\n0.1,0.1\n");
+  ASSERT_TRUE(scene.prepared()) << scene.message();
+  std::vector<ContactEvent> events;
+  scene.go([&](const solver::Run& run) { events.insert(events.end(), run.events().begin(), run.events().end()); });
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].contact, ContactIndex{1});
+  EXPECT_NE(events[0].text.find("1 nodes have failed: 6"), std::string::npos) << events[0].text;
+}
+
 TEST(Tiebreak, TellsOfItsFailure) {
   const Pull found = pull(old_type, "1.,1.", 0, 1);
   ASSERT_TRUE(found.kind.has_value());
