@@ -2,7 +2,7 @@
 """Runs the tests with hostile inputs and faults, measures decks with one gross mistake, and writes the tables of
 docs/reliability.md.
 
-    scripts/reliability.py GAPCHECK [--small]    GAPCHECK: the program, beside that of check-c as in a build
+    scripts/reliability.py GAPCHECK [--small | --mistakes]    GAPCHECK: the program, beside that of check-c as in a build
 """
 import argparse
 import json
@@ -92,7 +92,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("gapcheck", type=lambda text: pathlib.Path(text).resolve())
     parser.add_argument("--small", action="store_true", help="a sample of the tests and one deck")
+    parser.add_argument("--mistakes", action="store_true", help="only the table of decks with a mistake")
     options = parser.parse_args()
+    if options.mistakes:
+        table = mistakes_table(options.gapcheck, list(MISTAKES), 300)
+        PAGE.write_text(place(PAGE.read_text(encoding="utf-8"), "mistakes", table), encoding="utf-8")
+        return 0
     sample = ["--sample", "30"] if options.small else []
     inputs, faults = (summary(check, options.gapcheck, sample) for check in ("inputs", "faults"))
     text = place(PAGE.read_text(encoding="utf-8"), "hostile", hostile_table(inputs, faults))

@@ -113,6 +113,7 @@ int calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArgume
     print(located(files.error(), run.model(), arguments.deck));
     return failed;
   }
+  run.drop_contact_summaries();
   solver::RunEnd end{};
   {
     Watch watch(files.value(), !arguments.quiet);

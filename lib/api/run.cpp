@@ -111,6 +111,7 @@ Result<RunSummary> calculated(solver::Run& run, contact::SurfaceStore& surfaces,
   settings.program = fmt::format("gapcheck {}", version());
   auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
   if (!files) return error_from(files.error(), run.model(), diagnostics);
+  run.drop_contact_summaries();
   solver::RunFiles& written = files.value();
   Watch watch(written, options, stop);
   RunSummary summary;

@@ -30,6 +30,8 @@ std::string rcforc_text(double time, std::span<const InterfaceState> contacts) {
 std::string sleout_text(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts) {
   std::string text = fmt::format("\n\n\n contact interface energy file, time={}\n", normalised(time, 14, 7));
   text += fmt::format("    #             surfa       surfb        cycle={:14}    frictional\n\n", cycle);
+  constexpr std::size_t row = 78;
+  text.reserve(text.size() + (contacts.size() + 4) * row);
   std::array<double, 2> sides{};
   double friction = 0;
   for (const InterfaceState& contact : contacts) {

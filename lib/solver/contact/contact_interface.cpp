@@ -54,7 +54,7 @@ ContactInterface::ContactInterface(const ContactSetting& setting, contact::Surfa
   if (!may_wait()) begin_passes();
   if (!surfaces_->type.by_segments()) return;
   step_ = card().dtstif > 0 ? 0 : first_step_;
-  crossings_ = SegmentCrossings(card().dtpchk);
+  crossings_ = std::make_unique<SegmentCrossings>(card().dtpchk);
 }
 
 ContactInterface::ContactInterface(const ContactInterface& other, ContactIndex contact, const InterfaceMemory& memory)
@@ -205,7 +205,8 @@ std::optional<ContactEvent> ContactInterface::follow_step(const State& state) {
     step_ = state.coming;
     set_timestep(step_);
   }
-  return crossings_.check(setting_.model, contact_, *surfaces_, state);
+  if (crossings_ == nullptr) return std::nullopt;
+  return crossings_->check(setting_.model, contact_, *surfaces_, state);
 }
 
 void ContactInterface::deactivate(const State& state, ContactState& result) {

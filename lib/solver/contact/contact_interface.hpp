@@ -86,7 +86,7 @@ class ContactInterface {
   double present_thickness_ = 0, searched_thickness_ = 0;  ///< now, and at the last search
   double first_step_ = 0;
   double step_ = 0;  ///< used by the stiffness; 0: it stays that of the first cycle, or DTSTIF
-  SegmentCrossings crossings_;
+  std::unique_ptr<SegmentCrossings> crossings_;  ///< of SOFT = 2; else null
 };
 
 }  // namespace gapcheck::solver
