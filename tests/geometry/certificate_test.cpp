@@ -51,12 +51,15 @@ TEST(Certificate, NeverProvesWhatIsFalse) {
 
 TEST(Certificate, TheAxisTestIsExact) {
   Maker maker(311);
+  int separated = 0;
   for (int i = 0; i < 20000; ++i) {
     const Pair pair = maker.make(i % 2 == 0 ? Family::lattice : Family::far_away);
     const double bound = i % 4 == 0 ? maker.integer(1, 6) : maker.uniform(0, 2);
     if (!separated_by_axis(seen_from(pair.facet, pair.query), bound)) continue;
+    ++separated;
     EXPECT_GE(squared_distance(pair.facet, pair.query), mpf_class(bound, 600) * bound) << describe(pair, bound);
   }
+  EXPECT_GT(separated, 1000);
 }
 
 /// f(s, t) - drop is a lower bound of f on a dense grid.
@@ -83,14 +86,17 @@ TEST(Certificate, NothingDropsBelowTheLargestDrop) {
 
 TEST(Certificate, NearestMeansNearest) {
   Maker maker(317);
+  int proven = 0;
   for (int i = 0; i < 3000; ++i) {
     const Pair pair = maker.make(i % 2 == 0 ? Family::warped : Family::skew);
     const Corners e = seen_from(pair.facet, pair.query);
     const Location at = locate_on_patch(e, Patch(e));
     if (!is_nearest(e, Patch(e), at.s, at.t)) continue;
+    ++proven;
     const double distance = mpf_class(sqrt(squared_distance(pair.facet, pair.query))).get_d();
     EXPECT_NEAR(blend(e, quad_weights(at.s, at.t)).norm(), distance, 1e-12 * (1 + distance)) << describe(pair);
   }
+  EXPECT_GT(proven, 1000);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(HighestIds, SolidsHaveTheirNodesInTheSameLineOrBehind) {
   EXPECT_EQ(element("SOLID_ORTHO\n5,1,91,92,93,94\n95.\n96.\n6,1,91,92,93,94\n97.\n98.\n"), 6);
 }
 
-TEST(HighestIds, OnlyNewBlocksAreLookedAt) {
+TEST(HighestIds, UpdatingAgainChangesNothing) {
   TextDeck deck("*NODE\n5\n");
   HighestIds ids;
   ids.update(deck.deck);

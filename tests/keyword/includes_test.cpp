@@ -275,14 +275,11 @@ TEST_F(Includes, InheritTheFormatAndKeepTheirOwn) {
   directory.write("own.k", "*KEYWORD LONG=S\n*PART\n");
   directory.write("main.k", "*KEYWORD LONG=Y\n*INCLUDE\nplain.k\nown.k\n*TITLE\n");
   read("main.k");
-  for (const Block& block : deck.blocks()) {
-    if (block.name == "NODE" || block.name == "TITLE") {
-      EXPECT_EQ(block.format, Format::long_fields);
-    }
-    if (block.name == "PART") {
-      EXPECT_EQ(block.format, Format::standard);
-    }
-  }
+  std::string formats;
+  for (const Block& block : deck.blocks())
+    if (block.name == "NODE" || block.name == "PART" || block.name == "TITLE")
+      formats += block.name + (block.format == Format::long_fields ? " long " : " standard ");
+  EXPECT_EQ(formats, "NODE long PART standard TITLE long ");
 }
 
 TEST_F(Includes, AutoOffset) {

@@ -127,11 +127,17 @@ TEST(Crossings, OfEquallyLongOnesTheFirstByPosition) {
 
 /// Meshes whose lines lie in each other: a flat sheet with a line of nodes in x = 0, an upright one with a line of
 /// other nodes in z = 0, of one or two rows of elements on each side of that line; turned by an angle about y.
-std::size_t along_mesh_lines(int left, int right, int below, int above, double angle) {
+/// `turn`: every other flat element starts at that corner, and from 4 on runs the other way round.
+std::size_t along_mesh_lines(int left, int right, int below, int above, double angle, int turn = 0) {
   Scene scene;
   const Vector u(std::cos(angle), 0, std::sin(angle)), w(-std::sin(angle), 0, std::cos(angle)), ey(0, 1, 0);
   const auto rows = [](int low, int high) { return static_cast<std::uint32_t>(low + high); };
   scene.plate(scene.part(1, 1), Vector(-left * u - ey), u, ey, rows(left, right), 2);
+  auto& shells = scene.model.mesh.shells.nodes;
+  for (std::size_t i = 1; i < shells.size(); i += 2) {
+    std::rotate(shells[i].begin(), shells[i].begin() + turn % 4, shells[i].end());
+    if (turn >= 4) std::reverse(shells[i].begin(), shells[i].end());
+  }
   scene.plate(scene.part(2, 1), Vector(-below * w - ey), w, ey, rows(below, above), 2);
   scene.contact("AUTOMATIC_SINGLE_SURFACE");
   return crossings(scene).size();
@@ -145,6 +151,12 @@ TEST(Crossings, AlongMeshLinesOnlyIfBothGoOnBehindThem) {
     EXPECT_EQ(along_mesh_lines(1, 0, 0, 1, angle), 0U) << "an L, " << angle;
     EXPECT_EQ(along_mesh_lines(1, 1, 0, 1, angle), 0U) << "a T, " << angle;
     EXPECT_EQ(along_mesh_lines(0, 1, 1, 1, angle), 0U) << "a T, " << angle;
+  }
+  for (int turn = 0; turn < 8; ++turn) {
+    EXPECT_EQ(along_mesh_lines(1, 1, 1, 1, 0, turn), 8U) << turn;
+    EXPECT_EQ(along_mesh_lines(1, 1, 0, 1, 0, turn), 0U) << "a T, " << turn;
+    EXPECT_EQ(along_mesh_lines(1, 1, 1, 0, 0, turn), 0U) << "a T, " << turn;
+    EXPECT_EQ(along_mesh_lines(1, 0, 0, 1, 0, turn), 0U) << "an L, " << turn;
   }
 }
 
