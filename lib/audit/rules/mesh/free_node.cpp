@@ -65,20 +65,21 @@ void report_unused(const RuleIdentity& rule, Context& context, Report& report, s
   if (std::find(used.begin(), used.end(), 0) == used.end()) return;
   const std::vector<std::uint8_t> referenced = model::referenced_nodes(context.deck(), model, "");
   const std::vector<std::int64_t>& ids = model.mesh.nodes.id;
-  std::uint64_t count = 0;
-  std::uint32_t first = 0;
-  for (std::uint32_t n = 0; n < used.size(); ++n)
-    if (used[n] == 0 && referenced[n] == 0 && (count++ == 0 || ids[n] < ids[first])) first = n;
-  if (count == 0) return;
+  std::vector<std::uint32_t> unused;
+  for (const NodeIndex n : positions<NodeIndex>(used.size()))
+    if (used[n.value] == 0 && referenced[n.value] == 0) unused.push_back(n.value);
+  if (unused.empty()) return;
+  const std::uint32_t first =
+      *std::min_element(unused.begin(), unused.end(), [&](auto a, auto b) { return ids[a] < ids[b]; });
   const std::int64_t id = ids[first];
+  const std::size_t count = unused.size();
   Finding at = node_finding(
       rule, context, NodeIndex{first},
       count == 1 ? fmt::format("node {} belongs to no element and no set; delete it", id)
                  : fmt::format("{} nodes belong to no element and no set, the first is {}; delete them", count, id));
   at.count = count;
   if (context.options().members)
-    for (std::uint32_t n = 0; n < used.size(); ++n)
-      if (used[n] == 0 && referenced[n] == 0) at.members.nodes.push_back(ids[n]);
+    for (const std::uint32_t n : unused) at.members.nodes.push_back(ids[n]);
   report.findings.push_back(std::move(at));
 }
 

@@ -94,8 +94,8 @@ class Moves {
 
 /// What becomes of one element.
 struct Fate {
-  double before = 0, after = 0;  ///< area of shells, volume of solids
-  bool inverted = false, flat = false;
+  double before, after;  ///< area of shells, volume of solids
+  bool inverted, flat;
   [[nodiscard]] bool bad() const { return inverted || flat; }
 };
 
