@@ -275,11 +275,11 @@ TEST(ContactForces, SlidesFromSegmentToSegment) {
   for (const int direction : {1, -1}) {
     std::string nodes = "*NODE\n", shells = "*ELEMENT_SHELL\n";
     for (int i = 0; i < 5; ++i) {
-      nodes += fmt::format("{0},{2}.,50.,0.\n{1},{2}.,51.,0.\n", 2 * i + 1, 2 * i + 2, 100 + i);
+      nodes += fmt::format("{0},{2}.,0.,0.\n{1},{2}.,1.,0.\n", 2 * i + 1, 2 * i + 2, 100 + i);
       if (i < 4) shells += fmt::format("{},1,{},{},{},{}\n", i + 1, 2 * i + 1, 2 * i + 3, 2 * i + 4, 2 * i + 2);
     }
     ContactScene scene(
-        nodes + fmt::format("100,{},50.3,{:.17g}\n", direction > 0 ? 100.2 : 103.8, h - weight / stiffness) + shells +
+        nodes + fmt::format("100,{},0.3,{:.17g}\n", direction > 0 ? 100.2 : 103.8, h - weight / stiffness) + shells +
             "*ELEMENT_MASS\n1,100,1.\n*PART\np\n1,1,1\n*SECTION_SHELL\n1,2\n0.1\n"
             "*MAT_ELASTIC\n1,1.,1000.,0.25\n*SET_NODE_LIST\n1\n100\n*SET_PART_LIST\n1\n1\n"
             "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n1,1,4,2\n0.\n1.,1.\n" +
