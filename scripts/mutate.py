@@ -246,6 +246,11 @@ def key(mutant):
     return mutant["file"], mutant["line"], mutant["new"]
 
 
+def named(mutant):
+    """As tests/mutants.json names it: lines move."""
+    return mutant["file"], mutant["old"], mutant["new"]
+
+
 def read(results):
     return [json.loads(line) for line in results.read_text(encoding="utf-8").splitlines()] if results.exists() else []
 
@@ -265,7 +270,7 @@ def found_again(mutant):
 def reasons():
     """Why a survivor changes nothing that anybody can see."""
     listed = json.loads(REASONS.read_text(encoding="utf-8")) if REASONS.exists() else []
-    return {(one["file"], one["old"], one["new"]): one["reason"] for one in listed}
+    return {named(one): one["reason"] for one in listed}
 
 
 def cell(code):
@@ -288,7 +293,7 @@ def report(mutants):
     lines += ["", "| survivor | line | changed to | reason |", "|---|---|---|---|"]
     for mutant in sorted(valid, key=key):
         if mutant["outcome"] == "survived":
-            why = known.get((mutant["file"], mutant["old"], mutant["new"]), "none is known: a test is missing")
+            why = known.get(named(mutant), "none is known: a test is missing")
             lines.append(f"| {mutant['file'].removeprefix('lib/')} | {cell(mutant['old'])} | {cell(mutant['new'])} | {why} |")
     return "\n".join(lines)
 
@@ -330,7 +335,9 @@ def main():
     if not given.again:
         known = {key(mutant) for mutant in mutants}
         mutants += [{**mutant, "outcome": "open"} for mutant in drawn(rooms, given.count, given.seed) if key(mutant) not in known]
-    open_ones = [mutant for mutant in mutants if mutant["outcome"] == "open"]
+    listed = reasons()
+    # Those that nobody can notice take all tests: they come last.
+    open_ones = sorted((mutant for mutant in mutants if mutant["outcome"] == "open"), key=lambda one: named(one) in listed)
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as workers:
         for number, (mutant, outcome) in enumerate(zip(open_ones, workers.map(lambda one: judge(one, build), open_ones)), 1):
             mutant["outcome"] = outcome

@@ -20,6 +20,8 @@ namespace {
 /// Far beyond any real deck; keeps a file of only stars from filling the memory.
 constexpr std::size_t max_blocks = 5'000'000;
 constexpr std::size_t max_directives = 1'000'000;
+constexpr std::string_view cases_are_one_model =
+    "*CASE: the keywords of all cases are read as one model; split the deck to check one case";
 
 /// An error if a file cannot be a keyword file.
 Status check_text(std::string_view bytes, const std::string& name) {
@@ -325,11 +327,8 @@ void DeckReader::dispatch(const FileContext& context, const Block& block) {
   } else if (name == "DEFINE_TRANSFORMATION" || name == "DEFINE_TRANSFORMATION_TITLE") {
     transforms_.add_definition(block.order);
   } else if (name.starts_with("CASE_BEGIN")) {
-    const bool first = cases_.empty();
+    if (cases_.empty()) diagnostics_.warning(path_of(block.file), block.line, std::string(cases_are_one_model));
     cases_.insert(case_begun(name));
-    if (!first) return;
-    diagnostics_.warning(path_of(block.file), block.line,
-                         "*CASE: the keywords of all cases are read as one model; split the deck to check one case");
   }
 }
 

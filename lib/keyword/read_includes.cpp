@@ -37,6 +37,14 @@ std::string advice(const std::string& name, const std::string& like) {
   return "\" was not found; correct the name, or give its directory with -I or *INCLUDE_PATH";
 }
 
+/// `file`: which includes it; `like`: see advice().
+Diagnostic about_missing(const MissingInclude& include, const std::string& file, const std::string& like,
+                         bool skipped) {
+  const bool written = include.written_by > 0;
+  return {written || skipped ? Severity::warning : Severity::error, file, include.line,
+          "include \"" + include.name + (written ? about_case(include.written_by) : advice(include.name, like))};
+}
+
 std::string about_found(const IncludeName& include, const FoundInclude& found) {
   std::string text =
       "include \"" + include.name + "\" does not exist here; \"" + found.path + "\" was read in its place";
@@ -172,14 +180,11 @@ bool DeckReader::open_include(const FileContext& context, const Block& block, co
   const auto found = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file), open);
   if (!found) {
     const std::int64_t writer = case_that_writes(include.name);
-    const bool written = writer > 0 && cases_.contains(writer);
     const auto like = paths_.find_by_end(include.name, path_of(FileIndex(0)), path_of(context.file), open);
     ++deck_.counters_.missing_includes;
-    deck_.missing_includes_.push_back({include.name, block.file, include.line, written ? writer : 0});
-    diagnostics_.add(
-        {written || options_.skip_missing_includes ? Severity::warning : Severity::error, path_of(block.file),
-         include.line,
-         "include \"" + include.name + (written ? about_case(writer) : advice(include.name, like ? like->path : ""))});
+    deck_.missing_includes_.push_back({include.name, block.file, include.line, cases_.contains(writer) ? writer : 0});
+    diagnostics_.add(about_missing(deck_.missing_includes_.back(), path_of(block.file), like ? like->path : "",
+                                   options_.skip_missing_includes));
     return false;
   }
   if (found->by_end)

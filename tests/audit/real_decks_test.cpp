@@ -121,11 +121,11 @@ TEST_P(IncompleteDeck, NamesTheMissingFileAndWorksWithoutIt) {
 
 INSTANTIATE_TEST_SUITE_P(
     Decks, IncompleteDeck,
-    testing::Values(Incomplete{"body_contacts_no_mesh/model/50F-seated/vivaplus-50F.key", "vivaplus"},
-                    Incomplete{"shoes/model/50F-standing/vivaplus-50F-standing.key", "vivaplus_50F-standing_nodes.k"},
-                    Incomplete{"l_bracket/tests/testfiles/run/case-keywords/L_bracket_dynain.key", "case1.dynain.lsda"},
-                    Incomplete{"l_bracket/tests/testfiles/run/case-keywords/L_bracket_allin1.key",
-                               "control_cards_nonlin.key"}));
+    testing::Values(
+        Incomplete{"body_contacts_no_mesh/model/50F-seated/vivaplus-50F.key", "vivaplus"},
+        Incomplete{"shoes/model/50F-standing/vivaplus-50F-standing.key", "vivaplus_50F-standing_nodes.k"},
+        Incomplete{"l_bracket/tests/testfiles/run/case-keywords/L_bracket_dynain.key", "database_cards_static.key"},
+        Incomplete{"l_bracket/tests/testfiles/run/case-keywords/L_bracket_allin1.key", "control_cards_nonlin.key"}));
 
 /// An optimiser's template: without its parameters an error names each, with them it is whole.
 TEST(TemplateDeck, NeedsItsParameters) {

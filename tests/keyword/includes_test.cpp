@@ -150,9 +150,8 @@ TEST_F(Includes, WhatAnEarlierCaseWritesIsMissingWithoutAnError) {
                   "old/case1.dynain\ncase1\nCASE_1.k\n*CASE_END_2\n");
   read("main.k");
   const std::string all = reports(diagnostics);
-  EXPECT_NE(all.find(directory.path("main.k") +
-                     ":5: include \"case1.dynain.lsda\" was not found: the "
-                     "run of *CASE 1 writes it"),
+  EXPECT_NE(all.find(directory.path("main.k") + ":5: include \"case1.dynain.lsda\" was not found: the "
+                                                "run of *CASE 1 writes it"),
             std::string::npos)
       << all;
   ASSERT_EQ(deck.missing_includes().size(), 5u);

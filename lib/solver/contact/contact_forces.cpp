@@ -31,6 +31,46 @@ bool same_found(std::span<const Penetration> found, ContactIndex a, ContactIndex
   });
 }
 
+/// Of both sides of all interfaces, ascending.
+std::vector<std::uint32_t> nodes_in_contact(std::span<const ContactInterface> interfaces, std::size_t nodes) {
+  std::vector<bool> in_contact(nodes, false);
+  for (const ContactInterface& interface : interfaces)
+    for (const contact::ContactSide* side : {&interface.surfaces().a, &interface.surfaces().b}) {
+      for (const NodeIndex node : side->nodes.node) in_contact[node.value] = true;
+      for (const auto& corners : side->selection.segments.nodes)
+        for (const NodeIndex node : corners) in_contact[node.value] = true;
+    }
+  std::vector<std::uint32_t> list;
+  for (std::uint32_t node = 0; node < in_contact.size(); ++node)
+    if (in_contact[node]) list.push_back(node);
+  return list;
+}
+
+/// For the springs of eroding types. `estimate` is made when it is needed.
+double eroding_step(std::span<const ContactInterface> interfaces, const model::Model& model,
+                    const ContactMasses& masses, std::unique_ptr<contact::TimestepEstimate>& estimate) {
+  double step = std::numeric_limits<double>::infinity();
+  if (model.controls.ecdt != 0) return step;
+  for (const ContactInterface& interface : interfaces) {
+    const contact::ContactSurfaces& surfaces = interface.surfaces();
+    if (!contact::is_eroding(surfaces.type)) continue;
+    if (!estimate) estimate = std::make_unique<contact::TimestepEstimate>(model, masses.sizes);
+    const model::Contact& contact = interface.card();
+    for (const auto& [side, scale] : {std::pair(&surfaces.a, contact.sfs), std::pair(&surfaces.b, contact.sfm)})
+      step = std::min(step, estimate->side(side->selection.segments, model.controls.slsfac * scale).timestep);
+  }
+  return step;
+}
+
+std::vector<ContactNode> nodes_of(const ContactInterface& interface) {
+  std::vector<ContactNode> all;
+  for (const auto& pass : interface.passes()) {
+    const std::vector<ContactNode> more = pass->nodes();
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
 }  // namespace
 
 ContactForces::ContactForces(const model::Model& model, contact::SurfaceStore& surfaces,
@@ -72,8 +112,7 @@ void ContactForces::build(const State& state) {
     result.contact = c;
     result.single_surface = surfaces.type.treatment == contact::Treatment::single_surface;
   }
-  gather_nodes();
-  limit_step();
+  follow_surfaces();
   margin_.set_margin(margin.value());
   built_ = true;
 }
@@ -98,32 +137,9 @@ void ContactForces::add_interface(ContactIndex contact, Building& building, cons
   if (last != building.last.end()) last->second = position;
 }
 
-void ContactForces::gather_nodes() {
-  std::vector<bool> in_contact(model_.mesh.nodes.size(), false);
-  for (const ContactInterface& interface : interfaces_)
-    for (const contact::ContactSide* side : {&interface.surfaces().a, &interface.surfaces().b}) {
-      for (const NodeIndex node : side->nodes.node) in_contact[node.value] = true;
-      for (const auto& corners : side->selection.segments.nodes)
-        for (const NodeIndex node : corners) in_contact[node.value] = true;
-    }
-  std::vector<std::uint32_t> nodes;
-  for (std::uint32_t node = 0; node < in_contact.size(); ++node)
-    if (in_contact[node]) nodes.push_back(node);
-  margin_.set_nodes(std::move(nodes));
-}
-
-void ContactForces::limit_step() {
-  stable_step_ = std::numeric_limits<double>::infinity();
-  if (model_.controls.ecdt != 0) return;
-  for (const ContactInterface& interface : interfaces_) {
-    const contact::ContactSurfaces& surfaces = interface.surfaces();
-    if (!contact::is_eroding(surfaces.type)) continue;
-    if (!estimate_) estimate_ = std::make_unique<contact::TimestepEstimate>(model_, masses_.sizes);
-    const model::Contact& contact = interface.card();
-    for (const auto& [side, scale] : {std::pair(&surfaces.a, contact.sfs), std::pair(&surfaces.b, contact.sfm)})
-      stable_step_ =
-          std::min(stable_step_, estimate_->side(side->selection.segments, model_.controls.slsfac * scale).timestep);
-  }
+void ContactForces::follow_surfaces() {
+  margin_.set_nodes(nodes_in_contact(interfaces_, model_.mesh.nodes.size()));
+  stable_step_ = eroding_step(interfaces_, model_, masses_, estimate_);
 }
 
 void ContactForces::erode(const State& state) {
@@ -138,8 +154,7 @@ void ContactForces::erode(const State& state) {
       interfaces_[interface].erode(store_, gone, state, states_[i]);
     done[interface] = true;
   }
-  gather_nodes();
-  limit_step();
+  follow_surfaces();
 }
 
 bool ContactForces::search_is_due(const State& state) const {
@@ -270,12 +285,7 @@ std::size_t ContactForces::waiting() const {
 }
 
 std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {
-  std::vector<ContactNode> all;
-  for (const auto& pass : interfaces_[interface_of_[position]].passes()) {
-    const std::vector<ContactNode> more = pass->nodes();
-    all.insert(all.end(), more.begin(), more.end());
-  }
-  return all;
+  return nodes_of(interfaces_[interface_of_[position]]);
 }
 
 std::optional<double> ContactForces::stored(std::size_t position) const {

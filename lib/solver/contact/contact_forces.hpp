@@ -65,8 +65,8 @@ class ContactForces : public Force, public ContactSource {
   struct Building {
     contact::SideCache sides;
     std::vector<ContactIndex> first;  ///< by contact, that which it repeats
-    std::map<ContactIndex, std::uint32_t>
-        last;  ///< by such a first one: position of the last equal one that calculates
+    /// By such a first one: position of the last equal one that calculates.
+    std::map<ContactIndex, std::uint32_t> last;
   };
 
   void build(const State& state);
@@ -74,8 +74,8 @@ class ContactForces : public Force, public ContactSource {
   void add_interface(ContactIndex contact, Building& building, const State& state);
   /// Elements have failed since the last call.
   void erode(const State& state);
-  void limit_step();
-  void gather_nodes();
+  /// The surfaces are new or changed: their nodes, and the step of their springs.
+  void follow_surfaces();
   [[nodiscard]] bool search_is_due(const State& state) const;
   void find_candidates(const State& state);
   /// For one contact, between the searches for all of them.
