@@ -19,11 +19,12 @@ std::int64_t number_after(std::string_view beginning, std::string_view name) {
 
 std::int64_t case_begun(std::string_view name) { return number_after("CASE_BEGIN_", name); }
 
-std::int64_t case_that_writes(std::string_view file) {
+std::int64_t case_that_writes(std::string_view file, const std::set<std::int64_t>& begun) {
   const std::size_t slash = file.find_last_of("/\\");
   const std::string_view name = slash == std::string_view::npos ? file : file.substr(slash + 1);
   const std::size_t dot = name.find('.');
-  return dot == std::string_view::npos ? 0 : number_after("case", name.substr(0, dot));
+  const std::int64_t number = dot == std::string_view::npos ? 0 : number_after("case", name.substr(0, dot));
+  return begun.contains(number) ? number : 0;
 }
 
 Cases::Cases(const Deck& deck) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -18,8 +19,8 @@ struct FileLine {
 [[nodiscard]] std::int64_t case_begun(std::string_view name);
 
 /// The n of a file that the run of *CASE n writes, which is named casen.dynain.lsda and the like; 0: it has another
-/// name.
-[[nodiscard]] std::int64_t case_that_writes(std::string_view file);
+/// name, or that case is not in `begun`.
+[[nodiscard]] std::int64_t case_that_writes(std::string_view file, const std::set<std::int64_t>& begun);
 
 /// Which *CASEs a line of the deck belongs to: *CASE_BEGIN_n to *CASE_END_n in the order of the input, which may
 /// overlap (*CASE). A run has one case, and what is outside of all.

@@ -179,10 +179,9 @@ bool DeckReader::open_include(const FileContext& context, const Block& block, co
   };
   const auto found = paths_.find(include.name, path_of(FileIndex(0)), path_of(context.file), open);
   if (!found) {
-    const std::int64_t writer = case_that_writes(include.name);
     const auto like = paths_.find_by_end(include.name, path_of(FileIndex(0)), path_of(context.file), open);
     ++deck_.counters_.missing_includes;
-    deck_.missing_includes_.push_back({include.name, block.file, include.line, cases_.contains(writer) ? writer : 0});
+    deck_.missing_includes_.push_back({include.name, block.file, include.line, case_that_writes(include.name, cases_)});
     diagnostics_.add(about_missing(deck_.missing_includes_.back(), path_of(block.file), like ? like->path : "",
                                    options_.skip_missing_includes));
     return false;

@@ -224,9 +224,8 @@ void ContactForces::repeat_interface(std::size_t i, const State& state, Forces& 
 }
 
 void ContactForces::repeat_state(std::size_t i) {
-  const ContactIndex contact = states_[i].contact;
-  states_[i] = states_[sharing_.at(interface_of_[i]).positions.front()];
-  states_[i].contact = contact;
+  const ContactState own = std::exchange(states_[i], states_[sharing_.at(interface_of_[i]).positions.front()]);
+  states_[i].contact = own.contact;
 }
 
 void ContactForces::part_interface(std::size_t i) {
