@@ -45,7 +45,7 @@ TEST(FixHostile, HugeCoordinatesAndMissingThings) {
     const std::string text = replaced(plates_deck(lower, upper), line,
                                       fmt::format("{:8}{:16}{:16}{:>16}\n", upper.node(3, 3), 15.0, 15.0, bad));
     const FixRun run = fix_text(text);
-    // What is no number or too large for one is an error of the deck; 1e30 is just a place far away.
+    // A coordinate that is not a number, or too large for a double, is an error in the deck; 1e30 is only far away.
     const bool readable = bad.ends_with("1e30");
     EXPECT_EQ(run.errors, readable ? 0u : 1u) << bad;
     if (readable) {

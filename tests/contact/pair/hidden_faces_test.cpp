@@ -61,16 +61,20 @@ TEST(HiddenFaces, ACoveredTopHidesNothingElse) {
   EXPECT_NEAR(state.penetrations[0].depth, 0.5, 1e-9);
 }
 
+/// Penetrations of a node inside or below the body in a contact that has only its top as a segment.
+std::size_t found_by_the_top(Wedge& wedge, bool inside) {
+  wedge.scene.model.sets.segments[7].members = {{wedge.nodes[4], wedge.nodes[5], wedge.nodes[6], wedge.nodes[7]}};
+  wedge.scene.model.sets.nodes[5].members = {wedge.scene.node({9, 5, inside ? 7.5 : 4})};
+  auto& c = wedge.scene.contact("AUTOMATIC_NODES_TO_SURFACE");
+  c.a = {5, 4, 0, true};
+  c.b = {7, 0, 0, true};
+  return wedge.scene.run().penetrations.size();
+}
+
 TEST(HiddenFaces, FacesThatTheContactDoesNotName) {
-  // Only the top is a segment; what is below the block is outside, what is in it is inside.
   for (const bool inside : {false, true}) {
     Wedge wedge;
-    wedge.scene.model.sets.segments[7].members = {{wedge.nodes[4], wedge.nodes[5], wedge.nodes[6], wedge.nodes[7]}};
-    wedge.scene.model.sets.nodes[5].members = {wedge.scene.node({9, 5, inside ? 7.5 : 4})};
-    auto& c = wedge.scene.contact("AUTOMATIC_NODES_TO_SURFACE");
-    c.a = {5, 4, 0, true};
-    c.b = {7, 0, 0, true};
-    EXPECT_EQ(wedge.scene.run().penetrations.size(), inside ? 1U : 0U);
+    EXPECT_EQ(found_by_the_top(wedge, inside), inside ? 1U : 0U);
   }
 }
 
@@ -80,12 +84,7 @@ TEST(HiddenFaces, OfThickShellsToo) {
     Wedge wedge;
     model::Mesh& mesh = wedge.scene.model.mesh;
     mesh.thick_shells = std::exchange(mesh.solids, {});
-    wedge.scene.model.sets.segments[7].members = {{wedge.nodes[4], wedge.nodes[5], wedge.nodes[6], wedge.nodes[7]}};
-    wedge.scene.model.sets.nodes[5].members = {wedge.scene.node({9, 5, inside ? 7.5 : 4})};
-    auto& c = wedge.scene.contact("AUTOMATIC_NODES_TO_SURFACE");
-    c.a = {5, 4, 0, true};
-    c.b = {7, 0, 0, true};
-    EXPECT_EQ(wedge.scene.run().penetrations.size(), inside ? 1U : 0U);
+    EXPECT_EQ(found_by_the_top(wedge, inside), inside ? 1U : 0U);
   }
 }
 

@@ -5,7 +5,7 @@
 namespace gapcheck::solver::run_states_test {
 namespace {
 
-// A free mass under a force, one that is held against it, one whose velocity grows by 3 per time: their accelerations
+// A free mass under a force, a fixed one under the same force, one whose velocity grows by 3 per time: accelerations
 // are F/m, 0 and 3; velocities are those half a step later.
 TEST(NodeStates, MotionOfHistoryNodes) {
   constexpr double step = 0.01;
