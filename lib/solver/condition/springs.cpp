@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 
 namespace gapcheck::solver {
@@ -71,7 +72,8 @@ Springs::Springs(std::vector<SpringLaw> laws, const std::vector<SpringInput>& sp
     spring.input = input;
     springs_.push_back(std::move(spring));
   }
-  step_ = limit_step(state, rigid);
+  find_rates(state, rigid);
+  step_ = limit_step(state);
   initial_ = stored();
 }
 
@@ -83,7 +85,7 @@ double Springs::stored() const {
 
 void Springs::held(Absorbed& energy) const { energy.springs += stored() - initial_ + damped_; }
 
-double Springs::limit_step(const State& state, const RigidBodies& rigid) const {
+void Springs::find_rates(const State& state, const RigidBodies& rigid) {
   struct Sums {
     double squared_frequency = 0, damping = 0;
   };
@@ -106,15 +108,25 @@ double Springs::limit_step(const State& state, const RigidBodies& rigid) const {
       sum.damping += share * std::abs(law.damping);
     }
   }
-  double squared_frequency = 0, damping = 0;
   for (const auto& [owner, sum] : sums) {
-    squared_frequency = std::max(squared_frequency, sum.squared_frequency);
-    damping = std::max(damping, sum.damping);
+    squared_frequency_ = std::max(squared_frequency_, sum.squared_frequency);
+    damping_rate_ = std::max(damping_rate_, sum.damping);
   }
-  // Central differences with velocities half a step behind are stable for ω² dt² + 2 c dt <= 4; elements at 0.9 of
-  // their step may take 0.81 of that.
-  constexpr double room = 4 * (1 - 0.81);
-  return room / (damping + std::sqrt(damping * damping + room * squared_frequency));
+}
+
+/// Central differences with velocities half a step behind are stable for ω² dt² + 2 c dt <= 4; `room`: what elements
+/// leave of the four.
+double Springs::step_in(double room) const {
+  return room / (damping_rate_ + std::sqrt(damping_rate_ * damping_rate_ + room * squared_frequency_));
+}
+
+/// Springs that fit beside the elements' own step leave it alone; others bring the elements to 0.9 of their critical
+/// step, or below it.
+double Springs::limit_step(const State& state) const {
+  const double usual = step_in(4 - usual_share);
+  if (state.elements_share <= usual_share) return usual;
+  if (step_in(4 - state.elements_share) >= state.coming) return std::numeric_limits<double>::infinity();
+  return std::min(usual, state.coming * std::sqrt(usual_share / state.elements_share));
 }
 
 Vector Springs::translation(const State& state, Spring& spring) const {
@@ -151,6 +163,7 @@ Vector Springs::torsion(const State& state, Spring& spring) const {
 }
 
 void Springs::add(State& state, Forces& forces) {
+  step_ = limit_step(state);
   for (Spring& spring : springs_) {
     const SpringInput& input = spring.input;
     const Vector damping = spring.damping;

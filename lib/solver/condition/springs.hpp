@@ -44,7 +44,7 @@ class Springs : public Force {
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override { work.springs += energy_; }
   void held(Absorbed& energy) const override;
-  /// An upper bound from the masses at the nodes; elements at the same nodes are left 0.9 of their own step.
+  /// An upper bound from the masses at the nodes, which leaves room for elements at the same nodes.
   [[nodiscard]] double stable_step() const override { return step_; }
 
   [[nodiscard]] std::size_t size() const { return springs_.size(); }
@@ -61,7 +61,9 @@ class Springs : public Force {
     Vector pull = Vector::Zero();     ///< force or moment on a; b has the opposite
     Vector damping = Vector::Zero();  ///< the part of it by dampers
   };
-  [[nodiscard]] double limit_step(const State& state, const RigidBodies& rigid) const;
+  void find_rates(const State& state, const RigidBodies& rigid);
+  [[nodiscard]] double step_in(double room) const;
+  [[nodiscard]] double limit_step(const State& state) const;
   [[nodiscard]] double stored() const;
   // They return the pull, and set its part by the damper.
   [[nodiscard]] Vector translation(const State& state, Spring& spring) const;
@@ -69,8 +71,9 @@ class Springs : public Force {
 
   std::vector<SpringLaw> laws_;
   std::vector<Spring> springs_;
-  double energy_ = 0, damped_ = 0;  ///< work since the start; what dampers took of it
-  double initial_ = 0;              ///< stored at the start
+  double energy_ = 0, damped_ = 0;                   ///< work since the start; what dampers took of it
+  double initial_ = 0;                               ///< stored at the start
+  double squared_frequency_ = 0, damping_rate_ = 0;  ///< upper bounds: 1/s², 1/s
   double step_ = 0;
 };
 

@@ -19,8 +19,8 @@ void clear_sums(ContactState& result) {
 }
 
 std::span<const Penetration> of_contact(std::span<const Penetration> found, ContactIndex contact) {
-  const auto [begin, end] = std::ranges::equal_range(found, contact.value, {}, &Penetration::contact);
-  return {begin, end};
+  return {std::ranges::lower_bound(found, contact.value, {}, &Penetration::contact),
+          std::ranges::upper_bound(found, contact.value, {}, &Penetration::contact)};
 }
 
 /// Whether the initialisation has found the same in two contacts; `found`: sorted by contact.

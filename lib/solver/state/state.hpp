@@ -19,15 +19,19 @@ struct FailedElements {
   std::uint64_t count = 0;
 };
 
+/// ω² dt² of elements at 0.9 of their critical step.
+constexpr double usual_share = 4 * 0.9 * 0.9;
+
 /// Everything that moves; arrays by node. Velocities belong to the middle of the step that led to `time`
 /// (central difference), positions to `time` itself.
 struct State {
-  std::vector<Vector> x, v, w;        ///< w: angular velocity
-  std::vector<double> mass, inertia;  ///< lumped; inertia is the same about all axes
-  std::vector<bool> in_body;          ///< by node: it moves with a rigid body
-  std::vector<BodyState> bodies;      ///< rigid bodies; forces act on their nodes or their centres
-  double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
-  double coming = 0;                  ///< the step that the elements allow next; known when other forces are called
+  std::vector<Vector> x, v, w;          ///< w: angular velocity
+  std::vector<double> mass, inertia;    ///< lumped; inertia is the same about all axes
+  std::vector<bool> in_body;            ///< by node: it moves with a rigid body
+  std::vector<BodyState> bodies;        ///< rigid bodies; forces act on their nodes or their centres
+  double time = 0, dt = 0;              ///< dt: of the last step, 0 before the first
+  double coming = 0;                    ///< the step that the elements allow next; known when other forces are called
+  double elements_share = usual_share;  ///< ω² dt² of the elements at that step, at most; 4 is the bound of stability
   std::uint64_t cycle = 0;
   FailedElements failed;  ///< these no longer take part; their mass stays at their nodes
 };

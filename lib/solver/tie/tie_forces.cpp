@@ -17,8 +17,6 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Squared frequency of the elements times their squared step, at most.
-constexpr double elements_share = 4 * 0.9 * 0.9;
 /// How far springs may shorten the elements' step before they are softened.
 constexpr double shortest_step = 0.5;
 
@@ -135,7 +133,7 @@ void TieForces::build(const State& state) {
     }
   }
   const bool limited = state.coming > 0 && std::isfinite(state.coming);
-  const double room = 4 / (shortest_step * shortest_step) - elements_share;
+  const double room = 4 / (shortest_step * shortest_step) - state.elements_share;
   const std::vector<double> shares = stability.shares(limited ? room / damped(ratio) / (state.coming * state.coming)
                                                               : std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < springs_.size(); ++i) {
@@ -206,6 +204,7 @@ void TieForces::add(State& state, Forces& forces) {
   if (springs_.empty()) return;
   if (!built_) build(state);
   coming_ = state.coming;
+  elements_share_ = state.elements_share;
   if (state.failed.count != failures_)
     for (Spring& spring : springs_)
       spring.damage.broken = spring.damage.broken || segment_gone(spring.tie, state.failed);
@@ -244,10 +243,10 @@ std::optional<double> TieForces::stored(std::size_t position) const {
 }
 
 double TieForces::stable_step() const {
-  const double of_elements = std::isfinite(coming_) && coming_ > 0 ? elements_share / (coming_ * coming_) : 0;
+  const double of_elements = std::isfinite(coming_) && coming_ > 0 ? elements_share_ / (coming_ * coming_) : 0;
   const double squared = of_elements + squared_frequency_;
-  const bool cut = squared_frequency_ > (4 - elements_share) / elements_share * of_elements;
-  return cut ? 2 * (of_elements > 0 ? 1 : std::sqrt(elements_share) / 2) / std::sqrt(squared)
+  const bool cut = squared_frequency_ > (4 - elements_share_) / elements_share_ * of_elements;
+  return cut ? 2 * (of_elements > 0 ? 1 : std::sqrt(elements_share_) / 2) / std::sqrt(squared)
              : std::numeric_limits<double>::infinity();
 }
 

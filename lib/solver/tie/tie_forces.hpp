@@ -63,8 +63,9 @@ class TieForces : public Force, public ContactSource {
   std::vector<Spring> springs_;
   std::vector<TieRange> interfaces_;
   std::vector<ContactState> states_;
-  double squared_frequency_ = 0;  ///< upper bound of the springs'
-  double coming_ = 0;             ///< step that the elements allow
+  double squared_frequency_ = 0;         ///< upper bound of the springs'
+  double coming_ = 0;                    ///< step that the elements allow
+  double elements_share_ = usual_share;  ///< their share of the bound of stability at that step
   std::vector<ContactEvent> events_;
   Released released_;
   std::uint64_t failures_ = 0;  ///< elements that have failed, when this was last asked

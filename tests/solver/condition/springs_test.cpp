@@ -191,6 +191,33 @@ TEST(Springs, StableStep) {
   EXPECT_NEAR(damped.springs->stable_step(), 0.38 / (4 * 30 / 0.01), 1e-15);
 }
 
+// A lone shell runs at the bound of its step, which leaves springs less room than 0.9 of it does.
+TEST(Springs, OnALoneShellAtTheBoundOfItsStep) {
+  const std::string deck =
+      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.,0.\n4,1.,1.,0.\n*ELEMENT_SHELL\n1,1,1,2,4,3\n*PART\np\n1,1,1\n"
+      "*SECTION_SHELL\n1,2,0.8333333333333333,5\n0.1,\n*MAT_ELASTIC\n1,1.,1.,0.\n*PART\ns\n2,2,2\n"
+      "*SECTION_DISCRETE\n2\n\n*ELEMENT_DISCRETE\n1,2,1,0\n2,2,2,0\n3,2,3,0\n4,2,4,0\n";
+  for (const double stiffness : {1e-5, 1e-3, 5e-3, 1e-2, 1.5e-2, 1.85e-2, 0.1, 10.0}) {
+    Oscillation run = run_of(deck + fmt::format("*MAT_SPRING_ELASTIC\n2,{}\n", stiffness),
+                             {Vector(1e-6, 2e-6, 3e-6), Vector(-1e-6, 1e-6, 3e-6), Vector(-1e-6, 5e-7, 1e-6)}, 1e9);
+    double fastest = 0;
+    for (int i = 0; i < 4000; ++i) {
+      ASSERT_TRUE(run.stepper.step().ok()) << stiffness;
+      for (const Vector& v : run.stepper.state().v) fastest = std::max(fastest, v.norm());
+    }
+    EXPECT_LT(fastest, 2e-5) << stiffness;
+    EXPECT_GT(run.stepper.state().elements_share, 3.9);
+  }
+  // Soft springs cost nothing.
+  const auto step = [&](double stiffness) {
+    Oscillation run = run_of(deck + fmt::format("*MAT_SPRING_ELASTIC\n2,{}\n", stiffness), {}, 1e9);
+    EXPECT_TRUE(run.stepper.step().ok());
+    return run.stepper.state().dt;
+  };
+  EXPECT_EQ(step(1e-5), step(1e-9));
+  EXPECT_LT(step(1.5e-2), 0.95 * step(1e-5));
+}
+
 // On a rigid body its mass counts, not that of the node.
 TEST(Springs, OnARigidBody) {
   const std::string deck =

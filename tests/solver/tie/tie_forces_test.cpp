@@ -473,5 +473,28 @@ INSTANTIATE_TEST_SUITE_P(Ties, DenseTwin,
                                          "TIED_SHELL_EDGE_TO_SURFACE", "TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET"),
                          test_name);
 
+// Two lone shells vibrate at the highest frequency that their bound of the step allows: springs beside them have less
+// room than in a mesh, where TSSFAC sets the step. A small load must not make a large motion.
+TEST(TieForces, LoneShellsAtTheBoundOfTheirStep) {
+  const Grid base{1, {0, 0, 0}, {1, 1, 0.1}, 1, 1, 0}, upper{2, {0.2, 0.2, 0}, {0.6, 0.6, 0.1}, 1, 1, 0};
+  for (const char* form :
+       {"TIED_NODES_TO_SURFACE_OFFSET", "TIED_SHELL_EDGE_TO_SURFACE_OFFSET", "TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET"})
+    for (const double factor : {0.5, 0.85, 0.9, 1.0}) {
+      TieDeck deck;
+      deck.add(base).add(upper).load({2001}, 3, 1e-8).tie(form, TieDeck::nodes(upper, -1), 1, 1);
+      deck.also(fmt::format("*CONTROL_TIMESTEP\n0.,{}\n", factor));
+      RunScene scene(deck.text(2000));
+      ASSERT_TRUE(scene.prepared()) << scene.message();
+      double fastest = 0;
+      scene.go([&](const solver::Run& run) {
+        for (const Vector& v : run.stepper().state().v) fastest = std::max(fastest, v.norm());
+      });
+      // The load moves a mass of 0.136 for 2,000: 1.5e-4 without vibrations.
+      EXPECT_LT(fastest, 1e-3) << form << factor;
+      EXPECT_GT(fastest, 1e-4) << form << factor;
+      EXPECT_EQ(scene.state().elements_share > usual_share, factor > 0.8) << factor;
+    }
+}
+
 }  // namespace
 }  // namespace gapcheck::solver::tie_forces_test
