@@ -25,7 +25,7 @@ struct Crossing {
   CrossingSegment a, b;
   Vector from = Vector::Zero(), to = Vector::Zero();  ///< ends of their intersection; equal for a beam's axis
   double depth = 0;  ///< the smaller of the two depths by which they stick out behind each other
-  [[nodiscard]] double length() const { return (to - from).norm(); }
+  [[nodiscard]] double length() const { return (to - from).stableNorm(); }
 };
 
 /// Elements that stick out behind each other by less than this fraction of the larger one's size touch: in real decks,

@@ -8,13 +8,16 @@
 namespace gapcheck::contact {
 namespace {
 
-/// A row of sets of thousands of parts would be millions of pairs.
-constexpr std::size_t most_pairs = 1'000'000;
+/// A row with more pairs of parts is not written out pair by pair.
+constexpr std::size_t most_pairs = 10'000;
 
+/// Ascending.
 std::vector<PartIndex> parts_named(const model::Model& model, std::int64_t id, bool set) {
   if (set) {
     const auto found = model.sets.parts.find(id);
-    return found == model.sets.parts.end() ? std::vector<PartIndex>{} : found->second.members;
+    std::vector<PartIndex> parts = found == model.sets.parts.end() ? std::vector<PartIndex>{} : found->second.members;
+    std::sort(parts.begin(), parts.end());
+    return parts;
   }
   const auto found = model.part_of_id.find(id);
   return found == model.part_of_id.end() ? std::vector<PartIndex>{} : std::vector<PartIndex>{found->second};
@@ -54,13 +57,33 @@ Friction::Friction(const model::Model& model, const model::Contact& contact) : m
   table_ = table_of(model, contact);
   if (table_ == nullptr) return;
   any_ = acts(table_->others);
-  for (const auto& row : table_->rows) {
-    const auto i = parts_named(model, row.i, row.i_is_set), j = parts_named(model, row.j, row.j_is_set);
-    if (i.size() * j.size() > most_pairs) continue;
+  for (std::size_t number = 0; number < table_->rows.size(); ++number) {
+    const auto& row = table_->rows[number];
+    std::vector<PartIndex> i = parts_named(model, row.i, row.i_is_set), j = parts_named(model, row.j, row.j_is_set);
+    if (i.empty() || j.empty()) continue;
     any_ = any_ || acts(row.law);
+    if (i.size() > most_pairs / j.size()) {
+      wide_.push_back({{number, row.law}, std::move(i), std::move(j)});
+      continue;
+    }
     for (const PartIndex a : i)
-      for (const PartIndex b : j) rows_[{std::min(a, b), std::max(a, b)}] = row.law;
+      for (const PartIndex b : j) rows_[{std::min(a, b), std::max(a, b)}] = {number, row.law};
   }
+}
+
+bool Friction::WideRow::names(PartIndex a, PartIndex b) const {
+  const auto in = [](const std::vector<PartIndex>& parts, PartIndex part) {
+    return std::binary_search(parts.begin(), parts.end(), part);
+  };
+  return (in(i, a) && in(j, b)) || (in(i, b) && in(j, a));
+}
+
+/// The last row that names the pair; nullptr: none.
+const Friction::Row* Friction::row_of(PartIndex a, PartIndex b) const {
+  const auto found = rows_.find({std::min(a, b), std::max(a, b)});
+  const Row* row = found == rows_.end() ? nullptr : &found->second;
+  const auto wide = std::find_if(wide_.rbegin(), wide_.rend(), [&](const WideRow& w) { return w.names(a, b); });
+  return wide != wide_.rend() && (row == nullptr || wide->number > row->number) ? &*wide : row;
 }
 
 model::FrictionLaw Friction::of_parts(PartIndex node_part, PartIndex segment_part) const {
@@ -77,8 +100,7 @@ model::FrictionLaw Friction::between(PartIndex node_part, PartIndex segment_part
   if (contact_.fs == friction_of_parts) law = of_parts(node_part, segment_part);
   if (contact_.fs == friction_by_table) {
     law = table_ == nullptr ? model::FrictionLaw{} : table_->others;
-    const auto row = rows_.find({std::min(node_part, segment_part), std::max(node_part, segment_part)});
-    if (row != rows_.end()) law = row->second;
+    if (const Row* row = row_of(node_part, segment_part)) law = row->law;
   }
   law.fs *= contact_.fsf;
   law.fd *= contact_.fsf;

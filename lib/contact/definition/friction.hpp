@@ -2,6 +2,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "model/model.hpp"
 
@@ -37,7 +38,19 @@ class Friction {
   const model::Model& model_;
   const model::Contact& contact_;
   const model::FrictionTable* table_ = nullptr;
-  std::map<std::pair<PartIndex, PartIndex>, model::FrictionLaw> rows_;  ///< lower part first
+  struct Row {
+    std::size_t number = 0;  ///< in the table
+    model::FrictionLaw law;
+  };
+  /// A row of sets of many parts, whose pairs would be millions.
+  struct WideRow : Row {
+    std::vector<PartIndex> i, j;  ///< ascending
+    [[nodiscard]] bool names(PartIndex a, PartIndex b) const;
+  };
+  [[nodiscard]] const Row* row_of(PartIndex a, PartIndex b) const;
+
+  std::map<std::pair<PartIndex, PartIndex>, Row> rows_;  ///< lower part first
+  std::vector<WideRow> wide_;                            ///< in the table's order
   bool any_ = false;
 };
 

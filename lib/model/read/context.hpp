@@ -64,6 +64,15 @@ struct Context {
   [[nodiscard]] double length(const keyword::Block& block, double value) const {
     return value * transform(block).length_factor;
   }
+  /// A stress of the block in the model's units.
+  [[nodiscard]] double stress(const keyword::Block& block, double value) const {
+    const keyword::Transform& units = transform(block);
+    return value * units.mass_factor / (units.length_factor * units.time_factor * units.time_factor);
+  }
+  /// The decay constant of friction of the block, one over a velocity, in the model's units.
+  [[nodiscard]] double decay(const keyword::Block& block, double value) const {
+    return value * transform(block).time_factor / transform(block).length_factor;
+  }
   /// The part's position, or none.
   [[nodiscard]] PartIndex part(std::int64_t id) const;
 };

@@ -85,8 +85,8 @@ bool read_mandatory(Context& context, CardReader& reader, Contact& contact) {
   const Card card3 = reader.next(contact_card_layout("card3"));
   contact.fs = card2.real("fs");
   contact.fd = card2.real("fd");
-  contact.dc = card2.real("dc");
-  contact.vc = card2.real("vc");
+  contact.dc = context.decay(block, card2.real("dc"));
+  contact.vc = context.stress(block, card2.real("vc"));
   contact.vdc = card2.real("vdc");
   contact.penchk = card2.integer("penchk");
   read_times(card2, context.transform(block).time_factor, contact);
@@ -123,7 +123,7 @@ void read_interference(const Card& card, Contact& contact) {
 /// OPTION and the strengths of *CONTACT_AUTOMATIC_…_TIEBREAK.
 void read_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   const auto& units = context.transform(reader.block());
-  const double stress = units.mass_factor / (units.length_factor * units.time_factor * units.time_factor);
+  const double stress = context.stress(reader.block(), 1);
   constexpr std::int64_t linear_damage = 6;
   const Card card = reader.next(*type_card(TypeCards::tiebreak));
   contact.tiebreak_option = card.integer("option");
@@ -146,7 +146,7 @@ void read_old_tiebreak(Context& context, CardReader& reader, Contact& contact) {
     strength.shear_power = or_default(card.real("mes"), strength.shear_power);
     return;
   }
-  const double stress = force / (units.length_factor * units.length_factor);
+  const double stress = context.stress(reader.block(), 1);
   strength.normal = card.real("nfls") * stress;
   strength.shear = card.real("sfls") * stress;
   strength.curve = card.integer("tblcid");
@@ -240,11 +240,12 @@ void read_b(const Card& card, double length_factor, Contact& contact) {
   contact.sldstf = card.real("sldstf");
 }
 
-void read_c(const Card& card, Contact& contact) {
+void read_c(const Card& card, double time_factor, Contact& contact) {
   contact.igap = or_default(card.integer("igap"), contact.igap);
   if (!card.blank("ignore")) contact.ignore = card.integer("ignore");
   contact.dprfac = card.real("dprfac");
-  contact.dtstif = card.real("dtstif");
+  const double step = card.real("dtstif");
+  contact.dtstif = step > 0 ? step * time_factor : step;  // below zero not a time
 }
 
 void read_d(const Card& card, Contact& contact) {
@@ -276,7 +277,7 @@ void read_optional(Context& context, CardReader& reader, Contact& contact) {
         read_b(card, context.transform(reader.block()).length_factor, contact);
         break;
       case 'C':
-        read_c(card, contact);
+        read_c(card, context.transform(reader.block()).time_factor, contact);
         break;
       case 'D':
         read_d(card, contact);

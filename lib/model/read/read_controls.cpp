@@ -46,7 +46,7 @@ void read_control_contact(Context& context, const Block& block, const Options&) 
   const Card card3 = next_card(reader, "CONTROL_CONTACT", "card3");
   controls.sfric = card3.real("sfric");
   controls.dfric = card3.real("dfric");
-  controls.vfc = card3.real("vfc");
+  controls.vfc = context.stress(block, card3.real("vfc"));
   controls.th = context.length(block, card3.real("th"));
   controls.th_sf = card3.real("th_sf");
   const Card card4 = next_card(reader, "CONTROL_CONTACT", "card4");

@@ -3,8 +3,10 @@
 namespace gapcheck::model {
 namespace {
 
-FrictionLaw law(const Card& card, const char* fs, const char* fd, const char* dc, const char* vc) {
-  return {card.real(fs), card.real(fd), card.real(dc), card.real(vc)};
+/// The fields FS, FD, DC and VC whose names end so.
+FrictionLaw law(const Context& context, const Block& block, const Card& card, const std::string& ending) {
+  const auto field = [&](const char* name) { return card.real(name + ending); };
+  return {field("fs"), field("fd"), context.decay(block, field("dc")), context.stress(block, field("vc"))};
 }
 
 bool is_set(const Card& card, const char* field) { return card.text(field).find("PSET") != std::string::npos; }
@@ -17,7 +19,7 @@ void read_friction_table(Context& context, const Block& block, const Options& op
   const Card card = reader.next(keyword::card_layout("DEFINE_FRICTION", "card1"));
   FrictionTable table;
   table.id = card.integer("id");
-  table.others = law(card, "fs_d", "fd_d", "dc_d", "vc_d");
+  table.others = law(context, block, card, "_d");
   table.place = Context::place(block, card.present() ? card.line() : block.line);
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
@@ -26,8 +28,8 @@ void read_friction_table(Context& context, const Block& block, const Options& op
     const auto id = [&](const char* field, bool set) {
       return context.with_offset(block, set ? keyword::IdKind::set : keyword::IdKind::part, row.integer(field));
     };
-    table.rows.push_back({id("pid_i", i_is_set), id("pid_j", j_is_set), i_is_set, j_is_set,
-                          law(row, "fs_ij", "fd_ij", "dc_ij", "vc_ij")});
+    table.rows.push_back(
+        {id("pid_i", i_is_set), id("pid_j", j_is_set), i_is_set, j_is_set, law(context, block, row, "_ij")});
   }
   context.model.friction_tables.try_emplace(table.id, table);
 }

@@ -14,8 +14,8 @@ PartContact read_part_contact(Context& context, CardReader& reader) {
   PartContact contact;
   contact.fs = card.real("fs");
   contact.fd = card.real("fd");
-  contact.dc = card.real("dc");
-  contact.vc = card.real("vc");
+  contact.dc = context.decay(reader.block(), card.real("dc"));
+  contact.vc = context.stress(reader.block(), card.real("vc"));
   contact.optt = context.length(reader.block(), card.real("optt"));
   contact.sft = card.real("sft");
   contact.ssf = card.real("ssf");

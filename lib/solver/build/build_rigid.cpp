@@ -39,13 +39,13 @@ void build_rigid_bodies(const model::Model& model, std::vector<RigidPart> parts,
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].nodes.empty()) continue;
-    const std::size_t body = structure.rigid.add(std::move(parts[i].points), parts[i].nodes, 0, structure.state);
+    const std::size_t body = structure.rigid.add(std::move(parts[i].points), parts[i].nodes, structure.state);
     for (std::size_t other = 0; other < parts.size(); ++other)
       if (lead[other] == i) structure.body_of_id.emplace(model.parts[other].id.value, body);
   }
   for (const model::RigidGroup& group : model.rigid_groups)
     if (group.kind == GroupKind::nodal_rigid_body && !group.nodes.empty())
-      structure.body_of_id.emplace(group.id, structure.rigid.add({}, group.nodes, 0, structure.state));
+      structure.body_of_id.emplace(group.id, structure.rigid.add({}, group.nodes, structure.state));
 }
 
 }  // namespace gapcheck::solver

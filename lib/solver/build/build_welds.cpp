@@ -42,7 +42,7 @@ void build_welds(const model::Model& model, Structure& structure, Diagnostics& d
     if (weld.plastic_strain > 0 && weld.plastic_strain < 1e20) warn("failure by plastic strain is not calculated");
     if (weld.nodes.size() != 2 && (weld.normal_force > 0 || weld.shear_force > 0))
       warn("failure by forces is calculated for two nodes only, here not");
-    const std::size_t body = structure.rigid.add({}, weld.nodes, 0, structure.state);
+    const std::size_t body = structure.rigid.add({}, weld.nodes, structure.state);
     structure.rigid.set_strength(body, strength_of(weld));
   }
 }

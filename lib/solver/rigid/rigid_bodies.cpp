@@ -6,8 +6,7 @@
 
 namespace gapcheck::solver {
 
-std::size_t RigidBodies::add(std::vector<PointMass> points, std::span<const NodeIndex> nodes, unsigned held,
-                             const State& state) {
+std::size_t RigidBodies::add(std::vector<PointMass> points, std::span<const NodeIndex> nodes, const State& state) {
   Body entry;
   double spin = 0;
   const auto position = static_cast<std::uint32_t>(bodies_.size());
@@ -19,7 +18,6 @@ std::size_t RigidBodies::add(std::vector<PointMass> points, std::span<const Node
     spin += state.inertia[node.value];
   }
   entry.body = RigidBody(points, spin);
-  entry.held = held;
   for (const NodeIndex node : entry.nodes) entry.local.emplace_back(state.x[node.value] - entry.body.center());
   bodies_.push_back(std::move(entry));
   return position;

@@ -31,8 +31,8 @@ class RigidBodies {
  public:
   void resize(std::size_t nodes) { of_node_.assign(nodes, no_position); }
   /// Adds a body of the points' mass; the masses that `state` has at its nodes count too. Nodes that already belong to
-  /// a body stay there. Returns its position. Directions with a bit in `held` stay at rest.
-  std::size_t add(std::vector<PointMass> points, std::span<const NodeIndex> nodes, unsigned held, const State& state);
+  /// a body stay there. Returns its position.
+  std::size_t add(std::vector<PointMass> points, std::span<const NodeIndex> nodes, const State& state);
   /// Gives a body another mass, centre and inertia (about the centre, at the start).
   void set_mass(std::size_t body, double mass, const Vector& center, const Matrix& inertia, const State& state);
   /// Holds the degrees of freedom in `mask` (bit 0: x … bit 5: rotation about z).

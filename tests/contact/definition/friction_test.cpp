@@ -110,5 +110,36 @@ TEST(Friction, OfTheTable) {
   }
 }
 
+// Rows of sets whose pairs are too many to write out say the same as rows of single parts, in the same order.
+TEST(Friction, RowsOfManyParts) {
+  FrictionOf scene;
+  scene.card().fs = friction_by_table;
+  scene.card().fd = 7;
+  const auto first = static_cast<std::uint32_t>(scene.model.parts.size());
+  constexpr std::uint32_t many = 1200;
+  scene.model.parts.resize(first + many);
+  const auto part = [&](std::uint32_t i) { return PartIndex{first + i}; };
+  for (std::uint32_t i = many; i-- > 0;) scene.model.sets.parts[5].members.push_back(part(i));
+  for (std::uint32_t i = 0; i < many; i += 2) scene.model.sets.parts[6].members.push_back(part(i));
+  scene.model.sets.parts[8].members = {scene.a};
+  model::FrictionTable& table = scene.model.friction_tables[7];
+  table.others = {0.1, 0.1, 0, 0};
+  table.rows = {{8, 5, true, true, {0.6, 0.6, 0, 0}},
+                {5, 6, true, true, {0.2, 0.2, 0, 0}},
+                {8, 5, true, true, {0.3, 0.3, 0, 0}},
+                {6, 6, true, true, {0.4, 0.4, 0, 0}}};
+  EXPECT_EQ(scene.between(part(3), part(1)).fs, 0.1) << "set 6 has even parts only";
+  EXPECT_EQ(scene.between(part(3), part(2)).fs, 0.2);
+  EXPECT_EQ(scene.between(part(2), part(3)).fs, 0.2);
+  EXPECT_EQ(scene.between(part(1198), part(4)).fs, 0.4) << "the last row counts";
+  EXPECT_EQ(scene.between(scene.a, part(7)).fs, 0.3);
+  EXPECT_EQ(scene.between(scene.b, part(7)).fs, 0.1);
+  table.others = {};
+  table.rows = {{5, 6, true, true, {0.2, 0.2, 0, 0}}, {8, 5, true, true, {}}};
+  EXPECT_TRUE(Friction(scene.model, scene.card()).any());
+  table.rows.push_back({6, 5, true, true, {}});
+  EXPECT_EQ(scene.between(part(3), part(2)).fs, 0);
+}
+
 }  // namespace
 }  // namespace gapcheck::contact::friction_test

@@ -29,6 +29,8 @@ TEST(ReadContacts, LengthsAndTimesOfIncludes) {
   EXPECT_DOUBLE_EQ(contact.sst, 7 * 1.3);
   EXPECT_DOUBLE_EQ(contact.mst, 7 * 1.4);
   EXPECT_DOUBLE_EQ(contact.sldthk, 3.5);
+  EXPECT_DOUBLE_EQ(contact.dc, 0.3 * 5 / 7);         // one over a velocity
+  EXPECT_DOUBLE_EQ(contact.vc, 0.4 * 3 / (7 * 25));  // a stress
   // Without dimension.
   EXPECT_EQ(contact.fs, 0.1);
   EXPECT_EQ(contact.fd, 0.2);
@@ -38,6 +40,33 @@ TEST(ReadContacts, LengthsAndTimesOfIncludes) {
   EXPECT_EQ(contact.sfst, 1.5);
   EXPECT_EQ(contact.sfmt, 1.6);
   EXPECT_EQ(contact.sldstf, 0.25);
+}
+
+// The step of DTSTIF is a time; below zero it is not.
+TEST(ReadContacts, StepOfIncludesInOtherUnits) {
+  const std::string block = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n" + cards_1_to_3 + "\n\n,,";
+  EXPECT_DOUBLE_EQ(included(block + ",2e-6\n").dtstif, 1e-5);
+  EXPECT_DOUBLE_EQ(included(block + ",-0.5\n").dtstif, -0.5);
+}
+
+// Friction of parts, tables and controls has the same units as that of a contact.
+TEST(ReadContacts, FrictionOfIncludesInOtherUnits) {
+  const std::string path = testing::TempDir() + "/read_friction_include.k";
+  std::ofstream(path)
+      << "*DEFINE_FRICTION\n1,0.1,0.2,0.3,0.4\n1,1,0.1,0.2,0.6,0.8\n*CONTROL_CONTACT\n\n\n0.1,0.2,,0.4\n"
+         "*PART_CONTACT\np\n1,1,1\n0.1,0.2,0.3,0.4\n";
+  const Model model = read_text("*INCLUDE_TRANSFORM\n" + path + "\n\n,,\n3.,5.,7.\n\n").model;
+  constexpr double decay = 5. / 7, stress = 3. / (7 * 25);
+  const FrictionTable& table = model.friction_tables.at(1);
+  EXPECT_DOUBLE_EQ(table.others.dc, 0.3 * decay);
+  EXPECT_DOUBLE_EQ(table.others.vc, 0.4 * stress);
+  EXPECT_DOUBLE_EQ(table.rows.at(0).law.dc, 0.6 * decay);
+  EXPECT_DOUBLE_EQ(table.rows.at(0).law.vc, 0.8 * stress);
+  EXPECT_EQ(table.rows.at(0).law.fs, 0.1);
+  EXPECT_EQ(table.rows.at(0).law.fd, 0.2);
+  EXPECT_DOUBLE_EQ(model.controls.vfc, 0.4 * stress);
+  EXPECT_DOUBLE_EQ(model.parts.at(0).contact->dc, 0.3 * decay);
+  EXPECT_DOUBLE_EQ(model.parts.at(0).contact->vc, 0.4 * stress);
 }
 
 TEST(ReadContacts, WithDeathByACurveBirthIsItsNumber) {

@@ -56,8 +56,8 @@ std::string pair_text(const model::Model& model, const Crossing& c) {
 
 std::string rest_text(const model::Model& model, const Crossing& c, std::uint64_t count) {
   const bool one = c.a.part == c.b.part;
-  return fmt::format("{} more pair{} of elements of {}{} cross", count, count == 1 ? "" : "s",
-                     part_text(model, c.a.part), one ? "" : " and " + part_text(model, c.b.part));
+  return fmt::format("{} more pairs of elements of {}{} cross", count, part_text(model, c.a.part),
+                     one ? "" : " and " + part_text(model, c.b.part));
 }
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
