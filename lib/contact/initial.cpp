@@ -24,11 +24,6 @@ std::unique_ptr<CandidateSearch> search_by_options(const InitialOptions& options
   return options.search ? make_counted_search(*options.search, tally) : make_chosen_search(tally);
 }
 
-bool is_chosen(const model::Contact& contact, const InitialOptions& options) {
-  const auto& ids = options.contacts;
-  return ids.empty() || std::find(ids.begin(), ids.end(), contact.id.value) != ids.end();
-}
-
 bool is_searched(const ContactType& type, const InitialOptions& options) {
   if (type.pairing == Pairing::segments) return options.segments;
   return type.pairing == Pairing::mortar ? options.mortar : type.checked();
@@ -95,7 +90,9 @@ class Initialiser {
         search_(search_by_options(options, counters.searches_by_kind)),
         ties_(model),
         present_(surfaces, state.x, counters),
-        first_(repeated_contacts(model)) {
+        first_(repeated_contacts(model)),
+        chosen_(options.contacts) {
+    std::sort(chosen_.begin(), chosen_.end());
     for (const ContactIndex first : first_)
       if (first != none<ContactIndex>) found_.try_emplace(first);
   }
@@ -107,7 +104,7 @@ class Initialiser {
       const ContactType type = classify(contact);
       state_.contacts.push_back(summary_of(contact, type));
       const SweepCounters before = counters_.sweep;
-      if (!is_chosen(contact, options_))
+      if (!chosen_.empty() && !std::binary_search(chosen_.begin(), chosen_.end(), contact.id.value))
         state_.contacts.back().not_checked = "not selected";
       else if (type.family == Family::tied)
         tie_nodes(c);
@@ -282,6 +279,7 @@ class Initialiser {
   TiedPairs ties_;
   PresentSurfaces present_;
   std::vector<ContactIndex> first_;      ///< by contact, that which it repeats
+  std::vector<std::int64_t> chosen_;     ///< ids, ascending; empty: all
   std::map<ContactIndex, Found> found_;  ///< by the first of equal contacts
   std::size_t left_out_ = 0;
   std::int64_t example_ = 0;  ///< id of the first one left out

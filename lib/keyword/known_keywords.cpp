@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/edit_distance.hpp"
 #include "base/embedded.hpp"
 #include "keyword/layout.hpp"
 
@@ -152,17 +153,6 @@ std::size_t letters_changed(std::string_view a, std::string_view b) {
     std::rotate(rows.begin(), rows.begin() + 1, rows.end());
   }
   return rows[1][b.size()];
-}
-
-/// Fewer letters cannot have changed: those that one text has too many of. Far quicker than letters_changed().
-std::size_t least_changed(std::string_view a, std::string_view b) {
-  std::array<int, 256> surplus{};
-  for (const char c : a) ++surplus[static_cast<unsigned char>(c)];
-  std::size_t missing = 0;
-  for (const char c : b)
-    if (--surplus[static_cast<unsigned char>(c)] < 0) ++missing;
-  // What a has too many of is what b lacks, less the difference in length.
-  return std::max(missing, missing + a.size() - b.size());
 }
 
 /// A word of eight letters may have two wrong ones, a short one only one.

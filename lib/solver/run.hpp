@@ -56,8 +56,8 @@ class Run {
 
   [[nodiscard]] const model::Model& model() const { return *model_; }
   [[nodiscard]] const contact::InitialState& initial() const { return *initial_; }
-  /// Empties InitialState::contacts, some 400 bytes for each contact: only the reports at the start need them.
-  void drop_contact_summaries() { initial_->contacts = {}; }
+  /// Frees InitialState::contacts, some 400 bytes for each contact: only the reports at the start need them.
+  void drop_contact_summaries() { std::vector<ContactSummary>().swap(initial_->contacts); }
   [[nodiscard]] const Stepper& stepper() const { return *stepper_; }
   /// The contacts that are calculated, in deck order.
   [[nodiscard]] std::vector<ContactView> contacts() const;

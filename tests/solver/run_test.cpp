@@ -208,6 +208,19 @@ TEST(RunEnds, StepThatHasFallen) {
   EXPECT_EQ(scene.state().cycle, static_cast<std::uint64_t>(ends - steps.begin()));
 }
 
+// With hundreds of thousands of contacts that is a tenth of the memory of a run.
+TEST(RunMemory, SummariesOfContactsAreFreed) {
+  const model::Read read = model::read_text(
+      strip("") + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n0.\n1.\n*CONTACT_AUTOMATIC_GENERAL\n0,0,5\n0.\n1.\n");
+  contact::SurfaceStore surfaces(read.model);
+  Diagnostics diagnostics;
+  auto run = Run::prepare(read.model, surfaces, {}, diagnostics);
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run.value().initial().contacts.size(), 2u);
+  run.value().drop_contact_summaries();
+  EXPECT_EQ(run.value().initial().contacts.capacity(), 0u);
+}
+
 TEST(RunEnds, CyclesOfTheDeck) {
   std::string deck = strip("");
   deck.replace(deck.find("\n0.5\n") + 4, 0, ",7");

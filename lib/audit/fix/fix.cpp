@@ -17,11 +17,6 @@
 namespace gapcheck::audit {
 namespace {
 
-FixContact::State state_of(const Judgement& judgement, ContactIndex contact) {
-  const ContactSummary& summary = judgement.state.contacts[contact.value];
-  return {summary.penetrations, summary.released, summary.max_penetration};
-}
-
 std::uint64_t separated(const Judgement& judgement) {
   const auto& judged = judgement.state.judged;
   return static_cast<std::uint64_t>(std::count_if(
@@ -41,9 +36,10 @@ class Reporter {
       contact.id = model_.contact(c).id.value;
       contact.keyword = model_.contact(c).keyword;
       contact.title = model_.contact(c).title;
-      contact.not_checked = mover_.before().state.contacts[c.value].not_checked;
-      contact.before = state_of(mover_.before(), c);
-      contact.after = state_of(mover_.after(), c);
+      const auto not_checked = mover_.before().not_checked.find(c);
+      if (not_checked != mover_.before().not_checked.end()) contact.not_checked = not_checked->second;
+      contact.before = mover_.before().counts[c.value];
+      contact.after = mover_.after().counts[c.value];
       if (!after.empty()) add(before[c.value], after[c.value], contact);
       report_.contacts.push_back(std::move(contact));
     }

@@ -16,6 +16,13 @@ Judgement ContactJudge::at(const std::vector<Vector>& x) {
   contact::InitialCounters counters;
   Judgement now;
   now.state = contact::initialise_contacts(model_, *surfaces_, options, counters);
+  now.counts.reserve(now.state.contacts.size());
+  for (ContactSummary& summary : now.state.contacts) {
+    if (!summary.not_checked.empty())
+      now.not_checked.emplace(to_index<ContactIndex>(now.counts.size()), std::move(summary.not_checked));
+    now.counts.push_back({summary.penetrations, summary.released, summary.max_penetration});
+  }
+  std::vector<ContactSummary>().swap(now.state.contacts);
   now.work = counters.sweep.candidate_pairs + x.size();
   for (const Penetration& record : now.state.penetrations) {
     if (!to_be_fixed(record.kind)) continue;

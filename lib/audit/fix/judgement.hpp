@@ -1,15 +1,20 @@
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "contact/initial.hpp"
+#include "records/fix.hpp"
 
 namespace gapcheck::audit {
 
 /// What the contacts find at some coordinates.
 struct Judgement {
-  contact::InitialState state;
+  contact::InitialState state;            ///< without its summaries of contacts, of which these are enough:
+  std::vector<FixContact::State> counts;  ///< by contact
+  std::map<ContactIndex, std::string> not_checked;
   std::uint64_t penetrating = 0;  ///< nodes that a correction has to free
   double depth = 0;               ///< sum of their penetrations
   std::uint64_t work = 0;         ///< pairs of nodes and segments that were decided, and nodes

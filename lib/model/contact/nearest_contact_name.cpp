@@ -33,13 +33,17 @@ double spelling_apart(std::string_view a, std::string_view b) {
   return 2 * letters > static_cast<double>(std::max(a.size(), b.size())) ? too_far : letter_cost * letters;
 }
 
-double names_apart(std::string_view a, std::string_view b) {
+/// The distance of two names, or `least` if that is less. Distances that cannot be below it are not calculated.
+double names_apart(std::string_view a, std::string_view b, double least) {
+  if (letter_cost * static_cast<double>(least_changed(a, b)) < least) least = std::min(least, spelling_apart(a, b));
   Words a_words = words_of(a), b_words = words_of(b);
-  const double in_order = edit_distance(a_words, b_words, word_cost);
+  const auto surplus = static_cast<double>(std::max(a_words.size(), b_words.size()) -
+                                           std::min(a_words.size(), b_words.size()));  // words inserted at least
+  if (surplus < least) least = std::min(least, edit_distance(a_words, b_words, word_cost));
+  if (surplus + order_cost >= least) return least;
   std::sort(a_words.begin(), a_words.end());
   std::sort(b_words.begin(), b_words.end());
-  const double sorted = edit_distance(a_words, b_words, word_cost) + order_cost;
-  return std::min({in_order, sorted, spelling_apart(a, b)});
+  return std::min(least, edit_distance(a_words, b_words, word_cost) + order_cost);
 }
 
 }  // namespace
@@ -57,7 +61,7 @@ std::string nearest_contact_name(std::string_view written) {
   for (const std::string_view known : known_contact_names()) {
     const ContactKind* kind = find_contact_kind(known);
     if (is_mortar && (kind == nullptr || !has_mortar_form(*kind))) continue;
-    const double apart = names_apart(name, known);
+    const double apart = names_apart(name, known, least);
     if (apart >= least) continue;
     least = apart;
     nearest = std::string(family) + std::string(known) + std::string(is_mortar ? mortar : "");
