@@ -42,6 +42,9 @@ bool same_corners(const model::SegmentNodes& p, const model::SegmentNodes& q) {
   return std::all_of(p.begin(), p.end(), [&](NodeIndex n) { return std::find(q.begin(), q.end(), n) != q.end(); });
 }
 
+/// The shape of a tool or barrier is meant, and stays as it is.
+bool rigid(const model::Model& model, PartIndex part) { return part != none<PartIndex> && model.rigid(part); }
+
 double degrees(double cosine) { return std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi; }
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
@@ -66,6 +69,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
             // Ties look for a node's segment once, at the start; fabric is folded on purpose, at its seams sharply.
             if (mesh->only_tied(i) || mesh->only_tied(j) || (of_fabric(*mesh, i) && of_fabric(*mesh, j))) continue;
             const PartIndex p = mesh->part(i), q = mesh->part(j);
+            if (rigid(context.model(), p) && rigid(context.model(), q)) continue;
             if (context.part_chosen(p) || context.part_chosen(q))
               list.push_back({part_pair(p, q), cosine, static_cast<std::uint64_t>(i) << 32 | j});
           }
