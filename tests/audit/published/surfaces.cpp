@@ -41,10 +41,10 @@ RuleDeck null_coat(const std::string& young) {
 }
 
 /// Thin shells; the contact's springs are those of bulk modulus and size, whatever the mass.
-RuleDeck thin_shells(double t) {
+RuleDeck thin_shells(double t, const std::string& sfs = "1.") {
   RuleDeck deck;
   deck.shell_part(1, t).plate(1, 1, 3, 3, Vector(0, 0, 0), 4, 4);
-  return deck.contact(2, "AUTOMATIC_SINGLE_SURFACE", "0,0,5");
+  return deck.contact(2, "AUTOMATIC_SINGLE_SURFACE", "0,0,5", "0.\n" + sfs + "," + sfs + "\n1\n");
 }
 
 /// Plates 1 … count, 10 above each other.
@@ -80,6 +80,7 @@ std::vector<PublishedCase> cases() {
        null_coat("0."), null_coat("50.")},
       {"GC420", "contact springs are stable below a step of 5.037E-07 (node 1), but the run's step is 6.640E-07",
        thin_shells(0.1), thin_shells(1)},
+      {"GC420", "scale SFS by 0.0", thin_shells(1, "100."), thin_shells(1, "1.")},
       {"GC422", "are in contact 1 already", contact_in_contact(""), contact_in_contact("9,1\n1,2,3,3\n")},
       {"GC425", "5 contacts (1, 2, 3, 4, 5) with the same settings hold 6 parts", pair_by_pair(5),
        stack(6).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5", "0.2\n1.,1.\n")},
