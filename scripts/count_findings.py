@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
-"""Counts what every rule finds in other people's decks and rewrites the table of docs/real-decks.md.
+"""Counts what every rule finds in other people's decks and rewrites the tables of docs/real-decks.md.
 
     scripts/count_findings.py GAPCHECK DECKS    GAPCHECK: the program; DECKS: the folder with the decks
+
+Two tables show complete models side by side. The third counts in all decks below DECKS that no other file there
+includes, and has every rule that judges decks.
 """
 import argparse
 import collections
@@ -10,11 +13,13 @@ import pathlib
 import subprocess
 import sys
 
+import draw_findings
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "real-decks.md"
 BEGIN, END = "<!-- findings: begin -->", "<!-- findings: end -->"
 
-# Name in the table, deck below the folder, further arguments.
+# Complete models: name in the table, deck below the folder, further arguments.
 DECKS = [
     ("ball_plate", "ball_plate/ball_plate.k", []),
     ("bird_on_panel", "bird_on_panel/bird.k", []),
@@ -54,19 +59,51 @@ def findings(program, folder, deck, extra):
     return report["model"], count, lines
 
 
-def table(program, folder, chosen):
+def deck_rules(program):
+    """Id and name of the rules that judge decks; GC6 judges runs."""
     listed = subprocess.run([program, "rules"], capture_output=True, text=True, check=True).stdout.splitlines()
-    on_decks = [line for line in listed if line.startswith("GC") and not line.startswith("GC6")]  # GC6: rules on runs
-    rules = [line.split()[:2] for line in on_decks]
+    return [line.split()[:2] for line in listed if line.startswith("GC") and not line.startswith("GC6")]
+
+
+def link(id_, rule):
+    return f"{id_} [{rule}](rules/{rule}.md)"
+
+
+def model_tables(program, folder, chosen, rules):
+    """The models, and the rules that fire in one of them."""
     decks = [(name, *findings(program, folder, deck, extra)) for name, deck, extra in chosen]
     lines = ["| deck | nodes | contacts | lines of the report | with `--list` |", "|---|---:|---:|---:|---:|"]
     lines += [f"| {name} | {model['nodes']:,} | {model['contacts']} | {short} | {whole:,} |"
               for name, model, _, (short, whole) in decks]
     lines += ["", "| rule | " + " | ".join(deck[0] for deck in decks) + " |", "|---|" + "---:|" * len(decks)]
     for id_, rule in rules:
-        cells = [f"{count[id_]:,}" if count[id_] else "" for _, _, count, _ in decks]
-        lines.append(f"| {id_} [{rule}](rules/{rule}.md) | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+        if any(count[id_] for _, _, count, _ in decks):
+            cells = [f"{count[id_]:,}" if count[id_] else "" for _, _, count, _ in decks]
+            lines.append(f"| {id_} {rule} | " + " | ".join(cells) + " |")
+    return lines
+
+
+def all_decks_table(program, folder, rules):
+    """How many decks each rule fires in, and how often; every rule has its row."""
+    decks = draw_findings.main_decks(folder)
+    fired, number, cases = collections.Counter(), collections.Counter(), {}
+    for deck in decks:
+        case = draw_findings.case_of(deck, folder)
+        count = collections.Counter()
+        for finding in draw_findings.audit(program, deck, folder / case):
+            count[finding["id"]] += finding.get("count", 1)
+        for id_, found in count.items():
+            fired[id_] += 1
+            number[id_] += found
+            cases.setdefault(id_, {}).setdefault(case, None)
+    lines = [f"{len(decks)} decks in {len({draw_findings.case_of(deck, folder) for deck in decks})} folders:", "",
+             "| rule | in folders | findings | decks |", "|---|---|---:|---:|"]
+    for id_, rule in rules:
+        names = list(cases.get(id_, []))
+        shown = ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
+        lines.append(f"| {link(id_, rule)} | {shown} | {number[id_] or '':,} | {fired[id_] or ''} |"
+                     if names else f"| {link(id_, rule)} |  |  |  |")
+    return lines
 
 
 def main():
@@ -78,7 +115,10 @@ def main():
     text = PAGE.read_text()
     head, rest = text.split(BEGIN)
     _, tail = rest.split(END)
-    counted = table(arguments.program, arguments.decks, SMALL if arguments.small else DECKS)
+    rules = deck_rules(arguments.program)
+    lines = model_tables(arguments.program, arguments.decks, SMALL if arguments.small else DECKS, rules)
+    lines += ["", *all_decks_table(arguments.program, arguments.decks, rules)]
+    counted = "\n".join(lines)
     PAGE.write_text(f"{head}{BEGIN}\n{counted}\n{END}{tail}")
 
 

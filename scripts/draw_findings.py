@@ -4,9 +4,9 @@
     scripts/draw_findings.py GAPCHECK DECKS [--seed N] [--count N] [--format table|json]
 
 Audits each keyword file below DECKS that no other file there includes. Findings of one rule that differ in ids and
-values only (one contact and one pair of parts, where it has them) are one line, of which one finding is taken. Rules
-take turns, errors first; a rule's turns go round the folders of DECKS, those with samples for parsers last. The same
-seed, decks and program draw the same findings.
+values only (one contact and one pair of parts, where it has them) are one line, of which one finding is taken. What the
+report folds under its cause is not drawn. Rules take turns, errors first; a rule's turns go round the folders of DECKS,
+those with samples for parsers last. The same seed, decks and program draw the same findings.
 """
 import argparse
 import json
@@ -59,6 +59,11 @@ def audit(program, deck, case):
     return json.loads(run.stdout)["findings"]
 
 
+def follows(finding):
+    """Whether the report counts it behind another finding; `cause` of a penetration is its thickness."""
+    return "cause" in finding and "penetration" not in finding
+
+
 def line_of(deck, finding):
     """What findings that count as one line have in common."""
     pattern = re.sub(r"[-+]?\d[\d.]*(E[-+]?\d+)?", "#", finding["message"], flags=re.IGNORECASE)
@@ -74,6 +79,8 @@ def lines(program, folder, decks):
         case = case_of(deck, folder)
         by_line = {}
         for finding in audit(program, deck, folder / case):
+            if follows(finding):
+                continue
             by_line.setdefault(line_of(name, finding), []).append((name, finding))
         for (_, rule, *_), members in by_line.items():
             key = (SEVERITIES.index(members[0][1]["severity"]), rule)

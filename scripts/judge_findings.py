@@ -177,16 +177,29 @@ def limited(deck, finding):
 
 def uncontacted(deck, finding):
     shells = [corners for part, corners, _ in deck.shells.values() if part == finding["part"]]
+    solids = [corners for part, corners in deck.solids.values() if part == finding["part"]]
     points = deck.points({node for corners in shells for node in corners})
-    words = [f"{len(shells)} shells"]
+    words = [f"{len(shells)} shells, {len(solids)} solids; contacts: {contacts(deck)}"]
     for rows in deck.rows(r"\*RIGIDWALL_GEOMETRIC_CYLINDER.*"):
         at = 1 if len(rows) == 4 else 0
         axis, radius = [number(cell) for cell in rows[at + 1][:2]], number(rows[at + 2][0])
         off = [math.hypot(p[0] - axis[0], p[1] - axis[1]) - radius for p in points]
-        words.append(f"distance of its nodes from the rigid wall's cylinder (radius {radius:g}): "
-                     f"{min(off):.4g} to {max(off):.4g}")
+        if off:
+            words.append(f"distance of its nodes from the rigid wall's cylinder (radius {radius:g}): "
+                         f"{min(off):.4g} to {max(off):.4g}")
         words.append(f"nodes in the wall's set {rows[at][0][0]}: {len(in_node_set(deck, int(rows[at][0][0]), shells))}")
     return "; ".join(words)
+
+
+def contacts(deck):
+    """Each contact with its card 1, as written."""
+    found = []
+    for keyword, _, _, lines, _ in deck.blocks:
+        if keyword.startswith("*CONTACT"):
+            titled = "_ID" in keyword or "_TITLE" in keyword
+            card = lines[2 if "MPP" in keyword else 1 if titled else 0] if len(lines) > titled else ""
+            found.append(f"{keyword[9:]} {' '.join(card.split()[:4])}")
+    return ", ".join(found) or "none"
 
 
 def in_node_set(deck, wanted, shells):

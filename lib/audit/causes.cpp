@@ -1,5 +1,7 @@
 #include "audit/causes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string_view>
@@ -56,25 +58,54 @@ class Keys {
   std::uint32_t last_ = 0;
 };
 
+bool is_of(const Finding& finding, const Rule& rule) { return finding.id == rule.identity.id; }
+/// What may follow from something that is not there as a whole.
+bool misses_something(const Finding& finding) {
+  return is_of(finding, rule::unknown_reference::definition) || is_of(finding, rule::empty_surface::definition);
+}
+
 /// Whatever is not defined may be in a file that was not found. False: none is missing.
 bool follow_from_missing_include(Report& report) {
   constexpr std::uint32_t key = 1;
-  const auto is_of = [](const Finding& finding, const Rule& rule) { return finding.id == rule.identity.id; };
   const auto missing = std::find_if(report.findings.begin(), report.findings.end(), [&](const Finding& finding) {
     return is_of(finding, rule::missing_include::definition);
   });
   if (missing == report.findings.end()) return false;
   missing->key = key;
   for (Finding& finding : report.findings)
-    if (is_of(finding, rule::unknown_reference::definition) || is_of(finding, rule::empty_surface::definition))
-      finding.cause = key;
+    if (misses_something(finding)) finding.cause = key;
+  return true;
+}
+
+/// A deck without any nodes or parts is a piece of one: elements only, or a contact only. One finding says so, of the
+/// rule that would otherwise list all that is missing. False: it has both, or misses nothing.
+bool follow_from_fragment(const Context& context, Report& report) {
+  constexpr std::uint32_t key = 1;
+  const model::Model& model = context.model();
+  const bool no_nodes = model.mesh.nodes.size() == 0, no_parts = model.parts.empty();
+  if ((!no_nodes && !no_parts) || context.deck().counters().encrypted_blocks > 0) return false;
+  const auto first = std::find_if(report.findings.begin(), report.findings.end(), misses_something);
+  if (first == report.findings.end()) return false;
+  const Rule& rule = is_of(*first, rule::unknown_reference::definition) ? rule::unknown_reference::definition
+                                                                        : rule::empty_surface::definition;
+  Finding root =
+      finding(rule.identity,
+              fmt::format("what was read is a piece of a deck, it defines no {}: audit the file that includes it",
+                          no_nodes && no_parts ? "nodes and no parts"
+                          : no_nodes           ? "nodes"
+                                               : "parts"),
+              first->file, first->line);
+  for (Finding& each : report.findings)
+    if (misses_something(each)) each.cause = key;
+  root.key = key;
+  report.findings.insert(first, std::move(root));
   return true;
 }
 
 }  // namespace
 
 void link_causes(const Context& context, Report& report) {
-  if (follow_from_missing_include(report)) return;
+  if (follow_from_missing_include(report) || follow_from_fragment(context, report)) return;
   const Keys references(rule::unknown_reference::definition.identity.id, report);
   const model::Model& model = context.model();
   std::map<std::tuple<std::int64_t, std::string_view, std::uint32_t>, std::uint32_t> of_contact;

@@ -49,12 +49,19 @@ RuleDeck uneven() {
   return deck.shell(1, 1, {1, 2, 5, 4}).shell(2, 1, {2, 3, 6, 5});
 }
 
-/// The same with parts of thickness 1 and 1.5.
+/// The same in one part, with shells of thickness 1 and 1.5.
 RuleDeck two_thicknesses() {
   RuleDeck deck;
-  deck.shell_part(1, 1).shell_part(2, 1.5).node(1, Vector(0, 0, 0)).node(2, Vector(10, 0, 0));
+  deck.shell_part(1, 1).node(1, Vector(0, 0, 0)).node(2, Vector(10, 0, 0));
   deck.node(3, Vector(20, 0, 0)).node(4, Vector(0, 10, 0)).node(5, Vector(10, 10, 0)).node(6, Vector(20, 10, 0));
-  return deck.shell(1, 1, {1, 2, 5, 4}).shell(2, 2, {2, 3, 6, 5});
+  deck.shell(1, 1, {1, 2, 5, 4});
+  return deck.raw("ELEMENT_SHELL_THICKNESS", "2,1,2,3,6,5\n1.5,1.5,1.5,1.5\n");
+}
+
+/// A plate and two nodes that nothing uses.
+RuleDeck plate_and_nodes() {
+  RuleDeck deck;
+  return deck.shell_part(1, 1).plate(1, 1, 20, 20, Vector(0, 0, 0), 5, 5).node(901, {0, 0, 9}).node(902, {1, 0, 9});
 }
 
 /// A brick of 2 x 2 x 2 that releases at 0.4, and shells of 0.9 that hold to 0.72.
@@ -84,8 +91,10 @@ RuleDeck chain() {
 std::map<std::string, Case> cases() {
   return {{"GC504.angle", {in_contact(warped()), 15}},
           {"GC506.height", {in_contact(plate(0.5, 10, 1)), 0.2}},
+          {"GC508.share", {in_contact(plate_and_nodes()), 0.001}},
           {"GC512.angle", {in_contact(folded()), 50}},
           {"GC511.ratio", {in_contact(uneven()), 1.2}},
+          {"GC302.share", {in_contact(plate(1.1, 2.5, 2.5)), 0.95}},
           {"GC303.edges", {in_contact(plate(0.1, 5, 5)), 0.03}},
           {"GC303.millimetres", {in_contact(plate(0.8, 5, 5)), 1, 1}},
           {"GC304.edges", {in_contact(plate(1, 5, 5), "1.,1.,4."), 0.7}},

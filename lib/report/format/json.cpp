@@ -198,6 +198,11 @@ void append_statistics(const Report& report, Buffer& out) {
   out.push_back(']');
 }
 
+/// `,"name":value`, or nothing.
+std::string member_unless_zero(std::string_view name, std::size_t value) {
+  return value > 0 ? fmt::format(",\"{}\":{}", name, value) : std::string();
+}
+
 /// The report's file names, quoted.
 std::vector<std::string> quoted_files(const Report& report) {
   std::vector<std::string> files;
@@ -327,9 +332,9 @@ void append_report(const Report& report, bool statistics, Stream& stream) {
   if (report.baseline) append_gone(*report.baseline, stream);
   const std::size_t ignored = report.ignored.size();
   if (ignored > 0) append_ignored_by_source(report, files, stream);
-  fmt::format_to(fmt::appender(stream.buffer), "\"summary\":{{\"errors\":{},\"warnings\":{},\"notes\":{}{}{}}},\n",
-                 sum.errors, sum.warnings, sum.notes, ignored > 0 ? fmt::format(",\"ignored\":{}", ignored) : "",
-                 report.baseline ? counts_of(counts(*report.baseline)) : "");
+  fmt::format_to(fmt::appender(stream.buffer), "\"summary\":{{\"errors\":{},\"warnings\":{},\"notes\":{}{}{}{}}},\n",
+                 sum.errors, sum.warnings, sum.notes, member_unless_zero("consequences", consequences(report)),
+                 member_unless_zero("ignored", ignored), report.baseline ? counts_of(counts(*report.baseline)) : "");
   stream.text("\"timing\":");
   append_timing(report.timing, stream.buffer);
   if (statistics) append_statistics(report, stream.buffer);
@@ -349,16 +354,18 @@ void append_sum(const Reports& reports, Stream& stream) {
     stream.text(json_string(reports.unread[i].reason));
   }
   Totals sum;
-  std::size_t ignored = 0;
+  std::size_t ignored = 0, following = 0;
   for (const Report& report : reports.all) {
     sum += totals(report);
+    following += consequences(report);
     ignored += report.ignored.size();
   }
   const auto known = baseline_counts(reports);
   fmt::format_to(fmt::appender(stream.buffer),
-                 "],\n\"summary\":{{\"decks\":{},\"unread\":{},\"errors\":{},\"warnings\":{},\"notes\":{}{}{}}}}}",
+                 "],\n\"summary\":{{\"decks\":{},\"unread\":{},\"errors\":{},\"warnings\":{},\"notes\":{}{}{}{}}}}}",
                  reports.all.size(), reports.unread.size(), sum.errors, sum.warnings, sum.notes,
-                 ignored > 0 ? fmt::format(",\"ignored\":{}", ignored) : "", known ? counts_of(*known) : "");
+                 member_unless_zero("consequences", following), member_unless_zero("ignored", ignored),
+                 known ? counts_of(*known) : "");
 }
 
 }  // namespace

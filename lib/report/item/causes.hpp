@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 
@@ -23,5 +25,12 @@ class Causes {
  private:
   std::unordered_map<std::uint32_t, const Finding*> of_key_;
 };
+
+/// The number of findings that follow from another one of the report.
+[[nodiscard]] inline std::size_t consequences(const Report& report) {
+  const Causes causes(report);
+  return static_cast<std::size_t>(std::count_if(report.findings.begin(), report.findings.end(),
+                                                [&](const Finding& finding) { return causes.of(finding) != nullptr; }));
+}
 
 }  // namespace gapcheck::report

@@ -43,7 +43,7 @@ class Groups {
 
   void add(const Finding& finding) {
     const Finding* cause = causes_.of(finding);
-    if (cause != nullptr && counted_.contains(cause)) return void(++following_[cause]);
+    if (cause != nullptr && counted_.contains(cause)) return void(following_[cause] += finding.count);
     const auto found = position_.find(finding.contact);
     const std::uint32_t contact = finding.contact != 0 && found != position_.end() ? found->second : no_position;
     const RuleIdentity rule{finding.id, finding.rule, finding.severity, "", Need::model, finding.consequence};

@@ -18,7 +18,7 @@ struct FindingGroup {
   std::int64_t contact = 0;                      ///< id; 0: none
   std::int64_t part = 0, element_part = 0;       ///< 0: not known, or without a meaning for the rule
   std::uint64_t things = 0;                      ///< that are new or worse than the baseline
-  std::uint64_t following = 0;                   ///< further findings that follow from these
+  std::uint64_t following = 0;                   ///< further things that follow from these
   // What represents the group, exactly one of them: the deepest record, the widest tie, the first finding.
   const Penetration* deepest = nullptr;
   const TieFailure* widest = nullptr;

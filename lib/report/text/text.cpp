@@ -109,17 +109,10 @@ std::string contacts_line(const Report& report) {
   return open > 0 ? line + fmt::format(", {} not judged", open) : line;
 }
 
-/// Findings that follow from another one of the report.
-std::size_t following(const Report& report) {
-  const Causes causes(report);
-  return static_cast<std::size_t>(std::count_if(report.findings.begin(), report.findings.end(),
-                                                [&](const Finding& finding) { return causes.of(finding) != nullptr; }));
-}
-
 /// The line that --quiet keeps.
 std::string verdict(const Report& report, const Paint& paint) {
   std::string line = printable_path(report.input) + ": " + numbers_of(totals(report), paint);
-  if (const std::size_t n = following(report); n > 0) line += fmt::format(" ({} may follow from others)", n);
+  if (const std::size_t n = consequences(report); n > 0) line += fmt::format(" ({} may follow from others)", n);
   line += " in " + contacts_line(report);
   if (const std::string assumed = as_if(report); !assumed.empty()) line += ", " + assumed;
   if (const std::size_t n = report.ignored.size(); n > 0) line += fmt::format(", {} ignored", n);

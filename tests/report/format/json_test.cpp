@@ -80,6 +80,18 @@ TEST(Json, HoldsTheKeysOfTheSchema) {
   EXPECT_TRUE(json["timing"].contains("read_s"));
 }
 
+TEST(Json, TheSummaryCountsConsequences) {
+  Report report = sample_report();
+  report.findings[0].key = 1;
+  report.findings[1].cause = 1;
+  const Json json = Json::parse(gapcheck::report::json(report));
+  EXPECT_EQ(json["summary"], Json({{"errors", 3}, {"warnings", 1}, {"notes", 1}, {"consequences", 1}}));
+  EXPECT_EQ(json["findings"][4]["cause"], json["findings"][3]["fingerprint"]);
+  // Its cause is ignored: it stands by itself.
+  report.findings[0].key = 0;
+  EXPECT_FALSE(Json::parse(gapcheck::report::json(report))["summary"].contains("consequences"));
+}
+
 TEST(Json, FindingsSayWhatTheyKnow) {
   Report report = sample_report();
   Finding& known = report.findings[0];

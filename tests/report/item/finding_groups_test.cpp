@@ -81,10 +81,11 @@ TEST(FindingGroups, WhatFollowsIsFoldedUnderItsCause) {
                      make("GC503", Severity::error, 2, 0, 1), make("GC503", Severity::error, 3, 0, 1)};
   report.findings[1].key = 1;
   report.findings[0].cause = report.findings[2].cause = 1;
+  report.findings[2].count = 40;  // a line that represents that many
   auto groups = finding_groups(report);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].id, "GC502");
-  EXPECT_EQ(groups[0].following, 2U);
+  EXPECT_EQ(groups[0].following, 41U);
   EXPECT_EQ(groups[1].contact, 3);
   EXPECT_EQ(groups[1].following, 0U);
   // Without its cause, because that is ignored, each stands by itself.

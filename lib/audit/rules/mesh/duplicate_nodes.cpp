@@ -191,7 +191,16 @@ class Search {
   std::unordered_map<std::uint32_t, NodeIndex> first_at_;
 };
 
+/// Whether the solver itself joins nodes at one place before the run; which ones is not read.
+bool solver_merges_nodes(const keyword::Deck& deck) {
+  const auto blocks = deck.blocks();
+  return std::any_of(blocks.begin(), blocks.end(),
+                     [](const keyword::Block& block) { return block.name.starts_with("NODE_MERGE"); });
+}
+
 void run(const RuleIdentity& rule, Context& context, Report& report) {
+  if (solver_merges_nodes(context.deck()))
+    return context.skipped(rule, "the deck has *NODE_MERGE, which joins nodes at one place and is not read");
   contact::ContactMesh* mesh = mesh_in_contact(rule, context);
   if (mesh != nullptr) Search(rule, context, *mesh).run(report);
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
@@ -12,6 +13,9 @@
 
 namespace gapcheck::audit::rule::free_node {
 namespace {
+
+constexpr std::array thresholds{
+    Threshold{"share", 0.01, 0, 1, "share of all nodes that nothing uses, from which on they are listed"}};
 
 /// Nodes that sides of contacts name one by one.
 void report_tracked(const RuleIdentity& rule, Context& context, Report& report, const std::vector<std::uint8_t>& used) {
@@ -69,6 +73,10 @@ void report_unused(const RuleIdentity& rule, Context& context, Report& report, s
   for (const NodeIndex n : positions<NodeIndex>(used.size()))
     if (used[n.value] == 0 && referenced[n.value] == 0) unused.push_back(n.value);
   if (unused.empty()) return;
+  // Less is waste that costs nothing: what remains of a mesh that was cut or meshed again.
+  if (static_cast<double>(unused.size()) < context.threshold(rule, thresholds[0]) * static_cast<double>(ids.size()))
+    return context.skipped(rule,
+                           fmt::format("{} nodes belong to no element and no set: too few to matter", unused.size()));
   const std::uint32_t first =
       *std::min_element(unused.begin(), unused.end(), [&](auto a, auto b) { return ids[a] < ids[b]; });
   const std::int64_t id = ids[first];
@@ -95,8 +103,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC508", "free-node", Severity::note, "a node belongs to no element", Need::surfaces, "The node does nothing"},
-    run};
+const Rule definition{.identity = {"GC508", "free-node", Severity::note, "a node belongs to no element", Need::surfaces,
+                                   "The node does nothing"},
+                      .run = run,
+                      .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::free_node

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "audit/members.hpp"
 #include "audit/rules.hpp"
@@ -42,6 +45,92 @@ bool same_corners(const model::SegmentNodes& p, const model::SegmentNodes& q) {
   return std::all_of(p.begin(), p.end(), [&](NodeIndex n) { return std::find(q.begin(), q.end(), n) != q.end(); });
 }
 
+bool rigid(const model::Model& model, PartIndex part) { return part != none<PartIndex> && model.rigid(part); }
+
+/// The nodes of deformable segments, in cubes that are not smaller than any distance that is asked for.
+class DeformableNodes {
+ public:
+  DeformableNodes(const contact::ContactMesh& mesh, double cube) : x_(mesh.model().mesh.nodes.x), cube_(cube) {
+    std::vector<std::uint8_t> seen(x_.size());
+    for (std::size_t s = 0; s < mesh.size(); ++s) {
+      if (rigid(mesh.model(), mesh.part(s))) continue;
+      for (const NodeIndex n : mesh.nodes(s))
+        if (std::exchange(seen[n.value], std::uint8_t{1}) == 0)
+          if (const auto key = cube_of(x_[n.value])) in_[*key].push_back(n);
+    }
+  }
+
+  /// Whether one that is not a corner of these segments is nearer to the point than `distance`.
+  [[nodiscard]] bool near(const Vector& point, double distance, const model::SegmentNodes& p,
+                          const model::SegmentNodes& q) const {
+    const auto corner = [](const model::SegmentNodes& s, NodeIndex n) {
+      return std::find(s.begin(), s.end(), n) != s.end();
+    };
+    const auto key = cube_of(point);
+    if (!key) return false;
+    for (int k = 0; k < 27; ++k) {
+      const auto found = in_.find({(*key)[0] + k % 3 - 1, (*key)[1] + k / 3 % 3 - 1, (*key)[2] + k / 9 - 1});
+      if (found == in_.end()) continue;
+      for (const NodeIndex n : found->second)
+        if ((x_[n.value] - point).norm() < distance && !corner(p, n) && !corner(q, n)) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Key = std::array<std::int64_t, 3>;
+  [[nodiscard]] std::optional<Key> cube_of(const Vector& point) const {
+    constexpr double most = 1e15;  // exact as an integer, with room for neighbours
+    Key key;
+    for (int i = 0; i < 3; ++i) {
+      const double at = std::floor(point[i] / cube_);
+      if (!(std::abs(at) < most)) return std::nullopt;
+      key[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(at);
+    }
+    return key;
+  }
+
+  const std::vector<Vector>& x_;
+  double cube_;
+  std::map<Key, std::vector<NodeIndex>> in_;
+};
+
+/// A pair of segments, as Found::item holds it.
+struct Pair {
+  explicit Pair(const Found& f) : i(f.item >> 32), j(f.item & 0xFFFFFFFFU) {}
+  std::size_t i, j;
+};
+
+/// The shape of a tool or barrier is meant, and stays as it is: it matters where something deformable is about to meet
+/// it, nearer than the segments are long.
+void drop_rigid_far_from_all(const contact::ContactMesh& mesh, std::vector<Found>& found) {
+  const std::vector<Vector>& x = mesh.model().mesh.nodes.x;
+  const auto both_rigid = [&](const Pair& p) {
+    return rigid(mesh.model(), mesh.part(p.i)) && rigid(mesh.model(), mesh.part(p.j));
+  };
+  const auto reach = [&](const Pair& p) {
+    return std::max(contact::edge_range(mesh.nodes(p.i), x).longest, contact::edge_range(mesh.nodes(p.j), x).longest);
+  };
+  double most = 0;
+  for (const Found& f : found)
+    if (const Pair p(f); both_rigid(p)) most = std::max(most, reach(p));
+  if (!(most > 0)) return;
+  const DeformableNodes nodes(mesh, most);
+  std::erase_if(found, [&](const Found& f) {
+    const Pair p(f);
+    if (!both_rigid(p)) return false;
+    Vector middle = Vector::Zero();
+    int common = 0;
+    for (const NodeIndex n : mesh.nodes(p.i)) {
+      const model::SegmentNodes& other = mesh.nodes(p.j);
+      if (std::find(other.begin(), other.end(), n) == other.end()) continue;
+      middle += x[n.value];
+      ++common;
+    }
+    return common == 0 || !nodes.near(middle / common, reach(p), mesh.nodes(p.i), mesh.nodes(p.j));
+  });
+}
+
 double degrees(double cosine) { return std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi; }
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
@@ -70,10 +159,11 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
               list.push_back({part_pair(p, q), cosine, static_cast<std::uint64_t>(i) << 32 | j});
           }
       });
+  drop_rigid_far_from_all(*mesh, found);
   add_grouped(
       report, std::move(found),
       [&](const Found& f) {
-        const std::size_t i = f.item >> 32, j = f.item & 0xFFFFFFFFU;
+        const auto [i, j] = Pair(f);
         return segment_finding(
             rule, context, *mesh, i,
             fmt::format("{}{} and {}{} meet at {:.1f} degrees (below {}): contact finds no clear side in "
@@ -82,13 +172,13 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
                         degrees(f.weight), least_angle));
       },
       [&](const Found& f, std::uint64_t count) {
-        return segments_finding(rule, context, *mesh, f.item >> 32,
+        return segments_finding(rule, context, *mesh, Pair(f).i,
                                 fmt::format("{} more pairs of segments{} meet at less than {} degrees, down to {:.1f}",
-                                            count, of_part(*mesh, f.item >> 32), least_angle, degrees(f.weight)));
+                                            count, of_part(*mesh, Pair(f).i), least_angle, degrees(f.weight)));
       },
       collect_segments(context, [&](const Found& f, const auto& add) {
-        add(mesh->nodes(f.item >> 32));
-        add(mesh->nodes(f.item & 0xFFFFFFFFU));
+        add(mesh->nodes(Pair(f).i));
+        add(mesh->nodes(Pair(f).j));
       }));
 }
 

@@ -100,22 +100,28 @@ class PressedSide {
   const contact::SegmentSprings& springs_;
 };
 
-/// "the springs grow with curve 7 from 0 to 1 at t = 0.001".
-std::string curve_words(const model::Model& model, const model::Contact& contact) {
-  if (contact.interference_curve == 0)
-    return contact.interference_curve_relaxation == 0
-               ? "no curve (LCID1, LCID2) scales the springs, so they act in full at once"
-               : fmt::format("curve {} scales the springs in dynamic relaxation only",
-                             contact.interference_curve_relaxation);
-  const std::int64_t id = contact.interference_curve;
+/// "grow with curve 7 from 0 to 1 at t = 0.001", "are scaled by 1 all the time (curve 7)".
+std::string growth(const model::Model& model, std::int64_t id) {
   const auto curve = model.curves.find(id);
   if (curve == model.curves.end() || curve->second.points.empty())
-    return fmt::format("curve {} (LCID2), which scales the springs, is not in the deck", id);
+    return fmt::format("are scaled by curve {}, which is not in the deck", id);
   const auto& points = curve->second.points;
-  const auto full =
-      std::max_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a[1] < b[1]; });
-  return fmt::format("the springs grow with curve {} from {:g} to {:g} at t = {:g}", id, points.front()[1], (*full)[1],
+  const auto smaller = [](const auto& a, const auto& b) { return a[1] < b[1]; };
+  const auto least = std::min_element(points.begin(), points.end(), smaller);
+  const auto full = std::max_element(points.begin(), points.end(), smaller);  // the first of them
+  if ((*least)[1] == (*full)[1]) return fmt::format("are scaled by {:g} all the time (curve {})", (*full)[1], id);
+  return fmt::format("grow with curve {} from {:g} to {:g} at t = {:g}", id, points.front()[1], (*full)[1],
                      (*full)[0] * curve->second.abscissa_time);
+}
+
+/// LCID1 scales the springs in dynamic relaxation, LCID2 in the run.
+std::string curve_words(const model::Model& model, const model::Contact& contact) {
+  const std::int64_t relaxation = contact.interference_curve_relaxation, run = contact.interference_curve;
+  if (run == 0 && relaxation == 0) return "no curve (LCID1, LCID2) scales the springs, so they act in full at once";
+  if (run == 0) return fmt::format("curve {} scales the springs in dynamic relaxation only", relaxation);
+  if (relaxation == 0) return "the springs " + growth(model, run);
+  return fmt::format("in dynamic relaxation the springs {}, in the run they {}", growth(model, relaxation),
+                     growth(model, run));
 }
 
 Finding describe(const RuleIdentity& rule, Context& context, const contact::SegmentSprings& springs,

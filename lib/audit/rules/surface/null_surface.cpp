@@ -47,10 +47,11 @@ void check_side(const RuleIdentity& rule, Context& context, Report& report, Cont
   const model::Part& first = model.part(part);
   Finding f = finding_at(
       rule, context, model.contact(contact),
-      fmt::format(
-          "side {} has no stiffness: all its {} segments are of materials with E = 0 (first: part {}, *{} {}), so the "
-          "contact gives no force; set E and PR of the material, or SOFT = 1",
-          letter, segments, first.id.value, model.materials[*first.material].keyword, first.material_id));
+      fmt::format("side {} has no stiffness: {} of materials with E = 0 (first: part {}, *{} {}), so the contact gives "
+                  "no force; "
+                  "set E and PR of the material, or SOFT = 1",
+                  letter, segments == 1 ? "its only segment is" : fmt::format("all its {} segments are", segments),
+                  first.id.value, model.materials[*first.material].keyword, first.material_id));
   f.part = first.id.value;
   report.findings.push_back(std::move(f));
 }

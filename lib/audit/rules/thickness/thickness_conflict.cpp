@@ -4,10 +4,13 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <unordered_map>
 
 #include "audit/grouped.hpp"
 #include "audit/rules.hpp"
 #include "audit/shared/contact_thickness.hpp"
+#include "audit/shared/records_of.hpp"
+#include "audit/shared_results.hpp"
 #include "records/thickness_source.hpp"
 
 namespace gapcheck::audit::rule::thickness_conflict {
@@ -36,6 +39,21 @@ class Slots {
   std::vector<std::uint32_t> slot_;
 };
 
+/// Thickness of the drawing, not of a setting of contact.
+bool own(ThicknessRule rule) { return rule == ThicknessRule::element || rule == ThicknessRule::edge_limit; }
+
+/// Depths of the nodes that penetrate in one contact, by id.
+using Depths = std::unordered_map<std::int64_t, double>;
+
+Depths depths_of(const contact::InitialState& state, ContactIndex contact) {
+  Depths depths;
+  for (const Penetration& p : records_of(state, contact)) {
+    double& depth = depths[p.node];
+    depth = std::max(depth, p.depth);
+  }
+  return depths;
+}
+
 /// The corner of a segment whose node has the most different thickness.
 struct Corner {
   double ratio = 0;
@@ -63,6 +81,7 @@ struct Conflict {
   const contact::TrackedNodes* nodes = nullptr;
   double ratio = 0;
   std::uint64_t count = 0;
+  double depth = 0;  ///< of the node, which would not penetrate with the segment's thickness; 0: not so
 };
 
 /// By part of the segment and part that gave the node its thickness.
@@ -76,23 +95,35 @@ bool all_alike(const contact::Segments& s, const contact::TrackedNodes& nodes, d
   return !(most > most_ratio * least);
 }
 
-void compare(Conflicts& conflicts, const Context& context, ContactIndex contact, const contact::TrackedNodes& nodes,
+void compare(Conflicts& conflicts, Context& context, ContactIndex contact, const contact::TrackedNodes& nodes,
              const contact::Segments& s, double most_ratio) {
   if (nodes.size() == 0 || s.size() == 0 || all_alike(s, nodes, most_ratio)) return;
   const Slots slots(nodes);
+  const Depths depths = depths_of(context.results().initial(), contact);
+  // A node that counts the thicker of two sheets, and penetrates only by that.
+  const auto depth_by_thickness = [&](std::size_t i, std::uint32_t slot) {
+    const auto found = depths.find(context.model().mesh.nodes.id[nodes.node[slot].value]);
+    return found != depths.end() && found->second <= nodes.half[slot] - s.half[i] ? found->second : 0;
+  };
   const auto found = worst_by_key(s.size(), [&](std::size_t i) {
     const Corner corner = worst_corner(s, nodes, slots, i);
     if (!(corner.ratio > most_ratio)) return Weighed{};
     const PartIndex part = part_of(context.model().mesh, s, i), giver = nodes.part[corner.slot];
     if (part == none<PartIndex> || giver == none<PartIndex>) return Weighed{};
     if (!context.part_chosen(part) && !context.part_chosen(giver)) return Weighed{};
+    // Two sheets of different thickness that share nodes are meant.
+    if (part != giver && own(s.rule[i]) && own(nodes.rule[corner.slot]) && !(depth_by_thickness(i, corner.slot) > 0))
+      return Weighed{};
     return Weighed{std::uint64_t{part.value} << 32 | giver.value, rough_weight(corner.ratio),
                    element_id(context.model().mesh, s, i)};
   });
   for (const Worst& w : found) {
     Conflict& c = conflicts[w.key];
     const std::uint64_t count = c.count + w.count;
-    if (w.weight > c.ratio) c = {contact, w.item, worst_corner(s, nodes, slots, w.item).slot, &s, &nodes, w.weight, 0};
+    if (w.weight > c.ratio) {
+      const std::uint32_t slot = worst_corner(s, nodes, slots, w.item).slot;
+      c = {contact, w.item, slot, &s, &nodes, w.weight, 0, depth_by_thickness(w.item, slot)};
+    }
     c.count = count;
   }
 }
@@ -106,11 +137,12 @@ Finding words(const RuleIdentity& rule, const Context& context, const Conflict& 
   Finding f = finding_at_segment(
       rule, context, model.contact(c.contact), *c.segments, c.segment,
       fmt::format(
-          "{}: {} {}, and a node counts its largest thickness: {} has {:.4g} ({}), its node {} counts {:.4g} ({}); "
+          "{}: {} {}, and a node counts its largest thickness: {} has {:.4g} ({}), its node {} counts {:.4g} ({}){}; "
           "even them out with OPTT, SST or MST where that matters",
           part_name(model, part), count_elements(c.count), with, element_name(model.mesh, *c.segments, c.segment),
           2 * c.segments->half[c.segment], thickness_source(c.segments->rule[c.segment]), node,
-          2 * c.nodes->half[c.slot], thickness_source(c.nodes->rule[c.slot])));
+          2 * c.nodes->half[c.slot], thickness_source(c.nodes->rule[c.slot]),
+          c.depth > 0 ? fmt::format(", by which alone it penetrates ({:.4g} deep)", c.depth) : ""));
   f.node = node;
   f.count = c.count;
   return f;
@@ -144,7 +176,8 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 const Rule definition{.identity = {"GC307", "thickness-conflict", Severity::note,
                                    "elements that share nodes have very different thickness in one contact",
-                                   Need::surfaces, "Contact thickness jumps from element to element, so forces do too"},
+                                   Need::surfaces | Need::node_penetrations,
+                                   "Contact thickness jumps from element to element, so forces do too"},
                       .run = run,
                       .thresholds = thresholds};
 

@@ -1,10 +1,16 @@
 #include <fmt/format.h>
 
+#include <array>
+
 #include "audit/rules.hpp"
 #include "audit/shared/contact_thickness.hpp"
 
 namespace gapcheck::audit::rule::thickness_limited {
 namespace {
+
+constexpr std::array thresholds{
+    Threshold{"share", 0.8, 0, 1, "share of its thickness that an element counts, up to which it is listed"}};
+constexpr double rounding = 1e-9;
 
 /// The thickness that a shell segment would have without the limit.
 double unlimited(const model::Model& model, const contact::ThicknessSide& side, const contact::Segments& s,
@@ -26,6 +32,7 @@ contact::ThicknessSide side_without_limit(const model::Model& model, const model
 
 void run(const RuleIdentity& rule, Context& context, Report& report) {
   const model::Model& model = context.model();
+  const double share = context.threshold(rule, thresholds[0]);
   std::vector<PartSegments> parts;
   for (const ContactIndex c : contacts_with_thickness(rule, context)) {
     const contact::ContactSurfaces& surfaces = context.surfaces(c);
@@ -33,7 +40,9 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const contact::Segments& s = surfaces.a.selection.segments;
     const auto side = side_without_limit(model, model.contact(c), surfaces.settings);
     weigh_by_part(parts, context, c, s, [&](std::size_t i) {
-      return s.rule[i] == ThicknessRule::edge_limit ? unlimited(model, side, s, i) / (2 * s.half[i]) : 0.0;
+      if (s.rule[i] != ThicknessRule::edge_limit) return 0.0;
+      const double counted = 2 * s.half[i], own = unlimited(model, side, s, i);
+      return counted <= share * own * (1 + rounding) ? own / counted : 0.0;
     });
   }
   const auto words = [&](const PartSegments& p) {
@@ -42,8 +51,7 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
     const auto side = side_without_limit(model, model.contact(p.contact), context.surfaces(p.contact).settings);
     return fmt::format(
         "{}: {} count only 0.4 of their shortest edge as thickness, {} the least: {:.4g} of {:.4g}; refine less, or "
-        "set "
-        "SSTHK = 1 in *CONTROL_CONTACT",
+        "set SSTHK = 1 in *CONTROL_CONTACT",
         part_name(model, p.part()), count_elements(p.worst.count), element_name(model.mesh, s, worst),
         2 * s.half[worst], unlimited(model, side, s, worst));
   };
@@ -52,9 +60,10 @@ void run(const RuleIdentity& rule, Context& context, Report& report) {
 
 }  // namespace
 
-const Rule definition{
-    {"GC302", "thickness-limited", Severity::note, "a contact counts 0.4 of an element's edge instead of its thickness",
-     Need::surfaces, "Contact happens later than the shell's thickness says"},
-    run};
+const Rule definition{.identity = {"GC302", "thickness-limited", Severity::note,
+                                   "a contact counts 0.4 of an element's edge instead of its thickness", Need::surfaces,
+                                   "Contact happens later than the shell's thickness says"},
+                      .run = run,
+                      .thresholds = thresholds};
 
 }  // namespace gapcheck::audit::rule::thickness_limited

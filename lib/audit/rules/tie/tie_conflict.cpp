@@ -30,7 +30,7 @@ std::optional<Holder> holder(const JudgedNode& node) {
 
 std::string describe(const model::Model& model, const Holder& holder) {
   if (!holder.rigid)
-    return fmt::format("contact {}, which comes first in the deck", model.contacts[holder.index].id.value);
+    return fmt::format("contact {}, which comes first in the deck,", model.contacts[holder.index].id.value);
   const model::RigidGroup& group = model.rigid_groups[holder.index];
   const bool extra = group.kind == model::RigidGroup::Kind::extra_nodes;
   return fmt::format("{} {}", extra ? "*CONSTRAINED_EXTRA_NODES of rigid part" : "nodal rigid body", group.id);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -22,6 +23,20 @@ TEST(DuplicateNodes, ASeamWithinAPart) {
   EXPECT_NE(report.findings[0].message.find("nodes 3 and 101 of part 1 are at the same place"), std::string::npos)
       << report.findings[0].message;
   EXPECT_EQ(listed(run_rule("GC507", halves(2))), 5U);
+}
+
+// Which nodes *NODE_MERGE joins is not read, so nobody can say that nothing joins these.
+TEST(DuplicateNodes, NotWhereTheSolverMergesNodes) {
+  RuleDeck deck = halves(1);
+  const Report report = run_rule("GC507", deck.raw("SET_NODE_LIST_GENERATE", "3\n1,999\n")
+                                              .raw("NODE_MERGE_SET", "3\n")
+                                              .raw("NODE_MERGE_TOLERANCE", "0.05\n"));
+  EXPECT_EQ(listed(report), 0U);
+  EXPECT_NE(std::find(report.statistics.begin(), report.statistics.end(),
+                      std::pair<std::string, std::string>(
+                          "not looked at",
+                          "GC507: the deck has *NODE_MERGE, which joins nodes at one place and is not read")),
+            report.statistics.end());
 }
 
 // A thousandth of the shortest edge is 0.005.

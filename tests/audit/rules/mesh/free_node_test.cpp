@@ -32,6 +32,24 @@ TEST(FreeNode, UnusedNodesAreOneNote) {
   EXPECT_EQ(report.findings[0].node, 50);
 }
 
+// 8 x 8 shells have 81 nodes: 1 of 100 is listed, 1 of 101 is not.
+TEST(FreeNode, AFewUnusedNodesDoNotMatter) {
+  const auto with = [](int more) {
+    RuleDeck deck;
+    deck.shell_part(1, 1).plate(1, 1, 8, 8, Vector(0, 0, 0), 5, 5).node(500, {2, 2, 3});
+    for (int i = 0; i < more; ++i) deck.node(600 + i, {1.0 * i, 0, 90});
+    deck.raw("SET_NODE_LIST_GENERATE", "7\n600,699\n");
+    return run_rule("GC508", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"));
+  };
+  EXPECT_EQ(listed(with(18)), 1U);
+  const Report few = with(19);
+  EXPECT_EQ(listed(few), 0U);
+  EXPECT_NE(std::find(few.statistics.begin(), few.statistics.end(),
+                      std::pair<std::string, std::string>(
+                          "not looked at", "GC508: 1 nodes belong to no element and no set: too few to matter")),
+            few.statistics.end());
+}
+
 TEST(FreeNode, NotWhatOtherKeywordsName) {
   RuleDeck beam = plate_and("1,2"), joint = plate_and("1,2"), spc = plate_and("1,2");
   beam.beam_part(2, 1).raw("ELEMENT_BEAM", "90,2,1,2,50\n91,2,2,3,51\n");

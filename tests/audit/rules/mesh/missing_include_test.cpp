@@ -83,7 +83,8 @@ TEST(MissingInclude, WithoutItAnEmptySurfaceFollowsFromItsSet) {
 
 // The part exists and has no elements: that its set names another one that does not exist is not why it is empty.
 TEST(MissingInclude, ASetWithMembersIsNoCause) {
-  const AuditRun run = run_text("*KEYWORD\n*PART\nempty\n10\n" + deck("").substr(sizeof("*KEYWORD\n") - 1), of("GC"));
+  const AuditRun run =
+      run_text("*KEYWORD\n*NODE\n1,0,0,0\n*PART\nempty\n10\n" + deck("").substr(sizeof("*KEYWORD\n") - 1), of("GC"));
   const Finding* surface = find(run.report, "GC503");
   ASSERT_NE(surface, nullptr);
   EXPECT_EQ(surface->cause, 0U);

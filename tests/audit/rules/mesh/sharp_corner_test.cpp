@@ -44,6 +44,28 @@ TEST(SharpCorner, BelowThirtyDegrees) {
   }
 }
 
+TEST(SharpCorner, WithinRigidBodiesOnlyNearDeformableNodes) {
+  const auto found = [](std::int64_t material) {
+    return listed(run_rule("GC512", hinge_deck(20, false, material).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0")));
+  };
+  EXPECT_EQ(found(1), 2U);
+  EXPECT_EQ(found(2), 0U);
+  // Something deformable nearer to the edge than its segments are long (10): the edge matters.
+  const auto near = [](double z) {
+    RuleDeck deck = hinge_deck(20, false, 2);
+    deck.shell_part(2, 0.1).plate(101, 2, 4, 1, Vector(-5, -8, z), 10, 2);
+    return listed(run_rule("GC512", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0")));
+  };
+  EXPECT_EQ(near(-6), 2U);  // sqrt(6² + 6²) = 8.5
+  EXPECT_EQ(near(-9), 0U);  // 10.8
+  EXPECT_EQ(near(-90), 0U);
+  // A rigid sheet and a deformable one that hangs on its edge.
+  RuleDeck both;
+  both.shell_part(1, 0.1, 2).shell_part(2, 0.1).node(1, {0, 0, 0}).node(2, {10, 0, 0}).node(3, {10, 10, 0});
+  both.node(4, {0, 10, 0}).node(5, {10, 10, 2}).node(6, {0, 10, 2}).shell(1, 1, {1, 2, 3, 4}).shell(2, 2, {1, 2, 5, 6});
+  EXPECT_EQ(listed(run_rule("GC512", both.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"))), 1U);
+}
+
 // The cosine of the angle may come out a little above 1.
 TEST(SharpCorner, FoldedFlat) {
   for (int turn = 0; turn < 40; ++turn) {

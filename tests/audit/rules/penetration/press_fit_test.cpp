@@ -18,7 +18,7 @@ const std::string fit = "ONE_WAY_SURFACE_TO_SURFACE_INTERFERENCE";
 
 // K = 175000, so a spring has 0.1 K A^2 / V = 70000. Nine nodes of 700 each on a face of 8 x 8.
 TEST(PressFit, SaysWhatWillPress) {
-  const Report report = run_rule("GC113", blocks(0.01, fit, "0.\n1.,1.\n4,5\n"));
+  const Report report = run_rule("GC113", blocks(0.01, fit, "0.\n1.,1.\n0,5\n"));
   ASSERT_EQ(report.findings.size(), 1U);
   const Finding& f = report.findings[0];
   EXPECT_EQ(f.severity, Severity::note);
@@ -60,6 +60,18 @@ TEST(PressFit, NamesWhatIsWrongWithTheCurve) {
   };
   EXPECT_NE(words("4\n").find("curve 4 scales the springs in dynamic relaxation only"), std::string::npos);
   EXPECT_NE(words("0,0\n").find("no curve (LCID1, LCID2)"), std::string::npos);
+  EXPECT_NE(words("0,4\n").find("the springs are scaled by curve 4, which is not in the deck"), std::string::npos);
+}
+
+// The usual pair: LCID1 grows in dynamic relaxation, LCID2 keeps the springs in the run.
+TEST(PressFit, CurvesOfDynamicRelaxationAndOfTheRun) {
+  RuleDeck deck = blocks(0.01, fit, "0.\n1.,1.\n5,6\n");
+  const Report report = run_rule("GC113", deck.raw("DEFINE_CURVE", "6\n0.,1.\n1.,1.\n"));
+  ASSERT_EQ(report.findings.size(), 1U);
+  EXPECT_NE(report.findings[0].message.find("in dynamic relaxation the springs grow with curve 5 from 0 to 1 at t = "
+                                            "0.002, in the run they are scaled by 1 all the time (curve 6);"),
+            std::string::npos)
+      << report.findings[0].message;
 }
 
 TEST(PressFit, NothingToPress) {

@@ -3,10 +3,10 @@
 namespace gapcheck::audit_test::soft_scale_test {
 namespace {
 
-Report with_card_a(const std::string& card_a) {
+Report with_card_a(const std::string& card_a, const std::string& scale_factors = "1.,1.") {
   RuleDeck deck;
   deck.shell_part(1, 1).plate(1, 1, 2, 2, Vector(0, 0, 0), 5, 5);
-  deck.contact(4, "AUTOMATIC_SINGLE_SURFACE", "0,0,5", "0.\n1.,1.\n" + card_a + "\n");
+  deck.contact(4, "AUTOMATIC_SINGLE_SURFACE", "0,0,5", "0.\n" + scale_factors + "\n" + card_a + "\n");
   return run_rule("GC411", deck);
 }
 
@@ -22,6 +22,16 @@ TEST(SoftScale, OutsideTheRecommendedRangeOnly) {
   }
   for (const char* good : {"1,0.1", "1,0.04", "2,0.07", "1,0.0", "0,0.2"})
     EXPECT_EQ(listed(with_card_a(good)), 0U) << good;
+}
+
+// SFS = SFM = 1e-12 leave SOFSCL alone to set the springs; 0.4 to 0.5 is advised then.
+TEST(SoftScale, WithoutSpringsOfTheMaterialMoreIsAdvised) {
+  for (const char* good : {"1,0.4", "1,0.5"}) EXPECT_EQ(listed(with_card_a(good, "1.e-12,1.e-12")), 0U) << good;
+  EXPECT_EQ(listed(with_card_a("1,0.4", "1.e-12,1.")), 1U) << "one side still has its springs";
+  EXPECT_EQ(listed(with_card_a("2,0.4", "1.e-12,1.e-12")), 1U) << "SOFT = 2 scales with SFS";
+  const Report report = with_card_a("1,0.6", "1.e-12,1.e-12");
+  ASSERT_EQ(listed(report), 1U);
+  EXPECT_NE(report.findings[0].message.find("above 0.5"), std::string::npos) << report.findings[0].message;
 }
 
 }  // namespace

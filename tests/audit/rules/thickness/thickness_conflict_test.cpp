@@ -13,16 +13,30 @@ RuleDeck joint(double lower, double upper) {
   return deck;
 }
 
-TEST(ThicknessConflict, ThinElementsWithNodesOfAThickOne) {
-  const Report report = run_rule("GC307", joint(0.5, 3).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"));
+// A thin sheet on a thick plate is meant. A third sheet below the joint, 1 thick, makes it matter: nodes 4 to 6 count 3
+// where part 1 has 0.5, so 1.5 + 0.5 against 0.25 + 0.5.
+RuleDeck joint_over_sheet(double gap, double upper = 3) {
+  RuleDeck deck = joint(0.5, upper);
+  deck.shell_part(9, 1).plate(901, 9, 1, 1, Vector(-5, -5, -gap), 40, 40);
+  return deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
+}
+
+TEST(ThicknessConflict, ThinElementsWithNodesOfAThickOneThatPenetrate) {
+  const Report report = run_rule("GC307", joint_over_sheet(1.8));
   ASSERT_EQ(listed(report), 1U);
   const Finding& f = report.findings[0];
   EXPECT_EQ(f.part, 1);
   EXPECT_EQ(f.element, 1);
-  EXPECT_EQ(f.node, 5);
   EXPECT_EQ(f.count, 2U);
-  EXPECT_NE(f.message.find("shell 1 has 0.5 (element thickness), its node 5 counts 3"), std::string::npos) << f.message;
-  EXPECT_EQ(listed(run_rule("GC307", joint(1.5, 3).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"))), 0U);
+  EXPECT_NE(f.message.find("shell 1 has 0.5 (element thickness), its node"), std::string::npos) << f.message;
+  EXPECT_NE(f.message.find("counts 3 (element thickness), by which alone it penetrates (0.2 deep)"), std::string::npos)
+      << f.message;
+}
+
+TEST(ThicknessConflict, TwoSheetsOfTheDrawingAreMeant) {
+  EXPECT_EQ(listed(run_rule("GC307", joint(0.5, 3).contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0"))), 0U);
+  EXPECT_EQ(listed(run_rule("GC307", joint_over_sheet(2.1))), 0U) << "nothing penetrates";
+  EXPECT_EQ(listed(run_rule("GC307", joint_over_sheet(0.7))), 0U) << "penetrates as thin as it is, too";
 }
 
 TEST(ThicknessConflict, OneThicknessForAllHasNone) {

@@ -29,8 +29,10 @@ TEST(ThicknessLimited, OneFindingPerPartWithTheElementThatLosesMost) {
   EXPECT_EQ(f.line, line_of(deck, "50,1,12,50,11,11"));
 }
 
-TEST(ThicknessLimited, NotWhereTheThicknessIsNoMoreThanTheLimit) {
-  EXPECT_EQ(listed(run_rule("GC302", plate(0.81, 0))), 1U);
+// 0.8 of 1 is the largest share that is listed.
+TEST(ThicknessLimited, NotWhereTheThicknessIsLittleMoreThanTheLimit) {
+  EXPECT_EQ(listed(run_rule("GC302", plate(1.01, 0))), 1U);
+  EXPECT_EQ(listed(run_rule("GC302", plate(0.99, 0))), 0U);
   EXPECT_EQ(listed(run_rule("GC302", plate(0.8, 0))), 0U);
   EXPECT_EQ(listed(run_rule("GC302", plate(2, 1))), 0U);
   EXPECT_EQ(listed(run_rule("GC302", plate(2, 0, "1.,1.,2.,2."))), 0U);  // SST is not limited
@@ -40,13 +42,13 @@ TEST(ThicknessLimited, ScaleFactorsBelongToTheThickness) {
   const Report report = run_rule("GC302", plate(2, 0, "1.,1.,0.,0.,0.5,1."));
   ASSERT_EQ(listed(report), 1U);
   EXPECT_NE(report.findings[0].message.find("0.8 of 1;"), std::string::npos) << report.findings[0].message;
-  EXPECT_EQ(listed(run_rule("GC302", plate(2, 0, "1.,1.,0.,0.,0.4,1."))), 0U);
+  EXPECT_EQ(listed(run_rule("GC302", plate(2, 0, "1.,1.,0.,0.,0.45,1."))), 0U);
 }
 
 TEST(ThicknessLimited, TenPartsInFullAndOneLineForTheRest) {
   RuleDeck deck;
   for (int part = 1; part <= 12; ++part)
-    deck.shell_part(part, part).plate(100 * part, part, 1, 1, Vector(0, 0, 50. * part), 2, 2);
+    deck.shell_part(part, 1 + part).plate(100 * part, part, 1, 1, Vector(0, 0, 50. * part), 2, 2);
   deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0,0,5,0");
   const Report report = run_rule("GC302", deck);
   ASSERT_EQ(report.findings.size(), 11U);
