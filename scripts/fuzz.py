@@ -95,7 +95,7 @@ def fuzz(name, program, build, seconds):
     while (spent := processor_time() - used) < seconds:
         left = max(SHORTEST, round(seconds - spent))
         code, said = call(program, [str(corpus), str(SEEDS / name), *options_of(name), f"-max_total_time={left}",
-                                    f"-artifact_prefix={finds}/"], left + 600)
+                                    f"-artifact_prefix={finds}/"], 20 * left + 600)
         result["processor"] = round(processor_time() - used, 1)
         result["executions"] += number(r"stat::number_of_executed_units: (\d+)", said)
         result["edges"] = max(result["edges"], number(r" cov: (\d+)", said))
