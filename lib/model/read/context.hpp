@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,17 @@ struct Context {
   std::map<std::uint32_t, Vector> part_moves = {};                     ///< of *PART_MOVE, by position of the part
   std::map<std::int64_t, const keyword::Block*> transformations = {};  ///< once *NODE_TRANSFORM asked for them
   std::map<std::int64_t, std::optional<keyword::Placement>> placements = {};
-  std::size_t transformed_nodes = 0;  ///< by *NODE_TRANSFORM so far
+  std::set<std::int64_t> placements_reported = {};  ///< transformations whose faults have been reported
+  /// Rows of *NODE_TRANSFORM that wait until everything is read.
+  struct NodeMove {
+    const Set<NodeIndex>* set;
+    std::int64_t transformation;
+    Place place;
+  };
+  std::vector<NodeMove> node_moves = {};
+  std::size_t transformed_nodes = 0;     ///< by *NODE_TRANSFORM so far
+  std::size_t immediate_moves_read = 0;  ///< rows with IMMED = 1 in decks with boxes
+  std::size_t immediate_moves = 0;       ///< of these with transformations that refer to nodes
   /// Rows of a *DEFINE_TABLE that wait for the curves that follow it; last first.
   std::vector<std::pair<std::int64_t, std::size_t>> waiting_rows = {};
 
@@ -152,6 +163,8 @@ void finish_nodes(Context& context);
 void finish_parts(Context& context);
 /// Moves the nodes of the parts that *PART_MOVE names.
 void finish_part_moves(Context& context);
+/// Moves the nodes of the rows of *NODE_TRANSFORM without IMMED = 1, which have waited.
+void finish_node_transforms(Context& context);
 void finish_elements(Context& context);
 void resolve_sets(Context& context);
 void finish_contacts(Context& context);

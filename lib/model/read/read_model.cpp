@@ -235,6 +235,7 @@ void read_blocks(Context& context) {
   run(Phase::part_moves);
   finish_part_moves(context);
   run(Phase::moves);
+  finish_node_transforms(context);
   run(Phase::rest);
   for (const PlannedBlock& next : planned[static_cast<std::size_t>(Phase::nodes)])
     read_node_constraints(context, *next.block);
