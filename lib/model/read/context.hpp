@@ -46,6 +46,8 @@ struct Context {
     Place place;
   };
   std::vector<NodeMove> node_moves = {};
+  std::map<std::int64_t, Result<Eigen::Matrix3d>> systems = {};  ///< local axes, once a move asked for them
+  bool systems_read = false;
   std::size_t transformed_nodes = 0;     ///< by *NODE_TRANSFORM so far
   std::size_t immediate_moves_read = 0;  ///< rows with IMMED = 1 in decks with boxes
   std::size_t immediate_moves = 0;       ///< of these with transformations that refer to nodes
@@ -161,6 +163,8 @@ void read_node_constraints(Context& context, const Block& block);
 // What remains to be done once all blocks of a kind are read.
 void finish_nodes(Context& context);
 void finish_parts(Context& context);
+/// The axes of *DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR, as columns; the error says why they are not known.
+[[nodiscard]] Result<Eigen::Matrix3d> axes_of_system(Context& context, std::int64_t id);
 /// Moves the nodes of the parts that *PART_MOVE names.
 void finish_part_moves(Context& context);
 /// Moves the nodes of the rows of *NODE_TRANSFORM without IMMED = 1, which have waited.

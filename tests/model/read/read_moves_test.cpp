@@ -1,5 +1,8 @@
 // *PART_MOVE and *NODE_TRANSFORM: where nodes stand once everything is read.
 #include <cmath>
+#include <fstream>
+#include <utility>
+#include <vector>
 
 #include "model/read.hpp"
 
@@ -26,6 +29,54 @@ TEST(PartMove, SetsAndSharedNodes) {
   EXPECT_EQ(at(read, 3), before(3) + Vector(2, 0, 0));
   EXPECT_EQ(read.warnings(), 1u) << read.text();
   EXPECT_NE(read.text().find("node 3 and perhaps others belong to several parts"), std::string::npos) << read.text();
+}
+
+/// 1 along the local x axis and 2 along the local y axis, in systems that are a quarter turn about z and one about x.
+TEST(PartMove, LocalSystems) {
+  const std::string nodes = "*NODE\n21,5.,5.,5.\n22,5.,9.,5.\n23,1.,5.,5.\n";
+  const std::vector<std::pair<std::string, Vector>> systems{
+      {"*DEFINE_COORDINATE_SYSTEM\n3,1.,1.,1.,1.,2.,1.\n0.,1.,1.\n", Vector(-2, 1, 0)},
+      {"*DEFINE_COORDINATE_SYSTEM_TITLE\na title, with comma\n3,1.,1.,1.,2.,1.,1.\n1.,1.,3.\n", Vector(1, 0, 2)},
+      {"*DEFINE_COORDINATE_VECTOR\n3,0.,3.,0.,-1.,7.,0.\n", Vector(-2, 1, 0)},
+      {"*DEFINE_COORDINATE_NODES\n2,1,2,3\n3,21,22,23,1,X\n", Vector(-2, 1, 0)}};
+  for (const auto& [system, along] : systems) {
+    const Read read = read_text(mesh + nodes + system + "*PART_MOVE\n1,1.,2.,0.,3\n");
+    EXPECT_LT((at(read, 1) - before(1) - along).norm(), 1e-13) << system << at(read, 1).transpose();
+    EXPECT_EQ(read.text(), "") << system;
+    EXPECT_TRUE(read.model.not_moved.empty());
+  }
+}
+
+/// The system of an include turns with it; its number has the offset of the include.
+TEST(PartMove, LocalSystemsOfIncludes) {
+  const std::string path = testing::TempDir() + "moves_include.k";
+  std::ofstream(path) << "*DEFINE_COORDINATE_VECTOR\n3,1.,0.,0.,0.,1.,0.\n*PART_MOVE\n1,1.,0.,0.,3\n";
+  const Read read = read_text(mesh + "*INCLUDE_TRANSFORM\n" + path + "\n,,,,,,40\n\n,,2.\n5\n" +
+                              "*DEFINE_TRANSFORMATION\n5\nROTATE,0.,0.,1.,0.,0.,0.,90.\n");
+  EXPECT_LT((at(read, 1) - before(1) - Vector(0, 2, 0)).norm(), 1e-13) << at(read, 1).transpose();
+  EXPECT_EQ(read.text(), "");
+}
+
+TEST(PartMove, SystemsThatAreNotKnown) {
+  const std::vector<std::pair<std::string, std::string>> systems{
+      {"", "no *DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR defines it"},
+      {"*DEFINE_COORDINATE_SYSTEM\n3,0.,0.,0.,.1,.2,.3\n.3,.6,.9\n", "its axes do not span a plane"},
+      {"*DEFINE_COORDINATE_SYSTEM\n3,0.,0.,0.,1.,0.,0.\n", "its axes do not span a plane"},
+      {"*DEFINE_COORDINATE_SYSTEM\n3,0.,0.,0.,1.,0.,0.,8\n0.,1.,0.\n", "given in another system"},
+      {"*DEFINE_COORDINATE_SYSTEM\n3,0.,0.,0.,1.,0.,0.\n0.,1.,0.,1\n", "it is not Cartesian"},
+      {"*DEFINE_COORDINATE_VECTOR\n3\n", "its axes do not span a plane"},
+      {"*DEFINE_COORDINATE_NODES\n3,1,2,3\n", "its axes do not span a plane"},
+      {"*DEFINE_COORDINATE_NODES\n3,1,2,99\n", "its node 99 is not defined"},
+      {"*DEFINE_COORDINATE_NODES\n3,1,2,3,0,Y\n", "its first axis is Y"},
+      {"*DEFINE_COORDINATE_NODES\n3,1,2,3,0,X,2\n", "it is not Cartesian"}};
+  for (const auto& [system, why] : systems) {
+    const Read read = read_text(mesh + system + "*PART_MOVE\n1,1.,2.,0.,3\n1,0.,0.,1.\n");
+    EXPECT_EQ(at(read, 1), before(1) + Vector(0, 0, 1)) << system;
+    EXPECT_EQ(read.warnings(), 1u) << system << read.text();
+    EXPECT_NE(read.text().find(why), std::string::npos) << read.text();
+    ASSERT_EQ(read.model.not_moved.size(), 1u);
+    EXPECT_EQ(read.model.not_moved[0].keyword, "PART_MOVE");
+  }
 }
 
 TEST(PartMove, WhatIsNotDoneIsNamed) {
