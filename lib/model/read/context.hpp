@@ -115,6 +115,7 @@ void read_material(Context& context, const Block& block, const Options& options)
 void read_curve(Context& context, const Block& block, const Options& options);
 void read_table(Context& context, const Block& block, const Options& options);
 void read_set(Context& context, const Block& block, const Options& options);
+void read_part_tree(Context& context, const Block& block, const Options& options);
 void read_box(Context& context, const Block& block, const Options& options);
 void read_nodal_rigid_body(Context& context, const Block& block, const Options& options);
 void read_extra_nodes(Context& context, const Block& block, const Options& options);

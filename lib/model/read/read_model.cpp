@@ -76,6 +76,7 @@ constexpr KeywordFamily keyword_families[] = {
     {"DEFINE_TABLE", Phase::properties, read_table, "TITLE 2D"},
     {"SET_NODE", Phase::sets, read_set, set_options, true},
     {"SET_PART", Phase::sets, read_set, set_options, true},
+    {"SET_PART_TREE", Phase::sets, read_part_tree, "TITLE", true},
     {"SET_SEGMENT", Phase::sets, read_set, set_options, true},
     {"SET_SHELL", Phase::sets, read_set, set_options, true},
     {"SET_SOLID", Phase::sets, read_set, set_options, true},
