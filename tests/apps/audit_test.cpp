@@ -152,6 +152,37 @@ TEST_F(AuditProgram, AsIfTheDeckHadOtherValues) {
   EXPECT_FALSE(nlohmann::json::parse(gapcheck("audit models/front.k --format json").out).contains("as_if"));
 }
 
+/// One page about all decks, with links to the page of each.
+TEST_F(AuditProgram, HtmlIndex) {
+  file("models/<b>.k", "*KEYWORD\n*NODE\n1\n*END\n");
+  const Ended run = gapcheck(
+      "audit models/front.k 'models/<b>.k' missing.k --html 'pages/{deck}.html' --html-index index.html --quiet");
+  EXPECT_EQ(run.code, 2) << "one deck is missing";
+  const std::string page = content(folder_ / "index.html");
+  EXPECT_NE(page.find("<h1>3 decks: 0 errors, 18 warnings, "), std::string::npos) << page;
+  EXPECT_NE(page.find("; 1 not audited</h1>"), std::string::npos) << page;
+  EXPECT_LT(page.find("<td>missing.k</td><td class=\"unread\">"), page.find("models/front.k</a>")) << page;
+  EXPECT_NE(page.find("<a href=\"pages/models/front.html\">models/front.k</a></td><td class=\"warning\">"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(page.find("<a href=\"pages/models/front.html#f1\">GC101 initial-penetration: contact 1: node 1006"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(page.find("<a href=\"pages/models/%3Cb%3E.html\">models/&lt;b&gt;.k</a>"), std::string::npos) << page;
+  EXPECT_TRUE(fs::exists(folder_ / "pages/models/front.html"));
+  // Without pages there are no links, and one deck has an index too.
+  EXPECT_EQ(gapcheck("audit models/front.k --html-index one.html --quiet").code, 0);
+  EXPECT_EQ(content(folder_ / "one.html").find("<a "), std::string::npos);
+  // What stands in the way is an error before the work; the old index stays.
+  for (const char* name : {"models/front.k", "pages/models/front.html", "'{deck}.html'"}) {
+    const Ended refused = gapcheck(std::string("audit models/front.k --html 'pages/{deck}.html' --html-index ") + name);
+    EXPECT_EQ(refused.code, 2) << name;
+    EXPECT_NE(refused.err.find("--html-index"), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(gapcheck("audit models/front.k --quiet --html-index nowhere/index.html").code, 2);
+  EXPECT_EQ(content(folder_ / "index.html"), page);
+}
+
 /// What other programs do not read is listed on request, and changes nothing else.
 TEST_F(AuditProgram, Portability) {
   std::string deck = content(project / "data/two_plates.k");
