@@ -136,7 +136,7 @@ def command(programs, deck, folder, draw):
         words = ["audit", deck, *jobs, "--format", form]
         words += draw.choice([[], ["--html", f"{folder}/page.html"], ["--vtu", f"{folder}/grid.vtu"],
                               ["--sets", f"{folder}/sets.k"], ["--exact"], ["--as-if", "thickness", "--units", "mm-ms-kg"],
-                              ["--as-if", "SST=0.5"], ["--list"], ["--fail-on", "never"]])
+                              ["--as-if", "SST=0.5"], ["--list"], ["--portability"], ["--fail-on", "never"]])
         return [gapcheck, *words]
     if kind == "run":
         return [gapcheck, "run", deck, *jobs, "-o", f"{folder}/out", "--cycles", str(draw.choice([1, 20, 50])),

@@ -55,6 +55,17 @@ void add_deck_selection(CLI::App& command, AuditArguments& arguments) {
       ->group("Selection");
 }
 
+void add_deck_output(CLI::App& command, AuditArguments& arguments) {
+  command
+      .add_option("--html-index", arguments.html_index, "Write a page with a line for each deck, and links to --html")
+      ->type_name("FILE")
+      ->group("Output");
+  command
+      .add_flag("--portability", arguments.audit.portability,
+                "Also list contact keywords, options and fields that other programs do not read")
+      ->group("Output");
+}
+
 void add_work(CLI::App& command, AuditArguments& arguments) {
   add_includes(command, arguments.audit.read, arguments.missing_includes);
   const std::vector<CLI::Option*> options{
@@ -92,6 +103,7 @@ void add_audit(CLI::App& app, Action& action) {
       ->type_name("");
   add_deck_selection(*command, *arguments);
   add_output(*command, arguments->output);
+  add_deck_output(*command, *arguments);
   add_baseline(*command, arguments->baseline);
   add_exports(*command, arguments->exports);
   add_settings(*command, arguments->settings_file);

@@ -9,14 +9,17 @@
 #include <utility>
 
 #include "audit/registry.hpp"
+#include "base/file_writer.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
 #include "common/freed_memory.hpp"
+#include "common/version.hpp"
 #include "deck_list.hpp"
 #include "keyword/file_cache.hpp"
 #include "output.hpp"
 #include "output_guard.hpp"
 #include "progress.hpp"
+#include "report/html/html_index.hpp"
 #include "report/item/describe.hpp"
 
 namespace gapcheck::app {
@@ -55,7 +58,7 @@ AuditArguments arguments_for(const std::string& deck, AuditArguments arguments) 
 
 /// Every file that the call writes.
 std::vector<PlannedOutput> files_written(const AuditArguments& arguments, const std::vector<std::string>& decks) {
-  std::vector<PlannedOutput> outputs{{"--output", arguments.output.output}};
+  std::vector<PlannedOutput> outputs{{"--output", arguments.output.output}, {"--html-index", arguments.html_index}};
   for (const std::string& deck : decks) {
     const AuditArguments own = arguments_for(deck, arguments);
     outputs.push_back({"--html", own.output.html, deck});
@@ -90,6 +93,8 @@ Status check_files(const AuditArguments& arguments, const std::vector<std::strin
     if (arguments.selection && same_file(arguments_for(deck, arguments).baseline))
       return plain_error(
           "--write-baseline into the file of --baseline would lose what the selection leaves out; write another file");
+  if (arguments.html_index.find("{deck}") != std::string::npos)
+    return plain_error("--html-index is one page about all decks; {deck} belongs into the name of --html");
   if (decks.size() > 1 && !arguments.baseline.compare.empty() &&
       arguments.baseline.compare.find("{deck}") == std::string::npos)
     return plain_error("--baseline: each deck has a baseline of its own; write {deck} into the name");
@@ -127,6 +132,8 @@ class Run {
     for (const std::string& deck : decks_) audit(deck);
     if (reports_.empty() && !several()) return failed;
     check_ids();
+    if (const std::string& index = arguments_.html_index; !index.empty())
+      failures_.add(write_file(index, report::html_index({reports_, unread_}, index, version())));
     failures_.add(write({reports_, unread_}, arguments_.output));
     if (failures_.any()) return failed;
     int code = clean;

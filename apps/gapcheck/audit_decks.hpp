@@ -20,6 +20,7 @@ struct AuditArguments {
   OutputOptions output;
   ExportOptions exports;
   BaselineOptions baseline;
+  std::string html_index;  ///< path of the page about all decks; empty: not requested
   SettingsOptions settings_file;
   Settings settings;       ///< what that file says besides options
   bool selection = false;  ///< the command line leaves something out; what settings leave out does not count

@@ -13,6 +13,7 @@
 #include "audit/mesh/element_mesh.hpp"
 #include "audit/mesh/elements_in_contact.hpp"
 #include "audit/mesh/scene_mesh.hpp"
+#include "audit/portability/portability.hpp"
 #include "audit/rule_log.hpp"
 #include "audit/run_rules.hpp"
 #include "audit/shared_results.hpp"
@@ -215,6 +216,7 @@ Report make_report(const std::string& input, const keyword::Deck& deck, const mo
   report.timing.search_s = results.counters().search_s;
   add_statistics(report, deck, model, results, log);
   report.highest_set = highest_set(model.sets);
+  if (options.portability) report.portability = find_portability(deck, model, selection.contacts());
   if (options.members) add_named_elements(model, report.findings);
   if (options.mesh) report.mesh = element_mesh(model, results.surface_store(), selection.contacts());
   if (options.scene) {

@@ -32,6 +32,7 @@ struct AuditOptions {
   bool scene = false;        ///< fill Report::scene
   bool mesh = false;         ///< fill Report::mesh
   bool members = false;      ///< fill Finding::members
+  bool portability = false;  ///< --portability: fill Report::portability
 };
 
 /// Reads a deck and reports everything that the selected rules find. Errors: the deck cannot be read at all; other

@@ -29,6 +29,8 @@ model::Place place_of_set(const model::Model& model, const model::SurfaceInput& 
       return in(model.sets.shells);
     case part_set:
       return in(model.sets.parts);
+    case branch:
+      return in(model.sets.branches);
     case node_set:
       return in(model.sets.nodes);
     default:

@@ -117,7 +117,8 @@ class UnreadFields {
         if ((type == segment_set && unread_set(model_.sets.segments, side->id)) ||
             (type == shell_set && unread_set(model_.sets.shells, side->id)) ||
             (type == node_set && unread_set(model_.sets.nodes, side->id)) ||
-            ((type == part_set || type == exempted_part_set) && unread_set(model_.sets.parts, side->id)))
+            ((type == part_set || type == exempted_part_set) && unread_set(model_.sets.parts, side->id)) ||
+            (type == branch && unread_set(model_.sets.branches, side->id)))
           return true;
       }
     }

@@ -12,6 +12,7 @@
 #include "keyword/deck_reader.hpp"
 #include "keyword/line_ends.hpp"
 #include "keyword/template_fields.hpp"
+#include "keyword/transformation.hpp"
 #include "keyword/upper_case.hpp"
 
 namespace gapcheck::keyword {
@@ -324,7 +325,7 @@ void DeckReader::dispatch(const FileContext& context, const Block& block) {
     read_include(context, block);
   } else if (name.starts_with("PARAMETER")) {
     read_parameters(block);
-  } else if (name == "DEFINE_TRANSFORMATION" || name == "DEFINE_TRANSFORMATION_TITLE") {
+  } else if (is_transformation(name)) {
     transforms_.add_definition(block.order);
   } else if (name.starts_with("CASE_BEGIN")) {
     if (cases_.empty()) diagnostics_.warning(path_of(block.file), block.line, std::string(cases_are_one_model));

@@ -1,9 +1,15 @@
 #include "keyword/include_transforms.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
 
+#include "keyword/rows.hpp"
 #include "keyword/transformation.hpp"
 
 namespace gapcheck::keyword {
@@ -31,6 +37,79 @@ Definitions find_definitions(const std::vector<std::uint32_t>& positions, const 
   }
   return definitions;
 }
+
+/// A node as its first definition has it.
+struct WrittenNode {
+  std::tuple<std::uint32_t, std::size_t> order;  ///< block and row
+  Vector x = Vector::Zero();
+  const Block* block = nullptr;
+};
+using WrittenNodes = std::map<std::int64_t, WrittenNode>;
+
+/// Fills in the nodes with these ids; those that the deck does not define keep no block.
+void find_written_nodes(const Deck& deck, WrittenNodes& nodes) {
+  static const CardLayout layout = [] {
+    CardLayout line = card_layout("NODE", "card1");
+    line.fields.resize(4);
+    return line;
+  }();
+  if (nodes.empty()) return;
+  std::mutex found;
+  Diagnostics unused;  // the reader of the nodes reports their faults
+  for (const Block& block : deck.blocks()) {
+    if (block.name != "NODE") continue;
+    const auto take = [&](std::size_t first, const Rows& rows) {
+      for (std::size_t i = 0; i < rows.count; ++i) {
+        const auto node = nodes.find(rows.integers[i]);
+        if (node == nodes.end()) continue;
+        const std::lock_guard lock(found);
+        WrittenNode& entry = node->second;
+        const std::tuple order(block.order, first + i);
+        if (entry.block == nullptr || order < entry.order)
+          entry = {order, {rows.reals[3 * i], rows.reals[3 * i + 1], rows.reals[3 * i + 2]}, &block};
+      }
+    };
+    read_rows_in_pieces(
+        deck, block, layout, unused, [](std::size_t) {}, take);
+  }
+}
+
+/// The nodes that the transformations of includes refer to.
+class ReferredNodes {
+ public:
+  ReferredNodes(const Deck& deck, const std::vector<Transform>& all) : deck_(deck), all_(all) {}
+  void add(const Block& definition) {
+    for (const std::int64_t id : transformation_nodes(deck_, definition)) nodes_.try_emplace(id);
+  }
+  void find() { find_written_nodes(deck_, nodes_); }
+  [[nodiscard]] bool none_referred() const { return nodes_.empty(); }
+
+  /// Where a node lies in the coordinates of the file that includes `own`. Transformations before `own` are known.
+  [[nodiscard]] Result<Vector> position(std::int64_t id, TransformIndex own, TransformIndex parent) const {
+    const auto node = nodes_.find(id);
+    if (node == nodes_.end() || node->second.block == nullptr)
+      return plain_error("node " + std::to_string(id) + " is not defined");
+    const Block& block = *node->second.block;
+    if (block.transform.value >= own.value)
+      return plain_error("node " + std::to_string(id) + " is defined in " + deck_.file(block.file).path +
+                         ", which is placed by this transformation or included after it; refer to nodes of files "
+                         "before it");
+    if (block.transform == parent) return node->second.x;
+    const Transform& of = all_[block.transform.value];
+    const Transform& frame = all_[parent.value];
+    const Vector x = of.apply(of.length_factor * node->second.x) - frame.shift;
+    const Eigen::FullPivLU<Eigen::Matrix3d> inverse(frame.matrix * frame.length_factor);
+    if (!inverse.isInvertible())
+      return plain_error("node " + std::to_string(id) +
+                         " has no place in the including file, whose own transformation flattens it");
+    return Vector(inverse.solve(x));
+  }
+
+ private:
+  const Deck& deck_;
+  const std::vector<Transform>& all_;
+  WrittenNodes nodes_;
+};
 
 }  // namespace
 
@@ -89,7 +168,14 @@ void IncludeTransforms::resolve(std::vector<Transform>& all, const Deck& deck, D
   if (std::none_of(pending_.begin(), pending_.end(), [](const Pending& each) { return each.transformation != 0; }))
     return;
   const Definitions definitions = find_definitions(definitions_, deck, diagnostics);
-  std::map<std::int64_t, std::optional<Placement>> placements;
+  ReferredNodes nodes(deck, all);
+  for (const Pending& pending : pending_)
+    if (const auto definition = definitions.find(pending.transformation); definition != definitions.end())
+      nodes.add(*definition->second);
+  nodes.find();
+  // With nodes a placement depends on the file that includes; its faults are reported once.
+  std::map<std::pair<std::int64_t, std::uint32_t>, std::optional<Placement>> placements;
+  std::set<std::int64_t> reported;
   for (const Pending& pending : pending_) {
     Placement own;
     if (pending.transformation != 0) {
@@ -99,8 +185,15 @@ void IncludeTransforms::resolve(std::vector<Transform>& all, const Deck& deck, D
                           "*INCLUDE_TRANSFORM refers to transformation " + std::to_string(pending.transformation) +
                               ", which is not defined; add *DEFINE_TRANSFORMATION or clear TRANID");
       } else {
-        const auto [entry, is_new] = placements.try_emplace(pending.transformation);
-        if (is_new) entry->second = read_transformation(deck, *definition->second, diagnostics);
+        const std::uint32_t frame = nodes.none_referred() ? 0 : pending.parent.value;
+        const auto [entry, is_new] = placements.try_emplace({pending.transformation, frame});
+        if (is_new) {
+          Diagnostics again;
+          entry->second = read_transformation(
+              deck, *definition->second,
+              [&](std::int64_t id) { return nodes.position(id, pending.own, pending.parent); },
+              reported.insert(pending.transformation).second ? diagnostics : again);
+        }
         own = entry->second.value_or(Placement{});
       }
     }

@@ -41,6 +41,13 @@ struct RigidGroup {
   Place place;
 };
 
+/// A move that the deck asks for and that the nodes of the model have not made, or not surely as the solver makes it.
+struct NotMoved {
+  std::string keyword;  ///< without `*`
+  std::string why;
+  Place place;
+};
+
 struct Model {
   std::string title;  ///< the first *TITLE
   Mesh mesh;
@@ -71,6 +78,7 @@ struct Model {
   Controls controls;
   Output output;
   std::vector<std::string> files;                         ///< paths, by FileIndex
+  std::vector<NotMoved> not_moved;                        ///< for runs, which begin where the solver does
   std::vector<Fault> faults;                              ///< by kind and place; complete (the report groups them)
   std::vector<UnknownKeyword> unknown_keywords;           ///< one per name, by their first place; at most a thousand
   std::uint64_t more_unknown_keywords = 0;                ///< names beyond these

@@ -36,6 +36,7 @@ void Selection::visit(SetKind kind, const Visitor& visitor) const {
     case SetKind::node:
     case SetKind::part:
     case SetKind::segment:
+    case SetKind::branch:
       return;
   }
 }
@@ -190,7 +191,7 @@ Members Selection::nodes_of(SetKind kind, const Members& members) const {
 }
 
 std::optional<Members> Selection::convert(Members members, SetKind from, SetKind to) const {
-  if (from == to) return members;
+  if (from == to || (from == SetKind::part && to == SetKind::branch)) return members;
   if (to == SetKind::node) return nodes_of(from, members);
   if (from == SetKind::part) {
     const std::vector<std::uint8_t> wanted = marked_parts(members);

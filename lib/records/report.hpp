@@ -13,6 +13,7 @@
 #include "records/element_mesh.hpp"
 #include "records/ignored.hpp"
 #include "records/penetration.hpp"
+#include "records/portability.hpp"
 #include "records/scene_mesh.hpp"
 #include "records/solver_run.hpp"
 #include "records/tie_failure.hpp"
@@ -113,6 +114,7 @@ struct Report {
   Ignored ignored;                             ///< what was found and left out on purpose
   std::optional<BaselineComparison> baseline;  ///< only if the findings were compared with one
   std::optional<SolverRun> run;                ///< only where solver files were read
+  std::optional<Portability> portability;      ///< only where it was asked for
   std::optional<Timesteps> predicted;          ///< time steps computed from a deck, if a rule asked for them
   std::vector<std::pair<std::string, std::string>> statistics;  ///< for --stats, in order of printing
   Timing timing;

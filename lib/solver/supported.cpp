@@ -101,6 +101,7 @@ class Finder {
     find_materials();
     find_contacts();
     find_rigid_walls();
+    find_moves();
     find_settings();
     std::stable_sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
       return std::tuple(a.place.file, a.place.line) < std::tuple(b.place.file, b.place.line);
@@ -196,6 +197,11 @@ class Finder {
     for (const model::RigidWall& wall : model_.rigid_walls)
       if (const std::string_view why = wall_not_calculated(wall); !why.empty())
         add(wall.keyword, wall.place, fmt::format("wall {}: {}", wall.id, why));
+  }
+
+  /// The run begins where the model's nodes are.
+  void find_moves() {
+    for (const model::NotMoved& one : model_.not_moved) add(one.keyword, one.place, one.why);
   }
 
   void find_settings() {

@@ -152,6 +152,80 @@ TEST_F(AuditProgram, AsIfTheDeckHadOtherValues) {
   EXPECT_FALSE(nlohmann::json::parse(gapcheck("audit models/front.k --format json").out).contains("as_if"));
 }
 
+/// One page about all decks, with links to the page of each.
+TEST_F(AuditProgram, HtmlIndex) {
+  file("models/<b>.k", "*KEYWORD\n*NODE\n1\n*END\n");
+  const Ended run = gapcheck(
+      "audit models/front.k 'models/<b>.k' missing.k --html 'pages/{deck}.html' --html-index index.html --quiet");
+  EXPECT_EQ(run.code, 2) << "one deck is missing";
+  const std::string page = content(folder_ / "index.html");
+  EXPECT_NE(page.find("<h1>3 decks: 0 errors, 18 warnings, "), std::string::npos) << page;
+  EXPECT_NE(page.find("; 1 not audited</h1>"), std::string::npos) << page;
+  EXPECT_LT(page.find("<td>missing.k</td><td class=\"unread\">"), page.find("models/front.k</a>")) << page;
+  EXPECT_NE(page.find("<a href=\"pages/models/front.html\">models/front.k</a></td><td class=\"warning\">"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(page.find("<a href=\"pages/models/front.html#f1\">GC101 initial-penetration: contact 1: node 1006"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(page.find("<a href=\"pages/models/%3Cb%3E.html\">models/&lt;b&gt;.k</a>"), std::string::npos) << page;
+  EXPECT_TRUE(fs::exists(folder_ / "pages/models/front.html"));
+  // Without pages there are no links, and one deck has an index too.
+  EXPECT_EQ(gapcheck("audit models/front.k --html-index one.html --quiet").code, 0);
+  EXPECT_EQ(content(folder_ / "one.html").find("<a "), std::string::npos);
+  // What stands in the way is an error before the work; the old index stays.
+  for (const char* name : {"models/front.k", "pages/models/front.html", "'{deck}.html'"}) {
+    const Ended refused = gapcheck(std::string("audit models/front.k --html 'pages/{deck}.html' --html-index ") + name);
+    EXPECT_EQ(refused.code, 2) << name;
+    EXPECT_NE(refused.err.find("--html-index"), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(gapcheck("audit models/front.k --quiet --html-index nowhere/index.html").code, 2);
+  EXPECT_EQ(content(folder_ / "index.html"), page);
+}
+
+/// What other programs do not read is listed on request, and changes nothing else.
+TEST_F(AuditProgram, Portability) {
+  std::string deck = content(project / "data/two_plates.k");
+  const std::string keyword = "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n";
+  ASSERT_NE(deck.find(keyword), std::string::npos);
+  deck.replace(deck.find(keyword), keyword.size(),
+               "*CONTACT_ERODING_NODES_TO_SURFACE\n1,1,3,3\n\n\n\n*CONTACT_AUTOMATIC_GENERAL_TITLE\n"
+               "         9not read\n1,,3,,,,1\n\n\n1\n" +
+                   keyword);
+  file("models/mixed.k", deck);
+  const Ended plain = gapcheck("audit models/mixed.k"), with = gapcheck("audit models/mixed.k --portability");
+  EXPECT_EQ(with.code, plain.code);
+  EXPECT_EQ(with.err, plain.err);
+  const std::string section =
+      "portability: what of the contacts other programs do not read, by their documents\n"
+      "  Altair Radioss\n"
+      "    *CONTACT_ERODING_NODES_TO_SURFACE: not read, 1 contact, at models/mixed.k:86\n"
+      "    option TITLE: not read, 1 contact, at models/mixed.k:91\n"
+      "    SAPR: not read, 1 contact, at models/mixed.k:93\n"
+      "    SOFT: read, but as something else, 1 contact, at models/mixed.k:96\n\n";
+  const std::size_t at = with.out.find(section);
+  ASSERT_NE(at, std::string::npos) << with.out;
+  EXPECT_EQ(with.out.substr(0, at) + with.out.substr(at + section.size()), plain.out);
+
+  const auto list =
+      nlohmann::json::parse(gapcheck("audit models/mixed.k --portability --format json").out)["portability"];
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_EQ(list[0]["kind"], "keyword");
+  EXPECT_EQ(list[0]["name"], "CONTACT_ERODING_NODES_TO_SURFACE");
+  EXPECT_EQ(list[1]["kind"], "option");
+  EXPECT_EQ(list[3]["kind"], "field");
+  EXPECT_EQ(list[3]["use"], "other");
+  EXPECT_EQ(list[3]["line"], 96);
+  EXPECT_EQ(list[3]["file"], "models/mixed.k");
+  EXPECT_FALSE(nlohmann::json::parse(gapcheck("audit models/mixed.k --format json").out).contains("portability"));
+  // Deck by deck.
+  const Ended both = gapcheck("audit models/front.k models/mixed.k --portability");
+  EXPECT_NE(both.out.find("portability: by its documents, Altair Radioss reads all keywords, options and fields"),
+            std::string::npos)
+      << both.out;
+  EXPECT_NE(both.out.find(section), std::string::npos) << both.out;
+}
+
 TEST_F(AuditProgram, AsIfRefusesWhatItDoesNotKnow) {
   for (const auto& [option, words] :
        {std::pair{"thickness", "Give --units"}, {"SSST=1", "one of the fields"}, {"SST=", "not a number"}}) {

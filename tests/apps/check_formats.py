@@ -167,6 +167,13 @@ def check_baseline(checker):
         assert len(json.loads(checker.write(arguments, "gitlab")[0])) == counting
 
 
+def check_portability(checker):
+    """What other programs do not read is a list as the schema has it, with no other keys."""
+    report = json.loads(checker.write(["audit", "data/mortar_not_checked.k", "--portability"], "json")[0])
+    jsonschema.Draft7Validator(strict(checker.schema.schema["properties"]["portability"])).validate(report["portability"])
+    assert "MORTAR" in [note["name"] for note in report["portability"]]
+
+
 def check_several(checker):
     """Several decks in one call, one of which cannot be read: every format holds the findings of each."""
     decks = ["data/two_plates.k", "data/missing.k", "data/two_plates_crossing.k"]
@@ -259,6 +266,7 @@ def main():
     can_fail(checker)
     check_baseline(checker)
     check_several(checker)
+    check_portability(checker)
     check_ignores(checker)
     check_settings(checker)
     check_fix(checker.gapcheck, checker.root)

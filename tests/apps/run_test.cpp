@@ -44,6 +44,43 @@ TEST_F(RunCommand, ItsMessagesAreTheAudits) {
   }
 }
 
+// A run begins where *PART_MOVE and *NODE_TRANSFORM have put the nodes, as the audit does: it is the run of the deck
+// with these coordinates.
+TEST_F(RunCommand, BeginsWithMovedNodes) {
+  std::string deck = content(project / "data/two_plates.k");
+  const auto with_height = [&](const std::string& height, const std::string& more) {
+    std::string changed = deck;
+    for (std::size_t at = 0; (at = changed.find("             0.7\n", at)) != std::string::npos;)
+      changed.replace(at, 16, std::string(16 - height.size(), ' ') + height);
+    changed.insert(changed.rfind("*END"), more);
+    return changed;
+  };
+  file("there.k", with_height("0.75", ""));
+  file("part_move.k", with_height("4.75", "*PART_MOVE\n2,0.,0.,-4.\n"));
+  file("transform.k", with_height("2.75",
+                                  "*NODE_TRANSFORM\n7,7\n*SET_NODE_GENERAL\n7\nPART,2\n"
+                                  "*DEFINE_TRANSFORMATION\n7\nTRANSL,0.,0.,-2.\n"));
+  ASSERT_EQ(gapcheck("run there.k -o there --cycles 40 --quiet").code, 0);
+  const std::string states = content(folder_ / "there" / "glstat"), audit = gapcheck("audit there.k --quiet").out;
+  for (const std::string name : {"part_move", "transform"}) {
+    const Ended run = gapcheck("run " + name + ".k -o " + name + " --cycles 40 --quiet");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(content(folder_ / name / "glstat"), states) << name;
+    for (const char* plot : {"d3plot", "d3plot01"})
+      EXPECT_EQ(content(folder_ / name / plot), content(folder_ / "there" / plot)) << name << ' ' << plot;
+    EXPECT_EQ(gapcheck("audit " + name + ".k --quiet").out.substr(name.size()), audit.substr(5)) << name;
+    EXPECT_NE(gapcheck("compare " + name + ".k " + name).out.find("no differences"), std::string::npos) << name;
+  }
+  // A move that the model has not made keeps the run from starting.
+  file("local.k", with_height("4.75", "*PART_MOVE\n2,0.,0.,-4.,3\n"));
+  const Ended refused = gapcheck("run local.k -o local");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("*PART_MOVE is not supported: its move is given in the coordinate system 3: no "
+                             "*DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR defines it"),
+            std::string::npos)
+      << refused.err;
+}
+
 // Keywords that only modify contacts are no contacts in d3hsp, and it can be read again.
 TEST_F(RunCommand, ModifiersAreNotInTheContactSummary) {
   std::string deck = content(project / "data/two_plates.k");

@@ -50,6 +50,13 @@ TEST(UnreadFields, EmptySurfaces) {
   EXPECT_EQ(ids(plates("1.", "&set")).find("GC5"), std::string::npos);
   EXPECT_NE(ids(plates("1.", "5", "7")).find("GC503"), std::string::npos);
   EXPECT_EQ(ids(plates("1.", "5", "&part")).find("GC503"), std::string::npos);
+  // The same for a branch.
+  const auto branch = [](const std::string& component) {
+    return ids(plates("1.\n*SET_PART_TREE\n6\n\n" + component,
+                      "5,2,2,3\n\n\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n6,2,7,3\n\n\n*CONTACT_SPOTWELD\n1"));
+  };
+  EXPECT_NE(branch("-7").find("GC503"), std::string::npos) << branch("-7");
+  EXPECT_EQ(branch("&none").find("GC503"), std::string::npos) << branch("&none");
 }
 
 TEST(UnreadFields, GivenParametersAreRead) {

@@ -51,6 +51,39 @@ TEST(Supported, KeywordsWithTheirPlaces) {
   EXPECT_EQ(list[2].line, 6u);
 }
 
+/// A run begins where the nodes of the model are; moves that these have not made are named.
+TEST(Supported, Moves) {
+  const std::string material = "*MAT_ELASTIC\n1,1.,1000.,.3\n*SET_NODE\n1\n1\n*SET_PART\n2\n1\n";
+  const std::string transformation = "*DEFINE_TRANSFORMATION\n5\nTRANSL,1.\n*DEFINE_TRANSFORM\n6\nTRANSL2ND,1,2,1.\n";
+  EXPECT_EQ(text_of(unsupported_in(mesh + material + transformation +
+                                   "*PART_MOVE\n1,1.\n2,1.,,,,1\n*NODE_TRANSFORM\n5,1\n6,1,1\n*END\n")),
+            "");
+  EXPECT_EQ(
+      text_of(unsupported_in(mesh + material + "*PART_MOVE\n1,1.,,,7\n9,1.\n9,1.,,,,1\n")),
+      "23 PART_MOVE: its move is given in the coordinate system 7: no *DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR "
+      "defines it\n24 PART_MOVE: part 9 is not defined\n25 PART_MOVE: part set 9 is not defined\n");
+  EXPECT_EQ(text_of(unsupported_in(mesh + material + "*NODE_TRANSFORM\n5,1\n5,1\n5,3,1\n")),
+            "23 NODE_TRANSFORM: transformation 5 is not defined\n25 NODE_TRANSFORM: node set 3 is not defined\n");
+  EXPECT_EQ(text_of(unsupported_in(mesh + material + transformation + "*NODE_TRANSFORM\n5,1,1\n*DEFINE_BOX\n1\n")),
+            "29 NODE_TRANSFORM: with IMMED = 1 it moves nodes before sets by *DEFINE_BOX are chosen\n");
+  const std::string others = text_of(unsupported_in(mesh + material + "*PART_MOVE_N2N\n1,1,2\n"));
+  EXPECT_NE(others.find("PART_MOVE_N2N: the solver does not know this keyword"), std::string::npos) << others;
+}
+
+TEST(Supported, MovedInertia) {
+  const auto named = [](const std::string& node, const std::string& distance) {
+    return text_of(
+        unsupported_in("*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
+                       "*PART_INERTIA\np\n1,1,1\n.5,.5,0.,1.,0," +
+                       node + "\n1.,0.,0.,1.,0.,1.\n\n*SECTION_SHELL\n1,2\n0.1\n*MAT_RIGID\n1,1.,1000.,.3\n" +
+                       "*PART_MOVE\n1," + distance + "\n"));
+  };
+  EXPECT_EQ(named("0", "1."),
+            "10 PART_MOVE: it moves part 1, and whether the centre in its *PART_INERTIA goes along is not known\n");
+  EXPECT_EQ(named("0", "0."), "");
+  EXPECT_EQ(named("1", "1."), "") << "the centre is a node, which moves";
+}
+
 TEST(Supported, MaterialsOfPartsWithElements) {
   EXPECT_EQ(text_of(unsupported_in(mesh + "*MAT_FABRIC\n1,1.,1000.\n*MAT_CRUSHABLE_FOAM\n2,1.,1000.\n")),
             "15 MAT_FABRIC: material 1 is of no kind that is calculated\n");

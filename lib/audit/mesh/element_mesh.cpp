@@ -76,6 +76,7 @@ std::int64_t highest_set(const model::Sets& sets) {
   };
   count(sets.nodes);
   count(sets.parts);
+  count(sets.branches);
   count(sets.segments);
   count(sets.shells);
   count(sets.solids);

@@ -16,9 +16,10 @@ std::optional<std::vector<PartIndex>> named_parts(const model::Model& model, con
     if (const auto part = model.part_of_id.find(side.id); part != model.part_of_id.end()) parts.push_back(part->second);
   } else if (type == SurfaceType::all) {
     for (std::uint32_t i = 0; i < model.parts.size(); ++i) parts.emplace_back(i);
-  } else if (type == SurfaceType::part_set || type == SurfaceType::exempted_part_set) {
-    const auto set = model.sets.parts.find(side.id);
-    if (set == model.sets.parts.end()) return std::nullopt;
+  } else if (type == SurfaceType::part_set || type == SurfaceType::exempted_part_set || type == SurfaceType::branch) {
+    const auto& sets = type == SurfaceType::branch ? model.sets.branches : model.sets.parts;
+    const auto set = sets.find(side.id);
+    if (set == sets.end()) return std::nullopt;
     std::vector<bool> named(model.parts.size());
     for (const PartIndex part : set->second.members) named[part.value] = true;
     if (type == SurfaceType::exempted_part_set) named.flip();

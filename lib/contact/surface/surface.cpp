@@ -36,7 +36,10 @@ std::vector<bool> part_mask(const model::Model& model, const model::SurfaceInput
   } else if (type == model::SurfaceType::part) {
     if (const auto part = model.part_of_id.find(input.id); part != model.part_of_id.end())
       mask[part->second.value] = true;
-  } else if (const auto set = model.sets.parts.find(input.id); set != model.sets.parts.end()) {
+  } else {
+    const auto& sets = type == model::SurfaceType::branch ? model.sets.branches : model.sets.parts;
+    const auto set = sets.find(input.id);
+    if (set == sets.end()) return mask;
     for (const PartIndex part : set->second.members) mask[part.value] = true;
     if (type == model::SurfaceType::exempted_part_set) mask.flip();
   }
@@ -53,7 +56,7 @@ bool beam_has_contact(const model::Model& model, PartIndex index) {
 bool only_later_particles(const model::Model& model, const model::SurfaceInput& input) {
   using enum model::SurfaceType;
   const auto type = static_cast<model::SurfaceType>(input.type);
-  if (model.later_particles.empty() || (type != part && type != part_set)) return false;
+  if (model.later_particles.empty() || (type != part && type != part_set && type != branch)) return false;
   const std::vector<bool> mask = part_mask(model, input, false);
   const auto chosen = [&](PartIndex p) { return mask[p.value]; };
   const auto named = static_cast<std::size_t>(std::count(mask.begin(), mask.end(), true));
@@ -238,9 +241,9 @@ Selection select(const model::Model& model, const model::SurfaceInput& input, co
         select_parts(selection, model, part_mask(model, input, single), type, x, index);
         break;
       case branch:
-        selection.empty_reason = "surface type 7 (branch) is not resolved";
-        selection.unsupported = true;
-        return selection;
+        if (!model.sets.branches.contains(input.id)) set_missing(selection, "branch", input.id);
+        select_parts(selection, model, part_mask(model, input, single), type, x, index);
+        break;
     }
   }
   if (input.box != 0) {

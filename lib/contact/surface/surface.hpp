@@ -49,7 +49,6 @@ struct Selection {
   Segments cut;                  ///< reach out of the box: no reference segments, but their nodes inside have thickness
   std::string empty_reason;      ///< why nothing was found; empty otherwise
   bool unknown_id = false;       ///< it names a set or part that does not exist
-  bool unsupported = false;      ///< this program does not resolve what it names
   bool later = false;            ///< it is empty at first: particles that failing solids become
   std::string note;              ///< input that is not supported; empty: none
 };

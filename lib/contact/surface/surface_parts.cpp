@@ -80,7 +80,8 @@ std::vector<PartIndex> parts_of(const model::Model& model, const ContactSide& si
 bool whole_parts(const model::SurfaceInput& input) {
   using enum model::SurfaceType;
   const auto type = static_cast<model::SurfaceType>(input.type);
-  return input.box == 0 && (type == part_set || type == part || type == all || type == exempted_part_set);
+  return input.box == 0 &&
+         (type == part_set || type == part || type == all || type == exempted_part_set || type == branch);
 }
 
 double mean_edge(const model::Model& model, const ContactSide& side) {

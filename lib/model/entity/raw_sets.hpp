@@ -11,8 +11,18 @@
 namespace gapcheck::model {
 
 /// What a set is made of.
-enum class SetKind : std::uint8_t { node, part, segment, shell, solid, thick_shell, beam, discrete };
-inline constexpr std::size_t set_kinds = 8;
+enum class SetKind : std::uint8_t {
+  node,
+  part,
+  segment,
+  shell,
+  solid,
+  thick_shell,
+  beam,
+  discrete,
+  branch,  ///< *SET_PART_TREE: parts and other branches
+};
+inline constexpr std::size_t set_kinds = 9;
 [[nodiscard]] std::string_view name(SetKind kind);
 
 /// One step of a set's definition: which things are added (or removed).

@@ -25,7 +25,7 @@ using SegmentNodes = std::array<NodeIndex, 4>;  ///< a triangle repeats its last
 
 struct Sets {
   std::map<std::int64_t, Set<NodeIndex>> nodes;
-  std::map<std::int64_t, Set<PartIndex>> parts;
+  std::map<std::int64_t, Set<PartIndex>> parts, branches;
   std::map<std::int64_t, Set<SegmentNodes>> segments;
   // Positions in the arrays of Mesh.
   std::map<std::int64_t, Set<std::uint32_t>> shells, solids, thick_shells, beams, discrete;

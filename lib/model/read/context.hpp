@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,19 @@ struct Context {
   std::map<std::uint32_t, Vector> part_moves = {};                     ///< of *PART_MOVE, by position of the part
   std::map<std::int64_t, const keyword::Block*> transformations = {};  ///< once *NODE_TRANSFORM asked for them
   std::map<std::int64_t, std::optional<keyword::Placement>> placements = {};
-  std::size_t transformed_nodes = 0;  ///< by *NODE_TRANSFORM so far
+  std::set<std::int64_t> placements_reported = {};  ///< transformations whose faults have been reported
+  /// Rows of *NODE_TRANSFORM that wait until everything is read.
+  struct NodeMove {
+    const Set<NodeIndex>* set;
+    std::int64_t transformation;
+    Place place;
+  };
+  std::vector<NodeMove> node_moves = {};
+  std::map<std::int64_t, Result<Eigen::Matrix3d>> systems = {};  ///< local axes, once a move asked for them
+  bool systems_read = false;
+  std::size_t transformed_nodes = 0;     ///< by *NODE_TRANSFORM so far
+  std::size_t immediate_moves_read = 0;  ///< rows with IMMED = 1 in decks with boxes
+  std::size_t immediate_moves = 0;       ///< of these with transformations that refer to nodes
   /// Rows of a *DEFINE_TABLE that wait for the curves that follow it; last first.
   std::vector<std::pair<std::int64_t, std::size_t>> waiting_rows = {};
 
@@ -111,6 +124,7 @@ void read_material(Context& context, const Block& block, const Options& options)
 void read_curve(Context& context, const Block& block, const Options& options);
 void read_table(Context& context, const Block& block, const Options& options);
 void read_set(Context& context, const Block& block, const Options& options);
+void read_part_tree(Context& context, const Block& block, const Options& options);
 void read_box(Context& context, const Block& block, const Options& options);
 void read_nodal_rigid_body(Context& context, const Block& block, const Options& options);
 void read_extra_nodes(Context& context, const Block& block, const Options& options);
@@ -159,8 +173,12 @@ void read_node_constraints(Context& context, const Block& block);
 // What remains to be done once all blocks of a kind are read.
 void finish_nodes(Context& context);
 void finish_parts(Context& context);
+/// The axes of *DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR, as columns; the error says why they are not known.
+[[nodiscard]] Result<Eigen::Matrix3d> axes_of_system(Context& context, std::int64_t id);
 /// Moves the nodes of the parts that *PART_MOVE names.
 void finish_part_moves(Context& context);
+/// Moves the nodes of the rows of *NODE_TRANSFORM without IMMED = 1, which have waited.
+void finish_node_transforms(Context& context);
 void finish_elements(Context& context);
 void resolve_sets(Context& context);
 void finish_contacts(Context& context);

@@ -51,8 +51,9 @@ std::string missing_reference(const Model& model, const SurfaceInput& side) {
       return say("part", model.part_of_id.contains(side.id));
     case SurfaceType::node_set:
       return say("node set", model.sets.nodes.contains(side.id));
-    case SurfaceType::all:
     case SurfaceType::branch:
+      return say("branch", model.sets.branches.contains(side.id));
+    case SurfaceType::all:
       return {};
   }
   return {};

@@ -76,6 +76,7 @@ constexpr KeywordFamily keyword_families[] = {
     {"DEFINE_TABLE", Phase::properties, read_table, "TITLE 2D"},
     {"SET_NODE", Phase::sets, read_set, set_options, true},
     {"SET_PART", Phase::sets, read_set, set_options, true},
+    {"SET_PART_TREE", Phase::sets, read_part_tree, "TITLE", true},
     {"SET_SEGMENT", Phase::sets, read_set, set_options, true},
     {"SET_SHELL", Phase::sets, read_set, set_options, true},
     {"SET_SOLID", Phase::sets, read_set, set_options, true},
@@ -235,6 +236,7 @@ void read_blocks(Context& context) {
   run(Phase::part_moves);
   finish_part_moves(context);
   run(Phase::moves);
+  finish_node_transforms(context);
   run(Phase::rest);
   for (const PlannedBlock& next : planned[static_cast<std::size_t>(Phase::nodes)])
     read_node_constraints(context, *next.block);

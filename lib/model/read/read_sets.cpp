@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "base/number.hpp"
 #include "keyword/upper_case.hpp"
@@ -29,6 +31,7 @@ constexpr std::array<KindTraits, set_kinds> kinds{{
     {SetKind::thick_shell, "SET_TSHELL", "thick shell set", IdKind::element, false},
     {SetKind::beam, "SET_BEAM", "beam set", IdKind::element, false},
     {SetKind::discrete, "SET_DISCRETE", "discrete set", IdKind::element, false},
+    {SetKind::branch, "SET_PART_TREE", "branch", IdKind::set, false},
 }};
 
 const KindTraits& traits_of(SetKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
@@ -210,9 +213,43 @@ void add_set(Context& context, const KindTraits& traits, RawSet set) {
   }
 }
 
+/// The components of a branch: positive numbers are branches, negative ones parts.
+void read_components(Context& context, CardReader& reader, RawSet& set) {
+  SetClause parts{Source::members, SetKind::part, false, {}}, branches{Source::sets, SetKind::branch, false, {}};
+  for (const std::int64_t id : read_ids(reader, IdKind::plain, 8))
+    if (id > 0)
+      branches.ids.push_back(context.with_offset(reader.block(), IdKind::set, id));
+    else  // the lowest number has no opposite
+      parts.ids.push_back(
+          context.with_offset(reader.block(), IdKind::part, -std::max(id, -std::numeric_limits<std::int64_t>::max())));
+  set.clauses = {std::move(parts), std::move(branches)};
+}
+
 }  // namespace
 
 std::string_view name(SetKind kind) { return traits_of(kind).words; }
+
+void read_part_tree(Context& context, const Block& block, const Options& options) {
+  const KindTraits& traits = traits_of(SetKind::branch);
+  CardReader reader(context.deck, block, context.diagnostics);
+  RawSet set;
+  set.place = Context::place(block, block.line);
+  if (options.has("TITLE")) reader.skip();
+  if (reader.at_end()) {
+    context.error(set.place, fmt::format("*{} ends before the card with the branch's id", block.name));
+    return;
+  }
+  const Card card = reader.next(id_line(1, 10, IdKind::set));
+  set.id = card.integer(std::size_t{0});
+  set.place.line = card.line();
+  if (!reader.at_end()) set.title = reader.next(text_line()).text(std::size_t{0});
+  if (set.id <= 0) {
+    context.bad_id(set.place, fmt::format("{} id {} is not positive; the branch is left out", traits.words, set.id));
+    return;
+  }
+  read_components(context, reader, set);
+  add_set(context, traits, std::move(set));
+}
 
 void read_set(Context& context, const Block& block, const Options& options) {
   static const CardLayout header = id_and_reals(IdKind::set, 4);

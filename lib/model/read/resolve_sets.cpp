@@ -47,6 +47,7 @@ class Resolver {
     store(SetKind::thick_shell, sets.thick_shells);
     store(SetKind::beam, sets.beams);
     store(SetKind::discrete, sets.discrete);
+    store(SetKind::branch, sets.branches);
   }
 
  private:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "report/baseline/baseline.hpp"
+#include "report/format/json_portability.hpp"
 #include "report/format/json_run.hpp"
 #include "report/item/causes.hpp"
 #include "report/item/describe.hpp"
@@ -337,6 +338,7 @@ void append_report(const Report& report, bool statistics, Stream& stream) {
                  member_unless_zero("ignored", ignored), report.baseline ? counts_of(counts(*report.baseline)) : "");
   stream.text("\"timing\":");
   append_timing(report.timing, stream.buffer);
+  if (report.portability) append_portability(*report.portability, stream.buffer);
   if (statistics) append_statistics(report, stream.buffer);
   stream.text("}");
 }

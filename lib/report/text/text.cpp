@@ -20,6 +20,7 @@
 #include "report/text/text_contact.hpp"
 #include "report/text/text_groups.hpp"
 #include "report/text/text_ignored.hpp"
+#include "report/text/text_portability.hpp"
 #include "report/text/text_run.hpp"
 #include "report/write/table.hpp"
 #include "report/write/writers.hpp"
@@ -201,6 +202,7 @@ std::string timestep_line(const Report& report) {
 constexpr std::size_t contacts_in_short = 6;
 constexpr std::size_t lines_of_a_rule = 6;
 constexpr std::size_t sum_lines_in_short = 3;
+constexpr std::size_t portability_lines_in_short = 20;
 constexpr std::size_t page_width = 110;
 
 void append(const std::vector<std::string>& lines, std::string& out) {
@@ -267,6 +269,7 @@ std::string text(const Report& report, const TextOptions& options) {
   }
   if (all && report.contacts.size() > 1) append_total(report, total, out);
   out += end + changed;
+  append_portability(report, all ? no_limit : portability_lines_in_short, out);
   if (options.stats) out += "\nstatistics\n" + statistics(report);
   return out + '\n' + last;
 }

@@ -15,6 +15,7 @@ Scene two_parts() {
   parts[1].members = {one};
   parts[2].members = {two, one};
   parts[3].members = {};
+  scene.model.sets.branches[2].members = {one};
   const NodeIndex a = scene.node({0, 0, 0}), b = scene.node({1, 0, 0});
   scene.model.sets.nodes[1].members = {a, b};
   scene.model.sets.nodes[2].members = {b, a};
@@ -30,6 +31,9 @@ TEST(SameSurface, PartsInAnyForm) {
   EXPECT_TRUE(same(1, 3, 1, 2));
   EXPECT_TRUE(same(2, 2, 0, 5));
   EXPECT_TRUE(same(1, 6, 2, 3));  // all but part 1
+  EXPECT_TRUE(same(1, 3, 2, 7));  // branch 2 is part 1
+  EXPECT_FALSE(same(2, 2, 2, 7));
+  EXPECT_FALSE(same(3, 7, 3, 7));  // there is none
   EXPECT_FALSE(same(1, 3, 2, 3));
   EXPECT_FALSE(same(1, 2, 2, 2));
   EXPECT_FALSE(same(1, 3, 1, 3, 9));

@@ -91,6 +91,17 @@ TEST(Surface, ExemptedPartSetIsTheRest) {
   EXPECT_EQ(pick(scene, 7, 6).segments.size(), 2U);
 }
 
+TEST(Surface, BranchIsItsParts) {
+  Scene scene = mixed();
+  scene.model.sets.branches[7].members = {PartIndex{0}, PartIndex{1}};
+  scene.model.sets.parts[7].members = {PartIndex{2}};
+  EXPECT_EQ(pick(scene, 7, 7).segments.size(), 2U + 6);
+  EXPECT_EQ(pick(scene, 7, 7, single).segments.size(), 2U + 6);
+  const Selection missing = pick(scene, 8, 7);
+  EXPECT_TRUE(missing.unknown_id);
+  EXPECT_EQ(missing.segments.size(), 0U);
+}
+
 TEST(Surface, SegmentSetFindsItsElements) {
   Scene scene = mixed();
   const auto shell = scene.model.mesh.shells.nodes[1];

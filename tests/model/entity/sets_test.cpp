@@ -1,5 +1,6 @@
 #include "model/entity/sets.hpp"
 
+#include <fstream>
 #include <random>
 #include <set>
 
@@ -109,6 +110,57 @@ TEST(Sets, DeepNestingIsBounded) {
   EXPECT_EQ(node_ids(read.model, 4999), (Ids{1})) << "the innermost sets are whole";
 }
 
+Ids branch_parts(const Model& model, std::int64_t branch) {
+  Ids ids;
+  for (const PartIndex part : model.sets.branches.at(branch).members) ids.push_back(model.part(part).id.value);
+  return ids;
+}
+
+/// *SET_PART_TREE: positive components are branches, negative ones parts. Branches are no part sets.
+TEST(Sets, Branches) {
+  const std::string parts =
+      "*PART\na\n1,1,1\nb\n2,1,1\nc\n3,1,1\nd\n4,1,1\n*SECTION_SHELL\n1,2\n.1\n*MAT_ELASTIC\n1,1.\n";
+  const Read read =
+      read_text(parts +
+                "*SET_PART_TREE\n7\nthe body, all of it\n8,-2\n,9\n*SET_PART_TREE_TITLE\nx\n8\ndoors\n-4\n"
+                "*SET_PART_TREE\n9\n\n-1,-2\n*SET_PART_LIST\n7\n3\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(branch_parts(read.model, 7), (Ids{2, 4, 1}));
+  EXPECT_EQ(read.model.sets.branches.at(7).title, "the body, all of it");
+  EXPECT_EQ(branch_parts(read.model, 8), (Ids{4}));
+  EXPECT_EQ(branch_parts(read.model, 9), (Ids{1, 2}));
+  EXPECT_EQ(part_ids(read.model, 7), (Ids{3}));
+  // What refers to nothing or to itself.
+  const Read hostile =
+      read_text(parts +
+                "*SET_PART_TREE\n1\nx\n-1,-9,5,2\n*SET_PART_TREE\n2\ny\n1,-2\n*SET_PART_TREE\n2\n\n-3\n"
+                "*SET_PART_TREE\n-3\nz\n-1\n*SET_PART_TREE\n*SET_PART_TREE\n4\n"
+                "*SET_PART_TREE\n6\nx\n-9223372036854775808,9223372036854775807\n");
+  EXPECT_EQ(branch_parts(hostile.model, 1), (Ids{1, 2}));
+  EXPECT_TRUE(branch_parts(hostile.model, 4).empty());
+  const std::string said = hostile.text();
+  for (const char* part :
+       {"branch 1 names 2 members that are not defined (9, 5)", "branch 1 contains itself", "branch 2 is defined again",
+        "branch id -3 is not positive", "ends before the card with the branch's id",
+        "branch 6 names 2 members that are not defined"})
+    EXPECT_NE(said.find(part), std::string::npos) << part << " in\n" << said;
+  std::string deep = parts;
+  for (int i = 1; i < 300; ++i) deep += "*SET_PART_TREE\n" + std::to_string(i) + "\n\n" + std::to_string(i + 1) + "\n";
+  EXPECT_NE(read_text(deep + "*SET_PART_TREE\n300\n\n-1\n").text().find("branch 102 is nested more than 100 deep"),
+            std::string::npos);
+}
+
+/// Their numbers have the offset of sets, those of parts that of parts.
+TEST(Sets, BranchesOfIncludes) {
+  const std::string path = testing::TempDir() + "branch_include.k";
+  std::ofstream(path) << "*SET_PART_TREE\n7\nx\n8,-2\n*SET_PART_TREE\n8\n\n-1\n";
+  const Read read =
+      read_text("*PART\na\n101,1,1\nb\n102,1,1\n*SECTION_SHELL\n1,2\n.1\n*MAT_ELASTIC\n1,1.\n*INCLUDE_TRANSFORM\n" +
+                path + "\n,,100,,1000\n\n\n\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(branch_parts(read.model, 1007), (Ids{102, 101}));
+}
+
 TEST(Sets, GeneralNodesPartsAndShells) {
   const Read read = read_text(nodes_text(12) + part_text +
                               "*PART\nb\n2,1,1\n*ELEMENT_SHELL\n1,1,1,2,3,4\n2,2,5,6,7,8\n3,2,7,8,9\n"
@@ -190,14 +242,13 @@ TEST(Sets, FaultsAndUnsupportedOptionsAreNamed) {
   const Read read =
       read_text(nodes_text(3) +
                 "*SET_NODE_LIST\n1\n1,50,51\n*SET_NODE_LIST\n1\n2\n*SET_NODE_ADD\n2\n9\n"
-                "*SET_NODE_GENERAL\n3\nSALECPT,1\nBOX,4\n*SET_NODE\n0\n1\n*SET_PART_TREE\n1\n*SET_NODE\n");
+                "*SET_NODE_GENERAL\n3\nSALECPT,1\nBOX,4\n*SET_NODE\n0\n1\n*SET_PART_LEAF\n1\n*SET_NODE\n");
   const std::string text = read.text();
   EXPECT_NE(text.find("node set 1 names 2 members that are not defined (50, 51)"), std::string::npos) << text;
   EXPECT_NE(text.find("node set 1 is defined again"), std::string::npos) << text;
   EXPECT_NE(text.find("node set 2 names a member that is not defined (9)"), std::string::npos) << text;
   EXPECT_NE(text.find("node set 3 names a member that is not defined (4)"), std::string::npos) << text;
   EXPECT_NE(text.find("the option SALECPT is not supported"), std::string::npos) << text;
-  EXPECT_NE(text.find("*SET_PART_TREE is not read"), std::string::npos) << text;
   EXPECT_EQ(read.errors(), 2u) << text;
   EXPECT_EQ(node_ids(read.model, 1), (Ids{1}));
 }

@@ -192,6 +192,21 @@ TEST(Json, EmptyReport) {
   EXPECT_TRUE(json["contacts"].empty());
 }
 
+TEST(Json, PortabilityOnDemandOnly) {
+  Report report = sample_report();
+  EXPECT_FALSE(nlohmann::json::parse(json(report)).contains("portability"));
+  report.portability = Portability{{"A program"}, {}};
+  EXPECT_EQ(nlohmann::json::parse(json(report))["portability"], nlohmann::json::array());
+  report.portability->notes = {{"A \"program\"", PortabilityKind::option, false, "MPP", 2, "a\xff.k", 4, "https://a"},
+                               {"A program", PortabilityKind::field, true, "SOFT", 3, "", 0, "https://b"}};
+  EXPECT_EQ(
+      nlohmann::json::parse(json(report))["portability"],
+      nlohmann::json::parse(
+          R"([{"program":"A \"program\"","kind":"option","name":"MPP","use":"none","count":2,"file":"a\ufffd.k",)"
+          R"("line":4,"source":"https://a"},)"
+          R"({"program":"A program","kind":"field","name":"SOFT","use":"other","count":3,"source":"https://b"}])"));
+}
+
 TEST(Json, StatisticsOnDemandOnly) {
   Report report = sample_report();
   report.statistics = {

@@ -228,6 +228,42 @@ TEST(Text, StatisticsOnlyOnDemand) {
   EXPECT_EQ(lines_with(text(report, {.stats = true}), "decided by the filter  1234"), 1u);
 }
 
+TEST(Text, PortabilityOnDemandOnly) {
+  Report report = sample_report();
+  EXPECT_EQ(lines_with(text(report, {}), "portability"), 0u);
+  report.portability = Portability{{"A program", "Another"}, {}};
+  EXPECT_EQ(lines_with(text(report, {}),
+                       "portability: by its documents, A program, Another reads all keywords, options and fields"),
+            1u);
+  report.portability->notes = {{"A program", PortabilityKind::keyword, false, "CONTACT_X", 1, "a.k", 3, "https://a"},
+                               {"A program", PortabilityKind::option, false, "MPP", 2, "b\x1b.k", 4, "https://a"},
+                               {"Another", PortabilityKind::field, true, "SOFT", 3, "", 0, "https://b"}};
+  const std::string all = text(report, {});
+  EXPECT_NE(all.find("\nportability: what of the contacts other programs do not read, by their documents\n"
+                     "  A program\n"
+                     "    *CONTACT_X: not read, 1 contact, at a.k:3\n"
+                     "    option MPP: not read, 2 contacts, first at b?.k:4\n"
+                     "  Another\n"
+                     "    SOFT: read, but as something else, 3 contacts\n"),
+            std::string::npos)
+      << all;
+  EXPECT_EQ(lines_with(text(report, {.quiet = true}), "portability"), 0u);
+  report.contacts.clear(), report.penetrations.clear(), report.tie_failures.clear();
+  report.portability->notes.clear();
+  EXPECT_EQ(lines_with(text(report, {}), "portability: there are no contacts to compare"), 1u);
+}
+
+TEST(Text, ManyPortabilityNotesAreCut) {
+  Report report = sample_report();
+  report.portability = Portability{{"A program"}, {}};
+  for (int i = 0; i < 50; ++i)
+    report.portability->notes.push_back(
+        {"A program", PortabilityKind::field, false, "F" + std::to_string(i), 1, "a.k", 1, "https://a"});
+  EXPECT_EQ(lines_with(text(report, {}), ": not read, 1 contact"), 20u);
+  EXPECT_EQ(lines_with(text(report, {}), "… and 30 more; --all shows them"), 1u);
+  EXPECT_EQ(lines_with(text(report, {.all = true}), ": not read, 1 contact"), 50u);
+}
+
 TEST(Text, ManyPartPairsAreCut) {
   Report report = random_report(100, 1, 5);
   for (std::size_t i = 0; i < 100; ++i) {

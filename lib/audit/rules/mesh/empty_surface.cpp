@@ -9,7 +9,7 @@ namespace {
 
 void check_side(const RuleIdentity& rule, Context& context, Report& report, const model::Contact& contact, char side,
                 const contact::Selection& selection) {
-  if (selection.empty_reason.empty() || selection.unknown_id || selection.unsupported || selection.later) return;
+  if (selection.empty_reason.empty() || selection.unknown_id || selection.later) return;
   report.findings.push_back(
       finding_at(rule, context, contact,
                  fmt::format("surface {} of *{} is empty: {}", side, contact.written, selection.empty_reason)));

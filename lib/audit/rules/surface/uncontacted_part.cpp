@@ -51,7 +51,6 @@ std::vector<bool> parts_in_contact(Context& context, bool& known) {
   const model::Model& model = context.model();
   std::vector<bool> parts(model.parts.size(), false), nodes;
   const auto take = [&](const contact::ContactSide& side) {
-    known = known && !side.selection.unsupported;
     for (const PartIndex part : contact::parts_of(model, side)) parts[part.value] = true;
     if (side.nodes_only) nodes.resize(model.mesh.nodes.size(), false);
     if (side.nodes_only)

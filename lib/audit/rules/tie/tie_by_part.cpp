@@ -18,6 +18,8 @@ std::string named_parts(const model::SurfaceInput& input) {
       return fmt::format("part set {}", input.id);
     case part:
       return fmt::format("part {}", input.id);
+    case branch:
+      return fmt::format("branch {}", input.id);
     case all:
       return "all parts";
     case exempted_part_set:

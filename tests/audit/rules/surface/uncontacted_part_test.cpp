@@ -36,6 +36,8 @@ TEST(UncontactedPart, SaysNothingWhereItCannotKnow) {
   EXPECT_EQ(listed(run_rule("GC415", transducer)), 2U);
   RuleDeck branch = three_parts();
   branch.contact(1, "AUTOMATIC_SINGLE_SURFACE", "1,0,3").contact(2, "AUTOMATIC_SINGLE_SURFACE", "9,0,7");
+  EXPECT_EQ(listed(run_rule("GC415", branch)), 2U);  // as for a part set that is not defined
+  branch.raw("SET_PART_TREE", "9\ntree\n-2,10\n").raw("SET_PART_TREE", "10\nbelow\n-3\n");
   EXPECT_EQ(listed(run_rule("GC415", branch)), 0U);
 }
 

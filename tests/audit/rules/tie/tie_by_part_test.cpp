@@ -16,12 +16,12 @@ RuleDeck standing_plate(double second, const std::string& card1) {
       const std::int64_t n = 51 + 10 * row + i;
       deck.shell(n, 2, {n, n + 1, n + 11, n + 10});
     }
-  deck.raw("SET_NODE_LIST", "7\n51,52,53,61\n").raw("SET_PART_LIST", "8\n2\n");
+  deck.raw("SET_NODE_LIST", "7\n51,52,53,61\n").raw("SET_PART_LIST", "8\n2\n").raw("SET_PART_TREE", "9\n\n-2\n");
   return deck.contact(1, "TIED_SHELL_EDGE_TO_SURFACE", card1);
 }
 
 TEST(TieByPart, NodesNearByStayUntied) {
-  for (const char* card1 : {"2,1,3,3", "8,1,2,3"}) {
+  for (const char* card1 : {"2,1,3,3", "8,1,2,3", "9,1,7,3"}) {
     const Report report = run_rule("GC209", standing_plate(2, card1));
     ASSERT_EQ(listed(report), 1U);
     EXPECT_EQ(report.findings[0].count, 3U);

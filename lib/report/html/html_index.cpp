@@ -1,0 +1,135 @@
+#include "report/html/html_index.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "report/item/describe.hpp"
+#include "report/item/finding_groups.hpp"
+#include "report/item/item.hpp"
+#include "report/write/xml_text.hpp"
+
+namespace gapcheck::report {
+namespace {
+
+constexpr std::string_view index_head = R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<link rel="icon" href="data:,">
+<title>gapcheck</title>
+<style>
+:root { color-scheme: light dark; --error: #c0262d; --warning: #9a5b00; --note: #2a6f97; --clean: #1f7a3d; }
+@media (prefers-color-scheme: dark) {
+  :root { --error: #ff7b80; --warning: #f0b455; --note: #7cc4ea; --clean: #6fd391; }
+}
+body { margin: 12px; font: 13px/1.45 system-ui, sans-serif; }
+h1 { font-size: 15px; }
+table { border-collapse: collapse; width: 100%; }
+th, td { text-align: left; vertical-align: top; padding: 3px 8px; border-bottom: 1px solid #8886; overflow-wrap: anywhere; }
+td.number, th.number { text-align: right; white-space: nowrap; }
+.error, .unread { color: var(--error); } .warning { color: var(--warning); } .note { color: var(--note); }
+.clean { color: var(--clean); }
+</style>
+</head>
+<body>
+)";
+
+/// A path as a link: every byte that has a meaning there is escaped, so that no path is taken for an address.
+std::string percent_encoded(std::string_view path) {
+  std::string link;
+  for (const char c : path) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("/._-~").find(c) != std::string_view::npos;
+    if (plain)
+      link += c;
+    else
+      link += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return link;
+}
+
+/// The way from the index to a page.
+std::string link_between(const std::string& index, const std::string& page) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path from = fs::absolute(index, error).lexically_normal().parent_path();
+  const fs::path to = fs::absolute(page, error).lexically_normal();
+  const fs::path way = to.lexically_relative(from);
+  return percent_encoded((way.empty() ? to : way).string());
+}
+
+/// "1 deck", "2 decks".
+std::string number_of_things(std::size_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+/// What represents a group, as lists show it.
+Item representative(const Report& report, const FindingGroup& group) {
+  if (group.deepest != nullptr) return item_of(report, *group.deepest);
+  if (group.widest != nullptr) return item_of(report, *group.widest);
+  return item_of(*group.first);
+}
+
+struct IndexRow {
+  int rank = 0;  ///< gravest first
+  std::string text;
+};
+
+IndexRow row_of(const Report& report, const std::string& index) {
+  constexpr std::size_t longest = 400;
+  const Totals sum = totals(report);
+  const int rank = sum.errors > 0 ? 1 : sum.warnings > 0 ? 2 : sum.notes > 0 ? 3 : 4;
+  constexpr std::string_view classes[] = {"unread", "error", "warning", "note", "clean"};
+  constexpr std::string_view verdicts[] = {"not audited", "errors", "warnings", "notes", "nothing found"};
+  const std::string link = report.page.empty() ? std::string() : link_between(index, report.page);
+  std::string deck = xml_text(report.input), worst;
+  if (!link.empty()) deck = fmt::format("<a href=\"{}\">{}</a>", link, deck);
+  if (const auto groups = finding_groups(report); !groups.empty()) {
+    const Item item = representative(report, groups.front());
+    worst = xml_text(fmt::format("{} {}: ", item.id, item.rule));
+    if (groups.front().contact != 0) worst += fmt::format("contact {}: ", groups.front().contact);
+    worst += xml_text(shortened(item.message, longest));
+    if (!link.empty()) worst = fmt::format("<a href=\"{}#f{}\">{}</a>", link, number_of(report, groups.front()), worst);
+  }
+  const auto at = static_cast<std::size_t>(rank);
+  return {rank, fmt::format("<tr><td>{}</td><td class=\"{}\">{}</td><td class=\"number\">{}</td>"
+                            "<td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
+                            deck, classes[at], verdicts[at], sum.errors, sum.warnings, sum.notes, worst)};
+}
+
+IndexRow row_of(const Unread& unread) {
+  return {0, fmt::format("<tr><td>{}</td><td class=\"unread\">not audited</td><td></td><td></td><td></td>"
+                         "<td>{}</td></tr>\n",
+                         xml_text(unread.deck), xml_text(unread.reason))};
+}
+
+}  // namespace
+
+std::string html_index(const Reports& reports, const std::string& path, std::string_view version) {
+  std::vector<IndexRow> rows;
+  Totals sum;
+  for (const Unread& unread : reports.unread) rows.push_back(row_of(unread));
+  for (const Report& report : reports.all) {
+    rows.push_back(row_of(report, path));
+    sum += totals(report);
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const IndexRow& a, const IndexRow& b) { return a.rank < b.rank; });
+  std::string page(index_head);
+  page += fmt::format("<h1>{}: {}, {}, {}{}</h1>\n", number_of_things(rows.size(), "deck"),
+                      number_of_things(sum.errors, "error"), number_of_things(sum.warnings, "warning"),
+                      number_of_things(sum.notes, "note"),
+                      reports.unread.empty() ? "" : fmt::format("; {} not audited", reports.unread.size()));
+  page +=
+      "<table>\n<tr><th>deck</th><th>verdict</th><th class=\"number\">errors</th><th class=\"number\">warnings</th>"
+      "<th class=\"number\">notes</th><th>worst finding</th></tr>\n";
+  for (const IndexRow& row : rows) page += row.text;
+  return page + fmt::format("</table>\n<p>gapcheck {}</p>\n</body>\n</html>\n", xml_text(version));
+}
+
+}  // namespace gapcheck::report
