@@ -197,7 +197,7 @@ TEST_F(AuditProgram, Portability) {
   EXPECT_EQ(with.code, plain.code);
   EXPECT_EQ(with.err, plain.err);
   const std::string section =
-      "portability: what of the contacts other programs do not read, by their documents\n"
+      "portability: contact input that other programs do not read, according to their documents\n"
       "  Altair Radioss\n"
       "    *CONTACT_ERODING_NODES_TO_SURFACE: not read, 1 contact, at models/mixed.k:86\n"
       "    option TITLE: not read, 1 contact, at models/mixed.k:91\n"

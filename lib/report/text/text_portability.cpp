@@ -38,7 +38,7 @@ void append_portability(const Report& report, std::size_t limit, std::string& ou
                       fmt::join(programs, ", "));
     return;
   }
-  out += "\nportability: what of the contacts other programs do not read, by their documents\n";
+  out += "\nportability: contact input that other programs do not read, according to their documents\n";
   const std::size_t shown = std::min(limit, notes.size());
   for (std::size_t i = 0; i < shown; ++i) {
     if (i == 0 || notes[i].program != notes[i - 1].program) out += fmt::format("  {}\n", notes[i].program);

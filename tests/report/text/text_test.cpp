@@ -239,7 +239,7 @@ TEST(Text, PortabilityOnDemandOnly) {
                                {"A program", PortabilityKind::option, false, "MPP", 2, "b\x1b.k", 4, "https://a"},
                                {"Another", PortabilityKind::field, true, "SOFT", 3, "", 0, "https://b"}};
   const std::string all = text(report, {});
-  EXPECT_NE(all.find("\nportability: what of the contacts other programs do not read, by their documents\n"
+  EXPECT_NE(all.find("\nportability: contact input that other programs do not read, according to their documents\n"
                      "  A program\n"
                      "    *CONTACT_X: not read, 1 contact, at a.k:3\n"
                      "    option MPP: not read, 2 contacts, first at b?.k:4\n"
