@@ -230,6 +230,7 @@ void read_components(Context& context, CardReader& reader, RawSet& set) {
 std::string_view name(SetKind kind) { return traits_of(kind).words; }
 
 void read_part_tree(Context& context, const Block& block, const Options& options) {
+  static const CardLayout header = id_line(1, 10, IdKind::set);  // its card looks into it
   const KindTraits& traits = traits_of(SetKind::branch);
   CardReader reader(context.deck, block, context.diagnostics);
   RawSet set;
@@ -239,7 +240,7 @@ void read_part_tree(Context& context, const Block& block, const Options& options
     context.error(set.place, fmt::format("*{} ends before the card with the branch's id", block.name));
     return;
   }
-  const Card card = reader.next(id_line(1, 10, IdKind::set));
+  const Card card = reader.next(header);
   set.id = card.integer(std::size_t{0});
   set.place.line = card.line();
   if (!reader.at_end()) set.title = reader.next(text_line()).text(std::size_t{0});

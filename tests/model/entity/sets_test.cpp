@@ -144,6 +144,10 @@ TEST(Sets, Branches) {
         "branch id -3 is not positive", "ends before the card with the branch's id",
         "branch 6 names 2 members that are not defined"})
     EXPECT_NE(said.find(part), std::string::npos) << part << " in\n" << said;
+  const Read unreadable = read_text(parts + "*SET_PART_TREE\nabc\nx\n-1,def\n*SET_PART_TREE\n7\n\n-1,1e30\n");
+  EXPECT_EQ(unreadable.errors(), 2u) << unreadable.text();
+  EXPECT_NE(unreadable.text().find("a.k:16: *SET_PART_TREE, field id1: "), std::string::npos) << unreadable.text();
+  EXPECT_EQ(branch_parts(unreadable.model, 7), (Ids{1}));
   std::string deep = parts;
   for (int i = 1; i < 300; ++i) deep += "*SET_PART_TREE\n" + std::to_string(i) + "\n\n" + std::to_string(i + 1) + "\n";
   EXPECT_NE(read_text(deep + "*SET_PART_TREE\n300\n\n-1\n").text().find("branch 102 is nested more than 100 deep"),
