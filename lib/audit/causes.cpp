@@ -90,13 +90,12 @@ bool follow_from_fragment(const Context& context, Report& report) {
   if (first == report.findings.end()) return false;
   const Rule& rule = is_of(*first, rule::unknown_reference::definition) ? rule::unknown_reference::definition
                                                                         : rule::empty_surface::definition;
-  Finding root =
-      finding(rule.identity,
-              fmt::format("what was read is a piece of a deck, it defines no {}: audit the file that includes it",
-                          no_nodes && no_parts ? "nodes and no parts"
-                          : no_nodes           ? "nodes"
-                                               : "parts"),
-              first->file, first->line);
+  Finding root = finding(rule.identity,
+                         fmt::format("this is a piece of a deck, which defines no {}: audit the file that includes it",
+                                     no_nodes && no_parts ? "nodes and no parts"
+                                     : no_nodes           ? "nodes"
+                                                          : "parts"),
+                         first->file, first->line);
   for (Finding& each : report.findings)
     if (misses_something(each)) each.cause = key;
   root.key = key;

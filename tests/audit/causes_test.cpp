@@ -26,7 +26,7 @@ TEST(Causes, ElementsAloneAreAPieceOfADeck) {
   EXPECT_EQ(roots[0].id, "GC502");
   EXPECT_EQ(roots[0].severity, Severity::error);
   EXPECT_EQ(roots[0].message,
-            "what was read is a piece of a deck, it defines no nodes and no parts: audit the file that includes it");
+            "this is a piece of a deck, which defines no nodes and no parts: audit the file that includes it");
   EXPECT_EQ(roots[0].line, 3U) << "the first shell";
   EXPECT_GT(report.findings.size(), 10U);
   for (const Finding& f : report.findings) EXPECT_TRUE(f.key == roots[0].key || f.cause == roots[0].key) << f.message;
@@ -51,8 +51,7 @@ TEST(Causes, NodesWithoutPartsToo) {
   const std::string mesh = "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n*ELEMENT_SHELL\n1,7,1,2,3,3\n";
   const std::vector<Finding> roots = causes_of(audited("*KEYWORD\n" + mesh + "*END\n"));
   ASSERT_EQ(roots.size(), 1U);
-  EXPECT_EQ(roots[0].message,
-            "what was read is a piece of a deck, it defines no parts: audit the file that includes it");
+  EXPECT_EQ(roots[0].message, "this is a piece of a deck, which defines no parts: audit the file that includes it");
 }
 
 TEST(Causes, AWholeDeckHasItsMistakesOneByOne) {
