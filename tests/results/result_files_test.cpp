@@ -222,6 +222,40 @@ TEST(ContactFiles, Sleout) {
             "\n\n\n");
 }
 
+// The rows of thousands of contacts come in pieces, which are the text of all of them; a failed write is the last.
+TEST(ContactFiles, SleoutInPieces) {
+  constexpr std::size_t many = 5000;
+  std::vector<InterfaceState> contacts(many);
+  for (std::size_t i = 0; i < many; ++i) {
+    contacts[i].contact = static_cast<std::int64_t>(i + 1);
+    contacts[i].energy = {1, 2};
+    contacts[i].friction = 0.5;
+  }
+  std::vector<std::string> pieces;
+  EXPECT_TRUE(write_sleout(1, 2, contacts, [&](std::string_view piece) {
+    pieces.emplace_back(piece);
+    return true;
+  }));
+  ASSERT_GT(pieces.size(), 2u);
+  std::string all;
+  for (const std::string& piece : pieces) {
+    EXPECT_LT(piece.size(), std::size_t{1} << 18);
+    all += piece;
+  }
+  // Each contact once, in its order: read back, and counted.
+  Diagnostics diagnostics;
+  const InterfaceHistory read = read_sleout(contact_header({"t", "p"}, {{1, "x"}}) + all, "sleout", diagnostics);
+  EXPECT_TRUE(diagnostics.sorted().empty());
+  ASSERT_EQ(read.states.size(), 1u);
+  ASSERT_EQ(read.states[0].contacts.size(), many);
+  for (std::size_t i = 0; i < many; ++i) EXPECT_EQ(read.states[0].contacts[i].contact, contacts[i].contact);
+  EXPECT_NE(all.find("total energy    = 0.1500000E+05"), std::string::npos);
+  EXPECT_NE(all.find("friction energy = 0.2500000E+04"), std::string::npos);
+  int calls = 0;
+  EXPECT_FALSE(write_sleout(1, 2, contacts, [&](std::string_view) { return ++calls < 2; }));
+  EXPECT_EQ(calls, 2);
+}
+
 TEST(ContactFiles, Ncforc) {
   NodeForce node;
   node.node = 14;

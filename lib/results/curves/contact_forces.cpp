@@ -28,10 +28,19 @@ std::string rcforc_text(double time, std::span<const InterfaceState> contacts) {
 }
 
 std::string sleout_text(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts) {
+  std::string text;
+  static_cast<void>(write_sleout(time, cycle, contacts, [&](std::string_view piece) {
+    text += piece;
+    return true;
+  }));
+  return text;
+}
+
+bool write_sleout(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts,
+                  const std::function<bool(std::string_view)>& write) {
+  constexpr std::size_t piece = std::size_t{1} << 17;
   std::string text = fmt::format("\n\n\n contact interface energy file, time={}\n", normalised(time, 14, 7));
   text += fmt::format("    #             surfa       surfb        cycle={:14}    frictional\n\n", cycle);
-  constexpr std::size_t row = 78;
-  text.reserve(text.size() + (contacts.size() + 4) * row);
   std::array<double, 2> sides{};
   double friction = 0;
   for (const InterfaceState& contact : contacts) {
@@ -39,12 +48,16 @@ std::string sleout_text(double time, std::uint64_t cycle, std::span<const Interf
     friction += contact.friction;
     text += fmt::format("{:10}{}{}{:28}{}\n", contact.contact, normalised(contact.energy[0], 13, 4),
                         normalised(contact.energy[1], 13, 4), "", normalised(contact.friction, 13, 4));
+    if (text.size() < piece) continue;
+    if (!write(text)) return false;
+    text.clear();
   }
   const auto sum = [](double value) { return normalised(value, 14, 7); };
-  return text + fmt::format(
-                    "\n summary   total surfa side={}\n           total surfb side={}\n           total energy    ={}\n"
-                    "           friction energy ={}\n\n\n\n",
-                    sum(sides[0]), sum(sides[1]), sum(sides[0] + sides[1]), sum(friction));
+  text += fmt::format(
+      "\n summary   total surfa side={}\n           total surfb side={}\n           total energy    ={}\n"
+      "           friction energy ={}\n\n\n\n",
+      sum(sides[0]), sum(sides[1]), sum(sides[0] + sides[1]), sum(friction));
+  return write(text);
 }
 
 std::string ncforc_text(double time, std::int64_t contact, std::span<const NodeForce> nodes) {

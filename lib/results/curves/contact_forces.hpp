@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,6 +52,10 @@ struct NodeForce {
 
 [[nodiscard]] std::string rcforc_text(double time, std::span<const InterfaceState> contacts);
 [[nodiscard]] std::string sleout_text(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts);
+/// The same in pieces of some hundred kilobytes: the rows of thousands of contacts are never all in memory. Ends with
+/// false where `write` does.
+[[nodiscard]] bool write_sleout(double time, std::uint64_t cycle, std::span<const InterfaceState> contacts,
+                                const std::function<bool(std::string_view)>& write);
 
 /// The states of rcforc (forces, moments) and sleout (energies, friction) files, old and new words. A state is
 /// everything with the same time that names no side twice. Rows that cannot be read, and a last state with fewer rows

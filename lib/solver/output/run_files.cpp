@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string_view>
 #include <system_error>
 
 #include "base/file_writer.hpp"
@@ -33,7 +34,7 @@ Failure not_written(const std::string& path) {
 }
 
 /// All of the text, immediately visible to other programs.
-bool write(std::FILE* file, const std::string& text) {
+bool write(std::FILE* file, std::string_view text) {
   errno = 0;
   return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
 }
@@ -245,8 +246,6 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
       return results::matsum_text(state.time, part_states(run, *masses_));
     case nodout:
       return results::nodout_text(state.cycle + 1, state.time, node_states(run));
-    case sleout:
-      return results::sleout_text(state.time, state.cycle + 1, interface_states(run, false));
     default:
       break;
   }
@@ -260,13 +259,16 @@ std::string RunFiles::state_text(std::size_t which, const Run& run) const {
 
 bool RunFiles::write_state(std::size_t which, const Run& run) const {
   std::FILE* const file = texts_[which].file.get();
+  const State& at = run.stepper().state();
+  if (which == sleout)
+    return results::write_sleout(at.time, at.cycle + 1, interface_states(run, false),
+                                 [file](std::string_view piece) { return write(file, piece); });
   if (which != rcforc) return write(file, state_text(which, run));
   // The rows of thousands of contacts are never all in memory.
   constexpr std::size_t at_once = 1024;
   const std::vector<results::InterfaceState> states = interface_states(run, true);
-  const double time = run.stepper().state().time;
   for (std::size_t i = 0; i < states.size(); i += at_once)
-    if (!write(file, results::rcforc_text(time, std::span(states).subspan(i, std::min(at_once, states.size() - i)))))
+    if (!write(file, results::rcforc_text(at.time, std::span(states).subspan(i, std::min(at_once, states.size() - i)))))
       return false;
   return true;
 }
