@@ -19,6 +19,7 @@ PAGE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "theory" / "sol
 ROWS = [
     "Orders of convergence",
     ("square plate of quads, simply supported, first frequency over h", "2", "plate_of_quads_6_12_24_order"),
+    ("the same of fully integrated quads", "2", "plate_of_full_quads_6_12_24_order"),
     ("the same of triangles", "2", "plate_of_triangles_6_12_24_order"),
     ("beam of bricks, simply supported, first frequency over h", "2", "beam_of_bricks_2_4_8_layers_order"),
     ("rod of bricks, first frequency over h", "2", "rod_of_bricks_5_10_20_order"),
@@ -33,6 +34,9 @@ ROWS = [
     ("plate of 6 x 6 quads, first frequency", "0", "plate_of_quads_6_12_24_error_1"),
     ("plate of 12 x 12", "0", "plate_of_quads_6_12_24_error_2"),
     ("plate of 24 x 24", "0", "plate_of_quads_6_12_24_error_3"),
+    ("plate of 6 x 6 fully integrated quads", "0", "plate_of_full_quads_6_12_24_error_1"),
+    ("plate of 12 x 12 fully integrated quads", "0", "plate_of_full_quads_6_12_24_error_2"),
+    ("plate of 24 x 24 fully integrated quads", "0", "plate_of_full_quads_6_12_24_error_3"),
     ("plate of 2 x 6 x 6 triangles", "0", "plate_of_triangles_6_12_24_error_1"),
     ("plate of 2 x 12 x 12", "0", "plate_of_triangles_6_12_24_error_2"),
     ("plate of 2 x 24 x 24", "0", "plate_of_triangles_6_12_24_error_3"),

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "audit/audit.hpp"
+#include "base/file_writer.hpp"
 #include "base/parallel.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
@@ -82,7 +83,7 @@ struct Inputs {
 
 /// An error if the results cannot be written without overwriting an input.
 Status check_output(const Inputs& inputs, const CompareArguments& arguments) {
-  const std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
+  const std::vector<PlannedOutput> outputs{{"--output", arguments.output}, {"--html", arguments.curves.html}};
   DeckFiles files(arguments.audit.read);
   std::vector<ReadInput> read;
   for (const auto& [path, input] :
@@ -99,7 +100,38 @@ Status check_output(const Inputs& inputs, const CompareArguments& arguments) {
   return check_outputs(read, outputs);
 }
 
+struct Compared {
+  const report::Comparison& comparison;
+  const Report &first, &second;
+  const RunsOfBoth& runs;
+};
+
+Status write_page(const Compared& compared, const std::string& path) {
+  if (path.empty()) return {};
+  return write_file(path, report::comparison_html(compared.comparison, compared.first, compared.second,
+                                                  compared.runs.comparison(), compared.runs.curves(), version()));
+}
+
+Status write_results(const Compared& compared, const CompareArguments& arguments) {
+  const auto& [comparison, first, second, runs] = compared;
+  Output output(arguments.output);
+  output.write(arguments.format == "json"
+                   ? report::comparison_json(comparison, first, second, runs.comparison())
+                   : report::comparison_text(comparison, first, second, arguments.top, runs.comparison()));
+  if (arguments.stats)
+    for (const Report* source : {&first, &second})
+      std::fputs((report::printable_path(source->input) + '\n' + report::statistics(*source)).c_str(), stderr);
+  Status written = output.close();
+  if (written.ok()) written = runs.write_plots(arguments.top);
+  if (written.ok()) written = write_page(compared, arguments.curves.html);
+  return written;
+}
+
 int compare_sources(CompareArguments arguments) {
+  if (const Status status = check_curve_options(arguments.curves); !status.ok()) {
+    print(status.error());
+    return failed;
+  }
   keyword::FileCache cache;
   arguments.audit.read.cache = &cache;
   const JobLimit limit(arguments.jobs);
@@ -113,22 +145,14 @@ int compare_sources(CompareArguments arguments) {
              second = read_source(arguments.second, inputs.second, arguments, failures);
   if (!first || !second) return failed;
   const report::Comparison comparison = report::compare(*first, *second, arguments.tolerance);
-  CurvesOfBoth curves(arguments.first, arguments.second, arguments.contacts, arguments.curves, arguments.quiet,
-                      failures);
-  const report::CurveComparison* compared = curves.comparison();
-  Output output(arguments.output);
-  output.write(arguments.format == "json"
-                   ? report::comparison_json(comparison, *first, *second, compared)
-                   : report::comparison_text(comparison, *first, *second, arguments.top, compared));
-  if (arguments.stats)
-    for (const Report* source : {&*first, &*second})
-      std::fputs((report::printable_path(source->input) + '\n' + report::statistics(*source)).c_str(), stderr);
-  Status written = output.close();
-  if (written.ok()) written = curves.write_plots(arguments.top);
+  const RunsOfBoth runs(arguments.first, arguments.second, arguments.contacts, arguments.curves, arguments.quiet,
+                        failures);
+  const Compared compared{comparison, *first, *second, runs};
+  const Status written = write_results(compared, arguments);
   failures.add(written);
   if (written.ok()) check_contacts(comparison, arguments.contacts, failures);
   if (failures.any()) return failed;
-  return comparison.equal() && (compared == nullptr || compared->differ == 0) ? clean : findings;
+  return comparison.equal() && runs.comparison().equal() ? clean : findings;
 }
 
 void add_options(CLI::App& command, CompareArguments& arguments) {

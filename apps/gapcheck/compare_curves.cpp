@@ -14,7 +14,8 @@
 #include "common/file_guard.hpp"
 #include "options.hpp"
 #include "output.hpp"
-#include "report/compare/plot_svg.hpp"
+#include "progress.hpp"
+#include "report/compare/sae_filter.hpp"
 #include "results/curves/run_results.hpp"
 
 namespace gapcheck::app {
@@ -42,7 +43,30 @@ std::vector<report::Curve> read(const std::string& path, const std::vector<std::
   return list;
 }
 
+/// Filters all curves; one that cannot be filtered is a failure and stays as it is.
+void filter_curves(const CurveArguments& arguments, std::vector<report::Curve>& list, Failures& failures) {
+  if (arguments.filter.empty()) return;
+  const report::SaeFilter filter{report::channel_class(arguments.filter), report::seconds_in(arguments.time_unit)};
+  for (report::Curve& curve : list) {
+    auto result = report::filtered(curve, filter);
+    if (!result) return failures.add(result.error());
+    curve = std::move(result).value();
+  }
+}
+
 }  // namespace
+
+Status check_curve_options(const CurveArguments& arguments) {
+  const std::string& filter = arguments.filter;
+  if (!filter.empty() && report::channel_class(filter) == 0)
+    return plain_error(fmt::format("--filter {}: not a class; there are CFC60, CFC180, CFC600 and CFC1000", filter));
+  if (filter.empty() != arguments.time_unit.empty())
+    return plain_error(filter.empty()
+                           ? "--time-unit says nothing without --filter"
+                           : "--filter: a class is a frequency in Hz; say with --time-unit s, ms or us what the "
+                             "times of the two runs are in");
+  return {};
+}
 
 void add_curve_options(CLI::App& command, CurveArguments& arguments) {
   const std::vector<CLI::Option*> options{
@@ -54,20 +78,23 @@ void add_curve_options(CLI::App& command, CurveArguments& arguments) {
           ->type_name("TEXTS"),
       command.add_flag("--no-curves", arguments.none, "Do not compare curves"),
       command.add_option("--svg", arguments.svg, "Plot the curves that differ most, or those of --curves, into DIR")
-          ->type_name("DIR")};
+          ->type_name("DIR"),
+      command.add_option("--html", arguments.html, "Write the comparison with plots of the curves to a page")
+          ->type_name("FILE"),
+      command.add_option("--filter", arguments.filter, "Filter the curves of both: CFC60, CFC180, CFC600 or CFC1000")
+          ->type_name("CFC"),
+      command.add_option("--time-unit", arguments.time_unit, "Of the model, for --filter")
+          ->check(CLI::IsMember({"s", "ms", "us"}))};
   for (CLI::Option* option : options) option->group("Curves of two directories");
 }
 
-CurvesOfBoth::CurvesOfBoth(const std::string& first, const std::string& second,
-                           const std::vector<std::int64_t>& contacts, const CurveArguments& arguments, bool quiet,
-                           Failures& failures)
+RunsOfBoth::RunsOfBoth(const std::string& first, const std::string& second, const std::vector<std::int64_t>& contacts,
+                       const CurveArguments& arguments, bool quiet, Failures& failures)
     : arguments_(arguments), first_name_(first), second_name_(second) {
   std::error_code failed;
   if (!arguments.none && fs::is_directory(first, failed) && fs::is_directory(second, failed)) {
-    first_ = read(first, contacts, quiet, failures);
-    second_ = read(second, contacts, quiet, failures);
-    if (!first_.empty() || !second_.empty())
-      comparison_ = report::compare_curves(first_, second_, {arguments.tolerance, arguments.names});
+    compare_curves(contacts, quiet, failures);
+    if (arguments.names.empty()) compare_motion(quiet, failures);
   }
   const auto must_exist = [&](bool asked, const char* option) {
     if (!asked || (comparison_ && !comparison_->pairs.empty())) return;
@@ -75,17 +102,27 @@ CurvesOfBoth::CurvesOfBoth(const std::string& first, const std::string& second,
   };
   must_exist(!arguments.names.empty(), "--curves");
   must_exist(!arguments.svg.empty() && arguments.names.empty(), "--svg");
+  must_exist(!arguments.filter.empty() && arguments.names.empty(), "--filter");
 }
 
-std::string CurvesOfBoth::plot(const report::CurvePair& pair) const {
-  const report::Curve &a = first_[pair.first], &b = second_[pair.second];
-  return report::plot_svg({pair.name,
-                           "time",
-                           a.quantity + " (units of the model)",
-                           {{"A: " + first_name_, a.times, a.values}, {"B: " + second_name_, b.times, b.values}}});
+void RunsOfBoth::compare_curves(const std::vector<std::int64_t>& contacts, bool quiet, Failures& failures) {
+  first_ = read(first_name_, contacts, quiet, failures);
+  second_ = read(second_name_, contacts, quiet, failures);
+  if (first_.empty() && second_.empty()) return;
+  filter_curves(arguments_, first_, failures);
+  filter_curves(arguments_, second_, failures);
+  comparison_ = report::compare_curves(first_, second_, {arguments_.tolerance, arguments_.names});
 }
 
-Status CurvesOfBoth::write_plots(std::size_t top) const {
+void RunsOfBoth::compare_motion(bool quiet, Failures& failures) {
+  const Progress progress("reading the d3plots", !quiet);
+  Diagnostics diagnostics;
+  motion_ = report::compare_motion(first_name_, second_name_, arguments_.tolerance, diagnostics);
+  print(diagnostics, quiet);
+  failures.count(diagnostics);
+}
+
+Status RunsOfBoth::write_plots(std::size_t top) const {
   if (arguments_.svg.empty() || !comparison_) return {};
   const bool named = !arguments_.names.empty();
   std::vector<PlannedOutput> outputs;
@@ -99,7 +136,10 @@ Status CurvesOfBoth::write_plots(std::size_t top) const {
   std::error_code failed;
   fs::create_directories(arguments_.svg, failed);
   for (std::size_t i = 0; i < outputs.size(); ++i)
-    if (Status plotted = write_file(outputs[i].path, plot(comparison_->pairs[i])); !plotted.ok()) return plotted;
+    if (Status plotted =
+            write_file(outputs[i].path, report::pair_svg(comparison_->pairs[i], curves(), first_name_, second_name_));
+        !plotted.ok())
+      return plotted;
   return {};
 }
 

@@ -31,7 +31,7 @@ namespace {
 
 struct RunArguments {
   std::string deck, directory;
-  std::string missing_includes = "error";
+  std::string missing_includes = "error", contact_stiffness = "documented";
   keyword::ReadOptions read;
   SettingsOptions settings;
   std::string settings_path;  ///< empty: none is used
@@ -69,7 +69,7 @@ void tell_unsupported(const std::vector<solver::Unsupported>& list, const RunArg
 }
 
 void tell_output_notes(const keyword::Deck& deck, const model::Model& model, Diagnostics& diagnostics) {
-  for (const model::Output::Note& note : model.output.notes)
+  for (const model::Output::Note& note : model.output.all_notes())
     diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
 }
 
@@ -170,6 +170,7 @@ int run_deck(const RunArguments& arguments) {
     return failed;
   }
   solver::RunSettings settings;
+  if (arguments.contact_stiffness == "printed") settings.springs = solver::SpringFormula::printed;
   settings.until = arguments.until;
   settings.cycles = arguments.cycles;
   settings.stop = [] { return EndRequest::name() != nullptr; };
@@ -205,6 +206,11 @@ void add_run(CLI::App& app, Action& action) {
                     "Replace results in the directory that gapcheck did not write, such as LS-DYNA's");
   command->add_flag("--ignore-unsupported", arguments->ignore_unsupported,
                     "Run without the keywords that are not calculated");
+  command
+      ->add_option("--contact-stiffness", arguments->contact_stiffness,
+                   "Of contact springs: as the manual has it, or as in the surface time step that LS-DYNA prints")
+      ->check(CLI::IsMember({"documented", "printed"}))
+      ->capture_default_str();
   command->add_flag("--vtu", arguments->vtu, "Also write each plot state as a .vtu file, and run.pvd that lists them");
   command->add_flag("--quiet", arguments->quiet, "No summary, no warnings");
   command->add_flag("--stats", arguments->stats, "Show counters and times");

@@ -120,6 +120,7 @@ VtuGrid vtu_grid(const results::D3plot& mesh, const results::D3plotState& state,
     cells.add(mesh.solids.parts[i], mesh.solids.ids[i], 0, state.solids[i].plastic_strain, state.solids[i].stress);
   }
   for (std::size_t i = 0; i < mesh.beams.ids.size(); ++i) {
+    if (deleted(state.deleted_beams, i)) continue;
     grid.add_cell(mesh.beams.nodes[i]);
     cells.add(mesh.beams.parts[i], mesh.beams.ids[i], 0, 0, {});
   }

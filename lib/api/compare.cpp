@@ -20,6 +20,7 @@ namespace gapcheck::api {
 struct ComparisonStore {
   report::Comparison comparison;
   std::optional<report::CurveComparison> curves;
+  std::optional<report::MotionComparison> motion;
   std::shared_ptr<const ReportStore> first, second;
 };
 
@@ -56,8 +57,11 @@ std::vector<report::Curve> curves_of(const std::string& directory, const std::ve
   return list;
 }
 
-Result<Side> side_of(const std::string& path, const CompareOptions& options, bool with_curves) {
+/// `earlier`: what is already known of it.
+Result<Side> side_of(const std::string& path, const CompareOptions& options, bool with_curves,
+                     const gapcheck::Diagnostics& earlier = {}) {
   gapcheck::Diagnostics diagnostics;
+  diagnostics.take(earlier);
   auto records = records_of(path, options, diagnostics);
   if (!records) return error_of(records.error(), diagnostics);
   report::CheckCOptions only;
@@ -111,11 +115,25 @@ CurvePair::Verdict verdict_of(report::CurvePair::Verdict from) {
   return CurvePair::Verdict::no_common_times;
 }
 
+std::optional<CurveRating> public_rating(const std::optional<report::Rating>& from) {
+  if (!from) return std::nullopt;
+  return CurveRating{from->overall(), from->corridor, from->phase, from->magnitude, from->slope};
+}
+
+MotionComparison public_motion(const report::MotionComparison& from) {
+  MotionComparison motion{from.times, from.largest_displacement, {}, from.differ};
+  for (const report::PartMotion& part : from.parts)
+    motion.parts.push_back(
+        {part.part, part.nodes, part.largest_distance, part.time, part.node, part.largest, part.mean, part.differs});
+  return motion;
+}
+
 CurveComparison public_curves(const report::CurveComparison& from) {
   CurveComparison curves;
   for (const report::CurvePair& pair : from.pairs)
     curves.pairs.push_back({pair.name, verdict_of(pair.verdict), pair.largest_first, pair.largest_second,
-                            pair.largest_difference, pair.time, pair.relative_difference, pair.l2_difference});
+                            pair.largest_difference, pair.time, pair.relative_difference, pair.l2_difference,
+                            public_rating(pair.rating)});
   curves.only_first = from.only_first;
   curves.only_second = from.only_second;
   curves.agree = from.agree;
@@ -152,6 +170,10 @@ std::string missing_in_both(const Side& first, const Side& second, const Compare
   return check.message();
 }
 
+report::RunComparison runs_in(const ComparisonStore& store) {
+  return {store.curves ? &*store.curves : nullptr, store.motion ? &*store.motion : nullptr};
+}
+
 Comparison public_comparison(Side first, Side second, std::shared_ptr<const ComparisonStore> store) {
   const report::Comparison& from = store->comparison;
   Comparison result;
@@ -161,7 +183,8 @@ Comparison public_comparison(Side first, Side second, std::shared_ptr<const Comp
   for (const report::TieDifference& each : from.tie_differences)
     result.tie_differences.push_back({each.contact, each.node, reason_of(each.first), reason_of(each.second)});
   if (store->curves) result.curves = public_curves(*store->curves);
-  result.equal = from.equal() && (!store->curves || store->curves->differ == 0);
+  if (store->motion) result.motion = public_motion(*store->motion);
+  result.equal = from.equal() && runs_in(*store).equal();
   result.complete = first.report.complete && second.report.complete;
   result.first = std::move(first.report);
   result.second = std::move(second.report);
@@ -173,13 +196,10 @@ Comparison public_comparison(Side first, Side second, std::shared_ptr<const Comp
 const ComparisonStore& store_of(const Comparison& comparison) {
   static const ComparisonStore none{{},
                                     {},
+                                    {},
                                     std::make_shared<const ReportStore>(gapcheck::Report{}),
                                     std::make_shared<const ReportStore>(gapcheck::Report{})};
   return comparison.store ? *comparison.store : none;
-}
-
-const report::CurveComparison* curves_in(const ComparisonStore& store) {
-  return store.curves ? &*store.curves : nullptr;
 }
 
 }  // namespace
@@ -192,10 +212,13 @@ Result<Comparison> compare(const std::string& first, const std::string& second, 
       options.curves && std::filesystem::is_directory(first, failed) && std::filesystem::is_directory(second, failed);
   auto a = side_of(first, options, with_curves);
   if (!a) return a.error();
-  auto b = side_of(second, options, with_curves);
+  ComparisonStore store;
+  gapcheck::Diagnostics diagnostics;
+  if (with_curves && options.curve_names.empty())
+    store.motion = report::compare_motion(first, second, options.curve_tolerance, diagnostics);
+  auto b = side_of(second, options, with_curves, diagnostics);
   if (!b) return b.error();
   Side &one = a.value(), &other = b.value();
-  ComparisonStore store;
   store.first = one.report.store;
   store.second = other.report.store;
   store.curves = compared_curves(one, other, options);
@@ -207,12 +230,12 @@ Result<Comparison> compare(const std::string& first, const std::string& second, 
 
 std::string text(const Comparison& comparison, std::size_t top) {
   const ComparisonStore& store = store_of(comparison);
-  return report::comparison_text(store.comparison, store.first->report, store.second->report, top, curves_in(store));
+  return report::comparison_text(store.comparison, store.first->report, store.second->report, top, runs_in(store));
 }
 
 std::string json(const Comparison& comparison) {
   const ComparisonStore& store = store_of(comparison);
-  return report::comparison_json(store.comparison, store.first->report, store.second->report, curves_in(store));
+  return report::comparison_json(store.comparison, store.first->report, store.second->report, runs_in(store));
 }
 
 }  // namespace gapcheck::api

@@ -28,7 +28,7 @@ RunState state_of(const solver::Run& run) {
   state.step = stepper.next_step();
   state.cycle = stepper.state().cycle;
   state.kinetic = energies.printed_kinetic;
-  state.internal = energies.internal;
+  state.internal = energies.printed_internal();
   state.hourglass = energies.hourglass;
   state.sliding = energies.absorbed.sliding();
   state.external = energies.external;
@@ -95,7 +95,7 @@ void add_unsupported(const std::vector<solver::Unsupported>& list, bool leave_ou
 }
 
 void add_output_notes(const keyword::Deck& deck, const model::Model& model, gapcheck::Diagnostics& diagnostics) {
-  for (const model::Output::Note& note : model.output.notes)
+  for (const model::Output::Note& note : model.output.all_notes())
     diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
 }
 
@@ -168,6 +168,7 @@ Result<RunSummary> run_deck(const std::string& deck, const std::string& director
   if (diagnostics.has_errors()) return first_error(diagnostics);
   bool stop = false;
   solver::RunSettings settings;
+  if (options.printed_stiffness) settings.springs = solver::SpringFormula::printed;
   settings.until = options.until;
   settings.cycles = options.cycles;
   settings.stop = [&stop] { return stop; };

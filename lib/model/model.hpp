@@ -9,6 +9,7 @@
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
 #include "model/contact/contact.hpp"
+#include "model/entity/beam_preload.hpp"
 #include "model/entity/boundary.hpp"
 #include "model/entity/curve.hpp"
 #include "model/entity/initial_velocity.hpp"
@@ -73,6 +74,7 @@ struct Model {
   std::map<std::int64_t, DirectionVector> vectors;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodeVelocity> node_velocities;
+  std::vector<BeamPreload> beam_preloads;
   Loads loads;
   std::map<std::int64_t, HourglassControl> hourglass;  ///< *HOURGLASS
   Controls controls;

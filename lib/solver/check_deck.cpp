@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -54,6 +55,71 @@ SolverStatus no_rigid_nodes(const model::Model& model, const model::Contact& con
   return {};
 }
 
+/// The curve that scales the stiffness of an INTERFERENCE contact.
+SolverStatus check_interference(const model::Model& model, const model::Contact& contact, Diagnostics& diagnostics) {
+  const auto warn = [&](const std::string& text) {
+    diagnostics.warning("", 0, fmt::format("contact {}: {}", contact.id.value, text));
+  };
+  const auto fail = [&](const std::string& text) {
+    return Failure{Failure::Kind::contradiction, fmt::format("contact {}: {}", contact.id.value, text), contact.place};
+  };
+  if (contact.interference_curve_relaxation != 0)
+    warn("LCID1 is not used: there is no dynamic relaxation before the run; LCID2 scales the stiffness");
+  if (contact.interference_curve == 0) {
+    warn("LCID2 is not given: the whole stiffness acts at once; give a curve that grows from zero to one");
+    return {};
+  }
+  const auto curve = model.curves.find(contact.interference_curve);
+  if (curve == model.curves.end() || curve->second.points.empty())
+    return fail(fmt::format("there is no curve {} (LCID2), or it has no points; define it with *DEFINE_CURVE",
+                            contact.interference_curve));
+  for (const auto& [time, factor] : curve->second.points)
+    if (!std::isfinite(time) || !(factor >= 0) || !std::isfinite(factor))
+      return fail(fmt::format("curve {} (LCID2) has the value {:g}, with which the contact pulls; use values from 0 up",
+                              contact.interference_curve, factor));
+  return {};
+}
+
+/// The cards of mortar contacts: what contradicts itself, and what is not calculated.
+SolverStatus check_mortar(const model::Contact& contact, const contact::ContactSurfaces& surfaces,
+                          Diagnostics& diagnostics) {
+  const auto warn = [&](const std::string& text) {
+    diagnostics.warning("", 0, fmt::format("contact {}: {}", contact.id.value, text));
+  };
+  const auto fail = [&](Failure::Kind kind, const std::string& text) {
+    return Failure{kind, fmt::format("contact {} (*{}): {}", contact.id.value, contact.written, text), contact.place};
+  };
+  const std::int64_t ignore = surfaces.settings.ignore;
+  const double mpar1 = contact.dprfac, mpar2 = contact.dtstif;
+  if (ignore < -4 || ignore > 4)
+    return fail(Failure::Kind::contradiction, fmt::format("IGNORE = {} has no meaning; use 0 to 4", ignore));
+  const bool pressed_out = ignore == 3 || ignore == 4 || ignore == -3 || ignore == -4;
+  if (!std::isfinite(mpar1) || !std::isfinite(mpar2))
+    return fail(Failure::Kind::contradiction, "MPAR1 or MPAR2 is not a number");
+  if (mpar1 < 0 && pressed_out)
+    return fail(
+        Failure::Kind::not_calculated,
+        "an interference by a curve (MPAR1 below 0) is not calculated; give the time in which it is pressed out");
+  if (mpar1 < 0)
+    return fail(Failure::Kind::contradiction, fmt::format("the pressure MPAR1 = {:g} pulls; use 0 or more", mpar1));
+  if (mpar2 < 0)
+    return fail(Failure::Kind::contradiction, fmt::format("MPAR2 = {:g} is not a depth; use 0 or more", mpar2));
+  if (pressed_out && mpar1 == 0) warn("MPAR1 = 0: the whole interference acts at once; give the time to press it out");
+  if (contact.penmax < 0)
+    return fail(Failure::Kind::contradiction,
+                fmt::format("PENMAX = {:g} is not a length; use 0 or more", contact.penmax));
+  if (contact.igap > 1) warn(fmt::format("IGAP = {}: the stiffness does not grow with the penetration", contact.igap));
+  if (surfaces.two_sided() && contact.sfm != 1)
+    warn("SFSB is not used: the stiffness is that of the faces of SURFA, scaled by SFSA");
+  if (contact.sldthk > 0) warn("SLDTHK: faces of solids are not coated in mortar contacts");
+  for (const contact::ContactSide* side : {&surfaces.a, &surfaces.b}) {
+    if (side->nodes_only)
+      warn("nodes without segments take no part in mortar contact; give the side as parts or segments");
+    if (side->lines > 0) warn("beams take no part in mortar contact");
+  }
+  return {};
+}
+
 /// Settings of a contact that are calculated differently.
 void name_differences(const model::Contact& contact, const contact::ContactSurfaces& surfaces,
                       Diagnostics& diagnostics) {
@@ -62,7 +128,7 @@ void name_differences(const model::Contact& contact, const contact::ContactSurfa
   };
   if (surfaces.type.can(contact::Ability::edges_only)) warn("EDGEONLY: nodes are held off segments as well");
   if (contact.options.thermal) warn("THERMAL: heat does not flow through the contact");
-  if (!surfaces.type.by_segments()) return;
+  if (surfaces.type.pairing != contact::Pairing::segments) return;
   if (surfaces.settings.shlthk == 0)
     warn("SOFT = 2 holds shells apart by their thickness, which is left out here; set THKOPT = SHLTHK = 1 on card B");
   if (contact.sbopt == 4 || contact.sbopt == 5)
@@ -102,6 +168,10 @@ SolverStatus check_deck(const model::Model& model, contact::SurfaceStore& surfac
                      fmt::format("SFSA or SFSB of contact {} is below 0, so that it pulls; set a number above 0",
                                  contact.id.value),
                      contact.place};
+    if (surfaces.at(c).type.pairing == contact::Pairing::mortar)
+      if (SolverStatus status = check_mortar(contact, surfaces.at(c), diagnostics); !status.ok()) return status;
+    if (surfaces.at(c).type.can(contact::Ability::interference))
+      if (SolverStatus status = check_interference(model, contact, diagnostics); !status.ok()) return status;
     name_differences(contact, surfaces.at(c), diagnostics);
     if (const std::string why = why_idle(surfaces.at(c)); !why.empty())
       diagnostics.warning("", 0, fmt::format("contact {} does nothing ({}); correct its sides", contact.id.value, why));

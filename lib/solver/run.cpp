@@ -99,7 +99,7 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   step.time_step_factor = model.controls.tssfac;
   step.first_step = model.controls.dtinit;
   Structure& built = structure.value();
-  if (built.shells.size() + built.solids.size() + built.beams.size() == 0 && !(step.greatest_step > 0))
+  if (built.shells.size() + built.solids.size() == 0 && !built.beams.limit_step() && !(step.greatest_step > 0))
     step.greatest_step = step_without_elements(model, surfaces);
   std::vector<std::unique_ptr<Force>> forces;
   if (const SolverStatus applied = apply_conditions(model, built, forces, diagnostics); !applied.ok())
@@ -113,7 +113,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   name_tied_nodes_at_walls(model, *run.initial_, diagnostics);
   auto constraints = ConstraintContact::create(model, surfaces, *run.initial_, built, movable_nodes(built));
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
-  auto contacts = std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built));
+  auto contacts =
+      std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built), settings.springs);
   run.contacts_ = contacts.get();
   const auto release = [after = contacts.get(), kept = std::get<std::unique_ptr<ConstraintContact>>(constraints).get()](
                            NodeIndex node, PartIndex part) {

@@ -30,8 +30,9 @@ struct RunSettings {
   std::uint64_t cycles = 0;  ///< largest number of steps; 0: no limit
   BuildSettings build;
   StepSettings step;
-  std::function<bool()> stop;           ///< called before every step; true ends the run
-  RunEnd stop_means = RunEnd::stopped;  ///< what it is then, if not that
+  SpringFormula springs = SpringFormula::documented;  ///< of contacts with SOFT = 0 and 1
+  std::function<bool()> stop;                         ///< called before every step; true ends the run
+  RunEnd stop_means = RunEnd::stopped;                ///< what it is then, if not that
 };
 
 /// A calculation from a model to its end. The model must outlive it.

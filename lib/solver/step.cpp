@@ -132,6 +132,7 @@ void Stepper::note_failures() {
   };
   note(structure_.shells, state.failed.shells, StepControl::Kind::shell);
   note(structure_.solids, state.failed.solids, StepControl::Kind::solid);
+  note(structure_.beams, state.failed.beams, StepControl::Kind::beam);
   state.failed.count = failures_.size();
 }
 
@@ -139,11 +140,13 @@ SolverStatus Stepper::evaluate(double& next) {
   State& state = structure_.state;
   const Summary shells = structure_.shells.update(state), solids = structure_.solids.update(state),
                 beams = structure_.beams.update(state);
-  if (shells.failed + solids.failed > 0) note_failures();
+  if (shells.failed + solids.failed + beams.failed > 0) note_failures();
   if (SolverStatus checked = check_elements(shells, solids, beams); !checked.ok()) return checked;
   for (const Summary& part : {shells, solids, beams}) {
     energies_.internal += part.work - part.hourglass_work;
     energies_.hourglass += part.hourglass_work;
+    energies_.bulk_viscosity += part.viscous_work;
+    work_ += part.supplied;
   }
   std::swap(before_, external_);
   const std::size_t nodes = state.x.size();

@@ -56,7 +56,7 @@ class Stepper {
 
   [[nodiscard]] const State& state() const { return structure_.state; }
   [[nodiscard]] const Structure& structure() const { return structure_; }
-  /// All that have failed so far, in that order; within one cycle shells before solids, each by position.
+  /// All that have failed so far, in that order; within one cycle shells, solids, beams, each by position.
   [[nodiscard]] const std::vector<ElementFailure>& failures() const { return failures_; }
   /// At the time of the last force evaluation: that at which the last step began.
   [[nodiscard]] const Energies& energies() const { return energies_; }

@@ -148,14 +148,22 @@ class Finder {
   }
 
   void find_materials() {
-    constexpr std::array<std::string_view, 6> continua{
-        "MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC",           "MAT_NULL",
-        "MAT_RIGID",   "MAT_PIECEWISE_LINEAR_PLASTICITY", "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
+    constexpr std::array<std::string_view, 8> continua{"MAT_ELASTIC",
+                                                       "MAT_PLASTIC_KINEMATIC",
+                                                       "MAT_NULL",
+                                                       "MAT_RIGID",
+                                                       "MAT_MOONEY-RIVLIN_RUBBER",
+                                                       "MAT_SPOTWELD",
+                                                       "MAT_PIECEWISE_LINEAR_PLASTICITY",
+                                                       "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
     std::vector<bool> used(model_.parts.size()), beams(model_.parts.size()), material_seen(model_.materials.size());
     mark(model_.mesh.shells, used);
     mark(model_.mesh.solids, used);
     mark(model_.mesh.beams, used);
     mark(model_.mesh.beams, beams);
+    for (std::size_t i = 0; i < beams.size(); ++i)
+      if (const auto section = model_.parts[i].section; section && model_.sections[*section].integrated())
+        beams[i] = false;
     mark(model_.mesh.discrete, used);
     for (std::size_t i = 0; i < used.size(); ++i) {
       const auto position = model_.parts[i].material;
@@ -168,6 +176,9 @@ class Finder {
         continue;
       }
       if (material.plasticity) find_plasticity(material, beams[i]);
+      if (material.weld && !material.weld->variant.empty())
+        add(material.keyword, material.place,
+            fmt::format("material {}: the variant {} is not calculated", material.id, material.weld->variant));
     }
   }
 
@@ -179,7 +190,9 @@ class Finder {
     if (of_beams && data.failure_strain > 0 && data.failure_strain < 1e20) name("beams do not fail (FS, FAIL)");
     if (data.failure_strain < 0) name("failure by a subroutine (FAIL < 0) is not calculated");
     if (data.lcsr != 0) name("the factor over the strain rate (LCSR) is not calculated");
-    if (data.viscous()) name("the viscoplastic rate (VP = 1) is not calculated");
+    const bool table = data.lcss != 0 && model_.tables.count(data.lcss) > 0;
+    if (data.other_vp != 0 && (data.by_rate() || table))
+      name(fmt::format("the rate of VP = {:g} is not calculated", data.other_vp));
   }
 
   void find_contacts() {

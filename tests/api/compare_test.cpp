@@ -81,12 +81,20 @@ TEST(ApiCompare, CurvesOfTwoRuns) {
   EXPECT_GT(curves.differ, 0u);
   EXPECT_EQ(curves.pairs.size(), curves.agree + curves.differ + curves.without_common_times);
   EXPECT_EQ(curves.pairs[0].verdict, api::CurvePair::Verdict::differs);
+  ASSERT_TRUE(curves.pairs[0].rating.has_value());
+  EXPECT_LT(curves.pairs[0].rating->overall, 1);
+  ASSERT_TRUE(comparison.value().motion.has_value());
+  const api::MotionComparison& motion = *comparison.value().motion;
+  ASSERT_EQ(motion.parts.size(), 2u);
+  EXPECT_EQ(motion.parts[0].largest.size(), motion.times.size());
+  EXPECT_EQ(motion.differ, motion.parts[0].differs ? 1u : 0u);
   EXPECT_NE(api::text(comparison.value()).find("curves: "), std::string::npos);
   api::CompareOptions options;
   options.curves = false;
   const auto records = api::compare(a, b, options);
   ASSERT_TRUE(records.ok());
   EXPECT_FALSE(records.value().curves.has_value());
+  EXPECT_FALSE(records.value().motion.has_value());
   EXPECT_TRUE(records.value().equal);
 }
 

@@ -88,7 +88,9 @@ TEST(ApiRun, DoesNotDependOnThreads) {
 
 TEST(ApiRun, WhatIsNotCalculatedIsAnError) {
   const NewFolder folder;
-  const std::string deck = data("mortar_not_checked.k");
+  std::string text = content(data("two_plates.k"));
+  text.insert(text.rfind("*END"), "*CONTROL_ADAPTIVE\n       0.1\n");
+  const std::string deck = folder.file("adaptive.k", text);
   const auto refused = api::run_deck(deck, folder / "out");
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().file, deck);

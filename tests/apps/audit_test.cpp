@@ -173,7 +173,7 @@ TEST_F(AuditProgram, HtmlIndex) {
   // Without pages there are no links, and one deck has an index too.
   EXPECT_EQ(gapcheck("audit models/front.k --html-index one.html --quiet").code, 0);
   EXPECT_EQ(content(folder_ / "one.html").find("<a "), std::string::npos);
-  // What stands in the way is an error before the work; the old index stays.
+  // An index that cannot be written is an error before any deck is audited; the old index stays.
   for (const char* name : {"models/front.k", "pages/models/front.html", "'{deck}.html'"}) {
     const Ended refused = gapcheck(std::string("audit models/front.k --html 'pages/{deck}.html' --html-index ") + name);
     EXPECT_EQ(refused.code, 2) << name;

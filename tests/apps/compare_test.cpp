@@ -120,6 +120,31 @@ TEST_F(Compare, CurvesOfTwoRuns) {
   EXPECT_EQ(gapcheck("compare run0 run1 --curve-tol -1").code, 2);
 }
 
+TEST_F(Compare, PageFilterAndMotionOfTwoRuns) {
+  for (const char* name : {"0", "1"})
+    ASSERT_EQ(gapcheck("run " + data("workshop/penetration_snlog_" + std::string(name) + ".k") + " -o run" + name).code,
+              0);
+  EXPECT_EQ(gapcheck("compare run0 run1 --html page.html").code, 1);
+  const std::string page = content(folder_ / "page.html");
+  for (const char* part : {"The two differ", "glstat sliding interface energy", "<svg", "Motion: 1 of 2 parts"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  const auto json = nlohmann::json::parse(gapcheck("compare run0 run1 --format json").out);
+  EXPECT_EQ(json["motion"]["differ"], 1);
+  EXPECT_EQ(json["motion"]["times"].size(), json["motion"]["parts"][0]["largest"].size());
+  EXPECT_LT(json["curves"]["pairs"][0]["rating"]["overall"], 0.5);
+  const std::string velocity = "compare run0 run1 --curves 'node 2001 z-velocity' --format json";
+  const auto largest = [&](const std::string& options) {
+    return nlohmann::json::parse(gapcheck(velocity + options).out)["curves"]["pairs"][0]["largest_second"]
+        .get<double>();
+  };
+  EXPECT_NE(largest(" --filter CFC60 --time-unit s"), largest(""));
+  EXPECT_NE(largest(" --filter CFC60 --time-unit ms"), largest(" --filter CFC60 --time-unit s"));
+  EXPECT_EQ(gapcheck("compare run0 run1 --filter CFC60").code, 2) << "a unit of time is missing";
+  EXPECT_EQ(gapcheck("compare run0 run1 --filter CFC61 --time-unit s").code, 2);
+  EXPECT_EQ(gapcheck("compare run0 run1 --time-unit s").code, 2);
+  EXPECT_EQ(gapcheck("compare run0 run1 --html run0/glstat").code, 2) << "an input is not overwritten";
+}
+
 TEST_F(Compare, FilesOfOneRunAloneAreNamed) {
   ASSERT_EQ(gapcheck("run " + data("workshop/penetration_snlog_0.k") + " -o run0").code, 0);
   fs::copy(folder_ / "run0", folder_ / "half");

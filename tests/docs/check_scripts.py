@@ -30,6 +30,7 @@ RUNS = [
     ("scripts/plot_workshop.py", "{gapcheck} --small", "docs/workshop/rebound_thickness.svg"),
     ("scripts/reliability.py", "{gapcheck} --small", "docs/reliability.md"),
     ("scripts/solver_accuracy.py", "{test_solver} --small", "docs/theory/solver-accuracy.md"),
+    ("scripts/solver_benchmarks.py", "{gapcheck} --small", "docs/theory/solver-benchmarks.md"),
     ("scripts/solver_runs.py", "{gapcheck} data/workshop --small", "docs/solver-runs.md"),
     ("scripts/state_energy.py", "{gapcheck} --small", "docs/theory/state-energy.md"),
     ("scripts/tie_accuracy.py", "{test_solver} --small", "docs/theory/solver-ties.md"),

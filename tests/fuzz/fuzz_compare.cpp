@@ -5,7 +5,9 @@
 #include "fuzz.hpp"
 #include "report/compare/compare.hpp"
 #include "report/compare/compare_curves.hpp"
+#include "report/compare/compare_html.hpp"
 #include "report/compare/plot_svg.hpp"
+#include "report/compare/sae_filter.hpp"
 #include "results/log/solver_log.hpp"
 #include "samples.hpp"
 
@@ -44,11 +46,16 @@ GAPCHECK_FUZZ_TARGET(compare) {
   require(texts[0] != second_text || curves.differ == 0);
   for (const Report* other : {&second, &sample_audit()}) {
     const auto compared = report::compare(first, *other, 1e-6);
-    static_cast<void>(report::comparison_text(compared, first, *other, 3, &curves));
-    static_cast<void>(report::comparison_json(compared, first, *other, &curves));
+    static_cast<void>(report::comparison_text(compared, first, *other, 3, {&curves}));
+    static_cast<void>(report::comparison_json(compared, first, *other, {&curves}));
+    static_cast<void>(report::comparison_html(compared, first, *other, {&curves}, {first_curves, second_curves}, "0"));
   }
   require(report::compare(first, first, 0).equal());
   draw(first_curves);
+  for (const report::Curve& curve : first_curves) {
+    const auto smooth = report::filtered(curve, {60, 1e-3});
+    require(!smooth || curve.times.size() < 2 || smooth.value().times.size() >= curve.times.size());
+  }
 }
 
 }  // namespace gapcheck::fuzz::compare_target

@@ -385,6 +385,24 @@ TEST_F(RunTest, FailedElementsInTheFiles) {
   EXPECT_NEAR(last_number(file("matsum"), "eroded_ie="), states.back().eroded_internal, 1e-4);
 }
 
+// A spotweld that breaks at its time: messag names it, d3plot has it deleted.
+TEST_F(RunTest, FailedSpotweldInTheFiles) {
+  const Ended ended = calculate(
+      "*CONTROL_TERMINATION\n0.4\n*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,0.,1.,0.\n*ELEMENT_BEAM\n7,1,1,2,3\n8,2,1,3,2\n"
+      "*PART\np\n1,1,1\n*PART\nq\n2,1,2\n*SECTION_BEAM\n1,9,1.,2,1\n0.1,0.1\n"
+      "*MAT_SPOTWELD\n1,1.,1000.,0.3,10.,0.,0.,0.2\n\n*MAT_ELASTIC\n2,1.,1000.,0.3\n"
+      "*DATABASE_BINARY_D3PLOT\n0.1\n*DATABASE_GLSTAT\n0.1\n");
+  ASSERT_EQ(ended.failure, "");
+  EXPECT_NE(file("messag").find(" beam element         7 failed at time "), std::string::npos) << file("messag");
+  const auto plot = results::D3plotStates::open((folder_ / "out" / "d3plot").string());
+  ASSERT_TRUE(plot.ok());
+  ASSERT_GE(plot.value().size(), 5u);
+  for (std::size_t i = 0; i < plot.value().size(); ++i) {
+    const results::D3plotState state = plot.value().read(i);
+    EXPECT_EQ(state.deleted_beams, (std::vector<bool>{state.time > 0.2, false})) << state.time;
+  }
+}
+
 // What SOFT = 2 has to say: where a type does not have it, and segments that pass through each other (DTPCHK).
 TEST_F(RunTest, SegmentBasedContactInMessag) {
   const Ended ended = calculate(

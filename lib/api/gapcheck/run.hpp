@@ -37,7 +37,9 @@ struct RunOptions {
   double until = 0;                 ///< end time; 0: that of the deck
   std::uint64_t cycles = 0;         ///< ends after so many cycles; 0: as the deck says
   bool ignore_unsupported = false;  ///< run without the keywords that are not calculated; else they are an error
-  bool replace_foreign = false;     ///< replace results in the directory that gapcheck did not write; else an error
+  /// Contact springs as stiff as the surface time step that LS-DYNA prints has them, not as its manual says.
+  bool printed_stiffness = false;
+  bool replace_foreign = false;  ///< replace results in the directory that gapcheck did not write; else an error
   /// Called in every cycle by the thread of run_deck(), which waits for it. False ends the run one cycle later, with a
   /// last state in the files and a last call. The state is valid during the call. It must not throw. Empty: no calls.
   std::function<bool(const RunState&)> watch = {};

@@ -12,6 +12,7 @@
 
 #include "base/parallel.hpp"
 #include "base/union_find.hpp"
+#include "contact/crossing/cross_around.hpp"
 #include "contact/crossing/heights_over.hpp"
 #include "contact/surface/neighbours.hpp"
 #include "contact/surface/segment_elements.hpp"
@@ -172,11 +173,11 @@ class Decider {
         const Plane of_p(p.x), of_q(q.x);
         const double depth = std::min(of_q.depth(nodes_a, a_.x), of_p.depth(nodes_b, b_.x));
         geometry::Line line;
-        double least = 0;
+        double least = tolerance;  // shorter ones are corners that touch
         if (depth > tolerance && geometry::triangles_cross(p.x, q.x, options_.mode, counters_.decisions))
           line = geometry::common_line(p.x, q.x);
-        else if (meshes_cross(i, p, j, q, tolerance)) {
-          line = geometry::common_line(p.x, q.x, tolerance);
+        else {
+          line = line_of_meshes(i, p, j, q, tolerance);
           least = 2 * tolerance;
         }
         if (!(line.length() > least)) continue;
@@ -246,11 +247,14 @@ class Decider {
     return all.low < -tolerance && all.high > tolerance;
   }
 
-  /// Two triangles that meet within the tolerance belong to surfaces that go through each other.
-  bool meshes_cross(SegmentIndex i, const Piece& p, SegmentIndex j, const Piece& q, double tolerance) const {
+  /// The line in which two triangles meet within the tolerance, if they belong to surfaces that go through each other.
+  geometry::Line line_of_meshes(SegmentIndex i, const Piece& p, SegmentIndex j, const Piece& q,
+                                double tolerance) const {
     const std::vector<Triangle> a = surface_at(a_, i, p, Plane(q.x), tolerance);
     const std::vector<Triangle> b = surface_at(b_, j, q, Plane(p.x), tolerance);
-    return goes_through(a, b, tolerance) && goes_through(b, a, tolerance);
+    if (!goes_through(a, b, tolerance) || !goes_through(b, a, tolerance)) return {};
+    const geometry::Line line = geometry::common_line(p.x, q.x, tolerance);
+    return cross_around(line, a, b, tolerance) ? line : geometry::Line{};
   }
 
   /// The ends of several pieces of a line: those farthest apart.

@@ -13,6 +13,8 @@ struct Candidate {
   SegmentIndex segment;
   /// Until nodes and segments have moved this far towards each other since the search, the pair need not be checked.
   double wake = 0;
+  /// Until then the node is nearer than the contact distance, but its projection lies out of the segment's band.
+  bool beside = false;
 };
 
 /// Result of a global search, valid until tracked nodes and segments have come closer by `margin`: for each tracked

@@ -40,6 +40,12 @@ NodeAction advance(NodeContact& node, const ContactSettings& settings, const Nod
   return NodeAction::force;
 }
 
+NodeAction advance_interference(NodeContact& node, const NodeEncounter& encounter) {
+  ContactSettings at_once;
+  at_once.snlog = 1;
+  return advance(node, at_once, encounter);
+}
+
 NodeAction advance_from_baseline(NodeContact& node, const NodeEncounter& encounter, double reduction) {
   if (!encounter.penetrates) {
     node = {};

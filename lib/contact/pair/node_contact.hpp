@@ -39,6 +39,10 @@ enum class NodeAction : std::uint8_t {
 /// gets its force at once. Source: contact rules, sections 5 and 7.
 [[nodiscard]] NodeAction advance(NodeContact& node, const ContactSettings& settings, const NodeEncounter& encounter);
 
+/// The same for INTERFERENCE contacts, whose overlap is meant: every penetration gives force at once, nothing is moved
+/// or forgiven. Source: LS-DYNA Keyword User's Manual, Vol. I, *CONTACT, INTERFERENCE, as commonly quoted.
+[[nodiscard]] NodeAction advance_interference(NodeContact& node, const NodeEncounter& encounter);
+
 /// The same for SOFT = 2: the depth of a node that is found suddenly is the force-free baseline. It only decreases with
 /// the penetration and loses the share `reduction` in every cycle. Nothing is moved or released. Source: contact rules,
 /// section 7.4.

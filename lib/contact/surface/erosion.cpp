@@ -13,7 +13,16 @@ namespace {
 using model::ElementKind;
 
 bool is_gone(const GoneElements& gone, ElementKind kind, std::uint32_t element) {
-  return kind == ElementKind::shell ? gone.shell(element) : kind == ElementKind::solid && gone.solid(element);
+  switch (kind) {
+    case ElementKind::shell:
+      return gone.shell(element);
+    case ElementKind::solid:
+      return gone.solid(element);
+    case ElementKind::beam:
+      return gone.beam(element);
+    default:
+      return false;
+  }
 }
 
 template <class T>
@@ -81,7 +90,11 @@ NodeElements elements_at(NodeIndex node, const GoneElements& gone, MeshIndex& in
     sum.any = sum.solids = true;
     sum.left |= !gone.solid(e);
   }
-  for (ElementIndex* others : {&index.beams, &index.thick_shells, &index.particles})
+  for (const std::uint32_t e : index.beams.at(node)) {
+    sum.any = true;
+    sum.left |= !gone.beam(e);
+  }
+  for (ElementIndex* others : {&index.thick_shells, &index.particles})
     if (!others->at(node).empty()) sum.any = sum.left = true;
   return sum;
 }
@@ -96,6 +109,8 @@ class SideErosion {
     Segments& s = side.selection.segments;
     std::vector<bool> kept(s.size());
     for (std::size_t i = 0; i < s.size(); ++i) kept[i] = !is_gone(gone_, s.element_kind[i], s.element[i]);
+    side.lines = static_cast<std::size_t>(
+        std::count(kept.end() - static_cast<std::ptrdiff_t>(std::min(side.lines, kept.size())), kept.end(), true));
     keep_segments(s, kept);
     const std::size_t first = s.size() - side.lines;
     const std::size_t added =

@@ -9,7 +9,9 @@ namespace gapcheck::contact {
 struct GoneElements {
   const std::vector<bool>& shells;
   const std::vector<bool>& solids;
+  const std::vector<bool>& beams;
   [[nodiscard]] bool shell(std::uint32_t i) const { return i < shells.size() && shells[i]; }
+  [[nodiscard]] bool beam(std::uint32_t i) const { return i < beams.size() && beams[i]; }
   [[nodiscard]] bool solid(std::uint32_t i) const { return i < solids.size() && solids[i]; }
 };
 

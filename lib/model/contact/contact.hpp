@@ -176,6 +176,8 @@ struct Controls {
   std::int64_t shledg = 0, ftall = 0;
   // *CONTROL_SHELL
   std::int64_t cntco = 0, istupd = 0;
+  std::int64_t shell_esort =
+      0;  ///< triangles among fully integrated shells: 0 = quads, 1 = C0 triangles, 2 = DKT triangles
   // *CONTROL_TIMESTEP
   double tssfac = 0.9;
   std::int64_t isdo = 0;
@@ -192,6 +194,9 @@ struct Controls {
   std::int64_t ihq = 0;
   double qh = 0;
   Place hourglass_place;
+  // *CONTROL_SOLID
+  std::int64_t solid_esort = 0, psfail = 0;
+  Place solid_place;
   // *CONTROL_UNITS
   double length_unit = 0;  ///< metres in the unit of length; 0 = not given
   // *CONTROL_BULK_VISCOSITY

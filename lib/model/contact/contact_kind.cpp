@@ -30,7 +30,6 @@ constexpr auto kind_table = [] {
   constexpr std::uint16_t k14 = bits({soft_2, reads_ignore});
   constexpr std::uint16_t fit = bits({interference});
   constexpr std::string_view of_type = "contacts of this type are not calculated";
-  constexpr std::string_view press_fit = "the press fit of INTERFERENCE contacts is not calculated";
   constexpr std::string_view layer = "the layer of COMPOSITE and LUBRICATION contacts is not calculated";
   constexpr std::string_view joint = "contraction joints are not calculated";
   constexpr std::string_view sticks = "the ties of AUTOMATIC_..._TIED contacts are not calculated";
@@ -52,7 +51,7 @@ constexpr auto kind_table = [] {
 
       {"SURFACE_TO_SURFACE", C::surface, T::two_way, F::old, bits({soft_2}), none, TieForm::none, O::none, M::penalty},
       {"SURFACE_TO_SURFACE_INTERFERENCE", C::surface, T::two_way, F::old, bits({soft_2}) | fit, interference_card,
-       TieForm::none, O::none, M::none, press_fit},
+       TieForm::none, O::none, M::penalty},
       {"SURFACE_TO_SURFACE_CONTRACTION_JOINT", C::surface, T::two_way, F::old, bits({soft_2}), contraction_joint,
        TieForm::none, O::none, M::none, joint},
       {"AUTOMATIC_SURFACE_TO_SURFACE", C::automatic_surface, T::two_way, F::automatic, a3, none, TieForm::none, O::none,
@@ -79,7 +78,7 @@ constexpr auto kind_table = [] {
 
       {"NODES_TO_SURFACE", C::nodes, T::one_way, F::old, 0, none, TieForm::none, O::none, M::penalty},
       {"NODES_TO_SURFACE_INTERFERENCE", C::nodes, T::one_way, F::old, fit, interference_card, TieForm::none, O::none,
-       M::none, press_fit},
+       M::penalty},
       {"AUTOMATIC_NODES_TO_SURFACE", C::automatic_nodes, T::one_way, F::automatic, a5, none, TieForm::none, O::none,
        M::penalty},
       {"AUTOMATIC_NODES_TO_SURFACE_TIEBREAK", C::automatic_nodes, T::one_way, F::automatic, a5, tiebreak,
@@ -134,7 +133,7 @@ constexpr auto kind_table = [] {
       {"ONE_WAY_SURFACE_TO_SURFACE", C::one_way, T::one_way, F::old, bits({soft_2}), none, TieForm::none, O::none,
        M::penalty},
       {"ONE_WAY_SURFACE_TO_SURFACE_INTERFERENCE", C::one_way, T::one_way, F::old, bits({soft_2}) | fit,
-       interference_card, TieForm::none, O::none, M::none, press_fit},
+       interference_card, TieForm::none, O::none, M::penalty},
       {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", C::automatic_one_way, T::one_way, F::automatic, a3, none, TieForm::none,
        O::none, M::penalty},
       {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK", C::automatic_one_way, T::one_way, F::automatic, a3, tiebreak,

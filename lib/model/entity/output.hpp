@@ -24,6 +24,14 @@ struct Output {
     std::string text;
   };
   std::vector<Note> notes;
+  /// A result file with an interval that a run does not write.
+  struct Unwritten {
+    Place place;
+    std::string name;  ///< "elout"
+  };
+  std::vector<Unwritten> unwritten;  ///< in the order of the deck
+  /// The notes, with one more that names all unwritten files, at the first of them.
+  [[nodiscard]] std::vector<Note> all_notes() const;
 };
 
 }  // namespace gapcheck::model

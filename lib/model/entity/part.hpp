@@ -72,6 +72,18 @@ struct BeamSection {
   double line_mass = 0;                            ///< NSM: mass per length that is not of the material
 };
 
+/// What integrated beams (ELFORM 1 and 9) say about their cross-section besides its constants, in the model's units.
+struct BeamProfile {
+  bool tube = false;               ///< CST = 1; otherwise a rectangle
+  std::array<double, 2> s{}, t{};  ///< at both ends: sides of the rectangle; of tubes outer and inner diameter
+  std::int64_t rule = 2;           ///< QR/IRID: the quadrature; below zero a rule of *INTEGRATION_BEAM
+  double shear_factor = 1;         ///< SHRF
+  double line_mass = 0;            ///< NSM
+  bool arbitrary = false;          ///< CST = 2
+  bool shifted = false;            ///< NSLOC, NTLOC: the axis is not the line between the nodes
+  bool torsion_free = false;       ///< ITOFF = 1 of ELFORM 9
+};
+
 /// ELFORM of discrete beams: springs, with neither the mass of a bar nor a contact surface.
 inline constexpr std::int64_t discrete_beam = 6;
 
@@ -85,10 +97,13 @@ struct Section {
   double shrf = 1;                    ///< shells: factor on the transverse shear
   double beam_radius = 0;             ///< beams: outer diameter / 2 of a tube, otherwise √(A/π)
   double beam_area = 0;
-  std::optional<BeamSection> beam;  ///< where its constants are given, or follow from a rectangle or tube
-  bool torsional = false;           ///< discrete: DRO
-  bool limited = false;             ///< discrete: KD, V0, CL, FD, CDL or TDL are given
+  std::optional<BeamSection> beam;     ///< where its constants are given, or follow from a rectangle or tube
+  std::optional<BeamProfile> profile;  ///< ELFORM 1 and 9
+  bool torsional = false;              ///< discrete: DRO
+  bool limited = false;                ///< discrete: KD, V0, CL, FD, CDL or TDL are given
   Place place;
+  /// Of beams that are integrated over their cross-section.
+  [[nodiscard]] bool integrated() const { return kind == SectionKind::beam && profile.has_value(); }
 };
 
 /// *HOURGLASS: how the modes without strain are held. Zero = not given.
@@ -108,10 +123,29 @@ struct Plasticity {
       {};                     ///< plastic strain, yield stress; EPSi and ESi as far as they are used
   double failure_strain = 0;  ///< FS, FAIL; 0 or from 1e20 on: none
   std::int64_t lcsr = 0;      ///< curve of a factor on the yield stress over the rate
-  bool viscoplastic = false;  ///< VP = 1
+  bool viscoplastic = false;  ///< VP = 1: the rate of the plastic strain counts
+  double other_vp = 0;        ///< VP as written where it is neither 0 nor 1
   double anisotropy = 1;      ///< of 037: R as written, the Lankford parameter
-  /// VP changes something: it does not without a rate.
-  [[nodiscard]] bool viscous() const { return viscoplastic && ((rate_c > 0 && rate_p > 0) || lcsr != 0); }
+  /// The yield stress depends on a rate by C and P.
+  [[nodiscard]] bool by_rate() const { return rate_c > 0 && rate_p > 0; }
+};
+
+/// Data of spotwelds, material 100, in the model's units. Zero = not given.
+struct SpotWeld {
+  std::string variant;               ///< name of a variant with other cards, which were not read; empty: *MAT_SPOTWELD
+  double sigy = 0, hardening = 0;    ///< EH, over the plastic strain
+  std::int64_t curve = 0;            ///< SIGY below zero: curve or table of the yield stress
+  double step = 0;                   ///< DT: mass is added until the element's time step is as long
+  double failure_time = 0;           ///< TFAIL
+  double failure_strain = 0;         ///< EFAIL
+  std::array<double, 6> strength{};  ///< NRR NRS NRT MRR MSS MTT: resultants at failure
+  double filter = 0;                 ///< NF: number of force vectors that are averaged
+};
+
+/// Constants of Mooney–Rivlin rubber, material 027, in the model's units.
+struct MooneyRivlin {
+  double a = 0, b = 0;
+  std::int64_t lcid = 0;  ///< curve of a test that A and B are to be fitted to
 };
 
 /// Material of springs and dampers. Constants are for translation, in the model's units; for torsion multiply by the
@@ -138,7 +172,9 @@ struct Material {
   bool spotweld = false;         ///< MAT_SPOTWELD (100)
   bool fabric = false;           ///< MAT_FABRIC (034)
   std::optional<Plasticity> plasticity;
+  std::optional<SpotWeld> weld;
   std::optional<DiscreteMaterial> discrete;
+  std::optional<MooneyRivlin> mooney_rivlin;
   BodyConstraint constraint;  ///< of rigid ones
   Place place;
 };

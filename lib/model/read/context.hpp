@@ -136,6 +136,7 @@ void read_initial_velocity(Context& context, const Block& block, const Options& 
 void read_initial_velocity_node(Context& context, const Block& block, const Options& options);
 void read_initial_velocity_generation(Context& context, const Block& block, const Options& options);
 void read_initial_velocity_rigid_body(Context& context, const Block& block, const Options& options);
+void read_beam_preload(Context& context, const Block& block, const Options& options);
 void read_spot_weld(Context& context, const Block& block, const Options& options);
 void read_generalized_weld(Context& context, const Block& block, const Options& options);
 void read_concentrated_load(Context& context, const Block& block, const Options& options);
@@ -151,11 +152,13 @@ void read_rigid_wall(Context& context, const Block& block, const Options& option
 void read_contact(Context& context, const Block& block, const Options& options);
 void read_control_contact(Context& context, const Block& block, const Options& options);
 void read_control_shell(Context& context, const Block& block, const Options& options);
+void read_control_solid(Context& context, const Block& block, const Options& options);
 void read_control_timestep(Context& context, const Block& block, const Options& options);
 void read_control_units(Context& context, const Block& block, const Options& options);
 void read_control_termination(Context& context, const Block& block, const Options& options);
 void read_title(Context& context, const Block& block, const Options& options);
 void read_database(Context& context, const Block& block, const Options& options);
+void read_unwritten_database(Context& context, const Block& block, const Options& options);
 void read_history_nodes(Context& context, const Block& block, const Options& options);
 void read_friction_table(Context& context, const Block& block, const Options& options);
 
@@ -166,6 +169,10 @@ void read_friction_table(Context& context, const Block& block, const Options& op
 /// has none that is read. `name`: "PLASTIC_KINEMATIC".
 [[nodiscard]] std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
                                                         std::string_view name);
+
+/// Data of a spotweld material after its first card (fields of ten columns by position). `name`: as written, without
+/// MAT_ and with three digits: "SPOTWELD_TITLE", "100".
+[[nodiscard]] SpotWeld read_spotweld(Context& context, CardReader& reader, const Card& card, std::string_view name);
 
 /// The constraint codes of a block of nodes, once the nodes can be found by their ids.
 void read_node_constraints(Context& context, const Block& block);

@@ -240,12 +240,21 @@ void read_b(const Card& card, double length_factor, Contact& contact) {
   contact.sldstf = card.real("sldstf");
 }
 
-void read_c(const Card& card, double time_factor, Contact& contact) {
+void read_c(const Card& card, const keyword::Transform& units, Contact& contact) {
   contact.igap = or_default(card.integer("igap"), contact.igap);
   if (!card.blank("ignore")) contact.ignore = card.integer("ignore");
   contact.dprfac = card.real("dprfac");
-  const double step = card.real("dtstif");
-  contact.dtstif = step > 0 ? step * time_factor : step;  // below zero not a time
+  contact.dtstif = card.real("dtstif");
+  if (contact.options.mortar) {
+    // MPAR1 is a time where penetrations are pressed out (IGNORE 3 and 4), else a pressure; MPAR2 is a length.
+    const std::int64_t ignore =
+        std::abs(contact.mpp_ignore.value_or(0) != 0 ? *contact.mpp_ignore : contact.ignore.value_or(0));
+    const double pressure = units.mass_factor / (units.length_factor * units.time_factor * units.time_factor);
+    if (contact.dprfac > 0) contact.dprfac *= ignore == 3 || ignore == 4 ? units.time_factor : pressure;
+    contact.dtstif *= units.length_factor;
+  } else if (contact.dtstif > 0) {
+    contact.dtstif *= units.time_factor;  // below zero not a time
+  }
 }
 
 void read_d(const Card& card, Contact& contact) {
@@ -277,7 +286,7 @@ void read_optional(Context& context, CardReader& reader, Contact& contact) {
         read_b(card, context.transform(reader.block()).length_factor, contact);
         break;
       case 'C':
-        read_c(card, context.transform(reader.block()).time_factor, contact);
+        read_c(card, context.transform(reader.block()), contact);
         break;
       case 'D':
         read_d(card, contact);

@@ -62,9 +62,20 @@ void read_control_shell(Context& context, const Block& block, const Options&) {
   Controls& controls = context.model.controls;
   controls.shell_given = true;
   controls.shell_place = Context::place(block, block.line);
-  controls.istupd = next_card(reader, "CONTROL_SHELL", "card1").integer("istupd");
+  const Card card1 = next_card(reader, "CONTROL_SHELL", "card1");
+  controls.istupd = card1.integer("istupd");
+  controls.shell_esort = card1.integer("esort");
   reader.skip();
   controls.cntco = next_card(reader, "CONTROL_SHELL", "card3").integer("cntco");
+}
+
+void read_control_solid(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_SOLID", "card1");
+  Controls& controls = context.model.controls;
+  controls.solid_esort = card.integer("esort");
+  controls.psfail = card.integer("psfail");
+  controls.solid_place = Context::place(block, card.line());
 }
 
 void read_control_timestep(Context& context, const Block& block, const Options&) {

@@ -18,6 +18,7 @@ void read_curve(Context& context, const Block& block, const Options& options) {
   Curve curve;
   curve.place = Context::place(block, card.line());
   curve.abscissa_time = context.transform(block).time_factor;
+  curve.relaxation = card.integer("sidr");
   const auto or_one = [](double scale) { return scale == 0 ? 1 : scale; };
   const double sfa = or_one(card.real("sfa")), sfo = or_one(card.real("sfo"));
   const double offa = card.real("offa"), offo = card.real("offo");

@@ -167,6 +167,19 @@ std::optional<DiscreteMaterial> discrete_material(const Context& context, const 
   return material;
 }
 
+/// A, B and the curve of material 027; Young's and bulk modulus are those of small strains, G = 2 (A + B).
+void read_mooney_rivlin(Context& context, CardReader& reader, const Card& card, double stress, Material& material) {
+  static const CardLayout four = real_line(4, 10);
+  MooneyRivlin rubber{card.real(3) * stress, card.real(4) * stress, 0};
+  const Card second = reader.next(four);
+  if (const double curve = second.real(3); curve >= 1 && curve < 1e9)
+    rubber.lcid = context.with_offset(reader.block(), keyword::IdKind::function, static_cast<std::int64_t>(curve));
+  material.young = 4 * (rubber.a + rubber.b) * (1 + material.poisson);
+  material.bulk = bulk_modulus(material.young, material.poisson);
+  material.stiffness_known = material.young > 0;
+  material.mooney_rivlin = rubber;
+}
+
 }  // namespace
 
 void read_material(Context& context, const Block& block, const Options& options) {
@@ -209,6 +222,7 @@ void read_material(Context& context, const Block& block, const Options& options)
     material.rigid = known->name == "RIGID";
     material.null_material = known->name == "NULL";
     material.spotweld = known->name == "SPOTWELD";
+    if (material.spotweld) material.weld = read_spotweld(context, reader, card, bare);
     material.fabric = known->name.starts_with("FABRIC");
     if (material.rigid) {
       const Card limits = reader.next(keyword::card_layout("MAT_RIGID", "card2"));
@@ -216,6 +230,7 @@ void read_material(Context& context, const Block& block, const Options& options)
                              constraint_code(limits.real("con2"))};
     }
     material.plasticity = read_plasticity(context, reader, card, known->name);
+    if (known->name == "MOONEY-RIVLIN_RUBBER") read_mooney_rivlin(context, reader, card, stress, material);
   }
   Model& model = context.model;
   const auto [entry, is_new] =

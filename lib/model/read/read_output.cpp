@@ -20,6 +20,16 @@ double& interval_of(std::string_view keyword, Output& output) {
   return output.d3plot;
 }
 
+/// "elout" of DATABASE_ELOUT, "intfor" of DATABASE_BINARY_INTFOR_FILE.
+std::string file_of(std::string_view keyword) {
+  for (const std::string_view word : {"DATABASE_", "BINARY_"})
+    if (keyword.starts_with(word)) keyword.remove_prefix(word.size());
+  std::string name(keyword.substr(0, keyword.find('_')));
+  for (char& letter : name)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return name;
+}
+
 class HistoryNodes {
  public:
   explicit HistoryNodes(Context& context) : context_(context) {
@@ -75,6 +85,15 @@ void read_database(Context& context, const Block& block, const Options&) {
     interval_of(block.name, output) = interval;
   else if (interval != 0)
     output.notes.push_back({place, fmt::format("*{}: DT = {:g} is not an interval", block.name, interval)});
+}
+
+void read_unwritten_database(Context& context, const Block& block, const Options& options) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  if (options.has("FILE") && !reader.at_end()) static_cast<void>(reader.next(text_line()));
+  if (reader.at_end()) return;
+  const Card card = reader.next(keyword::card_layout("DATABASE_GLSTAT", "card1"));
+  if (!(card.real("dt") > 0) && card.integer("lcur") == 0) return;
+  context.model.output.unwritten.push_back({Context::place(block, card.line()), file_of(block.name)});
 }
 
 void read_history_nodes(Context& context, const Block& block, const Options& options) {

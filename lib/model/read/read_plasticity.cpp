@@ -22,6 +22,11 @@ std::int64_t curve_at(const Context& context, const Block& block, const Card& ca
   return context.with_offset(block, keyword::IdKind::function, static_cast<std::int64_t>(id));
 }
 
+void set_rate_formulation(double vp, Plasticity& plasticity) {
+  plasticity.viscoplastic = vp == 1;
+  if (vp != 0 && vp != 1) plasticity.other_vp = vp;
+}
+
 }  // namespace
 
 std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
@@ -41,7 +46,7 @@ std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, 
     plasticity.rate_c = rate.real(std::size_t{0}) / units.time_factor;
     plasticity.rate_p = rate.real(1);
     plasticity.failure_strain = rate.real(2);
-    plasticity.viscoplastic = rate.real(3) != 0;
+    set_rate_formulation(rate.real(3), plasticity);
     return plasticity;
   }
   if (anisotropic) {
@@ -55,9 +60,35 @@ std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, 
   plasticity.rate_p = rate.real("p");
   plasticity.lcss = rate.integer("lcss");
   plasticity.lcsr = rate.integer("lcsr");
-  plasticity.viscoplastic = rate.real("vp") != 0;
+  set_rate_formulation(rate.real("vp"), plasticity);
   plasticity.points = read_points(reader, stress);
   return plasticity;
+}
+
+SpotWeld read_spotweld(Context& context, CardReader& reader, const Card& card, std::string_view name) {
+  SpotWeld weld;
+  if (name.ends_with("_TITLE")) name.remove_suffix(6);
+  if (name != "SPOTWELD" && name != "100") {
+    weld.variant = name;
+    return weld;
+  }
+  const Block& block = reader.block();
+  const keyword::Transform& units = context.transform(block);
+  if (const double curve = -card.real(4); curve >= 1 && curve < 1e9)
+    weld.curve = context.with_offset(block, keyword::IdKind::function, static_cast<std::int64_t>(curve));
+  else
+    weld.sigy = context.stress(block, card.real(4));
+  weld.hardening = context.stress(block, card.real(5));
+  weld.step = card.real(6) * units.time_factor;
+  weld.failure_time = card.real(7) * units.time_factor;
+  const Card limits = reader.next(keyword::card_layout("MAT_SPOTWELD", "card2"));
+  weld.failure_strain = limits.real("efail");
+  const double force = context.stress(block, units.length_factor * units.length_factor);
+  constexpr std::array<std::string_view, 6> names{"nrr", "nrs", "nrt", "mrr", "mss", "mtt"};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    weld.strength[i] = limits.real(names[i]) * force * (i < 3 ? 1 : units.length_factor);
+  weld.filter = limits.real("nf");
+  return weld;
 }
 
 }  // namespace gapcheck::model

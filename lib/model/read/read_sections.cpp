@@ -78,6 +78,7 @@ void for_each_section(Context& context, const Block& block, const Options& optio
 struct Profile {
   double radius = 0, area = 0;
   std::optional<BeamSection> constants;
+  std::optional<BeamProfile> ends = {};
 };
 
 Profile equal_area(double area) { return {area > 0 ? std::sqrt(area / std::numbers::pi) : 0, area, std::nullopt}; }
@@ -133,6 +134,22 @@ Profile read_named_profile(Context& context, CardReader& reader) {
   return {};
 }
 
+/// Both ends of an integrated beam, in its own lengths; what is blank at the second end is as at the first.
+BeamProfile integrated_profile(const Card& card, std::int64_t cst) {
+  const auto ends = [&](std::string_view one, std::string_view two) {
+    const double a = card.real(one), b = card.real(two);
+    return std::array<double, 2>{a, b == 0 ? a : b};
+  };
+  BeamProfile profile;
+  profile.tube = cst == 1;
+  profile.arbitrary = cst != 0 && cst != 1;
+  profile.s = ends("ts1", "ts2");
+  profile.t = ends("tt1", "tt2");
+  profile.shifted = card.real("nsloc") != 0 || card.real("ntloc") != 0;
+  profile.torsion_free = card.real("itoff") == 1;
+  return profile;
+}
+
 Profile read_profile(Context& context, CardReader& reader, std::int64_t elform, std::int64_t cst) {
   if (trimmed(reader.peek()).starts_with("SECTION_")) return read_named_profile(context, reader);
   switch (elform) {
@@ -151,10 +168,35 @@ Profile read_profile(Context& context, CardReader& reader, std::int64_t elform, 
     default:
       break;
   }
-  const Card card = reader.next(keyword::card_layout("SECTION_BEAM", "card2"));
+  const bool integrated = elform == 1 || elform == 9;
+  const Card card = reader.next(keyword::card_layout("SECTION_BEAM", elform == 9 ? "card7" : "card2"));
   const double width = card.real("ts1"), height = card.real("tt1");
   const bool plane_or_tube = cst == 1 || elform == 4 || elform == 5;
-  return plane_or_tube ? tube(width, height) : rectangle(width, height);
+  Profile profile = plane_or_tube ? tube(width, height) : rectangle(width, height);
+  if (integrated) profile.ends = integrated_profile(card, cst);
+  return profile;
+}
+
+/// What *SECTION_BEAM says of its shape, in the model's units.
+void set_beam(const Context& context, const Block& block, const Profile& profile, const Card& card, Section& section) {
+  section.beam_radius = context.length(block, profile.radius);
+  const double length = context.transform(block).length_factor, square = length * length;
+  section.beam_area = profile.area * square;
+  section.beam = profile.constants;
+  if (section.beam) {
+    section.beam->area *= square;
+    section.beam->shear_area *= square;
+    for (double BeamSection::*moment : {&BeamSection::iss, &BeamSection::itt, &BeamSection::torsion})
+      (*section.beam).*moment *= square * square;
+    section.beam->line_mass = card.real("nsm") * context.transform(block).mass_factor / length;
+  }
+  section.profile = profile.ends;
+  if (!section.profile) return;
+  for (auto* sides : {&section.profile->s, &section.profile->t})
+    for (double& side : *sides) side *= length;
+  section.profile->line_mass = card.real("nsm") * context.transform(block).mass_factor / length;
+  if (card.integer("qr/irid") != 0) section.profile->rule = card.integer("qr/irid");
+  if (card.real("shrf") != 0) section.profile->shear_factor = card.real("shrf");
 }
 
 }  // namespace
@@ -223,17 +265,7 @@ void read_section_beam(Context& context, const Block& block, const Options& opti
     Section section = begin_section(block, card, SectionKind::beam);
     if (section.elform == 0) section.elform = 1;
     const Profile profile = read_profile(context, reader, section.elform, card.integer("cst"));
-    section.beam_radius = context.length(block, profile.radius);
-    const double length = context.transform(block).length_factor, square = length * length;
-    section.beam_area = profile.area * square;
-    section.beam = profile.constants;
-    if (section.beam) {
-      section.beam->area *= square;
-      section.beam->shear_area *= square;
-      for (double BeamSection::*moment : {&BeamSection::iss, &BeamSection::itt, &BeamSection::torsion})
-        (*section.beam).*moment *= square * square;
-      section.beam->line_mass = card.real("nsm") * context.transform(block).mass_factor / length;
-    }
+    set_beam(context, block, profile, card, section);
     add_section(context, section);
   });
 }

@@ -6,6 +6,7 @@
 
 #include "records/report.hpp"
 #include "report/compare/compare_curves.hpp"
+#include "report/compare/compare_motion.hpp"
 
 namespace gapcheck::report {
 
@@ -82,10 +83,19 @@ void compare_ties(const Report& first, std::optional<std::uint32_t> in_first, co
 /// Two depths are the same: `tolerance` apart, plus half a unit in the fifth digit of the larger one.
 [[nodiscard]] bool same_depth(double first, double second, double tolerance);
 
-/// `curves`: nullptr if none were compared. `top`: largest differences to show, per contact and for the curves.
+/// What two runs have besides records; nullptr: not compared.
+struct RunComparison {
+  const CurveComparison* curves = nullptr;
+  const MotionComparison* motion = nullptr;
+  [[nodiscard]] bool equal() const {
+    return (curves == nullptr || curves->differ == 0) && (motion == nullptr || motion->differ == 0);
+  }
+};
+
+/// `top`: largest differences to show, per contact, of the curves and of the parts' motion.
 [[nodiscard]] std::string comparison_text(const Comparison& comparison, const Report& first, const Report& second,
-                                          std::size_t top, const CurveComparison* curves = nullptr);
+                                          std::size_t top, const RunComparison& runs = {});
 [[nodiscard]] std::string comparison_json(const Comparison& comparison, const Report& first, const Report& second,
-                                          const CurveComparison* curves = nullptr);
+                                          const RunComparison& runs = {});
 
 }  // namespace gapcheck::report

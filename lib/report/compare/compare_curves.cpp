@@ -8,27 +8,10 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "report/compare/curve_samples.hpp"
+
 namespace gapcheck::report {
 namespace {
-
-/// Value of a curve at any time in its range; times must ascend.
-class Sampler {
- public:
-  explicit Sampler(const Curve& curve) : curve_(curve) {}
-
-  double at(double time) {
-    const auto& t = curve_.times;
-    while (next_ < t.size() && t[next_] < time) ++next_;
-    if (next_ == t.size()) return curve_.values.back();
-    if (next_ == 0 || t[next_] == time) return curve_.values[next_];
-    const double share = (time - t[next_ - 1]) / (t[next_] - t[next_ - 1]);
-    return curve_.values[next_ - 1] * (1 - share) + curve_.values[next_] * share;
-  }
-
- private:
-  const Curve& curve_;
-  std::size_t next_ = 0;
-};
 
 /// The times of both curves within their common range.
 std::vector<double> common_times(const Curve& a, const Curve& b) {
@@ -86,7 +69,7 @@ void compare_pair(const Curve& a, const Curve& b, double tolerance, double negli
     if (!pair.not_numbers) pair.verdict = CurvePair::Verdict::no_common_times;
     return;
   }
-  Sampler first(a), second(b);
+  CurveSampler first(a), second(b);
   std::vector<Sample> samples;
   samples.reserve(times.size());
   for (const double time : times) {
@@ -111,6 +94,7 @@ void compare_pair(const Curve& a, const Curve& b, double tolerance, double negli
   }
   pair.largest_difference = pair.relative_difference * scale;
   pair.l2_difference = l2_difference(times, samples);
+  pair.rating = rate(a, b);
   if (counted > tolerance && scale > negligible) pair.verdict = CurvePair::Verdict::differs;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "report/compare/curves.hpp"
+#include "report/compare/rating.hpp"
 
 namespace gapcheck::report {
 
@@ -25,8 +27,9 @@ struct CurvePair {
   double largest_first = 0, largest_second = 0;  ///< absolute values in the common range
   double largest_difference = 0, time = 0;       ///< largest |a - b|, and when
   double relative_difference = 0;                ///< the same over the larger of the two largest values
-  double l2_difference = 0;  ///< square root of the integral of (a - b)², over the larger one of a² and b²
-  bool not_numbers = false;  ///< only one of them has NaN values, so it differs
+  double l2_difference = 0;      ///< square root of the integral of (a - b)², over the larger one of a² and b²
+  bool not_numbers = false;      ///< only one of them has NaN values, so it differs
+  std::optional<Rating> rating;  ///< of the second curve, the first one being the reference; nothing: none is defined
 };
 
 struct CurveComparison {

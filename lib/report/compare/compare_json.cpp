@@ -51,6 +51,12 @@ Json pair_json(const CurvePair& pair) {
   entry["time"] = pair.time;
   entry["largest_first"] = pair.largest_first;
   entry["largest_second"] = pair.largest_second;
+  if (pair.rating)
+    entry["rating"] = {{"overall", pair.rating->overall()},
+                       {"corridor", pair.rating->corridor},
+                       {"phase", pair.rating->phase},
+                       {"magnitude", pair.rating->magnitude},
+                       {"slope", pair.rating->slope}};
   return entry;
 }
 
@@ -60,6 +66,27 @@ Json curves_json(const CurveComparison& curves) {
             {"end_second", curves.end_second}, {"pairs", Json::array()},
             {"only_first", curves.only_first}, {"only_second", curves.only_second}};
   for (const CurvePair& pair : curves.pairs) json["pairs"].push_back(pair_json(pair));
+  return json;
+}
+
+Json motion_json(const MotionComparison& motion) {
+  Json json{{"tolerance", motion.tolerance},
+            {"largest_displacement", motion.largest_displacement},
+            {"differ", motion.differ},
+            {"end_first", motion.end_first},
+            {"end_second", motion.end_second},
+            {"only_first", motion.only_first},
+            {"only_second", motion.only_second},
+            {"times", motion.times},
+            {"parts", Json::array()}};
+  for (const PartMotion& part : motion.parts) {
+    Json entry{{"part", part.part},       {"nodes", part.nodes},
+               {"differs", part.differs}, {"largest_distance", part.largest_distance},
+               {"time", part.time},       {"node", part.node},
+               {"largest", part.largest}, {"mean", part.mean}};
+    if (part.not_numbers) entry["not_numbers"] = true;
+    json["parts"].push_back(std::move(entry));
+  }
   return json;
 }
 
@@ -79,11 +106,11 @@ Json timesteps_json(const TimestepComparison& steps) {
 }  // namespace
 
 std::string comparison_json(const Comparison& comparison, const Report& first, const Report& second,
-                            const CurveComparison* curves) {
+                            const RunComparison& runs) {
   Json json{{"schema", "gapcheck-compare/1"},
             {"first", {{"source", first.source}, {"input", first.input}}},
             {"second", {{"source", second.source}, {"input", second.input}}},
-            {"equal", comparison.equal() && (curves == nullptr || curves->differ == 0)},
+            {"equal", comparison.equal() && runs.equal()},
             {"contacts", Json::array()},
             {"differences", Json::array()}};
   for (const ContactComparison& contact : comparison.contacts) json["contacts"].push_back(comparison_entry(contact));
@@ -99,7 +126,8 @@ std::string comparison_json(const Comparison& comparison, const Report& first, c
   }
   const TimestepComparison& steps = comparison.timesteps;
   if (steps.agree + steps.other_node + steps.differ > 0) json["timesteps"] = timesteps_json(steps);
-  if (curves != nullptr) json["curves"] = curves_json(*curves);
+  if (runs.curves != nullptr) json["curves"] = curves_json(*runs.curves);
+  if (runs.motion != nullptr) json["motion"] = motion_json(*runs.motion);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 

@@ -153,14 +153,16 @@ void append_only(std::string_view side, const std::vector<std::string>& names, s
 }
 
 void append_curve_pairs(const CurveComparison& curves, std::size_t rows, std::string& out) {
-  constexpr std::array columns{Column{"curve", Align::left}, Column{"relative"},     Column{"L2"},
-                               Column{"by at most"},         Column{"at time"},      Column{"largest A"},
-                               Column{"largest B"},          Column{"", Align::left}};
+  constexpr std::array columns{
+      Column{"curve", Align::left}, Column{"rating"},  Column{"relative"},  Column{"L2"},
+      Column{"by at most"},         Column{"at time"}, Column{"largest A"}, Column{"largest B"},
+      Column{"", Align::left}};
   append_table(
       columns, rows,
       [&](std::size_t i, auto& row) {
         const CurvePair& p = curves.pairs[i];
         row = {printable(p.name),
+               p.rating ? fmt::format("{:.3f}", p.rating->overall()) : "-",
                fmt::format("{:.2e}", p.relative_difference),
                fmt::format("{:.2e}", p.l2_difference),
                fmt::format("{:.5g}", p.largest_difference),
@@ -186,10 +188,49 @@ void append_curves(const CurveComparison& curves, std::size_t top, std::string& 
   append_only("B", curves.only_second, top, out);
 }
 
+void append_motion_parts(const MotionComparison& motion, std::size_t rows, std::string& out) {
+  constexpr std::array columns{Column{"part"},    Column{"nodes"}, Column{"by at most"},      Column{"of the largest"},
+                               Column{"at time"}, Column{"node"},  Column{"mean at the end"}, Column{"", Align::left}};
+  append_table(
+      columns, rows,
+      [&](std::size_t i, auto& row) {
+        const PartMotion& p = motion.parts[i];
+        const double largest = motion.largest_displacement;
+        row = {id_or_dash(p.part),
+               fmt::format("{}", p.nodes),
+               fmt::format("{:.5g}", p.largest_distance),
+               largest > 0 ? fmt::format("{:.2e}", p.largest_distance / largest) : "-",
+               fmt::format("{:.6g}", p.time),
+               id_or_dash(p.node),
+               fmt::format("{:.5g}", p.mean.empty() ? 0 : p.mean.back()),
+               p.not_numbers ? "NaN in one of them" : ""};
+      },
+      "  ", out);
+}
+
+void append_motion(const MotionComparison& motion, std::size_t top, std::string& out) {
+  if (motion.times.empty()) {
+    out += "\nmotion: the d3plots have no states in a common range of time\n";
+    return;
+  }
+  out += fmt::format(
+      "\nmotion: {} state{} compared, {} of {} part{} differ{} by more than {:g} of the largest displacement, {:.5g}\n",
+      motion.times.size(), motion.times.size() == 1 ? "" : "s", motion.differ, motion.parts.size(),
+      motion.parts.size() == 1 ? "" : "s", motion.differ == 1 ? "s" : "", motion.tolerance,
+      motion.largest_displacement);
+  if (const std::size_t rows = std::min(top, motion.differ); rows > 0) {
+    append_motion_parts(motion, rows, out);
+    if (rows < motion.differ) out += fmt::format("  … and {} more\n", motion.differ - rows);
+  }
+  if (motion.only_first > 0) out += fmt::format("  nodes only in A: {}\n", motion.only_first);
+  if (motion.only_second > 0) out += fmt::format("  nodes only in B: {}\n", motion.only_second);
+}
+
 }  // namespace
 
 std::string comparison_text(const Comparison& comparison, const Report& first, const Report& second, std::size_t top,
-                            const CurveComparison* curves) {
+                            const RunComparison& runs) {
+  const CurveComparison* curves = runs.curves;
   std::string out = fmt::format("A: {}\nB: {}\n\n", printable_path(first.input), printable_path(second.input));
   append_contacts(comparison, out);
   append_tie_counts(comparison, out);
@@ -197,11 +238,12 @@ std::string comparison_text(const Comparison& comparison, const Report& first, c
   by_contact(std::span(comparison.tie_differences), [&](auto part) { append_tie_differences(part, top, out); });
   append_timesteps(comparison.timesteps, top, out);
   if (curves != nullptr) append_curves(*curves, top, out);
+  if (runs.motion != nullptr) append_motion(*runs.motion, top, out);
   const auto open = std::count_if(comparison.contacts.begin(), comparison.contacts.end(),
                                   [](const ContactComparison& c) { return c.not_checked && !c.ties_compared; });
   std::uint64_t agree = 0;
   for (const ContactComparison& contact : comparison.contacts) agree += contact.agree + contact.ties_agree;
-  const bool equal = comparison.equal() && (curves == nullptr || curves->differ == 0);
+  const bool equal = comparison.equal() && runs.equal();
   out += equal ? "\nno differences" : "\nthe two differ";
   out += fmt::format(", {} node{} agree{}", agree, agree == 1 ? "" : "s", agree == 1 ? "s" : "");
   if (curves != nullptr)

@@ -10,35 +10,11 @@
 #include "report/item/describe.hpp"
 #include "report/item/finding_groups.hpp"
 #include "report/item/item.hpp"
+#include "report/write/plain_page.hpp"
 #include "report/write/xml_text.hpp"
 
 namespace gapcheck::report {
 namespace {
-
-constexpr std::string_view index_head = R"(<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<link rel="icon" href="data:,">
-<title>gapcheck</title>
-<style>
-:root { color-scheme: light dark; --error: #c0262d; --warning: #9a5b00; --note: #2a6f97; --clean: #1f7a3d; }
-@media (prefers-color-scheme: dark) {
-  :root { --error: #ff7b80; --warning: #f0b455; --note: #7cc4ea; --clean: #6fd391; }
-}
-body { margin: 12px; font: 13px/1.45 system-ui, sans-serif; }
-h1 { font-size: 15px; }
-table { border-collapse: collapse; width: 100%; }
-th, td { text-align: left; vertical-align: top; padding: 3px 8px; border-bottom: 1px solid #8886; overflow-wrap: anywhere; }
-td.number, th.number { text-align: right; white-space: nowrap; }
-.error, .unread { color: var(--error); } .warning { color: var(--warning); } .note { color: var(--note); }
-.clean { color: var(--clean); }
-</style>
-</head>
-<body>
-)";
 
 /// A path as a link: every byte that has a meaning there is escaped, so that no path is taken for an address.
 std::string percent_encoded(std::string_view path) {
@@ -120,7 +96,7 @@ std::string html_index(const Reports& reports, const std::string& path, std::str
     sum += totals(report);
   }
   std::stable_sort(rows.begin(), rows.end(), [](const IndexRow& a, const IndexRow& b) { return a.rank < b.rank; });
-  std::string page(index_head);
+  std::string page(plain_page_head);
   page += fmt::format("<h1>{}: {}, {}, {}{}</h1>\n", number_of_things(rows.size(), "deck"),
                       number_of_things(sum.errors, "error"), number_of_things(sum.warnings, "warning"),
                       number_of_things(sum.notes, "note"),

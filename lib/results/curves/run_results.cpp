@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/file_bytes.hpp"
+#include "results/curves/binout.hpp"
 
 namespace gapcheck::results {
 
@@ -35,6 +36,7 @@ RunResults read_run_results(const std::string& directory, bool nodes, Diagnostic
   read("rcforc", into(run.rcforc, read_rcforc));
   read("matsum", into(run.matsum, read_matsum));
   if (nodes) read("nodout", into(run.nodout, read_nodout));
+  read_binout(run, nodes, diagnostics);
   return run;
 }
 

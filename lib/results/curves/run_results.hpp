@@ -11,7 +11,7 @@
 
 namespace gapcheck::results {
 
-/// The text files in the directory of a run; empty: missing, or without a state.
+/// The result files in the directory of a run, as text or in its binout; empty: missing, or without a state.
 struct RunResults {
   std::string directory;
   std::vector<GlobalState> glstat;
@@ -24,7 +24,8 @@ struct RunResults {
   [[nodiscard]] std::string path(std::string_view name) const;
 };
 
-/// Reads the existing files. `nodes`: nodout as well. An empty directory name is the current one.
+/// Reads the existing files; what has no text file is taken from a binout. `nodes`: nodout as well. An empty directory
+/// name is the current one.
 [[nodiscard]] RunResults read_run_results(const std::string& directory, bool nodes, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::results

@@ -40,7 +40,7 @@ struct D3plotState {
   static constexpr std::size_t beam_values = 6;
   /// Of beams: axial force, shear forces s t, bending moments s t, torsion; their own axes.
   std::vector<std::array<double, beam_values>> beams;
-  std::vector<bool> deleted_solids, deleted_shells;  ///< failed elements
+  std::vector<bool> deleted_solids, deleted_shells, deleted_beams;  ///< failed elements
 };
 
 /// The word that ends a file of the family.

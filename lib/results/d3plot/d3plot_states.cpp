@@ -284,7 +284,9 @@ D3plotState D3plotStates::read(std::size_t i) const {
     };
     const std::size_t solids = mesh_.solids.ids.size();
     deleted(0, solids, state.deleted_solids);
-    deleted(solids + mesh_.thick_shells.ids.size(), mesh_.shells.ids.size(), state.deleted_shells);
+    const std::size_t shells = solids + mesh_.thick_shells.ids.size();
+    deleted(shells, mesh_.shells.ids.size(), state.deleted_shells);
+    deleted(shells + mesh_.shells.ids.size(), mesh_.beams.ids.size(), state.deleted_beams);
   }
   state.layers = std::min<std::size_t>(layout_.layers, D3plotState::surfaces);
   if (layout_.shells == 0) return state;

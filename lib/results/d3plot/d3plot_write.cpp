@@ -279,7 +279,8 @@ Status D3plotWriter::append(const D3plotState& state) {
   const auto fits = [&](const std::vector<bool>& deleted, std::size_t size) {
     return deleted.empty() || (settings_.deletion && deleted.size() == size);
   };
-  if (!fits(state.deleted_solids, solids_) || !fits(state.deleted_shells, shells_))
+  if (!fits(state.deleted_solids, solids_) || !fits(state.deleted_shells, shells_) ||
+      !fits(state.deleted_beams, beams_))
     return failure(path_, "elements are deleted in a database that does not say which");
   WordBuffer out(settings_.word_bytes);
   out.reals(std::array{state.time, state.kinetic, state.internal, state.total});
@@ -306,8 +307,9 @@ Status D3plotWriter::append(const D3plotState& state) {
   }
   const auto gone = [](const std::vector<bool>& deleted, std::size_t i) { return i < deleted.size() && deleted[i]; };
   for (std::size_t i = 0; i < part_numbers_.size(); ++i) {
-    const std::size_t shell = i - solids_ - thick_shells_;  // wraps for others
-    const bool deleted = i < solids_ ? gone(state.deleted_solids, i) : gone(state.deleted_shells, shell);
+    const std::size_t shell = i - solids_ - thick_shells_, beam = shell - shells_;  // wrap for others
+    const bool deleted = i < solids_ ? gone(state.deleted_solids, i)
+                                     : gone(state.deleted_shells, shell) || gone(state.deleted_beams, beam);
     out.real(deleted ? 0 : static_cast<double>(part_numbers_[i]));
   }
   const std::uint64_t words = out.words();

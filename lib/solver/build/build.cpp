@@ -6,8 +6,10 @@
 #include <set>
 
 #include "solver/build/build_beams.hpp"
+#include "solver/build/build_full_shells.hpp"
 #include "solver/build/build_hourglass.hpp"
 #include "solver/build/build_rigid.hpp"
+#include "solver/build/build_solid_rules.hpp"
 #include "solver/build/build_welds.hpp"
 #include "solver/element/gauss.hpp"
 #include "solver/element/nodal_mass.hpp"
@@ -79,16 +81,26 @@ class Builder {
                      fmt::format("material {} is for shells only, but {} {} is of it",
                                  model_.materials[*part->material].id, what, id),
                      place};
+    if (kind != SectionKind::solid && material.value().kind == MaterialKind::rubber)
+      return Failure{Failure::Kind::bad_material,
+                     fmt::format("material {} is calculated in solids only, but {} {} is of it",
+                                 model_.materials[*part->material].id, what, id),
+                     place};
     if (named_.insert(*part->material).second)
       name_what_is_not_calculated(model_, model_.materials[*part->material], diagnostics_);
-    if (kind == SectionKind::beam && material.value().failure_strain > 0)
+    if (kind != SectionKind::beam && model_.materials[*part->material].weld)
+      return Failure{Failure::Kind::bad_material,
+                     fmt::format("material {} is calculated in spotweld beams (ELFORM 9) only, but {} {} is of it",
+                                 model_.materials[*part->material].id, what, id),
+                     place};
+    if (kind == SectionKind::beam && !section.integrated() && material.value().failure_strain > 0)
       diagnostics_.warning("", 0,
                            fmt::format("{} {} and others of material {} do not fail (FS, FAIL)", what, id,
                                        model_.materials[*part->material].id));
     if (kind == SectionKind::beam) return Properties{&section, std::move(material).value()};
     const bool one_point = kind == SectionKind::shell
-                               ? section.elform == 0 || section.elform == 2
-                               : section.elform == 0 || section.elform == 1 || section.elform == 10;
+                               ? section.elform == 0 || section.elform == 2 || full_shell(section)
+                               : SolidFormulations::is_calculated(section);
     if (!one_point)
       diagnostics_.warning(
           "", 0,
@@ -102,6 +114,7 @@ class Builder {
     for (std::uint32_t i = 0; i < shells.size(); ++i) {
       const PartIndex part = shells.part[i];
       if (SolverStatus known = complete("shell", shells, i); !known.ok()) return known;
+      if (SolverStatus full = check_full_shell(model_, shells, i, places(shells.nodes[i])); !full.ok()) return full;
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("shell", shells.id[i], part, SectionKind::shell, place_of(shells, i));
         if (!found) return found.error();
@@ -112,8 +125,12 @@ class Builder {
                                fmt::format("part {}: NIP of its section is {}; {} points are calculated",
                                            model_.part(part).id.value, asked, layers));
         ShellProperties all{
-            material, gauss_rule(static_cast<int>(layers)), section->shrf, model_.controls.istupd != 0,
-            element_control(model_, model_.part(part), settings_.shell_hourglass, diagnostics_).hourglass};
+            material, gauss_rule(static_cast<int>(layers)), section->shrf, model_.controls.istupd != 0, {}};
+        if (full_shell(*section)) {
+          make_full(model_, part, *section, all, diagnostics_);
+        } else {
+          all.hourglass = element_control(model_, model_.part(part), settings_.shell_hourglass, diagnostics_).hourglass;
+        }
         positions_[part.value] = structure_.shells.add_properties(std::move(all));
       }
       const model::Section& section = model_.sections[*model_.part(part).section];
@@ -138,18 +155,25 @@ class Builder {
   SolverStatus add_solids() {
     const model::Elements<8>& solids = model_.mesh.solids;
     positions_.assign(model_.parts.size(), std::nullopt);  // a part of shells cannot contain solids
+    SolidFormulations formulations(model_, diagnostics_);
     for (std::uint32_t i = 0; i < solids.size(); ++i) {
       const PartIndex part = solids.part[i];
       if (SolverStatus known = complete("solid", solids, i); !known.ok()) return known;
       if (part == none<PartIndex> || !positions_[part.value]) {
         auto found = properties("solid", solids.id[i], part, SectionKind::solid, place_of(solids, i));
         if (!found) return found.error();
+        const auto rules = formulations.rules(*found.value().section, found.value().material);
+        if (!rules) return rules.error();
+        Diagnostics of_no_effect;  // bricks with eight points have no hourglass modes
         const ElementControl control =
-            element_control(model_, model_.part(part), settings_.solid_hourglass, diagnostics_);
+            element_control(model_, model_.part(part), settings_.solid_hourglass,
+                            has_eight_points(rules.value().brick) ? of_no_effect : diagnostics_);
         positions_[part.value] =
             structure_.solids.add_properties({std::move(found.value().material), control.hourglass,
-                                              control.quadratic_viscosity, control.linear_viscosity});
+                                              control.quadratic_viscosity, control.linear_viscosity, rules.value()});
       }
+      if (!model_.rigid(part))
+        if (SolverStatus known = formulations.look_at(i); !known.ok()) return known;
       double volume = 0;  // for rigid ones the mass, which has the same sign
       if (model_.rigid(part)) {
         const std::vector<PointMass> points =
@@ -162,9 +186,11 @@ class Builder {
       }
       if (!(volume > 0))
         return Failure{Failure::Kind::bad_element,
-                       fmt::format("solid {} has the volume {:g}; mend the order of its nodes", solids.id[i], volume),
+                       fmt::format("solid {} has the volume {:g}{}; mend the order of its nodes", solids.id[i], volume,
+                                   formulations.volume_note(i)),
                        place_of(solids, i)};
     }
+    formulations.tell();
     return {};
   }
 
@@ -179,7 +205,8 @@ class Builder {
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("beam", beams.id[i], part, SectionKind::beam, place_of(beams, i));
         if (!found) return found.error();
-        auto built = beam_properties(*found.value().section, found.value().material);
+        auto built = beam_properties(*found.value().section, found.value().material,
+                                     model_.materials[*model_.part(part).material]);
         if (!built) return built.error();
         positions_[part.value] = structure_.beams.add_properties(std::move(built).value());
       }
@@ -192,7 +219,8 @@ class Builder {
         add_rigid(part, beams.nodes[i], points);
       } else {
         const Vector third = limits.third_point(i, structure_.state);
-        length = structure_.beams.add(beams.nodes[i], *positions_[part.value], third, i, structure_.state);
+        length = structure_.beams.add(beams.nodes[i], *positions_[part.value], third, i, structure_.state, scaling_,
+                                      &structure_.added_mass);
       }
       if (!(length > 0)) {
         limits.tell();

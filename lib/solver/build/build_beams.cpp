@@ -2,38 +2,106 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gapcheck::solver {
 namespace {
 
-constexpr std::int64_t truss = 3;
+constexpr std::int64_t truss = 3, spotweld = 9;
 
-/// ELFORM 1, 4 and 5 integrate over the cross-section, 13 is the resultant beam with transverse shear.
+/// ELFORM 4 and 5 integrate over the cross-section, 13 is the resultant beam with transverse shear.
 bool is_calculated(const model::Section& section) {
   const bool known = (section.elform >= 1 && section.elform <= 5) || section.elform == 13;
-  return known && section.beam.has_value();
+  return section.integrated() || (known && section.beam.has_value());
+}
+
+Failure bad_section(const model::Section& section, std::string_view why) {
+  return {Failure::Kind::bad_element, fmt::format("section {} {}", section.id, why), section.place};
+}
+
+/// The beam bends and its material is not made for that, or it is of spotwelds and is none.
+std::optional<Failure> unsuitable(const model::Section& section, const Material& material,
+                                  const model::Material& written) {
+  const auto bad = [&](std::string_view why) {
+    return Failure{Failure::Kind::bad_material, fmt::format("section {}: {}", section.id, why), section.place};
+  };
+  if (written.weld && section.elform != spotweld)
+    return bad(fmt::format("material {} (*MAT_SPOTWELD) is for spotweld beams; set ELFORM to 9", written.id));
+  const bool plastic = material.kind == MaterialKind::plastic && section.elform != truss && !section.integrated();
+  if (material.kind != MaterialKind::anisotropic && !plastic) return std::nullopt;
+  return bad(
+      "resultant beams are calculated with material 001 only; make them trusses or integrated beams (ELFORM 3, 1) or "
+      "change their material for this run");
+}
+
+/// The limits of material 100 if they are in range.
+SolverResult<WeldLimits> weld_limits(const model::Material& written) {
+  constexpr double most_vectors = 10000;
+  const model::SpotWeld& weld = *written.weld;
+  const auto refused = [&](Failure::Kind kind, std::string_view why) {
+    return Failure{kind, fmt::format("material {} (*{}): {}", written.id, written.keyword, why), written.place};
+  };
+  if (std::any_of(weld.strength.begin(), weld.strength.end(), [](double value) { return value < 0; }))
+    return refused(Failure::Kind::not_calculated,
+                   "a resultant at failure below zero names a curve over the rate, which is not calculated; give it as "
+                   "a number above zero");
+  for (const auto& [name, value] :
+       {std::pair("DT", weld.step), {"TFAIL", weld.failure_time}, {"EFAIL", weld.failure_strain}, {"NF", weld.filter}})
+    if (!(value >= 0) || !std::isfinite(value))
+      return refused(Failure::Kind::bad_material, fmt::format("{} is {:g}; set a number not below zero", name, value));
+  if (weld.filter > most_vectors)
+    return refused(Failure::Kind::bad_material,
+                   fmt::format("NF is {:g}; at most {:g} force vectors are averaged", weld.filter, most_vectors));
+  return WeldLimits{weld.strength, weld.failure_strain, weld.failure_time, static_cast<std::size_t>(weld.filter),
+                    weld.step};
+}
+
+/// Points and constants of the cross-section of an integrated beam.
+SolverStatus set_fibers(const model::Section& section, BeamProperties& properties) {
+  const model::BeamProfile& profile = *section.profile;
+  const auto& [s, t] = std::pair(profile.s, profile.t);
+  for (std::size_t end = 0; end < 2; ++end)
+    if (!(s[end] > 0) || !(profile.tube ? t[end] >= 0 && t[end] < s[end] : t[end] > 0) ||
+        !std::isfinite(s[end] * t[end]))
+      return bad_section(
+          section, fmt::format("has the sides or diameters {:g} and {:g} at an end; mend TS1 to TT2", s[end], t[end]));
+  if (!(profile.shear_factor > 0) || !std::isfinite(profile.shear_factor))
+    return bad_section(section, fmt::format("has the shear factor SHRF {:g}; set it above zero", profile.shear_factor));
+  properties.fibers = section_fibers(profile);
+  if (properties.fibers.empty())
+    return bad_section(
+        section, fmt::format("has QR/IRID {} and {}; rules 1 to 5 of rectangles and tubes are calculated", profile.rule,
+                             profile.arbitrary ? "an arbitrary shape (CST)" : "CST 0 or 1"));
+  properties.section = section_constants(profile, properties.fibers);
+  properties.shear_factor = profile.shear_factor;
+  properties.torsion_free = profile.torsion_free;
+  return {};
 }
 
 }  // namespace
 
-SolverResult<BeamProperties> beam_properties(const model::Section& section, const Material& material) {
-  BeamProperties properties{material, section.beam.value_or(model::BeamSection{}), section.elform == truss};
+SolverResult<BeamProperties> beam_properties(const model::Section& section, const Material& material,
+                                             const model::Material& written) {
+  BeamProperties properties;
+  properties.material = material;
+  properties.section = section.beam.value_or(model::BeamSection{});
+  properties.truss = section.elform == truss;
+  if (!section.beam) properties.section.area = section.beam_area;
+  if (auto why = unsuitable(section, material, written)) return std::move(*why);
+  if (section.integrated() && material.has_stress())
+    if (const SolverStatus set = set_fibers(section, properties); !set.ok()) return set.error();
+  if (written.weld) {
+    auto limits = weld_limits(written);
+    if (!limits) return limits.error();
+    properties.weld = std::move(limits).value();
+  }
   const model::BeamSection& values = properties.section;
-  if (material.kind == MaterialKind::anisotropic || (material.kind == MaterialKind::plastic && !properties.truss))
-    return Failure{Failure::Kind::bad_material,
-                   fmt::format("section {}: beams that bend are calculated with material 001 only; make them trusses "
-                               "(ELFORM 3) or change their material for this run",
-                               section.id),
-                   section.place};
   bool finite = true;
   for (const double value : {values.area, values.iss, values.itt, values.torsion, values.shear_area, values.line_mass})
     if (!(value >= 0) || !std::isfinite(value)) finite = false;
   if (!finite || !(values.area > 0))
-    return Failure{
-        Failure::Kind::bad_element,
-        fmt::format("section {} has a beam area of {:g} or constants out of range; mend it", section.id, values.area),
-        section.place};
+    return bad_section(section, fmt::format("has a beam area of {:g} or constants out of range; mend it", values.area));
   return properties;
 }
 
@@ -42,11 +110,17 @@ bool BeamLimits::leaves_out(PartIndex part) {
   if (!position) return false;
   const model::Section& section = model_.sections[*position];
   if (section.kind != model::SectionKind::beam) return false;
-  const bool out = !is_calculated(section), other = section.elform != 2 && section.elform != truss;
-  if ((out || other) && named_.insert(*position).second)
-    diagnostics_.warning(model_.file(section.place), section.place.line,
-                         fmt::format("section {}: beams of ELFORM {} {}", section.id, section.elform,
-                                     out ? "take no part in the calculation" : "are calculated as the resultant beam"));
+  const auto& material = model_.part(part).material;
+  if (material && model_.materials[*material].null_material && section.beam_area > 0) return false;
+  const bool out = !is_calculated(section);
+  const bool other = section.elform != 2 && section.elform != truss && !section.integrated();
+  const bool shifted = section.integrated() && section.profile->shifted;
+  if ((out || other || shifted) && named_.insert(*position).second)
+    diagnostics_.warning(
+        model_.file(section.place), section.place.line,
+        out || other ? fmt::format("section {}: beams of ELFORM {} {}", section.id, section.elform,
+                                   out ? "take no part in the calculation" : "are calculated as the resultant beam")
+                     : fmt::format("section {}: beams are offset (NSLOC, NTLOC), which is not calculated", section.id));
   return out;
 }
 

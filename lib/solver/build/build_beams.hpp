@@ -10,17 +10,21 @@
 
 namespace gapcheck::solver {
 
-/// The solver's properties of a beam section with constants. ELFORM 3 is a truss (001, 003, 009, 024), all others are
-/// the resultant beam (001, 009); a failure names the unsuitable section or material, or an area of zero.
-[[nodiscard]] SolverResult<BeamProperties> beam_properties(const model::Section& section, const Material& material);
+/// The solver's properties of a beam section with constants. ELFORM 3 is a truss (001, 003, 009, 024), 1 and 9 are
+/// integrated over their cross-section (001, 003, 009, 024; 9 also 100), all others are the resultant beam (001, 009).
+/// A failure names the unsuitable section or material, limits of spotwelds out of range, or an area of zero. `written`:
+/// the material as the deck has it.
+[[nodiscard]] SolverResult<BeamProperties> beam_properties(const model::Section& section, const Material& material,
+                                                           const model::Material& written);
 
 /// What is not calculated for a deck's beams, and what is calculated as something else; each reported once.
 class BeamLimits {
  public:
   BeamLimits(const model::Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
 
-  /// True for parts with sections that are not calculated: ELFORM other than 1 to 5 and 13, or without constants.
-  /// Reports them, and those that are calculated as the resultant beam.
+  /// True for parts with sections that are not calculated: ELFORM other than 1 to 5, 9 and 13, or without constants.
+  /// Beams of a null material only need an area. Reports what is left out, what is calculated as the resultant beam,
+  /// and offsets of the section.
   bool leaves_out(PartIndex part);
   /// From the first node to a point in the plane of the axes r and s; zero if the deck gives none.
   [[nodiscard]] Vector third_point(std::uint32_t beam, const State& state);

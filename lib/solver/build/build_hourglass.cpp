@@ -38,6 +38,7 @@ ElementControl element_control(const model::Model& model, const model::Part& par
     }
   }
   if (type != 0) result.hourglass.kind = type >= 1 && type <= 3 ? HourglassKind::viscous : HourglassKind::stiffness;
+  result.hourglass.exact_volume = type == 3 || type >= 5;
   if (type < 0 || type > 5)
     warn(place,
          fmt::format("part {}: hourglass control IHQ {} is calculated as type 4 (stiffness)", part.id.value, type));

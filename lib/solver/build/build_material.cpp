@@ -48,6 +48,32 @@ YieldCurve piecewise_linear(const model::Model& model, const model::Material& ma
   return {data.sigy, material.young * data.etan / (material.young - data.etan)};
 }
 
+/// Material 100: EH is the slope over the plastic strain. A curve or table takes the place of SIGY and EH.
+SolverStatus set_weld_yield(const model::Model& model, const model::SpotWeld& weld, Material& material) {
+  material.kind = MaterialKind::plastic;
+  material.yield = {weld.sigy, weld.hardening};
+  if (weld.curve == 0) return {};
+  if (const auto curve = model.curves.find(weld.curve); curve != model.curves.end()) {
+    material.yield = YieldCurve(points_of(curve->second.points));
+  } else if (const auto table = model.tables.find(weld.curve); table != model.tables.end()) {
+    if (auto rates = rate_table(model, table->second)) material.table = std::move(*rates);
+    if (!material.table.curves.empty()) material.yield = material.table.curves[0];
+  } else {
+    material.yield = {};
+  }
+  if (!material.yield.empty()) return {};
+  return Failure{Failure::Kind::bad_material, "names a yield curve or table (SIGY below zero) that is not there", {}};
+}
+
+/// VP = 1 counts where the yield stress depends on a rate. SIGY times the rate's part adds to the curve of 024.
+void set_rate_dependence(const model::Plasticity& data, bool piecewise, Material& material) {
+  material.rate_c = data.rate_c;
+  material.rate_p = data.rate_p;
+  const bool table = !material.table.curves.empty();
+  material.viscoplastic = data.viscoplastic && (table || data.by_rate());
+  if (material.viscoplastic && piecewise && !table && data.sigy > 0) material.rate_stress = data.sigy;
+}
+
 /// FS or FAIL is an effective plastic strain.
 bool fails(const model::Plasticity& data) {
   constexpr double never = 1e20;
@@ -86,11 +112,20 @@ SolverResult<Material> build_material(const model::Model& model, const model::Ma
       result.yield = piecewise_linear(model, material);
       if (result.yield.empty()) return refused("names a yield curve or table that is not there");
     }
-    result.rate_c = data.rate_c;
-    result.rate_p = data.rate_p;
+    set_rate_dependence(data, material.keyword == "MAT_PIECEWISE_LINEAR_PLASTICITY", result);
     if (fails(data)) result.failure_strain = data.failure_strain;
+  } else if (material.weld) {
+    if (!material.weld->variant.empty())
+      return refused(fmt::format("is the variant {}, which is not calculated; use *MAT_SPOTWELD for this run",
+                                 material.weld->variant));
+    if (const SolverStatus set = set_weld_yield(model, *material.weld, result); !set.ok())
+      return refused(set.error().message);
+  } else if (material.mooney_rivlin) {
+    if (material.mooney_rivlin->lcid != 0) return refused("is to be fitted to a curve (LCID); give it A and B instead");
+    result.kind = MaterialKind::rubber;
+    result.rubber = mooney_rivlin(material.mooney_rivlin->a, material.mooney_rivlin->b, material.poisson);
   } else if (material.keyword != "MAT_ELASTIC") {
-    return refused("is none of 001, 003, 009, 020, 024 and 037; replace it for this run");
+    return refused("is none of 001, 003, 009, 020, 024, 027, 037 and 100; replace it for this run");
   }
   if (!result.valid()) return refused("has a density, stiffness or yield stress out of range");
   return result;
@@ -104,7 +139,9 @@ void name_what_is_not_calculated(const model::Model& model, const model::Materia
                         fmt::format("material {} (*{}): {}", material.id, material.keyword, what));
   };
   if (data.failure_strain < 0) warn("failure by a subroutine (FAIL < 0) is not calculated");
-  if (data.viscous()) warn("the viscoplastic rate (VP) is ignored; the total strain rate counts");
+  const bool table = data.lcss != 0 && model.tables.count(data.lcss) > 0;
+  if (data.other_vp != 0 && (data.by_rate() || table))
+    warn(fmt::format("VP = {:g} is not calculated; the total strain rate counts", data.other_vp));
   if (data.lcsr != 0) warn("the curve LCSR over the rate is not calculated");
   const bool anisotropic = material.keyword == "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC";
   if (anisotropic && data.lcss != 0)

@@ -68,5 +68,8 @@ void apply_loads(ConditionBuilder& builder);
 void apply_boundary(ConditionBuilder& builder);
 void apply_prescribed_motions(ConditionBuilder& builder);
 void apply_initial_velocities(ConditionBuilder& builder);
+/// Gives the beams of *INITIAL_AXIAL_FORCE_BEAM their preload. A failure names a set, curve or KBEND that cannot be
+/// used, a beam with two preloads, or one that is not integrated.
+void apply_beam_preloads(ConditionBuilder& builder);
 
 }  // namespace gapcheck::solver

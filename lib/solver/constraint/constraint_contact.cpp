@@ -95,7 +95,7 @@ void ConstraintContact::add_passes(Interface& interface) {
 void ConstraintContact::erode(const State& state) {
   failures_ = state.failed.count;
   at_ = state.x;  // also of nodes inside the solids, for their volumes
-  const contact::GoneElements gone{state.failed.shells, state.failed.solids};
+  const contact::GoneElements gone{state.failed.shells, state.failed.solids, state.failed.beams};
   for (Interface& interface : interfaces_) {
     auto left =
         std::make_unique<contact::ContactSurfaces>(store_.erode(interface.contact, *interface.surfaces, gone, state.x));

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/contact/contact_source.hpp"
+#include "solver/interface/contact_source.hpp"
 
 namespace gapcheck::solver {
 

@@ -74,13 +74,13 @@ std::vector<ContactNode> nodes_of(const ContactInterface& interface) {
 }  // namespace
 
 ContactForces::ContactForces(const model::Model& model, contact::SurfaceStore& surfaces,
-                             const contact::InitialState& initial, std::vector<bool> movable)
+                             const contact::InitialState& initial, std::vector<bool> movable, SpringFormula formula)
     : model_(model),
       store_(surfaces),
       found_(initial.penetrations),
       moved_(initial.x != model.mesh.nodes.x),
       movable_(std::move(movable)),
-      masses_(model),
+      masses_(model, formula),
       search_(contact::make_bucket_grid()),
       ties_(model),
       setting_{model, masses_, *search_, ties_, movable_, shared_} {
@@ -144,7 +144,7 @@ void ContactForces::follow_surfaces() {
 
 void ContactForces::erode(const State& state) {
   failures_ = state.failed.count;
-  const contact::GoneElements gone{state.failed.shells, state.failed.solids};
+  const contact::GoneElements gone{state.failed.shells, state.failed.solids, state.failed.beams};
   std::vector<bool> done(interfaces_.size(), false);
   for (std::size_t i = 0; i < interface_of_.size(); ++i) {
     const std::uint32_t interface = interface_of_[i];

@@ -11,10 +11,10 @@
 #include "contact/stiffness/contact_timestep.hpp"
 #include "solver/contact/contact_interface.hpp"
 #include "solver/contact/contact_method.hpp"
-#include "solver/contact/contact_setting.hpp"
-#include "solver/contact/contact_source.hpp"
-#include "solver/contact/interface_pass.hpp"
 #include "solver/contact/search_margin.hpp"
+#include "solver/interface/contact_setting.hpp"
+#include "solver/interface/contact_source.hpp"
+#include "solver/interface/interface_pass.hpp"
 #include "solver/state/force.hpp"
 
 namespace gapcheck::solver {
@@ -29,7 +29,7 @@ class ContactForces : public Force, public ContactSource {
   /// `movable`: by node, whether a shooting node may be moved. Model and surfaces must outlive it, and the first state
   /// must stay at its address.
   ContactForces(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
-                std::vector<bool> movable);
+                std::vector<bool> movable, SpringFormula formula = SpringFormula::documented);
 
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override;

@@ -9,6 +9,7 @@
 #include "solver/contact/contact_method.hpp"
 #include "solver/contact/contact_pass.hpp"
 #include "solver/contact/edge_pass.hpp"
+#include "solver/mortar/mortar_pass.hpp"
 
 namespace gapcheck::solver {
 
@@ -38,6 +39,9 @@ bool is_shifted(const contact::ContactSide& side) {
   return !side.selection.segments.offset.empty() || !side.nodes.shift.empty();
 }
 
+/// DTSTIF; 0: not given. Mortar contacts have MPAR2 in its place.
+double fixed_step(const model::Contact& contact) { return contact.options.mortar ? 0 : std::max(0.0, contact.dtstif); }
+
 bool is_tiebreak(const model::Contact& contact) { return choose_method(contact).method == ContactMethod::tiebreak; }
 
 }  // namespace
@@ -53,7 +57,7 @@ ContactInterface::ContactInterface(const ContactSetting& setting, contact::Surfa
   build_surfaces(store, sides, moved, state.x);
   if (!may_wait()) begin_passes();
   if (!surfaces_->type.by_segments()) return;
-  step_ = card().dtstif > 0 ? 0 : first_step_;
+  step_ = fixed_step(card()) > 0 ? 0 : first_step_;
   crossings_ = std::make_unique<SegmentCrossings>(card().dtpchk);
 }
 
@@ -137,7 +141,7 @@ bool ContactInterface::sides_are_near(double margin) const {
 void ContactInterface::begin_passes() {
   if (!passes_.empty()) return;
   add_passes();
-  const double fixed = card().dtstif;
+  const double fixed = fixed_step(card());
   set_timestep(fixed > 0 ? fixed : step_ > 0 ? step_ : first_step_);
   for (const auto& pass : passes_)
     if (active_) pass->set_followed();
@@ -145,6 +149,10 @@ void ContactInterface::begin_passes() {
 
 void ContactInterface::add_passes() {
   const contact::ContactSurfaces& surfaces = *surfaces_;
+  if (surfaces.type.pairing == contact::Pairing::mortar) {
+    passes_.push_back(std::make_unique<MortarPass>(setting_, contact_, surfaces, x_));
+    return;
+  }
   const auto add_nodes_in_segments = [&](bool exchanged) {
     passes_.push_back(std::make_unique<ContactPass>(setting_, contact_, surfaces, exchanged, x_));
   };
@@ -180,7 +188,7 @@ void ContactInterface::erode(contact::SurfaceStore& store, const contact::GoneEl
   set_own_surfaces(rims ? contact::free_edge_surface(setting_.model, contact_, left, state.x) : left);
   if (before.empty()) return;
   add_passes();
-  const double fixed = card().dtstif;
+  const double fixed = fixed_step(card());
   set_timestep(fixed > 0 ? fixed : step_ > 0 ? step_ : first_step_);
   for (std::size_t k = 0; k < passes_.size(); ++k) passes_[k]->continue_from(*before[k], state, result);
 }
@@ -205,6 +213,9 @@ std::optional<ContactEvent> ContactInterface::follow_step(const State& state) {
     step_ = state.coming;
     set_timestep(step_);
   }
+  for (const auto& pass : passes_)
+    if (std::string text = pass->take_message(); !text.empty())
+      return ContactEvent{contact_, state.time, std::move(text)};
   if (crossings_ == nullptr) return std::nullopt;
   return crossings_->check(setting_.model, contact_, *surfaces_, state);
 }

@@ -7,9 +7,9 @@
 
 #include "contact/surface/contact_surfaces.hpp"
 #include "contact/surface/erosion.hpp"
-#include "solver/contact/contact_setting.hpp"
-#include "solver/contact/interface_pass.hpp"
 #include "solver/contact/segment_crossings.hpp"
+#include "solver/interface/contact_setting.hpp"
+#include "solver/interface/interface_pass.hpp"
 
 namespace gapcheck::solver {
 

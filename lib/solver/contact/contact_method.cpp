@@ -37,7 +37,20 @@ ContactChoice choose_tiebreak(const model::Contact& contact, const contact::Cont
 
 ContactChoice choose_penalty(const model::Contact& contact) {
   if (contact::active_time(contact).by_curve) return no(times_by_curve);
+  if (contact.kind->can(contact::Ability::interference) && contact.soft == 2)
+    return no("of INTERFERENCE contacts SOFT = 0 and 1 alone are calculated");
   if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2) return no("only SOFT = 0, 1 and 2 are calculated");
+  return {ContactMethod::penalty, ""};
+}
+
+/// Of mortar contacts those of one and two surfaces.
+ContactChoice choose_mortar(const model::Contact& contact) {
+  if (contact.kind->tie != model::TieForm::none) return no("the ties of mortar contacts are not calculated");
+  const model::ContactCode code = contact.kind->code;
+  if (code != model::ContactCode::automatic_surface && code != model::ContactCode::automatic_single &&
+      code != model::ContactCode::forming_surface)
+    return no("mortar contacts of this type are not calculated");
+  if (contact::active_time(contact).by_curve) return no(times_by_curve);
   return {ContactMethod::penalty, ""};
 }
 
@@ -55,10 +68,9 @@ ContactChoice choose_method(const model::Contact& contact) {
   const contact::ContactType type = contact::classify(contact);
   if (contact.kind == nullptr || type.code == contact::ContactCode::unknown)
     return no("contacts of this kind are not calculated");
-  if (type.pairing == contact::Pairing::mortar || contact.options.mortar)
-    return no("mortar contacts are not calculated");
   if (!contact.kind->not_run.empty()) return no(contact.kind->not_run);
   if (const std::string_view why = unsupported_option(contact.options); !why.empty()) return no(why);
+  if (contact.options.mortar) return choose_mortar(contact);
   switch (contact.kind->method) {
     case model::RunMethod::none:
       return no("contacts of this type are not calculated");

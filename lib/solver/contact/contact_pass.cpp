@@ -86,7 +86,10 @@ void ContactPass::advance_block(std::size_t b, const State& state, double used, 
 }
 
 double ContactPass::advance_state(State& state, double used, ContactCounters& counters) {
-  rule_->begin_cycle(state.time);
+  if (rule_->begin_cycle(state.time)) pairs_.forget_pair_data();
+  // Half of what springs get at their length before this step, half at that after it.
+  if (const SpringGrowth growth = rule_->growth(); growth.before != growth.now)
+    given_ = growth.before > 0 ? (growth.now / growth.before - 1) / 2 * stored() : 0;
   blocks_.resize((pairs_.places() + places_per_block - 1) / places_per_block);
   pushes_.resize(blocks_.size());
   parallel_for(blocks_.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -110,6 +113,8 @@ void ContactPass::add_forces(const State& state, Forces& forces, ContactState& r
   const contact::Segments& segments = pairs_.scene().segments;
   add_pushes(pushes_, segments, forces);
   for (const PassBlock& block : blocks_) block.add_to(pairs_.exchanged(), result);
+  if (const SpringGrowth growth = rule_->growth(); growth.before != growth.now && growth.now > 0)
+    result.lost -= given_ + (growth.before > 0 ? 0.5 : 1) * (1 - growth.before / growth.now) * stored();
   if (!result.single_surface) add_totals(pushes_, segments, state.x, pairs_.exchanged(), result);
 }
 

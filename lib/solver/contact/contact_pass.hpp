@@ -3,13 +3,13 @@
 #include <memory>
 #include <vector>
 
-#include "solver/contact/contact_setting.hpp"
-#include "solver/contact/interface_pass.hpp"
 #include "solver/contact/node_settler.hpp"
 #include "solver/contact/pass_block.hpp"
 #include "solver/contact/push_list.hpp"
 #include "solver/contact/segment_finder.hpp"
 #include "solver/contact/tracked_pairs.hpp"
+#include "solver/interface/contact_setting.hpp"
+#include "solver/interface/interface_pass.hpp"
 
 namespace gapcheck::solver {
 
@@ -53,6 +53,7 @@ class ContactPass final : public InterfacePass {
   std::unique_ptr<NodeRule> rule_;
   SegmentFinder finder_;
   NodeSettler settler_;
+  double given_ = 0;               // energy that springs got from SpringGrowth before the step
   std::vector<PassBlock> blocks_;  // of the present cycle
   std::vector<PushList> pushes_;   // of each block
 };

@@ -6,10 +6,10 @@
 
 #include "contact/edge/edge_scene.hpp"
 #include "contact/pair/node_contact.hpp"
-#include "solver/contact/contact_link.hpp"
-#include "solver/contact/contact_setting.hpp"
 #include "solver/contact/edge_springs.hpp"
-#include "solver/contact/interface_pass.hpp"
+#include "solver/interface/contact_link.hpp"
+#include "solver/interface/contact_setting.hpp"
+#include "solver/interface/interface_pass.hpp"
 
 namespace gapcheck::solver {
 

@@ -4,8 +4,8 @@
 
 #include "contact/definition/friction.hpp"
 #include "contact/edge/edge_scene.hpp"
-#include "solver/contact/contact_link.hpp"
-#include "solver/contact/contact_setting.hpp"
+#include "solver/interface/contact_link.hpp"
+#include "solver/interface/contact_setting.hpp"
 
 namespace gapcheck::solver {
 

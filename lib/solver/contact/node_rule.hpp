@@ -2,11 +2,17 @@
 #include <cstdint>
 
 #include "contact/pair/node_contact.hpp"
-#include "solver/contact/contact_spring.hpp"
+#include "solver/interface/contact_spring.hpp"
 
 namespace gapcheck::solver {
 
 struct SegmentContact;
+
+/// Factor of the stiffness of all springs of a contact in the last cycle and in this one. What springs store for more
+/// of it nobody has paid for.
+struct SpringGrowth {
+  double before = 1, now = 1;
+};
 
 /// The decisions of one kind of contact about a tracked node and a segment: the spring between them, the side from
 /// which the node came, and whether it is pushed, moved or released. Decisions about different nodes are independent
@@ -18,8 +24,10 @@ class NodeRule {
   [[nodiscard]] virtual bool keeps_initial_memory() const = 0;
   /// The step that the stiffness follows, if it does.
   virtual void set_timestep(double timestep) = 0;
-  /// Called before all decisions of a cycle.
-  virtual void begin_cycle(double /*time*/) {}
+  /// Called before all decisions of a cycle; true: the springs have changed.
+  virtual bool begin_cycle(double /*time*/) { return false; }
+  /// What begin_cycle() has done to all springs.
+  [[nodiscard]] virtual SpringGrowth growth() const { return {}; }
 
   /// The spring between a node and a segment, and the penetration beyond which the node is released.
   [[nodiscard]] virtual ContactSprings::Spring spring(SlotIndex slot, SegmentIndex segment) const = 0;

@@ -1,12 +1,12 @@
 #pragma once
 #include "contact/definition/friction.hpp"
 #include "contact/pair/node_contact.hpp"
-#include "solver/contact/contact_setting.hpp"
 #include "solver/contact/node_rule.hpp"
 #include "solver/contact/pass_block.hpp"
 #include "solver/contact/push_list.hpp"
 #include "solver/contact/segment_finder.hpp"
 #include "solver/contact/tracked_pairs.hpp"
+#include "solver/interface/contact_setting.hpp"
 
 namespace gapcheck::solver {
 

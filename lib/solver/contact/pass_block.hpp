@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/contact/contact_link.hpp"
-#include "solver/contact/contact_state.hpp"
-#include "solver/contact/interface_pass.hpp"
+#include "solver/interface/contact_link.hpp"
+#include "solver/interface/contact_state.hpp"
+#include "solver/interface/interface_pass.hpp"
 
 namespace gapcheck::solver {
 

@@ -5,7 +5,8 @@
 
 namespace gapcheck::solver {
 
-/// The rule of SOFT = 0 and 1. Stiffness, release and history are those of lib/contact.
+/// The rule of SOFT = 0 and 1. Stiffness, release and history are those of lib/contact. INTERFERENCE contacts have no
+/// history: no node is moved or forgiven, and the curve LCID2 scales the stiffness over time.
 class PenaltyRule final : public NodeRule {
  public:
   /// All references must outlive it.
@@ -14,24 +15,45 @@ class PenaltyRule final : public NodeRule {
         springs_(setting.model, pairs.side(), setting.masses,
                  pairs.exchanged() ? scene_.contact.sfm : scene_.contact.sfs,
                  pairs.exchanged() || !pairs.two_sided() ? scene_.contact.sfs : scene_.contact.sfm,
-                 setting.shared.stiffness) {}
+                 setting.shared.stiffness),
+        interference_(scene_.type.can(contact::Ability::interference)) {
+    const auto curve = setting.model.curves.find(scene_.contact.interference_curve);
+    if (interference_ && curve != setting.model.curves.end()) growth_ = &curve->second;
+  }
 
-  [[nodiscard]] bool keeps_initial_memory() const override { return true; }
+  [[nodiscard]] bool keeps_initial_memory() const override { return !interference_; }
   void set_timestep(double timestep) override { springs_.set_timestep(timestep); }
+  bool begin_cycle(double time) override {
+    if (growth_ == nullptr) return false;
+    const double now = growth_->at(time / growth_->abscissa_time);
+    factor_ = {known_ ? factor_.now : now, now};
+    const bool changed = !known_ || factor_.before != now;
+    known_ = true;
+    return changed;
+  }
+  [[nodiscard]] SpringGrowth growth() const override { return factor_; }
+  void forget() override { known_ = false; }
   [[nodiscard]] ContactSprings::Spring spring(SlotIndex slot, SegmentIndex segment) const override {
-    return springs_(slot, segment);
+    ContactSprings::Spring spring = springs_(slot, segment);
+    spring.stiffness *= factor_.now;
+    return spring;
   }
   [[nodiscard]] double release_depth(SlotIndex slot, SegmentIndex segment) const override {
     return contact::release_depth(scene_, slot, segment);
   }
   [[nodiscard]] contact::NodeAction decide_action(contact::NodeContact& memory,
                                                   const contact::NodeEncounter& encounter) const override {
-    return contact::advance(memory, scene_.settings, encounter);
+    return interference_ ? contact::advance_interference(memory, encounter)
+                         : contact::advance(memory, scene_.settings, encounter);
   }
 
  private:
   const contact::PairScene& scene_;
   ContactSprings springs_;
+  bool interference_;
+  const model::Curve* growth_ = nullptr;  ///< of the stiffness over time; null: none
+  SpringGrowth factor_;                   ///< its values
+  bool known_ = false;                    ///< the value is that of an earlier cycle
 };
 
 }  // namespace gapcheck::solver

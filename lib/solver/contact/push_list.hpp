@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/surface/surface.hpp"
-#include "solver/contact/contact_state.hpp"
+#include "solver/interface/contact_state.hpp"
 #include "solver/state/force.hpp"
 
 namespace gapcheck::solver {

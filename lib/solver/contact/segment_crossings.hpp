@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "contact/surface/contact_surfaces.hpp"
-#include "solver/contact/contact_source.hpp"
+#include "solver/interface/contact_source.hpp"
 
 namespace gapcheck::solver {
 

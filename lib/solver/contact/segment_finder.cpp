@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/outside_band.hpp"
+
 namespace gapcheck::solver {
 
 using contact::Candidate;
@@ -65,12 +67,15 @@ NodeMeeting SegmentFinder::decide_candidates(std::size_t place, double used, Fin
                                              PairCounts& counts) {
   const SlotIndex slot = pairs_.slot_at(place);
   const std::span<Candidate> candidates = pairs_.candidates_at(place);
-  const double wake = decide_awake(slot, candidates, used, scratch, counts);
+  const Sleep sleep = decide_awake(slot, candidates, used, scratch, counts);
   NodeMeeting meeting;
-  meeting.in_zone = !scratch.hits.empty();
-  pairs_.set_sleep(place, meeting.in_zone ? 0 : wake);
-  if (TrackedNode* const known = pairs_.known(slot)) known->lead = 0;
-  if (!meeting.in_zone) return meeting;
+  meeting.in_zone = !scratch.hits.empty() || sleep.beside;
+  TrackedNode* const known = pairs_.known(slot);
+  // A node beside segments sleeps only if it has no memory that the zone keeps.
+  const bool may_sleep = scratch.hits.empty() && (!sleep.beside || known == nullptr || known->at_rest());
+  pairs_.set_sleep(place, may_sleep ? sleep.wake : 0);
+  if (known != nullptr) known->lead = 0;
+  if (scratch.hits.empty()) return meeting;
   const std::optional<Hit> hit = contact::choose_hit(scene_, scratch.hits, scratch.measured);
   if (!hit || !hit->in_band) return meeting;
   const auto same = [&](const Hit& other) { return other.segment == hit->segment; };
@@ -78,18 +83,32 @@ NodeMeeting SegmentFinder::decide_candidates(std::size_t place, double used, Fin
   SegmentContact& contact =
       meeting.contact.emplace(contact_of(slot, hit->segment, scratch.results[static_cast<std::size_t>(at)]));
   take_followed_point(slot, contact, scratch.single);
-  if (leads_ && contact.on_face)
-    pairs_.touch(slot).lead = lead_of(nearest_other(slot, contact.segment, candidates, used), contact, used);
+  if (leads_ && contact.on_face) pairs_.touch(slot).lead = lead_of(slot, candidates, contact, used);
   return meeting;
 }
 
-double SegmentFinder::decide_awake(SlotIndex slot, std::span<Candidate> candidates, double used, FinderScratch& scratch,
-                                   PairCounts& counts) const {
+double SegmentFinder::motion_beside(SlotIndex slot, SegmentIndex segment, const PairResult& pair) const {
+  // Oriented segments and faces of solids that may slide compare hits outside of bands too.
+  const bool compared =
+      scene_.oriented(segment) || scene_.line(segment) ||
+      (scene_.own_neighbours != nullptr && scene_.segments.kind[segment.value] == contact::SegmentKind::solid);
+  const bool shifted = !scene_.segments.offset.empty() && scene_.segments.offset[segment.value] != 0;
+  if (pair.in_band || compared || shifted || !leads_ || scene_.type.by_segments()) return 0;
+  const geometry::Facet facet = scene_.facet(segment);
+  const Vector at = scene_.position(slot);
+  const double in_zone =
+      contact::penetration_bound(scene_, slot, segment, facet, at) * (1 - lead_slack) - pair.distance;
+  if (!(in_zone > 0)) return 0;
+  return std::min(in_zone, geometry::motion_outside_band({facet, at, pair.closest.point, pairs_.reach(slot, segment)}));
+}
+
+SegmentFinder::Sleep SegmentFinder::decide_awake(SlotIndex slot, std::span<Candidate> candidates, double used,
+                                                 FinderScratch& scratch, PairCounts& counts) const {
   scratch.clear_hits();
   // Only nodes that touch something come back for it.
   TrackedNode* const known = pairs_.known(slot);
   if (known != nullptr) known->towards.resize(candidates.size(), Vector::Zero());
-  double wake = std::numeric_limits<double>::infinity();
+  Sleep sleep{std::numeric_limits<double>::infinity()};
   std::uint64_t pairs = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     Candidate& candidate = candidates[i];
@@ -98,22 +117,27 @@ double SegmentFinder::decide_awake(SlotIndex slot, std::span<Candidate> candidat
       const PairResult pair = contact::decide_pair(scene_, slot, s);
       ++pairs;
       candidate.wake = used + std::abs(pair.distance) - pairs_.reach(slot, s);
+      candidate.beside = false;
       const double distance = std::sqrt(pair.closest.squared_distance);
       if (known != nullptr)
         known->towards[i] =
             distance > 0 ? Vector((pair.closest.point - scene_.position(slot)) / distance) : Vector::Zero();
-      if (pair.penetrates) {
+      if (const double motion = pair.penetrates ? motion_beside(slot, s, pair) : 0; motion > 0) {
+        candidate.wake = used + motion;
+        candidate.beside = true;
+      } else if (pair.penetrates) {
         scratch.hits.push_back({slot, s, pair.distance, pair.in_band});
         scratch.results.push_back(pair);
       } else if (scene_.oriented(s)) {
         scratch.measured.push_back({slot, s, pair.distance, pair.in_band});
       }
     }
-    wake = std::min(wake, candidate.wake);
+    sleep.wake = std::min(sleep.wake, candidate.wake);
+    sleep.beside = sleep.beside || candidate.beside;
   }
   counts.pairs += pairs;
   counts.nodes += pairs > 0;
-  return wake;
+  return sleep;
 }
 
 SegmentContact SegmentFinder::contact_of(SlotIndex slot, SegmentIndex segment, const PairResult& pair) const {
@@ -146,7 +170,7 @@ double SegmentFinder::nearest_other(SlotIndex slot, SegmentIndex segment, std::s
                                     double used) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates)
-    if (candidate.segment != segment)
+    if (candidate.segment != segment && !candidate.beside)
       least = std::min(least, candidate.wake - used + pairs_.reach(slot, candidate.segment));
   return least;
 }
@@ -159,7 +183,7 @@ void SegmentFinder::separate_others(SlotIndex slot, SegmentIndex segment, std::s
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     Candidate& candidate = candidates[i];
     const double reach = pairs_.reach(slot, candidate.segment);
-    if (candidate.segment == segment || candidate.wake - used + reach > far) continue;
+    if (candidate.segment == segment || candidate.beside || candidate.wake - used + reach > far) continue;
     const geometry::Facet facet = scene_.facet(candidate.segment);
     double least = std::numeric_limits<double>::infinity(), size = 0;
     for (const Vector& corner : facet.x) {
@@ -171,11 +195,15 @@ void SegmentFinder::separate_others(SlotIndex slot, SegmentIndex segment, std::s
   }
 }
 
-double SegmentFinder::lead_of(double nearest_other, const SegmentContact& chosen, double used) const {
-  const double gap =
-      nearest_other - std::abs(chosen.distance) * (1 + lead_slack) - rounding_share * (used + pairs_.greatest_reach());
-  // One distance may grow by what the other one loses.
-  return used + gap / 2;
+double SegmentFinder::lead_of(SlotIndex slot, std::span<const Candidate> candidates, const SegmentContact& chosen,
+                              double used) const {
+  const double gap = nearest_other(slot, chosen.segment, candidates, used) -
+                     std::abs(chosen.distance) * (1 + lead_slack) - rounding_share * (used + pairs_.greatest_reach());
+  // One distance may grow by what the other one loses. Segments beside the node do not count before they wake.
+  double lead = used + gap / 2;
+  for (const Candidate& candidate : candidates)
+    if (candidate.beside && candidate.segment != chosen.segment) lead = std::min(lead, candidate.wake);
+  return lead;
 }
 
 bool SegmentFinder::may_follow(std::size_t place) const {
@@ -190,7 +218,7 @@ bool SegmentFinder::keeps_lead(std::size_t place, const SegmentContact& contact,
   if (tracked.lead > used) return true;
   const std::span<Candidate> candidates = pairs_.candidates_at(place);
   separate_others(slot, contact.segment, candidates, used, far_away * std::abs(contact.distance));
-  tracked.lead = lead_of(nearest_other(slot, contact.segment, candidates, used), contact, used);
+  tracked.lead = lead_of(slot, candidates, contact, used);
   return tracked.lead > used;
 }
 

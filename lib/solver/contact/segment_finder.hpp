@@ -67,15 +67,23 @@ class SegmentFinder {
   /// Decides the candidates that may be near, and which segment counts.
   [[nodiscard]] NodeMeeting decide_candidates(std::size_t place, double used, FinderScratch& scratch,
                                               PairCounts& counts);
+  /// How long all candidates of a node sleep, and whether it is in the zone of one that does.
+  struct Sleep {
+    double wake;
+    bool beside = false;
+  };
   /// Decides the candidates that are awake and sets their sleep. Writes those that penetrate, and the other oriented
-  /// segments, to `scratch`. Returns how long all candidates sleep.
-  double decide_awake(SlotIndex slot, std::span<contact::Candidate> candidates, double used, FinderScratch& scratch,
-                      PairCounts& counts) const;
+  /// segments, to `scratch`.
+  Sleep decide_awake(SlotIndex slot, std::span<contact::Candidate> candidates, double used, FinderScratch& scratch,
+                     PairCounts& counts) const;
+  /// How far the two may move before the pair, which penetrates, enters the segment's band or leaves its zone; 0 where
+  /// it must be decided in each cycle.
+  [[nodiscard]] double motion_beside(SlotIndex slot, SegmentIndex segment, const contact::PairResult& pair) const;
   [[nodiscard]] SegmentContact contact_of(SlotIndex slot, SegmentIndex segment, const contact::PairResult& pair) const;
   /// Takes the closest point that following the pair of the last cycle finds: whether the node was followed or decided
   /// the long way must not show in the last bit.
   void take_followed_point(SlotIndex slot, SegmentContact& contact, geometry::FollowedPairs& pairs) const;
-  /// Smallest distance of the candidates other than `segment`, as far as their sleep shows.
+  /// Smallest distance of the candidates other than `segment` and those beside, as far as their sleep shows.
   [[nodiscard]] double nearest_other(SlotIndex slot, SegmentIndex segment,
                                      std::span<const contact::Candidate> candidates, double used) const;
   /// Postpones waking candidates other than `segment` as far as the plane of their last decision separates them from
@@ -83,7 +91,8 @@ class SegmentFinder {
   void separate_others(SlotIndex slot, SegmentIndex segment, std::span<contact::Candidate> candidates, double used,
                        double far) const;
   /// The amount of used-up margin until which no other candidate can come as near as the chosen one.
-  [[nodiscard]] double lead_of(double nearest_other, const SegmentContact& chosen, double used) const;
+  [[nodiscard]] double lead_of(SlotIndex slot, std::span<const contact::Candidate> candidates,
+                               const SegmentContact& chosen, double used) const;
   /// True if probably only the pair of the last cycle counts.
   [[nodiscard]] bool may_follow(std::size_t place) const;
   /// True if no candidate other than that of the contact can count.

@@ -67,7 +67,10 @@ SegmentRule::SegmentRule(const ContactSetting& setting, const TrackedPairs& pair
   for (std::size_t s = 0; s < scene_.segments.size(); ++s) mass_.push_back(mass(scene_.segments, s));
 }
 
-void SegmentRule::begin_cycle(double time) { reduction_ = contact::baseline_reduction(model_, scene_.contact, time); }
+bool SegmentRule::begin_cycle(double time) {
+  reduction_ = contact::baseline_reduction(model_, scene_.contact, time);
+  return false;
+}
 
 double SegmentRule::facing(SegmentIndex own, const Vector& normal) const {
   if (own == none<SegmentIndex>) return 1;

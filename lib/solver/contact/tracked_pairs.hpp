@@ -9,9 +9,9 @@
 #include "contact/pair/candidates.hpp"
 #include "contact/pair/node_contact.hpp"
 #include "contact/pair/side_scene.hpp"
-#include "solver/contact/contact_link.hpp"
-#include "solver/contact/contact_setting.hpp"
-#include "solver/contact/contact_spring.hpp"
+#include "solver/interface/contact_link.hpp"
+#include "solver/interface/contact_setting.hpp"
+#include "solver/interface/contact_spring.hpp"
 #include "solver/state/state.hpp"
 
 namespace gapcheck::solver {

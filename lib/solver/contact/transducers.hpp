@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contact/surface/contact_surfaces.hpp"
-#include "solver/contact/contact_source.hpp"
+#include "solver/interface/contact_source.hpp"
 
 namespace gapcheck::solver {
 

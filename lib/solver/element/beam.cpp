@@ -24,7 +24,7 @@ Bending bending(const BeamProperties& properties, double moment_of_area, double 
 
 double axial_step(const BeamProperties& properties, double length) {
   const Material& material = properties.material;
-  return material.young > 0 ? length / std::sqrt(material.young / material.density) : no_limit;
+  return material.has_stress() && material.young > 0 ? length / std::sqrt(material.young / material.density) : no_limit;
 }
 
 /// 2 / ω of the highest of the beam's uncoupled modes: stretching, twisting, bending of one sign and of two.
@@ -49,7 +49,7 @@ void update_axial_stress(const Material& material, double increment, double dt, 
   const double start = state.stress;
   state.stress += material.young * increment;
   if (material.kind != MaterialKind::plastic) return;
-  const YieldLaw yield = material.yield_at(dt > 0 ? std::abs(increment) / dt : 0);
+  const StepYield yield(material, dt > 0 ? std::abs(increment) / dt : 0, dt);
   const double relative = state.stress - state.back_stress, size = std::abs(relative);
   if (!(size > yield.stress(state.plastic_strain))) return;
   const double kinematic = material.kinematic_slope;
@@ -61,26 +61,37 @@ void update_axial_stress(const Material& material, double increment, double dt, 
   state.plastic_work += sign * plastic * (start + state.stress) / 2;
 }
 
-/// Turns the axes with the beam and adds the rotations of the ends relative to them.
-void turn_axes(const BeamEnds& ends, const Vector& way, const Vector& along, double dt, BeamState& state) {
-  const Vector rate = ends.v[1] - ends.v[0];
-  const Vector middle = way - dt / 2 * rate;
-  const double squared_length = middle.squaredNorm();
-  if (!(squared_length > 0)) return;
-  const Vector r = middle / std::sqrt(squared_length);
-  const Vector spin = middle.cross(rate) / squared_length + r.dot(ends.w[0] + ends.w[1]) / 2 * r;
-  const Vector turned = spin_rotation(spin * dt) * state.axis;
-  const Vector mean = state.axis + turned, s = (mean - mean.dot(r) * r).normalized(), t = r.cross(s);
-  state.twist += dt * r.dot(ends.w[1] - ends.w[0]);
+/// Turns the axes and adds up the rotations of the ends relative to them.
+void turn_beam(const BeamEnds& ends, const Vector& way, const Vector& along, double dt, BeamState& state) {
+  const BeamTurn turn = turn_axes(ends, way, along, dt, state.axis);
+  state.twist += turn.twist;
   for (std::size_t end = 0; end < 2; ++end) {
-    const Vector turn = dt * (ends.w[end] - spin);
-    state.turn_s[end] += turn.dot(s);
-    state.turn_t[end] += turn.dot(t);
+    state.turn_s[end] += turn.turn_s[end];
+    state.turn_t[end] += turn.turn_t[end];
   }
-  state.axis = (turned - turned.dot(along) * along).normalized();
 }
 
 }  // namespace
+
+BeamTurn turn_axes(const BeamEnds& ends, const Vector& way, const Vector& along, double dt, Vector& axis) {
+  BeamTurn sum;
+  const Vector rate = ends.v[1] - ends.v[0];
+  const Vector middle = way - dt / 2 * rate;
+  const double squared_length = middle.squaredNorm();
+  if (!(squared_length > 0)) return sum;
+  const Vector r = middle / std::sqrt(squared_length);
+  const Vector spin = middle.cross(rate) / squared_length + r.dot(ends.w[0] + ends.w[1]) / 2 * r;
+  const Vector turned = spin_rotation(spin * dt) * axis;
+  const Vector mean = axis + turned, s = (mean - mean.dot(r) * r).normalized(), t = r.cross(s);
+  sum.twist = dt * r.dot(ends.w[1] - ends.w[0]);
+  for (std::size_t end = 0; end < 2; ++end) {
+    const Vector turn = dt * (ends.w[end] - spin);
+    sum.turn_s[end] = turn.dot(s);
+    sum.turn_t[end] = turn.dot(t);
+  }
+  axis = (turned - turned.dot(along) * along).normalized();
+  return sum;
+}
 
 double stored_energy(const BeamProperties& properties, const BeamState& state, double length) {
   const Material& material = properties.material;
@@ -106,7 +117,13 @@ double beam_mass(const BeamProperties& properties, double length) {
 
 double beam_inertia(const BeamProperties& properties, double length) {
   const model::BeamSection& section = properties.section;
-  return properties.truss ? 0 : std::max(length * length / 12, (section.iss + section.itt) / section.area);
+  if (properties.truss) return 0;
+  const double least = std::max(length * length / 12, (section.iss + section.itt) / section.area);
+  if (!properties.integrated()) return least;
+  constexpr double stiffest_shear = 0.9;  // of an absurd SHRF
+  const double ratio =
+      std::min(properties.shear_factor * properties.material.shear() / properties.material.young, stiffest_shear);
+  return std::max(least, length * length / 4 * ratio / (1 - ratio));
 }
 
 BeamForces truss_forces(const BeamProperties& properties, const BeamEnds& ends, double dt, BeamState& state) {
@@ -137,7 +154,7 @@ BeamForces resultant_beam_forces(const BeamProperties& properties, const BeamEnd
   const double length = way.norm();
   if (!(length > 0) || !std::isfinite(length)) return forces;
   const Vector r = way / length;
-  if (dt > 0) turn_axes(ends, way, r, dt, state);
+  if (dt > 0) turn_beam(ends, way, r, dt, state);
   forces.good = state.axis.allFinite();
   forces.manual_step = axial_step(properties, length);
   forces.stable_step = no_limit;

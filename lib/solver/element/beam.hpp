@@ -1,16 +1,37 @@
 #pragma once
 #include <array>
+#include <span>
+#include <vector>
 
 #include "model/entity/part.hpp"
-#include "solver/material/material.hpp"
+#include "solver/element/beam_section.hpp"
+#include "solver/material/beam_stress.hpp"
 
 namespace gapcheck::solver {
 
+/// N, Qs, Qt (axial force and shear forces), T, Ms, Mt (torsion and bending moments about s and t) of a cross-section,
+/// in a beam's axes r, s, t.
+using BeamResultants = std::array<double, 6>;
+
+/// When beams of material 100 fail. Zero: never by that.
+struct WeldLimits {
+  BeamResultants strength{};  ///< Σ (resultant / strength)² >= 1, of N only tension
+  double plastic_strain = 0;  ///< once all points have it
+  double time = 0;
+  std::size_t filter = 0;  ///< resultants count as the mean of so many evaluations
+  double step = 0;         ///< DT: elements get mass until their L/c is as long
+};
+
 /// What all beams of one part share.
 struct BeamProperties {
-  Material material;  ///< trusses: elastic or plastic; others: elastic. Null has no forces
+  Material material;  ///< resultant beams: elastic; others: elastic or plastic. Null has no forces
   model::BeamSection section;
-  bool truss = false;  ///< axial force only
+  bool truss = false;              ///< axial force only
+  std::vector<Fiber> fibers = {};  ///< of integrated beams; `section` is then that of these points
+  double shear_factor = 1;         ///< SHRF of integrated beams
+  bool torsion_free = false;       ///< ITOFF = 1
+  WeldLimits weld = {};
+  [[nodiscard]] bool integrated() const { return !fibers.empty(); }
 };
 
 /// Ends of one beam: positions at the end of the step, velocities and angular velocities at its middle.
@@ -26,16 +47,35 @@ struct BeamState {
   std::array<double, 2> turn_s{}, turn_t{};                ///< of the ends about s and t, relative to their line
   double stress = 0, back_stress = 0, plastic_strain = 0;  ///< of trusses
   double plastic_work = 0;                                 ///< per volume, since the start; of trusses
+  std::vector<BeamResultants> recent;  ///< the last ones of spotwelds with a filter, oldest replaced
+  std::size_t oldest = 0;
+};
+
+/// The motion of a beam's ends relative to its axes in one step.
+struct BeamTurn {
+  double twist = 0;                          ///< of end 2 relative to end 1
+  std::array<double, 2> turn_s{}, turn_t{};  ///< of the ends about s and t, relative to their line
+};
+
+/// Turns the axis s with the line between the ends (`along`: its direction at the end of the step, `way`: from end 1 to
+/// end 2) and about it with the mean spin of the ends. The motion is that in the middle of the step.
+[[nodiscard]] BeamTurn turn_axes(const BeamEnds& ends, const Vector& way, const Vector& along, double dt, Vector& axis);
+
+/// The stress that a preload gives to all points, and whether bending adds to it.
+struct ImposedStress {
+  double axial = 0;
+  bool bending = false;
 };
 
 /// Internal forces on the ends (the beam pulls its nodes with the opposite) and what the step needs to know.
 struct BeamForces {
   std::array<Vector, 2> force{Vector::Zero(), Vector::Zero()}, moment{Vector::Zero(), Vector::Zero()};
-  double axial = 0;        ///< tension
-  double dissipated = 0;   ///< in this step: plastic work
-  double manual_step = 0;  ///< length / √(E/ρ)
-  double stable_step = 0;  ///< 2 / the element's highest frequency
-  bool good = false;       ///< false: no length, or not a number
+  double axial = 0;             ///< tension
+  BeamResultants resultants{};  ///< of integrated beams
+  double dissipated = 0;        ///< in this step: plastic work
+  double manual_step = 0;       ///< length / √(E/ρ)
+  double stable_step = 0;       ///< 2 / the element's highest frequency
+  bool good = false;            ///< false: no length, or not a number
 };
 
 /// Truss: axial stress from the strain increments Δl / l of the middle of each step, on the initial area. Rate
@@ -50,6 +90,22 @@ struct BeamForces {
 [[nodiscard]] BeamForces resultant_beam_forces(const BeamProperties& properties, const BeamEnds& ends, double dt,
                                                BeamState& state);
 
+/// Integrated beam after Hughes and Liu (Comput. Methods Appl. Mech. Engng 28, 1981; one point along the axis as in
+/// Belytschko, Liu, Moran): the axes of the resultant beam, and at each point of the cross-section
+/// ε = ε₀ + κs t − κt s, γrs = √k γs − κr t, γrt = √k γt + κr s with the stretching, curvatures and twist of the step
+/// over its mean length; γs, γt: minus the mean rotation about t and that about s; k: SHRF. Forces are those that do
+/// the work of the stresses. `imposed` replaces the axial stress; the point then does not yield.
+[[nodiscard]] BeamForces integrated_beam_forces(const BeamProperties& properties, const BeamEnds& ends, double dt,
+                                                const ImposedStress* imposed, BeamState& state,
+                                                std::span<BeamPoint> points);
+
+/// True if a beam of material 100 fails at `time` with these resultants. Keeps them in `state` if they are filtered.
+[[nodiscard]] bool weld_fails(const WeldLimits& limits, const BeamResultants& resultants, double time,
+                              std::span<const BeamPoint> points, BeamState& state);
+
+/// The elastic energy of an integrated beam's points.
+[[nodiscard]] double stored_energy(const BeamProperties& properties, std::span<const BeamPoint> points, double length);
+
 /// The energy that a beam of the present `length` stores: of its axial stress (trusses), or of its elongation, twist
 /// and rotations.
 [[nodiscard]] double stored_energy(const BeamProperties& properties, const BeamState& state, double length);
@@ -57,7 +113,8 @@ struct BeamForces {
 /// Mass of a beam of this length.
 [[nodiscard]] double beam_mass(const BeamProperties& properties, double length);
 /// Rotational inertia of an end per mass there, the same about all axes: max(l²/12, (Iss + Itt)/A), raised above the
-/// physical one so that bending does not control the time step of slender beams. Trusses have none.
+/// physical one so that bending does not control the time step of slender beams. Of integrated beams at least
+/// l²/4 g/(1 − g), g = SHRF G/E: then shear does not control it either. Trusses have none.
 [[nodiscard]] double beam_inertia(const BeamProperties& properties, double length);
 
 }  // namespace gapcheck::solver

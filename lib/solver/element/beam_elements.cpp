@@ -1,6 +1,8 @@
 #include "solver/element/beam_elements.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gapcheck::solver {
 
@@ -10,23 +12,61 @@ std::uint32_t BeamElements::add_properties(BeamProperties properties) {
 }
 
 double BeamElements::add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third,
-                         std::uint32_t origin, State& state) {
+                         std::uint32_t origin, State& state, const MassScaling& scaling, double* added_mass) {
   const Vector way = state.x[nodes[1].value] - state.x[nodes[0].value];
   BeamState beam;
   beam.length = way.norm();
   if (!(beam.length > 0) || !std::isfinite(beam.length)) return 0;
   const Vector r = way / beam.length, across = third - third.dot(r) * r;
   beam.axis = across.norm() > 1e-9 * third.norm() ? Vector(across.normalized()) : r.unitOrthogonal();
-  const double share = beam_mass(properties_[properties], beam.length) / 2;
-  for (const NodeIndex node : nodes) {
-    state.mass[node.value] += share;
-    state.inertia[node.value] += share * beam_inertia(properties_[properties], beam.length);
-  }
   nodes_.push_back(nodes);
   which_.push_back(properties);
   origin_.push_back(origin);
   state_.push_back(beam);
+  first_point_.push_back(first_point_.back() + properties_[properties].fibers.size());
+  points_.resize(first_point_.back());
+  preload_of_.push_back(no_position);
+  const double factor = mass_factor(state, scaling), mass = beam_mass(properties_[properties], beam.length);
+  step_factor_.push_back(std::sqrt(factor));
+  if (added_mass != nullptr) *added_mass += (factor - 1) * mass;
+  const double share = factor * mass / 2;
+  for (const NodeIndex node : nodes) {
+    state.mass[node.value] += share;
+    state.inertia[node.value] += share * beam_inertia(properties_[properties], beam.length);
+  }
   return beam.length;
+}
+
+/// Of the beam that was added last: first DT of its material, then the scaling of all elements.
+double BeamElements::mass_factor(const State& state, const MassScaling& scaling) {
+  const BeamProperties& properties = properties_[which_.back()];
+  const double least = properties.weld.step;
+  if (!properties.material.has_stress() || (!(least > 0) && !(scaling.step > 0))) return 1;
+  State still{};
+  double supplied = 0;
+  const BeamForces steps = forces(still, size() - 1, ends(state, size() - 1), supplied);
+  const double own = least > steps.manual_step ? least / steps.manual_step : 1;
+  return own * own * scaling.factor(own * steps.manual_step, own * steps.stable_step);
+}
+
+std::uint32_t BeamElements::add_preload(AxialPreload preload) {
+  preloads_.push_back(std::move(preload));
+  return static_cast<std::uint32_t>(preloads_.size() - 1);
+}
+
+bool BeamElements::limit_step() const {
+  return std::any_of(which_.begin(), which_.end(),
+                     [&](std::uint32_t which) { return properties_[which].material.has_stress(); });
+}
+
+bool BeamElements::can_fail() const {
+  return std::any_of(which_.begin(), which_.end(), [&](std::uint32_t which) {
+    const BeamProperties& properties = properties_[which];
+    const WeldLimits& weld = properties.weld;
+    return properties.integrated() &&
+           (properties.material.failure_strain > 0 || weld.plastic_strain > 0 || weld.time > 0 ||
+            std::any_of(weld.strength.begin(), weld.strength.end(), [](double strength) { return strength > 0; }));
+  });
 }
 
 void BeamElements::finish(std::size_t nodes) {
@@ -34,13 +74,14 @@ void BeamElements::finish(std::size_t nodes) {
   moment_.assign(2 * size(), Vector::Zero());
   axial_.assign(size(), 0);
   energy_.assign(size(), {});
-  std::vector<NodeIndex> ends;
-  ends.reserve(2 * size());
-  for (const auto& pair : nodes_) ends.insert(ends.end(), pair.begin(), pair.end());
-  table_ = CornerTable(nodes, ends);
+  failed_.assign(size(), 0);
+  std::vector<NodeIndex> corners;
+  corners.reserve(2 * size());
+  for (const auto& pair : nodes_) corners.insert(corners.end(), pair.begin(), pair.end());
+  table_ = CornerTable(nodes, corners);
 }
 
-Summary BeamElements::update_one(const State& state, std::size_t beam) {
+BeamEnds BeamElements::ends(const State& state, std::size_t beam) const {
   BeamEnds ends;
   for (std::size_t k = 0; k < 2; ++k) {
     const std::uint32_t node = nodes_[beam][k].value;
@@ -48,14 +89,62 @@ Summary BeamElements::update_one(const State& state, std::size_t beam) {
     ends.v[k] = state.v[node];
     ends.w[k] = state.w[node];
   }
+  return ends;
+}
+
+/// Forces on the steps of the unscaled mass. `supplied`: what a preload puts into the beam in the step.
+BeamForces BeamElements::forces(const State& state, std::size_t beam, const BeamEnds& ends, double& supplied) {
   const BeamProperties& properties = properties_[which_[beam]];
-  const BeamForces forces = properties.truss ? truss_forces(properties, ends, state.dt, state_[beam])
-                                             : resultant_beam_forces(properties, ends, state.dt, state_[beam]);
+  if (properties.integrated()) return integrated_forces(state, beam, ends, supplied);
+  return properties.truss ? truss_forces(properties, ends, state.dt, state_[beam])
+                          : resultant_beam_forces(properties, ends, state.dt, state_[beam]);
+}
+
+BeamForces BeamElements::integrated_forces(const State& state, std::size_t beam, const BeamEnds& ends,
+                                           double& supplied) {
+  const BeamProperties& properties = properties_[which_[beam]];
+  const std::span<BeamPoint> points(points_.data() + first_point_[beam], points_.data() + first_point_[beam + 1]);
+  const AxialPreload* preload = preloaded(beam) ? &preloads_[preload_of_[beam]] : nullptr;
+  if (preload == nullptr || !preload->active(state.time))
+    return integrated_beam_forces(properties, ends, state.dt, nullptr, state_[beam], points);
+  const double length = (ends.x[1] - ends.x[0]).norm(),
+               before = (ends.x[1] - ends.x[0] - state.dt * (ends.v[1] - ends.v[0])).norm();
+  const double stored = stored_energy(properties, points, before);
+  const ImposedStress imposed{preload->force.at(state.time) / properties.section.area, preload->bending};
+  const BeamForces forces = integrated_beam_forces(properties, ends, state.dt, &imposed, state_[beam], points);
+  supplied = stored_energy(properties, points, length) - stored;
+  for (std::size_t k = 0; k < 2; ++k)
+    supplied -= state.dt / 2 *
+                ((force_[2 * beam + k] + forces.force[k]).dot(ends.v[k]) +
+                 (moment_[2 * beam + k] + forces.moment[k]).dot(ends.w[k]));
+  return forces;
+}
+
+bool BeamElements::fails(const State& state, std::size_t beam, const BeamForces& forces) {
+  const BeamProperties& properties = properties_[which_[beam]];
+  if (!properties.integrated() || !forces.good) return false;
+  const std::span<const BeamPoint> points = this->points(beam);
+  if (std::all_of(points.begin(), points.end(), [](const BeamPoint& point) { return point.failed; })) return true;
+  return weld_fails(properties.weld, forces.resultants, state.time, points, state_[beam]);
+}
+
+Summary BeamElements::update_one(const State& state, std::size_t beam) {
+  if (failed_[beam] != 0) return {};
+  const BeamEnds ends = this->ends(state, beam);
   Summary summary;
-  summary.manual_step = forces.manual_step;
-  summary.stable_step = forces.stable_step;
+  BeamForces forces = this->forces(state, beam, ends, summary.supplied);
+  if (fails(state, beam, forces)) {
+    failed_[beam] = 1;
+    forces = {};
+    forces.good = true;
+    forces.manual_step = forces.stable_step = std::numeric_limits<double>::infinity();
+    summary.failed = 1;
+  }
+  summary.manual_step = forces.manual_step * step_factor_[beam];
+  summary.stable_step = forces.stable_step * step_factor_[beam];
   summary.dissipated = forces.dissipated;
   if (!forces.good) summary.bad = static_cast<std::uint32_t>(beam);
+  summary.work = summary.supplied;
   for (std::size_t k = 0; k < 2; ++k) {
     Vector &force = force_[2 * beam + k], &moment = moment_[2 * beam + k];
     summary.work +=
@@ -71,6 +160,8 @@ Summary BeamElements::update_one(const State& state, std::size_t beam) {
 
 double BeamElements::stored(std::size_t beam, const std::vector<Vector>& x) const {
   const auto& [a, b] = nodes_[beam];
+  if (properties(beam).integrated())
+    return stored_energy(properties(beam), points(beam), (x[b.value] - x[a.value]).norm());
   return stored_energy(properties(beam), state_[beam], (x[b.value] - x[a.value]).norm());
 }
 

@@ -1,15 +1,26 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/ids.hpp"
 #include "solver/element/assembly.hpp"
 #include "solver/element/beam.hpp"
+#include "solver/element/mass_scaling.hpp"
+#include "solver/state/motion.hpp"
 #include "solver/state/state.hpp"
 #include "solver/state/summary.hpp"
 
 namespace gapcheck::solver {
+
+/// *INITIAL_AXIAL_FORCE_BEAM: the axial force follows a curve, whatever the beam's length does.
+struct AxialPreload {
+  TimeCurve force;
+  double end = 0;        ///< of the curve, or where it first falls
+  bool bending = false;  ///< KBEND = 1
+  [[nodiscard]] bool active(double time) const { return time >= force.start() && time <= end; }
+};
 
 /// All beams and trusses of a structure; arrays by beam.
 class BeamElements {
@@ -18,9 +29,15 @@ class BeamElements {
   std::uint32_t add_properties(BeamProperties properties);
   /// Adds a beam and its share of mass and rotational inertia to the nodes. `third`: a point in the plane of the axes r
   /// and s, from the first node; any length; only its direction across counts. `origin`: position in the model, for
-  /// messages. Returns its length; if not above zero, the beam was not added.
+  /// messages. Returns its length; if not above zero, the beam was not added. Adds the mass by DT of material 100 and
+  /// by `scaling` to `added_mass`, if that is given.
   double add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third, std::uint32_t origin,
-             State& state);
+             State& state, const MassScaling& scaling = {}, double* added_mass = nullptr);
+  /// Adds a preload; returns its position.
+  std::uint32_t add_preload(AxialPreload preload);
+  /// Gives it to an integrated beam.
+  void preload(std::size_t beam, std::uint32_t preload) { preload_of_[beam] = preload; }
+  [[nodiscard]] bool preloaded(std::size_t beam) const { return preload_of_[beam] != no_position; }
   /// Call it once all beams are added.
   void finish(std::size_t nodes);
 
@@ -42,6 +59,15 @@ class BeamElements {
   /// The energy that it stores, with all nodes at `x`.
   [[nodiscard]] double stored(std::size_t beam, const std::vector<Vector>& x) const;
   [[nodiscard]] const BeamState& state(std::size_t beam) const { return state_[beam]; }
+  /// The integration points of an integrated beam.
+  [[nodiscard]] std::span<const BeamPoint> points(std::size_t beam) const {
+    return {points_.data() + first_point_[beam], points_.data() + first_point_[beam + 1]};
+  }
+  [[nodiscard]] bool failed(std::size_t beam) const { return failed_[beam] != 0; }
+  /// True if one of them has a stress, and with it a time step.
+  [[nodiscard]] bool limit_step() const;
+  /// True if one of them may fail.
+  [[nodiscard]] bool can_fail() const;
   /// Tension at the last evaluation.
   [[nodiscard]] double axial(std::size_t beam) const { return axial_[beam]; }
   /// Force and moment on the second end at the last evaluation; the beam pulls with the opposite.
@@ -50,11 +76,23 @@ class BeamElements {
 
  private:
   [[nodiscard]] Summary update_one(const State& state, std::size_t beam);
+  [[nodiscard]] BeamEnds ends(const State& state, std::size_t beam) const;
+  [[nodiscard]] BeamForces forces(const State& state, std::size_t beam, const BeamEnds& ends, double& supplied);
+  [[nodiscard]] BeamForces integrated_forces(const State& state, std::size_t beam, const BeamEnds& ends,
+                                             double& supplied);
+  [[nodiscard]] bool fails(const State& state, std::size_t beam, const BeamForces& forces);
+  [[nodiscard]] double mass_factor(const State& state, const MassScaling& scaling);
 
   std::vector<BeamProperties> properties_;
   std::vector<std::array<NodeIndex, 2>> nodes_;
   std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
   std::vector<BeamState> state_;
+  std::vector<std::size_t> first_point_{0};  ///< of each beam among points_; one more than beams
+  std::vector<BeamPoint> points_;
+  std::vector<AxialPreload> preloads_;
+  std::vector<std::uint32_t> preload_of_;  ///< by beam; no_position: none
+  std::vector<double> step_factor_;        ///< by beam: √ of the factor on its mass
+  std::vector<std::uint8_t> failed_;
   std::vector<double> axial_;
   std::vector<ElementEnergy> energy_;
   std::vector<Vector> force_, moment_;  ///< two entries per beam

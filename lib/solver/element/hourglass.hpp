@@ -10,6 +10,8 @@ enum class HourglassKind : std::uint8_t { none, viscous, stiffness };
 struct Hourglass {
   HourglassKind kind = HourglassKind::viscous;
   double coefficient = 0.1;
+  /// Of bricks, IHQ 3, 5 and above: gradients and volume are means over the brick, otherwise those of its centre.
+  bool exact_volume = false;
 };
 
 }  // namespace gapcheck::solver

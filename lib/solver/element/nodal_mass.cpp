@@ -57,9 +57,19 @@ void add_solids(const model::Model& model, const std::vector<bool>& wanted, std:
     if (part.value >= wanted.size() || !wanted[part.value]) continue;
     const auto x = places(model.mesh, solids.nodes[i]);
     if (!x) continue;
-    const bool four = model::is_tetrahedron(solids.nodes[i]);
-    share(solids.nodes[i], four ? 4 : 8, density(model, part) * (four ? tetrahedron_volume(*x) : brick_volume(*x)),
-          masses);
+    if (model::is_tetrahedron(solids.nodes[i])) {
+      share(solids.nodes[i], 4, density(model, part) * tetrahedron_volume(*x), masses);
+      continue;
+    }
+    const auto section = model.part(part).section;
+    const SolidRule rule =
+        section
+            ? solid_rules(model.sections[*section].elform, model.controls.solid_esort).of(solid_shape(solids.nodes[i]))
+            : SolidRule::one_point;
+    const double mass = density(model, part) * (has_eight_points(rule) ? brick_volume(*x) : one_point_volume(*x));
+    if (!(mass > 0) || !std::isfinite(mass)) continue;
+    const std::array<double, 8> shares = corner_shares(rule, solids.nodes[i]);
+    for (std::size_t k = 0; k < 8; ++k) masses[solids.nodes[i][k].value] += mass * shares[k];
   }
 }
 

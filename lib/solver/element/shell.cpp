@@ -52,6 +52,19 @@ double stored_energy(const ShellProperties& properties, const ShellState& state,
   return energy;
 }
 
+namespace {
+
+/// Upper bound of the squared frequency: the larger eigenvalue of what motion in the plane and across it do together,
+/// from the squares that they have alone and those that the warp adds to each.
+double coupled(double membrane, double across, double by_plane, double by_deflection) {
+  if (!(by_plane + by_deflection > 0)) return std::max(membrane, across);
+  const double link = std::sqrt(membrane * by_deflection) + std::sqrt(across * by_plane);
+  const double a = membrane + by_plane, b = across + by_deflection, half = (a - b) / 2;
+  return (a + b) / 2 + std::sqrt(half * half + link * link);
+}
+
+}  // namespace
+
 void set_time_steps(const ShellProperties& properties, const ShellShape& shape, ShellForces& forces) {
   const Material& material = properties.material;
   const double squared_speed = material.plate_modulus() / material.density;
@@ -62,7 +75,12 @@ void set_time_steps(const ShellProperties& properties, const ShellShape& shape, 
   const double bending =
       membrane * shape.thickness * shape.thickness / 12 / rotational_inertia(shape.area, shape.thickness);
   const double transverse = properties.shear_factor * material.shear() / material.density * shape.shear;
-  forces.stable_step = 2 / std::sqrt(shape.corners * std::max(membrane, bending + transverse));
+  const WarpShape& warp = shape.warp;
+  const double squared_curvature = warp.curvature * warp.curvature * shape.thickness * shape.thickness / 12;
+  const double by_plane = membrane * squared_curvature + properties.shear_factor * material.shear() / material.density *
+                                                             shape.gradient * warp.tilt * warp.tilt;
+  const double by_deflection = membrane * warp.slope * warp.slope;
+  forces.stable_step = 2 / std::sqrt(shape.corners * coupled(membrane, bending + transverse, by_plane, by_deflection));
 }
 
 }  // namespace gapcheck::solver

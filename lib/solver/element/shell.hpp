@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,13 +13,18 @@
 
 namespace gapcheck::solver {
 
+/// One point in the plane with hourglass control (ELFORM 2), or four (16).
+enum class ShellForm : std::uint8_t { one_point, full };
+
 /// What all shells of one part share.
 struct ShellProperties {
   Material material;
   std::vector<GaussPoint> layers = gauss_rule(2);  ///< integration points from the lower to the upper side
   double shear_factor = 1;                         ///< SHRF
   bool thins = false;                              ///< ISTUPD = 1: the thickness follows the strain
-  Hourglass hourglass;
+  Hourglass hourglass;                             ///< of shells with one point
+  ShellForm form = ShellForm::one_point;
+  bool sorts = true;  ///< triangles are C0 triangles; false: quads with two equal corners (full ones only)
 };
 
 /// Corners of one shell: positions at the end of the step, velocities and angular velocities at its middle.
@@ -63,6 +69,18 @@ struct ShellForces {
 [[nodiscard]] ShellForces triangle_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                           ShellState& state, std::span<PointState> points);
 
+/// Quadrilateral with 2 x 2 points in the plane (ELFORM 16): transverse shear from the middles of the sides (Bathe and
+/// Dvorkin, Int. J. Numer. Meth. Engng 21, 1985), membrane strain of five parameters (Pian and Sumihara, ibid. 20,
+/// 1984; Engelmann, Whirley and Goudreau 1989), slopes of the warped mid-surface in the membrane strain, so that no
+/// rigid motion strains it. `points`: the layers of the first point in the plane, then those of the next, in the order
+/// of the corners. Axes and times as in quad_forces; corners 3 and 4 may be the same.
+[[nodiscard]] ShellForces full_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
+                                      ShellState& state, std::span<PointState> points);
+
+/// What such a shell stores with its corners at `x`.
+[[nodiscard]] double full_stored_energy(const ShellProperties& properties, const ShellState& state,
+                                        const std::array<Vector, 4>& x, std::span<const PointState> points);
+
 /// Rotational inertia of a corner per mass: max(h²/12, A/8), raised above the physical one so that bending does not
 /// control the time step (Hughes, Cohen and Haroun 1978).
 [[nodiscard]] inline double rotational_inertia(double area, double thickness) {
@@ -106,6 +124,13 @@ struct Gram {
   }
 };
 
+/// By how much in-plane and transverse motion are coupled in a warped quad; zero in a flat one.
+struct WarpShape {
+  double slope = 0;      ///< of the mid-surface: deflections strain the membrane
+  double tilt = 0;       ///< of the normals at the corners: motion in the plane is a transverse shear
+  double curvature = 0;  ///< change of the normal over the length: motion in the plane bends
+};
+
 /// What the time step of a shell depends on.
 struct ShellShape {
   double corners = 4, area = 0, thickness = 0;
@@ -113,6 +138,7 @@ struct ShellShape {
   // Larger eigenvalues of the Gram matrices.
   double gradient = 0;  ///< of the membrane
   double shear = 0;     ///< of the transverse shear, rotations divided by the root of their inertia per mass
+  WarpShape warp = {};
 };
 
 /// Sets both time steps.

@@ -19,9 +19,14 @@ ShellForces ShellElements::at_rest(std::size_t shell, const std::vector<Vector>&
   }
   const ShellProperties& properties = properties_[which_[shell]];
   ShellState state = state_[shell];
-  std::vector<PointState> points(properties.layers.size());
-  return triangle(shell) ? triangle_forces(properties, corners, 0, state, points)
-                         : quad_forces(properties, corners, 0, state, points);
+  std::vector<PointState> points((full(shell) ? 4 : 1) * properties.layers.size());
+  return forces(shell, corners, 0, state, points);
+}
+
+ShellForces ShellElements::forces(std::size_t shell, const ShellCorners& corners, double dt, ShellState& state,
+                                  std::span<PointState> points) const {
+  const auto kernel = full(shell) ? full_forces : triangle(shell) ? triangle_forces : quad_forces;
+  return kernel(properties(shell), corners, dt, state, points);
 }
 
 double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness,
@@ -33,7 +38,7 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
   shell.thickness = thickness;
   const std::vector<Vector>& x = state.x;
   const std::size_t corners = triangle(size() - 1) ? 3 : 4;
-  if (corners == 4) {
+  if (corners == 4 && !full(size() - 1)) {
     std::array<Vector, 4> places;
     for (std::size_t k = 0; k < 4; ++k) places[k] = x[nodes[k].value];
     shell.stiffness = hourglass_stiffness(properties_[properties], places, thickness);
@@ -53,7 +58,7 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
     state.mass[nodes[i].value] += share;
     state.inertia[nodes[i].value] += share * rotational_inertia(area, thickness);
   }
-  first_point_.push_back(first_point_.back() + properties_[properties].layers.size());
+  first_point_.push_back(first_point_.back() + (full(size() - 1) ? 4 : 1) * properties_[properties].layers.size());
   return (factor - 1) * mass;
 }
 
@@ -66,7 +71,8 @@ void ShellElements::finish(std::size_t nodes) {
   std::vector<NodeIndex> corners;
   corners.reserve(4 * size());
   for (std::size_t i = 0; i < size(); ++i)
-    for (std::size_t k = 0; k < 4; ++k) corners.push_back(k == 3 && triangle(i) ? none<NodeIndex> : nodes_[i][k]);
+    for (std::size_t k = 0; k < 4; ++k)
+      corners.push_back(k == 3 && triangle(i) && !full(i) ? none<NodeIndex> : nodes_[i][k]);
   table_ = CornerTable(nodes, corners);
 }
 
@@ -83,10 +89,8 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
     corners.v[k] = state.v[node];
     corners.w[k] = state.w[node];
   }
-  const ShellProperties& properties = properties_[which_[shell]];
   const std::span<PointState> points(points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]);
-  ShellForces forces = triangle(shell) ? triangle_forces(properties, corners, state.dt, state_[shell], points)
-                                       : quad_forces(properties, corners, state.dt, state_[shell], points);
+  ShellForces forces = this->forces(shell, corners, state.dt, state_[shell], points);
   Summary summary;
   if (all_failed(points)) {
     failed_[shell] = 1;
@@ -119,6 +123,11 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
 }
 
 double ShellElements::stored(std::size_t shell, const std::vector<Vector>& x) const {
+  if (full(shell)) {
+    std::array<Vector, 4> corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = x[nodes_[shell][k].value];
+    return full_stored_energy(properties(shell), state_[shell], corners, points(shell));
+  }
   return stored_energy(properties(shell), state_[shell], quad_normal(nodes_[shell], x).norm() / 2, points(shell));
 }
 

@@ -50,6 +50,7 @@ class ShellElements {
   /// The energy that its stresses store, with all nodes at `x`.
   [[nodiscard]] double stored(std::size_t shell, const std::vector<Vector>& x) const;
   [[nodiscard]] const ShellState& state(std::size_t shell) const { return state_[shell]; }
+  /// Layers of the first point in the plane, then those of the next.
   [[nodiscard]] std::span<const PointState> points(std::size_t shell) const {
     return {points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]};
   }
@@ -57,6 +58,13 @@ class ShellElements {
  private:
   [[nodiscard]] ShellForces at_rest(std::size_t shell, const std::vector<Vector>& x) const;
   [[nodiscard]] bool triangle(std::size_t shell) const { return nodes_[shell][2] == nodes_[shell][3]; }
+  /// It has four points in the plane.
+  [[nodiscard]] bool full(std::size_t shell) const {
+    const ShellProperties& own = properties(shell);
+    return own.form == ShellForm::full && !(own.sorts && triangle(shell));
+  }
+  [[nodiscard]] ShellForces forces(std::size_t shell, const ShellCorners& corners, double dt, ShellState& state,
+                                   std::span<PointState> points) const;
   [[nodiscard]] static bool all_failed(std::span<const PointState> points);
   [[nodiscard]] Summary update_one(const State& state, std::size_t shell);
 

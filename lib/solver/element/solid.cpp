@@ -8,7 +8,7 @@ namespace gapcheck::solver {
 Matrix update_solid_stress(const Material& material, const Matrix& gradient, double dt, PointState& point) {
   const Vector spin(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
   Matrix rotation = spin_rotation(dt / 2 * spin);
-  if (material.has_stress()) {
+  if (material.has_stress() && material.kind != MaterialKind::rubber) {
     point.stress = rotated(point.stress, rotation);
     if (material.kinematic_slope > 0) point.back_stress = rotated(point.back_stress, rotation);
     Symmetric increment = to_symmetric(gradient);
@@ -33,24 +33,35 @@ double viscous_work(double pressure, double volume_change, SolidState& state) {
 
 double stored_energy(const SolidProperties& properties, const SolidState& state, double volume,
                      const PointState& point) {
-  double energy = volume * elastic_energy(properties.material, point.stress);
+  const bool rubber = properties.material.kind == MaterialKind::rubber;
+  double energy = rubber ? state.strain_energy : volume * elastic_energy(properties.material, point.stress);
   if (state.reference && state.reference->stiffness > 0)
     for (const Vector& stress : state.hourglass) energy += stress.squaredNorm() / (2 * state.reference->stiffness);
   return energy;
 }
 
+double update_rubber(const Material& material, const Matrix& axes, double volume, SolidState& state,
+                     PointState& point) {
+  const Matrix f = axes * *state.undeformed;
+  const double growth = f.determinant();
+  point.stress = rubber_stress(material.rubber, f);
+  state.strain_energy = volume / growth * rubber_energy(material.rubber, f);
+  return rubber_stiffness_bound(material.rubber, f) / growth;
+}
+
 void set_time_steps(const SolidProperties& properties, double density, double length, double squared_gradient,
-                    double corners, const BulkViscosity& viscosity, SolidForces& forces) {
+                    double corners, const BulkViscosity& viscosity, SolidForces& forces, double rubber) {
   const Material& material = properties.material;
   const double speed = std::sqrt(material.wave_modulus() / density), q = viscosity.step_speed;
   forces.manual_step = length / (q + std::sqrt(q * q + speed * speed));
   // The strain energy is at most max(3 K, 2 G) |∇u|² / 2; each corner has 1 / corners of the mass. Damping at the
   // fraction ξ of the critical shortens the step by √(1 + ξ²) − ξ. The viscosity gives ρ l Q per volume rate where the
   // stiffness gives at least K per volume strain, so that ξ is at most ω ρ l Q / (2 K).
-  const double squared_frequency =
-      std::max(3 * material.bulk(), 2 * material.shear()) / density * corners * squared_gradient;
+  const double stiffness = rubber > 0 ? rubber : std::max(3 * material.bulk(), 2 * material.shear());
+  const double volume_stiffness = rubber > 0 ? rubber / 3 : material.bulk();
+  const double squared_frequency = stiffness / density * corners * squared_gradient;
   const double fraction =
-      material.bulk() > 0 ? std::sqrt(squared_frequency) * density * length * q / (2 * material.bulk()) : 0;
+      volume_stiffness > 0 ? std::sqrt(squared_frequency) * density * length * q / (2 * volume_stiffness) : 0;
   forces.stable_step = 2 / std::sqrt(squared_frequency) * (std::sqrt(1 + fraction * fraction) - fraction);
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 
+#include "solver/element/brick_map.hpp"
 #include "solver/element/hourglass.hpp"
 #include "solver/material/material.hpp"
 
@@ -14,6 +15,7 @@ struct SolidProperties {
   Hourglass hourglass;
   double quadratic_viscosity = 1.5;  ///< Q1 of the bulk viscosity
   double linear_viscosity = 0.06;    ///< Q2
+  SolidRules rules = {};
 };
 
 /// Corners of one solid: positions at the end of the step, velocities at its middle. Tetrahedra use the first four.
@@ -36,6 +38,11 @@ struct SolidState {
   std::array<Vector, 4> hourglass{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
   std::shared_ptr<const HourglassReference> reference;  ///< of bricks whose hourglass control is a stiffness
   double viscous_pressure = 0;                          ///< of the bulk viscosity
+  /// Of rubber: the inverse of the undeformed solid's axes (brick_axes() or tetrahedron_axes()).
+  std::shared_ptr<const Matrix> undeformed;
+  double strain_energy = 0;  ///< of rubber
+  /// Of rubber with eight points: the undeformed brick.
+  std::shared_ptr<const BrickMap> undeformed_brick;
 };
 
 /// Internal forces on the corners (the solid pulls its nodes with the opposite) and what the step needs to know.
@@ -43,14 +50,17 @@ struct SolidForces {
   std::array<Vector, 8> force;
   double volume = 0;          ///< at the end of the step
   double hourglass_work = 0;  ///< in this step
+  double viscous_work = 0;    ///< of the bulk viscosity in this step
   double dissipated = 0;      ///< in this step: plastic work, and work of viscous hourglass control and bulk viscosity
   double manual_step = 0;     ///< characteristic length / wave speed with bulk viscosity, as in the solver manual
   double stable_step = 0;     ///< 2 / an upper bound of the element's highest frequency, bulk viscosity included
   bool good = false;          ///< false: volume not above zero, or not a number
 };
 
-/// Brick with one integration point, Flanagan and Belytschko (Int. J. Numer. Meth. Engng 17, 1981): mean gradients,
-/// exact volume, orthogonal hourglass control. Wedges and pyramids are bricks with repeated corners. The velocity
+/// Brick with one integration point after Flanagan and Belytschko (Int. J. Numer. Meth. Engng 17, 1981), with their
+/// orthogonal hourglass control. Gradients and volume are those of the centre, V = 8 det ∂x/∂ξ, or the mean ones and
+/// the exact volume (Hourglass::exact_volume); only the latter pass the patch test with bricks that are no
+/// parallelepipeds. Rubber always takes its centre. Wedges and pyramids are bricks with repeated corners. The velocity
 /// strain is taken in the middle of the step (x − dt v / 2), the stress turns with the spin there (Hughes–Winget form
 /// of the Jaumann rate), forces belong to the end: a rigid motion causes no strain. dt = 0: forces of the present
 /// stresses.
@@ -66,13 +76,37 @@ struct SolidForces {
 [[nodiscard]] SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
                                              SolidState& state, PointState& point);
 
-/// Volume of a brick with straight edges, as used by the brick's forces.
+/// Brick with 2 x 2 x 2 Gauss points and a mean dilatation (Hughes, Int. J. Numer. Meth. Engng 15, 1980): each point
+/// has its own velocity gradient, but the volume rate of the brick; each stress turns with its own spin. Wedges and
+/// pyramids are bricks with repeated corners. Rubber takes F at each point, its volume ratio replaced by that of the
+/// brick. No hourglass control. The printed step is L / c without viscosity. `points`: the histories; one that has
+/// failed is enough to say so of all.
+[[nodiscard]] SolidForces eight_point_forces(const SolidProperties& properties, SolidRule rule,
+                                             const SolidCorners& corners, double dt, SolidState& state,
+                                             std::span<PointState, 8> points);
+
+/// The energy that the stresses of eight points store in a brick with corners `x`.
+[[nodiscard]] double eight_point_energy(const SolidProperties& properties, const SolidState& state,
+                                        const std::array<Vector, 8>& x, std::span<const PointState, 8> points);
+
+/// The largest area of a brick's sides.
+[[nodiscard]] double largest_face_area(const std::array<Vector, 8>& x);
+
+/// Volume of a brick with straight edges.
 [[nodiscard]] double brick_volume(const std::array<Vector, 8>& x);
+/// 8 det ∂x/∂ξ at the centre of a brick; LS-DYNA takes the mass of one-point bricks from it (read off a run).
+[[nodiscard]] double one_point_volume(const std::array<Vector, 8>& x);
+/// The columns are ∂x/∂ξ, ∂x/∂η and ∂x/∂ζ at the brick's centre.
+[[nodiscard]] Matrix brick_axes(const std::array<Vector, 8>& x);
+/// The columns are the edges from the first corner of a tetrahedron.
+[[nodiscard]] Matrix tetrahedron_axes(const std::array<Vector, 8>& x);
+/// The volume that a brick's forces belong to.
+[[nodiscard]] double brick_volume(const SolidProperties& properties, const std::array<Vector, 8>& x);
 /// Volume of the tetrahedron of the first four corners; positive when corner 4 lies on the side that the others'
 /// right-hand normal points to.
 [[nodiscard]] double tetrahedron_volume(const std::array<Vector, 8>& x);
 
-/// The energy that a solid of this volume stores: ½ σ : C⁻¹ : σ, and that of its hourglass stiffness.
+/// The energy that a solid of this volume stores: ½ σ : C⁻¹ : σ or that of rubber, and that of its hourglass stiffness.
 [[nodiscard]] double stored_energy(const SolidProperties& properties, const SolidState& state, double volume,
                                    const PointState& point);
 
@@ -93,8 +127,13 @@ struct BulkViscosity {
 /// Sets the pressure of the bulk viscosity to the end of the step; returns its work over a change of volume.
 [[nodiscard]] double viscous_work(double pressure, double volume_change, SolidState& state);
 
-/// Sets both time steps; `squared_gradient`: the largest eigenvalue of Σ b bᵀ, `corners`: 4 or 8.
+/// Stress and energy of rubber whose axes are now `axes`; `volume`: now. Returns its rubber_stiffness_bound() per
+/// volume.
+double update_rubber(const Material& material, const Matrix& axes, double volume, SolidState& state, PointState& point);
+
+/// Sets both time steps; `squared_gradient`: the largest eigenvalue of Σ b bᵀ, `corners`: 4 or 8, `rubber`: what
+/// update_rubber() returned.
 void set_time_steps(const SolidProperties& properties, double density, double length, double squared_gradient,
-                    double corners, const BulkViscosity& viscosity, SolidForces& forces);
+                    double corners, const BulkViscosity& viscosity, SolidForces& forces, double rubber = 0);
 
 }  // namespace gapcheck::solver

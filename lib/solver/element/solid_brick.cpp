@@ -15,9 +15,25 @@ constexpr double shapes[4][8] = {{1, 1, -1, -1, -1, -1, 1, 1},
 
 using Corners = std::array<Vector, 8>;
 
+/// ξ, η, ζ of the corners.
+constexpr double corner_signs[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                       {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+
+/// V ∂N/∂x at the centre of every corner's shape function N, where V = 8 det ∂x/∂ξ: the cofactor of the axes times the
+/// corner's ξ.
+Corners centre_gradient(const Corners& x) {
+  const Matrix axes = brick_axes(x);
+  const Vector a = axes.col(1).cross(axes.col(2)), b = axes.col(2).cross(axes.col(0)),
+               c = axes.col(0).cross(axes.col(1));
+  Corners gradient;
+  for (std::size_t k = 0; k < 8; ++k)
+    gradient[k] = corner_signs[k][0] * a + corner_signs[k][1] * b + corner_signs[k][2] * c;
+  return gradient;
+}
+
 /// ∂V/∂x of every corner, where V is the volume between the bilinear faces; called B by Flanagan and Belytschko. It is
 /// ∫ N n dA over the three faces that meet in the corner.
-Corners brick_volume_gradient(const Corners& x) {
+Corners mean_gradient(const Corners& x) {
   // Corner a, its three neighbours along the edges, and the three corners across the faces, in turning order.
   constexpr std::size_t edges[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
                                        {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
@@ -36,6 +52,14 @@ Corners brick_volume_gradient(const Corners& x) {
     gradient[a] = -sum / 12;
   }
   return gradient;
+}
+
+bool is_exact(const SolidProperties& properties) {
+  return properties.hourglass.exact_volume && properties.material.kind != MaterialKind::rubber;
+}
+
+Corners gradient_of(const SolidProperties& properties, const Corners& x) {
+  return is_exact(properties) ? mean_gradient(x) : centre_gradient(x);
 }
 
 double volume_of(const Corners& x, const Corners& gradient) {
@@ -58,15 +82,6 @@ std::array<Vector, 4> shape_sums(const Corners& v) {
     for (std::size_t a = 0; a < 8; ++a) sums[m] += shapes[m][a] * v[a];
   }
   return sums;
-}
-
-double largest_face_area(const Corners& x) {
-  constexpr std::size_t faces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                       {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-  double squared = 0;
-  for (const auto& f : faces)
-    squared = std::max(squared, quad_normal(x[f[0]], x[f[1]], x[f[2]], x[f[3]]).squaredNorm());
-  return std::sqrt(squared) / 2;
 }
 
 /// Largest eigenvalue of a symmetric matrix, from above: the largest row sum.
@@ -106,11 +121,35 @@ double add_stiffness(const HourglassReference& reference, const Corners& x, Soli
 
 }  // namespace
 
-double brick_volume(const std::array<Vector, 8>& x) { return volume_of(x, brick_volume_gradient(x)); }
+double largest_face_area(const std::array<Vector, 8>& x) {
+  constexpr std::size_t faces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                       {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  double squared = 0;
+  for (const auto& f : faces)
+    squared = std::max(squared, quad_normal(x[f[0]], x[f[1]], x[f[2]], x[f[3]]).squaredNorm());
+  return std::sqrt(squared) / 2;
+}
+
+double brick_volume(const std::array<Vector, 8>& x) { return volume_of(x, mean_gradient(x)); }
+
+double one_point_volume(const std::array<Vector, 8>& x) { return 8 * brick_axes(x).determinant(); }
+
+double brick_volume(const SolidProperties& properties, const std::array<Vector, 8>& x) {
+  return is_exact(properties) ? brick_volume(x) : one_point_volume(x);
+}
+
+Matrix brick_axes(const std::array<Vector, 8>& x) {
+  const Vector low02 = x[2] - x[0], low13 = x[3] - x[1], high46 = x[6] - x[4], high57 = x[7] - x[5];
+  Matrix axes;
+  axes.col(0) = (low02 - low13 + high46 - high57) / 8;
+  axes.col(1) = (low02 + low13 + high46 + high57) / 8;
+  axes.col(2) = (x[4] - x[0] + x[5] - x[1] + x[6] - x[2] + x[7] - x[3]) / 8;
+  return axes;
+}
 
 HourglassReference hourglass_reference(const SolidProperties& properties, const std::array<Vector, 8>& x, double mass) {
   HourglassReference reference;
-  const Corners gradient = brick_volume_gradient(x);
+  const Corners gradient = gradient_of(properties, x);
   const double volume = volume_of(x, gradient);
   const std::array<Vector, 4> sums = shape_sums(x);
   Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
@@ -135,7 +174,7 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
   SolidForces out;
   Corners middle_x;
   for (std::size_t a = 0; a < 8; ++a) middle_x[a] = corners.x[a] - dt / 2 * corners.v[a];
-  const Corners middle = brick_volume_gradient(middle_x), end = brick_volume_gradient(corners.x);
+  const Corners middle = gradient_of(properties, middle_x), end = gradient_of(properties, corners.x);
   const double middle_volume = volume_of(middle_x, middle);
   out.volume = volume_of(corners.x, end);
   if (!(middle_volume > 0 && out.volume > 0)) {
@@ -145,20 +184,23 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
   const Matrix gradient = outer_sum(corners.v, middle) / middle_volume;
   const double flowed = point.plastic_work;
   const Matrix rotation = update_solid_stress(properties.material, gradient, dt, point);
+  const double rubber = properties.material.kind == MaterialKind::rubber
+                            ? update_rubber(properties.material, brick_axes(corners.x), out.volume, state, point)
+                            : 0;
 
   const Matrix gram = outer_sum(end, end) / (out.volume * out.volume);
   const double density = state.mass / out.volume, length = out.volume / largest_face_area(corners.x);
   const double speed = std::sqrt(properties.material.wave_modulus() / density);
   const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, gradient.trace());
-  set_time_steps(properties, density, length, eigenvalue_bound(gram), 8, viscosity, out);
+  set_time_steps(properties, density, length, eigenvalue_bound(gram), 8, viscosity, out, rubber);
 
   const std::array<Vector, 4> middle_shapes = shape_sums(middle_x), v_shapes = shape_sums(corners.v),
                               end_shapes = shape_sums(corners.x);
   std::array<Vector, 4> rates;
   for (std::size_t m = 0; m < 4; ++m) rates[m] = v_shapes[m] - gradient * middle_shapes[m];
   out.hourglass_work = update_viscous(properties, rates, rotation, out.volume, dt, state);
-  out.dissipated = middle_volume * (point.plastic_work - flowed) + out.hourglass_work +
-                   viscous_work(viscosity.pressure, dt * middle_volume * gradient.trace(), state);
+  out.viscous_work = viscous_work(viscosity.pressure, dt * middle_volume * gradient.trace(), state);
+  out.dissipated = middle_volume * (point.plastic_work - flowed) + out.hourglass_work + out.viscous_work;
 
   // f = σ b + Σ Q (shape − b · (shape · x) / V), Q of viscous control
   Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();

@@ -3,6 +3,60 @@
 #include "model/entity/faces.hpp"
 
 namespace gapcheck::solver {
+namespace {
+
+struct SolidKind {
+  bool tetrahedron = false;
+  SolidRule rule = SolidRule::one_point;
+};
+
+double volume_of_mass(const SolidKind& kind, const std::array<Vector, 8>& x) {
+  if (kind.tetrahedron) return tetrahedron_volume(x);
+  return has_eight_points(kind.rule) ? brick_volume(x) : one_point_volume(x);
+}
+
+/// What must be above zero: `volume`, and what the forces are calculated with.
+double least_volume(const SolidProperties& properties, const SolidKind& kind, const std::array<Vector, 8>& x,
+                    double volume) {
+  if (has_eight_points(kind.rule)) {
+    const BrickMap map = brick_map(kind.rule, brick_modes(x));
+    return map.good ? volume : std::min(map.least, 0.0);
+  }
+  if (!(volume > 0) || kind.tetrahedron) return volume;
+  return brick_volume(properties, x);
+}
+
+/// What belongs to the undeformed solid. Call it again when its mass has changed.
+void set_references(const SolidProperties& properties, const SolidKind& kind, const std::array<Vector, 8>& x,
+                    SolidState& solid) {
+  const bool rubber = properties.material.kind == MaterialKind::rubber;
+  if (has_eight_points(kind.rule)) {
+    if (rubber) solid.undeformed_brick = std::make_shared<const BrickMap>(brick_map(kind.rule, brick_modes(x)));
+    return;
+  }
+  if (!kind.tetrahedron && properties.hourglass.kind == HourglassKind::stiffness)
+    solid.reference = std::make_shared<HourglassReference>(hourglass_reference(properties, x, solid.mass));
+  if (rubber)
+    solid.undeformed = std::make_shared<Matrix>((kind.tetrahedron ? tetrahedron_axes(x) : brick_axes(x)).inverse());
+}
+
+SolidForces forces_by_kind(const SolidProperties& properties, const SolidKind& kind, const SolidCorners& corners,
+                           double dt, SolidState& state, std::span<PointState> points) {
+  if (kind.tetrahedron) return tetrahedron_forces(properties, corners, dt, state, points[0]);
+  if (!has_eight_points(kind.rule)) return brick_forces(properties, corners, dt, state, points[0]);
+  return eight_point_forces(properties, kind.rule, corners, dt, state, points.first<8>());
+}
+
+SolidForces at_rest(const SolidProperties& properties, const SolidKind& kind, const std::array<Vector, 8>& x,
+                    SolidState state) {
+  SolidCorners corners;
+  corners.x = x;
+  corners.v.fill(Vector::Zero());
+  std::array<PointState, 8> points;
+  return forces_by_kind(properties, kind, corners, 0, state, points);
+}
+
+}  // namespace
 
 std::uint32_t SolidElements::add_properties(SolidProperties properties) {
   properties_.push_back(std::move(properties));
@@ -11,44 +65,41 @@ std::uint32_t SolidElements::add_properties(SolidProperties properties) {
 
 double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t properties, std::uint32_t origin,
                           State& state, const MassScaling& scaling, double* added) {
+  const SolidProperties& all = properties_[properties];
+  const SolidShape shape = solid_shape(nodes);
+  const SolidKind kind{shape == SolidShape::tetrahedron,
+                       shape == SolidShape::tetrahedron ? SolidRule::one_point : all.rules.of(shape)};
   std::array<Vector, 8> x;
   for (std::size_t k = 0; k < 8; ++k) x[k] = state.x[nodes[k].value];
-  const bool four = model::is_tetrahedron(nodes);
-  const double volume = four ? tetrahedron_volume(x) : brick_volume(x);
-  if (!(volume > 0)) return volume;
+  const double volume = volume_of_mass(kind, x);
+  if (const double least = least_volume(all, kind, x, volume); !(least > 0)) return least;
+  SolidState solid;
+  solid.mass = all.material.density * volume;
+  set_references(all, kind, x, solid);
+  if (scaling.step > 0) {
+    const double own = solid.mass;
+    const SolidForces steps = at_rest(all, kind, x, solid);
+    solid.mass *= scaling.factor(steps.manual_step, steps.stable_step);
+    if (added != nullptr) *added += solid.mass - own;
+    set_references(all, kind, x, solid);
+  }
+  if (kind.tetrahedron) {
+    for (std::size_t k = 0; k < 4; ++k) state.mass[nodes[k].value] += solid.mass / 4;
+  } else {
+    const std::array<double, 8> shares = corner_shares(kind.rule, nodes);
+    for (std::size_t k = 0; k < 8; ++k) state.mass[nodes[k].value] += solid.mass * shares[k];
+  }
   nodes_.push_back(nodes);
   which_.push_back(properties);
   origin_.push_back(origin);
-  SolidState solid;
-  solid.mass = properties_[properties].material.density * volume;
-  const bool stiff = !four && properties_[properties].hourglass.kind == HourglassKind::stiffness;
-  const auto set_reference = [&] {
-    if (stiff)
-      solid.reference =
-          std::make_shared<HourglassReference>(hourglass_reference(properties_[properties], x, solid.mass));
-  };
-  set_reference();
-  if (scaling.step > 0) {
-    SolidCorners at_rest;
-    at_rest.x = x;
-    at_rest.v.fill(Vector::Zero());
-    SolidState state_at_rest = solid;
-    PointState point;
-    const SolidForces steps =
-        (four ? tetrahedron_forces : brick_forces)(properties_[properties], at_rest, 0, state_at_rest, point);
-    const double own = solid.mass;
-    solid.mass *= scaling.factor(steps.manual_step, steps.stable_step);
-    if (added != nullptr) *added += solid.mass - own;
-    set_reference();
-  }
-  const std::size_t corners = four ? 4 : 8;
-  for (std::size_t k = 0; k < corners; ++k) state.mass[nodes[k].value] += solid.mass / static_cast<double>(corners);
-  state_.push_back(solid);
+  rule_.push_back(kind.rule);
+  first_point_.push_back(first_point_.back() + (has_eight_points(kind.rule) ? 8 : 1));
+  state_.push_back(std::move(solid));
   return volume;
 }
 
 void SolidElements::finish(std::size_t nodes) {
-  points_.assign(size(), {});
+  points_.assign(first_point_.back(), {});
   force_.assign(8 * size(), Vector::Zero());
   energy_.assign(size(), {});
   failed_.assign(size(), 0);
@@ -68,13 +119,13 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
     corners.x[k] = state.x[node];
     corners.v[k] = state.v[node];
   }
-  const SolidProperties& properties = properties_[which_[solid]];
-  const auto kernel = model::is_tetrahedron(nodes_[solid]) ? tetrahedron_forces : brick_forces;
-  SolidForces forces = kernel(properties, corners, state.dt, state_[solid], points_[solid]);
+  SolidForces forces = forces_of(solid, corners, state.dt);
+  const std::span<PointState> points(&points_[first_point_[solid]], &points_[first_point_[solid + 1]]);
+  const bool failed = std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; });
   Summary summary;
-  if (points_[solid].failed || (inverted_fail_ && !forces.good)) {
+  if (failed || (inverted_fail_ && !forces.good)) {
     failed_[solid] = 1;
-    points_[solid].stress = {};
+    for (PointState& point : points) point.stress = {};
     forces = {};
     forces.force.fill(Vector::Zero());
     summary.failed = 1;
@@ -86,6 +137,7 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   }
   summary.hourglass_work = forces.hourglass_work;
   summary.dissipated = forces.dissipated;
+  summary.viscous_work = forces.viscous_work;
   for (std::size_t k = 0; k < 8; ++k) {
     Vector& force = force_[8 * solid + k];
     summary.work += state.dt / 2 * (force + forces.force[k]).dot(corners.v[k]);
@@ -96,11 +148,38 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   return summary;
 }
 
+SolidForces SolidElements::forces_of(std::size_t solid, const SolidCorners& corners, double dt) {
+  const SolidKind kind{model::is_tetrahedron(nodes_[solid]), rule_[solid]};
+  return forces_by_kind(properties_[which_[solid]], kind, corners, dt, state_[solid],
+                        {&points_[first_point_[solid]], first_point_[solid + 1] - first_point_[solid]});
+}
+
+PointState SolidElements::point(std::size_t solid) const {
+  const std::span<const PointState> all = points(solid);
+  PointState mean = all[0];
+  if (all.size() == 1) return mean;
+  const auto share = [&](const auto& of) {
+    double sum = 0;
+    for (const PointState& point : all) sum += of(point);
+    return sum / static_cast<double>(all.size());
+  };
+  for (std::size_t k = 0; k < mean.stress.size(); ++k) {
+    mean.stress[k] = share([&](const PointState& point) { return point.stress[k]; });
+    mean.back_stress[k] = share([&](const PointState& point) { return point.back_stress[k]; });
+  }
+  mean.plastic_strain = share([](const PointState& point) { return point.plastic_strain; });
+  mean.plastic_work = share([](const PointState& point) { return point.plastic_work; });
+  return mean;
+}
+
 double SolidElements::stored(std::size_t solid, const std::vector<Vector>& x) const {
   std::array<Vector, 8> places;
   for (std::size_t k = 0; k < 8; ++k) places[k] = x[nodes_[solid][k].value];
-  const double volume = model::is_tetrahedron(nodes_[solid]) ? tetrahedron_volume(places) : brick_volume(places);
-  return stored_energy(properties(solid), state_[solid], volume, points_[solid]);
+  if (has_eight_points(rule_[solid]))
+    return eight_point_energy(properties(solid), state_[solid], places, points(solid).first<8>());
+  const double volume =
+      model::is_tetrahedron(nodes_[solid]) ? tetrahedron_volume(places) : brick_volume(properties(solid), places);
+  return stored_energy(properties(solid), state_[solid], volume, points_[first_point_[solid]]);
 }
 
 Summary SolidElements::update(const State& state) {

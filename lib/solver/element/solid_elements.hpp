@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/ids.hpp"
@@ -19,7 +20,8 @@ class SolidElements {
   std::uint32_t add_properties(SolidProperties properties);
   /// Adds a solid (a tetrahedron repeats its fourth corner) at positions `x` of all nodes and its share of mass to the
   /// nodes. `origin`: its position in the model, for messages. Returns its volume; if not above zero, the solid was not
-  /// added. `added`: receives the mass that `scaling` adds.
+  /// added; of eight points it may be eight times that of the least one. `added`: receives the mass that `scaling`
+  /// adds.
   double add(const std::array<NodeIndex, 8>& nodes, std::uint32_t properties, std::uint32_t origin, State& state,
              const MassScaling& scaling = {}, double* added = nullptr);
   /// Call it once all solids are added.
@@ -47,15 +49,23 @@ class SolidElements {
   [[nodiscard]] const ElementEnergy& energy(std::size_t solid) const { return energy_[solid]; }
   /// The energy that its stress stores, with all nodes at `x`.
   [[nodiscard]] double stored(std::size_t solid, const std::vector<Vector>& x) const;
-  [[nodiscard]] const PointState& point(std::size_t solid) const { return points_[solid]; }
+  /// The mean over its points.
+  [[nodiscard]] PointState point(std::size_t solid) const;
+  /// One point, or the eight next to the corners.
+  [[nodiscard]] std::span<const PointState> points(std::size_t solid) const {
+    return {points_.data() + first_point_[solid], points_.data() + first_point_[solid + 1]};
+  }
 
  private:
   [[nodiscard]] Summary update_one(const State& state, std::size_t solid);
+  [[nodiscard]] SolidForces forces_of(std::size_t solid, const SolidCorners& corners, double dt);
 
   std::vector<SolidProperties> properties_;
   std::vector<std::array<NodeIndex, 8>> nodes_;
   std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
+  std::vector<SolidRule> rule_;
   std::vector<SolidState> state_;
+  std::vector<std::uint64_t> first_point_{0};
   std::vector<PointState> points_;
   std::vector<Vector> force_;  ///< eight entries per solid
   std::vector<ElementEnergy> energy_;

@@ -22,6 +22,12 @@ double tetrahedron_volume(const std::array<Vector, 8>& x) {
   return (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]) / 6;
 }
 
+Matrix tetrahedron_axes(const std::array<Vector, 8>& x) {
+  Matrix axes;
+  axes << x[1] - x[0], x[2] - x[0], x[3] - x[0];
+  return axes;
+}
+
 SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
                                SolidState& state, PointState& point) {
   SolidForces out;
@@ -42,13 +48,16 @@ SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCor
   }
   const double flowed = point.plastic_work;
   update_solid_stress(properties.material, gradient, dt, point);
+  const double rubber = properties.material.kind == MaterialKind::rubber
+                            ? update_rubber(properties.material, tetrahedron_axes(corners.x), out.volume, state, point)
+                            : 0;
   const double density = state.mass / out.volume;
   const double length = 3 * out.volume / std::sqrt(squared_face);  // the shortest height
   const double speed = std::sqrt(properties.material.wave_modulus() / density);
   const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, gradient.trace());
-  out.dissipated = middle_volume * (point.plastic_work - flowed) +
-                   viscous_work(viscosity.pressure, dt * middle_volume * gradient.trace(), state);
-  set_time_steps(properties, density, length, gram.cwiseAbs().rowwise().sum().maxCoeff(), 4, viscosity, out);
+  out.viscous_work = viscous_work(viscosity.pressure, dt * middle_volume * gradient.trace(), state);
+  out.dissipated = middle_volume * (point.plastic_work - flowed) + out.viscous_work;
+  set_time_steps(properties, density, length, gram.cwiseAbs().rowwise().sum().maxCoeff(), 4, viscosity, out, rubber);
   const Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();
   for (std::size_t a = 0; a < 4; ++a) out.force[a] = stress * end[a];
   out.good = std::isfinite(out.force[0].sum() + out.force[1].sum() + out.force[2].sum());

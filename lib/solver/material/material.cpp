@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/material/falling_root.hpp"
+
 namespace gapcheck::solver {
 namespace {
 
@@ -16,9 +18,9 @@ Symmetric elastic_trial(const Material& material, const Symmetric& increment, co
 }
 
 /// The yield stress for one step.
-YieldLaw step_yield(const Material& material, const Symmetric& increment, double dt) {
+StepYield step_yield(const Material& material, const Symmetric& increment, double dt) {
   const bool by_rate = dt > 0 && (material.rate_c > 0 || !material.table.curves.empty());
-  return material.yield_at(by_rate ? std::sqrt(contract(increment, increment)) / dt : 0);
+  return {material, by_rate ? std::sqrt(contract(increment, increment)) / dt : 0, dt};
 }
 
 /// Stress relative to the centre of the yield surface, its size as a von Mises stress.
@@ -40,7 +42,7 @@ struct Returned {
 };
 
 /// Radial return from a trial stress.
-Returned radial_return(const Material& material, const Symmetric& trial, const YieldLaw& yield,
+Returned radial_return(const Material& material, const Symmetric& trial, const StepYield& yield,
                        const PointState& start) {
   const double shear = material.shear();
   PointState point = start;
@@ -74,7 +76,7 @@ double elastic_plane(const Material& material, const Symmetric& increment, Symme
 }
 
 /// Plastic plane-stress step from `start`; `guess` is the elastic εzz.
-double plastic_plane(const Material& material, Symmetric increment, const YieldLaw& yield, double guess,
+double plastic_plane(const Material& material, Symmetric increment, const StepYield& yield, double guess,
                      PointState& point) {
   constexpr int newton_steps = 12, most_steps = 100;
   const double tolerance = 1e-10 * yield.stress(point.plastic_strain);
@@ -109,7 +111,7 @@ double plane_stress(const Material& material, const Symmetric& increment, double
   const double through = elastic_plane(material, increment, trial);
   Symmetric rate_increment = increment;
   rate_increment[zz] = through;
-  const YieldLaw yield = step_yield(material, rate_increment, dt);
+  const StepYield yield = step_yield(material, rate_increment, dt);
   if (!(relative(trial, point.back_stress).size > yield.stress(point.plastic_strain))) {
     point.stress = trial;
     return through;
@@ -125,6 +127,8 @@ bool Material::valid() const {
   if (!std::isfinite(young) || young <= 0 || !(poisson > -1 && poisson < 0.5)) return false;
   if (kind == MaterialKind::anisotropic)
     return !yield.empty() && yield.stress(0) >= 0 && std::isfinite(anisotropy) && anisotropy >= 0;
+  if (kind == MaterialKind::rubber)
+    return std::isfinite(rubber.a) && std::isfinite(rubber.b) && std::isfinite(rubber.d);
   if (kind != MaterialKind::plastic) return true;
   for (const YieldCurve& curve : table.curves)
     if (curve.empty() || !(curve.stress(0) > 0)) return false;
@@ -140,6 +144,26 @@ YieldLaw Material::yield_at(double rate) const {
   if (position == 0 || position == table.rates.size()) return {high, high, 0, 1};
   const double low_rate = table.rates[position - 1], high_rate = table.rates[position];
   return {&table.curves[position - 1], high, (value - low_rate) / (high_rate - low_rate), 1};
+}
+
+double Material::viscous_stress(double plastic_strain, double plastic_rate) const {
+  if (!table.curves.empty()) return yield_at(plastic_rate).stress(plastic_strain);
+  const double still = yield.stress(plastic_strain), excess = rate_scale(plastic_rate, rate_c, rate_p) - 1;
+  return still + excess * (rate_stress > 0 ? rate_stress : still);
+}
+
+YieldCurve::Return StepYield::solve(double trial, double resistance, double plastic_strain) const {
+  if (!(dt_ > 0)) return law_.solve(trial, resistance, plastic_strain);
+  const auto excess = [&](double increment) {
+    return trial - resistance * increment - after(plastic_strain, increment);
+  };
+  const double increment = falling_root(excess, 0, trial / resistance, 1e-15 * trial);
+  const double nearby = 1e-6 * increment;
+  const double slope =
+      nearby > 0
+          ? (after(plastic_strain, increment + nearby) - after(plastic_strain, increment - nearby)) / (2 * nearby)
+          : 0;
+  return {increment, std::max(slope, (1e-6 - 1) * resistance)};
 }
 
 Material plastic_kinematic(double density, double young, double poisson, double yield, double tangent, double beta) {

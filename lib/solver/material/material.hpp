@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "solver/material/hardening.hpp"
+#include "solver/material/rubber.hpp"
 #include "solver/state/tensor.hpp"
 
 namespace gapcheck::solver {
@@ -21,6 +22,7 @@ enum class MaterialKind : std::uint8_t {
   anisotropic,  ///< 037: plastic, in plane stress only
   null,         ///< 009: mass, no stress
   rigid,        ///< 020: no stress; elastic constants count for contact and time step only
+  rubber,       ///< 027: stress by the deformation since the start (rubber.hpp), in solids only
 };
 
 /// Yield curves over the strain rate, rates rising, curves aligned. Linear in the rate (or its logarithm) between them,
@@ -41,30 +43,65 @@ struct Material {
   RateTable table = {};           ///< replaces `yield` if it has curves
   double anisotropy = 1;          ///< R of 037
   double failure_strain = 0;      ///< effective plastic strain at which a point fails; 0: it never does
+  Rubber rubber = {};             ///< of 027
+  bool viscoplastic = false;      ///< VP = 1: the rate is that of the effective plastic strain
+  double rate_stress = 0;         ///< SIGY of 024 with VP = 1, which the rate multiplies; 0: it multiplies the whole
 
   [[nodiscard]] double shear() const { return young / (2 * (1 + poisson)); }
   [[nodiscard]] double bulk() const { return young / (3 * (1 - 2 * poisson)); }
-  /// Largest stiffness of a plane wave: K + 4/3 G.
-  [[nodiscard]] double wave_modulus() const { return bulk() + 4.0 / 3.0 * shear(); }
+  /// Largest stiffness of a plane wave: K + 4/3 G. Of rubber K, which LS-DYNA takes (read off a run).
+  [[nodiscard]] double wave_modulus() const {
+    return bulk() + (kind == MaterialKind::rubber ? 0 : 4.0 / 3.0 * shear());
+  }
   /// Of a plate: E / (1 − ν²).
   [[nodiscard]] double plate_modulus() const { return young / (1 - poisson * poisson); }
   [[nodiscard]] bool has_stress() const { return kind != MaterialKind::null && kind != MaterialKind::rigid; }
   /// The yield stress at a strain rate.
   [[nodiscard]] YieldLaw yield_at(double rate) const;
+  /// With VP = 1, of an effective plastic strain and its rate: σ + SIGY (ε̇ₚ/C)^(1/P), σ (1 + (ε̇ₚ/C)^(1/P)) without
+  /// SIGY, or that of the table.
+  [[nodiscard]] double viscous_stress(double plastic_strain, double plastic_rate) const;
   /// All constants finite and in the range where the formulas are meaningful: density > 0; for materials with stress
   /// also E > 0, −1 < ν < 0.5 and a yield stress above 0.
   [[nodiscard]] bool valid() const;
+};
+
+/// The yield stress over one step of plastic flow.
+class StepYield {
+ public:
+  /// `total_rate`: of the whole strain; with VP = 1 the rate of the plastic strain counts instead, its increment / dt.
+  StepYield(const Material& material, double total_rate, double dt)
+      : material_(&material),
+        law_(material.yield_at(material.viscoplastic ? 0 : total_rate)),
+        dt_(material.viscoplastic ? dt : 0) {}
+
+  /// Before it flows.
+  [[nodiscard]] double stress(double plastic_strain) const { return law_.stress(plastic_strain); }
+  /// After the plastic strain has grown by `increment` in the step.
+  [[nodiscard]] double after(double plastic_strain, double increment) const {
+    return dt_ > 0 ? material_->viscous_stress(plastic_strain + increment, increment / dt_)
+                   : law_.stress(plastic_strain + increment);
+  }
+  /// Solves trial − resistance · Δ = after(plastic_strain, Δ); with VP = 1 to rounding, without it exactly. The slope
+  /// is that of after() at Δ.
+  [[nodiscard]] YieldCurve::Return solve(double trial, double resistance, double plastic_strain) const;
+
+ private:
+  const Material* material_;
+  YieldLaw law_;
+  double dt_;  ///< 0: the plastic rate does not count
 };
 
 /// Isotropic bilinear law of material 003: Eₚ = E Eₜ / (E − Eₜ), β shares it between growth (1) and shift (0).
 [[nodiscard]] Material plastic_kinematic(double density, double young, double poisson, double yield, double tangent,
                                          double beta);
 
-/// Elastic energy per volume of a stress: ½ σ : C⁻¹ : σ. Zero for materials without stress.
+/// Elastic energy per volume of a stress: ½ σ : C⁻¹ : σ. Zero for materials without stress. Not for rubber.
 [[nodiscard]] double elastic_energy(const Material& material, const Symmetric& stress);
 
 /// Adds the strain increment (over dt) to a point in three dimensions. Plasticity: radial return to the von Mises
 /// cylinder (Wilkins; Krieg and Key), exact for a piecewise linear curve. Null, rigid and failed: stress stays zero.
+/// Not for rubber.
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
 
 /// The same with σzz = 0: increment[zz] is not read but solved for, and returned. Plastic points iterate on it with the

@@ -54,6 +54,29 @@ void beam_values(const model::Model& model, const Structure& structure, results:
   }
 }
 
+/// By layer the mean of the points in the plane.
+std::vector<PointState> layer_means(std::span<const PointState> points, std::size_t layers) {
+  std::vector<PointState> means(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(layers));
+  for (std::size_t i = layers; i < points.size(); ++i) {
+    PointState& mean = means[i % layers];
+    for (std::size_t k = 0; k < mean.stress.size(); ++k) mean.stress[k] += points[i].stress[k];
+    mean.plastic_strain += points[i].plastic_strain;
+  }
+  const double count = static_cast<double>(points.size() / layers);
+  for (PointState& mean : means) {
+    for (double& stress : mean.stress) stress /= count;
+    mean.plastic_strain /= count;
+  }
+  return means;
+}
+
+/// Failed beams among those of the plot, which are the complete ones.
+void delete_beams(const model::Model& model, const std::vector<bool>& failed, std::vector<bool>& deleted) {
+  const model::Elements<2>& beams = model.mesh.beams;
+  for (std::size_t i = 0; i < beams.size(); ++i)
+    if (complete(beams, i, model)) deleted.push_back(i < failed.size() && failed[i]);
+}
+
 /// Between the two middle layers if their number is even.
 PointState middle(std::span<const PointState> points) {
   PointState mean = points[points.size() / 2];
@@ -92,7 +115,7 @@ void shell_values(const Structure& structure, std::size_t shell, results::D3plot
   for (std::size_t k = 0; k < 4; ++k) x[k] = structure.state.x[shells.nodes(shell)[k].value];
   const double area = quad_normal(x).norm() / 2, thickness = shells.state(shell).thickness;
   const Matrix to_global = shell_axes(x).transpose();
-  const std::span<const PointState> points = shells.points(shell);
+  const std::vector<PointState> points = layer_means(shells.points(shell), shells.properties(shell).layers.size());
   results::StressPoint* layers = &plot.shell_points[place * plot.layers];
   layers[0] = global_point(middle(points), to_global);
   layers[1] = global_point(points.front(), to_global);
@@ -105,7 +128,7 @@ void shell_values(const Structure& structure, std::size_t shell, results::D3plot
 
 bool failed(const ShellElements& shells, std::size_t i) { return shells.failed(i); }
 bool failed(const SolidElements& solids, std::size_t i) { return solids.failed(i); }
-bool failed(const BeamElements& /*beams*/, std::size_t /*i*/) { return false; }
+bool failed(const BeamElements& beams, std::size_t i) { return beams.failed(i); }
 
 }  // namespace
 
@@ -126,6 +149,7 @@ std::vector<PartEnergy> part_energies(const model::Model& model, const Structure
       PartEnergy& both = parts[part_of[elements.origin(i)].value];
       ElementEnergy& part = failed(elements, i) ? both.eroded : both.present;
       part.internal += elements.energy(i).internal;
+      part.viscous += elements.energy(i).viscous;
       part.hourglass += elements.energy(i).hourglass;
     }
   };
@@ -135,7 +159,9 @@ std::vector<PartEnergy> part_energies(const model::Model& model, const Structure
   return parts;
 }
 
-bool can_fail(const Structure& structure) { return structure.shells.can_fail() || structure.solids.can_fail(); }
+bool can_fail(const Structure& structure) {
+  return structure.shells.can_fail() || structure.solids.can_fail() || structure.beams.can_fail();
+}
 
 std::vector<results::LegendEntry> part_titles(const model::Model& model) {
   std::vector<results::LegendEntry> list;
@@ -179,6 +205,7 @@ results::D3plotState plot_state(const model::Model& model, const Structure& stru
     plot.deleted_solids.resize(plot.solids.size(), false);
     plot.deleted_shells = state.failed.shells;
     plot.deleted_shells.resize(plot.shells.size(), false);
+    delete_beams(model, state.failed.beams, plot.deleted_beams);
   }
   beam_values(model, structure, plot);
   const std::vector<PartEnergy> energies = part_energies(model, structure);
@@ -187,7 +214,7 @@ results::D3plotState plot_state(const model::Model& model, const Structure& stru
   for (std::size_t part = 0; part < model.parts.size(); ++part) {
     const PartMotion& m = motion[part];
     const ElementEnergy& energy = energies[part].present;
-    results::PartValues values{energy.internal, m.kinetic, m.mass, energy.hourglass, {}};
+    results::PartValues values{energy.printed_internal(), m.kinetic, m.mass, energy.hourglass, {}};
     if (m.mass > 0) values.velocity = array_of(m.momentum / m.mass);
     plot.parts.push_back(values);
     mass += m.mass;

@@ -223,8 +223,9 @@ SolverStatus RunFiles::log_failures(const Run& run) {
   std::string text;
   for (; logged_failures_ < failures.size(); ++logged_failures_) {
     const auto& [kind, element, time] = failures[logged_failures_];
-    text += kind == StepControl::Kind::solid ? results::failed_element("solid", mesh.solids.id[element], time)
-                                             : results::failed_element("shell", mesh.shells.id[element], time);
+    text += kind == StepControl::Kind::solid  ? results::failed_element("solid", mesh.solids.id[element], time)
+            : kind == StepControl::Kind::beam ? results::failed_element("beam", mesh.beams.id[element], time)
+                                              : results::failed_element("shell", mesh.shells.id[element], time);
   }
   return text.empty() ? SolverStatus() : log(text);
 }
@@ -277,7 +278,7 @@ SolverStatus RunFiles::plot(const Run& run) {
   const Stepper& stepper = run.stepper();
   results::D3plotState state = plot_state(run.model(), stepper.structure(), sizes_, masses_->motion(stepper.state()));
   state.kinetic = stepper.energies().printed_kinetic;
-  state.internal = stepper.energies().internal;
+  state.internal = stepper.energies().printed_internal();
   state.total = stepper.energies().printed_total();
   if (const Status appended = plot_->append(state); !appended.ok())
     return Failure{Failure::Kind::output, appended.error().file + ": " + appended.error().message};

@@ -66,7 +66,7 @@ results::GlobalState global_state(const Run& run) {
   global.time = stepper.state().time;
   global.time_step = stepper.next_step();
   global.kinetic = e.printed_kinetic;
-  global.internal = e.internal;
+  global.internal = e.printed_internal();
   global.hourglass = e.hourglass;
   global.springs = e.absorbed.springs;
   global.damping = e.absorbed.damping;
@@ -76,7 +76,7 @@ results::GlobalState global_state(const Run& run) {
   global.ratio = global.ratio_without_eroded = e.printed_ratio();
   if (stepper.state().failed.count > 0) {
     for (const PartEnergy& part : part_energies(run.model(), stepper.structure())) {
-      global.eroded_internal += part.eroded.internal;
+      global.eroded_internal += part.eroded.printed_internal();
       global.eroded_hourglass += part.eroded.hourglass;
     }
     const double supplied = e.printed_initial + e.external;
@@ -96,9 +96,9 @@ std::vector<results::PartState> part_states(const Run& run, const PartMasses& ma
   for (std::uint32_t i = 0; i < motion.size(); ++i) {
     results::PartState part;
     part.part = run.model().parts[i].id.value;
-    part.internal = energies[i].present.internal;
+    part.internal = energies[i].present.printed_internal();
     part.hourglass = energies[i].present.hourglass;
-    part.eroded_internal = energies[i].eroded.internal;
+    part.eroded_internal = energies[i].eroded.printed_internal();
     part.eroded_hourglass = energies[i].eroded.hourglass;
     part.kinetic = motion[i].kinetic;
     part.momentum = motion[i].momentum;

@@ -11,7 +11,7 @@ namespace {
 
 bool has_failed(const ShellElements& shells, std::size_t i) { return shells.failed(i); }
 bool has_failed(const SolidElements& solids, std::size_t i) { return solids.failed(i); }
-bool has_failed(const BeamElements&, std::size_t) { return false; }
+bool has_failed(const BeamElements& beams, std::size_t i) { return beams.failed(i); }
 
 /// The elements of one kind, by part. What failed elements took is gone.
 template <class Elements>
@@ -80,7 +80,9 @@ StateBalance state_balance(const Run& run) {
   add_contacts(run, balance.held);
   balance.largest = stepper.largest_energy();
   const double supplied = energies.printed_initial + energies.external;
-  balance.ratio = supplied == 0 ? 1 : energies.printed_ratio() + balance.created() / supplied;
+  // What is printed leaves out the work of the bulk viscosity; it has been dissipated all the same.
+  balance.ratio =
+      supplied == 0 ? 1 : energies.printed_ratio() + (energies.bulk_viscosity + balance.created()) / supplied;
   return balance;
 }
 

@@ -15,7 +15,7 @@ struct BodyState {
 
 /// Elements that have failed; by position in the model, if the structure has the element.
 struct FailedElements {
-  std::vector<bool> shells, solids;
+  std::vector<bool> shells, solids, beams;
   std::uint64_t count = 0;
 };
 
@@ -61,10 +61,13 @@ struct Absorbed {
 /// Energies at the time of the last force evaluation, with two kinetic energies. That of the balance is ½ m v⁻·v⁺ with
 /// the velocities before and after the evaluation: with works by the trapezoidal rule the sum is then constant to
 /// rounding while the step is (Belytschko, Liu, Moran: Nonlinear Finite Elements, 6.2), but it may be negative. What is
-/// printed is ½ m v₀² of the initial velocity at the start, and later the same, but never below zero.
+/// printed is ½ m v₀² of the initial velocity at the start, and later the same, but never below zero. The printed
+/// internal energy is without the work of the bulk viscosity, as in LS-DYNA (read off a run), and so is the printed
+/// total.
 struct Energies {
   double kinetic = 0, internal = 0, hourglass = 0;
   double printed_kinetic = 0;
+  double bulk_viscosity = 0;  ///< its work; part of internal
   Absorbed absorbed;
   double external = 0;  ///< work of loads and prescribed motion since the start
   double initial = 0;   ///< kinetic energy at the start
@@ -75,7 +78,8 @@ struct Energies {
     const double supplied = initial + external;
     return supplied == 0 ? 1 : total() / supplied;
   }
-  [[nodiscard]] double printed_total() const { return total() + (printed_kinetic - kinetic); }
+  [[nodiscard]] double printed_internal() const { return internal - bulk_viscosity; }
+  [[nodiscard]] double printed_total() const { return total() + (printed_kinetic - kinetic) - bulk_viscosity; }
   [[nodiscard]] double printed_ratio() const {
     const double supplied = printed_initial + external;
     return supplied == 0 ? 1 : printed_total() / supplied;

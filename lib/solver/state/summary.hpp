@@ -17,10 +17,12 @@ constexpr double step_slack = 1.01;
 struct Summary {
   double manual_step = std::numeric_limits<double>::infinity();
   double stable_step = std::numeric_limits<double>::infinity();
-  double work = 0, hourglass_work = 0;                             ///< of the step; work includes the hourglass work
-  double dissipated = 0;                                           ///< by plastic flow and viscosities in the step
-  std::uint64_t failed = 0;                                        ///< elements that fail now
-  std::uint32_t bad = no_position;                                 ///< first element without a usable shape
+  double work = 0, hourglass_work = 0;  ///< of the step; work includes the hourglass work
+  double dissipated = 0;                ///< by plastic flow and viscosities in the step
+  double viscous_work = 0;              ///< of the bulk viscosity in the step; part of work
+  double supplied = 0;                  ///< by what imposes a beam's force in the step: external work; part of work
+  std::uint64_t failed = 0;             ///< elements that fail now
+  std::uint32_t bad = no_position;      ///< first element without a usable shape
   std::uint32_t manual_at = no_position, stable_at = no_position;  ///< the first elements with these steps
 
   void add(const Summary& other) {
@@ -30,6 +32,8 @@ struct Summary {
     stable_step = std::min(stable_step, other.stable_step);
     work += other.work;
     hourglass_work += other.hourglass_work;
+    viscous_work += other.viscous_work;
+    supplied += other.supplied;
     failed += other.failed;
     bad = std::min(bad, other.bad);
   }
@@ -38,13 +42,17 @@ struct Summary {
 /// The work that one element has taken since the start.
 struct ElementEnergy {
   double internal = 0, hourglass = 0;
+  double viscous = 0;     ///< of the bulk viscosity; part of internal
   double dissipated = 0;  ///< of both, by plastic flow and viscosities: what no state gives back
   void add(const Summary& step) {
     internal += step.work - step.hourglass_work;
     hourglass += step.hourglass_work;
+    viscous += step.viscous_work;
     dissipated += step.dissipated;
   }
   [[nodiscard]] double sum() const { return internal + hourglass; }
+  /// As LS-DYNA prints it: without the work of the bulk viscosity.
+  [[nodiscard]] double printed_internal() const { return internal - viscous; }
 };
 
 /// Calls body(begin, end) → Part on fixed blocks of [0, count) in parallel and adds the parts up in the order of the

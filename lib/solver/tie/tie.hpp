@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "contact/initial.hpp"
-#include "solver/contact/contact_source.hpp"
 #include "solver/contact/segment_axes.hpp"
+#include "solver/interface/contact_source.hpp"
 #include "solver/state/force.hpp"
 #include "solver/structure/structure.hpp"
 

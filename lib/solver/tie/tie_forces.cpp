@@ -11,7 +11,7 @@
 #include "contact/stiffness/element_sizes.hpp"
 #include "contact/stiffness/stiffness.hpp"
 #include "solver/contact/contact_method.hpp"
-#include "solver/contact/contact_spring.hpp"
+#include "solver/interface/contact_spring.hpp"
 #include "solver/tie/tie_stability.hpp"
 
 namespace gapcheck::solver {

@@ -47,17 +47,6 @@ RuleDeck brick(bool inside_out) {
   return in_contact(deck.solid(1, 1, inside_out ? Nodes{5, 6, 7, 8, 1, 2, 3, 4} : Nodes{1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
-/// A part with two mesh densities side by side: shells of 10 x 10 next to strips of this width.
-RuleDeck two_densities(double width) {
-  RuleDeck deck;
-  deck.shell_part(1, 0.1);
-  for (int i = 0; i < 3; ++i)
-    deck.node(1 + i, {10.0 * i, 0, 0}).node(11 + i, {10.0 * i, 10, 0}).node(21 + i, {10.0 * i, 10 + width, 0});
-  for (int i = 0; i < 2; ++i)
-    deck.shell(1 + i, 1, {1 + i, 2 + i, 12 + i, 11 + i}).shell(3 + i, 1, {11 + i, 12 + i, 22 + i, 21 + i});
-  return in_contact(deck);
-}
-
 }  // namespace
 
 std::vector<PublishedCase> cases() {

@@ -119,6 +119,17 @@ inline Report run_rule_on_example(const std::string& rule, const std::string& na
   return run.report;
 }
 
+/// Two shells of 10 x 10 (1, 2) and behind each one of 10 x `width` (3, 4), in contact with themselves.
+inline RuleDeck two_densities(double width) {
+  RuleDeck deck;
+  deck.shell_part(1, 0.1);
+  for (int i = 0; i < 3; ++i)
+    deck.node(1 + i, {10.0 * i, 0, 0}).node(11 + i, {10.0 * i, 10, 0}).node(21 + i, {10.0 * i, 10 + width, 0});
+  for (int i = 0; i < 2; ++i)
+    deck.shell(1 + i, 1, {1 + i, 2 + i, 12 + i, 11 + i}).shell(3 + i, 1, {11 + i, 12 + i, 22 + i, 21 + i});
+  return deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0");
+}
+
 /// The number of the line that is `line`; 0 if there is none.
 inline std::uint32_t line_of(const RuleDeck& deck, const std::string& line) {
   const std::string text = "\n" + deck.text();

@@ -160,6 +160,33 @@ TEST(Crossings, AlongMeshLinesOnlyIfBothGoOnBehindThem) {
   }
 }
 
+/// Two bricks of 1 and of `size`, the second one at `low`; turned by an angle.
+std::size_t two_bricks(const Vector& low, const Vector& size, double angle) {
+  Scene scene;
+  scene.brick(scene.part(1, 0), {0, 0, 0}, {1, 1, 1});
+  scene.brick(scene.part(2, 0), low, size);
+  const Eigen::AngleAxisd turn(angle, Vector(1, 2, 3).normalized());
+  for (Vector& x : scene.model.mesh.nodes.x) x = turn * x;
+  scene.contact("AUTOMATIC_SINGLE_SURFACE");
+  return crossings(scene).size();
+}
+
+// Faces that lie on each other, also with edges in common, are not crossings: bricks that are set on, beside and
+// against each other, of the same and of other sizes. A tenth deeper they are.
+TEST(Crossings, BricksThatTouchDoNotCross) {
+  const Vector same(1, 1, 1);
+  for (const double angle : {0.0, 0.7, 2.0, -1.1}) {
+    for (const Vector& size : {same, Vector(1, 0.5, 1), Vector(2, 2, 0.5), Vector(0.3, 0.4, 2)})
+      for (const Vector& low : {Vector(0, 0, 1), Vector(0.3, 0, 1), Vector(0.3, 0.2, 1), Vector(1, 0, 1),
+                                Vector(1, 1, 1), Vector(1, 0, 0), Vector(1, 0.25, -0.5), Vector(-0.5, -0.5, 1)}) {
+        EXPECT_EQ(two_bricks(low, size, angle), 0U) << low.transpose() << " of " << size.transpose() << ", " << angle;
+        EXPECT_EQ(two_bricks(-low.cwiseProduct(size), size, angle), 0U) << -low.transpose() << ", " << angle;
+      }
+    for (const Vector& low : {Vector(0.3, 0.2, 0.9), Vector(0.9, 0.3, 0.9), Vector(0.5, -0.5, 0.5)})
+      EXPECT_EQ(two_bricks(low, same, angle), 1U) << low.transpose() << ", " << angle;
+  }
+}
+
 /// Crumpled sheets: warped quads, many crossings with themselves and each other.
 Scene crumpled(std::uint64_t seed) {
   std::mt19937_64 random(seed);

@@ -40,7 +40,7 @@ Eroded erode(const std::string& deck, const std::vector<bool>& shells, const std
   model::Read read = model::read_text(deck);
   SurfaceStore store(read.model);
   const ContactSurfaces start = store.at(ContactIndex{0});
-  const ContactSurfaces left = store.erode(ContactIndex{0}, start, {shells, solids}, read.model.mesh.nodes.x);
+  const ContactSurfaces left = store.erode(ContactIndex{0}, start, {shells, solids, {}}, read.model.mesh.nodes.x);
   return {std::move(read), start, left};
 }
 
@@ -108,7 +108,7 @@ TEST(Erosion, NodesOfOpenedFacesAreTracked) {
     EXPECT_EQ(segments(start.a), 1u + 24);
     EXPECT_FALSE(tracks(start.a, middle.value));
     const std::vector<bool> shells, solids{true};
-    const ContactSurfaces left = store.erode(ContactIndex{0}, start, {shells, solids}, x);
+    const ContactSurfaces left = store.erode(ContactIndex{0}, start, {shells, solids, {}}, x);
     EXPECT_EQ(segments(left.a), 1u + 24 - 3 + 3);
     std::vector<NodeIndex> expected;
     std::vector<double> half;
@@ -154,8 +154,8 @@ TEST(Erosion, StepByStepAsAtOnce) {
   SurfaceStore store(read.model);
   const std::vector<bool> none, shell{false, true}, one{true}, two{true, true, false};
   const auto& x = read.model.mesh.nodes.x;
-  const ContactSurfaces first = store.erode(ContactIndex{0}, store.at(ContactIndex{0}), {none, one}, x);
-  const ContactSurfaces left = store.erode(ContactIndex{0}, first, {shell, two}, x);
+  const ContactSurfaces first = store.erode(ContactIndex{0}, store.at(ContactIndex{0}), {none, one, {}}, x);
+  const ContactSurfaces left = store.erode(ContactIndex{0}, first, {shell, two, {}}, x);
   auto keys = [](const ContactSide& side) {
     std::vector<model::SegmentNodes> sorted;
     for (model::SegmentNodes nodes : side.selection.segments.nodes) {

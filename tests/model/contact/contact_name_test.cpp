@@ -67,7 +67,7 @@ TEST(ContactName, WordsThatNoKindHas) {
   const ContactKind* fit = parse_contact_name("CONTACT_SURFACE_TO_SURFACE_INTERFERENCE").kind;
   ASSERT_NE(fit, nullptr);
   EXPECT_TRUE(fit->can(Ability::interference));
-  EXPECT_EQ(fit->method, RunMethod::none);
+  EXPECT_EQ(fit->method, RunMethod::penalty);
 }
 
 TEST(ContactName, CardsOfTheType) {

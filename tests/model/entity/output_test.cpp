@@ -23,6 +23,18 @@ TEST(Output, IntervalsAndTitle) {
   EXPECT_TRUE(output.notes.empty());
 }
 
+TEST(Output, FilesThatARunDoesNotWriteAreNamedOnce) {
+  const Read read = read_text(
+      "*DATABASE_GLSTAT\n0.1\n*DATABASE_ELOUT\n0.5\n*DATABASE_SECFORC\n0.\n*DATABASE_RWFORC\n,,7\n*DATABASE_ELOUT\n"
+      "0.5\n*DATABASE_BINARY_INTFOR_FILE\nforces.dat\n0.5\n*DATABASE_BNDOUT\n");
+  EXPECT_EQ(read.text(), "");
+  ASSERT_EQ(read.model.output.all_notes().size(), 1u);
+  EXPECT_EQ(read.model.output.all_notes()[0].place.line, 4u);
+  EXPECT_EQ(read.model.output.all_notes()[0].text,
+            "the deck asks for files that a run does not write: elout, rwforc, intfor")
+      << "no interval: not asked for; rwforc has a curve of them";
+}
+
 TEST(Output, WhatCannotBeDoneIsNoted) {
   const Read read = read_text("*DATABASE_GLSTAT\n-1.,0,7\n*DATABASE_MATSUM\n0.\n*DATABASE_RCFORC\n");
   EXPECT_EQ(read.model.output.glstat, 0);

@@ -49,6 +49,16 @@ TEST(ReadContacts, StepOfIncludesInOtherUnits) {
   EXPECT_DOUBLE_EQ(included(block + ",-0.5\n").dtstif, -0.5);
 }
 
+// Mortar contacts have MPAR1, a time or a pressure, and MPAR2, a length, in place of DPRFAC and DTSTIF.
+TEST(ReadContacts, MortarParametersOfIncludesInOtherUnits) {
+  const std::string block = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR\n" + cards_1_to_3 + "\n\n1,";
+  EXPECT_DOUBLE_EQ(included(block + "4,2.,3.\n").dprfac, 10);
+  EXPECT_DOUBLE_EQ(included(block + "-3,2.,3.\n").dprfac, 10);
+  EXPECT_DOUBLE_EQ(included(block + "4,2.,3.\n").dtstif, 21);
+  EXPECT_DOUBLE_EQ(included(block + "2,2.\n").dprfac, 2 * 3. / (7 * 25));
+  EXPECT_DOUBLE_EQ(included(block + "3,-2.\n").dprfac, -2) << "the number of a curve";
+}
+
 // Friction of parts, tables and controls has the same units as that of a contact.
 TEST(ReadContacts, FrictionOfIncludesInOtherUnits) {
   const std::string path = testing::TempDir() + "/read_friction_include.k";

@@ -42,7 +42,6 @@ const ManualCard cards[] = {
     {"COMPOSITE_DAMAGE 022 22", "MID RO E - - PR"},
     {"PIECEWISE_LINEAR_PLASTICITY 024 24", "MID RO E PR"},
     {"HONEYCOMB 026", "MID RO E PR"},
-    {"MOONEY-RIVLIN_RUBBER 027", "MID RO PR - -"},
     {"RESULTANT_PLASTICITY 028", "MID RO E PR"},
     {"ISOTROPIC_ELASTIC_PLASTIC 012", "MID RO - - - K"},  // G SIGY ETAN BULK
     {"ISOTROPIC_ELASTIC_FAILURE 013", "MID RO - - - K"},
@@ -108,6 +107,24 @@ double value_of(const std::vector<std::string>& fields, const char* name) {
   const auto field = static_cast<double>(std::find(fields.begin(), fields.end(), name) - fields.begin());
   if (field == static_cast<double>(fields.size())) return 0;
   return std::string(name) == "PR" ? 0.03 * field : 30 + field;
+}
+
+// Small strains of Mooney–Rivlin rubber: G = 2 (A + B), E = 2 G (1 + ν).
+TEST(ReadMaterials, MooneyRivlin) {
+  for (const char* name : {"MOONEY-RIVLIN_RUBBER", "027", "27"}) {
+    const Read read = read_text(std::string("*MAT_") + name + "\n1,2.5,0.25,3.,1.\n1.,1.,1.,17\n");
+    ASSERT_EQ(read.model.materials.size(), 1u) << name << read.text();
+    const Material& material = read.model.materials[0];
+    EXPECT_EQ(material.keyword, "MAT_MOONEY-RIVLIN_RUBBER");
+    EXPECT_EQ(material.young, 20);
+    EXPECT_EQ(material.poisson, 0.25);
+    EXPECT_NEAR(material.bulk, 20 / 1.5, 1e-14);
+    EXPECT_TRUE(material.stiffness_known);
+    ASSERT_TRUE(material.mooney_rivlin);
+    EXPECT_EQ(material.mooney_rivlin->a, 3);
+    EXPECT_EQ(material.mooney_rivlin->b, 1);
+    EXPECT_EQ(material.mooney_rivlin->lcid, 17);
+  }
 }
 
 TEST(ReadMaterials, ElasticConstantsByNameAndNumber) {

@@ -125,10 +125,10 @@ TEST(CompareCurves, WorstFirstInTextAndJson) {
   Report a, b;
   a.input = "out1";
   b.input = "out2";
-  const std::string text = comparison_text(compare(a, b, 0), a, b, 1, &curves);
+  const std::string text = comparison_text(compare(a, b, 0), a, b, 1, {&curves});
   EXPECT_NE(text.find(R"(curves: 3 compared, 2 differ by more than 0.001 of the larger one
-  curve  relative        L2  by at most  at time  largest A  largest B
-  y      5.00e-01  4.36e-01           2        1          2          4
+  curve  rating  relative        L2  by at most  at time  largest A  largest B
+  y       0.280  5.00e-01  4.36e-01           2        1          2          4
   … and 1 more
   A ends at time 1, B at 2
 
@@ -136,13 +136,18 @@ the two differ, 0 nodes agree, 1 curve agrees
 )"),
             std::string::npos)
       << text;
-  const auto json = nlohmann::json::parse(comparison_json(compare(a, b, 0), a, b, &curves));
+  const auto json = nlohmann::json::parse(comparison_json(compare(a, b, 0), a, b, {&curves}));
   EXPECT_EQ(json["equal"], false);
   EXPECT_EQ(json["curves"]["differ"], 2);
   ASSERT_EQ(json["curves"]["pairs"].size(), 3u);
   EXPECT_EQ(json["curves"]["pairs"][0]["name"], "y");
   EXPECT_NEAR(json["curves"]["pairs"][1]["relative_difference"].get<double>(), 1 / 3.0, 1e-15);
   EXPECT_EQ(json["curves"]["pairs"][2]["verdict"], "agrees");
+  // y rises three times as fast as its reference: corridor 0.05 + 0.45/3, slope and magnitude 0, no shift.
+  EXPECT_NEAR(json["curves"]["pairs"][0]["rating"]["corridor"].get<double>(), 0.2, 1e-3);
+  EXPECT_EQ(json["curves"]["pairs"][0]["rating"]["phase"], 1);
+  EXPECT_EQ(json["curves"]["pairs"][0]["rating"]["magnitude"], 0);
+  EXPECT_NEAR(json["curves"]["pairs"][0]["rating"]["slope"].get<double>(), 0, 1e-9);
   EXPECT_FALSE(nlohmann::json::parse(comparison_json(compare(a, b, 0), a, b)).contains("curves"));
 }
 

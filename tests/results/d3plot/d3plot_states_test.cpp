@@ -134,6 +134,7 @@ TEST_F(D3plotFamily, DeletedElements) {
   D3plotState state = sample_state(1);
   state.deleted_solids = {true};
   state.deleted_shells = {false, true};
+  state.deleted_beams = {true};
   D3plotWriteSettings settings;
   auto plain = D3plotWriter::create(path(), sample_mesh(), parts, settings);
   ASSERT_TRUE(plain.ok());
@@ -154,6 +155,7 @@ TEST_F(D3plotFamily, DeletedElements) {
     expect_equal(back, state);
     EXPECT_EQ(back.deleted_solids, state.deleted_solids);
     EXPECT_EQ(back.deleted_shells, state.deleted_shells);
+    EXPECT_EQ(back.deleted_beams, state.deleted_beams);
   }
   state.deleted_shells = {true};
   auto writer = D3plotWriter::create(path(), sample_mesh(), parts, settings);

@@ -90,19 +90,36 @@ TEST(Build, AnisotropyAndRateTables) {
   EXPECT_FALSE(material_of("*MAT_024\n1,1.,1000.,0.3,10.\n,,9\n" + curves).table.logarithmic);
 }
 
+// VP = 1 changes something only where the yield stress depends on a rate.
+TEST(Build, ViscoplasticRates) {
+  const std::string head = "*MAT_024\n1,1.,1000.,0.3,10.,100.\n", curve = "*DEFINE_CURVE\n7\n0.,20.\n1.,40.\n";
+  EXPECT_FALSE(material_of(head + "0.,0.,0,0,1.\n").viscoplastic);
+  EXPECT_FALSE(material_of(head + "0.,0.,7,0,1.\n" + curve).viscoplastic);
+  EXPECT_FALSE(material_of(head + "40.,5.\n").viscoplastic);
+  const Material added = material_of(head + "40.,5.,7,0,1.\n" + curve);
+  EXPECT_TRUE(added.viscoplastic);
+  EXPECT_NEAR(added.viscous_stress(0.5, 40), 30 + 10, 1e-12);
+  EXPECT_NEAR(material_of("*MAT_024\n1,1.,1000.,0.3\n40.,5.,7,0,1.\n" + curve).viscous_stress(0.5, 40), 60, 1e-12);
+  const Material kinematic = material_of("*MAT_003\n1,1.,1000.,0.3,10.,100.,1.\n40.,5.,0.,1.\n");
+  EXPECT_TRUE(kinematic.viscoplastic);
+  EXPECT_NEAR(kinematic.viscous_stress(0, 40), 20, 1e-12);
+  const Material table =
+      material_of(head + "0.,0.,8,0,1.\n*DEFINE_TABLE\n8\n1.\n3.\n" + curve + "*DEFINE_CURVE\n9\n0.,60.\n1.,60.\n");
+  EXPECT_TRUE(table.viscoplastic);
+  EXPECT_NEAR(table.viscous_stress(0.5, 2), 45, 1e-12);
+}
+
 TEST(Build, WhatMaterialsLeaveOutIsNamedOnce) {
   const model::Read read =
       model::read_text(plate(2, 1, {1, 1, 0}) + "*PART\np\n1,1,1\n" + shell_section +
-                       "*MAT_024\n1,1.,1000.,0.3,10.,100.,0.2\n0.,0.,0,7,1.\n*DEFINE_CURVE\n7\n0.,1.\n1.,1.\n");
+                       "*MAT_024\n1,1.,1000.,0.3,10.,100.,0.2\n40.,5.,0,7,3.\n*DEFINE_CURVE\n7\n0.,1.\n1.,1.\n");
   Diagnostics diagnostics;
   EXPECT_TRUE(build_structure(read.model, {}, diagnostics).ok());
   std::string text;
   for (const Diagnostic& d : diagnostics.sorted()) text += d.message + "\n";
-  EXPECT_EQ(
-      text,
-      "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): the curve LCSR over the rate is not calculated\n"
-      "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): the viscoplastic rate (VP) is ignored; the total strain rate "
-      "counts\n");
+  EXPECT_EQ(text,
+            "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): VP = 3 is not calculated; the total strain rate counts\n"
+            "material 1 (*MAT_PIECEWISE_LINEAR_PLASTICITY): the curve LCSR over the rate is not calculated\n");
 }
 
 TEST(Build, FailuresAreTold) {

@@ -133,7 +133,8 @@ std::string plate_and_block(const std::string& contact) {
 TEST(ErodingContact, BlockGoesThroughPlate) {
   for (const std::string contact :
        {"*CONTACT_ERODING_SURFACE_TO_SURFACE\n2,1,3,3\n\n\n0,1,1\n", "*CONTACT_ERODING_SINGLE_SURFACE\n0\n\n\n0,1,1\n",
-        "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,3\n\n\n"}) {
+        "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n2,1,3,3\n\n\n",
+        "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR\n2,1,3,3\n\n\n"}) {
     std::vector<Vector> first;
     for (const std::size_t threads : {1, 3}) {
       const JobLimit limit(threads);

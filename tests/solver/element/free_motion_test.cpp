@@ -138,14 +138,14 @@ INSTANTIATE_TEST_SUITE_P(All, FreeRotation, testing::Combine(testing::Values(1, 
 // Viscous control has no stiffness, so a turning block creeps into its hourglass modes and flies apart: 14,000 cycles
 // for e times the amplitude at 10 rad/ms, and fewer with the square of the rate. The run ends and says what helps.
 TEST(FreeRotationForLong, ViscousControlDoesNotHoldABlock) {
-  for (const int ihq : {2, 4}) {
+  for (const int ihq : {3, 4}) {  // 2 begins without a rounding error to grow from
     RunSettings settings;
     settings.cycles = 50000;
     RunScene scene(block(2) + hourglass(ihq) + spin(50) + "*CONTROL_TERMINATION\n1e9\n", settings);
     ASSERT_TRUE(scene.prepared()) << scene.message();
     const auto end = scene.try_to_go();
-    EXPECT_EQ(!end || *end == RunEnd::failed, ihq == 2) << ihq;
-    EXPECT_EQ(scene.message().find("IHQ = 4 or 5") != std::string::npos, ihq == 2) << scene.message();
+    EXPECT_EQ(!end || *end == RunEnd::failed, ihq == 3) << ihq;
+    EXPECT_EQ(scene.message().find("IHQ = 4 or 5") != std::string::npos, ihq == 3) << scene.message();
   }
 }
 

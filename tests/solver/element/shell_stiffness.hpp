@@ -22,7 +22,9 @@ struct OneShell {
   bool started = false;
 
   OneShell(ShellProperties all, double thickness, ShellKernel function = quad_forces)
-      : properties(std::move(all)), kernel(function), points(properties.layers.size()) {
+      : properties(std::move(all)),
+        kernel(function),
+        points((function == full_forces ? 4 : 1) * properties.layers.size()) {
     state.thickness = thickness;
   }
   ShellForces step(const ShellCorners& corners, double dt) {
@@ -41,8 +43,7 @@ inline ShellCorners at_rest(const std::array<Vector, 4>& x) {
 }
 
 /// Stiffness by a unit rate of each degree of freedom over a short step: 6 per corner, displacements first.
-inline Eigen::MatrixXd shell_stiffness(const OneShell& shell, const std::array<Vector, 4>& x) {
-  constexpr double dt = 1e-8;
+inline Eigen::MatrixXd shell_stiffness(const OneShell& shell, const std::array<Vector, 4>& x, double dt = 1e-8) {
   Eigen::MatrixXd stiffness(24, 24);
   for (int column = 0; column < 24; ++column) {
     OneShell copy = shell;

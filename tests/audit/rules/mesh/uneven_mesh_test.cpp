@@ -3,16 +3,7 @@
 namespace gapcheck::audit_test::uneven_mesh_test {
 namespace {
 
-/// Two shells of 10 x 10 (1, 2) and behind each one of 10 x `width` (3, 4).
-Report strip(double width) {
-  RuleDeck deck;
-  deck.shell_part(1, 0.1);
-  for (int i = 0; i < 3; ++i)
-    deck.node(1 + i, {10.0 * i, 0, 0}).node(11 + i, {10.0 * i, 10, 0}).node(21 + i, {10.0 * i, 10 + width, 0});
-  for (int i = 0; i < 2; ++i)
-    deck.shell(1 + i, 1, {1 + i, 2 + i, 12 + i, 11 + i}).shell(3 + i, 1, {11 + i, 12 + i, 22 + i, 21 + i});
-  return run_rule("GC511", deck.contact(1, "AUTOMATIC_SINGLE_SURFACE", "0"));
-}
+Report strip(double width) { return run_rule("GC511", two_densities(width)); }
 
 // sqrt(100) / sqrt(3) = 5.77; 5.02 and 4.98 at widths of 0.397 and 0.403.
 TEST(UnevenMesh, MoreThanFiveTimes) {

@@ -1,0 +1,139 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "solver/element/solid.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+using EightMatrices = std::array<Matrix, 8>;
+
+BrickModes back_by(const BrickModes& x, double dt, const BrickModes& v) {
+  return {x.linear - dt * v.linear, x.pairs - dt * v.pairs, x.all - dt * v.all};
+}
+
+void add(BrickModes& sum, double factor, const BrickModes& other) {
+  sum.linear += factor * other.linear;
+  sum.pairs += factor * other.pairs;
+  sum.all += factor * other.all;
+}
+
+/// Adds `trace` / 3 to the diagonal in place of the own trace.
+void set_trace(Matrix& m, double trace) { m.diagonal().array() += (trace - m.trace()) / 3; }
+
+/// Updates all stresses over the step; returns the plastic work.
+double update_points(const SolidProperties& properties, const BrickMap& middle, const BrickModes& v, double volume_rate,
+                     double dt, std::span<PointState, 8> points) {
+  EightMatrices gradients = brick_gradients(middle, v);
+  double plastic_work = 0;
+  for (std::size_t p = 0; p < 8; ++p) {
+    set_trace(gradients[p], volume_rate);
+    const double before = points[p].plastic_work;
+    update_solid_stress(properties.material, gradients[p], dt, points[p]);
+    plastic_work += middle.volume[p] * (points[p].plastic_work - before);
+  }
+  return plastic_work;
+}
+
+/// The forces of the points' stresses with their mean pressure, and of the viscous one.
+BrickModes forces_of(const BrickMap& map, double viscous_pressure, std::span<const PointState, 8> points) {
+  EightMatrices stresses;
+  double mean_trace = 0;
+  for (std::size_t p = 0; p < 8; ++p) mean_trace += map.volume[p] / map.total * trace(points[p].stress);
+  for (std::size_t p = 0; p < 8; ++p) {
+    stresses[p] = to_matrix(points[p].stress);
+    set_trace(stresses[p], mean_trace - 3 * viscous_pressure);
+  }
+  return brick_stress_forces(map, stresses);
+}
+
+struct RubberForces {
+  BrickModes forces;
+  double stiffness = 0;  ///< bound of the second derivative per volume and squared gradient
+  bool good = true;
+};
+
+/// Stresses, energy and forces of rubber: the slopes of Σ V W(F̄), V of the undeformed points, F̄ = (J̄ / J)^⅓ F with the
+/// volume ratio J̄ of the whole brick.
+RubberForces rubber_forces(const Material& material, const BrickMap& now, const BrickModes& x, SolidState& state,
+                           std::span<PointState, 8> points) {
+  const BrickMap& start = *state.undeformed_brick;
+  const EightMatrices all = brick_gradients(start, x);
+  const double growth = now.total / start.total;
+  RubberForces result;
+  EightMatrices nominal;
+  double mean_trace = 0;
+  state.strain_energy = 0;
+  for (std::size_t p = 0; p < 8; ++p) {
+    const double own = all[p].determinant();
+    if (!(own > 0)) {
+      result.good = false;
+      return result;
+    }
+    const Matrix f = std::cbrt(growth / own) * all[p];
+    points[p].stress = rubber_stress(material.rubber, f);
+    state.strain_energy += start.volume[p] * rubber_energy(material.rubber, f);
+    mean_trace += start.volume[p] / start.total * trace(points[p].stress);
+    nominal[p] = growth * to_matrix(deviator(points[p].stress)) * all[p].inverse().transpose();
+    const double spread = std::max(1.0, growth * start.volume[p] / now.volume[p]);
+    result.stiffness = std::max(result.stiffness, spread * rubber_stiffness_bound(material.rubber, f) / growth);
+  }
+  result.forces = brick_stress_forces(start, nominal);
+  add(result.forces, mean_trace / 3, now.slope);
+  return result;
+}
+
+/// The sixth of a wedge halved is the least share of a corner; all others have an eighth.
+double least_share(SolidRule rule) { return rule == SolidRule::wedge ? 12 : 8; }
+
+}  // namespace
+
+double eight_point_energy(const SolidProperties& properties, const SolidState& state, const std::array<Vector, 8>& x,
+                          std::span<const PointState, 8> points) {
+  if (properties.material.kind == MaterialKind::rubber) return state.strain_energy;
+  const BrickMap map = brick_map(SolidRule::eight_points, brick_modes(x));
+  double energy = 0;
+  for (std::size_t p = 0; p < 8; ++p) energy += map.volume[p] * elastic_energy(properties.material, points[p].stress);
+  return energy;
+}
+
+SolidForces eight_point_forces(const SolidProperties& properties, SolidRule rule, const SolidCorners& corners,
+                               double dt, SolidState& state, std::span<PointState, 8> points) {
+  SolidForces out;
+  out.force.fill(Vector::Zero());
+  const Material& material = properties.material;
+  const BrickModes x = brick_modes(corners.x), v = brick_modes(corners.v);
+  const BrickMap middle = brick_map(rule, back_by(x, dt / 2, v)), end = brick_map(rule, x);
+  out.volume = end.total;
+  if (!middle.good || !end.good) return out;
+  const double volume_rate = mean_gradient(middle, v).trace();
+  const bool rubber = material.kind == MaterialKind::rubber;
+  RubberForces of_rubber;
+  if (rubber)
+    of_rubber = rubber_forces(material, end, x, state, points);
+  else
+    out.dissipated = update_points(properties, middle, v, volume_rate, dt, points);
+  if (!of_rubber.good) return out;
+
+  const double density = state.mass / out.volume, length = out.volume / largest_face_area(corners.x);
+  const double speed = std::sqrt(material.wave_modulus() / density);
+  const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, volume_rate);
+  out.viscous_work = viscous_work(viscosity.pressure, dt * middle.total * volume_rate, state);
+  out.dissipated += out.viscous_work;
+  const double stiffness = rubber ? of_rubber.stiffness : std::max(3 * material.bulk(), 2 * material.shear());
+  const double shear = rubber || !(stiffness > 0) ? 1 : 2 * material.shear() / stiffness;
+  set_time_steps(properties, density, length, gradient_bound(end, x, 1, shear) / out.volume, least_share(rule),
+                 viscosity, out, rubber ? stiffness : 0);
+  out.manual_step = length / speed;
+
+  if (rubber)
+    add(of_rubber.forces, -viscosity.pressure, end.slope);
+  else
+    of_rubber.forces = forces_of(end, viscosity.pressure, points);
+  out.force = corner_forces(of_rubber.forces);
+  out.good = std::isfinite(out.force[0].sum() + out.force[6].sum());
+  return out;
+}
+
+}  // namespace gapcheck::solver
