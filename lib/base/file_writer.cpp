@@ -22,16 +22,17 @@ namespace fs = std::filesystem;
 /// The name of an uncommitted file. A signal handler may read the list at any time: entries never change and are never
 /// freed, which costs a hundred bytes per file written.
 struct ListedName {
-  const std::string path;
-  std::atomic<bool> exists = true;
+  const std::string name;
+  std::atomic<int> folder = -1;  ///< a descriptor: the folder keeps it when it is moved
+  std::atomic<bool> exists = false;
   ListedName* next = nullptr;
 };
 std::atomic<ListedName*> listed_names = nullptr;
 std::atomic<bool> ending = false;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<ListedName*>::is_always_lock_free);
 
-ListedName& list_name(const std::string& path) {
-  auto* name = new ListedName{path, true, listed_names.load()};
+ListedName& list_name(const std::string& text) {
+  auto* name = new ListedName{text, -1, false, listed_names.load()};
   while (!listed_names.compare_exchange_weak(name->next, name)) {
   }
   return *name;
@@ -66,39 +67,45 @@ bool means_no_disk(int error) { return error == EINVAL || error == ENOTSUP || er
 
 }  // namespace
 
-/// A new file in the folder of the target, deleted unless it was kept.
+/// A new file in the folder of the target, deleted unless it was kept, even if the folder has another name by then.
 class FileWriter::Temporary {
  public:
-  explicit Temporary(const fs::path& target) : Temporary(list_name((target.parent_path() / random_name()).string())) {}
+  explicit Temporary(const fs::path& target) : listed_(list_name(random_name())), parent_(target.parent_path()) {
+    folder_ = ::open(parent_.empty() ? "." : parent_.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+    if (folder_ < 0) {
+      error_ = errno;
+      return;
+    }
+    listed_.folder = folder_;
+    listed_.exists = true;
+    fd_ = ::openat(folder_, listed_.name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+    error_ = errno;
+    // A handler that has read the list before this will not delete the file.
+    if (fd_ < 0) listed_.exists = false;
+    if (fd_ >= 0 && ending) remove();
+  }
   ~Temporary() {
-    if (!exists_) return;
-    ::unlink(path().c_str());
-    exists_ = false;
+    if (listed_.exists) remove();
+    listed_.exists = false;
+    if (folder_ >= 0) ::close(folder_);
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
-  [[nodiscard]] const std::string& path() const { return path_; }
+  /// Leads to the file as long as its folder keeps its name.
+  [[nodiscard]] std::string path() const { return (parent_ / listed_.name).string(); }
   /// -1: it could not be made, for this reason.
   [[nodiscard]] int fd() const { return fd_; }
   [[nodiscard]] int error() const { return error_; }
   /// It has another name now.
-  void keep() { exists_ = false; }
+  void keep() { listed_.exists = false; }
 
  private:
-  explicit Temporary(ListedName& name)
-      : path_(name.path),
-        exists_(name.exists),
-        fd_(::open(path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666)),
-        error_(errno) {
-    // A handler that has read the list before this will not delete the file.
-    if (fd_ < 0) exists_ = false;
-    if (fd_ >= 0 && ending) ::unlink(path().c_str());
-  }
+  void remove() { ::unlinkat(folder_, listed_.name.c_str(), 0); }
 
-  const std::string& path_;
-  std::atomic<bool>& exists_;
-  int fd_, error_;
+  ListedName& listed_;
+  const fs::path parent_;
+  int folder_ = -1, fd_ = -1, error_ = 0;
 };
 
 FileWriter::FileWriter(std::string path, std::string target) : path_(std::move(path)), target_(std::move(target)) {}
@@ -220,7 +227,7 @@ Status check_name(const std::string& path, const FileId& file, bool closed) {
 void remove_uncommitted_files() noexcept {
   ending = true;
   for (const ListedName* name = listed_names; name != nullptr; name = name->next)
-    if (name->exists) ::unlink(name->path.c_str());
+    if (name->exists) ::unlinkat(name->folder, name->name.c_str(), 0);
 }
 
 }  // namespace gapcheck

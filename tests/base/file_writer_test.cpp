@@ -78,6 +78,24 @@ TEST_F(FileWriterTest, WithoutCommitNothingHasHappened) {
   EXPECT_EQ(entries(), 1u);
 }
 
+TEST_F(FileWriterTest, AFolderThatMovesKeepsNothingOfIt) {
+  for (const bool commits : {false, true}) {
+    ASSERT_TRUE(fs::create_directory(path("here")));
+    {
+      FileWriter uncommitted = writer("here/a");
+      uncommitted.write("text");
+      fs::rename(path("here"), path("there"));
+      if (commits) {
+        const Status committed = uncommitted.commit();
+        ASSERT_FALSE(committed.ok());
+        EXPECT_EQ(committed.error().file, path("here/a"));
+      }
+    }
+    EXPECT_TRUE(fs::is_empty(path("there"))) << commits;
+    fs::remove(path("there"));
+  }
+}
+
 TEST_F(FileWriterTest, TheModeIsTheUsualOneOrThatOfTheOldFile) {
   const mode_t before = ::umask(027);
   ASSERT_TRUE(write_file(path("a"), "x").ok());
