@@ -15,9 +15,6 @@
 #include <utility>
 
 namespace gapcheck {
-namespace {
-
-namespace fs = std::filesystem;
 
 /// The name of an uncommitted file. A signal handler may read the list at any time: entries never change and are never
 /// freed, which costs a hundred bytes per file written.
@@ -27,6 +24,11 @@ struct ListedName {
   std::atomic<bool> exists = false;
   ListedName* next = nullptr;
 };
+
+namespace {
+
+namespace fs = std::filesystem;
+
 std::atomic<ListedName*> listed_names = nullptr;
 std::atomic<bool> ending = false;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<ListedName*>::is_always_lock_free);

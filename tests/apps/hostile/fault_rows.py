@@ -329,10 +329,11 @@ def vanishing_folder(bench, command, what, moment):
     # A run writes to its files until it ends. The other commands give a file its name when it is complete.
     with open_or_none(folder / name) as file:
         finished = running.has_ended() or (command != "run" and file is not None)
-        if what == "moved":
-            folder.rename(bench.folder / "gone")
-        else:
-            shutil.rmtree(folder, ignore_errors=True)
+        folder.rename(bench.folder / "gone")
+        # It may have got its name since the look for it.
+        finished |= command != "run" and (bench.folder / "gone" / name).exists()
+        if what == "removed":
+            shutil.rmtree(bench.folder / "gone", ignore_errors=True)
         written = size_of(file)
         ended = running.wait()
         # What is removed after its last byte nobody can notice.
