@@ -16,7 +16,7 @@
 
 namespace gapcheck {
 
-/// The name of an uncommitted file. A signal handler may read the list at any time: entries never change and are never
+/// The name of an uncommitted file. A signal handler may read the list at any time: names never change, entries are never
 /// freed, which costs a hundred bytes per file written.
 struct ListedName {
   const std::string name;

@@ -10,11 +10,18 @@ namespace gapcheck::contact {
 
 /// A segment that a tracked node may come to penetrate.
 struct Candidate {
+  /// Where the node is relative to the contact distance while the pair rests.
+  enum class Zone : std::uint8_t {
+    outside,  ///< farther away
+    inside,   ///< nearer, but the projection lies out of the segment's band
+    unknown,  ///< either, and the projection lies out of the band
+  };
   SegmentIndex segment;
+  Zone zone = Zone::outside;
   /// Until nodes and segments have moved this far towards each other since the search, the pair need not be checked.
   double wake = 0;
-  /// Until then the node is nearer than the contact distance, but its projection lies out of the segment's band.
-  bool beside = false;
+  /// Less what they have moved since the search: the two are at least that far apart.
+  double apart = 0;
 };
 
 /// Result of a global search, valid until tracked nodes and segments have come closer by `margin`: for each tracked

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/outside_band.hpp"
-
 namespace gapcheck::solver {
 
 using contact::Candidate;
@@ -28,7 +26,8 @@ constexpr double far_away = 1.5;
 SegmentFinder::SegmentFinder(TrackedPairs& pairs)
     : pairs_(pairs),
       scene_(pairs.scene()),
-      leads_(scene_.mode == geometry::Mode::filtered && !(scene_.contact.airbag_thickness > 0)) {}
+      leads_(scene_.mode == geometry::Mode::filtered && !(scene_.contact.airbag_thickness > 0)),
+      rest_(pairs, leads_) {}
 
 void SegmentFinder::follow_pairs(std::size_t first, std::size_t last, FinderScratch& scratch) const {
   scratch.first = first;
@@ -69,10 +68,10 @@ NodeMeeting SegmentFinder::decide_candidates(std::size_t place, double used, Fin
   const std::span<Candidate> candidates = pairs_.candidates_at(place);
   const Sleep sleep = decide_awake(slot, candidates, used, scratch, counts);
   NodeMeeting meeting;
-  meeting.in_zone = !scratch.hits.empty() || sleep.beside;
+  meeting.in_zone = !scratch.hits.empty() || sleep.inside;
   TrackedNode* const known = pairs_.known(slot);
   // A node beside segments sleeps only if it has no memory that the zone keeps.
-  const bool may_sleep = scratch.hits.empty() && (!sleep.beside || known == nullptr || known->at_rest());
+  const bool may_sleep = scratch.hits.empty() && (!sleep.inside || known == nullptr || known->at_rest());
   pairs_.set_sleep(place, may_sleep ? sleep.wake : 0);
   if (known != nullptr) known->lead = 0;
   if (scratch.hits.empty()) return meeting;
@@ -83,61 +82,88 @@ NodeMeeting SegmentFinder::decide_candidates(std::size_t place, double used, Fin
   SegmentContact& contact =
       meeting.contact.emplace(contact_of(slot, hit->segment, scratch.results[static_cast<std::size_t>(at)]));
   take_followed_point(slot, contact, scratch.single);
-  if (leads_ && contact.on_face) pairs_.touch(slot).lead = lead_of(slot, candidates, contact, used);
+  if (leads_ && contact.on_face) pairs_.touch(slot).lead = lead_of(candidates, contact, used);
   return meeting;
 }
 
-double SegmentFinder::motion_beside(SlotIndex slot, SegmentIndex segment, const PairResult& pair) const {
-  // Oriented segments and faces of solids that may slide compare hits outside of bands too.
-  const bool compared =
-      scene_.oriented(segment) || scene_.line(segment) ||
-      (scene_.own_neighbours != nullptr && scene_.segments.kind[segment.value] == contact::SegmentKind::solid);
-  const bool shifted = !scene_.segments.offset.empty() && scene_.segments.offset[segment.value] != 0;
-  if (pair.in_band || compared || shifted || !leads_ || scene_.type.by_segments()) return 0;
-  const geometry::Facet facet = scene_.facet(segment);
-  const Vector at = scene_.position(slot);
-  const double in_zone =
-      contact::penetration_bound(scene_, slot, segment, facet, at) * (1 - lead_slack) - pair.distance;
-  if (!(in_zone > 0)) return 0;
-  return std::min(in_zone, geometry::motion_outside_band({facet, at, pair.closest.point, pairs_.reach(slot, segment)}));
+void SegmentFinder::decide(SlotIndex slot, Candidate& candidate, Vector* towards, double used,
+                           FinderScratch& scratch) const {
+  const SegmentIndex s = candidate.segment;
+  const PairResult pair = contact::decide_pair(scene_, slot, s);
+  rest_.set_rest(candidate, slot, pair, used);
+  const double distance = std::sqrt(pair.closest.squared_distance);
+  if (towards != nullptr)
+    *towards = distance > 0 ? Vector((pair.closest.point - scene_.position(slot)) / distance) : Vector::Zero();
+  scratch.decided.push_back({{slot, s, pair.distance, pair.in_band}, pair});
+}
+
+void SegmentFinder::take_decided(FinderScratch& scratch) const {
+  for (const FinderScratch::Decided& decided : scratch.decided) {
+    if (decided.result.penetrates) {
+      scratch.hits.push_back(decided.hit);
+      scratch.results.push_back(decided.result);
+    } else if (scene_.oriented(decided.hit.segment)) {
+      scratch.measured.push_back(decided.hit);
+    }
+  }
+  scratch.decided.clear();
+}
+
+SegmentFinder::Needed SegmentFinder::needed_of(SlotIndex slot, const FinderScratch& scratch) {
+  Needed needed;
+  const TrackedNode* const known = pairs_.known(slot);
+  needed.zone = known != nullptr && known->released();
+  bool presses = false, meets = false;
+  for (const Hit& hit : scratch.hits) {
+    if (!hit.in_band) continue;
+    meets = true;
+    if (std::signbit(hit.distance)) needed.within = std::max(needed.within, -hit.distance);
+    presses = presses || !scene_.slides(slot, hit.segment, hit.distance);
+  }
+  // A node that presses on another segment does not slide along this one.
+  needed.all = meets && !presses;
+  return needed;
 }
 
 SegmentFinder::Sleep SegmentFinder::decide_awake(SlotIndex slot, std::span<Candidate> candidates, double used,
-                                                 FinderScratch& scratch, PairCounts& counts) const {
+                                                 FinderScratch& scratch, PairCounts& counts) {
   scratch.clear_hits();
   // Only nodes that touch something come back for it.
   TrackedNode* const known = pairs_.known(slot);
   if (known != nullptr) known->towards.resize(candidates.size(), Vector::Zero());
-  Sleep sleep{std::numeric_limits<double>::infinity()};
+  const auto decide_number = [&](std::size_t i) {
+    decide(slot, candidates[i], known != nullptr ? &known->towards[i] : nullptr, used, scratch);
+  };
   std::uint64_t pairs = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    Candidate& candidate = candidates[i];
-    if (!(candidate.wake > used)) {
-      const SegmentIndex s = candidate.segment;
-      const PairResult pair = contact::decide_pair(scene_, slot, s);
+    if (candidates[i].wake > used) continue;
+    decide_number(i);
+    ++pairs;
+    if (candidates[i].wake > used) scratch.decided.pop_back();
+  }
+  take_decided(scratch);
+  if (const Needed needed = needed_of(slot, scratch); needed.any())
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (!(candidates[i].wake > used) || !needs(needed, candidates[i], used)) continue;
+      decide_number(i);
       ++pairs;
-      candidate.wake = used + std::abs(pair.distance) - pairs_.reach(slot, s);
-      candidate.beside = false;
-      const double distance = std::sqrt(pair.closest.squared_distance);
-      if (known != nullptr)
-        known->towards[i] =
-            distance > 0 ? Vector((pair.closest.point - scene_.position(slot)) / distance) : Vector::Zero();
-      if (const double motion = pair.penetrates ? motion_beside(slot, s, pair) : 0; motion > 0) {
-        candidate.wake = used + motion;
-        candidate.beside = true;
-      } else if (pair.penetrates) {
-        scratch.hits.push_back({slot, s, pair.distance, pair.in_band});
-        scratch.results.push_back(pair);
-      } else if (scene_.oriented(s)) {
-        scratch.measured.push_back({slot, s, pair.distance, pair.in_band});
-      }
     }
+  take_decided(scratch);
+  Sleep sleep{std::numeric_limits<double>::infinity()};
+  for (const Candidate& candidate : candidates) {
     sleep.wake = std::min(sleep.wake, candidate.wake);
-    sleep.beside = sleep.beside || candidate.beside;
+    sleep.inside = sleep.inside || candidate.zone == Candidate::Zone::inside;
   }
   counts.pairs += pairs;
   counts.nodes += pairs > 0;
   return sleep;
+}
+
+bool SegmentFinder::needs(const Needed& needed, const Candidate& candidate, double used) const {
+  if (needed.all && candidate.zone != Candidate::Zone::outside) return true;
+  if (needed.zone && candidate.zone == Candidate::Zone::unknown) return true;
+  return needed.within > 0 && scene_.oriented(candidate.segment) &&
+         candidate.apart - used <= needed.within * (1 + lead_slack) + rounding_share * used;
 }
 
 SegmentContact SegmentFinder::contact_of(SlotIndex slot, SegmentIndex segment, const PairResult& pair) const {
@@ -166,13 +192,10 @@ void SegmentFinder::take_followed_point(SlotIndex slot, SegmentContact& contact,
   contact.on_face = true;
 }
 
-double SegmentFinder::nearest_other(SlotIndex slot, SegmentIndex segment, std::span<const Candidate> candidates,
-                                    double used) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Candidate& candidate : candidates)
-    if (candidate.segment != segment && !candidate.beside)
-      least = std::min(least, candidate.wake - used + pairs_.reach(slot, candidate.segment));
-  return least;
+bool SegmentFinder::comes_nearer(const Candidate& candidate, SegmentIndex segment) const {
+  if (candidate.segment == segment) return false;
+  // A node is behind the nearest segment alone. In front, a segment that rests does not count before it wakes.
+  return candidate.zone == Candidate::Zone::outside || (scene_.oriented(segment) && scene_.oriented(candidate.segment));
 }
 
 void SegmentFinder::separate_others(SlotIndex slot, SegmentIndex segment, std::span<Candidate> candidates, double used,
@@ -182,8 +205,7 @@ void SegmentFinder::separate_others(SlotIndex slot, SegmentIndex segment, std::s
   const Vector at = scene_.position(slot);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     Candidate& candidate = candidates[i];
-    const double reach = pairs_.reach(slot, candidate.segment);
-    if (candidate.segment == segment || candidate.beside || candidate.wake - used + reach > far) continue;
+    if (!comes_nearer(candidate, segment) || candidate.apart - used > far) continue;
     const geometry::Facet facet = scene_.facet(candidate.segment);
     double least = std::numeric_limits<double>::infinity(), size = 0;
     for (const Vector& corner : facet.x) {
@@ -191,19 +213,23 @@ void SegmentFinder::separate_others(SlotIndex slot, SegmentIndex segment, std::s
       least = std::min(least, towards[i].dot(from_node));
       size = std::max(size, from_node.cwiseAbs().maxCoeff());
     }
-    candidate.wake = std::max(candidate.wake, used + least - rounding_share * size - reach);
+    candidate.apart = std::max(candidate.apart, used + least - rounding_share * size);
+    if (candidate.zone == Candidate::Zone::outside)
+      candidate.wake = std::max(candidate.wake, candidate.apart - pairs_.reach(slot, candidate.segment));
   }
 }
 
-double SegmentFinder::lead_of(SlotIndex slot, std::span<const Candidate> candidates, const SegmentContact& chosen,
-                              double used) const {
-  const double gap = nearest_other(slot, chosen.segment, candidates, used) -
-                     std::abs(chosen.distance) * (1 + lead_slack) - rounding_share * (used + pairs_.greatest_reach());
-  // One distance may grow by what the other one loses. Segments beside the node do not count before they wake.
-  double lead = used + gap / 2;
-  for (const Candidate& candidate : candidates)
-    if (candidate.beside && candidate.segment != chosen.segment) lead = std::min(lead, candidate.wake);
-  return lead;
+double SegmentFinder::lead_of(std::span<const Candidate> candidates, const SegmentContact& chosen, double used) const {
+  double nearest = std::numeric_limits<double>::infinity(), first = nearest;
+  for (const Candidate& candidate : candidates) {
+    if (comes_nearer(candidate, chosen.segment)) nearest = std::min(nearest, candidate.apart - used);
+    if (candidate.zone != Candidate::Zone::outside && candidate.segment != chosen.segment)
+      first = std::min(first, candidate.wake);
+  }
+  const double gap =
+      nearest - std::abs(chosen.distance) * (1 + lead_slack) - rounding_share * (used + pairs_.greatest_reach());
+  // One distance may grow by what the other one loses.
+  return std::min(used + gap / 2, first);
 }
 
 bool SegmentFinder::may_follow(std::size_t place) const {
@@ -218,7 +244,7 @@ bool SegmentFinder::keeps_lead(std::size_t place, const SegmentContact& contact,
   if (tracked.lead > used) return true;
   const std::span<Candidate> candidates = pairs_.candidates_at(place);
   separate_others(slot, contact.segment, candidates, used, far_away * std::abs(contact.distance));
-  tracked.lead = lead_of(slot, candidates, contact, used);
+  tracked.lead = lead_of(candidates, contact, used);
   return tracked.lead > used;
 }
 
@@ -240,6 +266,7 @@ std::optional<SegmentContact> SegmentFinder::prove_followed(SlotIndex slot, cons
   contact.way = -pairs.offset_of(lane);
   contact.distance = distance;
   contact.on_face = true;
+  if (scene_.slides(slot, contact.segment, distance)) return {};
   const double h = scene_.nodes.half[slot.value] + scene_.segments.half[contact.segment.value], size = pairs.size[lane];
   // The tolerance of decide_pair(), or a little more.
   const double largest = scene_.position(slot).cwiseAbs().maxCoeff() + 2 * size;

@@ -8,6 +8,7 @@
 #include "contact/pair/hit.hpp"
 #include "contact/pair/pair.hpp"
 #include "geometry/follow.hpp"
+#include "solver/contact/pair_rest.hpp"
 #include "solver/contact/pass_block.hpp"
 #include "solver/contact/tracked_pairs.hpp"
 
@@ -36,6 +37,11 @@ struct FinderScratch {
   // Pairs of one node.
   std::vector<contact::Hit> hits, measured;
   std::vector<contact::PairResult> results;  ///< of the hits
+  struct Decided {
+    contact::Hit hit;
+    contact::PairResult result;
+  };
+  std::vector<Decided> decided;  ///< not yet among these
   // Pairs of several nodes.
   geometry::FollowedPairs followed, single;
   std::size_t first = 0;                                               ///< place of the first of them
@@ -70,29 +76,39 @@ class SegmentFinder {
   /// How long all candidates of a node sleep, and whether it is in the zone of one that does.
   struct Sleep {
     double wake;
-    bool beside = false;
+    bool inside = false;
   };
-  /// Decides the candidates that are awake and sets their sleep. Writes those that penetrate, and the other oriented
-  /// segments, to `scratch`.
+  /// Which resting candidates the awake ones of a node make necessary.
+  struct Needed {
+    double within = 0;  ///< those with a back that may be so near: the node is behind the nearest segment alone
+    bool zone = false;  ///< those in whose zone the node may be: a released node stays so until it has left all zones
+    bool all = false;  ///< those in whose zone the node may be: if it presses on one of them it slides along the others
+    [[nodiscard]] bool any() const { return within > 0 || zone || all; }
+  };
+  /// Decides the candidates that are awake or needed and sets their sleep. Writes those that penetrate, and the other
+  /// oriented segments, to `scratch`.
   Sleep decide_awake(SlotIndex slot, std::span<contact::Candidate> candidates, double used, FinderScratch& scratch,
-                     PairCounts& counts) const;
-  /// How far the two may move before the pair, which penetrates, enters the segment's band or leaves its zone; 0 where
-  /// it must be decided in each cycle.
-  [[nodiscard]] double motion_beside(SlotIndex slot, SegmentIndex segment, const contact::PairResult& pair) const;
+                     PairCounts& counts);
+  /// Decides one and sets its sleep and, unless null, its direction.
+  void decide(SlotIndex slot, contact::Candidate& candidate, Vector* towards, double used,
+              FinderScratch& scratch) const;
+  /// Sorts what was decided into hits and other oriented segments.
+  void take_decided(FinderScratch& scratch) const;
+  [[nodiscard]] Needed needed_of(SlotIndex slot, const FinderScratch& scratch);
+  [[nodiscard]] bool needs(const Needed& needed, const contact::Candidate& candidate, double used) const;
   [[nodiscard]] SegmentContact contact_of(SlotIndex slot, SegmentIndex segment, const contact::PairResult& pair) const;
   /// Takes the closest point that following the pair of the last cycle finds: whether the node was followed or decided
   /// the long way must not show in the last bit.
   void take_followed_point(SlotIndex slot, SegmentContact& contact, geometry::FollowedPairs& pairs) const;
-  /// Smallest distance of the candidates other than `segment` and those beside, as far as their sleep shows.
-  [[nodiscard]] double nearest_other(SlotIndex slot, SegmentIndex segment,
-                                     std::span<const contact::Candidate> candidates, double used) const;
+  /// Whether a candidate counts instead of `segment` as soon as it is nearer.
+  [[nodiscard]] bool comes_nearer(const contact::Candidate& candidate, SegmentIndex segment) const;
   /// Postpones waking candidates other than `segment` as far as the plane of their last decision separates them from
   /// the node; only those that may be nearer than `far`.
   void separate_others(SlotIndex slot, SegmentIndex segment, std::span<contact::Candidate> candidates, double used,
                        double far) const;
   /// The amount of used-up margin until which no other candidate can come as near as the chosen one.
-  [[nodiscard]] double lead_of(SlotIndex slot, std::span<const contact::Candidate> candidates,
-                               const SegmentContact& chosen, double used) const;
+  [[nodiscard]] double lead_of(std::span<const contact::Candidate> candidates, const SegmentContact& chosen,
+                               double used) const;
   /// True if probably only the pair of the last cycle counts.
   [[nodiscard]] bool may_follow(std::size_t place) const;
   /// True if no candidate other than that of the contact can count.
@@ -105,7 +121,8 @@ class SegmentFinder {
 
   TrackedPairs& pairs_;
   const contact::PairScene& scene_;
-  bool leads_;  ///< present leading segments lead until motion has used that up; not if thickness changes
+  bool leads_;     ///< present leading segments lead until motion has used that up; not if thickness changes
+  PairRest rest_;  ///< how long pairs sleep
 };
 
 }  // namespace gapcheck::solver

@@ -125,7 +125,7 @@ void TrackedPairs::continue_as(const TrackedPairs& other, std::span<const KnownN
   greatest_reach_ = other.greatest_reach_;
   candidates_ = other.candidates_;
   for (std::size_t place = 0; place < near_places(); ++place)
-    for (contact::Candidate& candidate : candidates_at(place)) candidate.wake = 0;
+    for (contact::Candidate& candidate : candidates_at(place)) candidate = {candidate.segment};
   const std::span<const SlotIndex> near = candidates_.slots();
   sleep_.assign(near.size(), 0);
   lost_.clear();
