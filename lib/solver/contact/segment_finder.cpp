@@ -229,7 +229,8 @@ double SegmentFinder::lead_of(std::span<const Candidate> candidates, const Segme
   const double gap =
       nearest - std::abs(chosen.distance) * (1 + lead_slack) - rounding_share * (used + pairs_.greatest_reach());
   // One distance may grow by what the other one loses.
-  return std::min(used + gap / 2, first);
+  const double lead = std::min(used + gap / 2, first);
+  return lead > used ? lead : 0;
 }
 
 bool SegmentFinder::may_follow(std::size_t place) const {
@@ -245,7 +246,7 @@ bool SegmentFinder::keeps_lead(std::size_t place, const SegmentContact& contact,
   const std::span<Candidate> candidates = pairs_.candidates_at(place);
   separate_others(slot, contact.segment, candidates, used, far_away * std::abs(contact.distance));
   tracked.lead = lead_of(candidates, contact, used);
-  return tracked.lead > used;
+  return tracked.lead > 0;
 }
 
 void SegmentFinder::set_start(SlotIndex slot, FollowedPairs& pairs, std::size_t lane) const {

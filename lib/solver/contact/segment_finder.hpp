@@ -106,7 +106,7 @@ class SegmentFinder {
   /// the node; only those that may be nearer than `far`.
   void separate_others(SlotIndex slot, SegmentIndex segment, std::span<contact::Candidate> candidates, double used,
                        double far) const;
-  /// The amount of used-up margin until which no other candidate can come as near as the chosen one.
+  /// The amount of used-up margin until which no other candidate can come as near as the chosen one; 0: none.
   [[nodiscard]] double lead_of(std::span<const contact::Candidate> candidates, const SegmentContact& chosen,
                                double used) const;
   /// True if probably only the pair of the last cycle counts.
