@@ -175,11 +175,11 @@ class Side {
 };
 
 /// A plate thicker than its elements are wide lies on two boxes, the upper with the mesh of the lower or another one,
-/// flush or not. The parts creep, turn and vibrate, now into each other and now apart.
+/// flush or smaller. The parts creep, turn, vibrate and slide, now into each other and now apart.
 Totals run(const std::string& contact, int upper, double shift, bool exchanged, unsigned seed) {
   Stack stack;
   stack.add_box(4, Vector(0, 0, 0), 2, 0.5);
-  stack.add_box(upper, Vector(shift, shift, 0.502), 2, 0.5);
+  stack.add_box(upper, Vector(shift, shift, 0.502), shift > 0 ? 1.3 : 2, 0.5);
   stack.add_plate(5, Vector(0.4, 0.4, 1.505), 1.2, 1);
   Side side(stack.deck(contact), exchanged);
   std::mt19937 random(seed);
@@ -190,7 +190,8 @@ Totals run(const std::string& contact, int upper, double shift, bool exchanged, 
     if (cycle % 25 == 0)
       for (std::size_t p = 1; p <= 3; ++p) {
         const double along = p == 1 ? 1 : -1, way = cycle % 50 == 0 ? 1.2e-3 : -1e-3;
-        creep[p] = Vector(2e-3 * any(random), 2e-3 * any(random), along * way * std::abs(any(random)));
+        const double across = cycle % 75 == 0 ? 2e-2 : 2e-3;
+        creep[p] = Vector(across * any(random), across * any(random), along * way * std::abs(any(random)));
         spin[p] = 1e-3 * Vector(any(random), any(random), any(random));
       }
     double longest = 0;
