@@ -137,9 +137,11 @@ void Card::report_not_a_number(std::size_t field, std::string_view raw, const st
   const std::uint64_t bit = std::uint64_t{1} << (field % 64);
   if ((reported_ & bit) != 0) return;
   reported_ |= bit;
-  diagnostics_->add({Severity::error, deck_->file(block_->file).path, line_,
-                     "*" + block_->name + ", field " + layout_->fields[field].name + ": " + cause,
-                     marked_line(number)});
+  const bool zero = only_zeros(raw);
+  diagnostics_->add(
+      {zero ? Severity::warning : Severity::error, deck_->file(block_->file).path, line_,
+       "*" + block_->name + ", field " + layout_->fields[field].name + ": " + cause + (zero ? "; read as 0" : ""),
+       marked_line(number)});
 }
 
 void report_missing_parameter(std::string_view name, const std::string& file, std::uint32_t line,
@@ -243,7 +245,7 @@ std::int64_t Card::integer(std::size_t field, std::int64_t default_value) const 
   }
   if (!value) {
     report_not_a_number(field, raw, quoted(raw) + " is not a whole number of at most 18 digits; correct the field");
-    return default_value;
+    return only_zeros(raw) ? 0 : default_value;
   }
   if (*value == 0) return 0;
   const std::int64_t offset =
@@ -273,7 +275,7 @@ double Card::real(std::size_t field, double default_value) const {
   if (!value || std::abs(*value) > max_real) {
     report_not_a_number(field, raw,
                         quoted(raw) + (value ? " is larger than 1e30" : " is not a number") + "; correct the field");
-    return default_value;
+    return only_zeros(raw) ? 0 : default_value;
   }
   return *value;
 }

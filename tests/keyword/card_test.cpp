@@ -265,6 +265,22 @@ TEST(Card, BlanksInNumbersAreShownInTheirLine) {
   EXPECT_EQ(said[1].excerpt, "") << said[1].message;
 }
 
+// However the blanks are read, the field is 0: a shifted row of defaults stops nobody.
+TEST(Card, ZerosInOneFieldAreZero) {
+  TextDeck deck("*SECTION_SHELL\n  0     0.       3.0\n  0     1.       3.0\n");
+  auto reader = deck.reader("SECTION_SHELL");
+  const CardLayout& row = card_layout("SECTION_SHELL", "card2");
+  const Card zeros = reader.next(row);
+  EXPECT_EQ(zeros.real("t1", 7), 0);
+  EXPECT_EQ(zeros.real("t2"), 3);
+  EXPECT_EQ(reader.next(row).real("t1", 7), 7);
+  const auto said = deck.diagnostics.sorted();
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_EQ(said[0].severity, Severity::error);
+  EXPECT_EQ(said[1].severity, Severity::warning);
+  EXPECT_NE(said[1].message.find("; read as 0"), std::string::npos) << said[1].message;
+}
+
 TEST(Card, TabsReachToTheNextMultipleOfEight) {
   TextDeck deck("*NODE\n1\t1.5\t\t2.5\t\t3.5\t\t4\n\t  7\n*NODE_SCALAR\n");
   auto reader = deck.reader("NODE");

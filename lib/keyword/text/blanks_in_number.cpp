@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "base/number.hpp"
@@ -60,6 +61,14 @@ std::string about_blanks(const NumberField& field) {
   for (const std::string_view word : words) joined += word;
   if (!parse_real(joined)) return "";
   return fmt::format("\"{}\" has blanks inside; probably {} is meant; remove them", text, joined.substr(0, 40));
+}
+
+bool only_zeros(std::string_view text) {
+  const std::vector<std::string_view> words = words_of(text);
+  return words.size() > 1 && std::all_of(words.begin(), words.end(), [](std::string_view word) {
+           const std::optional<double> number = parse_real(word);
+           return number && *number == 0;
+         });
 }
 
 std::string marked_line(const NumberField& field) {

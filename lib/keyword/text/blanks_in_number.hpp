@@ -17,6 +17,9 @@ struct NumberField {
 /// What is likely meant by a field with blanks inside; empty if it has none.
 [[nodiscard]] std::string about_blanks(const NumberField& field);
 
+/// Whether a field is several numbers, all of them 0, so that it is 0 however its blanks are read.
+[[nodiscard]] bool only_zeros(std::string_view text);
+
 /// The line, and below it marks under the field. Long lines are cut to the part around it.
 [[nodiscard]] std::string marked_line(const NumberField& field);
 
