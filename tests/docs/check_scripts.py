@@ -32,6 +32,7 @@ RUNS = [
     ("scripts/solver_accuracy.py", "{test_solver} --small", "docs/theory/solver-accuracy.md"),
     ("scripts/solver_benchmarks.py", "{gapcheck} --small", "docs/theory/solver-benchmarks.md"),
     ("scripts/solver_runs.py", "{gapcheck} data/workshop --small", "docs/solver-runs.md"),
+    ("scripts/solver_table.py", "{test_solver} --small", "docs/theory/solver-table.md"),
     ("scripts/state_energy.py", "{gapcheck} --small", "docs/theory/state-energy.md"),
     ("scripts/tie_accuracy.py", "{test_solver} --small", "docs/theory/solver-ties.md"),
     ("tests/bench/decisions.py", "{build} work docs/decision-speed.md --rounds 1 --count 50", "docs/decision-speed.md"),
