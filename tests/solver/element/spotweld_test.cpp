@@ -183,10 +183,11 @@ std::string line_beam(int part, const Vector& middle, const Vector& half, int ma
 const std::string general = "*CONTACT_AUTOMATIC_GENERAL\n0\n0.\n1.,1.\n0\n0.,0,0,1\n";
 
 /// Speed of the upper beam, material 2, after it came down on the lower one, material 1.
-double speed_after(const std::string& materials, const ContactScene::Prepare& more = {}) {
+double speed_after(const std::string& materials, const ContactScene::Prepare& more = {},
+                   const std::string& contact = general) {
   ContactScene scene(
       line_beam(1, {0, 0, 0}, {0.5, 0, 0}, 1) + line_beam(2, {0, 0, 0.25}, {0, 0.5, 0}, 2) +
-          "*SECTION_BEAM\n1,1,1.,2,1\n0.2,0.2\n*SECTION_BEAM\n2,9,1.,2,1\n0.2,0.2\n" + materials + general,
+          "*SECTION_BEAM\n1,1,1.,2,1\n0.2,0.2\n*SECTION_BEAM\n2,9,1.,2,1\n0.2,0.2\n" + materials + contact,
       [&](Structure& s) {
         for (const std::uint32_t n : {2u, 3u}) s.state.v[n].z() = -0.5;
         if (more) more(s);
@@ -212,6 +213,18 @@ TEST(BeamContact, NullBeamsMeet) {
   EXPECT_NEAR(null.state.mass[0], density * area / 2, 1e-12);
   null.beams.finish(null.state.x.size());
   EXPECT_FALSE(std::isfinite(null.beams.update(null.state).manual_step));
+}
+
+// Spotweld beams meet others with CPARM8 = 2 on card E and pass through them without it: the MPP card has no say.
+TEST(BeamContact, SpotweldBeamsMeetWithCparm8) {
+  const std::string materials = "*MAT_ELASTIC\n1,1.,1000.,0.25\n*MAT_SPOTWELD\n2,1.,1000.,0.25,1e9,1.\n\n";
+  const auto after = [&](const std::string& mpp, const std::string& cparm8) {
+    return speed_after(materials, {},
+                       "*CONTACT_AUTOMATIC_GENERAL" + mpp + "\n0\n0.\n1.,1.\n0\n0.,0,0,1\n0\n\n0," + cparm8 + "\n");
+  };
+  EXPECT_NEAR(after("", "2"), 0, 0.02) << "equal masses exchange their velocities";
+  for (const char* other : {"0", "1"}) EXPECT_EQ(after("", other), -0.5) << other;
+  EXPECT_EQ(after("_MPP\n0,0,0,0,0,0,0,2", "0"), -0.5);
 }
 
 // A beam that has failed is no obstacle any more.
