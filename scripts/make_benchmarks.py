@@ -320,7 +320,100 @@ bar
     return "".join(lines + ["*END\n"])
 
 
-DECKS = {"rubber_ball.k": rubber_ball, "bolted_joint.k": bolted_joint, "taylor_bar.k": taylor_bar}
+def spot_welded_sheets(weld="beam", load="peel", solid=2):
+    """Two flat sheets, three welds in a row, planes of symmetry at both ends of the row; mm, ms, kg, kN. The lower sheet
+    is clamped at x = 25, the upper one pulled up there (peel) or along the sheets at x = 0 (shear)."""
+    width, length, thick, columns, rows = 60.0, 25.0, 3.0, 27, 11
+    nodes, quads = [], []
+    for part, z in ((1, 0.0), (2, thick)):
+        first = len(nodes) + 1
+        nodes += [(length * i / rows, width * j / columns, z) for j in range(columns + 1) for i in range(rows + 1)]
+        quads += [(part, [first + i + a + (rows + 1) * (j + b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))])
+                  for j in range(columns) for i in range(rows)]
+    sheets, half = len(nodes), math.sqrt(math.pi) * 1.5
+    welds, lower, upper = [], [], []
+    for y in (10.0, 30.0, 50.0):
+        at = ((10.0, y),) if weld == "beam" else tuple((10.0 + a * half, y + b * half)
+                                                      for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1)))
+        first = len(nodes) + 1
+        nodes += [corner + (z,) for z in (0.0, thick) for corner in at]
+        lower += range(first, first + len(at))
+        upper += range(first + len(at), first + 2 * len(at))
+        welds.append(list(range(first, first + 2 * len(at))))
+    pulled = [n for n in range(sheets // 2 + 1, sheets + 1) if nodes[n - 1][0] == (length if load == "peel" else 0.0)]
+    sets = [lower, upper, pulled, [n for n in range(1, sheets // 2 + 1) if nodes[n - 1][0] == length],
+            [n for n in range(1, sheets + 1) if nodes[n - 1][1] in (0.0, width)]]
+    element, contact = ("BEAM", "SPOTWELD") if weld == "beam" else ("SOLID", "TIED_NODES_TO_SURFACE")
+    section = ("         3         9       1.0       2.0       1.0\n       6.0       6.0" if weld == "beam"
+               else f"         3{solid:10d}")
+    direction, scale = (3, 0.1) if load == "peel" else (1, -0.005)
+    lines = [f"""*KEYWORD
+*TITLE
+spot-welded sheets, {weld} welds, {load}
+$ mm, ms, kg, kN
+*CONTROL_TERMINATION
+     3.0
+*CONTROL_ENERGY
+         2         2         2         2
+*DATABASE_GLSTAT
+    0.01
+*DATABASE_RCFORC
+   0.002
+*DATABASE_NODOUT
+    0.01
+*DATABASE_HISTORY_NODE
+{pulled[0]:10d}
+*PART
+lower sheet
+         1         1         1
+*PART
+upper sheet
+         2         1         1
+*PART
+welds
+         3         3         3
+*SECTION_SHELL
+         1        16                   3
+{thick:10g}{thick:10g}{thick:10g}{thick:10g}
+*SECTION_{element}
+{section}
+*MAT_ELASTIC
+         1   7.85E-6     210.0       0.3
+$ Weak welds, so that the sheets stay elastic: NRR = 0.5 kN, NRS = NRT = 1 kN.
+*MAT_SPOTWELD
+         3   7.85E-6     210.0       0.3      0.35       1.0
+                 0.5       1.0       1.0
+*CONTROL_HOURGLASS
+         5       0.1
+*BOUNDARY_SPC_SET
+         4         0         1         1         1         1         1         1
+*BOUNDARY_SPC_SET
+         5         0         0         1         0         1         0         1
+*BOUNDARY_PRESCRIBED_MOTION_SET
+         3{direction:10d}         0         1{scale:10g}
+*DEFINE_CURVE
+         1
+                 0.0                 0.0
+                10.0                10.0
+*DAMPING_GLOBAL
+         0       5.0
+"""]
+    for side in (1, 2):
+        lines.append(f"*CONTACT_{contact}_ID\n{side:10d}\n{side:10d}{side:10d}         4         3\n       0.0\n\n")
+    for number, members in enumerate(sets, 1):
+        rows_of_eight = [members[i:i + 8] for i in range(0, len(members), 8)]
+        lines.append(f"*SET_NODE_LIST\n{number:10d}\n"
+                     + "".join("".join(f"{n:10d}" for n in row) + "\n" for row in rows_of_eight))
+    lines += ["*NODE\n"] + [f"{i:8d}{x:16.8g}{y:16.8g}{z:16.8g}\n" for i, (x, y, z) in enumerate(nodes, 1)]
+    lines += ["*ELEMENT_SHELL\n"] + [f"{i:8d}{part:8d}" + "".join(f"{n:8d}" for n in quad) + "\n"
+                                     for i, (part, quad) in enumerate(quads, 1)]
+    lines += [f"*ELEMENT_{element}\n"] + [f"{len(quads) + i:8d}{3:8d}" + "".join(f"{n:8d}" for n in corners) + "\n"
+                                          for i, corners in enumerate(welds, 1)]
+    return "".join(lines + ["*END\n"])
+
+
+DECKS = {"rubber_ball.k": rubber_ball, "bolted_joint.k": bolted_joint, "taylor_bar.k": taylor_bar,
+         "spot_welded_sheets.k": spot_welded_sheets}
 
 def write_all(folder):
     folder.mkdir(parents=True, exist_ok=True)

@@ -1,5 +1,6 @@
 #include "solver/supported.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "model/read.hpp"
@@ -37,6 +38,15 @@ TEST(Supported, WhatIsCalculatedOrHarmlessIsNotNamed) {
           "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n1,c\n0\n\n\n*CONTACT_FORCE_TRANSDUCER_PENALTY\n1,0,3\n\n\n"
           "*RIGIDWALL_PLANAR_ID\n1,w\n0\n0.,0.,0.,0.,0.,1.\n*CONTROL_TIMESTEP\n0.,0.9\n*END\n")),
       "");
+}
+
+TEST(Supported, AssembliesOfWeldBricks) {
+  for (const char* form : {"", "_4", "_16", "_N"})
+    EXPECT_EQ(
+        text_of(unsupported_in(fmt::format("*KEYWORD\n*DEFINE_HEX_SPOTWELD_ASSEMBLY{}\n1\n1,2,3,4\n", form))),
+        fmt::format("2 DEFINE_HEX_SPOTWELD_ASSEMBLY{}: the bricks of a weld fail one by one, not by the resultants "
+                    "of all\n",
+                    form));
 }
 
 TEST(Supported, KeywordsWithTheirPlaces) {

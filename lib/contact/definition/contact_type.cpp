@@ -82,6 +82,7 @@ ContactType classify(const model::Contact& contact) {
   type.abilities = kind.abilities;
   type.edges = type.can(Ability::edges);
   type.interior_edges = type.can(Ability::interior_edges);
+  type.spotweld_beams = type.edges && contact.cparm8 == 2;
   if (kind.automatic_tiebreak() && type.family == Family::automatic) make_tiebreak(type);
   type.pairing = pairing_of(type, contact);
   type.not_checked = reason(type, kind.ties());

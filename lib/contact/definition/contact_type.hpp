@@ -30,6 +30,8 @@ struct ContactType {
   std::uint16_t abilities = 0;  ///< of model::Ability
   bool edges = false;           ///< types 26: beams are reference lines too, and edges contact edges
   bool interior_edges = false;  ///< type i26: also edges between shells
+  /// Types 26 with CPARM8 = 2 on card E: spotweld beams take part (contact rules, section 13.6).
+  bool spotweld_beams = false;
   Pairing pairing = Pairing::none;
   /// Why no penetrations are decided node against segment; empty: they are.
   std::string not_checked;

@@ -65,7 +65,7 @@ SideCache::Key SideCache::key_of(const SideRequest& request) {
   const ThicknessSide& t = request.thickness;
   std::uint64_t flags = 0;
   for (const bool flag : {request.offsets, request.single, request.tied, request.transducer, request.edges,
-                          request.tracks_nodes, request.needs_segments, t.edge_limit, t.optt})
+                          request.spotwelds, request.tracks_nodes, request.needs_segments, t.edge_limit, t.optt})
     flags = flags << 1 | (flag ? 1U : 0U);
   return {whole(request.input.id),
           whole(request.input.type),

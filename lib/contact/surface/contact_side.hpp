@@ -30,6 +30,7 @@ struct SideRequest {
   bool tied = false;        ///< of family tied
   bool transducer = false;  ///< measures at spotweld beams too
   bool edges = false;       ///< beam axes are segments
+  bool spotwelds = false;   ///< those of spotwelds too
   bool tracks_nodes = false;
   bool needs_segments = false;
 };

@@ -23,6 +23,7 @@ SideRequest request_of(const model::Model& model, const model::Contact& contact,
   request.tied = tied;
   request.transducer = of.type.code == ContactCode::transducer;
   request.edges = of.type.edges;
+  request.spotwelds = of.type.spotweld_beams;
   request.tracks_nodes = !b || two_way || of.type.by_segments();
   request.needs_segments = of.type.treatment != Treatment::none && (b || request.single);
   if (tied) request.negative = b ? contact.mst : contact.sst;

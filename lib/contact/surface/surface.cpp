@@ -46,9 +46,11 @@ std::vector<bool> part_mask(const model::Model& model, const model::SurfaceInput
   return mask;
 }
 
-bool beam_has_contact(const model::Model& model, PartIndex index) {
+/// Spotwelds are meant to be tied, not kept apart, unless CPARM8 says so (contact rules, sections 4.6 and 13.6).
+bool beam_has_contact(const model::Model& model, PartIndex index, const ContactType& type) {
+  if (type.family == Family::tied || type.code == ContactCode::transducer) return true;
   const model::Part& part = model.part(index);
-  if (part.material && model.materials[*part.material].spotweld) return false;
+  if (!type.spotweld_beams && part.material && model.materials[*part.material].spotweld) return false;
   return !(part.section && model.sections[*part.section].elform == model::discrete_beam);
 }
 
@@ -114,9 +116,7 @@ void select_parts(Selection& selection, const model::Model& model, std::vector<b
   if (mesh.thick_shells.size() > 0)
     append_faces(s, mesh.thick_shells, index.thick_shells, ElementKind::thick_shell, parts, x);
   for (const std::uint32_t e : elements_of(mesh.beams, index.beams, parts)) {
-    const PartIndex part = mesh.beams.part[e];
-    // Spotwelds are meant to be tied, not kept apart.
-    if (type.family != Family::tied && type.code != ContactCode::transducer && !beam_has_contact(model, part)) continue;
+    if (!beam_has_contact(model, mesh.beams.part[e], type)) continue;
     const auto& n = mesh.beams.nodes[e];
     append(s, {n[0], n[1], n[1], n[1]}, e, ElementKind::beam, SegmentKind::line);
   }

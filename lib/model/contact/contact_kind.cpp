@@ -117,9 +117,10 @@ constexpr auto kind_table = [] {
       {"SPOTWELD_BEAM_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::beam, M::tie},
       {"SPOTWELD_CONSTRAINED_OFFSET", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent,
        O::constrained, M::tie},
-      {"SPOTWELD_WITH_TORSION", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none, M::tie},
-      {"SPOTWELD_WITH_TORSION_PENALTY", C::tied_shell_edge, T::one_way, F::tied, 0, none, TieForm::permanent, O::none,
-       M::tie},
+      {"SPOTWELD_WITH_TORSION", C::tied_shell_edge, T::one_way, F::tied, bits({torsion}), none, TieForm::permanent,
+       O::none, M::tie},
+      {"SPOTWELD_WITH_TORSION_PENALTY", C::tied_shell_edge, T::one_way, F::tied, bits({torsion}), none,
+       TieForm::permanent, O::none, M::tie},
 
       {"TIEBREAK_NODES_TO_SURFACE", C::tiebreak_nodes, T::one_way, F::tied, 0, tiebreak_nodes, TieForm::tiebreak,
        O::none, M::tiebreak, "", "NODES_TO_SURFACE"},

@@ -105,6 +105,7 @@ enum class Ability : std::uint16_t {
   interference = 256,          ///< an initial overlap is intended
   measures_constraints = 512,  ///< a transducer that measures ties and constraint contacts, not penalty contacts
   thickness_curve = 1024,      ///< LCIDAB gives a thickness over time
+  torsion = 2048,              ///< a tie that carries moments about the normal into the segment
 };
 
 /// One kind of contact: a row of the table of contact_kinds(), the only place where a contact's keyword or code is

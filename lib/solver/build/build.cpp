@@ -10,6 +10,7 @@
 #include "solver/build/build_hourglass.hpp"
 #include "solver/build/build_rigid.hpp"
 #include "solver/build/build_solid_rules.hpp"
+#include "solver/build/build_spotwelds.hpp"
 #include "solver/build/build_welds.hpp"
 #include "solver/element/gauss.hpp"
 #include "solver/element/nodal_mass.hpp"
@@ -88,11 +89,12 @@ class Builder {
                      place};
     if (named_.insert(*part->material).second)
       name_what_is_not_calculated(model_, model_.materials[*part->material], diagnostics_);
-    if (kind != SectionKind::beam && model_.materials[*part->material].weld)
-      return Failure{Failure::Kind::bad_material,
-                     fmt::format("material {} is calculated in spotweld beams (ELFORM 9) only, but {} {} is of it",
-                                 model_.materials[*part->material].id, what, id),
-                     place};
+    if (kind == SectionKind::shell && model_.materials[*part->material].weld)
+      return Failure{
+          Failure::Kind::bad_material,
+          fmt::format("material {} is calculated in spotweld beams (ELFORM 9) and solids, but {} {} is of it",
+                      model_.materials[*part->material].id, what, id),
+          place};
     if (kind == SectionKind::beam && !section.integrated() && material.value().failure_strain > 0)
       diagnostics_.warning("", 0,
                            fmt::format("{} {} and others of material {} do not fail (FS, FAIL)", what, id,
@@ -168,10 +170,16 @@ class Builder {
         const ElementControl control =
             element_control(model_, model_.part(part), settings_.solid_hourglass,
                             has_eight_points(rules.value().brick) ? of_no_effect : diagnostics_);
-        positions_[part.value] =
-            structure_.solids.add_properties({std::move(found.value().material), control.hourglass,
-                                              control.quadratic_viscosity, control.linear_viscosity, rules.value()});
+        const model::Material& written = model_.materials[*model_.part(part).material];
+        auto weld = weld_limits(written);
+        if (!weld) return weld.error();
+        if (!has_eight_points(rules.value().brick))
+          name_free_bending(model_, written, weld.value(), control.hourglass, diagnostics_);
+        positions_[part.value] = structure_.solids.add_properties(
+            {std::move(found.value().material), control.hourglass, control.quadratic_viscosity,
+             control.linear_viscosity, rules.value(), std::move(weld).value()});
       }
+      if (SolverStatus weld = check_weld_brick(model_, i); !weld.ok()) return weld;
       if (!model_.rigid(part))
         if (SolverStatus known = formulations.look_at(i); !known.ok()) return known;
       double volume = 0;  // for rigid ones the mass, which has the same sign

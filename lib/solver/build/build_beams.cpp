@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/build/build_spotwelds.hpp"
+
 namespace gapcheck::solver {
 namespace {
 
@@ -33,28 +35,6 @@ std::optional<Failure> unsuitable(const model::Section& section, const Material&
   return bad(
       "resultant beams are calculated with material 001 only; make them trusses or integrated beams (ELFORM 3, 1) or "
       "change their material for this run");
-}
-
-/// The limits of material 100 if they are in range.
-SolverResult<WeldLimits> weld_limits(const model::Material& written) {
-  constexpr double most_vectors = 10000;
-  const model::SpotWeld& weld = *written.weld;
-  const auto refused = [&](Failure::Kind kind, std::string_view why) {
-    return Failure{kind, fmt::format("material {} (*{}): {}", written.id, written.keyword, why), written.place};
-  };
-  if (std::any_of(weld.strength.begin(), weld.strength.end(), [](double value) { return value < 0; }))
-    return refused(Failure::Kind::not_calculated,
-                   "a resultant at failure below zero names a curve over the rate, which is not calculated; give it as "
-                   "a number above zero");
-  for (const auto& [name, value] :
-       {std::pair("DT", weld.step), {"TFAIL", weld.failure_time}, {"EFAIL", weld.failure_strain}, {"NF", weld.filter}})
-    if (!(value >= 0) || !std::isfinite(value))
-      return refused(Failure::Kind::bad_material, fmt::format("{} is {:g}; set a number not below zero", name, value));
-  if (weld.filter > most_vectors)
-    return refused(Failure::Kind::bad_material,
-                   fmt::format("NF is {:g}; at most {:g} force vectors are averaged", weld.filter, most_vectors));
-  return WeldLimits{weld.strength, weld.failure_strain, weld.failure_time, static_cast<std::size_t>(weld.filter),
-                    weld.step};
 }
 
 /// Points and constants of the cross-section of an integrated beam.
@@ -91,11 +71,9 @@ SolverResult<BeamProperties> beam_properties(const model::Section& section, cons
   if (auto why = unsuitable(section, material, written)) return std::move(*why);
   if (section.integrated() && material.has_stress())
     if (const SolverStatus set = set_fibers(section, properties); !set.ok()) return set.error();
-  if (written.weld) {
-    auto limits = weld_limits(written);
-    if (!limits) return limits.error();
-    properties.weld = std::move(limits).value();
-  }
+  auto limits = weld_limits(written);
+  if (!limits) return limits.error();
+  properties.weld = std::move(limits).value();
   const model::BeamSection& values = properties.section;
   bool finite = true;
   for (const double value : {values.area, values.iss, values.itt, values.torsion, values.shear_area, values.line_mass})

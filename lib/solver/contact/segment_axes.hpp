@@ -19,6 +19,8 @@ struct SegmentAxes {
   Matrix axes = Matrix::Identity();  ///< by column
   std::array<Matrix, 4> turn{};      ///< angular velocity = Σ turn[i] · velocity of corner i
   [[nodiscard]] Vector spin(const model::SegmentNodes& nodes, const std::vector<Vector>& v) const;
+  /// The part of a rotation about the normal, as a projector.
+  [[nodiscard]] Matrix drill() const { return axes.col(2) * axes.col(2).transpose(); }
 
  private:
   SegmentAxes(const std::array<Vector, 4>& corners, bool triangle);

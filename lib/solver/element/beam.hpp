@@ -5,22 +5,10 @@
 
 #include "model/entity/part.hpp"
 #include "solver/element/beam_section.hpp"
+#include "solver/element/spotweld.hpp"
 #include "solver/material/beam_stress.hpp"
 
 namespace gapcheck::solver {
-
-/// N, Qs, Qt (axial force and shear forces), T, Ms, Mt (torsion and bending moments about s and t) of a cross-section,
-/// in a beam's axes r, s, t.
-using BeamResultants = std::array<double, 6>;
-
-/// When beams of material 100 fail. Zero: never by that.
-struct WeldLimits {
-  BeamResultants strength{};  ///< Σ (resultant / strength)² >= 1, of N only tension
-  double plastic_strain = 0;  ///< once all points have it
-  double time = 0;
-  std::size_t filter = 0;  ///< resultants count as the mean of so many evaluations
-  double step = 0;         ///< DT: elements get mass until their L/c is as long
-};
 
 /// What all beams of one part share.
 struct BeamProperties {
@@ -47,8 +35,7 @@ struct BeamState {
   std::array<double, 2> turn_s{}, turn_t{};                ///< of the ends about s and t, relative to their line
   double stress = 0, back_stress = 0, plastic_strain = 0;  ///< of trusses
   double plastic_work = 0;                                 ///< per volume, since the start; of trusses
-  std::vector<BeamResultants> recent;  ///< the last ones of spotwelds with a filter, oldest replaced
-  std::size_t oldest = 0;
+  WeldHistory weld;                                        ///< of spotwelds
 };
 
 /// The motion of a beam's ends relative to its axes in one step.
@@ -71,7 +58,7 @@ struct ImposedStress {
 struct BeamForces {
   std::array<Vector, 2> force{Vector::Zero(), Vector::Zero()}, moment{Vector::Zero(), Vector::Zero()};
   double axial = 0;             ///< tension
-  BeamResultants resultants{};  ///< of integrated beams
+  WeldResultants resultants{};  ///< of integrated beams
   double dissipated = 0;        ///< in this step: plastic work
   double manual_step = 0;       ///< length / √(E/ρ)
   double stable_step = 0;       ///< 2 / the element's highest frequency
@@ -98,10 +85,6 @@ struct BeamForces {
 [[nodiscard]] BeamForces integrated_beam_forces(const BeamProperties& properties, const BeamEnds& ends, double dt,
                                                 const ImposedStress* imposed, BeamState& state,
                                                 std::span<BeamPoint> points);
-
-/// True if a beam of material 100 fails at `time` with these resultants. Keeps them in `state` if they are filtered.
-[[nodiscard]] bool weld_fails(const WeldLimits& limits, const BeamResultants& resultants, double time,
-                              std::span<const BeamPoint> points, BeamState& state);
 
 /// The elastic energy of an integrated beam's points.
 [[nodiscard]] double stored_energy(const BeamProperties& properties, std::span<const BeamPoint> points, double length);

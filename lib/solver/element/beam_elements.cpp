@@ -62,10 +62,7 @@ bool BeamElements::limit_step() const {
 bool BeamElements::can_fail() const {
   return std::any_of(which_.begin(), which_.end(), [&](std::uint32_t which) {
     const BeamProperties& properties = properties_[which];
-    const WeldLimits& weld = properties.weld;
-    return properties.integrated() &&
-           (properties.material.failure_strain > 0 || weld.plastic_strain > 0 || weld.time > 0 ||
-            std::any_of(weld.strength.begin(), weld.strength.end(), [](double strength) { return strength > 0; }));
+    return properties.integrated() && (properties.material.failure_strain > 0 || properties.weld.exist());
   });
 }
 
@@ -125,7 +122,7 @@ bool BeamElements::fails(const State& state, std::size_t beam, const BeamForces&
   if (!properties.integrated() || !forces.good) return false;
   const std::span<const BeamPoint> points = this->points(beam);
   if (std::all_of(points.begin(), points.end(), [](const BeamPoint& point) { return point.failed; })) return true;
-  return weld_fails(properties.weld, forces.resultants, state.time, points, state_[beam]);
+  return weld_fails(properties.weld, forces.resultants, state.time, least_plastic_strain(points), state_[beam].weld);
 }
 
 Summary BeamElements::update_one(const State& state, std::size_t beam) {

@@ -29,9 +29,9 @@ BeamStrain step_strain(const BeamProperties& properties, const BeamTurn& turn, d
   return strain;
 }
 
-BeamResultants section_resultants(const BeamProperties& properties, std::span<const BeamPoint> points) {
+WeldResultants section_resultants(const BeamProperties& properties, std::span<const BeamPoint> points) {
   const double root = std::sqrt(properties.shear_factor);
-  BeamResultants sum{};
+  WeldResultants sum{};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Fiber& fiber = properties.fibers[i];
     const auto& [axial, shear_s, shear_t] = points[i].stress;
@@ -114,32 +114,6 @@ BeamForces integrated_beam_forces(const BeamProperties& properties, const BeamEn
   forces.manual_step = length / std::sqrt(properties.material.young / properties.material.density);
   forces.stable_step = integrated_step(properties, length, state.length, axial);
   return forces;
-}
-
-bool weld_fails(const WeldLimits& limits, const BeamResultants& resultants, double time,
-                std::span<const BeamPoint> points, BeamState& state) {
-  if (limits.time > 0 && time >= limits.time) return true;
-  if (limits.plastic_strain > 0 && !points.empty() &&
-      std::all_of(points.begin(), points.end(),
-                  [&](const BeamPoint& p) { return p.plastic_strain >= limits.plastic_strain; }))
-    return true;
-  BeamResultants mean = resultants;
-  if (limits.filter > 1) {
-    if (state.recent.size() < limits.filter) {
-      state.recent.push_back(resultants);
-    } else {
-      state.recent[state.oldest] = resultants;
-      state.oldest = (state.oldest + 1) % limits.filter;
-    }
-    mean = {};
-    for (const BeamResultants& one : state.recent)
-      for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += one[i] / static_cast<double>(state.recent.size());
-  }
-  mean[0] = std::max(mean[0], 0.0);
-  double sum = 0;
-  for (std::size_t i = 0; i < mean.size(); ++i)
-    if (limits.strength[i] > 0) sum += mean[i] / limits.strength[i] * (mean[i] / limits.strength[i]);
-  return sum >= 1;
 }
 
 double stored_energy(const BeamProperties& properties, std::span<const BeamPoint> points, double length) {

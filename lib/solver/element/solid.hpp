@@ -5,6 +5,7 @@
 
 #include "solver/element/brick_map.hpp"
 #include "solver/element/hourglass.hpp"
+#include "solver/element/spotweld.hpp"
 #include "solver/material/material.hpp"
 
 namespace gapcheck::solver {
@@ -16,6 +17,7 @@ struct SolidProperties {
   double quadratic_viscosity = 1.5;  ///< Q1 of the bulk viscosity
   double linear_viscosity = 0.06;    ///< Q2
   SolidRules rules = {};
+  WeldLimits weld = {};  ///< of material 100
 };
 
 /// Corners of one solid: positions at the end of the step, velocities at its middle. Tetrahedra use the first four.
@@ -43,6 +45,7 @@ struct SolidState {
   double strain_energy = 0;  ///< of rubber
   /// Of rubber with eight points: the undeformed brick.
   std::shared_ptr<const BrickMap> undeformed_brick;
+  WeldHistory weld;  ///< of spotwelds
 };
 
 /// Internal forces on the corners (the solid pulls its nodes with the opposite) and what the step needs to know.

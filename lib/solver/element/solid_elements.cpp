@@ -76,10 +76,11 @@ double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t p
   SolidState solid;
   solid.mass = all.material.density * volume;
   set_references(all, kind, x, solid);
-  if (scaling.step > 0) {
+  if (scaling.step > 0 || all.weld.step > 0) {
     const double own = solid.mass;
     const SolidForces steps = at_rest(all, kind, x, solid);
-    solid.mass *= scaling.factor(steps.manual_step, steps.stable_step);
+    const double longer = std::max(all.weld.step / steps.manual_step, 1.0);  // first DT of its material
+    solid.mass *= longer * longer * scaling.factor(longer * steps.manual_step, longer * steps.stable_step);
     if (added != nullptr) *added += solid.mass - own;
     set_references(all, kind, x, solid);
   }
@@ -120,12 +121,10 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
     corners.v[k] = state.v[node];
   }
   SolidForces forces = forces_of(solid, corners, state.dt);
-  const std::span<PointState> points(&points_[first_point_[solid]], &points_[first_point_[solid + 1]]);
-  const bool failed = std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; });
   Summary summary;
-  if (failed || (inverted_fail_ && !forces.good)) {
+  if (fails(state.time, solid, corners, forces)) {
     failed_[solid] = 1;
-    for (PointState& point : points) point.stress = {};
+    for (std::size_t p = first_point_[solid]; p < first_point_[solid + 1]; ++p) points_[p].stress = {};
     forces = {};
     forces.force.fill(Vector::Zero());
     summary.failed = 1;
@@ -146,6 +145,15 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   summary.manual_at = summary.stable_at = static_cast<std::uint32_t>(solid);
   energy_[solid].add(summary);
   return summary;
+}
+
+bool SolidElements::fails(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces) {
+  const std::span<const PointState> points = this->points(solid);
+  if (std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; })) return true;
+  if (!forces.good) return inverted_fail_;
+  const WeldLimits& weld = properties(solid).weld;
+  return weld.exist() && weld_fails(weld, brick_resultants(corners.x, forces.force), time, least_plastic_strain(points),
+                                    state_[solid].weld);
 }
 
 SolidForces SolidElements::forces_of(std::size_t solid, const SolidCorners& corners, double dt) {

@@ -38,10 +38,11 @@ class SolidElements {
   [[nodiscard]] std::uint32_t origin(std::size_t solid) const { return origin_[solid]; }
   /// False: none ever fails.
   [[nodiscard]] bool can_fail() const {
-    return inverted_fail_ || std::any_of(properties_.begin(), properties_.end(),
-                                         [](const SolidProperties& p) { return p.material.failure_strain > 0; });
+    return inverted_fail_ || std::any_of(properties_.begin(), properties_.end(), [](const SolidProperties& p) {
+             return p.material.failure_strain > 0 || p.weld.exist();
+           });
   }
-  /// Its point has failed: it has no stress, no force and no time step any more.
+  /// Its point has failed, or it was a spotweld and is torn: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }
   /// A solid that loses its volume also fails, instead of ending the run.
   void let_inverted_fail() { inverted_fail_ = true; }
@@ -59,6 +60,7 @@ class SolidElements {
  private:
   [[nodiscard]] Summary update_one(const State& state, std::size_t solid);
   [[nodiscard]] SolidForces forces_of(std::size_t solid, const SolidCorners& corners, double dt);
+  [[nodiscard]] bool fails(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces);
 
   std::vector<SolidProperties> properties_;
   std::vector<std::array<NodeIndex, 8>> nodes_;

@@ -58,6 +58,7 @@ Tie tie_of(const contact::JudgedNode& judged, const contact::ContactSurfaces& su
   tie.rotations =
       type.code == contact::ContactCode::tied_shell_edge && turning != Turning::none && turns(structure, tie.node);
   if (tie.rotations) tie.rotation = turning;
+  if (tie.rotation == Turning::nodes && type.can(contact::Ability::torsion) && sound) tie.rotation = Turning::drill;
   return tie;
 }
 
@@ -78,22 +79,28 @@ std::string failed_ties(const std::vector<std::int64_t>& nodes) {
                      nodes.size() > most_ids ? " and others" : "");
 }
 
-TieMotion motion(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& v, const std::vector<Vector>& w) {
-  const auto spin = [&](Turning turning) -> Vector {
-    switch (turning) {
-      case Turning::axes:
-        return axes.spin(tie.point.nodes, v);
-      case Turning::nodes:
-        return tie.point.of(w);
-      case Turning::none:
-        break;
+Vector segment_spin(Turning turning, const ContactPoint& point, const SegmentAxes& axes, const std::vector<Vector>& v,
+                    const std::vector<Vector>& w) {
+  switch (turning) {
+    case Turning::axes:
+      return axes.spin(point.nodes, v);
+    case Turning::nodes:
+      return point.of(w);
+    case Turning::drill: {
+      const Vector of_nodes = point.of(w);
+      return of_nodes + axes.drill() * (axes.spin(point.nodes, v) - of_nodes);
     }
-    return Vector::Zero();
-  };
+    case Turning::none:
+      break;
+  }
+  return Vector::Zero();
+}
+
+TieMotion motion(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& v, const std::vector<Vector>& w) {
   TieMotion motion;
   motion.velocity = v[tie.node.value] - tie.point.of(v);
-  motion.spin = spin(tie.offset);
-  if (tie.rotations) motion.turn = w[tie.node.value] - spin(tie.rotation);
+  motion.spin = segment_spin(tie.offset, tie.point, axes, v, w);
+  if (tie.rotations) motion.turn = w[tie.node.value] - segment_spin(tie.rotation, tie.point, axes, v, w);
   return motion;
 }
 
@@ -112,11 +119,14 @@ void TieLoads::set(const Tie& tie, const SegmentAxes& axes, const Vector& arm, c
   force = on_node;
   moment = on_rotation;
   const auto couple = [&](Turning turning, const Vector& of_segment) {
-    for (std::size_t i = 0; i < 4; ++i)
-      if (turning == Turning::nodes)
-        moments[i] += tie.point.weights[i] * of_segment;
-      else if (turning == Turning::axes)
-        forces[i] += axes.turn[i].transpose() * of_segment;
+    Vector on_nodes = Vector::Zero(), on_axes = Vector::Zero();
+    if (turning == Turning::axes) on_axes = of_segment;
+    if (turning == Turning::drill) on_axes = axes.drill() * of_segment;
+    if (turning == Turning::nodes || turning == Turning::drill) on_nodes = of_segment - on_axes;
+    for (std::size_t i = 0; i < 4; ++i) {
+      moments[i] += tie.point.weights[i] * on_nodes;
+      forces[i] += axes.turn[i].transpose() * on_axes;
+    }
   };
   for (std::size_t i = 0; i < 4; ++i) {
     forces[i] = -tie.point.weights[i] * force;

@@ -18,6 +18,7 @@ enum class Turning : std::uint8_t {
   none,   ///< nothing: they stay fixed in space
   axes,   ///< the segment's axes
   nodes,  ///< the mean angular velocity of the segment's nodes
+  drill,  ///< the same, but about the normal the segment's axes: nodes of shells turn freely about it
 };
 
 /// One node that is tied to a point of a segment.
@@ -43,6 +44,10 @@ using Released = std::function<void(NodeIndex, PartIndex)>;
 
 /// What the message file says about nodes whose ties have failed.
 [[nodiscard]] std::string failed_ties(const std::vector<std::int64_t>& nodes);
+
+/// The angular velocity of a segment as `turning` defines it.
+[[nodiscard]] Vector segment_spin(Turning turning, const ContactPoint& point, const SegmentAxes& axes,
+                                  const std::vector<Vector>& v, const std::vector<Vector>& w);
 
 /// Motion of the node and of the point it is tied to.
 struct TieMotion {

@@ -15,6 +15,8 @@ namespace {
 /// Turning the arms over the step converges by the angle per step; this many iterations are more than enough.
 constexpr int most_turning_rounds = 8;
 constexpr double settled = 1e-13;
+bool turns_with_axes(const Tie& tie) { return tie.rotation == Turning::axes || tie.rotation == Turning::drill; }
+
 /// Rounding moves a node less than this share of its segment from its position.
 constexpr double largest_drift = 1e-6;
 
@@ -28,7 +30,7 @@ TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore&
   interfaces_ = tie_ranges(model, ties_, true);
   active_.assign(interfaces_.size(), false);
   for (const TieRange& interface : interfaces_) states_.emplace_back().contact = interface.contact;
-  for (const Tie& tie : ties_) varying_ = varying_ || tie.carries || tie.rotation == Turning::axes;
+  for (const Tie& tie : ties_) varying_ = varying_ || tie.carries || turns_with_axes(tie);
   if (ties_.empty()) return;
   const std::size_t nodes = structure.state.x.size();
   system_ = std::make_unique<TieSystem>(ties_, nodes);
@@ -130,10 +132,11 @@ Eigen::VectorXd TieConstraints::targets(const State& state, double next) {
       }
       const auto row = static_cast<Eigen::Index>(system_->row(t));
       wanted.segment<3>(row) = velocity;
-      if (tie.rotation == Turning::axes)
-        wanted.segment<3>(row + 3) =
-            SegmentAxes(tie.point.nodes, state.x, nodes_.v(), next / 2).spin(tie.point.nodes, nodes_.v()) -
-            present_[t].axes.spin(tie.point.nodes, nodes_.v());
+      if (turns_with_axes(tie)) {
+        const SegmentAxes middle(tie.point.nodes, state.x, nodes_.v(), next / 2);
+        wanted.segment<3>(row + 3) = segment_spin(tie.rotation, tie.point, middle, nodes_.v(), nodes_.w()) -
+                                     segment_spin(tie.rotation, tie.point, present_[t].axes, nodes_.v(), nodes_.w());
+      }
     }
   });
   return wanted;

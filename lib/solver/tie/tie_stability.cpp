@@ -62,8 +62,10 @@ void TieStability::add(const Tie& tie, const SegmentAxes& axes, const Vector& ar
   if (tie.rotations) {
     turn(tie.node, 1);
     for (std::size_t i = 0; i < 4; ++i) {
+      const bool by_nodes = tie.rotation == Turning::nodes || tie.rotation == Turning::drill;
       if (tie.rotation == Turning::axes) move(tie.point.nodes[i], axes.turn[i].norm());
-      if (tie.rotation == Turning::nodes && tie.point.weights[i] != 0) turn(tie.point.nodes[i], tie.point.weights[i]);
+      if (tie.rotation == Turning::drill) move(tie.point.nodes[i], (axes.drill() * axes.turn[i]).norm());
+      if (by_nodes && tie.point.weights[i] != 0) turn(tie.point.nodes[i], tie.point.weights[i]);
     }
   }
   finish();

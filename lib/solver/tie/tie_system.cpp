@@ -64,6 +64,10 @@ void TieSystem::fill(std::span<const TieEquation> equations) {
       if (!tie.rotations) continue;
       if (tie.rotation == Turning::axes) block(row + 3, corner, false, -equation.axes->turn[i], active);
       if (tie.rotation == Turning::nodes) scaled(row + 3, corner, true, -weight, active);
+      if (tie.rotation != Turning::drill) continue;
+      const Matrix drill = equation.axes->drill();
+      block(row + 3, corner, false, -drill * equation.axes->turn[i], active);
+      block(row + 3, corner, true, weight * (drill - Matrix::Identity()), active);
     }
   }
   g_.resize(static_cast<Eigen::Index>(rows_), static_cast<Eigen::Index>(6 * used_.size()));

@@ -69,6 +69,26 @@ TEST(ContactSide, OtherThicknessBoxOrTypeIsAnotherSide) {
   EXPECT_EQ(sides.size(), plates.scene.model.contacts.size());
 }
 
+// Two contacts of type 26 of the same parts share no side if only one of them has CPARM8 = 2.
+TEST(ContactSide, SpotweldBeamsMakeAnotherSide) {
+  Plates plates;
+  model::Model& model = plates.scene.model;
+  const PartIndex welds = plates.scene.part(3, 0);
+  model.parts[welds.value].material = static_cast<std::uint32_t>(model.materials.size());
+  model.materials.emplace_back().spotweld = true;
+  model.mesh.beams.id = {7};
+  model.mesh.beams.nodes = {{plates.scene.node({0, 0, 0.5}), plates.scene.node({0, 0, 1.5})}};
+  model.mesh.beams.part = {welds};
+  model.mesh.beams.line = {0};
+  for (const std::int64_t cparm8 : {0, 2}) {
+    plates.scene.contact("AUTOMATIC_GENERAL").a = {0, 5, 0, true};
+    model.contacts.back().cparm8 = cparm8;
+  }
+  SurfaceStore store(model);
+  EXPECT_EQ(store.at(ContactIndex{0}).a.lines, 0U);
+  EXPECT_EQ(store.at(ContactIndex{1}).a.lines, 1U);
+}
+
 // What a box leaves of a plate's nodes is no node set.
 TEST(ContactSide, ABoxThatLeavesNoSegmentsLeavesNoNodeSet) {
   Plates plates;

@@ -40,6 +40,7 @@ TEST(ContactKind, AbilitiesByCode) {
     expect(Ability::interference, has("INTERFERENCE"), "interference");
     expect(Ability::measures_constraints, kind.name == "FORCE_TRANSDUCER_CONSTRAINT", "constraint forces");
     expect(Ability::thickness_curve, code == "a13", "LCIDAB");
+    expect(Ability::torsion, has("TORSION"), "torsion");
   }
 }
 

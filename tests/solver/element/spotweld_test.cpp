@@ -11,9 +11,9 @@ namespace {
 constexpr double young = 1000, density = 2;
 
 /// Fails with these resultants in its axes?
-bool fails(const WeldLimits& limits, const BeamResultants& resultants, double time = 0) {
-  BeamState state;
-  return weld_fails(limits, resultants, time, {}, state);
+bool fails(const WeldLimits& limits, const WeldResultants& resultants, double time = 0) {
+  WeldHistory history;
+  return weld_fails(limits, resultants, time, 0, history);
 }
 
 TEST(SpotWeld, FailsAtItsResultants) {
@@ -21,7 +21,7 @@ TEST(SpotWeld, FailsAtItsResultants) {
   limits.strength = {2, 3, 4, 5, 6, 7};
   for (std::size_t i = 0; i < 6; ++i)
     for (const double sign : {1.0, -1.0}) {
-      BeamResultants alone{};
+      WeldResultants alone{};
       alone[i] = sign * limits.strength[i] * (1 - 1e-12);
       EXPECT_FALSE(fails(limits, alone)) << i;
       alone[i] = sign * limits.strength[i] * (1 + 1e-12);
@@ -29,7 +29,7 @@ TEST(SpotWeld, FailsAtItsResultants) {
     }
   // The squares add up.
   const double sixth = std::sqrt(1.0 / 6);
-  BeamResultants all;
+  WeldResultants all;
   for (std::size_t i = 0; i < 6; ++i) all[i] = (i % 2 == 0 ? 1 : -1) * limits.strength[i] * sixth * (1 - 1e-12);
   EXPECT_FALSE(fails(limits, all));
   for (double& value : all) value *= 1 + 1e-11;
@@ -48,11 +48,14 @@ TEST(SpotWeld, FailsAtItsTimeAndPlasticStrain) {
   limits.time = 0;
   limits.plastic_strain = 0.1;
   std::vector<BeamPoint> points(4);
-  BeamState state;
+  WeldHistory history;
+  const auto torn = [&] {
+    return weld_fails(limits, {}, 0, least_plastic_strain(std::span<const BeamPoint>(points)), history);
+  };
   for (std::size_t i = 0; i < 3; ++i) points[i].plastic_strain = 0.2;
-  EXPECT_FALSE(weld_fails(limits, {}, 0, points, state)) << "one point is left";
+  EXPECT_FALSE(torn()) << "one point is left";
   points[3].plastic_strain = 0.1;
-  EXPECT_TRUE(weld_fails(limits, {}, 0, points, state));
+  EXPECT_TRUE(torn());
 }
 
 // With NF the mean of the last vectors counts: a peak of one evaluation does not break the weld.
@@ -60,8 +63,8 @@ TEST(SpotWeld, FilterAveragesResultants) {
   WeldLimits limits;
   limits.strength = {10, 0, 0, 0, 0, 0};
   limits.filter = 4;
-  BeamState state;
-  const auto next = [&](double force) { return weld_fails(limits, {force, 0, 0, 0, 0, 0}, 0, {}, state); };
+  WeldHistory history;
+  const auto next = [&](double force) { return weld_fails(limits, {force, 0, 0, 0, 0, 0}, 0, 0, history); };
   for (int i = 0; i < 6; ++i) EXPECT_FALSE(next(6));
   EXPECT_FALSE(next(21.9));  // (18 + 21.9) / 4
   EXPECT_FALSE(next(6));
@@ -168,8 +171,8 @@ TEST(SpotWeld, HostileCards) {
   std::string resultant = weld(mat_100());
   resultant.replace(resultant.find("1,9,1.,2,1\n0.4,0.4"), 18, "1,1,1.,2,1\n0.4,0.4");
   refused(resultant, Failure::Kind::bad_material, "set ELFORM to 9");
-  refused(brick_bar(1, {1, 1, 1}) + "*PART\np\n1,1,1\n" + solid_section + mat_100(), Failure::Kind::bad_material,
-          "spotweld beams");
+  refused(plate(1, 1, {1, 1, 0}) + "*PART\np\n1,1,1\n" + shell_section + mat_100(), Failure::Kind::bad_material,
+          "spotweld beams (ELFORM 9) and solids");
 }
 
 std::string line_beam(int part, const Vector& middle, const Vector& half, int material) {
@@ -183,10 +186,11 @@ std::string line_beam(int part, const Vector& middle, const Vector& half, int ma
 const std::string general = "*CONTACT_AUTOMATIC_GENERAL\n0\n0.\n1.,1.\n0\n0.,0,0,1\n";
 
 /// Speed of the upper beam, material 2, after it came down on the lower one, material 1.
-double speed_after(const std::string& materials, const ContactScene::Prepare& more = {}) {
+double speed_after(const std::string& materials, const ContactScene::Prepare& more = {},
+                   const std::string& contact = general) {
   ContactScene scene(
       line_beam(1, {0, 0, 0}, {0.5, 0, 0}, 1) + line_beam(2, {0, 0, 0.25}, {0, 0.5, 0}, 2) +
-          "*SECTION_BEAM\n1,1,1.,2,1\n0.2,0.2\n*SECTION_BEAM\n2,9,1.,2,1\n0.2,0.2\n" + materials + general,
+          "*SECTION_BEAM\n1,1,1.,2,1\n0.2,0.2\n*SECTION_BEAM\n2,9,1.,2,1\n0.2,0.2\n" + materials + contact,
       [&](Structure& s) {
         for (const std::uint32_t n : {2u, 3u}) s.state.v[n].z() = -0.5;
         if (more) more(s);
@@ -212,6 +216,18 @@ TEST(BeamContact, NullBeamsMeet) {
   EXPECT_NEAR(null.state.mass[0], density * area / 2, 1e-12);
   null.beams.finish(null.state.x.size());
   EXPECT_FALSE(std::isfinite(null.beams.update(null.state).manual_step));
+}
+
+// Spotweld beams meet others with CPARM8 = 2 on card E and pass through them without it: the MPP card has no say.
+TEST(BeamContact, SpotweldBeamsMeetWithCparm8) {
+  const std::string materials = "*MAT_ELASTIC\n1,1.,1000.,0.25\n*MAT_SPOTWELD\n2,1.,1000.,0.25,1e9,1.\n\n";
+  const auto after = [&](const std::string& mpp, const std::string& cparm8) {
+    return speed_after(materials, {},
+                       "*CONTACT_AUTOMATIC_GENERAL" + mpp + "\n0\n0.\n1.,1.\n0\n0.,0,0,1\n0\n\n0," + cparm8 + "\n");
+  };
+  EXPECT_NEAR(after("", "2"), 0, 0.02) << "equal masses exchange their velocities";
+  for (const char* other : {"0", "1"}) EXPECT_EQ(after("", other), -0.5) << other;
+  EXPECT_EQ(after("_MPP\n0,0,0,0,0,0,0,2", "0"), -0.5);
 }
 
 // A beam that has failed is no obstacle any more.

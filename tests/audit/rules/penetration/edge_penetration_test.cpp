@@ -7,10 +7,10 @@ namespace {
 const std::string everything = "0,0,5,0";
 
 /// Two beams of diameter 2 and length 20 along x and y, the second one `height` above the first; `along`: where it
-/// crosses.
-RuleDeck crossing_beams(double height, double along = 0) {
+/// crosses; `material`: its own.
+RuleDeck crossing_beams(double height, double along = 0, std::int64_t material = 1) {
   RuleDeck deck;
-  deck.beam_part(1, 2).beam_part(2, 2);
+  deck.beam_part(1, 2).beam_part(2, 2, material);
   deck.node(1, Vector(-10, 0, 0)).node(2, Vector(10, 0, 0)).beam(1, 1, 1, 2);
   deck.node(101, Vector(along, -10, height)).node(102, Vector(along, 10, height)).beam(2, 2, 101, 102);
   return deck;
@@ -54,6 +54,21 @@ TEST(EdgePenetration, OutcomeIsThatOfTheRun) {
 TEST(EdgePenetration, OnlyTypes26LookAtEdges) {
   EXPECT_EQ(listed(run_rule("GC109", crossing_beams(1.5).contact(1, "AUTOMATIC_SINGLE_SURFACE", everything))), 0U);
   EXPECT_EQ(listed(run_rule("GC109", crossing_beams(1.5).contact(1, "AUTOMATIC_GENERAL_INTERIOR", everything))), 1U);
+}
+
+// A spotweld beam counts with CPARM8 = 2 on card E, with the diameter of its section.
+TEST(EdgePenetration, SpotweldBeamsCountWithCparm8) {
+  const auto report = [](const std::string& cparm8) {
+    RuleDeck deck = crossing_beams(1.5, 4, 9);
+    deck.raw("MAT_SPOTWELD", "9,7.85e-9,210000.,0.3,300.,1000.\n\n");
+    return run_rule("GC109",
+                    deck.contact(1, "AUTOMATIC_GENERAL", everything, "0.\n1.,1.\n0\n0.\n0\n\n0," + cparm8 + "\n"));
+  };
+  EXPECT_EQ(listed(report("0")), 0U);
+  const Report with = report("2");
+  ASSERT_EQ(listed(with), 1U);
+  EXPECT_DOUBLE_EQ(with.penetrations.at(0).contact_distance, 2);
+  EXPECT_NEAR(with.penetrations.at(0).depth, 0.5, 1e-12);
 }
 
 TEST(EdgePenetration, EndsAreAMatterOfNodes) {
