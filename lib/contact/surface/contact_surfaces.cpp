@@ -25,6 +25,7 @@ SideRequest request_of(const model::Model& model, const model::Contact& contact,
   request.edges = of.type.edges;
   request.tracks_nodes = !b || two_way || of.type.by_segments();
   request.needs_segments = of.type.treatment != Treatment::none && (b || request.single);
+  request.symmetry = contact.symmetry_faces == 1;
   if (tied) request.negative = b ? contact.mst : contact.sst;
   return request;
 }

@@ -30,6 +30,12 @@ double least_volume(const SolidProperties& properties, const SolidKind& kind, co
 void set_references(const SolidProperties& properties, const SolidKind& kind, const std::array<Vector, 8>& x,
                     SolidState& solid) {
   const bool rubber = properties.material.kind == MaterialKind::rubber;
+  if (properties.material.hydro) {
+    solid.fluid.energy = properties.material.hydro->state.initial_energy;
+    solid.fluid.reference_volume = kind.tetrahedron              ? tetrahedron_volume(x)
+                                   : has_eight_points(kind.rule) ? brick_map(kind.rule, brick_modes(x)).total
+                                                                 : brick_volume(properties, x);
+  }
   if (has_eight_points(kind.rule)) {
     if (rubber) solid.undeformed_brick = std::make_shared<const BrickMap>(brick_map(kind.rule, brick_modes(x)));
     return;
@@ -121,7 +127,8 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   }
   SolidForces forces = forces_of(solid, corners, state.dt);
   const std::span<PointState> points(&points_[first_point_[solid]], &points_[first_point_[solid + 1]]);
-  const bool failed = std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; });
+  const bool failed = std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; }) ||
+                      past_time(properties(solid).material.erosion, state.time);
   Summary summary;
   if (failed || (inverted_fail_ && !forces.good)) {
     failed_[solid] = 1;

@@ -39,7 +39,7 @@ class SolidElements {
   /// False: none ever fails.
   [[nodiscard]] bool can_fail() const {
     return inverted_fail_ || std::any_of(properties_.begin(), properties_.end(),
-                                         [](const SolidProperties& p) { return p.material.failure_strain > 0; });
+                                         [](const SolidProperties& p) { return p.material.can_fail(); });
   }
   /// Its point has failed: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }

@@ -103,6 +103,20 @@ void fail_when_due(const Material& material, PointState& point) {
   point.stress = point.back_stress = {};
 }
 
+/// update_stress() with an equation of state.
+void update_deviator(const Material& material, const Symmetric& increment, double dt, PointState& point) {
+  PointState start = point;
+  start.stress = deviator(point.stress);
+  if (material.shear() > 0) {
+    Symmetric trial = start.stress;
+    for (std::size_t i = 0; i < 6; ++i) trial[i] += 2 * material.shear() * increment[i];
+    point = radial_return(material, trial, step_yield(material, increment, dt), start).point;
+  } else if (dt > 0) {
+    for (std::size_t i = 0; i < 6; ++i) point.stress[i] = 2 * material.hydro->viscosity / dt * increment[i];
+    point.plastic_work += (contract(start.stress, increment) + contract(point.stress, increment)) / 2;
+  }
+}
+
 /// update_plane_stress() of a point that can carry stress.
 double plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
   if (material.kind == MaterialKind::elastic) return elastic_plane(material, increment, point.stress);
@@ -124,6 +138,7 @@ double plane_stress(const Material& material, const Symmetric& increment, double
 bool Material::valid() const {
   if (!std::isfinite(density) || density <= 0) return false;
   if (kind == MaterialKind::null) return true;
+  if (hydro) return std::isfinite(hydro->shear) && hydro->shear >= 0 && (hydro->shear == 0 || yield.stress(0) > 0);
   if (!std::isfinite(young) || young <= 0 || !(poisson > -1 && poisson < 0.5)) return false;
   if (kind == MaterialKind::anisotropic)
     return !yield.empty() && yield.stress(0) >= 0 && std::isfinite(anisotropy) && anisotropy >= 0;
@@ -176,12 +191,21 @@ Material plastic_kinematic(double density, double young, double poisson, double 
 
 double elastic_energy(const Material& material, const Symmetric& stress) {
   if (!material.has_stress()) return 0;
+  if (material.hydro) {
+    const Symmetric s = deviator(stress);
+    return material.shear() > 0 ? contract(s, s) / (4 * material.shear()) : 0;
+  }
   const double sum = trace(stress), nu = material.poisson;
   return ((1 + nu) * contract(stress, stress) - nu * sum * sum) / (2 * material.young);
 }
 
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
   if (!material.has_stress() || point.failed) return;
+  if (material.hydro) {
+    update_deviator(material, deviator(increment), dt, point);
+    fail_when_due(material, point);
+    return;
+  }
   const Symmetric trial = elastic_trial(material, increment, point.stress);
   if (material.kind == MaterialKind::elastic)
     point.stress = trial;
@@ -191,10 +215,25 @@ void update_stress(const Material& material, const Symmetric& increment, double 
 }
 
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
-  if (!material.has_stress() || point.failed) return 0;
-  const double through = plane_stress(material, increment, dt, point);
+  if (point.failed || (!material.has_stress() && !material.erosion)) return 0;
+  const double through = material.has_stress() ? plane_stress(material, increment, dt, point) : 0;
   fail_when_due(material, point);
+  if (material.erosion) {
+    for (std::size_t i = 0; i < 6; ++i) point.strain[i] += i == zz ? through : increment[i];
+    erode(material, dt, point);
+  }
   return through;
+}
+
+void erode(const Material& material, double dt, PointState& point) {
+  if (!material.erosion || !(dt > 0) || point.failed) return;
+  const Erosion& erosion = *material.erosion;
+  const ErosionMeasures measures = erosion_measures(point.stress, point.strain, point.plastic_strain);
+  const double excess = std::max(measures.principal_stress - erosion.threshold, 0.0);
+  point.impulse += excess * excess * dt;
+  if (erosion.met(measures, point.impulse) < erosion.conditions) return;
+  point.failed = point.eroded = true;
+  point.stress = point.back_stress = {};
 }
 
 }  // namespace gapcheck::solver

@@ -1,7 +1,11 @@
 #pragma once
 #include <cstdint>
+#include <memory>
+#include <optional>
 
+#include "solver/material/erosion.hpp"
 #include "solver/material/hardening.hpp"
+#include "solver/material/hydrodynamic.hpp"
 #include "solver/material/rubber.hpp"
 #include "solver/state/tensor.hpp"
 
@@ -14,6 +18,10 @@ struct PointState {
   double plastic_strain = 0;  ///< effective
   double plastic_work = 0;    ///< per volume, since the start
   bool failed = false;        ///< no stress from then on
+  // Of materials with erosion alone:
+  Symmetric strain{};   ///< sum of the strain increments
+  double impulse = 0;   ///< ∫ (σ₁ − SIGTH)² dt over the times when σ₁ is above SIGTH
+  bool eroded = false;  ///< it has failed by its erosion criteria
 };
 
 enum class MaterialKind : std::uint8_t {
@@ -23,6 +31,7 @@ enum class MaterialKind : std::uint8_t {
   null,         ///< 009: mass, no stress
   rigid,        ///< 020: no stress; elastic constants count for contact and time step only
   rubber,       ///< 027: stress by the deformation since the start (rubber.hpp), in solids only
+  hydro,  ///< 009, 010 and 015 with an equation of state, in solids only: points have deviators, pressures are added
 };
 
 /// Yield curves over the strain rate, rates rising, curves aligned. Linear in the rate (or its logarithm) between them,
@@ -46,15 +55,20 @@ struct Material {
   Rubber rubber = {};             ///< of 027
   bool viscoplastic = false;      ///< VP = 1: the rate is that of the effective plastic strain
   double rate_stress = 0;         ///< SIGY of 024 with VP = 1, which the rate multiplies; 0: it multiplies the whole
+  std::optional<Erosion> erosion = {};             ///< *MAT_ADD_EROSION
+  std::shared_ptr<const Hydrodynamic> hydro = {};  ///< of the kind `hydro`; then E and ν do not count
 
-  [[nodiscard]] double shear() const { return young / (2 * (1 + poisson)); }
-  [[nodiscard]] double bulk() const { return young / (3 * (1 - 2 * poisson)); }
+  [[nodiscard]] double shear() const { return hydro ? hydro->shear : young / (2 * (1 + poisson)); }
+  /// Of equations of state: at rest.
+  [[nodiscard]] double bulk() const { return hydro ? hydro->bulk : young / (3 * (1 - 2 * poisson)); }
   /// Largest stiffness of a plane wave: K + 4/3 G. Of rubber K, which LS-DYNA takes (read off a run).
   [[nodiscard]] double wave_modulus() const {
     return bulk() + (kind == MaterialKind::rubber ? 0 : 4.0 / 3.0 * shear());
   }
   /// Of a plate: E / (1 − ν²).
   [[nodiscard]] double plate_modulus() const { return young / (1 - poisson * poisson); }
+  /// Points may fail, by the material's own criteria or by erosion.
+  [[nodiscard]] bool can_fail() const { return failure_strain > 0 || erosion.has_value(); }
   [[nodiscard]] bool has_stress() const { return kind != MaterialKind::null && kind != MaterialKind::rigid; }
   /// The yield stress at a strain rate.
   [[nodiscard]] YieldLaw yield_at(double rate) const;
@@ -96,17 +110,23 @@ class StepYield {
 [[nodiscard]] Material plastic_kinematic(double density, double young, double poisson, double yield, double tangent,
                                          double beta);
 
-/// Elastic energy per volume of a stress: ½ σ : C⁻¹ : σ. Zero for materials without stress. Not for rubber.
+/// Elastic energy per volume of a stress: ½ σ : C⁻¹ : σ; of `hydro` that of its deviator. Zero for materials without
+/// stress. Not for rubber.
 [[nodiscard]] double elastic_energy(const Material& material, const Symmetric& stress);
 
 /// Adds the strain increment (over dt) to a point in three dimensions. Plasticity: radial return to the von Mises
 /// cylinder (Wilkins; Krieg and Key), exact for a piecewise linear curve. Null, rigid and failed: stress stays zero.
 /// Not for rubber.
+/// Of `hydro` the deviator alone: return mapping, or 2 μ dev ε̇ without a shear modulus, whose work counts as plastic.
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
 
 /// The same with σzz = 0: increment[zz] is not read but solved for, and returned. Plastic points iterate on it with the
 /// consistent tangent (Simo and Taylor 1985) until σzz is below 1e-10 of the yield stress.
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
+
+/// Fails a point whose stress and strain at the end of a step of dt meet the material's erosion criteria; nothing
+/// without erosion or with dt = 0.
+void erode(const Material& material, double dt, PointState& point);
 
 /// Material 037 in plane stress: transverse isotropy after Hill with the Lankford parameter R,
 /// q² = σxx² + σyy² − 2R/(1+R) σxx σyy + 2(1+2R)/(1+R) σxy² + 3 (σyz² + σzx²) <= σ(ε̄)², associated flow. Pressure,
