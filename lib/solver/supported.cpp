@@ -12,6 +12,7 @@
 #include "contact/definition/contact_type.hpp"
 #include "solver/build/build_equation_of_state.hpp"
 #include "solver/build/build_erosion.hpp"
+#include "solver/build/build_johnson_cook.hpp"
 #include "solver/condition/rigid_walls.hpp"
 #include "solver/contact/contact_method.hpp"
 
@@ -152,15 +153,17 @@ class Finder {
   }
 
   void find_materials() {
-    constexpr std::array<std::string_view, 9> continua{"MAT_ELASTIC",
-                                                       "MAT_ELASTIC_PLASTIC_HYDRO",
-                                                       "MAT_PLASTIC_KINEMATIC",
-                                                       "MAT_NULL",
-                                                       "MAT_RIGID",
-                                                       "MAT_MOONEY-RIVLIN_RUBBER",
-                                                       "MAT_SPOTWELD",
-                                                       "MAT_PIECEWISE_LINEAR_PLASTICITY",
-                                                       "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
+    constexpr std::array<std::string_view, 11> continua{"MAT_ELASTIC",
+                                                        "MAT_JOHNSON_COOK",
+                                                        "MAT_SIMPLIFIED_JOHNSON_COOK",
+                                                        "MAT_ELASTIC_PLASTIC_HYDRO",
+                                                        "MAT_PLASTIC_KINEMATIC",
+                                                        "MAT_NULL",
+                                                        "MAT_RIGID",
+                                                        "MAT_MOONEY-RIVLIN_RUBBER",
+                                                        "MAT_SPOTWELD",
+                                                        "MAT_PIECEWISE_LINEAR_PLASTICITY",
+                                                        "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
     std::vector<bool> used(model_.parts.size()), beams(model_.parts.size()), material_seen(model_.materials.size());
     mark(model_.mesh.shells, used);
     mark(model_.mesh.solids, used);
@@ -181,6 +184,9 @@ class Finder {
         continue;
       }
       if (material.plasticity) find_plasticity(material, beams[i]);
+      if (material.johnson_cook)
+        if (const std::string why = johnson_cook_not_calculated(*material.johnson_cook); !why.empty())
+          add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));
       if (material.hydro)
         if (const std::string why = hydro_not_calculated(*material.hydro); !why.empty())
           add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));

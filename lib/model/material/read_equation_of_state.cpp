@@ -97,8 +97,10 @@ void finish_equations_of_state(Context& context) {
     const auto found = model.equations_of_state.find(part.eos_id);
     if (part.eos_id == 0 || !part.material || found == model.equations_of_state.end()) continue;
     Material& material = model.materials[*part.material];
-    const double shear = material.hydro ? material.hydro->shear : 0;
-    if ((!material.fluid && !material.hydro) || material.bulk != 0) continue;
+    const double shear = material.hydro          ? material.hydro->shear
+                         : material.johnson_cook ? material.johnson_cook->shear
+                                                 : 0;
+    if ((!material.fluid && !material.hydro && !material.johnson_cook) || material.bulk != 0) continue;
     const double bulk = initial_bulk_modulus(found->second, material.density);
     if (!(bulk > 0)) continue;
     material.bulk = bulk;

@@ -9,6 +9,7 @@
 #include "solver/build/build_equation_of_state.hpp"
 #include "solver/build/build_full_shells.hpp"
 #include "solver/build/build_hourglass.hpp"
+#include "solver/build/build_johnson_cook.hpp"
 #include "solver/build/build_rigid.hpp"
 #include "solver/build/build_solid_rules.hpp"
 #include "solver/build/build_welds.hpp"
@@ -89,6 +90,14 @@ class Builder {
                      fmt::format("material {} is calculated in solids only, but {} {} is of it",
                                  model_.materials[*part->material].id, what, id),
                      place};
+    if (kind == SectionKind::beam && material.value().johnson_cook)
+      return Failure{Failure::Kind::bad_material,
+                     fmt::format("material {} is calculated in shells and solids only, but {} {} is of it",
+                                 model_.materials[*part->material].id, what, id),
+                     place};
+    if (kind == SectionKind::shell && material.value().johnson_cook)
+      if (SolverStatus good = check_johnson_cook_shell(model_.materials[*part->material]); !good.ok())
+        return good.error();
     if (kind == SectionKind::solid)
       if (SolverStatus added = add_equation_of_state(model_, *part, material.value()); !added.ok())
         return added.error();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/build/build_johnson_cook.hpp"
+
 namespace gapcheck::solver {
 namespace {
 
@@ -106,7 +108,8 @@ SolverResult<Hydrodynamic> build_hydro(const model::Material& material) {
 SolverStatus add_equation_of_state(const model::Model& model, const model::Part& part, Material& material) {
   const model::Material& data = model.materials[*part.material];
   const bool fluid = material.kind == MaterialKind::null && part.eos_id != 0;
-  if (!fluid && !material.hydro) return {};
+  const bool johnson_cook = data.johnson_cook && !data.johnson_cook->simplified;
+  if (!fluid && !johnson_cook && !material.hydro) return {};
   const auto found = model.equations_of_state.find(part.eos_id);
   if (found == model.equations_of_state.end())
     return Failure{
@@ -120,6 +123,10 @@ SolverStatus add_equation_of_state(const model::Model& model, const model::Part&
   Hydrodynamic hydro;
   if (fluid) {
     auto built = build_fluid(data);
+    if (!built) return built.error();
+    hydro = std::move(built).value();
+  } else if (johnson_cook) {
+    auto built = build_johnson_cook_hydro(data);
     if (!built) return built.error();
     hydro = std::move(built).value();
   } else {

@@ -5,6 +5,7 @@
 #include "solver/build/build.hpp"
 #include "solver/build/build_equation_of_state.hpp"
 #include "solver/build/build_erosion.hpp"
+#include "solver/build/build_johnson_cook.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -140,8 +141,10 @@ SolverResult<Material> build_material(const model::Model& model, const model::Ma
     result.rubber = mooney_rivlin(material.mooney_rivlin->a, material.mooney_rivlin->b, material.poisson);
   } else if (material.hydro) {
     if (const SolverStatus set = set_hydro(material, result); !set.ok()) return set.error();
+  } else if (material.johnson_cook) {
+    if (const SolverStatus set = set_johnson_cook(material, result); !set.ok()) return set.error();
   } else if (material.keyword != "MAT_ELASTIC") {
-    return refused("is none of 001, 003, 009, 010, 020, 024, 027, 037 and 100; replace it for this run");
+    return refused("is none of 001, 003, 009, 010, 015, 020, 024, 027, 037, 098 and 100; replace it for this run");
   }
   if (!result.valid()) return refused("has a density, stiffness or yield stress out of range");
   auto erosion = build_erosion(model, material);

@@ -6,6 +6,7 @@
 #include "solver/material/erosion.hpp"
 #include "solver/material/hardening.hpp"
 #include "solver/material/hydrodynamic.hpp"
+#include "solver/material/johnson_cook.hpp"
 #include "solver/material/rubber.hpp"
 #include "solver/state/tensor.hpp"
 
@@ -17,6 +18,7 @@ struct PointState {
   Symmetric back_stress{};    ///< centre of the yield surface, deviatoric
   double plastic_strain = 0;  ///< effective
   double plastic_work = 0;    ///< per volume, since the start
+  double damage = 0;          ///< of 015: Σ Δε̄ / ε̄ at failure; it fails at 1
   bool failed = false;        ///< no stress from then on
   // Of materials with erosion alone:
   Symmetric strain{};   ///< sum of the strain increments
@@ -55,8 +57,9 @@ struct Material {
   Rubber rubber = {};             ///< of 027
   bool viscoplastic = false;      ///< VP = 1: the rate is that of the effective plastic strain
   double rate_stress = 0;         ///< SIGY of 024 with VP = 1, which the rate multiplies; 0: it multiplies the whole
-  std::optional<Erosion> erosion = {};             ///< *MAT_ADD_EROSION
-  std::shared_ptr<const Hydrodynamic> hydro = {};  ///< of the kind `hydro`; then E and ν do not count
+  std::optional<Erosion> erosion = {};                   ///< *MAT_ADD_EROSION
+  std::shared_ptr<const JohnsonCook> johnson_cook = {};  ///< of 015 and 098; replaces `yield`
+  std::shared_ptr<const Hydrodynamic> hydro = {};        ///< of the kind `hydro`; then E and ν do not count
 
   [[nodiscard]] double shear() const { return hydro ? hydro->shear : young / (2 * (1 + poisson)); }
   /// Of equations of state: at rest.
@@ -68,7 +71,9 @@ struct Material {
   /// Of a plate: E / (1 − ν²).
   [[nodiscard]] double plate_modulus() const { return young / (1 - poisson * poisson); }
   /// Points may fail, by the material's own criteria or by erosion.
-  [[nodiscard]] bool can_fail() const { return failure_strain > 0 || erosion.has_value(); }
+  [[nodiscard]] bool can_fail() const {
+    return failure_strain > 0 || erosion.has_value() || (johnson_cook && johnson_cook->fails);
+  }
   [[nodiscard]] bool has_stress() const { return kind != MaterialKind::null && kind != MaterialKind::rigid; }
   /// The yield stress at a strain rate.
   [[nodiscard]] YieldLaw yield_at(double rate) const;
@@ -84,15 +89,24 @@ struct Material {
 class StepYield {
  public:
   /// `total_rate`: of the whole strain; with VP = 1 the rate of the plastic strain counts instead, its increment / dt.
-  StepYield(const Material& material, double total_rate, double dt)
+  /// `softening`: factor by which heat has softened laws after Johnson and Cook.
+  StepYield(const Material& material, double total_rate, double dt, double softening = 1)
       : material_(&material),
         law_(material.yield_at(material.viscoplastic ? 0 : total_rate)),
+        rate_(material.viscoplastic ? 0 : total_rate),
+        softening_(softening),
         dt_(material.viscoplastic ? dt : 0) {}
 
   /// Before it flows.
-  [[nodiscard]] double stress(double plastic_strain) const { return law_.stress(plastic_strain); }
+  [[nodiscard]] double stress(double plastic_strain) const {
+    if (material_->johnson_cook) return softening_ * material_->johnson_cook->stress(plastic_strain, rate_);
+    return law_.stress(plastic_strain);
+  }
   /// After the plastic strain has grown by `increment` in the step.
   [[nodiscard]] double after(double plastic_strain, double increment) const {
+    if (material_->johnson_cook)
+      return softening_ *
+             material_->johnson_cook->stress(plastic_strain + increment, dt_ > 0 ? increment / dt_ : rate_);
     return dt_ > 0 ? material_->viscous_stress(plastic_strain + increment, increment / dt_)
                    : law_.stress(plastic_strain + increment);
   }
@@ -103,6 +117,7 @@ class StepYield {
  private:
   const Material* material_;
   YieldLaw law_;
+  double rate_, softening_;
   double dt_;  ///< 0: the plastic rate does not count
 };
 
