@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "solver/output/state_balance.hpp"
 #include "solver/run_scene.hpp"
 #include "solver/stretched_element.hpp"
 
@@ -90,6 +91,7 @@ TEST(EquationOfState, AdiabatOfAnIdealGas) {
     EXPECT_NEAR(pressure_of(scene), std::pow(volume, -1.4), 1e-5);
     EXPECT_NEAR(scene.energies().internal, 2.5 * (std::pow(volume, -0.4) - 1), 1e-5);
     EXPECT_NEAR(scene.energies().ratio(), 1, 1e-9);
+    EXPECT_NEAR(state_balance(scene.run()).created(), 0, 1e-5);
   }
 }
 
@@ -159,6 +161,7 @@ TEST(Hydro, UniaxialStrainAgainstASlowTwin) {
     EXPECT_NEAR(deviator(point.stress)[xx], twin.s, 1e-4 * std::abs(twin.s));
     EXPECT_NEAR(point.plastic_strain, twin.strain, 1e-4 * twin.strain);
     EXPECT_NEAR(scene.energies().internal, twin.energy, 1e-3 * twin.energy);
+    EXPECT_NEAR(state_balance(scene.run()).created(), 0, 1e-4 * twin.energy);
   }
 }
 
