@@ -95,6 +95,21 @@ TEST(EquationOfState, AdiabatOfAnIdealGas) {
   }
 }
 
+// ρ c² = γ p of the present state, not of that at rest.
+TEST(EquationOfState, SoundSpeedOfAPressedGas) {
+  Material material{MaterialKind::hydro, 1, 0, 0, {}, 0, 0, 0, {}, 1};
+  Hydrodynamic hydro;
+  hydro.state = {LinearPolynomial{{0, 0, 0, 0, 0.4, 0.4, 0}}, 2.5};
+  hydro.bulk = 1.4;
+  material.hydro = std::make_shared<const Hydrodynamic>(hydro);
+  const double pressure = std::pow(0.5, -1.4);
+  SolidState state;
+  state.fluid.volume = 0.5;
+  state.fluid.energy = pressure * 0.5 / 0.4;
+  EXPECT_NEAR(solid_stiffness(material, state).wave, 1.4 * pressure, 1e-12);
+  EXPECT_NEAR(solid_stiffness(material, state).bound, 3 * 1.4 * pressure, 1e-12);
+}
+
 /// A bar of bricks in uniaxial strain whose left end moves with v from the start.
 std::string driven_bar(int bricks, double v, const std::string& cards, double end) {
   std::string deck = brick_bar(bricks, {0.01, 0.01, 0.01}) + "*PART\np\n1,1,1,7\n*SECTION_SOLID\n1,1\n" + cards +
