@@ -12,6 +12,8 @@
 #include "model/entity/beam_preload.hpp"
 #include "model/entity/boundary.hpp"
 #include "model/entity/curve.hpp"
+#include "model/entity/equation_of_state.hpp"
+#include "model/entity/erosion.hpp"
 #include "model/entity/initial_velocity.hpp"
 #include "model/entity/loads.hpp"
 #include "model/entity/mesh.hpp"
@@ -58,6 +60,8 @@ struct Model {
   std::vector<PartIndex> later_particles;
   std::vector<Section> sections;
   std::vector<Material> materials;
+  std::map<std::int64_t, EquationOfState> equations_of_state;
+  std::vector<Erosion> erosions;         ///< *MAT_ADD_EROSION, in input order
   std::map<std::int64_t, Curve> curves;  ///< *DEFINE_CURVE
   std::map<std::int64_t, Table> tables;  ///< *DEFINE_TABLE, *DEFINE_TABLE_2D
   Sets sets;

@@ -10,6 +10,9 @@
 
 #include "base/embedded.hpp"
 #include "contact/definition/contact_type.hpp"
+#include "solver/build/build_equation_of_state.hpp"
+#include "solver/build/build_erosion.hpp"
+#include "solver/build/build_johnson_cook.hpp"
 #include "solver/condition/rigid_walls.hpp"
 #include "solver/contact/contact_method.hpp"
 
@@ -99,6 +102,8 @@ class Finder {
   std::vector<Unsupported> all() {
     find_keywords();
     find_materials();
+    find_erosions();
+    find_states();
     find_contacts();
     find_rigid_walls();
     find_moves();
@@ -148,14 +153,17 @@ class Finder {
   }
 
   void find_materials() {
-    constexpr std::array<std::string_view, 8> continua{"MAT_ELASTIC",
-                                                       "MAT_PLASTIC_KINEMATIC",
-                                                       "MAT_NULL",
-                                                       "MAT_RIGID",
-                                                       "MAT_MOONEY-RIVLIN_RUBBER",
-                                                       "MAT_SPOTWELD",
-                                                       "MAT_PIECEWISE_LINEAR_PLASTICITY",
-                                                       "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
+    constexpr std::array<std::string_view, 11> continua{"MAT_ELASTIC",
+                                                        "MAT_JOHNSON_COOK",
+                                                        "MAT_SIMPLIFIED_JOHNSON_COOK",
+                                                        "MAT_ELASTIC_PLASTIC_HYDRO",
+                                                        "MAT_PLASTIC_KINEMATIC",
+                                                        "MAT_NULL",
+                                                        "MAT_RIGID",
+                                                        "MAT_MOONEY-RIVLIN_RUBBER",
+                                                        "MAT_SPOTWELD",
+                                                        "MAT_PIECEWISE_LINEAR_PLASTICITY",
+                                                        "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
     std::vector<bool> used(model_.parts.size()), beams(model_.parts.size()), material_seen(model_.materials.size());
     mark(model_.mesh.shells, used);
     mark(model_.mesh.solids, used);
@@ -176,6 +184,12 @@ class Finder {
         continue;
       }
       if (material.plasticity) find_plasticity(material, beams[i]);
+      if (material.johnson_cook)
+        if (const std::string why = johnson_cook_not_calculated(*material.johnson_cook); !why.empty())
+          add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));
+      if (material.hydro)
+        if (const std::string why = hydro_not_calculated(*material.hydro); !why.empty())
+          add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));
       if (material.weld && !material.weld->variant.empty())
         add(material.keyword, material.place,
             fmt::format("material {}: the variant {} is not calculated", material.id, material.weld->variant));
@@ -195,11 +209,32 @@ class Finder {
       name(fmt::format("the rate of VP = {:g} is not calculated", data.other_vp));
   }
 
+  void find_erosions() {
+    for (const model::Erosion& erosion : model_.erosions) {
+      const auto name = [&](std::string_view what) {
+        add("MAT_ADD_EROSION", erosion.place, fmt::format("material {}: {}", erosion.material_id, what));
+      };
+      if (const std::string why = erosion_not_calculated(erosion); !why.empty()) name(why);
+      const auto is_of = [&](PartIndex part) {
+        const auto material = part.value < model_.parts.size() ? model_.part(part).material : std::nullopt;
+        return material && model_.materials[*material].id == erosion.material_id;
+      };
+      const auto& beams = model_.mesh.beams.part;
+      if (std::any_of(beams.begin(), beams.end(), is_of)) name("beams do not erode");
+    }
+  }
+
+  void find_states() {
+    for (const auto& [id, state] : model_.equations_of_state)
+      if (const std::string why = state_not_calculated(state); !why.empty() && find(bare(state.keyword)) != nullptr)
+        add(state.keyword, state.place, fmt::format("equation of state {}: {}", id, why));
+  }
+
   void find_contacts() {
     for (const model::Contact& contact : model_.contacts) {
-      if (contact.symmetry_faces != 0)
+      if (contact.symmetry_faces != 0 && contact.symmetry_faces != 1)
         add(contact.written, contact.place,
-            fmt::format("contact {}: faces on planes of symmetry are not left out (ISYM)", contact.id.value));
+            fmt::format("contact {}: ISYM = {} has no meaning; set 0 or 1", contact.id.value, contact.symmetry_faces));
       const std::string_view why = choose_method(contact).why_not;
       if (why.empty()) continue;
       add(contact.written, contact.place, fmt::format("contact {}: {}", contact.id.value, why));

@@ -36,7 +36,8 @@ const Order rooms{{"base", {}},
 /// The floors of a room, as in docs/architecture.md; "top" are the files of the room itself.
 const std::map<std::string, Order> floors{
     {"keyword", {{"text", {}}, {"top", {"text"}}}},
-    {"model", {{"entity", {}}, {"contact", {"entity"}}, {"top", {"contact"}}, {"read", {"top"}}}},
+    {"model",
+     {{"entity", {}}, {"contact", {"entity"}}, {"top", {"contact"}}, {"read", {"top"}}, {"material", {"read"}}}},
     {"contact",
      {{"definition", {}},
       {"mesh", {"definition"}},

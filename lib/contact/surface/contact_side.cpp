@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "contact/surface/surface_parts.hpp"
+#include "contact/surface/symmetry.hpp"
+
 namespace gapcheck::contact {
 namespace {
 
@@ -43,6 +46,8 @@ ContactSide build_side(const model::Model& model, const SideRequest& request, co
                        const std::vector<Vector>& x, MeshIndex& index) {
   ContactSide side;
   side.selection = select(model, request.input, type, x, index);
+  if (request.symmetry && (whole_parts(request.input) || request.input.id == 0))
+    SymmetryPlanes(model).leave_out(side.selection.segments, x);
   side.nodes_only = side.selection.segments.size() == 0 && !side.selection.nodes.empty();
   side.names_nodes = side.nodes_only && side.selection.cut.size() == 0;
   for (Segments* segments : {&side.selection.segments, &side.selection.cut}) {
@@ -65,7 +70,8 @@ SideCache::Key SideCache::key_of(const SideRequest& request) {
   const ThicknessSide& t = request.thickness;
   std::uint64_t flags = 0;
   for (const bool flag : {request.offsets, request.single, request.tied, request.transducer, request.edges,
-                          request.spotwelds, request.tracks_nodes, request.needs_segments, t.edge_limit, t.optt})
+                          request.spotwelds, request.tracks_nodes, request.needs_segments, request.symmetry,
+                          t.edge_limit, t.optt})
     flags = flags << 1 | (flag ? 1U : 0U);
   return {whole(request.input.id),
           whole(request.input.type),

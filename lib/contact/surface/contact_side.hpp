@@ -33,6 +33,7 @@ struct SideRequest {
   bool spotwelds = false;   ///< those of spotwelds too
   bool tracks_nodes = false;
   bool needs_segments = false;
+  bool symmetry = false;  ///< faces on planes of symmetry are left out (ISYM)
 };
 
 [[nodiscard]] ContactSide build_side(const model::Model& model, const SideRequest& request, const ContactType& type,

@@ -26,6 +26,7 @@ SideRequest request_of(const model::Model& model, const model::Contact& contact,
   request.spotwelds = of.type.spotweld_beams;
   request.tracks_nodes = !b || two_way || of.type.by_segments();
   request.needs_segments = of.type.treatment != Treatment::none && (b || request.single);
+  request.symmetry = contact.symmetry_faces == 1;
   if (tied) request.negative = b ? contact.mst : contact.sst;
   return request;
 }

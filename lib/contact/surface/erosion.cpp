@@ -1,11 +1,13 @@
 #include "contact/surface/erosion.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_set>
 
 #include "contact/mesh/faces.hpp"
 #include "contact/surface/segment_elements.hpp"
 #include "contact/surface/surface_parts.hpp"
+#include "contact/surface/symmetry.hpp"
 
 namespace gapcheck::contact {
 namespace {
@@ -105,7 +107,8 @@ class SideErosion {
               const GoneElements& gone, const std::vector<Vector>& x, MeshIndex& index)
       : model_(model), input_(input), start_(start), gone_(gone), x_(x), index_(index) {}
 
-  void erode(ContactSide& side, bool inner_faces) const {
+  /// `symmetry`: opened faces on these planes are left out; nullptr: none is.
+  void erode(ContactSide& side, bool inner_faces, const SymmetryPlanes* symmetry) const {
     Segments& s = side.selection.segments;
     std::vector<bool> kept(s.size());
     for (std::size_t i = 0; i < s.size(); ++i) kept[i] = !is_gone(gone_, s.element_kind[i], s.element[i]);
@@ -113,15 +116,16 @@ class SideErosion {
         std::count(kept.end() - static_cast<std::ptrdiff_t>(std::min(side.lines, kept.size())), kept.end(), true));
     keep_segments(s, kept);
     const std::size_t first = s.size() - side.lines;
-    const std::size_t added =
-        inner_faces && (whole_parts(input_) || (input_.id == 0 && input_.box == 0)) ? add_faces(side, first) : 0;
+    const std::size_t added = inner_faces && (whole_parts(input_) || (input_.id == 0 && input_.box == 0))
+                                  ? add_faces(side, first, symmetry)
+                                  : 0;
     erode_nodes(side);
     if (side.nodes.size() > 0 || start_.nodes.size() > 0) add_nodes(side.nodes, s, first, added);
   }
 
  private:
   /// Inserts opened faces before the beams' lines; returns their number.
-  std::size_t add_faces(ContactSide& side, std::size_t place) const {
+  std::size_t add_faces(ContactSide& side, std::size_t place, const SymmetryPlanes* symmetry) const {
     Segments& s = side.selection.segments;
     std::vector<bool> parts(model_.parts.size(), false);
     for (const PartIndex part : parts_of(model_, start_)) parts[part.value] = true;
@@ -134,6 +138,7 @@ class SideErosion {
     const auto like = static_cast<std::size_t>(solid - before.element_kind.begin());
     for (NewFace& opened : opened_faces(model_, parts, gone_, index_)) {
       if (!there.insert(opened.key).second) continue;
+      if (symmetry != nullptr && symmetry->holds(opened.face.nodes, x_)) continue;
       turn_outward(opened.face, model_.mesh.solids.nodes[opened.face.element], x_);
       const auto at = static_cast<std::ptrdiff_t>(place + added);
       s.nodes.insert(s.nodes.begin() + at, opened.face.nodes);
@@ -200,9 +205,11 @@ ContactSurfaces erode_surfaces(const model::Model& model, const model::Contact& 
                                const ContactSurfaces& now, const GoneElements& gone, const std::vector<Vector>& x,
                                MeshIndex& index) {
   const bool inner_faces = is_eroding(now.type) && (contact.erosop == 1 || contact.iadj == 1);
+  const std::optional<SymmetryPlanes> symmetry =
+      inner_faces && contact.symmetry_faces == 1 ? std::optional<SymmetryPlanes>(model) : std::nullopt;
   const auto left = [&](const model::SurfaceInput& input, const ContactSide& before, const ContactSide& side) {
     ContactSide remaining = side;
-    SideErosion(model, input, before, gone, x, index).erode(remaining, inner_faces);
+    SideErosion(model, input, before, gone, x, index).erode(remaining, inner_faces, symmetry ? &*symmetry : nullptr);
     return std::make_shared<const ContactSide>(std::move(remaining));
   };
   return {now.type, now.settings, left(contact.a, start.a, now.a),

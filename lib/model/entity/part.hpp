@@ -7,6 +7,7 @@
 
 #include "base/ids.hpp"
 #include "base/vector.hpp"
+#include "model/entity/hydrodynamic.hpp"
 
 namespace gapcheck::model {
 
@@ -56,6 +57,7 @@ struct Part {
   std::optional<std::uint32_t> section;   ///< position in Model::sections
   std::optional<std::uint32_t> material;  ///< position in Model::materials
   std::int64_t hourglass_id = 0;
+  std::int64_t eos_id = 0;  ///< equation of state; 0: none
   std::optional<PartContact> contact;
   std::optional<BodyInertia> inertia;
   std::vector<Ply> plies;          ///< of *PART_COMPOSITE
@@ -175,6 +177,9 @@ struct Material {
   std::optional<SpotWeld> weld;
   std::optional<DiscreteMaterial> discrete;
   std::optional<MooneyRivlin> mooney_rivlin;
+  std::optional<Fluid> fluid;  ///< of 009
+  std::optional<Hydro> hydro;  ///< of 010
+  std::optional<JohnsonCook> johnson_cook;
   BodyConstraint constraint;  ///< of rigid ones
   Place place;
 };

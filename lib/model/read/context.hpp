@@ -121,6 +121,8 @@ void read_section_discrete(Context& context, const Block& block, const Options& 
 void read_section_particle(Context& context, const Block& block, const Options& options);
 void read_section_other(Context& context, const Block& block, const Options& options);
 void read_material(Context& context, const Block& block, const Options& options);
+void read_equation_of_state(Context& context, const Block& block, const Options& options);
+void read_erosion(Context& context, const Block& block, const Options& options);
 void read_curve(Context& context, const Block& block, const Options& options);
 void read_table(Context& context, const Block& block, const Options& options);
 void read_set(Context& context, const Block& block, const Options& options);
@@ -170,6 +172,14 @@ void read_friction_table(Context& context, const Block& block, const Options& op
 [[nodiscard]] std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
                                                         std::string_view name);
 
+/// What 009 says of fluids, from its first card (fields of ten columns by position).
+[[nodiscard]] Fluid read_fluid(const Context& context, const Block& block, const Card& card);
+/// Material 010 after its first card. `name`: as written, with its options.
+[[nodiscard]] Hydro read_hydro(const Context& context, CardReader& reader, const Card& card, std::string_view name);
+/// Materials 015 and 098 after their first card. `name`: "JOHNSON_COOK" or "SIMPLIFIED_JOHNSON_COOK".
+[[nodiscard]] JohnsonCook read_johnson_cook(const Context& context, CardReader& reader, const Card& card,
+                                            std::string_view name);
+
 /// Data of a spotweld material after its first card (fields of ten columns by position). `name`: as written, without
 /// MAT_ and with three digits: "SPOTWELD_TITLE", "100".
 [[nodiscard]] SpotWeld read_spotweld(Context& context, CardReader& reader, const Card& card, std::string_view name);
@@ -180,6 +190,8 @@ void read_node_constraints(Context& context, const Block& block);
 // What remains to be done once all blocks of a kind are read.
 void finish_nodes(Context& context);
 void finish_parts(Context& context);
+/// Elastic constants of materials whose pressure is that of an equation of state: its slope at rest.
+void finish_equations_of_state(Context& context);
 /// The axes of *DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR, as columns; the error says why they are not known.
 [[nodiscard]] Result<Eigen::Matrix3d> axes_of_system(Context& context, std::int64_t id);
 /// Moves the nodes of the parts that *PART_MOVE names.

@@ -230,6 +230,10 @@ void read_material(Context& context, const Block& block, const Options& options)
                              constraint_code(limits.real("con2"))};
     }
     material.plasticity = read_plasticity(context, reader, card, known->name);
+    if (material.null_material) material.fluid = read_fluid(context, block, card);
+    if (known->name == "ELASTIC_PLASTIC_HYDRO") material.hydro = read_hydro(context, reader, card, bare);
+    if (known->name == "JOHNSON_COOK" || known->name == "SIMPLIFIED_JOHNSON_COOK")
+      material.johnson_cook = read_johnson_cook(context, reader, card, known->name);
     if (known->name == "MOONEY-RIVLIN_RUBBER") read_mooney_rivlin(context, reader, card, stress, material);
   }
   Model& model = context.model;

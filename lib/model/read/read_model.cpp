@@ -71,7 +71,9 @@ constexpr KeywordFamily keyword_families[] = {
     {"SECTION_SPH", Phase::properties, read_section_particle, "TITLE ELLIPSE USER INTERACTION"},
     {"MAT", Phase::properties, read_material, "*"},
     {"MAT_ADD", Phase::properties, nullptr, "*"},
+    {"MAT_ADD_EROSION", Phase::properties, read_erosion, "TITLE"},
     {"MAT_THERMAL", Phase::properties, nullptr, "*"},
+    {"EOS", Phase::properties, read_equation_of_state, "*"},
     {"DEFINE_CURVE", Phase::properties, read_curve, "TITLE"},
     {"DEFINE_TABLE", Phase::properties, read_table, "TITLE 2D"},
     {"SET_NODE", Phase::sets, read_set, set_options, true},
@@ -248,6 +250,7 @@ void read_blocks(Context& context) {
   run(Phase::properties);
   run(Phase::parts);
   finish_parts(context);
+  finish_equations_of_state(context);
   run(Phase::elements);
   finish_elements(context);
   run(Phase::boxes);

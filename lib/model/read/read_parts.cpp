@@ -73,6 +73,7 @@ void read_plain(Context& context, CardReader& reader, const Options& options, Pa
   part.material_id = card.integer("mid");
   part.place.line = card.line();
   part.hourglass_id = card.integer("hgid");
+  part.eos_id = card.integer("eosid");
   if (options.has("INERTIA")) part.inertia = read_body_inertia(context, reader);
   if (options.has("REPOSITION")) reader.skip();
   if (options.has("CONTACT")) part.contact = read_part_contact(context, reader);

@@ -6,8 +6,10 @@
 #include <set>
 
 #include "solver/build/build_beams.hpp"
+#include "solver/build/build_equation_of_state.hpp"
 #include "solver/build/build_full_shells.hpp"
 #include "solver/build/build_hourglass.hpp"
+#include "solver/build/build_johnson_cook.hpp"
 #include "solver/build/build_rigid.hpp"
 #include "solver/build/build_solid_rules.hpp"
 #include "solver/build/build_spotwelds.hpp"
@@ -82,11 +84,24 @@ class Builder {
                      fmt::format("material {} is for shells only, but {} {} is of it",
                                  model_.materials[*part->material].id, what, id),
                      place};
-    if (kind != SectionKind::solid && material.value().kind == MaterialKind::rubber)
+    const bool solids_only =
+        material.value().kind == MaterialKind::rubber || material.value().kind == MaterialKind::hydro;
+    if (kind != SectionKind::solid && solids_only)
       return Failure{Failure::Kind::bad_material,
                      fmt::format("material {} is calculated in solids only, but {} {} is of it",
                                  model_.materials[*part->material].id, what, id),
                      place};
+    if (kind == SectionKind::beam && material.value().johnson_cook)
+      return Failure{Failure::Kind::bad_material,
+                     fmt::format("material {} is calculated in shells and solids only, but {} {} is of it",
+                                 model_.materials[*part->material].id, what, id),
+                     place};
+    if (kind == SectionKind::shell && material.value().johnson_cook)
+      if (SolverStatus good = check_johnson_cook_shell(model_.materials[*part->material]); !good.ok())
+        return good.error();
+    if (kind == SectionKind::solid)
+      if (SolverStatus added = add_equation_of_state(model_, *part, material.value()); !added.ok())
+        return added.error();
     if (named_.insert(*part->material).second)
       name_what_is_not_calculated(model_, model_.materials[*part->material], diagnostics_);
     if (kind == SectionKind::shell && model_.materials[*part->material].weld)
@@ -98,6 +113,10 @@ class Builder {
     if (kind == SectionKind::beam && !section.integrated() && material.value().failure_strain > 0)
       diagnostics_.warning("", 0,
                            fmt::format("{} {} and others of material {} do not fail (FS, FAIL)", what, id,
+                                       model_.materials[*part->material].id));
+    if (kind == SectionKind::beam && material.value().erosion)
+      diagnostics_.warning("", 0,
+                           fmt::format("{} {} and others of material {} do not fail (*MAT_ADD_EROSION)", what, id,
                                        model_.materials[*part->material].id));
     if (kind == SectionKind::beam) return Properties{&section, std::move(material).value()};
     const bool one_point = kind == SectionKind::shell

@@ -3,6 +3,9 @@
 #include <cmath>
 
 #include "solver/build/build.hpp"
+#include "solver/build/build_equation_of_state.hpp"
+#include "solver/build/build_erosion.hpp"
+#include "solver/build/build_johnson_cook.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -74,6 +77,18 @@ void set_rate_dependence(const model::Plasticity& data, bool piecewise, Material
   if (material.viscoplastic && piecewise && !table && data.sigy > 0) material.rate_stress = data.sigy;
 }
 
+/// Material 010: SIGY and EH, or points.
+SolverStatus set_hydro(const model::Material& material, Material& result) {
+  const model::Hydro& data = *material.hydro;
+  auto hydro = build_hydro(material);
+  if (!hydro) return hydro.error();
+  result.kind = MaterialKind::hydro;
+  result.hydro = std::make_shared<const Hydrodynamic>(std::move(hydro).value());
+  result.yield = data.points.empty() ? YieldCurve(data.sigy, data.eh) : YieldCurve(points_of(data.points));
+  result.failure_strain = data.fs;
+  return {};
+}
+
 /// FS or FAIL is an effective plastic strain.
 bool fails(const model::Plasticity& data) {
   constexpr double never = 1e20;
@@ -124,10 +139,17 @@ SolverResult<Material> build_material(const model::Model& model, const model::Ma
     if (material.mooney_rivlin->lcid != 0) return refused("is to be fitted to a curve (LCID); give it A and B instead");
     result.kind = MaterialKind::rubber;
     result.rubber = mooney_rivlin(material.mooney_rivlin->a, material.mooney_rivlin->b, material.poisson);
+  } else if (material.hydro) {
+    if (const SolverStatus set = set_hydro(material, result); !set.ok()) return set.error();
+  } else if (material.johnson_cook) {
+    if (const SolverStatus set = set_johnson_cook(material, result); !set.ok()) return set.error();
   } else if (material.keyword != "MAT_ELASTIC") {
-    return refused("is none of 001, 003, 009, 020, 024, 027, 037 and 100; replace it for this run");
+    return refused("is none of 001, 003, 009, 010, 015, 020, 024, 027, 037, 098 and 100; replace it for this run");
   }
   if (!result.valid()) return refused("has a density, stiffness or yield stress out of range");
+  auto erosion = build_erosion(model, material);
+  if (!erosion) return erosion.error();
+  if (result.kind != MaterialKind::rigid) result.erosion = erosion.value();
   return result;
 }
 

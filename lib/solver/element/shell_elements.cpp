@@ -76,8 +76,25 @@ void ShellElements::finish(std::size_t nodes) {
   table_ = CornerTable(nodes, corners);
 }
 
-bool ShellElements::all_failed(std::span<const PointState> points) {
-  return !points.empty() && std::all_of(points.begin(), points.end(), [](const PointState& p) { return p.failed; });
+bool ShellElements::fails(std::size_t shell, double time) const {
+  const std::span<const PointState> own = points(shell);
+  if (own.empty()) return false;
+  if (std::all_of(own.begin(), own.end(), [](const PointState& p) { return p.failed; })) return true;
+  const std::optional<Erosion>& erosion = properties(shell).material.erosion;
+  if (!erosion) return false;
+  if (past_time(erosion, time)) return true;
+  const auto eroded = [](const PointState& p) { return p.eroded; };
+  if (erosion->points > 0) return static_cast<double>(std::count_if(own.begin(), own.end(), eroded)) >= erosion->points;
+  // A layer counts with the first of its points in the plane.
+  const std::size_t layers = properties(shell).layers.size();
+  std::size_t gone = 0;
+  for (std::size_t layer = 0; layer < layers; ++layer)
+    for (std::size_t point = layer; point < own.size(); point += layers)
+      if (own[point].eroded) {
+        ++gone;
+        break;
+      }
+  return static_cast<double>(gone) >= -erosion->points / 100 * static_cast<double>(layers);
 }
 
 Summary ShellElements::update_one(const State& state, std::size_t shell) {
@@ -92,7 +109,7 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
   const std::span<PointState> points(points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]);
   ShellForces forces = this->forces(shell, corners, state.dt, state_[shell], points);
   Summary summary;
-  if (all_failed(points)) {
+  if (fails(shell, state.time)) {
     failed_[shell] = 1;
     forces = {};
     forces.good = true;

@@ -42,9 +42,9 @@ class ShellElements {
   /// False: none ever fails.
   [[nodiscard]] bool can_fail() const {
     return std::any_of(properties_.begin(), properties_.end(),
-                       [](const ShellProperties& p) { return p.material.failure_strain > 0; });
+                       [](const ShellProperties& p) { return p.material.can_fail(); });
   }
-  /// All its layers have failed: it has no stress, no force and no time step any more.
+  /// All its layers, or enough of them, have failed: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t shell) const { return failed_[shell]; }
   [[nodiscard]] const ElementEnergy& energy(std::size_t shell) const { return energy_[shell]; }
   /// The energy that its stresses store, with all nodes at `x`.
@@ -65,7 +65,8 @@ class ShellElements {
   }
   [[nodiscard]] ShellForces forces(std::size_t shell, const ShellCorners& corners, double dt, ShellState& state,
                                    std::span<PointState> points) const;
-  [[nodiscard]] static bool all_failed(std::span<const PointState> points);
+  /// It fails now: all its layers have, or as many as NUMFIP of its erosion says, or its time is over.
+  [[nodiscard]] bool fails(std::size_t shell, double time) const;
   [[nodiscard]] Summary update_one(const State& state, std::size_t shell);
 
   std::vector<ShellProperties> properties_;

@@ -8,6 +8,11 @@ namespace gapcheck::solver {
 Matrix update_solid_stress(const Material& material, const Matrix& gradient, double dt, PointState& point) {
   const Vector spin(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1));
   Matrix rotation = spin_rotation(dt / 2 * spin);
+  if (material.erosion) {
+    const Symmetric increment = rotated(to_symmetric(gradient), spin_rotation(dt / 4 * spin));
+    point.strain = rotated(point.strain, rotation);
+    for (std::size_t i = 0; i < 6; ++i) point.strain[i] += dt * increment[i];
+  }
   if (material.has_stress() && material.kind != MaterialKind::rubber) {
     point.stress = rotated(point.stress, rotation);
     if (material.kinematic_slope > 0) point.back_stress = rotated(point.back_stress, rotation);
@@ -23,7 +28,9 @@ BulkViscosity bulk_viscosity(const SolidProperties& properties, double density, 
                              double volume_rate) {
   const double total =
       properties.quadratic_viscosity * length * std::abs(volume_rate) + properties.linear_viscosity * speed;
-  return {volume_rate < 0 ? density * length * -volume_rate * total : 0, total};
+  const auto& hydro = properties.material.hydro;
+  const double of_shear = hydro ? 2 * hydro->viscosity / (density * length) : 0;  // damps like it
+  return {volume_rate < 0 ? density * length * -volume_rate * total : 0, total + of_shear};
 }
 
 double viscous_work(double pressure, double volume_change, SolidState& state) {
@@ -35,6 +42,7 @@ double stored_energy(const SolidProperties& properties, const SolidState& state,
                      const PointState& point) {
   const bool rubber = properties.material.kind == MaterialKind::rubber;
   double energy = rubber ? state.strain_energy : volume * elastic_energy(properties.material, point.stress);
+  if (properties.material.hydro) energy = fluid_energy(properties.material, state);
   if (state.reference && state.reference->stiffness > 0)
     for (const Vector& stress : state.hourglass) energy += stress.squaredNorm() / (2 * state.reference->stiffness);
   return energy;
@@ -49,19 +57,16 @@ double update_rubber(const Material& material, const Matrix& axes, double volume
   return rubber_stiffness_bound(material.rubber, f) / growth;
 }
 
-void set_time_steps(const SolidProperties& properties, double density, double length, double squared_gradient,
-                    double corners, const BulkViscosity& viscosity, SolidForces& forces, double rubber) {
-  const Material& material = properties.material;
-  const double speed = std::sqrt(material.wave_modulus() / density), q = viscosity.step_speed;
+void set_time_steps(double density, double length, double squared_gradient, double corners,
+                    const BulkViscosity& viscosity, const SolidStiffness& stiffness, SolidForces& forces) {
+  const double speed = std::sqrt(stiffness.wave / density), q = viscosity.step_speed;
   forces.manual_step = length / (q + std::sqrt(q * q + speed * speed));
   // The strain energy is at most max(3 K, 2 G) |∇u|² / 2; each corner has 1 / corners of the mass. Damping at the
   // fraction ξ of the critical shortens the step by √(1 + ξ²) − ξ. The viscosity gives ρ l Q per volume rate where the
   // stiffness gives at least K per volume strain, so that ξ is at most ω ρ l Q / (2 K).
-  const double stiffness = rubber > 0 ? rubber : std::max(3 * material.bulk(), 2 * material.shear());
-  const double volume_stiffness = rubber > 0 ? rubber / 3 : material.bulk();
-  const double squared_frequency = stiffness / density * corners * squared_gradient;
+  const double squared_frequency = stiffness.bound / density * corners * squared_gradient;
   const double fraction =
-      volume_stiffness > 0 ? std::sqrt(squared_frequency) * density * length * q / (2 * volume_stiffness) : 0;
+      stiffness.volume > 0 ? std::sqrt(squared_frequency) * density * length * q / (2 * stiffness.volume) : 0;
   forces.stable_step = 2 / std::sqrt(squared_frequency) * (std::sqrt(1 + fraction * fraction) - fraction);
 }
 

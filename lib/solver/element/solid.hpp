@@ -34,6 +34,15 @@ struct HourglassReference {
   double squared_frequency = 0;  ///< bound of the modes' highest frequency
 };
 
+/// The state of a solid's equation of state.
+struct FluidState {
+  double energy = 0;            ///< internal, per reference volume: E0 and all work since the start
+  double volume = 1;            ///< relative to that
+  double reference_volume = 0;  ///< of the undeformed solid
+  double pressure = 0;          ///< without that of the bulk viscosity
+  bool spalled = false;
+};
+
 /// The history of one solid besides its integration point.
 struct SolidState {
   double mass = 0;  ///< of the element; its density follows from it
@@ -46,7 +55,17 @@ struct SolidState {
   /// Of rubber with eight points: the undeformed brick.
   std::shared_ptr<const BrickMap> undeformed_brick;
   WeldHistory weld;  ///< of spotwelds
+  FluidState fluid;  ///< of materials with an equation of state
 };
+
+/// Moduli of a solid at present.
+struct SolidStiffness {
+  double wave = 0;    ///< of a plane wave
+  double bound = 0;   ///< of the strain energy: twice it per squared gradient, max(3 K, 2 G)
+  double volume = 0;  ///< K, at most
+};
+/// `rubber`: what update_rubber() returned, which bounds both.
+[[nodiscard]] SolidStiffness solid_stiffness(const Material& material, const SolidState& state, double rubber = 0);
 
 /// Internal forces on the corners (the solid pulls its nodes with the opposite) and what the step needs to know.
 struct SolidForces {
@@ -134,9 +153,20 @@ struct BulkViscosity {
 /// volume.
 double update_rubber(const Material& material, const Matrix& axes, double volume, SolidState& state, PointState& point);
 
-/// Sets both time steps; `squared_gradient`: the largest eigenvalue of Σ b bᵀ, `corners`: 4 or 8, `rubber`: what
-/// update_rubber() returned.
-void set_time_steps(const SolidProperties& properties, double density, double length, double squared_gradient,
-                    double corners, const BulkViscosity& viscosity, SolidForces& forces, double rubber = 0);
+/// Of a point with an equation of state: what its deviator stores and has dissipated, per volume; otherwise 0.
+[[nodiscard]] double deviatoric_energy(const Material& material, const PointState& point);
+
+/// What all work since the start has put into a solid with an equation of state: reference volume (E − E0).
+[[nodiscard]] double fluid_energy(const Material& material, const SolidState& state);
+
+/// Pressure and energy of an equation of state at the end of a step to `volume`; sets the points' mean stress and lets
+/// them spall. The energy follows dE = −p dV and `work`, that of deviators and bulk viscosity in the step, by the
+/// trapezoidal rule, which is linear in the new pressure (theory manual, equations of state). Nothing for others.
+void update_pressure(const Material& material, double volume, double work, SolidState& state,
+                     std::span<PointState> points);
+
+/// Sets both time steps; `squared_gradient`: the largest eigenvalue of Σ b bᵀ, `corners`: 4 or 8.
+void set_time_steps(double density, double length, double squared_gradient, double corners,
+                    const BulkViscosity& viscosity, const SolidStiffness& stiffness, SolidForces& forces);
 
 }  // namespace gapcheck::solver

@@ -182,25 +182,31 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
     return out;
   }
   const Matrix gradient = outer_sum(corners.v, middle) / middle_volume;
-  const double flowed = point.plastic_work;
-  const Matrix rotation = update_solid_stress(properties.material, gradient, dt, point);
-  const double rubber = properties.material.kind == MaterialKind::rubber
-                            ? update_rubber(properties.material, brick_axes(corners.x), out.volume, state, point)
+  const Material& material = properties.material;
+  const double flowed = point.plastic_work, deviatoric = deviatoric_energy(material, point);
+  const Matrix rotation = update_solid_stress(material, gradient, dt, point);
+  const double rubber = material.kind == MaterialKind::rubber
+                            ? update_rubber(material, brick_axes(corners.x), out.volume, state, point)
                             : 0;
 
   const Matrix gram = outer_sum(end, end) / (out.volume * out.volume);
   const double density = state.mass / out.volume, length = out.volume / largest_face_area(corners.x);
-  const double speed = std::sqrt(properties.material.wave_modulus() / density);
+  const double speed = std::sqrt(solid_stiffness(material, state).wave / density);
   const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, gradient.trace());
-  set_time_steps(properties, density, length, eigenvalue_bound(gram), 8, viscosity, out, rubber);
+  out.viscous_work = viscous_work(viscosity.pressure, dt * middle_volume * gradient.trace(), state);
+  const double work = middle_volume * (deviatoric_energy(material, point) - deviatoric) + out.viscous_work;
+  update_pressure(material, out.volume, work, state, {&point, 1});
+  erode(material, dt, point);
+  set_time_steps(density, length, eigenvalue_bound(gram), 8, viscosity, solid_stiffness(material, state, rubber), out);
 
   const std::array<Vector, 4> middle_shapes = shape_sums(middle_x), v_shapes = shape_sums(corners.v),
                               end_shapes = shape_sums(corners.x);
   std::array<Vector, 4> rates;
   for (std::size_t m = 0; m < 4; ++m) rates[m] = v_shapes[m] - gradient * middle_shapes[m];
   out.hourglass_work = update_viscous(properties, rates, rotation, out.volume, dt, state);
-  out.viscous_work = viscous_work(viscosity.pressure, dt * middle_volume * gradient.trace(), state);
-  out.dissipated = middle_volume * (point.plastic_work - flowed) + out.hourglass_work + out.viscous_work;
+  out.dissipated = material.hydro
+                       ? out.hourglass_work
+                       : middle_volume * (point.plastic_work - flowed) + out.hourglass_work + out.viscous_work;
 
   // f = σ b + Σ Q (shape − b · (shape · x) / V), Q of viscous control
   Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();

@@ -22,18 +22,24 @@ void add(BrickModes& sum, double factor, const BrickModes& other) {
 /// Adds `trace` / 3 to the diagonal in place of the own trace.
 void set_trace(Matrix& m, double trace) { m.diagonal().array() += (trace - m.trace()) / 3; }
 
-/// Updates all stresses over the step; returns the plastic work.
-double update_points(const SolidProperties& properties, const BrickMap& middle, const BrickModes& v, double volume_rate,
-                     double dt, std::span<PointState, 8> points) {
+struct PointWorks {
+  double plastic = 0;
+  double deviatoric = 0;  ///< with an equation of state
+};
+
+/// Updates all stresses over the step; returns the works.
+PointWorks update_points(const SolidProperties& properties, const BrickMap& middle, const BrickModes& v,
+                         double volume_rate, double dt, std::span<PointState, 8> points) {
   EightMatrices gradients = brick_gradients(middle, v);
-  double plastic_work = 0;
+  PointWorks works;
   for (std::size_t p = 0; p < 8; ++p) {
     set_trace(gradients[p], volume_rate);
-    const double before = points[p].plastic_work;
+    const double before = points[p].plastic_work, deviatoric = deviatoric_energy(properties.material, points[p]);
     update_solid_stress(properties.material, gradients[p], dt, points[p]);
-    plastic_work += middle.volume[p] * (points[p].plastic_work - before);
+    works.plastic += middle.volume[p] * (points[p].plastic_work - before);
+    works.deviatoric += middle.volume[p] * (deviatoric_energy(properties.material, points[p]) - deviatoric);
   }
-  return plastic_work;
+  return works;
 }
 
 /// The forces of the points' stresses with their mean pressure, and of the viscous one.
@@ -92,6 +98,7 @@ double least_share(SolidRule rule) { return rule == SolidRule::wedge ? 12 : 8; }
 double eight_point_energy(const SolidProperties& properties, const SolidState& state, const std::array<Vector, 8>& x,
                           std::span<const PointState, 8> points) {
   if (properties.material.kind == MaterialKind::rubber) return state.strain_energy;
+  if (properties.material.hydro) return fluid_energy(properties.material, state);
   const BrickMap map = brick_map(SolidRule::eight_points, brick_modes(x));
   double energy = 0;
   for (std::size_t p = 0; p < 8; ++p) energy += map.volume[p] * elastic_energy(properties.material, points[p].stress);
@@ -110,22 +117,25 @@ SolidForces eight_point_forces(const SolidProperties& properties, SolidRule rule
   const double volume_rate = mean_gradient(middle, v).trace();
   const bool rubber = material.kind == MaterialKind::rubber;
   RubberForces of_rubber;
+  PointWorks works;
   if (rubber)
     of_rubber = rubber_forces(material, end, x, state, points);
   else
-    out.dissipated = update_points(properties, middle, v, volume_rate, dt, points);
+    works = update_points(properties, middle, v, volume_rate, dt, points);
   if (!of_rubber.good) return out;
 
   const double density = state.mass / out.volume, length = out.volume / largest_face_area(corners.x);
-  const double speed = std::sqrt(material.wave_modulus() / density);
+  const double speed = std::sqrt(solid_stiffness(material, state).wave / density);
   const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, volume_rate);
   out.viscous_work = viscous_work(viscosity.pressure, dt * middle.total * volume_rate, state);
-  out.dissipated += out.viscous_work;
-  const double stiffness = rubber ? of_rubber.stiffness : std::max(3 * material.bulk(), 2 * material.shear());
-  const double shear = rubber || !(stiffness > 0) ? 1 : 2 * material.shear() / stiffness;
-  set_time_steps(properties, density, length, gradient_bound(end, x, 1, shear) / out.volume, least_share(rule),
-                 viscosity, out, rubber ? stiffness : 0);
-  out.manual_step = length / speed;
+  out.dissipated = material.hydro ? 0 : works.plastic + out.viscous_work;
+  update_pressure(material, out.volume, works.deviatoric + out.viscous_work, state, points);
+  for (PointState& point : points) erode(material, dt, point);
+  const SolidStiffness stiffness = solid_stiffness(material, state, of_rubber.stiffness);
+  const double shear = rubber || !(stiffness.bound > 0) ? 1 : 2 * material.shear() / stiffness.bound;
+  set_time_steps(density, length, gradient_bound(end, x, 1, shear) / out.volume, least_share(rule), viscosity,
+                 stiffness, out);
+  out.manual_step = length / std::sqrt(stiffness.wave / density);
 
   if (rubber)
     add(of_rubber.forces, -viscosity.pressure, end.slope);

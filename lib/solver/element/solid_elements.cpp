@@ -30,6 +30,12 @@ double least_volume(const SolidProperties& properties, const SolidKind& kind, co
 void set_references(const SolidProperties& properties, const SolidKind& kind, const std::array<Vector, 8>& x,
                     SolidState& solid) {
   const bool rubber = properties.material.kind == MaterialKind::rubber;
+  if (properties.material.hydro) {
+    solid.fluid.energy = properties.material.hydro->state.initial_energy;
+    solid.fluid.reference_volume = kind.tetrahedron              ? tetrahedron_volume(x)
+                                   : has_eight_points(kind.rule) ? brick_map(kind.rule, brick_modes(x)).total
+                                                                 : brick_volume(properties, x);
+  }
   if (has_eight_points(kind.rule)) {
     if (rubber) solid.undeformed_brick = std::make_shared<const BrickMap>(brick_map(kind.rule, brick_modes(x)));
     return;
@@ -150,6 +156,7 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
 bool SolidElements::fails(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces) {
   const std::span<const PointState> points = this->points(solid);
   if (std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; })) return true;
+  if (past_time(properties(solid).material.erosion, time)) return true;
   if (!forces.good) return inverted_fail_;
   const WeldLimits& weld = properties(solid).weld;
   return weld.exist() && weld_fails(weld, brick_resultants(corners.x, forces.force), time, least_plastic_strain(points),

@@ -39,7 +39,7 @@ class SolidElements {
   /// False: none ever fails.
   [[nodiscard]] bool can_fail() const {
     return inverted_fail_ || std::any_of(properties_.begin(), properties_.end(), [](const SolidProperties& p) {
-             return p.material.failure_strain > 0 || p.weld.exist();
+             return p.material.can_fail() || p.weld.exist();
            });
   }
   /// Its point has failed, or it was a spotweld and is torn: it has no stress, no force and no time step any more.

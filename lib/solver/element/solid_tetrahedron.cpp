@@ -46,18 +46,23 @@ SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCor
     gram += end[a] * end[a].transpose() / (out.volume * out.volume);
     squared_face = std::max(squared_face, 9 * end[a].squaredNorm());
   }
-  const double flowed = point.plastic_work;
-  update_solid_stress(properties.material, gradient, dt, point);
-  const double rubber = properties.material.kind == MaterialKind::rubber
-                            ? update_rubber(properties.material, tetrahedron_axes(corners.x), out.volume, state, point)
+  const Material& material = properties.material;
+  const double flowed = point.plastic_work, deviatoric = deviatoric_energy(material, point);
+  update_solid_stress(material, gradient, dt, point);
+  const double rubber = material.kind == MaterialKind::rubber
+                            ? update_rubber(material, tetrahedron_axes(corners.x), out.volume, state, point)
                             : 0;
   const double density = state.mass / out.volume;
   const double length = 3 * out.volume / std::sqrt(squared_face);  // the shortest height
-  const double speed = std::sqrt(properties.material.wave_modulus() / density);
+  const double speed = std::sqrt(solid_stiffness(material, state).wave / density);
   const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, gradient.trace());
   out.viscous_work = viscous_work(viscosity.pressure, dt * middle_volume * gradient.trace(), state);
-  out.dissipated = middle_volume * (point.plastic_work - flowed) + out.viscous_work;
-  set_time_steps(properties, density, length, gram.cwiseAbs().rowwise().sum().maxCoeff(), 4, viscosity, out, rubber);
+  const double work = middle_volume * (deviatoric_energy(material, point) - deviatoric) + out.viscous_work;
+  update_pressure(material, out.volume, work, state, {&point, 1});
+  erode(material, dt, point);
+  out.dissipated = material.hydro ? 0 : middle_volume * (point.plastic_work - flowed) + out.viscous_work;
+  set_time_steps(density, length, gram.cwiseAbs().rowwise().sum().maxCoeff(), 4, viscosity,
+                 solid_stiffness(material, state, rubber), out);
   const Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();
   for (std::size_t a = 0; a < 4; ++a) out.force[a] = stress * end[a];
   out.good = std::isfinite(out.force[0].sum() + out.force[1].sum() + out.force[2].sum());

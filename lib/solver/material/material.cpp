@@ -17,8 +17,15 @@ Symmetric elastic_trial(const Material& material, const Symmetric& increment, co
   return trial;
 }
 
-/// The yield stress for one step.
-StepYield step_yield(const Material& material, const Symmetric& increment, double dt) {
+/// The rate of the whole strain that Johnson and Cook's laws take: √(2/3 ε̇ : ε̇).
+double effective_rate(const Symmetric& increment, double dt) {
+  return dt > 0 ? std::sqrt(2.0 / 3 * contract(increment, increment)) / dt : 0;
+}
+
+/// The yield stress for one step from `start`.
+StepYield step_yield(const Material& material, const Symmetric& increment, double dt, const PointState& start) {
+  if (const auto& law = material.johnson_cook)
+    return {material, effective_rate(increment, dt), dt, law->softening(law->warmth(start.plastic_work))};
   const bool by_rate = dt > 0 && (material.rate_c > 0 || !material.table.curves.empty());
   return {material, by_rate ? std::sqrt(contract(increment, increment)) / dt : 0, dt};
 }
@@ -96,11 +103,47 @@ double plastic_plane(const Material& material, Symmetric increment, const StepYi
   return increment[zz];
 }
 
-/// Removes the stress from a point that has reached the failure strain.
+/// What damage needs to know of a point before a step.
+struct BeforeFlow {
+  double plastic_strain, plastic_work;
+  explicit BeforeFlow(const PointState& point)
+      : plastic_strain(point.plastic_strain), plastic_work(point.plastic_work) {}
+};
+
+/// Adds the damage of a step after Johnson and Cook. `mean`: the mean stress, tension positive.
+void grow_damage(const Material& material, const Symmetric& increment, double dt, const BeforeFlow& before, double mean,
+                 PointState& point) {
+  if (!material.johnson_cook || !material.johnson_cook->fails) return;
+  const double flow = point.plastic_strain - before.plastic_strain;
+  if (!(flow > 0)) return;
+  const JohnsonCook& law = *material.johnson_cook;
+  const Symmetric s = deviator(point.stress);
+  const double size = std::sqrt(1.5 * contract(s, s));
+  const double rate = material.viscoplastic ? flow / dt : effective_rate(increment, dt);
+  const double limit = law.failure_strain(size > 0 ? mean / size : 0, rate, law.warmth(before.plastic_work));
+  point.damage += limit > 0 ? flow / limit : 1;
+}
+
+/// Removes the stress from a point that has reached the failure strain, or whose damage is complete.
 void fail_when_due(const Material& material, PointState& point) {
-  if (!(material.failure_strain > 0) || !(point.plastic_strain >= material.failure_strain)) return;
+  const bool strained = material.failure_strain > 0 && point.plastic_strain >= material.failure_strain;
+  if (!strained && !(point.damage >= 1)) return;
   point.failed = true;
   point.stress = point.back_stress = {};
+}
+
+/// update_stress() with an equation of state.
+void update_deviator(const Material& material, const Symmetric& increment, double dt, PointState& point) {
+  PointState start = point;
+  start.stress = deviator(point.stress);
+  if (material.shear() > 0) {
+    Symmetric trial = start.stress;
+    for (std::size_t i = 0; i < 6; ++i) trial[i] += 2 * material.shear() * increment[i];
+    point = radial_return(material, trial, step_yield(material, increment, dt, start), start).point;
+  } else if (dt > 0) {
+    for (std::size_t i = 0; i < 6; ++i) point.stress[i] = 2 * material.hydro->viscosity / dt * increment[i];
+    point.plastic_work += (contract(start.stress, increment) + contract(point.stress, increment)) / 2;
+  }
 }
 
 /// update_plane_stress() of a point that can carry stress.
@@ -111,7 +154,7 @@ double plane_stress(const Material& material, const Symmetric& increment, double
   const double through = elastic_plane(material, increment, trial);
   Symmetric rate_increment = increment;
   rate_increment[zz] = through;
-  const StepYield yield = step_yield(material, rate_increment, dt);
+  const StepYield yield = step_yield(material, rate_increment, dt, point);
   if (!(relative(trial, point.back_stress).size > yield.stress(point.plastic_strain))) {
     point.stress = trial;
     return through;
@@ -124,12 +167,15 @@ double plane_stress(const Material& material, const Symmetric& increment, double
 bool Material::valid() const {
   if (!std::isfinite(density) || density <= 0) return false;
   if (kind == MaterialKind::null) return true;
+  if (hydro)
+    return std::isfinite(hydro->shear) && hydro->shear >= 0 &&
+           (hydro->shear == 0 || johnson_cook || yield.stress(0) > 0);
   if (!std::isfinite(young) || young <= 0 || !(poisson > -1 && poisson < 0.5)) return false;
   if (kind == MaterialKind::anisotropic)
     return !yield.empty() && yield.stress(0) >= 0 && std::isfinite(anisotropy) && anisotropy >= 0;
   if (kind == MaterialKind::rubber)
     return std::isfinite(rubber.a) && std::isfinite(rubber.b) && std::isfinite(rubber.d);
-  if (kind != MaterialKind::plastic) return true;
+  if (kind != MaterialKind::plastic || johnson_cook) return true;
   for (const YieldCurve& curve : table.curves)
     if (curve.empty() || !(curve.stress(0) > 0)) return false;
   return !yield.empty() && yield.stress(0) > 0 && std::isfinite(kinematic_slope) && kinematic_slope >= 0;
@@ -153,7 +199,7 @@ double Material::viscous_stress(double plastic_strain, double plastic_rate) cons
 }
 
 YieldCurve::Return StepYield::solve(double trial, double resistance, double plastic_strain) const {
-  if (!(dt_ > 0)) return law_.solve(trial, resistance, plastic_strain);
+  if (!(dt_ > 0) && !material_->johnson_cook) return law_.solve(trial, resistance, plastic_strain);
   const auto excess = [&](double increment) {
     return trial - resistance * increment - after(plastic_strain, increment);
   };
@@ -176,25 +222,57 @@ Material plastic_kinematic(double density, double young, double poisson, double 
 
 double elastic_energy(const Material& material, const Symmetric& stress) {
   if (!material.has_stress()) return 0;
+  if (material.hydro) {
+    const Symmetric s = deviator(stress);
+    return material.shear() > 0 ? contract(s, s) / (4 * material.shear()) : 0;
+  }
   const double sum = trace(stress), nu = material.poisson;
   return ((1 + nu) * contract(stress, stress) - nu * sum * sum) / (2 * material.young);
 }
 
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
   if (!material.has_stress() || point.failed) return;
+  const BeforeFlow before(point);
+  if (material.hydro) {
+    const double mean = trace(point.stress) / 3;  // the pressure of this step is not known yet
+    update_deviator(material, deviator(increment), dt, point);
+    grow_damage(material, increment, dt, before, mean, point);
+    fail_when_due(material, point);
+    return;
+  }
   const Symmetric trial = elastic_trial(material, increment, point.stress);
   if (material.kind == MaterialKind::elastic)
     point.stress = trial;
   else
-    point = radial_return(material, trial, step_yield(material, increment, dt), point).point;
+    point = radial_return(material, trial, step_yield(material, increment, dt, point), point).point;
+  grow_damage(material, increment, dt, before, trace(point.stress) / 3, point);
   fail_when_due(material, point);
 }
 
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
-  if (!material.has_stress() || point.failed) return 0;
-  const double through = plane_stress(material, increment, dt, point);
+  if (point.failed || (!material.has_stress() && !material.erosion)) return 0;
+  const BeforeFlow before(point);
+  const double through = material.has_stress() ? plane_stress(material, increment, dt, point) : 0;
+  Symmetric whole = increment;
+  whole[zz] = through;
+  grow_damage(material, whole, dt, before, trace(point.stress) / 3, point);
   fail_when_due(material, point);
+  if (material.erosion) {
+    for (std::size_t i = 0; i < 6; ++i) point.strain[i] += whole[i];
+    erode(material, dt, point);
+  }
   return through;
+}
+
+void erode(const Material& material, double dt, PointState& point) {
+  if (!material.erosion || !(dt > 0) || point.failed) return;
+  const Erosion& erosion = *material.erosion;
+  const ErosionMeasures measures = erosion_measures(point.stress, point.strain, point.plastic_strain);
+  const double excess = std::max(measures.principal_stress - erosion.threshold, 0.0);
+  point.impulse += excess * excess * dt;
+  if (erosion.met(measures, point.impulse) < erosion.conditions) return;
+  point.failed = point.eroded = true;
+  point.stress = point.back_stress = {};
 }
 
 }  // namespace gapcheck::solver

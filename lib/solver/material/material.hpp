@@ -1,7 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <memory>
+#include <optional>
 
+#include "solver/material/erosion.hpp"
 #include "solver/material/hardening.hpp"
+#include "solver/material/hydrodynamic.hpp"
+#include "solver/material/johnson_cook.hpp"
 #include "solver/material/rubber.hpp"
 #include "solver/state/tensor.hpp"
 
@@ -13,7 +18,12 @@ struct PointState {
   Symmetric back_stress{};    ///< centre of the yield surface, deviatoric
   double plastic_strain = 0;  ///< effective
   double plastic_work = 0;    ///< per volume, since the start
+  double damage = 0;          ///< of 015: Σ Δε̄ / ε̄ at failure; it fails at 1
   bool failed = false;        ///< no stress from then on
+  // Of materials with erosion alone:
+  Symmetric strain{};   ///< sum of the strain increments
+  double impulse = 0;   ///< ∫ (σ₁ − SIGTH)² dt over the times when σ₁ is above SIGTH
+  bool eroded = false;  ///< it has failed by its erosion criteria
 };
 
 enum class MaterialKind : std::uint8_t {
@@ -23,6 +33,7 @@ enum class MaterialKind : std::uint8_t {
   null,         ///< 009: mass, no stress
   rigid,        ///< 020: no stress; elastic constants count for contact and time step only
   rubber,       ///< 027: stress by the deformation since the start (rubber.hpp), in solids only
+  hydro,  ///< 009, 010 and 015 with an equation of state, in solids only: points have deviators, pressures are added
 };
 
 /// Yield curves over the strain rate, rates rising, curves aligned. Linear in the rate (or its logarithm) between them,
@@ -46,15 +57,23 @@ struct Material {
   Rubber rubber = {};             ///< of 027
   bool viscoplastic = false;      ///< VP = 1: the rate is that of the effective plastic strain
   double rate_stress = 0;         ///< SIGY of 024 with VP = 1, which the rate multiplies; 0: it multiplies the whole
+  std::optional<Erosion> erosion = {};                   ///< *MAT_ADD_EROSION
+  std::shared_ptr<const JohnsonCook> johnson_cook = {};  ///< of 015 and 098; replaces `yield`
+  std::shared_ptr<const Hydrodynamic> hydro = {};        ///< of the kind `hydro`; then E and ν do not count
 
-  [[nodiscard]] double shear() const { return young / (2 * (1 + poisson)); }
-  [[nodiscard]] double bulk() const { return young / (3 * (1 - 2 * poisson)); }
+  [[nodiscard]] double shear() const { return hydro ? hydro->shear : young / (2 * (1 + poisson)); }
+  /// Of equations of state: at rest.
+  [[nodiscard]] double bulk() const { return hydro ? hydro->bulk : young / (3 * (1 - 2 * poisson)); }
   /// Largest stiffness of a plane wave: K + 4/3 G. Of rubber K, which LS-DYNA takes (read off a run).
   [[nodiscard]] double wave_modulus() const {
     return bulk() + (kind == MaterialKind::rubber ? 0 : 4.0 / 3.0 * shear());
   }
   /// Of a plate: E / (1 − ν²).
   [[nodiscard]] double plate_modulus() const { return young / (1 - poisson * poisson); }
+  /// Points may fail, by the material's own criteria or by erosion.
+  [[nodiscard]] bool can_fail() const {
+    return failure_strain > 0 || erosion.has_value() || (johnson_cook && johnson_cook->fails);
+  }
   [[nodiscard]] bool has_stress() const { return kind != MaterialKind::null && kind != MaterialKind::rigid; }
   /// The yield stress at a strain rate.
   [[nodiscard]] YieldLaw yield_at(double rate) const;
@@ -70,15 +89,24 @@ struct Material {
 class StepYield {
  public:
   /// `total_rate`: of the whole strain; with VP = 1 the rate of the plastic strain counts instead, its increment / dt.
-  StepYield(const Material& material, double total_rate, double dt)
+  /// `softening`: factor by which heat has softened laws after Johnson and Cook.
+  StepYield(const Material& material, double total_rate, double dt, double softening = 1)
       : material_(&material),
         law_(material.yield_at(material.viscoplastic ? 0 : total_rate)),
+        rate_(material.viscoplastic ? 0 : total_rate),
+        softening_(softening),
         dt_(material.viscoplastic ? dt : 0) {}
 
   /// Before it flows.
-  [[nodiscard]] double stress(double plastic_strain) const { return law_.stress(plastic_strain); }
+  [[nodiscard]] double stress(double plastic_strain) const {
+    if (material_->johnson_cook) return softening_ * material_->johnson_cook->stress(plastic_strain, rate_);
+    return law_.stress(plastic_strain);
+  }
   /// After the plastic strain has grown by `increment` in the step.
   [[nodiscard]] double after(double plastic_strain, double increment) const {
+    if (material_->johnson_cook)
+      return softening_ *
+             material_->johnson_cook->stress(plastic_strain + increment, dt_ > 0 ? increment / dt_ : rate_);
     return dt_ > 0 ? material_->viscous_stress(plastic_strain + increment, increment / dt_)
                    : law_.stress(plastic_strain + increment);
   }
@@ -89,6 +117,7 @@ class StepYield {
  private:
   const Material* material_;
   YieldLaw law_;
+  double rate_, softening_;
   double dt_;  ///< 0: the plastic rate does not count
 };
 
@@ -96,17 +125,23 @@ class StepYield {
 [[nodiscard]] Material plastic_kinematic(double density, double young, double poisson, double yield, double tangent,
                                          double beta);
 
-/// Elastic energy per volume of a stress: ½ σ : C⁻¹ : σ. Zero for materials without stress. Not for rubber.
+/// Elastic energy per volume of a stress: ½ σ : C⁻¹ : σ; of `hydro` that of its deviator. Zero for materials without
+/// stress. Not for rubber.
 [[nodiscard]] double elastic_energy(const Material& material, const Symmetric& stress);
 
 /// Adds the strain increment (over dt) to a point in three dimensions. Plasticity: radial return to the von Mises
 /// cylinder (Wilkins; Krieg and Key), exact for a piecewise linear curve. Null, rigid and failed: stress stays zero.
 /// Not for rubber.
+/// Of `hydro` the deviator alone: return mapping, or 2 μ dev ε̇ without a shear modulus, whose work counts as plastic.
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
 
 /// The same with σzz = 0: increment[zz] is not read but solved for, and returned. Plastic points iterate on it with the
 /// consistent tangent (Simo and Taylor 1985) until σzz is below 1e-10 of the yield stress.
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
+
+/// Fails a point whose stress and strain at the end of a step of dt meet the material's erosion criteria; nothing
+/// without erosion or with dt = 0.
+void erode(const Material& material, double dt, PointState& point);
 
 /// Material 037 in plane stress: transverse isotropy after Hill with the Lankford parameter R,
 /// q² = σxx² + σyy² − 2R/(1+R) σxx σyy + 2(1+2R)/(1+R) σxy² + 3 (σyz² + σzx²) <= σ(ε̄)², associated flow. Pressure,
