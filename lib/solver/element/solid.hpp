@@ -5,6 +5,7 @@
 
 #include "solver/element/brick_map.hpp"
 #include "solver/element/hourglass.hpp"
+#include "solver/element/section_stress.hpp"
 #include "solver/material/material.hpp"
 
 namespace gapcheck::solver {
@@ -43,6 +44,8 @@ struct SolidState {
   double strain_energy = 0;  ///< of rubber
   /// Of rubber with eight points: the undeformed brick.
   std::shared_ptr<const BrickMap> undeformed_brick;
+  /// Replaces part of each point's stress after its update; nullptr: nothing does.
+  const ImposedStress3* imposed = nullptr;
 };
 
 /// Internal forces on the corners (the solid pulls its nodes with the opposite) and what the step needs to know.

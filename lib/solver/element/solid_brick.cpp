@@ -184,6 +184,7 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
   const Matrix gradient = outer_sum(corners.v, middle) / middle_volume;
   const double flowed = point.plastic_work;
   const Matrix rotation = update_solid_stress(properties.material, gradient, dt, point);
+  if (state.imposed != nullptr) point.stress = state.imposed->on(point.stress);
   const double rubber = properties.material.kind == MaterialKind::rubber
                             ? update_rubber(properties.material, brick_axes(corners.x), out.volume, state, point)
                             : 0;

@@ -48,6 +48,7 @@ SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCor
   }
   const double flowed = point.plastic_work;
   update_solid_stress(properties.material, gradient, dt, point);
+  if (state.imposed != nullptr) point.stress = state.imposed->on(point.stress);
   const double rubber = properties.material.kind == MaterialKind::rubber
                             ? update_rubber(properties.material, tetrahedron_axes(corners.x), out.volume, state, point)
                             : 0;
