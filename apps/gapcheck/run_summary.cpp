@@ -50,6 +50,18 @@ std::string contact_rows(const solver::Run& run) {
   return text;
 }
 
+/// The cross-sections with a preload.
+std::string section_rows(const solver::Run& run) {
+  const solver::SolidElements& solids = run.stepper().structure().solids;
+  std::string text;
+  for (std::size_t i = 0; i < solids.sections().size(); ++i) {
+    const solver::SectionStress& section = solids.sections()[i];
+    text += fmt::format("  section {}: preload {:g} until time {:g}, carries {:.5g} now\n", section.id,
+                        section.curve.at(section.end), section.end, solids.section_force(i));
+  }
+  return text.empty() ? "" : "\n" + text;
+}
+
 /// Whose energy by its state is not the work that it took.
 std::string fault_lines(const solver::StateBalance& balance) {
   std::string text;
@@ -83,7 +95,7 @@ std::string run_summary(const solver::Run& run, solver::RunEnd end) {
           row("energy ratio", e.printed_ratio());
   const solver::StateBalance balance = state_balance(run);
   text += row("by the state", balance.ratio);
-  return text + contact_rows(run) + fault_lines(balance);
+  return text + contact_rows(run) + section_rows(run) + fault_lines(balance);
 }
 
 std::string run_statistics(const solver::Run& run) {

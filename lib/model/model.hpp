@@ -11,9 +11,11 @@
 #include "model/contact/contact.hpp"
 #include "model/entity/beam_preload.hpp"
 #include "model/entity/boundary.hpp"
+#include "model/entity/cross_section.hpp"
 #include "model/entity/curve.hpp"
 #include "model/entity/equation_of_state.hpp"
 #include "model/entity/erosion.hpp"
+#include "model/entity/initial_stress.hpp"
 #include "model/entity/initial_velocity.hpp"
 #include "model/entity/loads.hpp"
 #include "model/entity/mesh.hpp"
@@ -76,9 +78,13 @@ struct Model {
   std::vector<NodeConstraint> node_constraints;
   std::vector<PrescribedMotion> prescribed_motions;
   std::map<std::int64_t, DirectionVector> vectors;
+  std::map<std::int64_t, LocalSystem> systems;  ///< those that supports, loads and vectors name
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodeVelocity> node_velocities;
   std::vector<BeamPreload> beam_preloads;
+  std::vector<InitialStress> initial_stresses;
+  std::vector<CrossSection> cross_sections;
+  std::vector<SectionPreload> section_preloads;
   Loads loads;
   std::map<std::int64_t, HourglassControl> hourglass;  ///< *HOURGLASS
   Controls controls;

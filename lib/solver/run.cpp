@@ -13,6 +13,7 @@
 #include "solver/check_deck.hpp"
 #include "solver/condition/conditions.hpp"
 #include "solver/constraint/constraint_contact.hpp"
+#include "solver/contact/contact_method.hpp"
 #include "solver/tie/tie_constraints.hpp"
 #include "solver/tie/tie_forces.hpp"
 
@@ -34,6 +35,39 @@ std::vector<bool> movable_nodes(const Structure& structure) {
   for (std::size_t i = 0; i < movable.size(); ++i)
     movable[i] = !structure.rigid.holds(i) && (structure.constraints.mask(i) & translations) != translations;
   return movable;
+}
+
+/// Rigid walls, constraint ties and constraint contacts know the degrees of freedom of the global axes only, and walls
+/// those that are held from the start to the end.
+SolverStatus check_supports(const model::Model& model, const Structure& structure) {
+  const auto timed = std::find_if(model.spcs.begin(), model.spcs.end(),
+                                  [](const model::SinglePointConstraint& spc) { return !spc.lifetime.always(); });
+  if (timed != model.spcs.end() && !model.rigid_walls.empty())
+    return Failure{
+        Failure::Kind::not_calculated,
+        "supports with a birth or death time are not calculated in one run with rigid walls, which would not "
+        "see the released nodes; remove the times or the walls",
+        timed->place};
+  const NodeIndex node = structure.constraints.first_with_axes();
+  if (node == none<NodeIndex>) return {};
+  const auto refused = [&](std::string_view what, model::Place place) {
+    return Failure{
+        Failure::Kind::not_calculated,
+        fmt::format("{} and conditions in local axes, as those of node {}, are not calculated in one run; give "
+                    "the conditions in the global axes",
+                    what, structure.node_id[node.value]),
+        place};
+  };
+  if (!model.rigid_walls.empty()) return refused("rigid walls", model.rigid_walls[0].place);
+  for (const model::Contact& contact : model.contacts) {
+    if (choose_method(contact).method == ContactMethod::constraint)
+      return refused(fmt::format("contact {} (*{}), which acts by constraints,", contact.id.value, contact.written),
+                     contact.place);
+    if (contact::ties_by_constraint(contact::classify(contact)))
+      return refused(fmt::format("contact {} (*{}), which ties by constraints,", contact.id.value, contact.written),
+                     contact.place);
+  }
+  return {};
 }
 
 /// Constraint ties act after rigid walls, and may move on what a wall has stopped.
@@ -104,6 +138,7 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   std::vector<std::unique_ptr<Force>> forces;
   if (const SolverStatus applied = apply_conditions(model, built, forces, diagnostics); !applied.ok())
     return applied.error();
+  if (const SolverStatus known = check_supports(model, built); !known.ok()) return known.error();
   if (const SolverStatus added = add_walls_and_springs(model, built, forces, diagnostics); !added.ok())
     return added.error();
   // A side effect of eroding contacts in the solver.

@@ -54,6 +54,19 @@ void accelerate_node(const Freedoms& f, unsigned bits, const Imposed& imposed, d
   sums.work += last_step / 2 * (f.before + f.external).dot(old);
 }
 
+/// The same in axes of the node's own.
+template <class Imposed>
+void accelerate_in_axes(const Matrix& axes, const Freedoms& f, unsigned bits, const Imposed& imposed, double mean,
+                        double last_step, bool first, NodeSums& sums) {
+  const Matrix local = axes.transpose();
+  Vector velocity = local * f.velocity, net = local * f.net, external = local * f.external;
+  const Vector before = local * f.before;
+  accelerate_node({f.mass, velocity, net, external, before}, bits, imposed, mean, last_step, first, sums);
+  f.velocity = axes * velocity;
+  f.net = axes * net;
+  f.external = axes * external;
+}
+
 /// ω² dt² of elements with this stable step at the coming one, at most: never less than at 0.9 of the stable step,
 /// which other forces are tuned to, nor more than what keeps them stable.
 double share_of_step(double stable_step, const State& state) {
@@ -73,10 +86,16 @@ Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::m
   // Moved degrees of freedom move from the start.
   State& state = structure_.state;
   for (std::size_t i = 0; i < nodes; ++i)
-    for (std::size_t freedom = 0; freedom < 6; ++freedom)
-      if ((structure_.constraints.mask(i, state.time, 0) >> freedom & 1u) != 0)
-        (freedom < 3 ? state.v : state.w)[i][static_cast<int>(freedom % 3)] =
-            structure_.constraints.velocity(i, freedom, state.time, 0);
+    for (std::size_t freedom = 0; freedom < 6; ++freedom) {
+      if ((structure_.constraints.mask(i, state.time, 0) >> freedom & 1u) == 0) continue;
+      Vector& velocity = (freedom < 3 ? state.v : state.w)[i];
+      const auto axis = static_cast<int>(freedom % 3);
+      const double imposed = structure_.constraints.velocity(i, freedom, state.time, 0);
+      if (const Matrix* axes = structure_.constraints.axes(i); axes != nullptr)
+        velocity += (imposed - velocity.dot(axes->col(axis))) * axes->col(axis);
+      else
+        velocity[axis] = imposed;
+    }
   structure_.rigid.start(state);
 }
 
@@ -203,10 +222,15 @@ SolverStatus Stepper::accelerate(double next) {
           return structure_.constraints.velocity(i, offset + static_cast<std::size_t>(axis), state.time, next);
         };
       };
-      accelerate_node({mass, state.v[i], net_.force[i], external_.force[i], before_.force[i]}, mask & 7u, imposed(0),
-                      mean, state.dt, first, sum);
-      accelerate_node({inertia, state.w[i], net_.moment[i], external_.moment[i], before_.moment[i]}, mask >> 3,
-                      imposed(3), mean, state.dt, first, sum);
+      const Freedoms moves{mass, state.v[i], net_.force[i], external_.force[i], before_.force[i]};
+      const Freedoms turns{inertia, state.w[i], net_.moment[i], external_.moment[i], before_.moment[i]};
+      if (const Matrix* axes = rigid ? nullptr : structure_.constraints.axes(i); axes != nullptr) {
+        accelerate_in_axes(*axes, moves, mask & 7u, imposed(0), mean, state.dt, first, sum);
+        accelerate_in_axes(*axes, turns, mask >> 3, imposed(3), mean, state.dt, first, sum);
+      } else {
+        accelerate_node(moves, mask & 7u, imposed(0), mean, state.dt, first, sum);
+        accelerate_node(turns, mask >> 3, imposed(3), mean, state.dt, first, sum);
+      }
       const auto node = static_cast<std::uint32_t>(i);
       if (!std::isfinite(state.v[i].sum() + state.w[i].sum())) sum.not_a_number = std::min(sum.not_a_number, node);
       const bool loose = (!rigid && mass <= 0 && (mask & 7u) != 7u && net_.force[i] != Vector::Zero());

@@ -51,13 +51,13 @@ TEST(Supported, AssembliesOfWeldBricks) {
 
 TEST(Supported, KeywordsWithTheirPlaces) {
   const auto list =
-      unsupported_in("*KEYWORD\n*CONSTRAINED_JOINT_REVOLUTE\n1,2\n*INITIAL_STRESS_SHELL\n1\n*AIRBAG_ID\n1\n");
+      unsupported_in("*KEYWORD\n*CONSTRAINED_JOINT_REVOLUTE\n1,2\n*INITIAL_STRESS_BEAM\n1\n*AIRBAG_ID\n1\n");
   ASSERT_EQ(list.size(), 3u) << text_of(list);
   EXPECT_EQ(list[0].keyword, "CONSTRAINED_JOINT_REVOLUTE");
   EXPECT_EQ(list[0].file, "a.k");
   EXPECT_EQ(list[0].line, 2u);
   EXPECT_NE(list[0].why.find("does not know"), std::string::npos);
-  EXPECT_EQ(list[1].why, "elements begin without stress");
+  EXPECT_EQ(list[1].why, "of start stresses those of shells and solids are calculated");
   EXPECT_EQ(list[2].line, 6u);
 }
 

@@ -53,6 +53,12 @@ struct PrescribedMotion {
   Place place;
 };
 
+/// A local system that a condition names (CID).
+struct LocalSystem {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns: local x, y, z at the start
+  std::string fault;                                   ///< why the axes are not known; empty: they are
+};
+
 /// *DEFINE_VECTOR in the global system: from tail to head.
 struct DirectionVector {
   Vector direction = Vector::Zero();

@@ -21,6 +21,7 @@ struct ConcentratedLoad {
   std::int64_t curve = 0;
   double scale = 1;  ///< SF in the model's units
   std::int64_t system = 0;
+  std::array<std::int64_t, 3> followed{};  ///< M1 … M3: nodes whose normal DOF 4 and 8 follow
   Place place;
 };
 

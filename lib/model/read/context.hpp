@@ -47,6 +47,7 @@ struct Context {
   };
   std::vector<NodeMove> node_moves = {};
   std::map<std::int64_t, Result<Eigen::Matrix3d>> systems = {};  ///< local axes, once a move asked for them
+  std::set<std::int64_t> moving_systems = {};                    ///< *DEFINE_COORDINATE_NODES with FLAG = 1
   bool systems_read = false;
   std::size_t transformed_nodes = 0;     ///< by *NODE_TRANSFORM so far
   std::size_t immediate_moves_read = 0;  ///< rows with IMMED = 1 in decks with boxes
@@ -138,6 +139,10 @@ void read_initial_velocity(Context& context, const Block& block, const Options& 
 void read_initial_velocity_node(Context& context, const Block& block, const Options& options);
 void read_initial_velocity_generation(Context& context, const Block& block, const Options& options);
 void read_initial_velocity_rigid_body(Context& context, const Block& block, const Options& options);
+void read_initial_stress_shell(Context& context, const Block& block, const Options& options);
+void read_initial_stress_solid(Context& context, const Block& block, const Options& options);
+void read_cross_section(Context& context, const Block& block, const Options& options);
+void read_section_preload(Context& context, const Block& block, const Options& options);
 void read_beam_preload(Context& context, const Block& block, const Options& options);
 void read_spot_weld(Context& context, const Block& block, const Options& options);
 void read_generalized_weld(Context& context, const Block& block, const Options& options);
@@ -194,6 +199,8 @@ void finish_parts(Context& context);
 void finish_equations_of_state(Context& context);
 /// The axes of *DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR, as columns; the error says why they are not known.
 [[nodiscard]] Result<Eigen::Matrix3d> axes_of_system(Context& context, std::int64_t id);
+/// Puts the axes of a system that a condition names into Model::systems; nothing for 0.
+void note_system(Context& context, std::int64_t id);
 /// Moves the nodes of the parts that *PART_MOVE names.
 void finish_part_moves(Context& context);
 /// Moves the nodes of the rows of *NODE_TRANSFORM without IMMED = 1, which have waited.

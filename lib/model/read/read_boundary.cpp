@@ -61,6 +61,7 @@ void read_spc(Context& context, const Block& block, const Options& options) {
     SinglePointConstraint spc;
     spc.nodes = {card.integer(set ? "nsid" : "nid"), set};
     spc.system = card.integer("cid");
+    note_system(context, spc.system);
     for (std::size_t i = 0; i < freedoms.size(); ++i)
       if (card.integer(freedoms[i]) != 0) spc.freedoms = static_cast<std::uint8_t>(spc.freedoms | 1u << i);
     spc.place = Context::place(block, card.line());

@@ -75,6 +75,7 @@ void read_systems(Context& context) {
       };
       const Card card = reader.next(layout("card1"));
       const std::int64_t id = card.integer("cid");
+      if (form == "NODES" && card.integer("flag") != 0) context.moving_systems.insert(id);
       context.systems.try_emplace(id, form == "SYSTEM"
                                           ? axes_by_points(context, block, card, reader.next(layout("card2")))
                                       : form == "NODES" ? axes_by_nodes(context, card)
@@ -90,6 +91,19 @@ Result<Eigen::Matrix3d> axes_of_system(Context& context, std::int64_t id) {
   const auto found = context.systems.find(id);
   if (found == context.systems.end()) return plain_error("no *DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR defines it");
   return found->second;
+}
+
+void note_system(Context& context, std::int64_t id) {
+  if (id == 0 || context.model.systems.count(id) > 0) return;
+  LocalSystem system;
+  const Result<Eigen::Matrix3d> axes = axes_of_system(context, id);
+  if (!axes)
+    system.fault = axes.error().message;
+  else if (context.moving_systems.count(id) > 0)
+    system.fault = "it moves with its nodes (FLAG = 1)";
+  else
+    system.axes = axes.value();
+  context.model.systems.emplace(id, std::move(system));
 }
 
 }  // namespace gapcheck::model

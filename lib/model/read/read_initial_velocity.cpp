@@ -116,18 +116,4 @@ void read_initial_velocity_generation(Context& context, const Block& block, cons
   }
 }
 
-void read_beam_preload(Context& context, const Block& block, const Options&) {
-  const auto& layout = keyword::card_layout("INITIAL_AXIAL_FORCE_BEAM", "card1");
-  const keyword::Transform& units = context.transform(block);
-  const double force = units.mass_factor * units.length_factor / (units.time_factor * units.time_factor);
-  CardReader reader(context.deck, block, context.diagnostics);
-  while (!reader.at_end()) {
-    if (skip_blank(reader)) continue;
-    const Card card = reader.next(layout);
-    const double scale = card.real("scale");
-    context.model.beam_preloads.push_back({card.integer("bsid"), card.integer("lcid"), (scale == 0 ? 1 : scale) * force,
-                                           card.integer("kbend"), Context::place(block, card.line())});
-  }
-}
-
 }  // namespace gapcheck::model

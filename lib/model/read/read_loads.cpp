@@ -51,6 +51,8 @@ void read_concentrated_load(Context& context, const Block& block, const Options&
     load.curve = card.integer("lcid");
     load.scale = scale_of(card) * force_unit(units) * (load.freedom > 4 ? units.length_factor : 1);
     load.system = card.integer("cid");
+    note_system(context, load.system);
+    load.followed = {card.integer("m1"), card.integer("m2"), card.integer("m3")};
     load.place = Context::place(block, card.line());
     context.model.loads.concentrated.push_back(std::move(load));
   });

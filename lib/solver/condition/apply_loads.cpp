@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "solver/condition/condition_builder.hpp"
 #include "solver/condition/loads.hpp"
 #include "solver/element/nodal_mass.hpp"
@@ -14,33 +17,97 @@ void check_target(ConditionBuilder& builder, const model::ConcentratedLoad& load
   const Structure& structure = builder.structure;
   const bool moment = freedom >= 3;
   const double mass = (moment ? structure.state.inertia : structure.state.mass)[node.value];
-  if (mass > 0 || structure.rigid.holds(node.value) || (structure.constraints.mask(node.value) >> freedom & 1u) != 0)
-    return;
+  const unsigned mask = structure.constraints.mask(node.value), three = moment ? mask >> 3 : mask & 7u;
+  const bool local = structure.constraints.axes(node.value) != nullptr;
+  const bool held = local ? three == 7u : (mask >> freedom & 1u) != 0;
+  if (mass > 0 || structure.rigid.holds(node.value) || held) return;
   builder.fail(Failure::Kind::zero_mass, load.keyword, load.place,
                fmt::format("node {} has no {} to take up the load; give it one, hold it or remove the load",
                            structure.node_id[node.value], moment ? "rotational inertia" : "mass"));
+}
+
+/// The nodes M1 to M3; nothing after a failure.
+std::optional<std::array<NodeIndex, 3>> followed_nodes(ConditionBuilder& builder, const model::ConcentratedLoad& load) {
+  std::array<NodeIndex, 3> nodes;
+  if (std::count(load.followed.begin(), load.followed.end(), 0) > 0)
+    builder.fail(Failure::Kind::contradiction, load.keyword, load.place,
+                 fmt::format("DOF {} follows the normal of three nodes; give M1, M2 and M3", load.freedom));
+  for (std::size_t k = 0; k < 3 && !builder.failed(); ++k) {
+    const auto found = builder.nodes({load.followed[k], false}, load.keyword, load.place);
+    if (found.empty()) return std::nullopt;
+    nodes[k] = found[0];
+  }
+  if (builder.failed()) return std::nullopt;
+  const std::vector<Vector>& x = builder.structure.state.x;
+  const Vector a = x[nodes[1].value] - x[nodes[0].value], b = x[nodes[2].value] - x[nodes[0].value];
+  if (a.cross(b).norm() > 1e-9 * a.norm() * b.norm()) return nodes;
+  builder.fail(Failure::Kind::contradiction, load.keyword, load.place,
+               fmt::format("the nodes {}, {} and {} (M1 to M3) lie in one line and give no direction", load.followed[0],
+                           load.followed[1], load.followed[2]));
+  return std::nullopt;
+}
+
+/// A load along one axis, or along one of a local system by its three components.
+void add_direct(ConditionBuilder& builder, const model::ConcentratedLoad& load, const TimedValue& value,
+                ConcentratedLoads& loads) {
+  const bool moment = load.freedom >= 5;
+  const auto axis = static_cast<int>(load.freedom - (moment ? 5 : 1));
+  Vector direction = Vector::Unit(axis);
+  if (load.system != 0) {
+    const auto axes = builder.system(load.system, load.keyword, load.place);
+    if (!axes) return;
+    direction = axes->col(axis);
+  }
+  const auto body = load.rigid ? builder.body(load.part, load.keyword, load.place) : std::nullopt;
+  const std::vector<NodeIndex> nodes =
+      load.rigid ? std::vector<NodeIndex>() : builder.nodes(load.nodes, load.keyword, load.place);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double share = direction[static_cast<int>(k)];
+    if (share == 0) continue;
+    TimedValue part = value;
+    part.scale *= share;
+    const std::size_t freedom = k + (moment ? 3 : 0);
+    if (body) loads.add_body(*body, freedom, part);
+    for (const NodeIndex node : nodes) {
+      check_target(builder, load, node, freedom);
+      loads.add_node(node, freedom, part);
+    }
+  }
+}
+
+void add_follower(ConditionBuilder& builder, const model::ConcentratedLoad& load, const TimedValue& value,
+                  ConcentratedLoads& loads) {
+  const bool moment = load.freedom == 8;
+  if (load.system != 0)
+    return builder.fail(Failure::Kind::contradiction, load.keyword, load.place,
+                        fmt::format("DOF {} follows nodes and has no local system; set CID to 0", load.freedom));
+  const auto followed = followed_nodes(builder, load);
+  if (!followed) return;
+  if (load.rigid) {
+    if (const auto body = builder.body(load.part, load.keyword, load.place))
+      loads.follow(*body, true, moment, *followed, value);
+    return;
+  }
+  for (const NodeIndex node : builder.nodes(load.nodes, load.keyword, load.place)) {
+    for (std::size_t k = 0; k < 3; ++k) check_target(builder, load, node, k + (moment ? 3 : 0));
+    loads.follow(node.value, false, moment, *followed, value);
+  }
 }
 
 void apply_concentrated(ConditionBuilder& builder) {
   if (builder.model.loads.concentrated.empty()) return;
   auto loads = std::make_unique<ConcentratedLoads>();
   for (const model::ConcentratedLoad& load : builder.model.loads.concentrated) {
-    builder.refuse_system(load.system, load.keyword, load.place);
-    const bool force = load.freedom >= 1 && load.freedom <= 3, moment = load.freedom >= 5 && load.freedom <= 7;
-    if (!force && !moment)
+    if (load.freedom < 1 || load.freedom > 8)
       builder.fail(Failure::Kind::not_calculated, load.keyword, load.place,
-                   fmt::format("DOF {} is not calculated; 1 to 3 and 5 to 7 are", load.freedom));
+                   fmt::format("DOF {} is not calculated; 1 to 8 are", load.freedom));
     const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0};
     if (builder.failed()) return;
-    const auto freedom = static_cast<std::size_t>(load.freedom - (moment ? 2 : 1));
-    if (load.rigid) {
-      if (const auto body = builder.body(load.part, load.keyword, load.place)) loads->add_body(*body, freedom, value);
-      continue;
-    }
-    for (const NodeIndex node : builder.nodes(load.nodes, load.keyword, load.place)) {
-      check_target(builder, load, node, freedom);
-      loads->add_node(node, freedom, value);
-    }
+    if (load.freedom == 4 || load.freedom == 8)
+      add_follower(builder, load, value, *loads);
+    else
+      add_direct(builder, load, value, *loads);
+    if (builder.failed()) return;
   }
   builder.forces.push_back(std::move(loads));
 }

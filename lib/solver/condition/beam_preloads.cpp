@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solver/condition/condition_builder.hpp"
+#include "solver/condition/preload_curve.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -11,40 +11,10 @@ constexpr std::string_view preload_keyword = "INITIAL_AXIAL_FORCE_BEAM";
 
 /// The force up to where the curve ends or first falls.
 std::optional<AxialPreload> preload_of(ConditionBuilder& builder, const model::BeamPreload& preload) {
-  const auto written = builder.curve(preload.curve, preload_keyword, preload.place);
-  if (written == nullptr) return std::nullopt;
-  const model::Curve& curve = builder.model.curves.at(preload.curve);
-  if (curve.relaxation == 1)
-    builder.fail(
-        Failure::Kind::not_calculated, preload_keyword, preload.place,
-        fmt::format("curve {} is for dynamic relaxation only (SIDR = 1), which is not calculated; set SIDR to 0",
-                    preload.curve));
-  else if (curve.relaxation != 0)
-    builder.warn(
-        preload_keyword, preload.place,
-        fmt::format("the dynamic relaxation of curve {} (SIDR = {}) is not calculated; the preload acts in the "
-                    "run only",
-                    preload.curve, curve.relaxation));
-  std::vector<TimeCurve::Point> points = curve.points;
-  for (TimeCurve::Point& point : points) point = {point[0] * curve.abscissa_time, point[1] * preload.scale};
-  const auto falls =
-      std::adjacent_find(points.begin(), points.end(), [](const auto& a, const auto& b) { return b[1] < a[1]; });
-  const double end = points.empty() ? 0 : falls == points.end() ? points.back()[0] : (*falls)[0];
-  if (points.empty() || !(end > points.front()[0])) {
-    builder.fail(Failure::Kind::contradiction, preload_keyword, preload.place,
-                 fmt::format("the preload ends where curve {} (times SCALE) first falls or has its last point, here at "
-                             "its start; let it rise from 0 to the force",
-                             preload.curve));
-    return std::nullopt;
-  }
-  AxialPreload result{TimeCurve(std::move(points)), end, preload.kbend == 1};
-  const std::array<double, 2> limits{result.force.at(result.force.start()), result.force.at(end)};
-  if (limits[1] < 0 || !std::isfinite(limits[0]) || !std::isfinite(limits[1])) {
-    builder.fail(Failure::Kind::contradiction, preload_keyword, preload.place,
-                 fmt::format("the force ends at {:g}; beams are pulled together by forces above zero", limits[1]));
-    return std::nullopt;
-  }
-  return result;
+  constexpr PreloadWords words{preload_keyword, " (times SCALE)", "force", "forces", "beams"};
+  auto curve = preload_curve(builder, preload.curve, preload.scale, words, preload.place);
+  if (!curve) return std::nullopt;
+  return AxialPreload{std::move(curve->curve), curve->end, preload.kbend == 1};
 }
 
 /// Positions of the model's beams among those of the structure.

@@ -90,6 +90,47 @@ std::shared_ptr<const TimeCurve> ConditionBuilder::curve(std::int64_t id, std::s
   return curves_[id] = std::make_shared<const TimeCurve>(std::move(points));
 }
 
+std::optional<Matrix> ConditionBuilder::system(std::int64_t id, std::string_view keyword, model::Place place) {
+  const auto found = model.systems.find(id);
+  if (found != model.systems.end() && found->second.fault.empty() && found->second.axes.allFinite())
+    return Matrix(found->second.axes);
+  fail(Failure::Kind::not_calculated, keyword, place,
+       fmt::format("directions in the local system {} are not calculated: {}", id,
+                   found == model.systems.end() || found->second.fault.empty() ? "its axes are not known"
+                                                                               : found->second.fault));
+  return std::nullopt;
+}
+
+void ConditionBuilder::use_axes(const std::vector<NodeIndex>& nodes, const Matrix& axes, std::string_view keyword,
+                                model::Place place) {
+  if (axes.isIdentity(1e-12)) return refuse_axes(nodes, keyword, place);
+  Constraints& constraints = structure.constraints;
+  std::optional<std::uint32_t> position;
+  for (const NodeIndex node : nodes) {
+    const std::int64_t id = structure.node_id[node.value];
+    if (structure.rigid.holds(node.value))
+      return fail(Failure::Kind::not_calculated, keyword, place,
+                  fmt::format("node {} belongs to a rigid body, which local axes do not hold; hold the body", id));
+    const Matrix* present = constraints.axes(node.value);
+    if (present != nullptr ? present->isApprox(axes, 1e-12) : constraints.mask(node.value) == 0) {
+      if (present != nullptr) continue;
+      if (!position) position = constraints.add_axes(axes);
+      constraints.set_axes(node, *position);
+      continue;
+    }
+    return fail(Failure::Kind::not_calculated, keyword, place,
+                fmt::format("node {} is held or moved in two systems of axes; give both conditions in one", id));
+  }
+}
+
+void ConditionBuilder::refuse_axes(const std::vector<NodeIndex>& nodes, std::string_view keyword, model::Place place) {
+  for (const NodeIndex node : nodes)
+    if (structure.constraints.axes(node.value) != nullptr)
+      return fail(Failure::Kind::not_calculated, keyword, place,
+                  fmt::format("node {} is held or moved in two systems of axes; give both conditions in one",
+                              structure.node_id[node.value]));
+}
+
 void ConditionBuilder::refuse_system(std::int64_t system, std::string_view keyword, model::Place place) {
   if (system != 0)
     fail(Failure::Kind::not_calculated, keyword, place,

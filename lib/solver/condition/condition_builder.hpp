@@ -41,6 +41,13 @@ class ConditionBuilder {
   [[nodiscard]] std::optional<std::size_t> body(std::int64_t id, std::string_view keyword, model::Place place);
   /// A curve over time in the model's unit of time; nullptr after a failure. Ordinates are as written.
   [[nodiscard]] std::shared_ptr<const TimeCurve> curve(std::int64_t id, std::string_view keyword, model::Place place);
+  /// The axes of a local system, as columns; nothing after a failure.
+  [[nodiscard]] std::optional<Matrix> system(std::int64_t id, std::string_view keyword, model::Place place);
+  /// Lets the nodes' degrees of freedom have these axes. A failure names a node of a rigid body, or one that has
+  /// constraints in other axes.
+  void use_axes(const std::vector<NodeIndex>& nodes, const Matrix& axes, std::string_view keyword, model::Place place);
+  /// A failure if one of the nodes has axes of its own.
+  void refuse_axes(const std::vector<NodeIndex>& nodes, std::string_view keyword, model::Place place);
   /// A failure if a local system is named.
   void refuse_system(std::int64_t system, std::string_view keyword, model::Place place);
 
@@ -71,5 +78,11 @@ void apply_initial_velocities(ConditionBuilder& builder);
 /// Gives the beams of *INITIAL_AXIAL_FORCE_BEAM their preload. A failure names a set, curve or KBEND that cannot be
 /// used, a beam with two preloads, or one that is not integrated.
 void apply_beam_preloads(ConditionBuilder& builder);
+/// Gives shells and solids the stresses and plastic strains of *INITIAL_STRESS_SHELL, _SOLID and their sets. A failure
+/// names cards that do not fit the element or its material, or what is not calculated of them.
+void apply_initial_stresses(ConditionBuilder& builder);
+/// Gives the solids of cross-sections the normal stress of *INITIAL_STRESS_SECTION. A failure names a section, curve,
+/// set or vector that cannot be used, or what is not calculated.
+void apply_section_preloads(ConditionBuilder& builder);
 
 }  // namespace gapcheck::solver

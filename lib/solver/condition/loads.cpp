@@ -42,12 +42,27 @@ void ConcentratedLoads::add_body(std::size_t body, std::size_t freedom, const Ti
       {static_cast<std::uint32_t>(body), static_cast<std::uint8_t>(freedom), true, position_in(values_, value)});
 }
 
+void ConcentratedLoads::follow(std::size_t target, bool body, bool moment, const std::array<NodeIndex, 3>& nodes,
+                               const TimedValue& value) {
+  followers_.push_back({static_cast<std::uint32_t>(target), body, moment, nodes, position_in(values_, value)});
+}
+
 void ConcentratedLoads::add(State& state, Forces& forces) {
   const std::vector<double> now = all_at(values_, state.time);
   for (const Entry& entry : entries_) {
     auto& pushes = entry.body ? forces.body_force : forces.force;
     auto& turns = entry.body ? forces.body_moment : forces.moment;
     (entry.freedom < 3 ? pushes : turns)[entry.target][entry.freedom % 3] += now[entry.value];
+  }
+  for (const Follower& follower : followers_) {
+    const auto& [first, second, third] = follower.nodes;
+    const Vector& origin = state.x[first.value];
+    const Vector normal = (state.x[second.value] - origin).cross(state.x[third.value] - origin);
+    const double length = normal.norm();
+    if (!(length > 0)) continue;  // nodes that have come into one line give no direction
+    auto& pushes = follower.body ? forces.body_force : forces.force;
+    auto& turns = follower.body ? forces.body_moment : forces.moment;
+    (follower.moment ? turns : pushes)[follower.target] += now[follower.value] / length * normal;
   }
 }
 

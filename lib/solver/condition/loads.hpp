@@ -26,6 +26,9 @@ class ConcentratedLoads : public Force {
   /// The direction of one degree of freedom: 0 … 2 force, 3 … 5 moment.
   void add_node(NodeIndex node, std::size_t freedom, const TimedValue& value);
   void add_body(std::size_t body, std::size_t freedom, const TimedValue& value);
+  /// A force, or moment, on a node or body that follows the normal of three nodes: (x₂ − x₁) × (x₃ − x₁).
+  void follow(std::size_t target, bool body, bool moment, const std::array<NodeIndex, 3>& nodes,
+              const TimedValue& value);
   void add(State& state, Forces& forces) override;
 
  private:
@@ -35,7 +38,14 @@ class ConcentratedLoads : public Force {
     bool body;
     std::uint32_t value;
   };
+  struct Follower {
+    std::uint32_t target;
+    bool body, moment;
+    std::array<NodeIndex, 3> nodes;
+    std::uint32_t value;
+  };
   std::vector<Entry> entries_;
+  std::vector<Follower> followers_;
   std::vector<TimedValue> values_;
 };
 

@@ -15,10 +15,23 @@ struct Directions {
   bool rotation = false;
   Vector share = Vector::Zero();
   unsigned bits = 0;  ///< of the three
+  /// Of nodes, where the direction is none of the global axes: theirs, and it is the first of them.
+  std::optional<Matrix> axes = std::nullopt;
 };
 
-/// Along or about a vector. A positive DOF leaves the directions across the vector free, which the solver supports only
-/// for the axes; a negative one holds them.
+/// Axes whose first one is a unit vector.
+Matrix axes_along(const Vector& first) {
+  Eigen::Index least = 0;
+  first.cwiseAbs().minCoeff(&least);
+  Matrix axes;
+  axes.col(0) = first;
+  axes.col(1) = first.cross(Vector(Vector::Unit(least))).normalized();
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+/// Along or about a vector. A positive DOF leaves the directions across the vector free, for rigid bodies only along
+/// the global axes; a negative one holds them.
 std::optional<Directions> along_vector(ConditionBuilder& builder, const model::PrescribedMotion& motion) {
   const auto found = builder.model.vectors.find(motion.vector);
   if (found == builder.model.vectors.end()) {
@@ -41,6 +54,7 @@ std::optional<Directions> along_vector(ConditionBuilder& builder, const model::P
       directions.bits = 1u << axis;
       return directions;
     }
+  if (!motion.rigid) return Directions{directions.rotation, Vector::UnitX(), 1, axes_along(directions.share)};
   builder.fail(
       Failure::Kind::not_calculated, motion.keyword, motion.place,
       fmt::format("DOF {} along a vector that is not an axis is not calculated; use DOF {}, which also holds what is "
@@ -119,7 +133,9 @@ void move_node(ConditionBuilder& builder, const model::PrescribedMotion& motion,
         fmt::format("{} of node {} is held or moved already; keep one of the conditions", names[freedom], id));
   lifetimes.push_back({given.birth, given.death});
   const auto axis = static_cast<int>(freedom % 3);
-  const double initial = (freedom < 3 ? structure.state.v : structure.state.w)[node.value][axis];
+  const Vector& velocity = (freedom < 3 ? structure.state.v : structure.state.w)[node.value];
+  const Matrix* axes = structure.constraints.axes(node.value);
+  const double initial = axes != nullptr ? velocity.dot(axes->col(axis)) : velocity[axis];
   if (given.quantity == Motion::Quantity::acceleration && initial != 0) {
     Motion own = given;
     own.initial = initial;
@@ -138,6 +154,8 @@ void apply(ConditionBuilder& builder, const model::PrescribedMotion& motion, Pre
   const std::vector<NodeIndex> nodes =
       rigid ? std::vector<NodeIndex>() : builder.nodes(motion.nodes, motion.keyword, motion.place);
   const auto body = rigid ? builder.body(motion.part, motion.keyword, motion.place) : std::nullopt;
+  if (directions->axes && !builder.failed()) builder.use_axes(nodes, *directions->axes, motion.keyword, motion.place);
+  if (!directions->axes) builder.refuse_axes(nodes, motion.keyword, motion.place);
   for (std::size_t axis = 0; axis < 3 && !builder.failed(); ++axis) {
     if ((directions->bits >> axis & 1u) == 0) continue;
     Motion given = *whole;
@@ -152,10 +170,22 @@ void apply(ConditionBuilder& builder, const model::PrescribedMotion& motion, Pre
   }
 }
 
+/// Supports with a birth or death.
+void add_supports(ConditionBuilder& builder, Present& present) {
+  for (const model::SinglePointConstraint& spc : builder.model.spcs) {
+    if (spc.lifetime.always()) continue;
+    for (const NodeIndex node : builder.nodes(spc.nodes, "BOUNDARY_SPC", spc.place))
+      for (std::size_t freedom = 0; freedom < 6; ++freedom)
+        if ((spc.freedoms >> freedom & 1u) != 0)
+          present[6 * std::uint64_t{node.value} + freedom].push_back({spc.lifetime.birth, spc.lifetime.death});
+  }
+}
+
 }  // namespace
 
 void apply_prescribed_motions(ConditionBuilder& builder) {
   Present present;
+  if (!builder.model.prescribed_motions.empty()) add_supports(builder, present);
   for (const model::PrescribedMotion& motion : builder.model.prescribed_motions) {
     apply(builder, motion, present);
     if (builder.failed()) return;

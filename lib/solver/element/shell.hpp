@@ -58,6 +58,13 @@ struct ShellForces {
 [[nodiscard]] ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                       ShellState& state, std::span<PointState> points);
 
+/// The axes of a quad with corners `x`, as columns: those of its points' stresses.
+[[nodiscard]] Matrix quad_axes(const std::array<Vector, 4>& x);
+/// The same of a triangle.
+[[nodiscard]] Matrix triangle_axes(const std::array<Vector, 4>& x);
+/// The same of a quad with 2 x 2 points.
+[[nodiscard]] Matrix full_axes(const std::array<Vector, 4>& x);
+
 /// Stiffness of the modes of a quad with undeformed corners `x` (Belytschko, Lin and Tsay, eq. 24). It stays constant,
 /// so that the stresses Q have the energy Σ Q² / (2 stiffness): a stiffness that follows the shape has none, and gives
 /// back more or less than it takes.

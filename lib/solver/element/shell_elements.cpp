@@ -62,11 +62,24 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
   return (factor - 1) * mass;
 }
 
+Matrix ShellElements::axes(std::size_t shell, const std::vector<Vector>& x) const {
+  std::array<Vector, 4> places;
+  for (std::size_t k = 0; k < 4; ++k) places[k] = x[nodes_[shell][k].value];
+  return full(shell) ? full_axes(places) : triangle(shell) ? triangle_axes(places) : quad_axes(places);
+}
+
+void ShellElements::begin_with(std::size_t shell, std::span<const PointState> points, const std::vector<Vector>& x) {
+  points_.resize(first_point_.back());
+  energy_.resize(size());
+  std::copy(points.begin(), points.end(), points_.begin() + static_cast<std::ptrdiff_t>(first_point_[shell]));
+  energy_[shell].initial = stored(shell, x);
+}
+
 void ShellElements::finish(std::size_t nodes) {
-  points_.assign(first_point_.back(), {});
+  points_.resize(first_point_.back());
   force_.assign(4 * size(), Vector::Zero());
   moment_.assign(4 * size(), Vector::Zero());
-  energy_.assign(size(), {});
+  energy_.resize(size());
   failed_.assign(size(), 0);
   std::vector<NodeIndex> corners;
   corners.reserve(4 * size());

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/ids.hpp"
@@ -22,6 +23,13 @@ class ShellElements {
   /// Returns the mass added by `scaling`.
   double add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness, std::uint32_t origin,
              State& state, const MassScaling& scaling = {});
+  /// The axes of a shell with all nodes at `x`, as columns: those of its points' stresses.
+  [[nodiscard]] Matrix axes(std::size_t shell, const std::vector<Vector>& x) const;
+  /// 1, or 4 of shells with four points in the plane.
+  [[nodiscard]] std::size_t points_in_plane(std::size_t shell) const { return full(shell) ? 4 : 1; }
+  /// What a shell begins with instead of nothing: all its points, with all nodes at `x`. Between the last add() and
+  /// finish().
+  void begin_with(std::size_t shell, std::span<const PointState> points, const std::vector<Vector>& x);
   /// Call it once all shells are added.
   void finish(std::size_t nodes);
 

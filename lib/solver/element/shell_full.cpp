@@ -142,6 +142,13 @@ void set_full_steps(const ShellProperties& properties, const std::array<Vector, 
 
 }  // namespace
 
+Matrix full_axes(const std::array<Vector, 4>& x) {
+  const FullFrame frame = make_full_frame(x);
+  Matrix axes;
+  axes << frame.e1, frame.e2, frame.e3;
+  return axes;
+}
+
 ShellForces full_forces(const ShellProperties& properties, const ShellCorners& corners, double dt, ShellState& state,
                         std::span<PointState> points) {
   ShellForces out;

@@ -197,6 +197,13 @@ void set_steps(const ShellProperties& properties, const std::array<Vector, 4>& x
 
 }  // namespace
 
+Matrix quad_axes(const std::array<Vector, 4>& x) {
+  const QuadFrame frame = make_frames(x, x)[0];
+  Matrix axes;
+  axes << frame.e1, frame.e2, frame.e3;
+  return axes;
+}
+
 HourglassModes hourglass_stiffness(const ShellProperties& properties, const std::array<Vector, 4>& x,
                                    double thickness) {
   if (properties.hourglass.kind != HourglassKind::stiffness) return {};

@@ -109,6 +109,13 @@ void set_steps(const ShellProperties& properties, const TriangleFrame& frame, do
 
 }  // namespace
 
+Matrix triangle_axes(const std::array<Vector, 4>& x) {
+  const TriangleFrame frame = make_frame(x);
+  Matrix axes;
+  axes << frame.e1, frame.e2, frame.e3;
+  return axes;
+}
+
 ShellForces triangle_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                             ShellState& state, std::span<PointState> points) {
   ShellForces out;

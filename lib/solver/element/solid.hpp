@@ -5,6 +5,7 @@
 
 #include "solver/element/brick_map.hpp"
 #include "solver/element/hourglass.hpp"
+#include "solver/element/section_stress.hpp"
 #include "solver/element/spotweld.hpp"
 #include "solver/material/material.hpp"
 
@@ -56,6 +57,8 @@ struct SolidState {
   std::shared_ptr<const BrickMap> undeformed_brick;
   WeldHistory weld;  ///< of spotwelds
   FluidState fluid;  ///< of materials with an equation of state
+  /// Replaces part of each point's stress after its update; nullptr: nothing does.
+  const ImposedStress3* imposed = nullptr;
 };
 
 /// Moduli of a solid at present.

@@ -185,6 +185,7 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
   const Material& material = properties.material;
   const double flowed = point.plastic_work, deviatoric = deviatoric_energy(material, point);
   const Matrix rotation = update_solid_stress(material, gradient, dt, point);
+  if (state.imposed != nullptr) point.stress = state.imposed->on(point.stress);
   const double rubber = material.kind == MaterialKind::rubber
                             ? update_rubber(material, brick_axes(corners.x), out.volume, state, point)
                             : 0;

@@ -122,6 +122,8 @@ SolidForces eight_point_forces(const SolidProperties& properties, SolidRule rule
     of_rubber = rubber_forces(material, end, x, state, points);
   else
     works = update_points(properties, middle, v, volume_rate, dt, points);
+  for (std::size_t p = 0; p < 8 && state.imposed != nullptr; ++p)
+    points[p].stress = state.imposed->on(points[p].stress);
   if (!of_rubber.good) return out;
 
   const double density = state.mass / out.volume, length = out.volume / largest_face_area(corners.x);

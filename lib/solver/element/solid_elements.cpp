@@ -105,10 +105,17 @@ double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t p
   return volume;
 }
 
+void SolidElements::begin_with(std::size_t solid, std::span<const PointState> points, const std::vector<Vector>& x) {
+  points_.resize(first_point_.back());
+  energy_.resize(size());
+  std::copy(points.begin(), points.end(), points_.begin() + static_cast<std::ptrdiff_t>(first_point_[solid]));
+  energy_[solid].initial = stored(solid, x);
+}
+
 void SolidElements::finish(std::size_t nodes) {
-  points_.assign(first_point_.back(), {});
+  points_.resize(first_point_.back());
   force_.assign(8 * size(), Vector::Zero());
-  energy_.assign(size(), {});
+  energy_.resize(size());
   failed_.assign(size(), 0);
   std::vector<NodeIndex> corners;
   corners.reserve(8 * size());
@@ -126,8 +133,11 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
     corners.x[k] = state.x[node];
     corners.v[k] = state.v[node];
   }
-  SolidForces forces = forces_of(solid, corners, state.dt);
   Summary summary;
+  const std::uint32_t section = section_of(solid);
+  SolidForces forces = section != no_position && sections_[section].active(state.time)
+                           ? preloaded_forces(state, solid, corners, summary.supplied)
+                           : forces_of(solid, corners, state.dt);
   if (fails(state.time, solid, corners, forces)) {
     failed_[solid] = 1;
     for (std::size_t p = first_point_[solid]; p < first_point_[solid + 1]; ++p) points_[p].stress = {};
@@ -143,6 +153,7 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   summary.hourglass_work = forces.hourglass_work;
   summary.dissipated = forces.dissipated;
   summary.viscous_work = forces.viscous_work;
+  summary.work = summary.supplied;
   for (std::size_t k = 0; k < 8; ++k) {
     Vector& force = force_[8 * solid + k];
     summary.work += state.dt / 2 * (force + forces.force[k]).dot(corners.v[k]);
@@ -190,6 +201,10 @@ PointState SolidElements::point(std::size_t solid) const {
 double SolidElements::stored(std::size_t solid, const std::vector<Vector>& x) const {
   std::array<Vector, 8> places;
   for (std::size_t k = 0; k < 8; ++k) places[k] = x[nodes_[solid][k].value];
+  return stored_at(solid, places);
+}
+
+double SolidElements::stored_at(std::size_t solid, const std::array<Vector, 8>& places) const {
   if (has_eight_points(rule_[solid]))
     return eight_point_energy(properties(solid), state_[solid], places, points(solid).first<8>());
   const double volume =
@@ -198,6 +213,7 @@ double SolidElements::stored(std::size_t solid, const std::vector<Vector>& x) co
 }
 
 Summary SolidElements::update(const State& state) {
+  for (SectionStress& section : sections_) section.imposed.stress = section.curve.at(state.time);
   return sum_over_blocks<Summary>(size(), [&](std::size_t begin, std::size_t end) {
     Summary sum;
     for (std::size_t i = begin; i < end; ++i) sum.add(update_one(state, i));

@@ -24,6 +24,19 @@ class SolidElements {
   /// adds.
   double add(const std::array<NodeIndex, 8>& nodes, std::uint32_t properties, std::uint32_t origin, State& state,
              const MassScaling& scaling = {}, double* added = nullptr);
+  /// What a solid begins with instead of nothing: all its points, with all nodes at `x`. Between the last add() and
+  /// finish().
+  void begin_with(std::size_t solid, std::span<const PointState> points, const std::vector<Vector>& x);
+  /// Solids whose normal stress is given for a while; each in one section at most. Returns its position.
+  std::uint32_t add_section(SectionStress section);
+  [[nodiscard]] const std::vector<SectionStress>& sections() const { return sections_; }
+  /// The section that a solid is in; no_position: none.
+  [[nodiscard]] std::uint32_t section_of(std::size_t solid) const {
+    return section_of_.empty() ? no_position : section_of_[solid];
+  }
+  /// The force that the solids of a section carry along its normal, above zero in tension.
+  [[nodiscard]] double section_force(std::size_t section) const;
+  [[nodiscard]] SolidRule rule(std::size_t solid) const { return rule_[solid]; }
   /// Call it once all solids are added.
   void finish(std::size_t nodes);
 
@@ -61,6 +74,10 @@ class SolidElements {
   [[nodiscard]] Summary update_one(const State& state, std::size_t solid);
   [[nodiscard]] SolidForces forces_of(std::size_t solid, const SolidCorners& corners, double dt);
   [[nodiscard]] bool fails(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces);
+  /// With the stress of its section. `supplied`: what that puts into the solid in the step.
+  [[nodiscard]] SolidForces preloaded_forces(const State& state, std::size_t solid, const SolidCorners& corners,
+                                             double& supplied);
+  [[nodiscard]] double stored_at(std::size_t solid, const std::array<Vector, 8>& corners) const;
 
   std::vector<SolidProperties> properties_;
   std::vector<std::array<NodeIndex, 8>> nodes_;
@@ -72,6 +89,8 @@ class SolidElements {
   std::vector<Vector> force_;  ///< eight entries per solid
   std::vector<ElementEnergy> energy_;
   std::vector<char> failed_;  ///< not bits: written by several threads
+  std::vector<SectionStress> sections_;
+  std::vector<std::uint32_t> section_of_;  ///< by solid; empty: no solid is in a section
   bool inverted_fail_ = false;
   CornerTable table_;
 };

@@ -49,6 +49,7 @@ SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCor
   const Material& material = properties.material;
   const double flowed = point.plastic_work, deviatoric = deviatoric_energy(material, point);
   update_solid_stress(material, gradient, dt, point);
+  if (state.imposed != nullptr) point.stress = state.imposed->on(point.stress);
   const double rubber = material.kind == MaterialKind::rubber
                             ? update_rubber(material, tetrahedron_axes(corners.x), out.volume, state, point)
                             : 0;

@@ -22,8 +22,9 @@ void add_parts(HeldEnergy::Kind kind, const Elements& elements, const std::vecto
   for (std::size_t i = 0; i < elements.size(); ++i) {
     HeldEnergy& part = parts[part_of[elements.origin(i)]];
     const ElementEnergy& energy = elements.energy(i);
-    part.work += energy.sum();
-    part.state += has_failed(elements, i) ? energy.sum() : elements.stored(i, x) + energy.dissipated;
+    const double supplied = energy.initial + energy.sum();
+    part.work += supplied;
+    part.state += has_failed(elements, i) ? supplied : elements.stored(i, x) + energy.dissipated;
   }
   for (auto& [part, energy] : parts) {
     energy.kind = kind;

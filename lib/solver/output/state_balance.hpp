@@ -11,7 +11,7 @@ namespace gapcheck::solver {
 struct HeldEnergy {
   enum class Kind : std::uint8_t { shells, solids, beams, springs, contact } kind = Kind::shells;
   std::int64_t id = 0;  ///< of the part or contact; 0: springs
-  double work = 0;      ///< taken from the nodes since the start
+  double work = 0;      ///< stored at the start, and taken from the nodes since
   double state = 0;     ///< stored by the present stresses and springs, and dissipated since the start
   /// False: no state tells its energy (constraints, tiebreaks). It may take work, but has none to give.
   bool covered = true;

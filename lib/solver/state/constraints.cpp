@@ -9,6 +9,22 @@ std::uint64_t key_of(std::size_t node, std::size_t freedom) { return 6 * std::ui
 
 }  // namespace
 
+std::uint32_t Constraints::add_axes(const Matrix& axes) {
+  axes_.push_back(axes);
+  return static_cast<std::uint32_t>(axes_.size() - 1);
+}
+
+void Constraints::set_axes(NodeIndex node, std::uint32_t axes) {
+  axes_of_.resize(held_.size(), no_position);
+  axes_of_[node.value] = axes;
+}
+
+NodeIndex Constraints::first_with_axes() const {
+  for (std::uint32_t i = 0; i < axes_of_.size(); ++i)
+    if (axes_of_[i] != no_position) return NodeIndex{i};
+  return none<NodeIndex>;
+}
+
 void Constraints::hold(NodeIndex node, std::uint8_t mask) {
   held_[node.value] |= mask;
   ever_[node.value] |= mask;

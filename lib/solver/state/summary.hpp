@@ -41,6 +41,7 @@ struct Summary {
 
 /// The work that one element has taken since the start.
 struct ElementEnergy {
+  double initial = 0;  ///< what its stresses stored at the start; no work has put it in
   double internal = 0, hourglass = 0;
   double viscous = 0;     ///< of the bulk viscosity; part of internal
   double dissipated = 0;  ///< of both, by plastic flow and viscosities: what no state gives back

@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
 #include "solver/conditioned.hpp"
+#include "solver/run_scene.hpp"
 
 namespace gapcheck::solver::boundary_test {
 namespace {
@@ -36,6 +41,88 @@ TEST(Boundary, NodesOfRigidBodiesAreNotHeld) {
   EXPECT_NE(held.warnings.find("1 of the nodes belong to rigid bodies"), std::string::npos) << held.warnings;
 }
 
+const std::string falls = "*LOAD_BODY_Z\n8,-10.\n*DEFINE_CURVE\n8\n0.,-1.\n";  // 10 along −z
+
+// Free before birth, at rest from then on, free again after death.
+TEST(Boundary, BirthAndDeath) {
+  Stepper stepper =
+      good(point_mass + falls + "*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,0,0,1\n0.5,2.\n").stepper(fixed_step(1.0 / 1024));
+  const auto z = [&] { return stepper.state().x[0].z(); };
+  const int sign = [&] {
+    run(stepper, 511);
+    return z() > 0 ? 1 : -1;
+  }();
+  const double fallen = 10 * 0.5 * 0.5 / 2;
+  EXPECT_NEAR(z(), sign * 10 * std::pow(511.0 / 1024, 2) / 2, 1e-9);
+  run(stepper, 1);
+  const double stop = z();
+  EXPECT_NEAR(stop, sign * fallen, 1e-9);
+  run(stepper, 1536);
+  EXPECT_EQ(z(), stop);
+  const double weight = sign * 2 * 10;
+  EXPECT_NEAR(stepper.external().force[0].z(), 0, 1e-12);  // held: the reaction balances the weight
+  run(stepper, 1024);
+  EXPECT_NEAR(z() - stop, sign * 10.0 / 2, 0.011);
+  EXPECT_NEAR(stepper.external().force[0].z(), weight, 1e-12);
+  EXPECT_NEAR(stepper.energies().total(), stepper.energies().external + stepper.energies().initial, 1e-9);
+}
+
+// A mass slides down a plane of 30 degrees: g sin 30 along it, m g cos 30 on it.
+TEST(Boundary, InALocalSystem) {
+  const double angle = std::numbers::pi / 6;
+  const std::string plane =
+      fmt::format("*DEFINE_COORDINATE_VECTOR\n5,{:.17g},0.,{:.17g},0.,1.,0.\n", std::cos(angle), -std::sin(angle));
+  for (const bool set : {false, true}) {
+    Stepper stepper =
+        good(point_mass + falls + plane +
+             (set ? "*SET_NODE\n3\n1\n*BOUNDARY_SPC_SET\n3,5,0,0,1\n" : "*BOUNDARY_SPC_NODE\n1,5,0,0,1\n"))
+            .stepper(fixed_step(1.0 / 1024));
+    run(stepper, 1024);
+    const Vector down(std::cos(angle), 0, -std::sin(angle)), across(std::sin(angle), 0, std::cos(angle));
+    const Vector x = stepper.state().x[0];
+    const double way = 10 * std::sin(angle) / 2;
+    EXPECT_NEAR((x - x.dot(down) * down).norm(), 0, 1e-14);
+    EXPECT_NEAR(std::abs(x.dot(down)), way, 1e-9);
+    // What is left of weight and reaction.
+    EXPECT_NEAR(stepper.external().force[0].dot(across), 0, 1e-13);
+    EXPECT_NEAR(stepper.external().force[0].norm(), 2 * 10 * std::sin(angle), 1e-12);
+    EXPECT_NEAR(stepper.energies().total(), stepper.energies().external + stepper.energies().initial, 1e-10);
+  }
+}
+
+// A plate with supports in axes of its own, and the same plate turned with its supports in global axes.
+TEST(Boundary, TurnsWithTheSystem) {
+  const Matrix turn = Eigen::AngleAxisd(0.8, Vector(1, -2, 0.5).normalized()).toRotationMatrix();
+  const std::array<Vector, 4> corners{Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1.1, 0), Vector(0, 1, 0)};
+  std::array<std::vector<Vector>, 2> end;
+  for (const bool turned : {false, true}) {
+    const Matrix by = turned ? turn : Matrix::Identity();
+    std::string deck = "*NODE\n";
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vector x = by * corners[i];
+      deck += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", i + 1, x.x(), x.y(), x.z());
+    }
+    const Vector a = by.col(0), b = by.col(1);
+    deck += "*ELEMENT_SHELL\n1,1,1,2,3,4\n" + elastic_deck(shell_section, 1000, 0.3, 7);
+    deck += fmt::format("*DEFINE_COORDINATE_VECTOR\n5,{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", a.x(), a.y(),
+                        a.z(), b.x(), b.y(), b.z());
+    deck += "*BOUNDARY_SPC_NODE\n1,5,1,0,1,1,0,1\n2,5,0,1,1,0,1,0\n3,5,0,0,1,1\n*INITIAL_VELOCITY_NODE\n";
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vector v = by * Vector(0.3, -0.2 * static_cast<double>(i), 0.1), w = by * Vector(0.2, 0.1, -0.3);
+      deck += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", i + 1, v.x(), v.y(), v.z(), w.x(),
+                          w.y(), w.z());
+    }
+    Stepper stepper = good(deck).stepper(fixed_step(1e-3));
+    run(stepper, 200);
+    EXPECT_NEAR(stepper.energies().total(), stepper.energies().external + stepper.energies().initial, 1e-9);
+    end[turned] = stepper.state().x;
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LT((turn * end[0][i] - end[1][i]).norm(), 1e-12) << i;
+    EXPECT_GT((end[0][i] - corners[i]).norm(), 1e-3) << i;
+  }
+}
+
 TEST(Boundary, WhatIsNotCalculatedIsAFailure) {
   const auto expect = [](const std::string& cards, Failure::Kind kind, std::string_view text) {
     const Conditioned result = conditioned(point_mass + cards);
@@ -45,9 +132,35 @@ TEST(Boundary, WhatIsNotCalculatedIsAFailure) {
   };
   expect("*BOUNDARY_SPC_NODE\n1,5,1\n", Failure::Kind::not_calculated, "*BOUNDARY_SPC_NODE: ");
   EXPECT_EQ(conditioned(point_mass + "*BOUNDARY_SPC_NODE\n1,5,1\n").status.error().place.line, 6U);
-  expect("*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n0.5,2.\n", Failure::Kind::not_calculated, "birth or death");
+  expect("*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n2.,2.\n", Failure::Kind::contradiction, "before its death");
+  const std::string tilted = "*DEFINE_COORDINATE_VECTOR\n5,1.,1.,0.,0.,1.,0.\n6,1.,0.,1.,0.,1.,0.\n";
+  expect(tilted + "*BOUNDARY_SPC_NODE\n1,5,1\n1,6,1\n", Failure::Kind::not_calculated, "two systems");
+  expect(tilted + "*BOUNDARY_SPC_NODE\n1,5,1\n1,0,0,1\n", Failure::Kind::not_calculated, "two systems");
+  expect(tilted + "*BOUNDARY_SPC_NODE\n1,0,1\n1,5,0,1\n", Failure::Kind::not_calculated, "two systems");
+  expect(tilted + "*BOUNDARY_SPC_NODE\n1,5,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,2,0,9\n*DEFINE_CURVE\n9\n0.,1.\n",
+         Failure::Kind::not_calculated, "two systems");
+  expect("*NODE\n2,1.,0.,0.\n3,0.,1.,0.\n*DEFINE_COORDINATE_NODES\n5,1,2,3,1\n*BOUNDARY_SPC_NODE\n1,5,1\n",
+         Failure::Kind::not_calculated, "FLAG = 1");
+  expect("*DEFINE_COORDINATE_VECTOR\n5,1.,1.,0.,2.,2.,0.\n*BOUNDARY_SPC_NODE\n1,5,1\n", Failure::Kind::not_calculated,
+         "do not span");
+  expect(
+      "*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n1.,3.\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,1,0,9,,,,2.\n"
+      "*DEFINE_CURVE\n9\n0.,1.\n",
+      Failure::Kind::contradiction, "held or moved already");
   expect("*BOUNDARY_SPC_SET\n4,0,1\n", Failure::Kind::unknown_reference, "node set 4");
   expect("*BOUNDARY_SPC_NODE\n4,0,1\n", Failure::Kind::unknown_reference, "node 4");
+}
+
+// Walls know neither local axes nor supports that come and go.
+TEST(Boundary, BesideRigidWalls) {
+  const std::string deck = point_mass + falls +
+                           "*RIGIDWALL_PLANAR\n0\n0.,0.,-1.,0.,0.,1.\n*CONTROL_TERMINATION\n0.1\n"
+                           "*CONTROL_TIMESTEP\n0.01\n*DEFINE_COORDINATE_VECTOR\n5,1.,1.,0.,0.,1.,0.\n";
+  EXPECT_TRUE(RunScene(deck + "*BOUNDARY_SPC_NODE\n1,0,1\n").prepared());
+  const RunScene local(deck + "*BOUNDARY_SPC_NODE\n1,5,1\n");
+  EXPECT_NE(local.message().find("rigid walls and conditions in local axes"), std::string::npos) << local.message();
+  const RunScene timed(deck + "*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n1.,2.\n");
+  EXPECT_NE(timed.message().find("birth or death"), std::string::npos) << timed.message();
 }
 
 }  // namespace

@@ -60,6 +60,46 @@ TEST(Loads, ForceOnAMassAndABody) {
 }
 
 // A pressure of 3 against the normal (0, 0, 1) of a plate of 2 x 1, from t = 0.25 on by the curve's start.
+// A force follows a body that turns about z by 2: the velocity of a mass is F / (m ω) (sin ωt, 1 − cos ωt, 0).
+TEST(Loads, ForceFollowsNodes) {
+  const double spin = 2, force = 6, mass = 2;
+  const std::string turning = rigid_box + rigid_material +
+                              "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n7,7,0,9,2.\n*DEFINE_CURVE\n9\n0.,1.\n" + point_mass;
+  Stepper stepper = good(turning + "*LOAD_NODE_POINT\n1,4,9,6.,,11,14,15\n").stepper(fixed_step(1e-3));
+  double worst = 0;
+  for (int i = 0; i < 2000; ++i) {
+    run(stepper, 1);
+    const double middle = stepper.state().time - stepper.state().dt / 2;
+    const Vector expected = force / (mass * spin) * Vector(std::sin(spin * middle), 1 - std::cos(spin * middle), 0);
+    worst = std::max(worst, (stepper.state().v[8] - expected).norm());
+  }
+  EXPECT_LT(worst, 2e-6 * force / (mass * spin));
+  // The other way round it points the other way.
+  Stepper back = good(turning + "*LOAD_NODE_POINT\n1,4,9,6.,,11,15,14\n").stepper(fixed_step(1e-3));
+  run(back, 1);
+  EXPECT_NEAR(back.external().force[8].x(), -6, 1e-12);
+}
+
+TEST(Loads, MomentFollowsNodes) {
+  // On the body's centre, about the normal (1, 0, 0) of its own nodes: L = M t.
+  Stepper stepper = good(rigid_box + rigid_material + "*LOAD_RIGID_BODY\n7,8,9,6.,,11,14,15\n*DEFINE_CURVE\n9\n0.,1.\n")
+                        .stepper(fixed_step(1e-3));
+  run(stepper, 1000);
+  EXPECT_NEAR((stepper.structure().rigid[0].angular_momentum() - Vector(6 * 0.9995, 0, 0)).norm(), 0, 6e-3);
+  EXPECT_NEAR(stepper.net().body_moment[0].x(), 6, 1e-12);
+}
+
+TEST(Loads, InALocalSystem) {
+  const std::string system = "*DEFINE_COORDINATE_VECTOR\n3,3.,4.,0.,-4.,3.,0.\n*DEFINE_CURVE\n9\n0.,1.\n";
+  Stepper stepper = good(point_mass + system + "*LOAD_NODE_POINT\n1,2,9,10.,3\n1,3,9,7.,3\n").stepper(fixed_step(1e-3));
+  run(stepper, 1);
+  EXPECT_NEAR((stepper.external().force[0] - Vector(-8, 6, 7)).norm(), 0, 1e-13);
+  Stepper body =
+      good(rigid_box + rigid_material + system + "*LOAD_RIGID_BODY\n7,5,9,10.,3\n").stepper(fixed_step(1e-3));
+  run(body, 1);
+  EXPECT_NEAR((body.external().body_moment[0] - Vector(6, 8, 0)).norm(), 0, 1e-13);
+}
+
 TEST(Loads, PressurePushesIntoTheSegment) {
   const std::string ramp = "*DEFINE_CURVE\n5\n0.,3.\n1.,4.\n";
   for (const std::string load :

@@ -133,6 +133,23 @@ TEST(PrescribedMotion, AlongAVector) {
   EXPECT_EQ(stepper.structure().constraints.mask(1), 4);
 }
 
+// Along a vector that is no axis a node follows the curve; across it the node is free.
+TEST(PrescribedMotion, AlongAVectorAcrossTheAxes) {
+  for (const int quantity : {0, 1, 2}) {
+    const std::array<const char*, 3> curves{"0.,2.\n1.,2.\n", "0.,0.\n1.,0.\n", "0.,0.\n1.,2.\n"};
+    Stepper stepper = good(point_mass + "*INITIAL_VELOCITY_NODE\n1,3.,1.,5.\n*DEFINE_VECTOR\n4,0.,0.,0.,3.,4.,0.\n" +
+                           fmt::format("*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,4,{},9,,4\n*DEFINE_CURVE\n9\n{}", quantity,
+                                       curves[static_cast<std::size_t>(quantity)]))
+                          .stepper(fixed_step(1.0 / 64));
+    run(stepper, 64);
+    const Vector along(0.6, 0.8, 0), across(-0.8, 0.6, 0), x = stepper.state().x[0];
+    // Across: −0.8 · 3 + 0.6; along with an acceleration of zero: 0.6 · 3 + 0.8.
+    EXPECT_NEAR(x.dot(along), quantity == 1 ? 2.6 : 2, 1e-12) << quantity;
+    EXPECT_NEAR(x.dot(across), -1.8, 1e-12) << quantity;
+    EXPECT_NEAR(x.z(), 5, 1e-12) << quantity;
+  }
+}
+
 TEST(PrescribedMotion, ContradictionsAreFailures) {
   const auto expect = [](const std::string& cards, Failure::Kind kind, std::string_view text) {
     const Conditioned result =
