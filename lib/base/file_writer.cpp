@@ -16,8 +16,8 @@
 
 namespace gapcheck {
 
-/// The name of an uncommitted file. A signal handler may read the list at any time: names never change, entries are never
-/// freed, which costs a hundred bytes per file written.
+/// The name of an uncommitted file. A signal handler may read the list at any time: names never change, entries are
+/// never freed, which costs a hundred bytes per file written.
 struct ListedName {
   const std::string name;
   std::atomic<int> folder = -1;  ///< a descriptor: the folder keeps it when it is moved

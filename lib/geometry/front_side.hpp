@@ -9,7 +9,8 @@ namespace gapcheck::geometry {
 /// not there now, and for strongly warped or thin facets.
 ///
 /// From a corner to the point is a vector d, and n · d is the height. A motion m changes d by at most m and the normal
-/// n = N / |N|, N the cross product of the diagonals, by at most what turns N: m times the sum of the diagonals over |N|.
+/// n = N / |N|, N the cross product of the diagonals, by at most what turns N: m times the sum of the diagonals over
+/// |N|.
 [[nodiscard]] double motion_in_front(const Facet& facet, const Vector& query, double front);
 
 }  // namespace gapcheck::geometry

@@ -145,6 +145,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   if (std::any_of(model.contacts.begin(), model.contacts.end(),
                   [](const model::Contact& c) { return contact::is_eroding(contact::classify(c)); }))
     built.solids.let_inverted_fail();
+  if (model.controls.erode == 1 && model.controls.dtmin > 0)
+    built.solids.let_small_steps_fail(model.controls.dtmin, model.controls.tssfac);
   name_tied_nodes_at_walls(model, *run.initial_, diagnostics);
   auto constraints = ConstraintContact::create(model, surfaces, *run.initial_, built, movable_nodes(built));
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);

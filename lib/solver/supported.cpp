@@ -256,6 +256,9 @@ class Finder {
     const model::Controls& controls = model_.controls;
     if (controls.lctm != 0)
       add("CONTROL_TIMESTEP", controls.timestep_place, "limits of the time step by a curve (LCTM) are not calculated");
+    if (controls.erode != 0 && controls.erode != 1)
+      add("CONTROL_TIMESTEP", controls.timestep_place,
+          fmt::format("ERODE = {} is not calculated; 0 and 1 are", controls.erode));
   }
 
   const keyword::Deck& deck_;

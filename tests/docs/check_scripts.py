@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-COPIED = ["data", "docs", "scripts", "tests/apps", "tests/bench", "tests/fuzz"]
+COPIED = ["data", "docs", "scripts", "tests/apps", "tests/bench", "tests/fuzz", "tests/solver"]
 LIMIT = 120  # seconds; on an idle machine none takes more than 20
 
 # Script, arguments, what it writes (None: it prints). {NAME}: a path of the command line.

@@ -208,6 +208,33 @@ TEST(RunEnds, StepThatHasFallen) {
   EXPECT_EQ(scene.state().cycle, static_cast<std::uint64_t>(ends - steps.begin()));
 }
 
+/// Two cubes, one pressed flat. `controls`: fields of *CONTROL_TIMESTEP.
+std::string pressed_cube(const std::string& controls) {
+  std::string deck = "*NODE\n";
+  for (int cube = 0; cube < 2; ++cube)
+    for (int k = 0; k < 8; ++k)
+      deck += fmt::format("{},{},{},{}\n", 10 * cube + k + 1, 3 * cube + (k % 4 == 1 || k % 4 == 2), k % 4 / 2, k / 4);
+  return deck +
+         "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n2,1,11,12,13,14,15,16,17,18\n*PART\np\n1,1,1\n*SECTION_SOLID\n1,1\n" +
+         "*MAT_ELASTIC\n1,1.,100.,0.\n*BOUNDARY_SPC_SET\n1,0,1,1,1\n*SET_NODE_LIST\n1\n1,2,3,4\n" +
+         "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,3,2,1,-1.\n*SET_NODE_LIST\n2\n5,6,7,8\n*DEFINE_CURVE\n1\n0.,0.\n1.,0.6\n" +
+         "*CONTROL_TERMINATION\n1.,0,0.6\n*CONTROL_TIMESTEP\n" + controls + "\n";
+}
+
+// ERODE: the solid that is too flat goes in the cycle in which the run would end, and the other one stays.
+TEST(RunEnds, SmallStepsErode) {
+  RunScene ends(pressed_cube("0.,0.9"));
+  ASSERT_TRUE(ends.prepared()) << ends.message();
+  EXPECT_EQ(ends.try_to_go(), RunEnd::step);
+  EXPECT_TRUE(ends.run().stepper().failures().empty());
+  RunScene erodes(pressed_cube("0.,0.9,0,0.,0.,0,1"));
+  ASSERT_TRUE(erodes.prepared()) << erodes.message();
+  EXPECT_EQ(erodes.try_to_go(), RunEnd::time);
+  ASSERT_EQ(erodes.run().stepper().failures().size(), 1u);
+  EXPECT_EQ(erodes.run().stepper().failures()[0].element, 0u);
+  EXPECT_EQ(erodes.run().stepper().failures()[0].time, ends.state().time);
+}
+
 // With hundreds of thousands of contacts that is a tenth of the memory of a run.
 TEST(RunMemory, SummariesOfContactsAreFreed) {
   const model::Read read = model::read_text(

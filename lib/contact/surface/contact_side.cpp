@@ -69,9 +69,9 @@ SideCache::Key SideCache::key_of(const SideRequest& request) {
   const auto whole = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
   const ThicknessSide& t = request.thickness;
   std::uint64_t flags = 0;
-  for (const bool flag : {request.offsets, request.single, request.tied, request.transducer, request.edges,
-                          request.spotwelds, request.tracks_nodes, request.needs_segments, request.symmetry,
-                          t.edge_limit, t.optt})
+  for (const bool flag :
+       {request.offsets, request.single, request.tied, request.transducer, request.edges, request.spotwelds,
+        request.tracks_nodes, request.needs_segments, request.symmetry, t.edge_limit, t.optt})
     flags = flags << 1 | (flag ? 1U : 0U);
   return {whole(request.input.id),
           whole(request.input.type),

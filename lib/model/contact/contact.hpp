@@ -181,9 +181,10 @@ struct Controls {
   // *CONTROL_TIMESTEP
   double tssfac = 0.9;
   std::int64_t isdo = 0;
-  double dt2ms = 0;       ///< mass scaling; zero = none
-  double dtinit = 0;      ///< first step; zero = none
-  std::int64_t lctm = 0;  ///< curve that limits the step over time; zero = none
+  double dt2ms = 0;        ///< mass scaling; zero = none
+  double dtinit = 0;       ///< first step; zero = none
+  std::int64_t lctm = 0;   ///< curve that limits the step over time; zero = none
+  std::int64_t erode = 0;  ///< 1: solids whose step falls below that of DTMIN are removed instead of ending the run
   Place timestep_place;
   // *CONTROL_TERMINATION; 0 = not given
   double endtim = 0;

@@ -87,6 +87,7 @@ void read_control_timestep(Context& context, const Block& block, const Options&)
   controls.dt2ms = card.real("dt2ms") * context.transform(block).time_factor;
   controls.dtinit = card.real("dtinit") * context.transform(block).time_factor;
   controls.lctm = card.integer("lctm");
+  controls.erode = card.integer("erode");
   controls.timestep_place = Context::place(block, block.line);
 }
 

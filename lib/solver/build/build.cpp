@@ -14,8 +14,8 @@
 #include "solver/build/build_solid_rules.hpp"
 #include "solver/build/build_spotwelds.hpp"
 #include "solver/build/build_welds.hpp"
-#include "solver/element/gauss.hpp"
 #include "solver/element/nodal_mass.hpp"
+#include "solver/quadrature/gauss.hpp"
 
 namespace gapcheck::solver {
 namespace {

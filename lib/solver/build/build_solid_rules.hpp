@@ -5,8 +5,8 @@
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
-#include "solver/element/solid_rule.hpp"
 #include "solver/material/material.hpp"
+#include "solver/quadrature/solid_rule.hpp"
 #include "solver/state/failure.hpp"
 
 namespace gapcheck::solver {

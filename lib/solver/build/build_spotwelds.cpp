@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/element/solid_rule.hpp"
+#include "solver/quadrature/solid_rule.hpp"
 
 namespace gapcheck::solver {
 

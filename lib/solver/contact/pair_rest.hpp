@@ -7,7 +7,7 @@ namespace gapcheck::solver {
 
 /// How long a pair that has been decided may rest, since it can neither touch nor change what other pairs of its node
 /// mean. Bounds of motion are those of MarginUse: how far anything comes closer to anything else. See
-/// docs/theory/solver-contact.md, "What is calculated".
+/// docs/theory/solver-contact.md, "What is left out".
 class PairRest {
  public:
   /// `follows_motion`: nothing but the motion of nodes changes distances and thicknesses.

@@ -109,22 +109,6 @@ void SegmentFinder::take_decided(FinderScratch& scratch) const {
   scratch.decided.clear();
 }
 
-SegmentFinder::Needed SegmentFinder::needed_of(SlotIndex slot, const FinderScratch& scratch) {
-  Needed needed;
-  const TrackedNode* const known = pairs_.known(slot);
-  needed.zone = known != nullptr && known->released();
-  bool presses = false, meets = false;
-  for (const Hit& hit : scratch.hits) {
-    if (!hit.in_band) continue;
-    meets = true;
-    if (std::signbit(hit.distance)) needed.within = std::max(needed.within, -hit.distance);
-    presses = presses || !scene_.slides(slot, hit.segment, hit.distance);
-  }
-  // A node that presses on another segment does not slide along this one.
-  needed.all = meets && !presses;
-  return needed;
-}
-
 SegmentFinder::Sleep SegmentFinder::decide_awake(SlotIndex slot, std::span<Candidate> candidates, double used,
                                                  FinderScratch& scratch, PairCounts& counts) {
   scratch.clear_hits();
@@ -142,9 +126,9 @@ SegmentFinder::Sleep SegmentFinder::decide_awake(SlotIndex slot, std::span<Candi
     if (candidates[i].wake > used) scratch.decided.pop_back();
   }
   take_decided(scratch);
-  if (const Needed needed = needed_of(slot, scratch); needed.any())
+  if (const NeededPairs needed(scene_, scratch.hits, known != nullptr && known->released()); needed.any())
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (!(candidates[i].wake > used) || !needs(needed, candidates[i], used)) continue;
+      if (!(candidates[i].wake > used) || !needed.has(candidates[i], used)) continue;
       decide_number(i);
       ++pairs;
     }
@@ -157,13 +141,6 @@ SegmentFinder::Sleep SegmentFinder::decide_awake(SlotIndex slot, std::span<Candi
   counts.pairs += pairs;
   counts.nodes += pairs > 0;
   return sleep;
-}
-
-bool SegmentFinder::needs(const Needed& needed, const Candidate& candidate, double used) const {
-  if (needed.all && candidate.zone != Candidate::Zone::outside) return true;
-  if (needed.zone && candidate.zone == Candidate::Zone::unknown) return true;
-  return needed.within > 0 && scene_.oriented(candidate.segment) &&
-         candidate.apart - used <= needed.within * (1 + lead_slack) + rounding_share * used;
 }
 
 SegmentContact SegmentFinder::contact_of(SlotIndex slot, SegmentIndex segment, const PairResult& pair) const {

@@ -8,6 +8,7 @@
 #include "contact/pair/hit.hpp"
 #include "contact/pair/pair.hpp"
 #include "geometry/follow.hpp"
+#include "solver/contact/needed_pairs.hpp"
 #include "solver/contact/pair_rest.hpp"
 #include "solver/contact/pass_block.hpp"
 #include "solver/contact/tracked_pairs.hpp"
@@ -78,13 +79,6 @@ class SegmentFinder {
     double wake;
     bool inside = false;
   };
-  /// Which resting candidates the awake ones of a node make necessary.
-  struct Needed {
-    double within = 0;  ///< those with a back that may be so near: the node is behind the nearest segment alone
-    bool zone = false;  ///< those in whose zone the node may be: a released node stays so until it has left all zones
-    bool all = false;  ///< those in whose zone the node may be: if it presses on one of them it slides along the others
-    [[nodiscard]] bool any() const { return within > 0 || zone || all; }
-  };
   /// Decides the candidates that are awake or needed and sets their sleep. Writes those that penetrate, and the other
   /// oriented segments, to `scratch`.
   Sleep decide_awake(SlotIndex slot, std::span<contact::Candidate> candidates, double used, FinderScratch& scratch,
@@ -94,8 +88,6 @@ class SegmentFinder {
               FinderScratch& scratch) const;
   /// Sorts what was decided into hits and other oriented segments.
   void take_decided(FinderScratch& scratch) const;
-  [[nodiscard]] Needed needed_of(SlotIndex slot, const FinderScratch& scratch);
-  [[nodiscard]] bool needs(const Needed& needed, const contact::Candidate& candidate, double used) const;
   [[nodiscard]] SegmentContact contact_of(SlotIndex slot, SegmentIndex segment, const contact::PairResult& pair) const;
   /// Takes the closest point that following the pair of the last cycle finds: whether the node was followed or decided
   /// the long way must not show in the last bit.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/element/gauss.hpp"
+#include "solver/quadrature/gauss.hpp"
 
 namespace gapcheck::solver {
 namespace {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "solver/element/gauss.hpp"
 #include "solver/element/hourglass.hpp"
 #include "solver/material/material.hpp"
+#include "solver/quadrature/gauss.hpp"
 
 namespace gapcheck::solver {
 

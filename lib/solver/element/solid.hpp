@@ -3,11 +3,11 @@
 #include <memory>
 #include <span>
 
-#include "solver/element/brick_map.hpp"
 #include "solver/element/hourglass.hpp"
 #include "solver/element/section_stress.hpp"
 #include "solver/element/spotweld.hpp"
 #include "solver/material/material.hpp"
+#include "solver/quadrature/brick_map.hpp"
 
 namespace gapcheck::solver {
 

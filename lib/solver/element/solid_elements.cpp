@@ -169,6 +169,7 @@ bool SolidElements::fails(double time, std::size_t solid, const SolidCorners& co
   if (std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; })) return true;
   if (past_time(properties(solid).material.erosion, time)) return true;
   if (!forces.good) return inverted_fail_;
+  if (std::min(small_.factor * forces.manual_step, forces.stable_step / step_slack) < small_.least) return true;
   const WeldLimits& weld = properties(solid).weld;
   return weld.exist() && weld_fails(weld, brick_resultants(corners.x, forces.force), time, least_plastic_strain(points),
                                     state_[solid].weld);
@@ -213,6 +214,7 @@ double SolidElements::stored_at(std::size_t solid, const std::array<Vector, 8>& 
 }
 
 Summary SolidElements::update(const State& state) {
+  if (small_.share > 0 && small_.least == 0) small_.least = small_.share * state.dt;
   for (SectionStress& section : sections_) section.imposed.stress = section.curve.at(state.time);
   return sum_over_blocks<Summary>(size(), [&](std::size_t begin, std::size_t end) {
     Summary sum;

@@ -51,14 +51,17 @@ class SolidElements {
   [[nodiscard]] std::uint32_t origin(std::size_t solid) const { return origin_[solid]; }
   /// False: none ever fails.
   [[nodiscard]] bool can_fail() const {
-    return inverted_fail_ || std::any_of(properties_.begin(), properties_.end(), [](const SolidProperties& p) {
-             return p.material.can_fail() || p.weld.exist();
-           });
+    return inverted_fail_ || small_.share > 0 ||
+           std::any_of(properties_.begin(), properties_.end(),
+                       [](const SolidProperties& p) { return p.material.can_fail() || p.weld.exist(); });
   }
   /// Its point has failed, or it was a spotweld and is torn: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }
   /// A solid that loses its volume also fails, instead of ending the run.
   void let_inverted_fail() { inverted_fail_ = true; }
+  /// A solid also fails when its time step falls below this share of the run's first one (DTMIN with ERODE = 1 of
+  /// *CONTROL_TIMESTEP). `factor`: TSSFAC.
+  void let_small_steps_fail(double share, double factor) { small_ = {share, factor}; }
   [[nodiscard]] const SolidProperties& properties(std::size_t solid) const { return properties_[which_[solid]]; }
   [[nodiscard]] const ElementEnergy& energy(std::size_t solid) const { return energy_[solid]; }
   /// The energy that its stress stores, with all nodes at `x`.
@@ -92,6 +95,10 @@ class SolidElements {
   std::vector<SectionStress> sections_;
   std::vector<std::uint32_t> section_of_;  ///< by solid; empty: no solid is in a section
   bool inverted_fail_ = false;
+  struct SmallStep {
+    double share = 0, factor = 0;  ///< share 0: no solid fails by its step
+    double least = 0;              ///< known from the first step on
+  } small_;
   CornerTable table_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "solver/element/solid_rule.hpp"
+#include "solver/quadrature/solid_rule.hpp"
 #include "solver/state/tensor.hpp"
 
 namespace gapcheck::solver {

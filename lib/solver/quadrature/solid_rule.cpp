@@ -1,4 +1,4 @@
-#include "solver/element/solid_rule.hpp"
+#include "solver/quadrature/solid_rule.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "solver/element/brick_map.hpp"
+#include "solver/quadrature/brick_map.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

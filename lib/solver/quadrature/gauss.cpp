@@ -1,4 +1,4 @@
-#include "solver/element/gauss.hpp"
+#include "solver/quadrature/gauss.hpp"
 
 #include <algorithm>
 #include <cmath>
