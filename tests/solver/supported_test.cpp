@@ -49,6 +49,14 @@ TEST(Supported, AssembliesOfWeldBricks) {
                     form));
 }
 
+// Sensors do nothing until *SENSOR_CONTROL asks them.
+TEST(Supported, SensorsAlone) {
+  const std::string sensors = "*KEYWORD\n*SENSOR_DEFINE_FORCE\n1,RWALL,1\n*SENSOR_SWITCH\n1,SENSOR,1,GT,1.\n";
+  EXPECT_EQ(text_of(unsupported_in(sensors)), "");
+  EXPECT_EQ(text_of(unsupported_in(sensors + "*SENSOR_CONTROL\n1,CONTACT,1\n")),
+            "6 SENSOR_CONTROL: sensors switch nothing on or off\n");
+}
+
 TEST(Supported, KeywordsWithTheirPlaces) {
   const auto list =
       unsupported_in("*KEYWORD\n*CONSTRAINED_JOINT_REVOLUTE\n1,2\n*INITIAL_STRESS_BEAM\n1\n*AIRBAG_ID\n1\n");

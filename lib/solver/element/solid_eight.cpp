@@ -7,8 +7,6 @@
 namespace gapcheck::solver {
 namespace {
 
-using EightMatrices = std::array<Matrix, 8>;
-
 BrickModes back_by(const BrickModes& x, double dt, const BrickModes& v) {
   return {x.linear - dt * v.linear, x.pairs - dt * v.pairs, x.all - dt * v.all};
 }
@@ -19,23 +17,73 @@ void add(BrickModes& sum, double factor, const BrickModes& other) {
   sum.all += factor * other.all;
 }
 
-/// Adds `trace` / 3 to the diagonal in place of the own trace.
-void set_trace(Matrix& m, double trace) { m.diagonal().array() += (trace - m.trace()) / 3; }
+/// Adds `trace` / 3 to the diagonals in place of the own traces.
+void set_trace(EightMatrices& m, double trace) {
+  const Eight change = (trace - (m(0, 0) + m(1, 1) + m(2, 2))) / 3;
+  for (int i = 0; i < 3; ++i) m(i, i) += change;
+}
 
 struct PointWorks {
   double plastic = 0;
   double deviatoric = 0;  ///< with an equation of state
 };
 
+EightSymmetric gathered(std::span<const PointState, 8> points, Symmetric PointState::*tensor) {
+  EightSymmetric all;
+  for (std::size_t p = 0; p < 8; ++p)
+    for (std::size_t c = 0; c < 6; ++c) all[c][static_cast<Eigen::Index>(p)] = (points[p].*tensor)[c];
+  return all;
+}
+
+Symmetric at_point(const EightSymmetric& all, std::size_t point) {
+  Symmetric one;
+  for (std::size_t c = 0; c < 6; ++c) one[c] = all[c][static_cast<Eigen::Index>(point)];
+  return one;
+}
+
+/// Turns the stresses with their spins and returns the strains of the step, turned by half: what update_solid_stress()
+/// does before the law, at all points at once.
+EightSymmetric turn_stresses(const EightMatrices& gradients, double dt, bool shift, std::span<PointState, 8> points) {
+  const auto& g = gradients;
+  const std::array<Eight, 3> spin{g(2, 1) - g(1, 2), g(0, 2) - g(2, 0), g(1, 0) - g(0, 1)};
+  const auto share = [&](double of) { return std::array<Eight, 3>{of * spin[0], of * spin[1], of * spin[2]}; };
+  const EightMatrices whole = spin_rotation(share(dt / 2));
+  const auto turn = [&](Symmetric PointState::*tensor) {
+    const EightSymmetric turned = rotated(gathered(points, tensor), whole);
+    for (std::size_t p = 0; p < 8; ++p) points[p].*tensor = at_point(turned, p);
+  };
+  turn(&PointState::stress);
+  if (shift) turn(&PointState::back_stress);
+  const double half = dt / 2;
+  const EightSymmetric strain{dt * g(0, 0),
+                              dt * g(1, 1),
+                              dt * g(2, 2),
+                              half * (g(0, 1) + g(1, 0)),
+                              half * (g(1, 2) + g(2, 1)),
+                              half * (g(2, 0) + g(0, 2))};
+  return rotated(strain, spin_rotation(share(dt / 4)));
+}
+
+/// Whether turn_stresses() and update_stress() are all that update_solid_stress() does.
+bool is_plain(const Material& material) {
+  return !material.erosion && (material.kind == MaterialKind::elastic || material.kind == MaterialKind::plastic);
+}
+
 /// Updates all stresses over the step; returns the works.
 PointWorks update_points(const SolidProperties& properties, const BrickMap& middle, const BrickModes& v,
                          double volume_rate, double dt, std::span<PointState, 8> points) {
   EightMatrices gradients = brick_gradients(middle, v);
+  set_trace(gradients, volume_rate);
+  const bool plain = is_plain(properties.material);
+  EightSymmetric strains;
+  if (plain) strains = turn_stresses(gradients, dt, properties.material.kinematic_slope > 0, points);
   PointWorks works;
   for (std::size_t p = 0; p < 8; ++p) {
-    set_trace(gradients[p], volume_rate);
     const double before = points[p].plastic_work, deviatoric = deviatoric_energy(properties.material, points[p]);
-    update_solid_stress(properties.material, gradients[p], dt, points[p]);
+    if (plain)
+      update_stress(properties.material, at_point(strains, p), dt, points[p]);
+    else
+      update_solid_stress(properties.material, gradients.at(p), dt, points[p]);
     works.plastic += middle.volume[p] * (points[p].plastic_work - before);
     works.deviatoric += middle.volume[p] * (deviatoric_energy(properties.material, points[p]) - deviatoric);
   }
@@ -46,11 +94,11 @@ PointWorks update_points(const SolidProperties& properties, const BrickMap& midd
 BrickModes forces_of(const BrickMap& map, double viscous_pressure, std::span<const PointState, 8> points) {
   EightMatrices stresses;
   double mean_trace = 0;
-  for (std::size_t p = 0; p < 8; ++p) mean_trace += map.volume[p] / map.total * trace(points[p].stress);
   for (std::size_t p = 0; p < 8; ++p) {
-    stresses[p] = to_matrix(points[p].stress);
-    set_trace(stresses[p], mean_trace - 3 * viscous_pressure);
+    mean_trace += map.volume[p] / map.total * trace(points[p].stress);
+    stresses.set(p, to_matrix(points[p].stress));
   }
+  set_trace(stresses, mean_trace - 3 * viscous_pressure);
   return brick_stress_forces(map, stresses);
 }
 
@@ -72,16 +120,17 @@ RubberForces rubber_forces(const Material& material, const BrickMap& now, const 
   double mean_trace = 0;
   state.strain_energy = 0;
   for (std::size_t p = 0; p < 8; ++p) {
-    const double own = all[p].determinant();
+    const Matrix gradient = all.at(p);
+    const double own = gradient.determinant();
     if (!(own > 0)) {
       result.good = false;
       return result;
     }
-    const Matrix f = std::cbrt(growth / own) * all[p];
+    const Matrix f = std::cbrt(growth / own) * gradient;
     points[p].stress = rubber_stress(material.rubber, f);
     state.strain_energy += start.volume[p] * rubber_energy(material.rubber, f);
     mean_trace += start.volume[p] / start.total * trace(points[p].stress);
-    nominal[p] = growth * to_matrix(deviator(points[p].stress)) * all[p].inverse().transpose();
+    nominal.set(p, growth * to_matrix(deviator(points[p].stress)) * gradient.inverse().transpose());
     const double spread = std::max(1.0, growth * start.volume[p] / now.volume[p]);
     result.stiffness = std::max(result.stiffness, spread * rubber_stiffness_bound(material.rubber, f) / growth);
   }

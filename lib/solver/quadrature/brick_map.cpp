@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gapcheck::solver {
@@ -13,54 +14,66 @@ constexpr double mode_signs[8][7] = {{-1, -1, -1, 1, 1, 1, -1}, {1, -1, -1, 1, -
                                      {-1, 1, -1, -1, 1, -1, 1}, {-1, -1, 1, -1, -1, 1, 1}, {1, -1, 1, -1, 1, -1, -1},
                                      {1, 1, 1, 1, 1, 1, 1},     {-1, 1, 1, 1, -1, -1, -1}};
 
-/// ξ of a Gauss point, by the corner it is next to.
-double gauss_place(std::size_t point, int axis) { return std::numbers::inv_sqrt3 * mode_signs[point][axis]; }
+/// ξ, η and ζ of the Gauss points.
+std::array<Eight, 3> gauss_places() {
+  std::array<Eight, 3> places;
+  for (int p = 0; p < 8; ++p)
+    for (int axis = 0; axis < 3; ++axis)
+      places[static_cast<std::size_t>(axis)][p] = std::numbers::inv_sqrt3 * mode_signs[p][axis];
+  return places;
+}
+const std::array<Eight, 3> gauss_place = gauss_places();
 
-/// The factors of a column of the Jacobian at a point: of the pair modes `l` and `k` and of ξηζ.
+/// The factors of a column of the Jacobian at the points: of the pair modes `l` and `k` and of ξηζ.
 struct ColumnFactors {
   int k, l;
-  double at_k, at_l, product;
-  ColumnFactors(int j, std::size_t point, const Matrix& scale) : k((j + 1) % 3), l((j + 2) % 3) {
-    at_k = gauss_place(point, k) * scale(j, k);
-    at_l = gauss_place(point, l) * scale(j, l);
+  Eight at_k, at_l, product;
+  ColumnFactors(int j, const Matrix& scale) : k((j + 1) % 3), l((j + 2) % 3) {
+    at_k = gauss_place[static_cast<std::size_t>(k)] * scale(j, k);
+    at_l = gauss_place[static_cast<std::size_t>(l)] * scale(j, l);
     product = at_k * at_l;
   }
 };
 
+using Factors = std::array<ColumnFactors, 3>;
+
+Factors factors(const Matrix& scale) {
+  return {ColumnFactors(0, scale), ColumnFactors(1, scale), ColumnFactors(2, scale)};
+}
+
+const Factors unscaled = factors(Matrix::Ones());
+
 /// ∂/∂ξ of a field with these modes.
-Matrix derivatives(const BrickModes& x, std::size_t point, const Matrix& scale) {
-  Matrix columns;
+EightMatrices derivatives(const BrickModes& x, const Factors& all) {
+  EightMatrices columns;
   for (int j = 0; j < 3; ++j) {
-    const ColumnFactors f(j, point, scale);
-    columns.col(j) = x.linear.col(j) + f.at_k * x.pairs.col(f.l) + f.at_l * x.pairs.col(f.k) + f.product * x.all;
+    const ColumnFactors& f = all[static_cast<std::size_t>(j)];
+    for (int i = 0; i < 3; ++i)
+      columns(i, j) = x.linear(i, j) + f.at_k * x.pairs(i, f.l) + f.at_l * x.pairs(i, f.k) + f.product * x.all[i];
   }
   return columns;
 }
 
 /// The transpose of derivatives(): adds the forces of `columns`.
-void add_forces(const Matrix& columns, std::size_t point, const Matrix& scale, BrickModes& forces) {
-  forces.linear += columns;
+void add_forces(const EightMatrices& columns, const Factors& all, BrickModes& forces) {
   for (int j = 0; j < 3; ++j) {
-    const ColumnFactors f(j, point, scale);
-    forces.pairs.col(f.l) += f.at_k * columns.col(j);
-    forces.pairs.col(f.k) += f.at_l * columns.col(j);
-    forces.all += f.product * columns.col(j);
+    const ColumnFactors& f = all[static_cast<std::size_t>(j)];
+    for (int i = 0; i < 3; ++i) {
+      const Eight& column = columns(i, j);
+      forces.linear(i, j) += column.sum();
+      forces.pairs(i, f.l) += (f.at_k * column).sum();
+      forces.pairs(i, f.k) += (f.at_l * column).sum();
+      forces.all[i] += (f.product * column).sum();
+    }
   }
 }
 
-/// det J J⁻ᵀ
-Matrix cofactor(const Matrix& m) {
-  Matrix result;
-  for (int j = 0; j < 3; ++j) result.col(j) = m.col((j + 1) % 3).cross(m.col((j + 2) % 3));
-  return result;
-}
-
-/// The inverse; `good` becomes false where the determinant is not above zero.
-Matrix inverse_of(const Matrix& m, bool& good) {
-  const Matrix c = cofactor(m);
-  const double determinant = c.col(0).dot(m.col(0));
-  if (!(determinant > 0)) good = false;
-  return c.transpose() / determinant;
+/// The inverses; `good` becomes false where a determinant is not above zero.
+EightMatrices inverse_of(const EightMatrices& m, bool& good) {
+  const EightMatrices cofactors = cofactor(m);
+  const Eight determinants = determinant(m, cofactors);
+  if (!(determinants > 0).all()) good = false;
+  return inverse(cofactors, determinants);
 }
 
 /// ELFORM -2: κ for the gradient of the i-th component.
@@ -71,23 +84,32 @@ Matrix component_scale(const Matrix& scale, int i) {
 }
 
 /// ELFORM -2: derivatives() by component, of a field in the axes.
-Matrix derivatives_by_component(const BrickModes& v, std::size_t point, const Matrix& scale) {
-  Matrix columns = derivatives(v, point, scale);
-  columns.diagonal() = derivatives(v, point, Matrix::Ones()).diagonal();
+EightMatrices derivatives_by_component(const BrickModes& v, const Factors& scaled) {
+  EightMatrices columns = derivatives(v, scaled);
+  const EightMatrices own = derivatives(v, unscaled);
+  for (int i = 0; i < 3; ++i) columns(i, i) = own(i, i);
   return columns;
 }
 
 /// Row by row the product with the component's own matrix.
-Matrix times_inverse(const Matrix& rows, const std::array<Matrix, 3>& inverse) {
-  Matrix product;
-  for (int i = 0; i < 3; ++i) product.row(i) = rows.row(i) * inverse[static_cast<std::size_t>(i)];
+EightMatrices times_inverse(const EightMatrices& rows, const std::array<EightMatrices, 3>& inverse) {
+  EightMatrices product;
+  for (int i = 0; i < 3; ++i) {
+    const EightMatrices& own = inverse[static_cast<std::size_t>(i)];
+    for (int j = 0; j < 3; ++j)
+      product(i, j) = rows(i, 0) * own(0, j) + rows(i, 1) * own(1, j) + rows(i, 2) * own(2, j);
+  }
   return product;
 }
 
 /// The transpose of that.
-Matrix times_transposed(const Matrix& rows, const std::array<Matrix, 3>& inverse) {
-  Matrix product;
-  for (int i = 0; i < 3; ++i) product.row(i) = rows.row(i) * inverse[static_cast<std::size_t>(i)].transpose();
+EightMatrices times_transposed_inverse(const EightMatrices& rows, const std::array<EightMatrices, 3>& inverse) {
+  EightMatrices product;
+  for (int i = 0; i < 3; ++i) {
+    const EightMatrices& own = inverse[static_cast<std::size_t>(i)];
+    for (int j = 0; j < 3; ++j)
+      product(i, j) = rows(i, 0) * own(j, 0) + rows(i, 1) * own(j, 1) + rows(i, 2) * own(j, 2);
+  }
   return product;
 }
 
@@ -119,30 +141,39 @@ bool is_scaled(SolidRule rule) { return rule == SolidRule::efficient || rule == 
 
 using ProductModes = Eigen::Matrix<double, 3, 4>;
 
-/// Columns: the gradients of the four modes with products at a point.
-ProductModes product_gradients(const Matrix& inverse, std::size_t point, const Matrix& scale) {
-  ProductModes columns = ProductModes::Zero();
-  for (int j = 0; j < 3; ++j) {
-    const ColumnFactors f(j, point, scale);
-    columns(j, f.l) = f.at_k;
-    columns(j, f.k) = f.at_l;
-    columns(j, 3) = f.product;
+/// The gradients of the four modes with products at the points: component i of mode m.
+using ProductGradients = std::array<std::array<Eight, 4>, 3>;
+
+ProductGradients product_gradients(const EightMatrices& inverse, const Factors& all) {
+  ProductGradients gradients;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (Eight& mode : gradients[i]) mode.setZero();
+    for (std::size_t j = 0; j < 3; ++j) {
+      const ColumnFactors& f = all[j];
+      const Eight& row = inverse(static_cast<int>(j), static_cast<int>(i));
+      gradients[i][static_cast<std::size_t>(f.l)] += row * f.at_k;
+      gradients[i][static_cast<std::size_t>(f.k)] += row * f.at_l;
+      gradients[i][3] += row * f.product;
+    }
   }
-  return inverse.transpose() * columns;
+  return gradients;
 }
 
 /// Σ V g gᵀ of the gradients' differences from their mean, by modes; of one component of ELFORM -2.
 Eigen::Matrix4d squared_differences(const BrickMap& map, int component) {
   const bool accurate = map.rule == SolidRule::accurate;
   const Matrix scale = accurate ? component_scale(map.scale, component) : map.scale;
+  const ProductGradients g = product_gradients(
+      accurate ? map.component_inverse[static_cast<std::size_t>(component)] : map.inverse, factors(scale));
   Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
-  ProductModes mean = ProductModes::Zero();
-  for (std::size_t p = 0; p < 8; ++p) {
-    const Matrix& inverse = accurate ? map.component_inverse[p][static_cast<std::size_t>(component)] : map.inverse[p];
-    const ProductModes columns = product_gradients(inverse, p, scale);
-    sum += map.volume[p] * columns.transpose() * columns;
-    mean += map.volume[p] * columns;
-  }
+  ProductModes mean;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t m = 0; m < 4; ++m) {
+      const Eight weighted = map.volume * g[i][m];
+      mean(static_cast<int>(i), static_cast<int>(m)) = weighted.sum();
+      for (std::size_t n = 0; n <= m; ++n) sum(static_cast<int>(m), static_cast<int>(n)) += (weighted * g[i][n]).sum();
+    }
+  sum.triangularView<Eigen::StrictlyUpper>() = sum.transpose();
   return sum - mean.transpose() * mean / map.total;
 }
 
@@ -182,24 +213,22 @@ BrickMap brick_map(SolidRule rule, const BrickModes& x) {
   map.good = true;
   if (is_scaled(rule)) map.scale = side_ratios(x.linear);
   if (rule == SolidRule::accurate) map.axes = orthogonal_axes(x.linear);
-  map.least = std::numeric_limits<double>::infinity();
-  for (std::size_t p = 0; p < 8; ++p) {
-    const Matrix jacobian = derivatives(x, p, Matrix::Ones()), slopes = cofactor(jacobian);
-    map.volume[p] = slopes.col(0).dot(jacobian.col(0));
-    map.total += map.volume[p];
-    map.least = std::min(map.least, 8 * map.volume[p]);
-    add_forces(slopes, p, Matrix::Ones(), map.slope);
-    if (rule == SolidRule::accurate) {
-      const Matrix scaled = derivatives(x, p, map.scale);
-      for (int i = 0; i < 3; ++i) {
-        Matrix own = scaled;
-        own.col(i) = jacobian.col(i);
-        map.component_inverse[p][static_cast<std::size_t>(i)] = inverse_of(own, map.good);
-      }
-    } else {
-      map.inverse[p] = rule == SolidRule::efficient ? inverse_of(derivatives(x, p, map.scale), map.good)
-                                                    : Matrix(slopes.transpose() / map.volume[p]);
+  const EightMatrices jacobian = derivatives(x, unscaled), slopes = cofactor(jacobian);
+  map.volume = determinant(jacobian, slopes);
+  map.total = map.volume.sum();
+  map.least = 8 * map.volume.minCoeff();
+  add_forces(slopes, unscaled, map.slope);
+  if (rule == SolidRule::accurate) {
+    const EightMatrices scaled = derivatives(x, factors(map.scale));
+    for (int i = 0; i < 3; ++i) {
+      EightMatrices own = scaled;
+      for (int row = 0; row < 3; ++row) own(row, i) = jacobian(row, i);
+      map.component_inverse[static_cast<std::size_t>(i)] = inverse_of(own, map.good);
     }
+  } else if (rule == SolidRule::efficient) {
+    map.inverse = inverse_of(derivatives(x, factors(map.scale)), map.good);
+  } else {
+    map.inverse = inverse(slopes, map.volume);
   }
   map.good = map.good && map.least > 0 && std::isfinite(map.total);
   return map;
@@ -211,47 +240,47 @@ Matrix mean_gradient(const BrickMap& map, const BrickModes& v) {
          map.total;
 }
 
-std::array<Matrix, 8> brick_gradients(const BrickMap& map, const BrickModes& v) {
-  std::array<Matrix, 8> gradients;
+EightMatrices brick_gradients(const BrickMap& map, const BrickModes& v) {
   const bool accurate = map.rule == SolidRule::accurate;
-  const BrickModes local = accurate ? turned(map.axes.transpose(), v) : v;
-  Matrix mean = Matrix::Zero();
-  for (std::size_t p = 0; p < 8; ++p) {
-    if (accurate)
-      gradients[p] = map.axes * times_inverse(derivatives_by_component(local, p, map.scale), map.component_inverse[p]);
-    else
-      gradients[p] = derivatives(v, p, map.scale) * map.inverse[p];
-    mean += map.volume[p] * gradients[p];
-  }
+  EightMatrices gradients;
+  if (accurate)
+    gradients = map.axes * times_inverse(derivatives_by_component(turned(map.axes.transpose(), v), factors(map.scale)),
+                                         map.component_inverse);
+  else
+    gradients = derivatives(v, is_scaled(map.rule) ? factors(map.scale) : unscaled) * map.inverse;
   if (!is_scaled(map.rule)) return gradients;  // the mean is exact
-  const Matrix correction = mean_gradient(map, v) - mean / map.total;
-  for (Matrix& gradient : gradients) gradient += correction;
+  const Matrix exact = mean_gradient(map, v);
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) gradients(i, j) += exact(i, j) - (map.volume * gradients(i, j)).sum() / map.total;
   return gradients;
 }
 
-BrickModes brick_stress_forces(const BrickMap& map, const std::array<Matrix, 8>& stress) {
-  Matrix mean = Matrix::Zero();
-  for (std::size_t p = 0; p < 8; ++p) mean += map.volume[p] / map.total * stress[p];
-  BrickModes forces{mean * map.slope.linear, mean * map.slope.pairs, mean * map.slope.all};
-  const bool accurate = map.rule == SolidRule::accurate;
-  BrickModes local;
-  for (std::size_t p = 0; p < 8; ++p) {
-    const Matrix rest = map.volume[p] * (stress[p] - mean);
-    if (!accurate) {
-      add_forces(rest * map.inverse[p].transpose(), p, map.scale, forces);
-      continue;
+BrickModes brick_stress_forces(const BrickMap& map, const EightMatrices& stress) {
+  Matrix mean;
+  EightMatrices rest;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) {
+      mean(i, j) = (map.volume * stress(i, j)).sum() / map.total;
+      rest(i, j) = map.volume * (stress(i, j) - mean(i, j));
     }
-    Matrix columns = times_transposed(map.axes.transpose() * rest, map.component_inverse[p]);
-    add_forces(columns.diagonal().asDiagonal(), p, Matrix::Ones(), local);
-    columns.diagonal().setZero();
-    add_forces(columns, p, map.scale, local);
+  BrickModes forces{mean * map.slope.linear, mean * map.slope.pairs, mean * map.slope.all};
+  if (map.rule != SolidRule::accurate) {
+    add_forces(times_transposed(rest, map.inverse), is_scaled(map.rule) ? factors(map.scale) : unscaled, forces);
+    return forces;
   }
-  if (accurate) {
-    const BrickModes back = turned(map.axes, local);
-    forces.linear += back.linear;
-    forces.pairs += back.pairs;
-    forces.all += back.all;
-  }
+  EightMatrices columns = times_transposed_inverse(map.axes.transpose() * rest, map.component_inverse), own;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) {
+      own(i, j).setZero();
+      if (i == j) own(i, j).swap(columns(i, j));
+    }
+  BrickModes local;
+  add_forces(own, unscaled, local);
+  add_forces(columns, factors(map.scale), local);
+  const BrickModes back = turned(map.axes, local);
+  forces.linear += back.linear;
+  forces.pairs += back.pairs;
+  forces.all += back.all;
   return forces;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <array>
 
+#include "solver/quadrature/eight_points.hpp"
 #include "solver/quadrature/solid_rule.hpp"
-#include "solver/state/tensor.hpp"
 
 namespace gapcheck::solver {
 
@@ -31,12 +31,12 @@ struct BrickMap {
   bool good = false;              ///< the determinants at all points are above zero
   Matrix scale = Matrix::Ones();  ///< κ
   Matrix axes;                    ///< of ELFORM -2: columns eᵢ, the axes orthogonal in the order of their lengths
-  std::array<Matrix, 8> inverse;  ///< of J*; not of ELFORM -2
-  std::array<std::array<Matrix, 3>, 8> component_inverse;  ///< of ELFORM -2: of J* for each component
-  std::array<double, 8> volume{};                          ///< of the points
-  double total = 0;                                        ///< volume
-  double least = 0;                                        ///< eight times the volume of the least point
-  BrickModes slope;                                        ///< ∂(total)/∂x
+  EightMatrices inverse;          ///< of J*; not of ELFORM -2
+  std::array<EightMatrices, 3> component_inverse;  ///< of ELFORM -2: of J* for each component
+  Eight volume = Eight::Zero();                    ///< of the points
+  double total = 0;                                ///< volume
+  double least = 0;                                ///< eight times the volume of the least point
+  BrickModes slope;                                ///< ∂(total)/∂x
 };
 
 [[nodiscard]] BrickMap brick_map(SolidRule rule, const BrickModes& x);
@@ -44,9 +44,9 @@ struct BrickMap {
 /// The mean of ∂v/∂x over the volume, exact.
 [[nodiscard]] Matrix mean_gradient(const BrickMap& map, const BrickModes& v);
 /// ∂v/∂x at the points; the mean over the volume is mean_gradient().
-[[nodiscard]] std::array<Matrix, 8> brick_gradients(const BrickMap& map, const BrickModes& v);
+[[nodiscard]] EightMatrices brick_gradients(const BrickMap& map, const BrickModes& v);
 /// Forces whose power is Σ volume · stress : brick_gradients() for any v.
-[[nodiscard]] BrickModes brick_stress_forces(const BrickMap& map, const std::array<Matrix, 8>& stress);
+[[nodiscard]] BrickModes brick_stress_forces(const BrickMap& map, const EightMatrices& stress);
 
 /// An upper bound of what Σ volume · (`mean` |mean_gradient|² + `rest` |brick_gradients − mean_gradient|²) is at most
 /// for velocities with Σ |v|² = 1 over the eight corners; `x`: of the map.
