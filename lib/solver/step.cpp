@@ -176,6 +176,8 @@ SolverStatus Stepper::evaluate(double& next) {
   // If all elements have failed, the last step stays.
   if (state.failed.count > 0 && !std::isfinite(next)) limit = std::min(limit, state.dt);
   state.coming = std::min(next, limit);
+  const double by_manual = std::min({shells.manual_step, solids.manual_step, beams.manual_step});
+  state.manual_step = std::max(state.coming, std::min(settings_.time_step_factor * by_manual, limit));
   state.elements_share = share_of_step(std::min({shells.stable_step, solids.stable_step, beams.stable_step}), state);
   for (const auto& other : others_) {
     other->add(state, external_);

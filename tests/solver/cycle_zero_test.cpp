@@ -55,7 +55,7 @@ struct CycleZero {
     const std::size_t nodes = x.size();
     state.x = x;
     state.v.assign(nodes, Vector::Zero());
-    state.coming = 1e-6;
+    state.coming = state.manual_step = 1e-6;
     forces.resize(nodes);
     contacts.emplace(model, *surfaces, start, std::vector<bool>(nodes, true));
     contacts->add(state, forces);
@@ -123,7 +123,7 @@ Structure loose_nodes(const CycleZero& run) {
   state.w = state.v;
   state.mass.assign(nodes, 1);
   state.inertia.assign(nodes, 1);
-  state.coming = 1e-6;
+  state.coming = state.manual_step = 1e-6;
   structure.constraints.resize(nodes);
   structure.rigid.resize(nodes);
   return structure;

@@ -196,6 +196,18 @@ TEST(Stepper, TimeStepIsTheFactorTimesTheElements) {
   EXPECT_EQ(stepper.state().cycle, 1u);
 }
 
+// A cube must step by less than the manual's L / c with viscosity (contact rules, section 13); both are known.
+TEST(Stepper, KnowsTheManualsStepBesideItsOwn) {
+  constexpr double young = 1000, nu = 0.3, side = 0.1, linear = 0.06;
+  Stepper stepper(structure_of(brick_bar(2, {side, side, side}) + elastic_deck(solid_section, young, nu, 1)), {});
+  expect_good(stepper.step());
+  const double speed = std::sqrt(young * (1 - nu) / ((1 + nu) * (1 - 2 * nu)));
+  const double manual = 0.9 * side / speed / (linear + std::sqrt(1 + linear * linear));
+  EXPECT_NEAR(stepper.state().manual_step, manual, 1e-12);
+  EXPECT_LT(stepper.state().coming, 0.95 * manual);
+  EXPECT_EQ(stepper.state().coming, stepper.state().dt);
+}
+
 TEST(Stepper, FailuresAreTold) {
   StepSettings settings;
   settings.greatest_step = 0.01;

@@ -48,7 +48,7 @@ bool is_tiebreak(const model::Contact& contact) { return choose_method(contact).
 
 ContactInterface::ContactInterface(const ContactSetting& setting, contact::SurfaceStore& store,
                                    contact::SideCache& sides, ContactIndex contact, bool moved, const State& state)
-    : setting_(setting), x_(state.x), contact_(contact), first_step_(state.coming) {
+    : setting_(setting), x_(state.x), contact_(contact), first_step_(state.manual_step) {
   if (card().airbag_thickness > 0) thickness_ = &setting.model.curves.at(card().lcidab);
   searched_thickness_ = card().airbag_thickness;
   const contact::ActiveTime time = contact::active_time(card());
@@ -209,8 +209,8 @@ double ContactInterface::update_thickness(double time) {
 }
 
 std::optional<ContactEvent> ContactInterface::follow_step(const State& state) {
-  if (step_ > 0 && std::isfinite(state.coming) && state.coming > step_growth * step_) {
-    step_ = state.coming;
+  if (step_ > 0 && std::isfinite(state.manual_step) && state.manual_step > step_growth * step_) {
+    step_ = state.manual_step;
     set_timestep(step_);
   }
   for (const auto& pass : passes_)

@@ -31,6 +31,9 @@ struct State {
   std::vector<BodyState> bodies;        ///< rigid bodies; forces act on their nodes or their centres
   double time = 0, dt = 0;              ///< dt: of the last step, 0 before the first
   double coming = 0;                    ///< the step that the elements allow next; known when other forces are called
+  /// What the manual's step lengths alone allow, which is never less than `coming`: contact springs that follow the step
+  /// (SOFT = 1 and 2) take it, so that they are as stiff as LS-DYNA's.
+  double manual_step = 0;
   double elements_share = usual_share;  ///< ω² dt² of the elements at that step, at most; 4 is the bound of stability
   std::uint64_t cycle = 0;
   FailedElements failed;  ///< these no longer take part; their mass stays at their nodes

@@ -113,7 +113,7 @@ void TieForces::build(const State& state) {
     const contact::ContactSurfaces& surfaces = store_.at(interface.contact);
     const contact::SideScene side(model_, interface.contact, surfaces, false, initial_.x);
     ContactSprings springs(model_, side, masses, contact.sfs, contact.sfm, tables);
-    const double timestep = contact.dtstif > 0 ? contact.dtstif : state.coming;
+    const double timestep = contact.dtstif > 0 ? contact.dtstif : state.manual_step;
     springs.set_timestep(timestep);
     find_strength(interface, side, state.x);
     const std::vector<NodeIndex>& nodes = side.scene().nodes.node;

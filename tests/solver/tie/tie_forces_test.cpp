@@ -105,7 +105,7 @@ TEST(TieForces, RigidRotationGivesNoForce) {
       auto built = build_structure(read.model, {}, diagnostics);
       Structure& structure = built.value();
       State& state = structure.state;
-      state.coming = 0.01;
+      state.coming = state.manual_step = 0.01;
       TieForces ties(read.model, surfaces, initial, structure);
       Forces forces;
       forces.resize(state.x.size());
