@@ -6,6 +6,7 @@ import sys
 sys.dont_write_bytecode = True  # keeps the source tree clean
 
 import generated
+from benchmark_decks.problems import PROBLEMS
 
 
 class Mesh:
@@ -123,7 +124,7 @@ def ring_point(radius, width, r, angle):
 
 def disc_quads(mesh, radius, density, z):
     """A square of quads whose sides bulge, and four blocks around it; 4 `density` quads along each side."""
-    side, rings, half = 4 * density, 2 * density, 0.5 * radius
+    side, rings, half = round(4 * density), round(2 * density), 0.5 * radius
     quads = []
 
     def block(columns, rows, place):
@@ -281,7 +282,7 @@ def taylor_bar(density=1, solid=1):
     radius, length = 3.2, 32.4
     flat = Mesh()
     quads = disc_quads(flat, radius, density, 0.0)
-    layers, per_layer = 40 * density, len(flat.nodes)
+    layers, per_layer = round(40 * density), len(flat.nodes)
     nodes = [(x, y, length * k / layers) for k in range(layers + 1) for x, y, _ in flat.nodes]
     bricks = [[n + per_layer * k for n in quad] + [n + per_layer * (k + 1) for n in quad]
               for k in range(layers) for quad in quads]
@@ -419,6 +420,10 @@ def write_all(folder):
     folder.mkdir(parents=True, exist_ok=True)
     for name, make in DECKS.items():
         (folder / name).write_text(make(), encoding="utf-8")
+    for problem in PROBLEMS:
+        level, variant = problem.small
+        deck = problem.deck(level, problem.variants[variant])
+        (folder / f"{problem.name}.k").write_text(deck, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Runs other people's decks with the verification solver and writes docs/solver-runs.md with its pictures.
 
-    scripts/solver_runs.py GAPCHECK DECKS    GAPCHECK: the program; DECKS: the folder with the decks
+    scripts/solver_runs.py GAPCHECK DECKS            GAPCHECK: the program; DECKS: the folder with the decks
+    scripts/solver_runs.py GAPCHECK DECKS --table    only the section of all decks, in two minutes
 """
 import argparse
 import base64
@@ -13,7 +14,10 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True  # keeps the source tree clean
+
 from chart import svg
+import run_table
 from state_energy import notes, ratios
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -174,10 +178,17 @@ def main():
     parser.add_argument("program", metavar="GAPCHECK")
     parser.add_argument("decks", metavar="DECKS", type=pathlib.Path)
     parser.add_argument("--small", action="store_true", help="one short run of a deck of data/workshop, to test this script")
+    parser.add_argument("--table", action="store_true", help="only rewrite the section of all decks")
     arguments = parser.parse_args()
-    program, decks = arguments.program, arguments.decks.resolve()
+    program, decks = pathlib.Path(arguments.program).resolve(), arguments.decks.resolve()
     PICTURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
+        table = run_table.section(program, decks, folder, *((20, 3) if arguments.small else ()))
+        if arguments.table:
+            text = PAGE.read_text(encoding="utf-8")
+            before, after = text.split(run_table.BEGIN)[0], text.split(run_table.END + "\n")[-1]
+            PAGE.write_text(before + table + after, encoding="utf-8")
+            return
         done = [run(program, decks, pathlib.Path(folder), *one) for one in (SMALL if arguments.small else RUNS)]
     PAGE.write_text("""# Runs of other people's decks
 
@@ -198,7 +209,7 @@ drawn out to a thread: it is not the intended forming. It ends at a tenth of the
 smaller its elements and with them the time step. The nodes of rigid bodies and welds of car6 pass through its pole, and a
 warning says so.
 
-""" + "\n".join(text for _, text in done), encoding="ascii")
+""" + "\n".join(text for _, text in done) + "\n" + table, encoding="utf-8")
 
 
 if __name__ == "__main__":

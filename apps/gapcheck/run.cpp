@@ -38,7 +38,7 @@ struct RunArguments {
   double until = 0;
   std::uint64_t cycles = 0;
   std::size_t jobs = 0;
-  bool ignore_unsupported = false, force = false, vtu = false, quiet = false, stats = false;
+  bool ignore_unsupported = false, force = false, vtu = false, binout = false, quiet = false, stats = false;
 };
 
 /// Files and the progress line.
@@ -69,7 +69,7 @@ void tell_unsupported(const std::vector<solver::Unsupported>& list, const RunArg
 }
 
 void tell_output_notes(const keyword::Deck& deck, const model::Model& model, Diagnostics& diagnostics) {
-  for (const model::Output::Note& note : model.output.all_notes())
+  for (const model::Output::Note& note : solver::output_notes(model))
     diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
 }
 
@@ -99,6 +99,7 @@ int calculate(solver::Run& run, contact::SurfaceStore& surfaces, const RunArgume
   solver::RunFilesSettings settings;
   settings.directory = arguments.directory;
   settings.program = fmt::format("gapcheck {}", version());
+  settings.binout = arguments.binout;
   std::optional<VtuSeries> series;
   if (arguments.vtu) {
     series.emplace(run, arguments.directory);
@@ -211,6 +212,8 @@ void add_run(CLI::App& app, Action& action) {
                    "Of contact springs: as the manual has it, or as in the surface time step that LS-DYNA prints")
       ->check(CLI::IsMember({"documented", "printed"}))
       ->capture_default_str();
+  command->add_flag("--binout", arguments->binout,
+                    "Also write all curves into binout0000, as if each card said BINARY = 3");
   command->add_flag("--vtu", arguments->vtu, "Also write each plot state as a .vtu file, and run.pvd that lists them");
   command->add_flag("--quiet", arguments->quiet, "No summary, no warnings");
   command->add_flag("--stats", arguments->stats, "Show counters and times");

@@ -95,7 +95,7 @@ void add_unsupported(const std::vector<solver::Unsupported>& list, bool leave_ou
 }
 
 void add_output_notes(const keyword::Deck& deck, const model::Model& model, gapcheck::Diagnostics& diagnostics) {
-  for (const model::Output::Note& note : model.output.all_notes())
+  for (const model::Output::Note& note : solver::output_notes(model))
     diagnostics.warning(deck.files()[note.place.file.value].path, note.place.line, note.text);
 }
 

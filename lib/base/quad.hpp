@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -15,6 +16,12 @@ namespace gapcheck {
 /// The same of four nodes, whose places are in `x`.
 [[nodiscard]] inline Vector quad_normal(std::span<const NodeIndex, 4> n, std::span<const Vector> x) {
   return quad_normal(x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]);
+}
+
+/// The longer diagonal of a quad of four nodes, whose places are in `x`; of a triangle the longest side.
+[[nodiscard]] inline double longest_diagonal(std::span<const NodeIndex, 4> n, std::span<const Vector> x) {
+  const auto length = [&](std::size_t a, std::size_t b) { return (x[n[a].value] - x[n[b].value]).norm(); };
+  return std::max({length(0, 2), length(1, 3), n[2] == n[3] ? length(0, 1) : 0});
 }
 
 /// Bilinear weights of a quad's corners at (s, t), both from -1 to 1: never negative on the quad, relative error of

@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
 
+#include "contact/definition/active_time.hpp"
 #include "contact/mesh/rigid_nodes.hpp"
 #include "solver/contact/contact_method.hpp"
+#include "solver/contact/curve_rule.hpp"
+#include "solver/tie/tie_strengths.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -55,6 +59,15 @@ SolverStatus no_rigid_nodes(const model::Model& model, const model::Contact& con
   return {};
 }
 
+/// An interface force database holds only sides that contacts name.
+void name_missing_sides(const model::Model& model, Diagnostics& diagnostics) {
+  const bool named = std::any_of(model.contacts.begin(), model.contacts.end(),
+                                 [](const model::Contact& contact) { return contact.print_a || contact.print_b; });
+  if (model.output.intfor > 0 && !named)
+    diagnostics.warning(model.file(model.output.intfor_place), model.output.intfor_place.line,
+                        "*DATABASE_BINARY_INTFOR: no intfor is written, since no contact has SAPR or SBPR = 1");
+}
+
 /// The curve that scales the stiffness of an INTERFERENCE contact.
 SolverStatus check_interference(const model::Model& model, const model::Contact& contact, Diagnostics& diagnostics) {
   const auto warn = [&](const std::string& text) {
@@ -77,6 +90,25 @@ SolverStatus check_interference(const model::Model& model, const model::Contact&
     if (!std::isfinite(time) || !(factor >= 0) || !std::isfinite(factor))
       return fail(fmt::format("curve {} (LCID2) has the value {:g}, with which the contact pulls; use values from 0 up",
                               contact.interference_curve, factor));
+  return {};
+}
+
+/// The curve of births and deaths.
+SolverStatus check_times(const model::Model& model, const model::Contact& contact) {
+  if (!contact::active_time(contact).by_curve) return {};
+  const auto fail = [&](const std::string& text) {
+    return Failure{Failure::Kind::contradiction, fmt::format("contact {}: {}", contact.id.value, text), contact.place};
+  };
+  const model::Curve* const curve = contact::times_curve(model, contact);
+  if (curve == nullptr || curve->points.empty())
+    return fail(
+        fmt::format("DT = -9999 makes BT = {:g} the number of a curve, which is missing or has no points; define "
+                    "it with *DEFINE_CURVE",
+                    contact.birth));
+  for (const auto& [birth, death] : curve->points)
+    if (!std::isfinite(birth) || !(death > birth))
+      return fail(
+          fmt::format("curve {:g} (BT) has a death at {:g}, not after its birth at {:g}", contact.birth, death, birth));
   return {};
 }
 
@@ -172,10 +204,15 @@ SolverStatus check_deck(const model::Model& model, contact::SurfaceStore& surfac
       if (SolverStatus status = check_mortar(contact, surfaces.at(c), diagnostics); !status.ok()) return status;
     if (surfaces.at(c).type.can(contact::Ability::interference))
       if (SolverStatus status = check_interference(model, contact, diagnostics); !status.ok()) return status;
+    if (acts_by_curve(contact))
+      if (SolverStatus status = check_curve_contact(model, contact); !status.ok()) return status;
+    if (SolverStatus status = check_times(model, contact); !status.ok()) return status;
+    if (SolverStatus status = check_tie_strength(model, contact, diagnostics); !status.ok()) return status;
     name_differences(contact, surfaces.at(c), diagnostics);
     if (const std::string why = why_idle(surfaces.at(c)); !why.empty())
       diagnostics.warning("", 0, fmt::format("contact {} does nothing ({}); correct its sides", contact.id.value, why));
   }
+  name_missing_sides(model, diagnostics);
   return {};
 }
 

@@ -37,17 +37,8 @@ std::vector<bool> movable_nodes(const Structure& structure) {
   return movable;
 }
 
-/// Rigid walls, constraint ties and constraint contacts know the degrees of freedom of the global axes only, and walls
-/// those that are held from the start to the end.
+/// Constraint ties and constraint contacts know the degrees of freedom of the global axes only.
 SolverStatus check_supports(const model::Model& model, const Structure& structure) {
-  const auto timed = std::find_if(model.spcs.begin(), model.spcs.end(),
-                                  [](const model::SinglePointConstraint& spc) { return !spc.lifetime.always(); });
-  if (timed != model.spcs.end() && !model.rigid_walls.empty())
-    return Failure{
-        Failure::Kind::not_calculated,
-        "supports with a birth or death time are not calculated in one run with rigid walls, which would not "
-        "see the released nodes; remove the times or the walls",
-        timed->place};
   const NodeIndex node = structure.constraints.first_with_axes();
   if (node == none<NodeIndex>) return {};
   const auto refused = [&](std::string_view what, model::Place place) {
@@ -58,7 +49,6 @@ SolverStatus check_supports(const model::Model& model, const Structure& structur
                     what, structure.node_id[node.value]),
         place};
   };
-  if (!model.rigid_walls.empty()) return refused("rigid walls", model.rigid_walls[0].place);
   for (const model::Contact& contact : model.contacts) {
     if (choose_method(contact).method == ContactMethod::constraint)
       return refused(fmt::format("contact {} (*{}), which acts by constraints,", contact.id.value, contact.written),
@@ -83,6 +73,42 @@ void name_tied_nodes_at_walls(const model::Model& model, const contact::InitialS
         fmt::format("rigid walls do not stop the {} nodes that constraints tie; tie what meets a wall by "
                     "a type with _OFFSET or _BEAM_OFFSET",
                     nodes));
+}
+
+/// The curve that limits the step, LCTM; nullptr: there is none.
+SolverResult<std::shared_ptr<const TimeCurve>> step_limit(const model::Model& model) {
+  const model::Controls& controls = model.controls;
+  if (controls.lctm == 0) return std::shared_ptr<const TimeCurve>();
+  const auto fail = [&](Failure::Kind kind, std::string_view why) {
+    return Failure{kind, fmt::format("*CONTROL_TIMESTEP: curve {} (LCTM) {}", controls.lctm, why),
+                   controls.timestep_place};
+  };
+  const auto curve = model.curves.find(controls.lctm);
+  if (curve == model.curves.end() || curve->second.points.empty())
+    return fail(Failure::Kind::unknown_reference, "is not defined by a *DEFINE_CURVE; define it or set LCTM to 0");
+  std::vector<TimeCurve::Point> points = curve->second.points;
+  double last = -std::numeric_limits<double>::infinity();
+  for (auto& [time, step] : points) {
+    if (!(time >= last) || !std::isfinite(time))
+      return fail(Failure::Kind::contradiction, "has times that do not rise");
+    if (!(step > 0)) return fail(Failure::Kind::contradiction, "has a step that is not above 0");
+    last = time;
+    time *= curve->second.abscissa_time;
+  }
+  return std::make_shared<const TimeCurve>(std::move(points));
+}
+
+/// The springs of SOFT = 2 follow the step of the elements. Without elements they would have no stiffness.
+SolverStatus check_stiffness_by_step(const model::Model& model) {
+  for (const model::Contact& contact : model.contacts)
+    if (contact::classify(contact).pairing == contact::Pairing::segments && !(contact.dtstif > 0))
+      return Failure{
+          Failure::Kind::contradiction,
+          fmt::format("contact {} (*{}) takes its stiffness from the time step (SOFT = 2), which nothing but "
+                      "rigid bodies has; set SOFT = 0, DTSTIF on card C or DTINIT of *CONTROL_TIMESTEP",
+                      contact.id.value, contact.written),
+          contact.place};
+  return {};
 }
 
 /// Rigid parts alone allow any step: the least of DTINIT, LCTM at the start, and what the contact springs allow. 0:
@@ -132,9 +158,17 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   StepSettings step = settings.step;
   step.time_step_factor = model.controls.tssfac;
   step.first_step = model.controls.dtinit;
+  if (model.controls.ms1st == 0) step.scaling = MassScaling(model.controls);
+  auto limit = step_limit(model);
+  if (!limit) return limit.error();
+  step.limit = std::move(limit).value();
   Structure& built = structure.value();
-  if (built.shells.size() + built.solids.size() == 0 && !built.beams.limit_step() && !(step.greatest_step > 0))
+  if (built.shells.size() + built.solids.size() + built.thick_shells.size() == 0 && !built.beams.limit_step() &&
+      !(step.greatest_step > 0)) {
     step.greatest_step = step_without_elements(model, surfaces);
+    if (!(step.greatest_step > 0))
+      if (const SolverStatus stiff = check_stiffness_by_step(model); !stiff.ok()) return stiff.error();
+  }
   std::vector<std::unique_ptr<Force>> forces;
   if (const SolverStatus applied = apply_conditions(model, built, forces, diagnostics); !applied.ok())
     return applied.error();
@@ -166,7 +200,12 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   springs->on_failure(release);
   run.add_contacts(std::move(springs));
   run.add_contacts(std::move(std::get<std::unique_ptr<ConstraintContact>>(constraints)));
-  for (auto& force : forces) run.stepper_->add(std::move(force));
+  for (auto& force : forces) {
+    if (const auto* walls = dynamic_cast<const RigidWalls*>(force.get())) run.conditions_.walls = walls;
+    if (const auto* loads = dynamic_cast<const ConcentratedLoads*>(force.get())) run.conditions_.loads = loads;
+    if (const auto* pressures = dynamic_cast<const Pressures*>(force.get())) run.conditions_.pressures = pressures;
+    run.stepper_->add(std::move(force));
+  }
   // Last: they hold regardless of all other forces.
   auto ties = std::make_unique<TieConstraints>(model, surfaces, *run.initial_, stepped, diagnostics);
   ties->on_failure(release);

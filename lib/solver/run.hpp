@@ -9,6 +9,8 @@
 #include "contact/initial.hpp"
 #include "model/model.hpp"
 #include "solver/build/build.hpp"
+#include "solver/condition/loads.hpp"
+#include "solver/condition/rigid_walls.hpp"
 #include "solver/contact/contact_forces.hpp"
 #include "solver/contact/transducers.hpp"
 #include "solver/step.hpp"
@@ -69,6 +71,13 @@ class Run {
   /// Single events of contacts in the last force evaluation.
   [[nodiscard]] const std::vector<ContactEvent>& events() const { return events_; }
   [[nodiscard]] const ContactCounters& contact_counters() const { return contacts_->counters(); }
+  /// What presses on nodes from outside; nullptr: nothing of the kind.
+  struct Conditions {
+    const RigidWalls* walls = nullptr;
+    const ConcentratedLoads* loads = nullptr;
+    const Pressures* pressures = nullptr;
+  };
+  [[nodiscard]] const Conditions& conditions() const { return conditions_; }
   [[nodiscard]] double end_time() const { return end_time_; }
   /// Not ok() once it has failed.
   [[nodiscard]] const SolverStatus& status() const { return status_; }
@@ -90,6 +99,7 @@ class Run {
   std::unique_ptr<contact::InitialState> initial_;
   std::unique_ptr<Stepper> stepper_;
   const ContactForces* contacts_ = nullptr;
+  Conditions conditions_;  ///< owned by the stepper
   std::unique_ptr<Transducers> transducers_;
   std::vector<ContactSource*> sources_;  ///< of contacts; all owned by the stepper
   std::vector<ContactEvent> events_;

@@ -74,6 +74,48 @@ double share_of_step(double stable_step, const State& state) {
   return std::isfinite(ratio) ? std::max(usual_share, 4 * ratio * ratio) : usual_share;
 }
 
+/// Moved degrees of freedom move from the start.
+void start_moving(Structure& structure) {
+  State& state = structure.state;
+  for (std::size_t i = 0; i < state.x.size(); ++i)
+    for (std::size_t freedom = 0; freedom < 6; ++freedom) {
+      if ((structure.constraints.mask(i, state.time, 0) >> freedom & 1u) == 0) continue;
+      Vector& velocity = (freedom < 3 ? state.v : state.w)[i];
+      const auto axis = static_cast<int>(freedom % 3);
+      const double imposed = structure.constraints.velocity(i, freedom, state.time, 0);
+      if (const Matrix* axes = structure.constraints.axes(i); axes != nullptr)
+        velocity += (imposed - velocity.dot(axes->col(axis))) * axes->col(axis);
+      else
+        velocity[axis] = imposed;
+    }
+}
+
+/// A failure if an element has lost its area, volume or length. `ids`: of the model's elements.
+template <class Elements>
+SolverStatus check_elements(const Summary& sum, const Elements& elements, const std::vector<std::int64_t>& ids,
+                            std::string_view what, std::string_view fault, double time) {
+  if (sum.bad == no_position) return {};
+  const auto [lost, cause] = std::pair(fault.substr(0, fault.find(';')), fault.substr(fault.find(';') + 1));
+  return Failure{Failure::Kind::bad_element, fmt::format("{} {} {} at time {:g}; look at what {} it", what,
+                                                         ids[elements.origin(sum.bad)], lost, time, cause)};
+}
+
+SolverStatus check_elements(const Structure& structure, const Summary& shells, const Summary& solids,
+                            const Summary& beams, const Summary& thick_shells) {
+  const double time = structure.state.time;
+  SolverStatus status =
+      check_elements(shells, structure.shells, structure.shell_id, "shell", "has lost its area;pulls on", time);
+  if (status.ok())
+    status = check_elements(solids, structure.solids, structure.solid_id, "solid", "has no positive volume;presses on",
+                            time);
+  if (status.ok())
+    status = check_elements(thick_shells, structure.thick_shells, structure.thick_shell_id, "thick shell",
+                            "has lost its volume;presses on", time);
+  if (status.ok())
+    status = check_elements(beams, structure.beams, structure.beam_id, "beam", "has lost its length;presses on", time);
+  return status;
+}
+
 }  // namespace
 
 Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::move(structure)), settings_(settings) {
@@ -81,43 +123,25 @@ Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::m
   structure_.shells.finish(nodes);
   structure_.solids.finish(nodes);
   structure_.beams.finish(nodes);
+  structure_.thick_shells.finish(nodes);
   structure_.constraints.finish();
+  if (settings_.scaling.step > 0) {
+    structure_.shells.watch_steps(settings_.scaling, structure_.state);
+    structure_.solids.watch_steps(settings_.scaling, structure_.state);
+    structure_.beams.watch_steps(settings_.scaling, structure_.state);
+  }
   for (Forces* forces : {&external_, &before_, &net_}) forces->resize(nodes, structure_.rigid.size());
-  // Moved degrees of freedom move from the start.
-  State& state = structure_.state;
-  for (std::size_t i = 0; i < nodes; ++i)
-    for (std::size_t freedom = 0; freedom < 6; ++freedom) {
-      if ((structure_.constraints.mask(i, state.time, 0) >> freedom & 1u) == 0) continue;
-      Vector& velocity = (freedom < 3 ? state.v : state.w)[i];
-      const auto axis = static_cast<int>(freedom % 3);
-      const double imposed = structure_.constraints.velocity(i, freedom, state.time, 0);
-      if (const Matrix* axes = structure_.constraints.axes(i); axes != nullptr)
-        velocity += (imposed - velocity.dot(axes->col(axis))) * axes->col(axis);
-      else
-        velocity[axis] = imposed;
-    }
-  structure_.rigid.start(state);
-}
-
-SolverStatus Stepper::check_elements(const Summary& shells, const Summary& solids, const Summary& beams) const {
-  const double time = structure_.state.time;
-  if (shells.bad != no_position)
-    return Failure{Failure::Kind::bad_element,
-                   fmt::format("shell {} has lost its area at time {:g}; look at what pulls on it",
-                               structure_.shell_id[structure_.shells.origin(shells.bad)], time)};
-  if (solids.bad != no_position)
-    return Failure{Failure::Kind::bad_element,
-                   fmt::format("solid {} has no positive volume at time {:g}; look at what presses on it",
-                               structure_.solid_id[structure_.solids.origin(solids.bad)], time)};
-  if (beams.bad != no_position)
-    return Failure{Failure::Kind::bad_element,
-                   fmt::format("beam {} has lost its length at time {:g}; look at what presses on it",
-                               structure_.beam_id[structure_.beams.origin(beams.bad)], time)};
-  return {};
+  for (std::uint32_t i = 0; i < nodes; ++i)
+    if (structure_.constraints.mask(i) != 0) constrained_.push_back(i);
+  if (!constrained_.empty()) reaction_of_.assign(nodes, no_position);
+  for (std::uint32_t k = 0; k < constrained_.size(); ++k) reaction_of_[constrained_[k]] = k;
+  reactions_.assign(constrained_.size(), {Vector::Zero(), Vector::Zero()});
+  start_moving(structure_);
+  structure_.rigid.start(structure_.state);
 }
 
 /// The step that the elements allow; notes which of them is the shortest.
-double Stepper::element_step(const Summary& shells, const Summary& solids, const Summary& beams) {
+double Stepper::element_step(const Summaries& all) {
   double least = std::numeric_limits<double>::infinity();
   control_ = {};
   const auto take = [&](double step, StepControl::Kind kind, std::uint32_t origin) {
@@ -131,9 +155,10 @@ double Stepper::element_step(const Summary& shells, const Summary& solids, const
     if (part.stable_at != no_position && settings_.bounded_step)
       take(part.stable_step / step_slack, kind, elements.origin(part.stable_at));
   };
-  consider(shells, structure_.shells, StepControl::Kind::shell);
-  consider(solids, structure_.solids, StepControl::Kind::solid);
-  consider(beams, structure_.beams, StepControl::Kind::beam);
+  consider(all.shells, structure_.shells, StepControl::Kind::shell);
+  consider(all.solids, structure_.solids, StepControl::Kind::solid);
+  consider(all.beams, structure_.beams, StepControl::Kind::beam);
+  consider(all.thick_shells, structure_.thick_shells, StepControl::Kind::thick_shell);
   return least;
 }
 
@@ -155,13 +180,28 @@ void Stepper::note_failures() {
   state.failed.count = failures_.size();
 }
 
+/// Adds mass to elements whose step is too small; they keep their velocity, so the energy of the mass is supplied.
+/// Returns the step of all elements after that.
+double Stepper::scale_masses(double next) {
+  State& state = structure_.state;
+  AddedMass added = structure_.shells.keep_steps(state);
+  added.add(structure_.solids.keep_steps(state));
+  added.add(structure_.beams.keep_steps(state));
+  if (added.elements == 0) return next;
+  structure_.added_mass += added.mass;
+  if (state.cycle > 0) work_ += added.energy;  // at the start it is a part of the initial energy
+  return std::max(next, settings_.scaling.step);
+}
+
 SolverStatus Stepper::evaluate(double& next) {
   State& state = structure_.state;
-  const Summary shells = structure_.shells.update(state), solids = structure_.solids.update(state),
-                beams = structure_.beams.update(state);
+  const Summaries all{structure_.shells.update(state), structure_.solids.update(state), structure_.beams.update(state),
+                      structure_.thick_shells.update(state)};
+  const auto& [shells, solids, beams, thick_shells] = all;
   if (shells.failed + solids.failed + beams.failed > 0) note_failures();
-  if (SolverStatus checked = check_elements(shells, solids, beams); !checked.ok()) return checked;
-  for (const Summary& part : {shells, solids, beams}) {
+  if (SolverStatus checked = check_elements(structure_, shells, solids, beams, thick_shells); !checked.ok())
+    return checked;
+  for (const Summary& part : {shells, solids, beams, thick_shells}) {
     energies_.internal += part.work - part.hourglass_work;
     energies_.hourglass += part.hourglass_work;
     energies_.bulk_viscosity += part.viscous_work;
@@ -170,15 +210,24 @@ SolverStatus Stepper::evaluate(double& next) {
   std::swap(before_, external_);
   const std::size_t nodes = state.x.size();
   external_.resize(nodes, structure_.rigid.size());
-  next = element_step(shells, solids, beams);
+  next = element_step(all);
+  if (settings_.scaling.step > 0) {
+    next = scale_masses(next);
+    // Thick shells get their mass at the start only.
+    next = std::min(next, settings_.time_step_factor * thick_shells.manual_step);
+    if (settings_.bounded_step) next = std::min(next, thick_shells.stable_step / step_slack);
+  }
   double limit = settings_.greatest_step > 0 ? settings_.greatest_step : std::numeric_limits<double>::infinity();
+  if (settings_.limit != nullptr) limit = std::min(limit, settings_.limit->at(state.time));
   if (settings_.first_step > 0 && state.cycle == 0) limit = std::min(limit, settings_.first_step);
   // If all elements have failed, the last step stays.
   if (state.failed.count > 0 && !std::isfinite(next)) limit = std::min(limit, state.dt);
   state.coming = std::min(next, limit);
-  const double by_manual = std::min({shells.manual_step, solids.manual_step, beams.manual_step});
+  const double by_manual =
+      std::min({shells.manual_step, solids.manual_step, beams.manual_step, thick_shells.manual_step});
   state.manual_step = std::max(state.coming, std::min(settings_.time_step_factor * by_manual, limit));
-  state.elements_share = share_of_step(std::min({shells.stable_step, solids.stable_step, beams.stable_step}), state);
+  state.elements_share = share_of_step(
+      std::min({shells.stable_step, solids.stable_step, beams.stable_step, thick_shells.stable_step}), state);
   for (const auto& other : others_) {
     other->add(state, external_);
     limit = std::min(limit, other->stable_step());
@@ -202,6 +251,7 @@ SolverStatus Stepper::evaluate(double& next) {
       structure_.shells.gather(i, net_.force[i], net_.moment[i]);
       structure_.solids.gather(i, net_.force[i]);
       structure_.beams.gather(i, net_.force[i], net_.moment[i]);
+      structure_.thick_shells.gather(i, net_.force[i]);
     }
   });
   return {};
@@ -224,6 +274,8 @@ SolverStatus Stepper::accelerate(double next) {
           return structure_.constraints.velocity(i, offset + static_cast<std::size_t>(axis), state.time, next);
         };
       };
+      const std::uint32_t held = reaction_of_.empty() ? no_position : reaction_of_[i];
+      if (held != no_position) reactions_[held] = {-net_.force[i], -net_.moment[i]};
       const Freedoms moves{mass, state.v[i], net_.force[i], external_.force[i], before_.force[i]};
       const Freedoms turns{inertia, state.w[i], net_.moment[i], external_.moment[i], before_.moment[i]};
       if (const Matrix* axes = rigid ? nullptr : structure_.constraints.axes(i); axes != nullptr) {
@@ -232,6 +284,10 @@ SolverStatus Stepper::accelerate(double next) {
       } else {
         accelerate_node(moves, mask & 7u, imposed(0), mean, state.dt, first, sum);
         accelerate_node(turns, mask >> 3, imposed(3), mean, state.dt, first, sum);
+      }
+      if (held != no_position) {
+        reactions_[held][0] += net_.force[i];
+        reactions_[held][1] += net_.moment[i];
       }
       const auto node = static_cast<std::uint32_t>(i);
       if (!std::isfinite(state.v[i].sum() + state.w[i].sum())) sum.not_a_number = std::min(sum.not_a_number, node);
@@ -259,6 +315,11 @@ SolverStatus Stepper::accelerate(double next) {
                    fmt::format("a force acts on node {}, which has no mass; give it one or hold it",
                                structure_.node_id[sums.without_mass])};
   return {};
+}
+
+std::array<Vector, 2> Stepper::reaction(std::size_t node) const {
+  const std::uint32_t held = reaction_of_.empty() ? no_position : reaction_of_[node];
+  return held == no_position ? std::array<Vector, 2>{Vector::Zero(), Vector::Zero()} : reactions_[held];
 }
 
 Absorbed Stepper::held() const {

@@ -1,17 +1,22 @@
 #pragma once
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "solver/state/failure.hpp"
 #include "solver/state/force.hpp"
+#include "solver/state/motion.hpp"
 #include "solver/structure/structure.hpp"
 
 namespace gapcheck::solver {
 
 struct StepSettings {
-  double time_step_factor = 0.9;  ///< TSSFAC, on the manual's element steps
-  double greatest_step = 0;       ///< 0 = no limit
-  double first_step = 0;          ///< DTINIT: limit of the first step; 0 = none
+  double time_step_factor = 0.9;           ///< TSSFAC, on the manual's element steps
+  double greatest_step = 0;                ///< 0 = no limit
+  double first_step = 0;                   ///< DTINIT: limit of the first step; 0 = none
+  MassScaling scaling;                     ///< during the run; step 0: none
+  std::shared_ptr<const TimeCurve> limit;  ///< greatest step over time (LCTM); nullptr: none
   /// Also stay below the bound of every element's highest frequency. The manual's lengths alone are not safe for single
   /// bricks and tetrahedra.
   bool bounded_step = true;
@@ -23,7 +28,7 @@ struct StepSettings {
 /// What sets the time step.
 struct StepControl {
   /// other: a force or the step limit
-  enum class Kind : std::uint8_t { shell, solid, beam, other } kind = Kind::other;
+  enum class Kind : std::uint8_t { shell, solid, beam, thick_shell, other } kind = Kind::other;
   std::uint32_t element = 0;  ///< position in the model
 };
 
@@ -67,14 +72,20 @@ class Stepper {
   /// Sum of internal and other forces at that time, and the forces added by constraints.
   [[nodiscard]] const Forces& net() const { return net_; }
   [[nodiscard]] const Forces& external() const { return external_; }
+  /// What supports and prescribed motions do to a node at that time, force and moment; part of both of these.
+  [[nodiscard]] std::array<Vector, 2> reaction(std::size_t node) const;
 
  private:
   [[nodiscard]] SolverStatus evaluate(double& next);
-  [[nodiscard]] double element_step(const Summary& shells, const Summary& solids, const Summary& beams);
-  [[nodiscard]] SolverStatus check_elements(const Summary& shells, const Summary& solids, const Summary& beams) const;
+  /// What one pass over the elements of each kind has found.
+  struct Summaries {
+    Summary shells, solids, beams, thick_shells;
+  };
+  [[nodiscard]] double element_step(const Summaries& all);
   [[nodiscard]] SolverStatus accelerate(double next);
   [[nodiscard]] SolverStatus check_energy();
   void note_failures();
+  [[nodiscard]] double scale_masses(double next);
   void move(double next);
 
   Structure structure_;
@@ -82,6 +93,9 @@ class Stepper {
   std::vector<std::unique_ptr<Force>> others_;
   Forces external_, before_, net_;  ///< before_: external forces at the start of the step that led here
   Energies energies_;
+  std::vector<std::uint32_t> constrained_;        ///< nodes with constraints, ascending
+  std::vector<std::uint32_t> reaction_of_;        ///< by node: position in it; empty: there are none
+  std::vector<std::array<Vector, 2>> reactions_;  ///< by position in it
   double next_ = 0;
   StepControl control_;
   std::vector<ElementFailure> failures_;

@@ -10,9 +10,12 @@
 
 #include "base/embedded.hpp"
 #include "contact/definition/contact_type.hpp"
-#include "solver/build/build_equation_of_state.hpp"
-#include "solver/build/build_erosion.hpp"
-#include "solver/build/build_johnson_cook.hpp"
+#include "solver/build/material/build_equation_of_state.hpp"
+#include "solver/build/material/build_erosion.hpp"
+#include "solver/build/material/build_foam_rubber.hpp"
+#include "solver/build/material/build_johnson_cook.hpp"
+#include "solver/build/material/build_orthotropic.hpp"
+#include "solver/build/material/build_plasticity.hpp"
 #include "solver/condition/rigid_walls.hpp"
 #include "solver/contact/contact_method.hpp"
 
@@ -153,7 +156,7 @@ class Finder {
   }
 
   void find_materials() {
-    constexpr std::array<std::string_view, 11> continua{"MAT_ELASTIC",
+    constexpr std::array<std::string_view, 23> continua{"MAT_ELASTIC",
                                                         "MAT_JOHNSON_COOK",
                                                         "MAT_SIMPLIFIED_JOHNSON_COOK",
                                                         "MAT_ELASTIC_PLASTIC_HYDRO",
@@ -161,12 +164,25 @@ class Finder {
                                                         "MAT_NULL",
                                                         "MAT_RIGID",
                                                         "MAT_MOONEY-RIVLIN_RUBBER",
+                                                        "MAT_POWER_LAW_PLASTICITY",
+                                                        "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
+                                                        "MAT_PLASTICITY_WITH_DAMAGE",
+                                                        "MAT_ORTHOTROPIC_ELASTIC",
+                                                        "MAT_FABRIC",
+                                                        "MAT_VISCOELASTIC",
+                                                        "MAT_BLATZ-KO_RUBBER",
+                                                        "MAT_LOW_DENSITY_FOAM",
+                                                        "MAT_CRUSHABLE_FOAM",
+                                                        "MAT_OGDEN_RUBBER",
+                                                        "MAT_HYPERELASTIC_RUBBER",
+                                                        "MAT_SIMPLIFIED_RUBBER",
                                                         "MAT_SPOTWELD",
                                                         "MAT_PIECEWISE_LINEAR_PLASTICITY",
                                                         "MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC"};
     std::vector<bool> used(model_.parts.size()), beams(model_.parts.size()), material_seen(model_.materials.size());
     mark(model_.mesh.shells, used);
     mark(model_.mesh.solids, used);
+    mark(model_.mesh.thick_shells, used);
     mark(model_.mesh.beams, used);
     mark(model_.mesh.beams, beams);
     for (std::size_t i = 0; i < beams.size(); ++i)
@@ -179,14 +195,19 @@ class Finder {
       material_seen[*position] = true;
       const model::Material& material = model_.materials[*position];
       const bool known = std::find(continua.begin(), continua.end(), material.keyword) != continua.end();
-      if (!known && !material.discrete) {
+      if (!known && !material.discrete && !material.discrete_beam) {
         add(material.keyword, material.place, fmt::format("material {} is of no kind that is calculated", material.id));
         continue;
       }
       if (material.plasticity) find_plasticity(material, beams[i]);
+      if (material.orthotropic) find_element_axes(material);
       if (material.johnson_cook)
         if (const std::string why = johnson_cook_not_calculated(*material.johnson_cook); !why.empty())
           add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));
+      for (const std::string& why :
+           {foam_rubber_not_calculated(material), plasticity_not_calculated(material),
+            material.orthotropic ? orthotropic_not_calculated(*material.orthotropic) : std::string()})
+        if (!why.empty()) add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));
       if (material.hydro)
         if (const std::string why = hydro_not_calculated(*material.hydro); !why.empty())
           add(material.keyword, material.place, fmt::format("material {}: {}", material.id, why));
@@ -194,6 +215,15 @@ class Finder {
         add(material.keyword, material.place,
             fmt::format("material {}: the variant {} is not calculated", material.id, material.weld->variant));
     }
+  }
+
+  /// Angles that elements add to the axes of their material are not read.
+  void find_element_axes(const model::Material& material) {
+    for (const keyword::Block& block : deck_.blocks())
+      if (block.name.starts_with("ELEMENT_SHELL") &&
+          (block.name.find("_BETA") != std::string::npos || block.name.find("_MCID") != std::string::npos))
+        return add(block.name, {block.file, block.line},
+                   fmt::format("the axes that it gives to orthotropic material {} are not calculated", material.id));
   }
 
   void find_plasticity(const model::Material& material, bool of_beams) {
@@ -254,11 +284,28 @@ class Finder {
 
   void find_settings() {
     const model::Controls& controls = model_.controls;
-    if (controls.lctm != 0)
-      add("CONTROL_TIMESTEP", controls.timestep_place, "limits of the time step by a curve (LCTM) are not calculated");
+    if (controls.tslimt != 0)
+      add("CONTROL_TIMESTEP", controls.timestep_place, "shells that soften to keep a step (TSLIMT) are not calculated");
+    find_relaxation();
     if (controls.erode != 0 && controls.erode != 1)
       add("CONTROL_TIMESTEP", controls.timestep_place,
           fmt::format("ERODE = {} is not calculated; 0 and 1 are", controls.erode));
+  }
+
+  /// IDRFLG -999 switches it off whatever curves ask for.
+  void find_relaxation() {
+    const model::Controls& controls = model_.controls;
+    if (controls.idrflg == -999) return;
+    if (controls.idrflg != 0)
+      add("CONTROL_DYNAMIC_RELAXATION", controls.relaxation_place,
+          fmt::format("the run begins without dynamic relaxation (IDRFLG = {}); set IDRFLG to 0 or -999",
+                      controls.idrflg));
+    for (const auto& [id, curve] : model_.curves)
+      if (curve.relaxation == 1 || curve.relaxation == 2)
+        add("DEFINE_CURVE", curve.place,
+            fmt::format("curve {} begins a dynamic relaxation (SIDR = {}), which is not calculated; set SIDR to 0, or "
+                        "IDRFLG of *CONTROL_DYNAMIC_RELAXATION to -999",
+                        id, curve.relaxation));
   }
 
   const keyword::Deck& deck_;

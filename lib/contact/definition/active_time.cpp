@@ -14,4 +14,27 @@ ActiveTime active_time(const model::Contact& contact) {
   return time;
 }
 
+const model::Curve* times_curve(const model::Model& model, const model::Contact& contact) {
+  if (!active_time(contact).by_curve || !(std::abs(contact.birth) < 1e15)) return nullptr;
+  const auto found = model.curves.find(static_cast<std::int64_t>(contact.birth));
+  return found == model.curves.end() ? nullptr : &found->second;
+}
+
+ActiveTimes::ActiveTimes(const model::Model& model, const model::Contact& contact) {
+  const ActiveTime time = active_time(contact);
+  if (!time.by_curve) {
+    windows_.push_back({time.start, time.end});
+    return;
+  }
+  const model::Curve* const curve = times_curve(model, contact);
+  if (curve == nullptr) return;
+  for (const auto& [birth, death] : curve->points)
+    windows_.push_back({birth * curve->abscissa_time, death * curve->abscissa_time});
+}
+
+bool ActiveTimes::at(double time) const {
+  return std::any_of(windows_.begin(), windows_.end(),
+                     [&](const auto& window) { return time >= window[0] && time < window[1]; });
+}
+
 }  // namespace gapcheck::contact

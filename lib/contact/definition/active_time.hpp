@@ -1,5 +1,8 @@
 #pragma once
-#include "model/contact/contact.hpp"
+#include <array>
+#include <vector>
+
+#include "model/model.hpp"
 
 namespace gapcheck::contact {
 
@@ -13,5 +16,19 @@ struct ActiveTime {
 /// the transient phase, unless DT is negative too: then both apply, but only in the transient phase. Source: LS-DYNA
 /// Keyword User's Manual, Vol. I, *CONTACT, card 2.
 [[nodiscard]] ActiveTime active_time(const model::Contact& contact);
+
+/// All times at which a contact acts. With DT = -9999 each point of the curve BT is a birth and a death.
+class ActiveTimes {
+ public:
+  explicit ActiveTimes(const ActiveTime& time) : windows_{{time.start, time.end}} {}
+  ActiveTimes(const model::Model& model, const model::Contact& contact);
+  [[nodiscard]] bool at(double time) const;
+
+ private:
+  std::vector<std::array<double, 2>> windows_;
+};
+
+/// The curve of births and deaths; nullptr: none is named, or it is missing.
+[[nodiscard]] const model::Curve* times_curve(const model::Model& model, const model::Contact& contact);
 
 }  // namespace gapcheck::contact

@@ -16,6 +16,11 @@ void make_tiebreak(ContactType& type) {
   type.abilities = 0;
 }
 
+/// OPTION 2 with PARAM = 1: the surfaces are oriented, and the thickness of shells is left out.
+bool without_thickness(const model::Contact& tiebreak) {
+  return tiebreak.kind->automatic_tiebreak() && std::abs(tiebreak.tiebreak_option) == 2 && tiebreak.tiebreak.param == 1;
+}
+
 /// Types 2, 6 and 7 in any form.
 bool is_tied(const ContactType& type) {
   return type.code == ContactCode::tied_surface || type.code == ContactCode::tied_nodes ||
@@ -100,14 +105,38 @@ bool leaves_rotations_free(const ContactType& type) {
   return is_tied(type) && type.code != ContactCode::tied_shell_edge && no_moment;
 }
 
+bool sides_are_remembered(const model::Contact& tiebreak) {
+  return tiebreak.kind->automatic_tiebreak() ? !without_thickness(tiebreak) : tiebreak.tiebreak.thickness_offsets;
+}
+
 model::Contact after_failure(const model::Contact& tiebreak) {
   model::Contact contact = tiebreak;
   if (tiebreak.kind != nullptr && tiebreak.kind->breaks()) {
-    contact.kind = model::find_contact_kind(tiebreak.kind->after_tie);
-    contact.keyword = std::string(model::contact_prefix).append(tiebreak.kind->after_tie);
+    constexpr std::string_view automatic = "AUTOMATIC_";
+    std::string name(tiebreak.kind->after_tie);
+    if (tiebreak.tiebreak.thickness_offsets && !name.empty()) name.insert(0, automatic);
+    if (without_thickness(tiebreak) && name.starts_with(automatic)) {
+      name.erase(0, automatic.size());
+      contact.thkopt = 2;
+    }
+    contact.kind = model::find_contact_kind(name);
+    contact.keyword = std::string(model::contact_prefix).append(name);
   }
   contact.sst = std::abs(tiebreak.sst);
   contact.mst = std::abs(tiebreak.mst);
+  return contact;
+}
+
+model::Contact as_oriented_type(const model::Contact& rigid) {
+  model::Contact contact = rigid;
+  const ContactCode code = rigid.kind->code == ContactCode::rigid_nodes  ? ContactCode::nodes
+                           : rigid.kind->treatment == Treatment::two_way ? ContactCode::surface
+                                                                         : ContactCode::one_way;
+  contact.keyword = model::recommended_keyword(code).substr(1);  // without the asterisk
+  contact.kind = model::find_contact_kind(std::string_view(contact.keyword).substr(model::contact_prefix.size()));
+  contact.thkopt = 2;
+  contact.sst = contact.mst = 0;
+  contact.soft = 0;
   return contact;
 }
 

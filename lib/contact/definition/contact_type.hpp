@@ -58,9 +58,18 @@ struct ContactType {
 /// carry moments over the offset; 7 and its forms tie rotations.
 [[nodiscard]] bool leaves_rotations_free(const ContactType& type);
 
+/// Tiebreaks in which a node pulls away from the side of the segment on which it lies at the start; in the others, from
+/// the front that the order of the segment's nodes gives. Source: LS-DYNA Keyword User's Manual, Vol. I, *CONTACT, card
+/// 4 of TIEBREAK types: automatic ones but OPTION 2 with PARAM = 1, older ones with THKOFF = 1.
+[[nodiscard]] bool sides_are_remembered(const model::Contact& tiebreak);
+
 /// The contact that a tiebreak becomes once its ties have failed: of the same surfaces, types 5 and 3 and their
 /// automatic forms; tie thicknesses count by absolute value.
 [[nodiscard]] model::Contact after_failure(const model::Contact& tiebreak);
+
+/// The type whose surfaces a RIGID contact has in a run: 5, 10 or 3, without thickness. Source: contact rules, section
+/// 1.
+[[nodiscard]] model::Contact as_oriented_type(const model::Contact& rigid);
 
 /// True for the types that support the segment-based contact of SOFT = 2; for others the solver uses SOFT = 1.
 [[nodiscard]] bool has_soft_2(const ContactType& type);

@@ -98,6 +98,7 @@ double shell_sound_speed(const model::Material& material, double density, std::i
 }
 
 double solid_sound_speed(const model::Material& material, double density) {
+  if (material.wave_modulus > 0) return root(material.wave_modulus, density);
   if (material.young == 0) return root(material.bulk, density);
   const double nu = std::min(material.poisson, nearly_incompressible);
   return root(material.young * (1 - nu) / ((1 + nu) * (1 - 2 * nu)), density);

@@ -50,9 +50,26 @@ struct TiebreakStrength {
   /// NFLF and SFLF, forces on a node, of TIEBREAK_NODES; else NFLS and SFLS, stresses. 0: no such limit.
   double normal = 0, shear = 0;
   double normal_power = 2, shear_power = 2;  ///< NEN, MES
-  double param = 0;                          ///< PARAM; of OPTION 6 the critical opening CCRIT
-  std::int64_t curve = 0;                    ///< TBLCID: stress over the gap after failure; 0 = none
+  /// PARAM: of OPTION 6 and 8 the critical opening CCRIT, of 5 a curve, of 7 and 10 the angle of friction in degrees,
+  /// of 9 and 11 the exponent of the energies.
+  double param = 0;
+  double normal_energy = 0, shear_energy = 0;  ///< ERATEN, ERATES: energies per area
+  double stiffness = 0;                        ///< CN: stress per length; 0: that of the penalty
+  double stiffness_ratio = 1;                  ///< CT2CN: of shear to tension
+  std::int64_t curve = 0;                      ///< TBLCID: stress over the gap after failure; 0 = none
+  bool thickness_offsets = false;              ///< THKOFF = 1: the thickness counts, and either side may face the other
   bool operator==(const TiebreakStrength&) const = default;
+};
+
+/// Card 4 of RIGID types: a force over the penetration. Numbers of curves; 0: none.
+struct RigidForce {
+  std::int64_t curve = 0;            ///< LCID
+  std::int64_t method = 0;           ///< FCM: 1, 4 total force, 2 force on each node, 3 pressure
+  double unloading = 0;              ///< US: stiffness; 0: back along the curve
+  std::int64_t unloading_curve = 0;  ///< UNLCID
+  std::int64_t damping_curve = 0;    ///< LCDC: damping constant over the speed of penetration
+  double damping_scale = 1;          ///< DSF
+  bool operator==(const RigidForce&) const = default;
 };
 
 /// One 3D *CONTACT definition with all its cards. Defaults are the solver's; where "not given" matters, it is an
@@ -76,7 +93,7 @@ struct Contact {
   SurfaceInput a, b;
   bool print_a = false, print_b = false;  ///< SAPR, SBPR: forces on the nodes of that side go to ncforc
   // Card 2
-  double fs = 0, fd = 0, dc = 0, vc = 0, vdc = 0;
+  double fs = 0, fd = 0, dc = 0, vc = 0, vdc = 0;  ///< fs, fd of TIED_..._FAILURE: stresses at which ties fail
   std::int64_t penchk = 0;
   double birth = 0, death = 1e20;  ///< as written; their signs have a meaning, see contact::active_time
   // Card 3; sst, mst: zero = not given
@@ -84,6 +101,7 @@ struct Contact {
   // Card 4 of tiebreak types: OPTION
   std::int64_t tiebreak_option = 0;
   TiebreakStrength tiebreak;
+  RigidForce rigid;
   // Card 4 of eroding types
   std::int64_t erosop = 0;          ///< EROSOP: 1 = surfaces follow the remaining elements
   std::int64_t iadj = 0;            ///< IADJ: 1 = also inside a body
@@ -178,14 +196,32 @@ struct Controls {
   std::int64_t cntco = 0, istupd = 0;
   std::int64_t shell_esort =
       0;  ///< triangles among fully integrated shells: 0 = quads, 1 = C0 triangles, 2 = DKT triangles
+  std::int64_t shell_theory = 2;   ///< ELFORM of sections that give none
+  std::int64_t shell_normals = 0;  ///< IRNXX
+  std::int64_t bwc = 2;            ///< 1: warping stiffness of one-point quads
+  std::int64_t proj = 0;           ///< of that: 0 = drill projection, 1 = full projection
+  std::int64_t intgrd = 0;         ///< through the thickness: 0 = Gauss, 1 = Lobatto
+  std::int64_t pstupd = 0;         ///< set of the parts whose thickness follows; below zero: of those whose does not
+  std::int64_t sidt4tu = 0;        ///< set of the parts with ISTUPD = 4
+  std::int64_t drcpsid = 0;        ///< set of the parts with a drilling constraint
+  // NFAIL1, NFAIL4: 1 = a shell with one or four points that loses its shape fails, 2 = it also is named; PSNFAIL:
+  // parts
+  std::int64_t nfail1 = 0, nfail4 = 0, psnfail = 0;
   // *CONTROL_TIMESTEP
   double tssfac = 0.9;
   std::int64_t isdo = 0;
   double dt2ms = 0;        ///< mass scaling; zero = none
   double dtinit = 0;       ///< first step; zero = none
+  double tslimt = 0;       ///< shells soften to keep this step
+  std::int64_t ms1st = 0;  ///< 1: mass is added at the start only
   std::int64_t lctm = 0;   ///< curve that limits the step over time; zero = none
   std::int64_t erode = 0;  ///< 1: solids whose step falls below that of DTMIN are removed instead of ending the run
   Place timestep_place;
+  // *CONTROL_SOLUTION: points of a material's curve; 0 = not given
+  std::int64_t lcint = 0;
+  // *CONTROL_DYNAMIC_RELAXATION
+  std::int64_t idrflg = 0;
+  Place relaxation_place;
   // *CONTROL_TERMINATION; 0 = not given
   double endtim = 0;
   std::int64_t endcyc = 0;
@@ -202,6 +238,12 @@ struct Controls {
   double length_unit = 0;  ///< metres in the unit of length; 0 = not given
   // *CONTROL_BULK_VISCOSITY
   double bulk_q1 = 1.5, bulk_q2 = 0.06;
+  std::int64_t bulk_type = 1;  ///< −1, −2: also in shells; 2: Richards and Wilkins, plane solids only
+  std::int64_t bulk_beams = 0, bulk_tshells = 0;  ///< BTYPE, TSTYPE
+  Place bulk_place;
+  // *CONTROL_ACCURACY
+  std::int64_t osu = 0, inn = 1, pidosu = 0;
+  Place accuracy_place;
   bool contact_given = false, shell_given = false;
   Place contact_place, shell_place;
 };

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <string>
 
 #include "base/vector.hpp"
 #include "model/entity/part.hpp"
@@ -19,6 +20,12 @@ struct CrossSection {
   double along = 0, across = 0;    ///< LENL, LENM; 0: without end
   // Of _SET.
   std::int64_t nodes = 0, solids = 0;  ///< NSID, HSID
+  std::int64_t beams = 0, shells = 0;  ///< BSID, SSID
+  std::int64_t others = 0;             ///< TSID or DSID: thick shells, discrete elements
+  // Of both.
+  std::string title;
+  std::int64_t system = 0;          ///< ID: what the section's axes or place follow; 0: they stay
+  std::int64_t kind_of_system = 0;  ///< ITYPE
   Place place;
 };
 

@@ -14,6 +14,7 @@ struct Curve {
   std::vector<std::array<double, 2>> points;  ///< abscissa, ordinate, as written; abscissas should rise
   double abscissa_time = 1;                   ///< time factor of the curve's file, for curves over time
   std::int64_t relaxation = 0;                ///< SIDR: 1: for dynamic relaxation only, 2: for that and the run
+  std::int64_t discretization = 0;            ///< LCINT; 0: as *CONTROL_SOLUTION has it
   Place place;
   /// Linear between the points, constant beyond them; 0 without points.
   [[nodiscard]] double at(double abscissa) const {

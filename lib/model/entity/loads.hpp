@@ -38,10 +38,12 @@ struct PressureLoad {
   Place place;
 };
 
-/// *LOAD_BODY_X, _Y, _Z: the acceleration of the frame.
+/// *LOAD_BODY_X, _Y, _Z: the acceleration of the frame; _RX, _RY, _RZ: its angular velocity about an axis.
 struct BodyLoad {
   std::string keyword;
   int axis = 0;
+  bool rotation = false;
+  Vector center = Vector::Zero();  ///< of a rotation: a point of its axis
   std::int64_t curve = 0;
   double scale = 1;
   std::int64_t system = 0;
@@ -62,11 +64,23 @@ struct GlobalDamping {
   Place place;
 };
 
+/// *DAMPING_PART_MASS, _SET: the same for the masses of some parts.
+struct PartDamping {
+  std::string keyword;
+  std::int64_t id = 0;  ///< part or part set
+  bool set = false;
+  std::int64_t curve = 0;           ///< of the damping constant
+  double scale = 1;                 ///< SF, on the curve's ordinates
+  std::array<double, 6> factors{};  ///< x y z, rotations
+  Place place;
+};
+
 struct Loads {
   std::vector<ConcentratedLoad> concentrated;
   std::vector<PressureLoad> pressures;
   std::vector<BodyLoad> bodies;
   std::vector<BodyLoadParts> body_parts;
+  std::vector<PartDamping> part_dampings;
   std::optional<GlobalDamping> damping;  ///< the last one of the deck
 };
 

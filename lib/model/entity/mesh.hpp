@@ -108,7 +108,11 @@ struct Shells : Elements<4> {
 struct BeamValues {
   NodeIndex third = none<NodeIndex>;       ///< N3, in the plane of the axes r and s
   Vector orientation = Vector::Zero();     ///< _ORIENTATION: from the first node to a third one; zero: not given
-  bool released = false, shifted = false;  ///< pin releases RT1 … RR2; _OFFSET
+  std::array<std::uint8_t, 4> releases{};  ///< RT1, RR1, RT2, RR2: bits 1, 2, 4 for the axes r, s, t
+  bool global_releases = false;            ///< LOCAL = 1: about x, y, z instead
+  std::array<Vector, 2> offsets{Vector::Zero(), Vector::Zero()};  ///< _OFFSET: of the ends from their nodes
+  [[nodiscard]] bool released() const { return releases != std::array<std::uint8_t, 4>{}; }
+  [[nodiscard]] bool shifted() const { return !offsets[0].isZero(0) || !offsets[1].isZero(0); }
 };
 
 /// What *ELEMENT_DISCRETE says besides part and nodes.

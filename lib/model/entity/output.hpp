@@ -1,5 +1,9 @@
 #pragma once
+#include <array>
+#include <cstdint>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/ids.hpp"
@@ -13,11 +17,27 @@ struct HistoryNode {
   std::string title;
 };
 
+/// An element whose stresses the deck requests.
+struct HistoryElement {
+  std::uint32_t element = 0;  ///< position in its array of Mesh
+  std::string title;
+};
+
+/// The files of curves that a run can write into a binout.
+inline constexpr std::array<std::string_view, 5> binout_branches{"glstat", "matsum", "nodout", "rcforc", "sleout"};
+
 /// Intervals of the result files in the model's time; zero: not requested. A DT not above zero counts as none.
 struct Output {
-  double d3plot = 0;
+  double d3plot = 0, intfor = 0;
+  Place intfor_place;
   double glstat = 0, matsum = 0, nodout = 0, rcforc = 0, sleout = 0, ncforc = 0;
-  std::vector<HistoryNode> history_nodes;  ///< in the order of the deck, each once
+  double secforc = 0, spcforc = 0, bndout = 0, rwforc = 0, rbdout = 0, swforc = 0, elout = 0;
+  /// BINARY of *DATABASE_…, by file: 0, 1 text, 2 binout, 3 both. Absent: a file without a card, or one that is no
+  /// branch of the binout.
+  std::map<std::string, int, std::less<>> binary;
+  std::vector<HistoryNode> history_nodes;                                     ///< in the order of the deck, each once
+  std::vector<HistoryElement> history_solids, history_beams, history_shells;  ///< the same
+  bool local_shells = false;  ///< EOCS = 1 of *CONTROL_OUTPUT: elout has shells in their own axes
   /// Requests of the deck that are not met: curves of intervals, nodes that do not exist. Only a run reports them.
   struct Note {
     Place place;

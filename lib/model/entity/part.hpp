@@ -7,7 +7,10 @@
 
 #include "base/ids.hpp"
 #include "base/vector.hpp"
+#include "model/entity/discrete_beam.hpp"
+#include "model/entity/foam_rubber.hpp"
 #include "model/entity/hydrodynamic.hpp"
+#include "model/entity/orthotropic.hpp"
 
 namespace gapcheck::model {
 
@@ -82,8 +85,10 @@ struct BeamProfile {
   double shear_factor = 1;         ///< SHRF
   double line_mass = 0;            ///< NSM
   bool arbitrary = false;          ///< CST = 2
-  bool shifted = false;            ///< NSLOC, NTLOC: the axis is not the line between the nodes
-  bool torsion_free = false;       ///< ITOFF = 1 of ELFORM 9
+  /// NSLOC, NTLOC: where the reference surface is, from -1 to 1 of half a side; the axis is not the line between the
+  /// nodes
+  std::array<double, 2> location{};
+  bool torsion_free = false;  ///< ITOFF = 1 of ELFORM 9
 };
 
 /// ELFORM of discrete beams: springs, with neither the mass of a bar nor a contact surface.
@@ -99,10 +104,11 @@ struct Section {
   double shrf = 1;                    ///< shells: factor on the transverse shear
   double beam_radius = 0;             ///< beams: outer diameter / 2 of a tube, otherwise √(A/π)
   double beam_area = 0;
-  std::optional<BeamSection> beam;     ///< where its constants are given, or follow from a rectangle or tube
-  std::optional<BeamProfile> profile;  ///< ELFORM 1 and 9
-  bool torsional = false;              ///< discrete: DRO
-  bool limited = false;                ///< discrete: KD, V0, CL, FD, CDL or TDL are given
+  std::optional<BeamSection> beam;            ///< where its constants are given, or follow from a rectangle or tube
+  std::optional<BeamProfile> profile;         ///< ELFORM 1 and 9
+  std::optional<DiscreteBeamSection> spring;  ///< ELFORM 6
+  bool torsional = false;                     ///< discrete: DRO
+  bool limited = false;                       ///< discrete: KD, V0, CL, FD, CDL or TDL are given
   Place place;
   /// Of beams that are integrated over their cross-section.
   [[nodiscard]] bool integrated() const { return kind == SectionKind::beam && profile.has_value(); }
@@ -113,6 +119,7 @@ struct HourglassControl {
   std::int64_t ihq = 0;
   double qm = 0;
   double q1 = 0, q2 = 0;  ///< bulk viscosity
+  double qb = 0, qw = 0;  ///< of shells; of solids with type 6 and 7 qb is VDC
   Place place;
 };
 
@@ -122,12 +129,16 @@ struct Plasticity {
   double rate_c = 0, rate_p = 0;  ///< Cowper and Symonds
   std::int64_t lcss = 0;          ///< curve (or table) of yield stress over plastic strain
   std::vector<std::array<double, 2>> points =
-      {};                     ///< plastic strain, yield stress; EPSi and ESi as far as they are used
-  double failure_strain = 0;  ///< FS, FAIL; 0 or from 1e20 on: none
-  std::int64_t lcsr = 0;      ///< curve of a factor on the yield stress over the rate
-  bool viscoplastic = false;  ///< VP = 1: the rate of the plastic strain counts
-  double other_vp = 0;        ///< VP as written where it is neither 0 nor 1
-  double anisotropy = 1;      ///< of 037: R as written, the Lankford parameter
+      {};                             ///< plastic strain, yield stress; EPSi and ESi as far as they are used
+  double failure_strain = 0;          ///< FS, FAIL; 0 or from 1e20 on: none
+  std::int64_t lcsr = 0;              ///< curve of a factor on the yield stress over the rate
+  bool viscoplastic = false;          ///< VP = 1: the rate of the plastic strain counts
+  double other_vp = 0;                ///< VP as written where it is neither 0 nor 1
+  double anisotropy = 1;              ///< of 037: R as written, the Lankford parameter
+  double power_k = 0, power_n = 0;    ///< of 018: σ = K ε^N
+  double softening = 0, rupture = 0;  ///< of 081: EPPF, EPPFR
+  double thinning = 0, major_strain = 0, failed_points = 0;  ///< of 123 and 081: EPSTHIN, EPSMAJ, NUMINT
+  std::int64_t damage_curve = 0;                             ///< of 081: LCDM
   /// The yield stress depends on a rate by C and P.
   [[nodiscard]] bool by_rate() const { return rate_c > 0 && rate_p > 0; }
 };
@@ -147,7 +158,7 @@ struct SpotWeld {
 /// Constants of Mooney–Rivlin rubber, material 027, in the model's units.
 struct MooneyRivlin {
   double a = 0, b = 0;
-  std::int64_t lcid = 0;  ///< curve of a test that A and B are to be fitted to
+  SpecimenTest test = {};  ///< where A and B are both zero they are fitted to its curve
 };
 
 /// Material of springs and dampers. Constants are for translation, in the model's units; for torsion multiply by the
@@ -167,7 +178,8 @@ struct Material {
   std::int64_t id = 0;
   std::string keyword;  ///< "MAT_ELASTIC"; numbers are resolved to names where the manual has both (MAT_001)
   double density = 0, young = 0, poisson = 0;
-  double bulk = 0;               ///< given, or E / (3 (1 - 2 ν))
+  double bulk = 0;               ///< given, or E / (3 (1 - 2 ν)); of foams what contacts take
+  double wave_modulus = 0;       ///< ρ c² of solids where E and ν do not give it; 0: they do
   bool stiffness_known = false;  ///< the elastic constants above were read, even if they are zero
   bool rigid = false;            ///< MAT_RIGID (020)
   bool null_material = false;    ///< MAT_NULL (009)
@@ -176,11 +188,14 @@ struct Material {
   std::optional<Plasticity> plasticity;
   std::optional<SpotWeld> weld;
   std::optional<DiscreteMaterial> discrete;
+  std::optional<DiscreteBeamMaterial> discrete_beam;
   std::optional<MooneyRivlin> mooney_rivlin;
   std::optional<Fluid> fluid;  ///< of 009
   std::optional<Hydro> hydro;  ///< of 010
   std::optional<JohnsonCook> johnson_cook;
-  BodyConstraint constraint;  ///< of rigid ones
+  FoamRubber foam_rubber;
+  std::optional<Orthotropic> orthotropic;  ///< of 002 and 034
+  BodyConstraint constraint;               ///< of rigid ones
   Place place;
 };
 

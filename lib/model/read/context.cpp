@@ -59,6 +59,12 @@ std::int64_t Context::with_offset(const keyword::Block& block, keyword::IdKind k
   return overflow ? id : moved;
 }
 
+std::int64_t Context::curve_id(const keyword::Block& block, double value) const {
+  constexpr double largest = 1e9;
+  if (!(value >= 1 && value < largest)) return 0;
+  return with_offset(block, keyword::IdKind::function, static_cast<std::int64_t>(value));
+}
+
 PartIndex Context::part(std::int64_t id) const {
   const auto found = model.part_of_id.find(id);
   return found == model.part_of_id.end() ? none<PartIndex> : found->second;

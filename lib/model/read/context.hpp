@@ -74,6 +74,8 @@ struct Context {
   }
   /// The id with the offset of the block's include; zero stays zero.
   [[nodiscard]] std::int64_t with_offset(const keyword::Block& block, keyword::IdKind kind, std::int64_t id) const;
+  /// The curve in a card that was cut into real numbers, with its offset; 0: none, or not an id.
+  [[nodiscard]] std::int64_t curve_id(const keyword::Block& block, double value) const;
   /// A length of the block in the model's unit.
   [[nodiscard]] double length(const keyword::Block& block, double value) const {
     return value * transform(block).length_factor;
@@ -124,6 +126,7 @@ void read_section_other(Context& context, const Block& block, const Options& opt
 void read_material(Context& context, const Block& block, const Options& options);
 void read_equation_of_state(Context& context, const Block& block, const Options& options);
 void read_erosion(Context& context, const Block& block, const Options& options);
+void read_smooth_curve(Context& context, const Block& block, const Options& options);
 void read_curve(Context& context, const Block& block, const Options& options);
 void read_table(Context& context, const Block& block, const Options& options);
 void read_set(Context& context, const Block& block, const Options& options);
@@ -145,27 +148,36 @@ void read_cross_section(Context& context, const Block& block, const Options& opt
 void read_section_preload(Context& context, const Block& block, const Options& options);
 void read_beam_preload(Context& context, const Block& block, const Options& options);
 void read_spot_weld(Context& context, const Block& block, const Options& options);
+void read_joint(Context& context, const Block& block, const Options& options);
 void read_generalized_weld(Context& context, const Block& block, const Options& options);
 void read_concentrated_load(Context& context, const Block& block, const Options& options);
 void read_segment_load(Context& context, const Block& block, const Options& options);
 void read_shell_load(Context& context, const Block& block, const Options& options);
 void read_body_load(Context& context, const Block& block, const Options& options);
 void read_body_load_parts(Context& context, const Block& block, const Options& options);
+void read_part_damping(Context& context, const Block& block, const Options& options);
 void read_global_damping(Context& context, const Block& block, const Options& options);
 void read_hourglass(Context& context, const Block& block, const Options& options);
 void read_control_hourglass(Context& context, const Block& block, const Options& options);
 void read_control_bulk_viscosity(Context& context, const Block& block, const Options& options);
+void read_control_accuracy(Context& context, const Block& block, const Options& options);
 void read_rigid_wall(Context& context, const Block& block, const Options& options);
 void read_contact(Context& context, const Block& block, const Options& options);
 void read_control_contact(Context& context, const Block& block, const Options& options);
 void read_control_shell(Context& context, const Block& block, const Options& options);
 void read_control_solid(Context& context, const Block& block, const Options& options);
+void read_control_solution(Context& context, const Block& block, const Options& options);
+void read_control_relaxation(Context& context, const Block& block, const Options& options);
 void read_control_timestep(Context& context, const Block& block, const Options& options);
 void read_control_units(Context& context, const Block& block, const Options& options);
 void read_control_termination(Context& context, const Block& block, const Options& options);
 void read_title(Context& context, const Block& block, const Options& options);
 void read_database(Context& context, const Block& block, const Options& options);
+void read_intfor(Context& context, const Block& block, const Options& options);
 void read_unwritten_database(Context& context, const Block& block, const Options& options);
+void read_history_elements(Context& context, const Block& block, const Options& options);
+void read_unwritten_history(Context& context, const Block& block, const Options& options);
+void read_control_output(Context& context, const Block& block, const Options& options);
 void read_history_nodes(Context& context, const Block& block, const Options& options);
 void read_friction_table(Context& context, const Block& block, const Options& options);
 
@@ -177,10 +189,19 @@ void read_friction_table(Context& context, const Block& block, const Options& op
 [[nodiscard]] std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
                                                         std::string_view name);
 
+/// Materials 066, 067, 068 and 071 after their first card (fields of ten columns by position); nothing for others.
+/// `name`: "CABLE_DISCRETE_BEAM".
+[[nodiscard]] std::optional<DiscreteBeamMaterial> read_discrete_beam(const Context& context, CardReader& reader,
+                                                                     const Card& card, std::string_view name);
+
 /// What 009 says of fluids, from its first card (fields of ten columns by position).
 [[nodiscard]] Fluid read_fluid(const Context& context, const Block& block, const Card& card);
 /// Material 010 after its first card. `name`: as written, with its options.
 [[nodiscard]] Hydro read_hydro(const Context& context, CardReader& reader, const Card& card, std::string_view name);
+/// Constants of foams and rubbers other than 027 and their moduli at small strains; nothing for others. `whole_name`:
+/// with options.
+void read_foam_rubber(Context& context, CardReader& reader, const Card& card, std::string_view name,
+                      std::string_view whole_name, Material& material);
 /// Materials 015 and 098 after their first card. `name`: "JOHNSON_COOK" or "SIMPLIFIED_JOHNSON_COOK".
 [[nodiscard]] JohnsonCook read_johnson_cook(const Context& context, CardReader& reader, const Card& card,
                                             std::string_view name);
@@ -195,8 +216,16 @@ void read_node_constraints(Context& context, const Block& block);
 // What remains to be done once all blocks of a kind are read.
 void finish_nodes(Context& context);
 void finish_parts(Context& context);
+/// Sections of shells without ELFORM take THEORY of *CONTROL_SHELL.
+void finish_sections(Context& context);
 /// Elastic constants of materials whose pressure is that of an equation of state: its slope at rest.
 void finish_equations_of_state(Context& context);
+/// Materials 002 and 034; `card`: the first.
+[[nodiscard]] Orthotropic read_orthotropic(const Context& context, CardReader& reader, const Card& card, bool fabric);
+/// Young's and bulk modulus of 027 at small strains, G = 2 (A + B).
+void set_small_strain_moduli(Material& material);
+/// Once all curves are read: the stiffness that foams take from them, and constants that are fitted to a test (027).
+void finish_foams(Context& context);
 /// The axes of *DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR, as columns; the error says why they are not known.
 [[nodiscard]] Result<Eigen::Matrix3d> axes_of_system(Context& context, std::int64_t id);
 /// Puts the axes of a system that a condition names into Model::systems; nothing for 0.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "model/read/context.hpp"
+#include "model/read/field_values.hpp"
 
 namespace gapcheck::model {
 namespace {
@@ -61,6 +62,15 @@ void add_weld(Context& context, Weld weld) {
     context.model.welds.push_back(std::move(weld));
   else
     context.warning(weld.place, fmt::format("weld {} holds fewer than two nodes; it is left out", weld.id));
+}
+
+Joint::Kind joint_kind(const Options& options) {
+  using Kind = Joint::Kind;
+  if (options.has("REVOLUTE")) return Kind::revolute;
+  if (options.has("CYLINDRICAL")) return Kind::cylindrical;
+  if (options.has("PLANAR")) return Kind::planar;
+  if (options.has("UNIVERSAL")) return Kind::universal;
+  return options.has("TRANSLATIONAL") ? Kind::translational : Kind::spherical;
 }
 
 }  // namespace
@@ -172,6 +182,27 @@ void read_generalized_weld(Context& context, const Block& block, const Options& 
     read_failure(context.transform(block),
                  reader.next(keyword::card_layout("CONSTRAINED_GENERALIZED_WELD_SPOT", "card2")), weld);
     add_weld(context, std::move(weld));
+  }
+}
+
+void read_joint(Context& context, const Block& block, const Options& options) {
+  if (!options.any({"SPHERICAL", "REVOLUTE", "CYLINDRICAL", "PLANAR", "UNIVERSAL", "TRANSLATIONAL"})) return;
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    Joint joint;
+    joint.kind = joint_kind(options);
+    joint.keyword = block.name;
+    joint.id = static_cast<std::int64_t>(context.model.joints.size()) + 1;
+    if (options.has("ID"))
+      if (const auto id = reader.next(keyword::card_layout("CONSTRAINED_JOINT", "ID")).integer("id")) joint.id = id;
+    const Card card = reader.next(keyword::card_layout("CONSTRAINED_JOINT", "card1"));
+    joint.place = Context::place(block, card.line());
+    joint.nodes = {card.integer("n1"), card.integer("n2"), card.integer("n3"),
+                   card.integer("n4"), card.integer("n5"), card.integer("n6")};
+    joint.stiffness = or_default(card.real("rps"), 1);
+    joint.damping = or_default(card.real("damp"), 1);
+    context.model.joints.push_back(std::move(joint));
   }
 }
 

@@ -83,8 +83,10 @@ bool read_mandatory(Context& context, CardReader& reader, Contact& contact) {
   const Card card2 = reader.next(contact_card_layout("card2"));
   if (!transducer) has_card(reader, contact, "card 3 (stiffness and thickness)");
   const Card card3 = reader.next(contact_card_layout("card3"));
-  contact.fs = card2.real("fs");
-  contact.fd = card2.real("fd");
+  // Of TIED_..._FAILURE the tension and the shear at which ties fail.
+  const double strengths = contact.kind->tie == TieForm::with_failure ? context.stress(block, 1) : 1;
+  contact.fs = card2.real("fs") * strengths;
+  contact.fd = card2.real("fd") * strengths;
   contact.dc = context.decay(block, card2.real("dc"));
   contact.vc = context.stress(block, card2.real("vc"));
   contact.vdc = card2.real("vdc");
@@ -124,12 +126,17 @@ void read_interference(const Card& card, Contact& contact) {
 void read_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   const auto& units = context.transform(reader.block());
   const double stress = context.stress(reader.block(), 1);
-  constexpr std::int64_t linear_damage = 6;
   const Card card = reader.next(*type_card(TypeCards::tiebreak));
   contact.tiebreak_option = card.integer("option");
-  contact.tiebreak.normal = card.real("nfls") * stress;
-  contact.tiebreak.shear = card.real("sfls") * stress;
-  contact.tiebreak.param = card.real("param") * (contact.tiebreak_option == linear_damage ? units.length_factor : 1);
+  const bool linear_damage = contact.tiebreak_option == 6 || contact.tiebreak_option == 8;
+  TiebreakStrength& strength = contact.tiebreak;
+  strength.normal = card.real("nfls") * stress;
+  strength.shear = card.real("sfls") * stress;
+  strength.param = card.real("param") * (linear_damage ? units.length_factor : 1);
+  strength.normal_energy = card.real("eraten") * stress * units.length_factor;
+  strength.shear_energy = card.real("erates") * stress * units.length_factor;
+  strength.stiffness_ratio = or_default(card.real("ct2cn"), strength.stiffness_ratio);
+  strength.stiffness = card.real("cn") * stress / units.length_factor;
 }
 
 /// Strengths of *CONTACT_TIEBREAK_NODES (forces) and *CONTACT_TIEBREAK_SURFACE (stresses).
@@ -150,6 +157,20 @@ void read_old_tiebreak(Context& context, CardReader& reader, Contact& contact) {
   strength.normal = card.real("nfls") * stress;
   strength.shear = card.real("sfls") * stress;
   strength.curve = card.integer("tblcid");
+  strength.thickness_offsets = card.integer("thkoff") == 1;
+}
+
+void read_rigid(Context& context, CardReader& reader, Contact& contact) {
+  const auto& units = context.transform(reader.block());
+  const double force = units.mass_factor * units.length_factor / (units.time_factor * units.time_factor);
+  const Card card = reader.next(*type_card(TypeCards::rigid));
+  RigidForce& law = contact.rigid;
+  law.curve = card.integer("lcid");
+  law.method = card.integer("fcm");
+  law.unloading = card.real("us") * force / units.length_factor;
+  law.damping_curve = card.integer("lcdc");
+  law.damping_scale = or_default(card.real("dsf"), law.damping_scale);
+  law.unloading_curve = card.integer("unlcid");
 }
 
 bool has_cohesive_law(const Contact& contact) {
@@ -174,8 +195,10 @@ void read_type_cards(Context& context, CardReader& reader, Contact& contact) {
     case TypeCards::interference_card:
       read_interference(reader.next(*type_card(cards)), contact);
       break;
-    case TypeCards::constraint:
     case TypeCards::rigid:
+      read_rigid(context, reader, contact);
+      break;
+    case TypeCards::constraint:
     case TypeCards::composite:
     case TypeCards::contraction_joint:
     case TypeCards::tied:

@@ -65,8 +65,20 @@ void read_control_shell(Context& context, const Block& block, const Options&) {
   const Card card1 = next_card(reader, "CONTROL_SHELL", "card1");
   controls.istupd = card1.integer("istupd");
   controls.shell_esort = card1.integer("esort");
-  reader.skip();
-  controls.cntco = next_card(reader, "CONTROL_SHELL", "card3").integer("cntco");
+  controls.shell_normals = card1.integer("irnxx");
+  controls.shell_theory = or_default(card1.integer("theory"), 2);
+  controls.bwc = or_default(card1.integer("bwc"), 2);
+  controls.proj = card1.integer("proj");
+  controls.intgrd = next_card(reader, "CONTROL_SHELL", "card2").integer("intgrd");
+  const Card card3 = next_card(reader, "CONTROL_SHELL", "card3");
+  controls.cntco = card3.integer("cntco");
+  controls.pstupd = card3.integer("pstupd");
+  controls.sidt4tu = card3.integer("sidt4tu");
+  const Card card4 = next_card(reader, "CONTROL_SHELL", "card4");
+  controls.nfail1 = card4.integer("nfail1");
+  controls.nfail4 = card4.integer("nfail4");
+  controls.psnfail = card4.integer("psnfail");
+  controls.drcpsid = card4.integer("drcpsid");
 }
 
 void read_control_solid(Context& context, const Block& block, const Options&) {
@@ -78,6 +90,17 @@ void read_control_solid(Context& context, const Block& block, const Options&) {
   controls.solid_place = Context::place(block, card.line());
 }
 
+void read_control_solution(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  context.model.controls.lcint = next_card(reader, "CONTROL_SOLUTION", "card1").integer("lcint");
+}
+
+void read_control_relaxation(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  context.model.controls.idrflg = next_card(reader, "CONTROL_DYNAMIC_RELAXATION", "card1").integer("idrflg");
+  context.model.controls.relaxation_place = Context::place(block, block.line);
+}
+
 void read_control_timestep(Context& context, const Block& block, const Options&) {
   CardReader reader(context.deck, block, context.diagnostics);
   const Card card = next_card(reader, "CONTROL_TIMESTEP", "card1");
@@ -86,6 +109,8 @@ void read_control_timestep(Context& context, const Block& block, const Options&)
   controls.isdo = card.integer("isdo");
   controls.dt2ms = card.real("dt2ms") * context.transform(block).time_factor;
   controls.dtinit = card.real("dtinit") * context.transform(block).time_factor;
+  controls.tslimt = card.real("tslimt");
+  controls.ms1st = card.integer("ms1st");
   controls.lctm = card.integer("lctm");
   controls.erode = card.integer("erode");
   controls.timestep_place = Context::place(block, block.line);
@@ -115,7 +140,12 @@ void read_hourglass(Context& context, const Block& block, const Options& options
     if (reader.at_end()) break;
     if (skip_blank(reader)) continue;
     const Card card = next_card(reader, "HOURGLASS", "card1");
-    const HourglassControl control{card.integer("ihq"), card.real("qm"), card.real("q1"), card.real("q2"),
+    const HourglassControl control{card.integer("ihq"),
+                                   card.real("qm"),
+                                   card.real("q1"),
+                                   card.real("q2"),
+                                   card.real("qb/vdc"),
+                                   card.real("qw"),
                                    Context::place(block, card.line())};
     const auto [entry, is_new] = context.model.hourglass.try_emplace(card.integer("hgid"), control);
     if (!is_new) context.duplicate("hourglass control", entry->first, entry->second.place, control.place);
@@ -134,8 +164,23 @@ void read_control_hourglass(Context& context, const Block& block, const Options&
 void read_control_bulk_viscosity(Context& context, const Block& block, const Options&) {
   CardReader reader(context.deck, block, context.diagnostics);
   const Card card = next_card(reader, "CONTROL_BULK_VISCOSITY", "card1");
-  context.model.controls.bulk_q1 = or_default(card.real("q1"), 1.5);
-  context.model.controls.bulk_q2 = or_default(card.real("q2"), 0.06);
+  Controls& controls = context.model.controls;
+  controls.bulk_q1 = or_default(card.real("q1"), 1.5);
+  controls.bulk_q2 = or_default(card.real("q2"), 0.06);
+  controls.bulk_type = or_default(card.integer("type"), 1);
+  controls.bulk_beams = card.integer("btype");
+  controls.bulk_tshells = card.integer("tstype");
+  controls.bulk_place = Context::place(block, block.line);
+}
+
+void read_control_accuracy(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = next_card(reader, "CONTROL_ACCURACY", "card1");
+  Controls& controls = context.model.controls;
+  controls.osu = card.integer("osu");
+  controls.inn = or_default(card.integer("inn"), 1);
+  controls.pidosu = card.integer("pidos");
+  controls.accuracy_place = Context::place(block, block.line);
 }
 
 }  // namespace gapcheck::model

@@ -42,10 +42,24 @@ struct BeamRows {
   std::vector<BeamValues> values;
 };
 
+/// The axes of a release code 0 to 7 as bits: none, r, s, t, r and s, s and t, t and r, all.
+std::uint8_t released_axes(std::int64_t code) {
+  constexpr std::uint8_t axes[] = {0, 1, 2, 4, 3, 6, 5, 7};
+  return code >= 0 && code < 8 ? axes[code] : 0;
+}
+
+/// A distance by its components in the block's units and axes.
+Vector placed_length(const Context& context, const Block& block, const Card& card, std::size_t first) {
+  const Vector written(card.real(first), card.real(first + 1), card.real(first + 2));
+  const keyword::Transform& transform = context.transform(block);
+  return transform.length_factor * (transform.places ? Vector(transform.matrix * written) : written);
+}
+
 BeamRows read_beam_rows(Context& context, const Block& block, const Options& options) {
   const CardLayout& layout = keyword::card_layout("ELEMENT_BEAM", "card1");
   const CardLayout& direction = keyword::card_layout("ELEMENT_BEAM_ORIENTATION", "card1.2");
-  const std::size_t before = options.count({"THICKNESS", "SECTION", "SCALAR", "SCALR", "PID", "OFFSET"}),
+  const CardLayout& offset = keyword::card_layout("ELEMENT_BEAM_OFFSET", "card2");
+  const std::size_t before = options.count({"THICKNESS", "SECTION", "SCALAR", "SCALR", "PID"}),
                     behind = options.count({"WARPAGE", "ELBOW"});
   BeamRows beams{{2, {}, {}}, {}};
   CardReader reader(context.deck, block, context.diagnostics);
@@ -55,10 +69,15 @@ BeamRows read_beam_rows(Context& context, const Block& block, const Options& opt
     append_row(beams.rows, card, 2);
     BeamValues& values = beams.values.emplace_back();
     if (const auto third = context.model.mesh.nodes.lookup.find(card.integer("n3"))) values.third = NodeIndex(*third);
+    std::size_t release = 0;
     for (const std::string_view field : {"rt1", "rr1", "rt2", "rr2"})
-      if (card.integer(field) != 0) values.released = true;
-    values.shifted = options.has("OFFSET");
+      values.releases[release++] = released_axes(card.integer(field));
+    values.global_releases = card.integer("local") == 1;
     skip_lines(reader, static_cast<std::int64_t>(before));
+    if (options.has("OFFSET")) {
+      const Card ends = reader.next(offset);
+      values.offsets = {placed_length(context, block, ends, 0), placed_length(context, block, ends, 3)};
+    }
     if (options.has("ORIENTATION")) {
       const Card vector = reader.next(direction);
       const Vector written(vector.real("vx"), vector.real("vy"), vector.real("vz"));

@@ -103,8 +103,12 @@ void read_body_load(Context& context, const Block& block, const Options&) {
     BodyLoad load;
     load.keyword = block.name;
     load.axis = block.name.back() - 'X';
+    load.rotation = block.name.starts_with("LOAD_BODY_R");
     load.curve = card.integer("lcid");
-    load.scale = scale_of(card) * units.length_factor / (units.time_factor * units.time_factor);
+    load.scale = scale_of(card) / units.time_factor;
+    if (!load.rotation) load.scale *= units.length_factor / units.time_factor;
+    if (load.rotation)
+      load.center = units.apply(units.length_factor * Vector(card.real("xc"), card.real("yc"), card.real("zc")));
     load.system = card.integer("cid");
     load.place = Context::place(block, card.line());
     context.model.loads.bodies.push_back(std::move(load));
@@ -130,6 +134,27 @@ void read_global_damping(Context& context, const Block& block, const Options&) {
     damping.factors.fill(1);
   damping.place = Context::place(block, card.line());
   context.model.loads.damping = damping;
+}
+
+void read_part_damping(Context& context, const Block& block, const Options& options) {
+  const bool set = options.has("SET");
+  const double rate = 1 / context.transform(block).time_factor;
+  for_each_card(context, block, card_layout("DAMPING_PART_MASS", set ? "sets" : "card1"), false,
+                [&](CardReader& reader, const Card& card) {
+                  PartDamping damping;
+                  damping.keyword = block.name;
+                  damping.set = set;
+                  damping.id = card.integer("pid");
+                  damping.curve = card.integer("lcid");
+                  damping.scale = (card.real("sf") == 0 ? 1 : card.real("sf")) * rate;
+                  damping.place = Context::place(block, card.line());
+                  damping.factors.fill(1);
+                  if (card.integer("flag") == 1) {
+                    const Card factors = reader.next(card_layout("DAMPING_PART_MASS", "card2"));
+                    for (std::size_t i = 0; i < 6; ++i) damping.factors[i] = factors.real(i);
+                  }
+                  context.model.loads.part_dampings.push_back(std::move(damping));
+                });
 }
 
 }  // namespace gapcheck::model

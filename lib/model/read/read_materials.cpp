@@ -63,7 +63,13 @@ constexpr ElasticFields materials[] = {
     {"CRUSHABLE_FOAM", "063", 2, 3, 0},
     {"LOW_DENSITY_VISCOUS_FOAM", "073", 2, 0, 0},
     {"GENERAL_VISCOELASTIC", "076", 0, 0, 2},
+    {"LINEAR_ELASTIC_DISCRETE_BEAM", "066"},
+    {"NONLINEAR_ELASTIC_DISCRETE_BEAM", "067"},
+    {"NONLINEAR_PLASTIC_DISCRETE_BEAM", "068"},
+    {"CABLE_DISCRETE_BEAM", "071"},
+    {"GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM", "119"},
     {"OGDEN_RUBBER", "077_O", 0, 2, 0},
+    {"HYPERELASTIC_RUBBER", "077_H", 0, 2, 0},
     {"PLASTICITY_WITH_DAMAGE", "081", 2, 3, 0},
     {"FU_CHANG_FOAM", "083", 2, 0, 0},
     {"SIMPLIFIED_JOHNSON_COOK", "098", 2, 3, 0},
@@ -167,17 +173,18 @@ std::optional<DiscreteMaterial> discrete_material(const Context& context, const 
   return material;
 }
 
-/// A, B and the curve of material 027; Young's and bulk modulus are those of small strains, G = 2 (A + B).
+/// A, B and the test of material 027.
 void read_mooney_rivlin(Context& context, CardReader& reader, const Card& card, double stress, Material& material) {
   static const CardLayout four = real_line(4, 10);
-  MooneyRivlin rubber{card.real(3) * stress, card.real(4) * stress, 0};
+  MooneyRivlin rubber{card.real(3) * stress, card.real(4) * stress, {}};
+  const double length = context.transform(reader.block()).length_factor;
   const Card second = reader.next(four);
+  rubber.test = {second.real(std::size_t{0}) * length, second.real(1) * length, second.real(2) * length, 0};
   if (const double curve = second.real(3); curve >= 1 && curve < 1e9)
-    rubber.lcid = context.with_offset(reader.block(), keyword::IdKind::function, static_cast<std::int64_t>(curve));
-  material.young = 4 * (rubber.a + rubber.b) * (1 + material.poisson);
-  material.bulk = bulk_modulus(material.young, material.poisson);
-  material.stiffness_known = material.young > 0;
+    rubber.test.curve =
+        context.with_offset(reader.block(), keyword::IdKind::function, static_cast<std::int64_t>(curve));
   material.mooney_rivlin = rubber;
+  set_small_strain_moduli(material);
 }
 
 }  // namespace
@@ -230,10 +237,14 @@ void read_material(Context& context, const Block& block, const Options& options)
                              constraint_code(limits.real("con2"))};
     }
     material.plasticity = read_plasticity(context, reader, card, known->name);
+    material.discrete_beam = read_discrete_beam(context, reader, card, known->name);
     if (material.null_material) material.fluid = read_fluid(context, block, card);
     if (known->name == "ELASTIC_PLASTIC_HYDRO") material.hydro = read_hydro(context, reader, card, bare);
     if (known->name == "JOHNSON_COOK" || known->name == "SIMPLIFIED_JOHNSON_COOK")
       material.johnson_cook = read_johnson_cook(context, reader, card, known->name);
+    if (known->name == "ORTHOTROPIC_ELASTIC" || known->name == "FABRIC")
+      material.orthotropic = read_orthotropic(context, reader, card, material.fabric);
+    read_foam_rubber(context, reader, card, known->name, bare, material);
     if (known->name == "MOONEY-RIVLIN_RUBBER") read_mooney_rivlin(context, reader, card, stress, material);
   }
   Model& model = context.model;

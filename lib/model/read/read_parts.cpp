@@ -49,6 +49,7 @@ Section composite_section(const Part& part, const Card& card, bool thick_shell) 
   section.kind = thick_shell ? SectionKind::thick_shell : SectionKind::shell;
   section.elform = card.integer("elform");
   section.nloc = thick_shell ? 0 : card.real("nloc");
+  if (card.real("shrf") != 0) section.shrf = card.real("shrf");
   section.thickness.fill(part.composite_thickness);
   section.place = part.place;
   return section;
@@ -60,6 +61,7 @@ void read_composite(Context& context, CardReader& reader, const Options& options
       reader.next(keyword::card_layout(thick_shell ? "PART_COMPOSITE_TSHELL" : "PART_COMPOSITE", "card2"));
   part.id = PartId(card.integer("pid"));
   part.place.line = card.line();
+  part.hourglass_id = card.integer("hgid");
   if (options.has("CONTACT")) part.contact = read_part_contact(context, reader);
   read_part_plies(context, reader, options.has("LONG"), part);
   part.section = static_cast<std::uint32_t>(context.model.sections.size());
@@ -155,6 +157,11 @@ void finish_parts(Context& context) {
     part.material = find(context.material_of_id, part.material_id);
     for (Ply& ply : part.plies) ply.material = find(context.material_of_id, ply.material_id);
   }
+}
+
+void finish_sections(Context& context) {
+  for (Section& section : context.model.sections)
+    if (section.kind == SectionKind::shell && section.elform == 0) section.elform = context.model.controls.shell_theory;
 }
 
 }  // namespace gapcheck::model

@@ -27,16 +27,35 @@ void set_rate_formulation(double vp, Plasticity& plasticity) {
   if (vp != 0 && vp != 1) plasticity.other_vp = vp;
 }
 
+/// Material 018: K, N, SRC, SRP in the first card; SIGY, VP and EPSF in the second.
+Plasticity read_power_law(CardReader& reader, const Card& card, double stress, double time) {
+  Plasticity plasticity;
+  plasticity.power_k = card.real(4) * stress;
+  plasticity.power_n = card.real(5);
+  plasticity.rate_c = card.real(6) / time;
+  plasticity.rate_p = card.real(7);
+  const Card second = reader.next(keyword::card_layout("MAT_POWER_LAW_PLASTICITY", "card2"));
+  plasticity.sigy = second.real("sigy");  // a strain below 0.02, a stress above it
+  constexpr double least_stress = 0.02;
+  if (plasticity.sigy >= least_stress) plasticity.sigy *= stress;
+  set_rate_formulation(second.real("vp"), plasticity);
+  plasticity.failure_strain = second.real("epsf");
+  return plasticity;
+}
+
 }  // namespace
 
 std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, const Card& card,
                                           std::string_view name) {
   static const CardLayout eight = real_line(8, 10);
-  const bool kinematic = name == "PLASTIC_KINEMATIC", piecewise = name == "PIECEWISE_LINEAR_PLASTICITY";
+  const bool kinematic = name == "PLASTIC_KINEMATIC", modified = name == "MODIFIED_PIECEWISE_LINEAR_PLASTICITY";
+  const bool damaged = name == "PLASTICITY_WITH_DAMAGE", power = name == "POWER_LAW_PLASTICITY";
+  const bool piecewise = name == "PIECEWISE_LINEAR_PLASTICITY" || modified || damaged;
   const bool anisotropic = name == "TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC";
-  if (!kinematic && !piecewise && !anisotropic) return std::nullopt;
+  if (!kinematic && !piecewise && !anisotropic && !power) return std::nullopt;
   const keyword::Transform& units = context.transform(reader.block());
   const double stress = units.mass_factor / (units.length_factor * units.time_factor * units.time_factor);
+  if (power) return read_power_law(reader, card, stress, units.time_factor);
   Plasticity plasticity;
   plasticity.sigy = card.real(4) * stress;
   plasticity.etan = card.real(5) * stress;
@@ -54,8 +73,16 @@ std::optional<Plasticity> read_plasticity(Context& context, CardReader& reader, 
     plasticity.lcss = curve_at(context, reader.block(), card);
     return plasticity;
   }
-  plasticity.failure_strain = card.real(6);
-  const Card rate = reader.next(keyword::card_layout("MAT_PIECEWISE_LINEAR_PLASTICITY", "card2"));
+  (damaged ? plasticity.softening : plasticity.failure_strain) = card.real(6);
+  const std::string keyword = modified  ? "MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY"
+                              : damaged ? "MAT_PLASTICITY_WITH_DAMAGE"
+                                        : "MAT_PIECEWISE_LINEAR_PLASTICITY";
+  const Card rate = reader.next(keyword::card_layout(keyword, "card2"));
+  plasticity.rupture = rate.real("eppfr");
+  plasticity.damage_curve = rate.integer("lcdm");
+  plasticity.thinning = rate.real("epsthin");
+  plasticity.major_strain = rate.real("epsmaj");
+  plasticity.failed_points = rate.real("numint");
   plasticity.rate_c = rate.real("c") / units.time_factor;
   plasticity.rate_p = rate.real("p");
   plasticity.lcss = rate.integer("lcss");

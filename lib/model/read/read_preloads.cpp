@@ -127,16 +127,23 @@ CrossSection read_plane(const Context& context, const Block& block, CardReader& 
   section.radius = first.real("radius") * transform.length_factor;
   section.along = second.real("lenl") * transform.length_factor;
   section.across = second.real("lenm") * transform.length_factor;
+  section.system = second.integer("id");
+  section.kind_of_system = second.integer("itype");
   if (section.along != 0 || section.across != 0) section.edge = point_at(transform, second, 0) - section.tail;
   section.place = Context::place(block, first.line());
   return section;
 }
 
-CrossSection read_sets(const Block& block, CardReader& reader) {
+CrossSection read_sets(const Context& context, const Block& block, CardReader& reader) {
   const Card card = reader.next(keyword::card_layout("DATABASE_CROSS_SECTION_SET", "card1"));
   CrossSection section;
   section.nodes = card.integer("nsid");
   section.solids = card.integer("hsid");
+  section.beams = card.integer("bsid");
+  section.shells = context.with_offset(block, keyword::IdKind::set, card.integer("ssid"));
+  section.others = card.integer("tsid") != 0 ? card.integer("tsid") : card.integer("dsid");
+  section.system = card.integer("id");
+  section.kind_of_system = card.integer("itype");
   section.place = Context::place(block, card.line());
   return section;
 }
@@ -157,9 +164,15 @@ void read_cross_section(Context& context, const Block& block, const Options& opt
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
     std::int64_t id = 0;
-    if (options.has("ID")) id = reader.next(keyword::card_layout("DATABASE_CROSS_SECTION_SET", "ID")).integer("csid");
+    std::string title;
+    if (options.has("ID")) {
+      const Card named = reader.next(keyword::card_layout("DATABASE_CROSS_SECTION_SET", "ID"));
+      id = named.integer("csid");
+      title = named.text("heading");
+    }
     if (reader.at_end()) break;
-    CrossSection section = plane ? read_plane(context, block, reader) : read_sets(block, reader);
+    CrossSection section = plane ? read_plane(context, block, reader) : read_sets(context, block, reader);
+    section.title = std::move(title);
     section.id = id != 0 ? id : static_cast<std::int64_t>(context.model.cross_sections.size()) + 1;
     context.model.cross_sections.push_back(section);
   }

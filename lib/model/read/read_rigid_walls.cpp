@@ -36,13 +36,50 @@ bool set_edges(const Card& card, RigidWall& wall) {
   return true;
 }
 
+/// Both cards of _ORTHO.
+void read_friction(Context& context, CardReader& reader, RigidWall& wall) {
+  const keyword::Transform& units = context.transform(reader.block());
+  const double per_speed = units.time_factor / units.length_factor;
+  const Card values = reader.next(keyword::card_layout("RIGIDWALL_PLANAR_ORTHO", "card3"));
+  const Card where = reader.next(keyword::card_layout("RIGIDWALL_PLANAR_ORTHO", "card4"));
+  OrthotropicFriction& ortho = wall.ortho;
+  ortho = {values.real("sfrica"),
+           values.real("sfricb"),
+           values.real("dfrica"),
+           values.real("dfricb"),
+           values.real("decaya") * per_speed,
+           values.real("decayb") * per_speed,
+           where.integer("node1"),
+           where.integer("node2"),
+           point_at(where, "d1", "d2", "d3")};
+  if (units.places) ortho.direction = units.matrix * ortho.direction;
+}
+
+/// The card of _MOVING.
+void read_moving(Context& context, CardReader& reader, RigidWall& wall) {
+  const keyword::Transform& units = context.transform(reader.block());
+  const Card card = reader.next(keyword::card_layout("RIGIDWALL_PLANAR_MOVING", "card3"));
+  wall.mass = card.real("mass") * units.mass_factor;
+  wall.velocity = card.real("v0") * units.length_factor / units.time_factor;
+}
+
+/// The card of _MOTION.
+void read_motion(Context& context, CardReader& reader, RigidWall& wall) {
+  const keyword::Transform& units = context.transform(reader.block());
+  const Card card = reader.next(keyword::card_layout("RIGIDWALL_GEOMETRIC", "motion"));
+  wall.motion_curve = card.integer("lcid");
+  wall.motion_option = card.integer("opt");
+  wall.motion_direction = point_at(card, "vx", "vy", "vz");
+  if (units.places) wall.motion_direction = units.matrix * wall.motion_direction;
+}
+
 /// Reads the cards after the first two. False: they do not define a shape.
-bool read_shape(CardReader& reader, const Options& options, bool planar, RigidWall& wall) {
+bool read_shape(Context& context, CardReader& reader, const Options& options, bool planar, RigidWall& wall) {
   const auto& edges = keyword::card_layout("RIGIDWALL_GEOMETRIC", "edges");
   if (planar) {
-    if (options.has("ORTHO")) skip_lines(reader, 2);
+    if (options.has("ORTHO")) read_friction(context, reader, wall);
     const bool good = !options.has("FINITE") || set_edges(reader.next(edges), wall);
-    skip_lines(reader, static_cast<std::int64_t>(options.count({"MOVING"})));
+    if (options.has("MOVING")) read_moving(context, reader, wall);
     if (options.has("FORCES"))
       wall.soft = reader.next(keyword::card_layout("RIGIDWALL_PLANAR_FORCES", "card3")).integer("soft");
     return good;
@@ -61,7 +98,7 @@ bool read_shape(CardReader& reader, const Options& options, bool planar, RigidWa
     }
     good = wall.radius > 0;
   }
-  skip_lines(reader, static_cast<std::int64_t>(options.count({"MOTION"})));
+  if (options.has("MOTION")) read_motion(context, reader, wall);
   return good;
 }
 
@@ -101,13 +138,18 @@ bool read_wall(Context& context, const Block& block, CardReader& reader, const O
   const double time = context.transform(block).time_factor;
   wall.birth = card1.real("birth") * time;
   wall.death = card1.real("death") * time;
-  if (planar) wall.offset = card1.real("offset");
+  if (planar) {
+    wall.offset = card1.real("offset");
+    if (card1.real("rwksf") != 0) wall.stiffness_scale = card1.real("rwksf");
+  }
   const Card card2 = reader.next(keyword::card_layout("RIGIDWALL_GEOMETRIC", "card2"));
   if (!card2.present()) {
     context.error(wall.place, fmt::format("*{}: the card with tail and head is missing", block.name));
     return false;
   }
   wall.friction = card2.real("fric");
+  const keyword::Transform& units = context.transform(block);
+  if (planar) wall.weld_velocity = card2.real("wvel") * units.length_factor / units.time_factor;
   wall.moving = options.any({"MOVING", "MOTION"});
   wall.orthotropic = options.has("ORTHO");
   wall.shape = shape_of(options);
@@ -116,7 +158,7 @@ bool read_wall(Context& context, const Block& block, CardReader& reader, const O
   const Vector direction = point_at(card2, "xh", "yh", "zh") - wall.tail;
   const bool directed = direction.norm() > 0;
   if (directed) wall.normal = direction.normalized();
-  const bool shaped = read_shape(reader, options, planar, wall);
+  const bool shaped = read_shape(context, reader, options, planar, wall);
   if ((directed || wall.shape == Shape::sphere) && shaped) return true;
   context.error(wall.place,
                 fmt::format("rigid wall {}: {}; the wall is left out", wall.id,

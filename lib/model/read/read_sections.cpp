@@ -79,6 +79,7 @@ struct Profile {
   double radius = 0, area = 0;
   std::optional<BeamSection> constants;
   std::optional<BeamProfile> ends = {};
+  std::optional<DiscreteBeamSection> spring = {};
 };
 
 Profile equal_area(double area) { return {area > 0 ? std::sqrt(area / std::numbers::pi) : 0, area, std::nullopt}; }
@@ -145,9 +146,20 @@ BeamProfile integrated_profile(const Card& card, std::int64_t cst) {
   profile.arbitrary = cst != 0 && cst != 1;
   profile.s = ends("ts1", "ts2");
   profile.t = ends("tt1", "tt2");
-  profile.shifted = card.real("nsloc") != 0 || card.real("ntloc") != 0;
+  profile.location = {card.real("nsloc"), card.real("ntloc")};
   profile.torsion_free = card.real("itoff") == 1;
   return profile;
+}
+
+DiscreteBeamSection read_spring(const Card& card) {
+  DiscreteBeamSection spring;
+  spring.volume = card.real("vol");
+  spring.inertia = card.real("iner");
+  spring.system = card.integer("cid");
+  spring.cable_area = card.real("ca/dofn1");
+  spring.cable_offset = card.real("offset/dofn2");
+  spring.fixed = {card.real("rrcon/null") == 1, card.real("srcon/null") == 1, card.real("trcon/null") == 1};
+  return spring;
 }
 
 Profile read_profile(Context& context, CardReader& reader, std::int64_t elform, std::int64_t cst) {
@@ -162,9 +174,11 @@ Profile read_profile(Context& context, CardReader& reader, std::int64_t elform, 
     case 12:
     case 13:
       return resultants(reader.next(keyword::card_layout("SECTION_BEAM", "card3")));
-    case 6:
-      reader.skip();
-      return {};
+    case discrete_beam: {
+      Profile profile;
+      profile.spring = read_spring(reader.next(keyword::card_layout("SECTION_BEAM", "card6")));
+      return profile;
+    }
     default:
       break;
   }
@@ -191,6 +205,14 @@ void set_beam(const Context& context, const Block& block, const Profile& profile
     section.beam->line_mass = card.real("nsm") * context.transform(block).mass_factor / length;
   }
   section.profile = profile.ends;
+  section.spring = profile.spring;
+  if (section.spring) {
+    section.spring->volume *= length * square;
+    section.spring->inertia *= context.transform(block).mass_factor * square;
+    section.spring->cable_area *= square;
+    section.spring->cable_offset *= length;
+    section.spring->scoor = card.real("scoor");
+  }
   if (!section.profile) return;
   for (auto* sides : {&section.profile->s, &section.profile->t})
     for (double& side : *sides) side *= length;
@@ -254,7 +276,10 @@ void read_section_thick_shell(Context& context, const Block& block, const Option
   for_each_section(context, block, options, card1, [&](CardReader& reader) {
     const Card card = reader.next(card1);
     if (card.integer("icomp") == 1) skip_lines(reader, lines_of_eight(card.integer("nip")));
-    add_section(context, begin_section(block, card, SectionKind::thick_shell));
+    Section section = begin_section(block, card, SectionKind::thick_shell);
+    if (card.integer("nip") != 0) section.nip = card.integer("nip");
+    if (card.real("shrf") != 0) section.shrf = card.real("shrf");
+    add_section(context, section);
   });
 }
 
@@ -266,6 +291,7 @@ void read_section_beam(Context& context, const Block& block, const Options& opti
     if (section.elform == 0) section.elform = 1;
     const Profile profile = read_profile(context, reader, section.elform, card.integer("cst"));
     set_beam(context, block, profile, card, section);
+    if (section.spring) note_system(context, section.spring->system);
     add_section(context, section);
   });
 }

@@ -4,8 +4,12 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+
+#include "report/compare/history_curves.hpp"
 
 namespace gapcheck::report {
 namespace {
@@ -27,6 +31,19 @@ constexpr std::array<GlobalCurve, 7> global_curves{{
     {"ratio", "energy ratio", &GlobalState::ratio},
 }};
 
+/// By the wall's number; a wall that only some states have keeps those.
+void add_stonewalls(const std::vector<GlobalState>& states, std::vector<Curve>& list) {
+  std::map<std::int64_t, Curve> walls;
+  for (const GlobalState& state : states)
+    for (const GlobalState::Wall& wall : state.walls) {
+      Curve& curve = walls[wall.number];
+      if (curve.name.empty())
+        curve = {"glstat", "energy", fmt::format("glstat stonewall energy of wall {}", wall.number), 6, {}, {}, 0};
+      curve.add(state.time, wall.energy);
+    }
+  for (auto& [number, curve] : walls) list.push_back(std::move(curve));
+}
+
 void add_global(const std::vector<GlobalState>& states, std::vector<Curve>& list) {
   if (states.empty()) return;
   for (const GlobalCurve& entry : global_curves) {
@@ -34,6 +51,7 @@ void add_global(const std::vector<GlobalState>& states, std::vector<Curve>& list
     for (const GlobalState& state : states) curve.add(state.time, state.*entry.value);
     list.push_back(std::move(curve));
   }
+  add_stonewalls(states, list);
 }
 
 /// Finds the curves of a contact or node, and creates them when it first appears.
@@ -114,6 +132,28 @@ void add_nodes(const results::NodeHistory& history, std::vector<Curve>& list) {
     }
 }
 
+/// Each column of each entity.
+void add_entities(const results::EntityHistory& history, std::vector<Curve>& list) {
+  CurvesById groups(list);
+  const std::size_t width = history.columns.size();
+  for (const results::EntityState& state : history.states)
+    for (std::size_t i = 0; i < state.ids.size(); ++i) {
+      const std::int64_t id = state.ids[i];
+      const std::size_t first = groups.at(id, [&] {
+        const std::string who = id == 0 ? history.kind : fmt::format("{} {}", history.kind, id);
+        for (const results::EntityHistory::Column& column : history.columns)
+          list.push_back({history.file,
+                          column.quantity,
+                          fmt::format("{} {} {}", history.file, who, column.name),
+                          history.digits,
+                          {},
+                          {},
+                          0});
+      });
+      for (std::size_t k = 0; k < width; ++k) list[first + k].add(state.time, state.values[i * width + k]);
+    }
+}
+
 }  // namespace
 
 void Curve::add(double time, double value) {
@@ -135,6 +175,8 @@ std::vector<Curve> curves(const results::RunResults& run) {
   add_forces(run.rcforc, list);
   add_energies(run.sleout, list);
   add_nodes(run.nodout, list);
+  add_history_curves(run, list);
+  for (const results::EntityHistory& history : run.entities) add_entities(history, list);
   return list;
 }
 

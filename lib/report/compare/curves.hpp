@@ -21,9 +21,11 @@ struct Curve {
   void add(double time, double value);
 };
 
-/// glstat: kinetic, internal, hourglass, sliding, total energy, external work, energy ratio. rcforc, per contact and
-/// side: force components and resultant. sleout, per contact: energy of both sides, friction. nodout, per node:
-/// displacement and velocity. In order of the files; contacts and nodes as they first appear.
+/// glstat: kinetic, internal, hourglass, sliding, total energy, external work, energy ratio, stonewall energies.
+/// rcforc, per contact and side: force components and resultant. sleout, per contact: energy of both sides, friction.
+/// nodout, per node: displacement and velocity. Then those of history_curves.hpp, and of the files of a binout
+/// and of intfor all columns (RunResults::entities). In order of the files; contacts, nodes and other entities as they
+/// first appear.
 [[nodiscard]] std::vector<Curve> curves(const results::RunResults& run);
 
 }  // namespace gapcheck::report

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -43,6 +44,29 @@ constexpr std::array<Row, 7> rows_behind_walls{{
     {"energy ratio w/o eroded energy.", &GlobalState::ratio_without_eroded},
 }};
 
+/// Behind the block, with mass scaling.
+constexpr std::array<Row, 2> rows_of_scaling{{
+    {"added mass.....................", &GlobalState::added_mass},
+    {"percentage increase............", &GlobalState::added_percent},
+}};
+
+/// 0.28468E-03 in a field of 14.
+std::string fortran_row(std::string_view label, double value) {
+  int exponent = 0;
+  double digits = std::abs(value);
+  if (digits > 0 && std::isfinite(digits)) {
+    exponent = static_cast<int>(std::floor(std::log10(digits))) + 1;
+    digits /= std::pow(10.0, exponent);
+    if (digits >= 0.999995) {
+      digits /= 10;
+      ++exponent;
+    }
+  }
+  return fmt::format(
+      " {}{:>14}\n", label,
+      fmt::format("{}{:.5f}E{}{:02}", value < 0 ? "-" : "", digits, exponent < 0 ? '-' : '+', std::abs(exponent)));
+}
+
 constexpr std::string_view total_label = "total energy";
 constexpr std::string_view wall_label = "stonewall energy...............";
 
@@ -59,7 +83,8 @@ std::string_view before_dots(std::string_view label) {
 
 /// Where a row's value is kept; nullptr if it is not.
 double* global_value(std::string_view label, GlobalState& state) {
-  for (const auto& rows : {std::span<const Row>(rows_before_walls), std::span<const Row>(rows_behind_walls)})
+  for (const auto& rows : {std::span<const Row>(rows_before_walls), std::span<const Row>(rows_behind_walls),
+                           std::span<const Row>(rows_of_scaling)})
     for (const Row& entry : rows)
       if (entry.value != nullptr && before_dots(entry.label) == label) return &(state.*entry.value);
   for (int axis = 0; axis < 3; ++axis)
@@ -71,6 +96,7 @@ double* global_value(std::string_view label, GlobalState& state) {
 bool take_labelled_row(std::string_view label, std::string_view rest, ResultText& file, GlobalState& state) {
   if (double* place = global_value(label, state)) {
     *place = file.take(rest);
+    if (place == &state.added_mass) state.mass_scaling = true;
     return true;
   }
   if (label == before_dots(wall_label)) {
@@ -109,7 +135,11 @@ std::string glstat_text(const GlobalState& state) {
   for (const Row& entry : rows_behind_walls) add(entry);
   for (int axis = 0; axis < 3; ++axis)
     text += labelled_row(fmt::format("global {} velocity..............", "xyz"[axis]), state.velocity[axis]);
-  return text + fmt::format(" time per zone cycle.(nanosec)..{:14}\n", state.nanoseconds);
+  text += fmt::format(" time per zone cycle.(nanosec)..{:14}\n", state.nanoseconds);
+  if (!state.mass_scaling) return text;
+  text += "\n\n";
+  for (const Row& entry : rows_of_scaling) text += fortran_row(entry.label, state.*entry.value);
+  return text;
 }
 
 std::vector<GlobalState> read_glstat(std::string_view text, const std::string& name, Diagnostics& diagnostics) {

@@ -29,6 +29,9 @@ struct GlobalState {
     double energy = 0;
   };
   std::vector<Wall> walls;        ///< rigid walls
+  bool mass_scaling = false;      ///< then the next two are printed
+  double added_mass = 0;          ///< since the start
+  double added_percent = 0;       ///< of the mass without it
   std::uint64_t nanoseconds = 0;  ///< per element and cycle; 0: not measured
 };
 

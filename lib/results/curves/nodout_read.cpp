@@ -10,7 +10,7 @@
 namespace gapcheck::results {
 namespace {
 
-constexpr std::size_t column = 12;  ///< of one value
+constexpr std::size_t value_width = 12;  ///< of one value
 
 using NodeQuantity = Vector NodeState::*;
 constexpr std::array<NodeQuantity, 4> translations{&NodeState::displacement, &NodeState::velocity,
@@ -73,7 +73,7 @@ class NodoutReader {
   }
 
   void row(std::string_view line) {
-    const std::size_t values = 3 * quantities_.size(), width = column * values;
+    const std::size_t values = 3 * quantities_.size(), width = value_width * values;
     if (line.size() <= width) return file_.unreadable();
     // Right-aligned: the last value ends the line, and the text before the first one is the node.
     const auto node = parse_integer(trimmed(line.substr(0, line.size() - width)));
@@ -81,8 +81,8 @@ class NodoutReader {
     NodeState& state = node_at(*node);
     std::size_t at = line.size() - width;
     for (const NodeQuantity quantity : quantities_)
-      for (int axis = 0; axis < 3; ++axis, at += column) {
-        std::string_view field = trimmed(line.substr(at, column));
+      for (int axis = 0; axis < 3; ++axis, at += value_width) {
+        std::string_view field = trimmed(line.substr(at, value_width));
         (state.*quantity)[axis] = file_.take(field);
       }
     ++rows_;

@@ -4,6 +4,7 @@
 
 #include "base/file_bytes.hpp"
 #include "results/curves/binout.hpp"
+#include "results/curves/intfor_history.hpp"
 
 namespace gapcheck::results {
 
@@ -36,7 +37,19 @@ RunResults read_run_results(const std::string& directory, bool nodes, Diagnostic
   read("rcforc", into(run.rcforc, read_rcforc));
   read("matsum", into(run.matsum, read_matsum));
   if (nodes) read("nodout", into(run.nodout, read_nodout));
+  const std::vector<std::string> with_binout = run.missing;
+  if (nodes) {
+    read("secforc", into(run.secforc, read_secforc));
+    read("spcforc", into(run.spcforc, read_spcforc));
+    read("bndout", into(run.bndout, read_bndout));
+    read("rwforc", into(run.rwforc, read_rwforc));
+    read("rbdout", into(run.rbdout, read_rbdout));
+    read("swforc", into(run.swforc, read_swforc));
+    read("elout", into(run.elout, read_elout));
+  }
+  run.missing = with_binout;
   read_binout(run, nodes, diagnostics);
+  if (nodes) read_intfor(run, diagnostics);
   return run;
 }
 

@@ -23,7 +23,8 @@ constexpr std::size_t list_width = 2;    ///< words per entry of the lists after
 /// Reads the sections before the states. The first fault ends it: `problem` says what.
 class GeometryReader {
  public:
-  GeometryReader(const D3plotHeader& header, D3plotWords& words) : header_(header), words_(words) {}
+  GeometryReader(const D3plotHeader& header, D3plotWords& words, DatabaseKind kind)
+      : header_(header), words_(words), kind_(kind) {}
 
   bool read(D3plot& plot) {
     plot.title = header_.title;
@@ -78,7 +79,11 @@ class GeometryReader {
   }
 
   bool check_file_type() {
-    switch (header_.file_type % D3plotHeader::wide_ids) {
+    const std::int64_t type = header_.file_type % D3plotHeader::wide_ids;
+    if (kind_ == DatabaseKind::interface_forces)
+      return type == 4 ||
+             fail(fmt::format("is a database of type {}; one of interface forces has type 4", header_.file_type));
+    switch (type) {
       case 0:   // older writers
       case 1:   // d3plot
       case 5:   // d3part
@@ -310,6 +315,7 @@ class GeometryReader {
 
   const D3plotHeader& header_;
   D3plotWords& words_;
+  DatabaseKind kind_;
   std::uint64_t position_ = 0;
   Section nodes_, solids_, thick_shells_, beams_, shells_;
   std::vector<std::int64_t> part_ids_;  ///< by part number - 1; empty: the numbers are the ids
@@ -336,14 +342,14 @@ constexpr std::size_t head_bytes = std::size_t{1} << 16;
 
 /// `head`: the beginning of the file; `make_words`: all of it.
 template <class MakeWords>
-Result<D3plot> read(std::string_view head, const std::string& name, const MakeWords& make_words) {
+Result<D3plot> read(std::string_view head, const std::string& name, DatabaseKind kind, const MakeWords& make_words) {
   const auto failure = [&](std::string problem) { return Diagnostic{Severity::error, name, 0, std::move(problem)}; };
   if (head.empty()) return failure("is empty and no d3plot");
   if (has_gzip_mark(head)) return failure("is compressed (gzip); unpack it first");
   const auto header = read_d3plot_header(head);
   if (!header) return failure("is not a d3plot: no word size and byte order gives control words that make sense");
   D3plotWords words = make_words(header->form);
-  GeometryReader reader(*header, words);
+  GeometryReader reader(*header, words, kind);
   D3plot plot;
   if (reader.read(plot)) return plot;
   if (!words.status().ok()) return words.status().error();
@@ -353,19 +359,19 @@ Result<D3plot> read(std::string_view head, const std::string& name, const MakeWo
 
 }  // namespace
 
-Result<D3plot> read_d3plot(const std::string& path) {
+Result<D3plot> read_d3plot(const std::string& path, DatabaseKind kind) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     return Diagnostic{Severity::error, path, 0, "is a directory; give the d3plot file inside it"};
   auto file = FileBytes::begin(path);
   if (!file) return file.error();
   if (const Status head = file.value().load(head_bytes); !head.ok()) return head.error();
-  return read(file.value().bytes(), path,
+  return read(file.value().bytes(), path, kind,
               [&](WordForm form) { return D3plotWords(std::move(file).value(), path, form); });
 }
 
 Result<D3plot> read_d3plot_bytes(std::string_view bytes, const std::string& name) {
-  return read(bytes, name, [&](WordForm form) { return D3plotWords(bytes, form); });
+  return read(bytes, name, DatabaseKind::plot, [&](WordForm form) { return D3plotWords(bytes, form); });
 }
 
 }  // namespace gapcheck::results

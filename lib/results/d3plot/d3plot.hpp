@@ -32,12 +32,18 @@ struct D3plot {
   Elements<1> particles;  ///< SPH; the ids are those of their nodes
 };
 
+/// What a database of the family is.
+enum class DatabaseKind : std::uint8_t {
+  plot,             ///< d3plot, d3part, d3eigv
+  interface_forces  ///< intfor: the shells are segments
+};
+
 /// Reads the geometry of a d3plot (single or double precision, either byte order; a file family is found from its first
 /// file). No count of the header is trusted before it is compared with the file's size; memory stays within a small
 /// multiple of it. Errors name what is wrong: truncated, damaged, compressed (FEMZIP, gzip), not a d3plot. Limits:
 /// two-dimensional models get z = 0, a node number 0 in an element repeats the node before it, extra nodes of
 /// higher-order elements and rigid road surfaces are skipped.
-Result<D3plot> read_d3plot(const std::string& path);
+Result<D3plot> read_d3plot(const std::string& path, DatabaseKind kind = DatabaseKind::plot);
 
 /// The same for bytes in memory.
 Result<D3plot> read_d3plot_bytes(std::string_view bytes, const std::string& name);

@@ -37,6 +37,7 @@ struct D3plotState {
   std::size_t layers = surfaces;
   std::vector<StressPoint> shell_points;  ///< `layers` per shell
   std::vector<ShellValues> shells;
+  std::vector<StressPoint> thick_shell_points;  ///< `surfaces` per thick shell; written, not read. Empty: zeros
   static constexpr std::size_t beam_values = 6;
   /// Of beams: axial force, shear forces s t, bending moments s t, torsion; their own axes.
   std::vector<std::array<double, beam_values>> beams;

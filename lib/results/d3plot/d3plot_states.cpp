@@ -186,8 +186,8 @@ bool all_zero(const FileWords& words, std::uint64_t begin, std::uint64_t end) {
 
 }  // namespace
 
-Result<D3plotStates> D3plotStates::open(const std::string& path) {
-  auto mesh = read_d3plot(path);
+Result<D3plotStates> D3plotStates::open(const std::string& path, DatabaseKind kind) {
+  auto mesh = read_d3plot(path, kind);
   if (!mesh) return mesh.error();
   D3plotStates states;
   states.mesh_ = std::move(mesh).value();
@@ -307,6 +307,17 @@ D3plotState D3plotStates::read(std::size_t i) const {
     at += layout_.shell_words;
   }
   return state;
+}
+
+std::vector<double> D3plotStates::shell_words(std::size_t i) const {
+  const FileWords words(files_[places_[i].file].bytes(), {word_bytes_, swapped_});
+  std::vector<double> values;
+  if (layout_.shells == 0) return values;
+  const std::uint64_t first = places_[i].word + layout_.shells;
+  values.reserve(layout_.shells_with_values.size() * layout_.shell_words);
+  for (std::uint64_t k = 0; k < layout_.shells_with_values.size() * layout_.shell_words; ++k)
+    values.push_back(words.real(first + k));
+  return values;
 }
 
 }  // namespace gapcheck::results

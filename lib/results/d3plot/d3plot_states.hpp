@@ -32,13 +32,16 @@ struct D3plotStateLayout {
 /// beyond the three surfaces are skipped.
 class D3plotStates {
  public:
-  static Result<D3plotStates> open(const std::string& path);
+  static Result<D3plotStates> open(const std::string& path, DatabaseKind kind = DatabaseKind::plot);
 
   [[nodiscard]] const D3plot& mesh() const { return mesh_; }
   [[nodiscard]] const std::vector<double>& times() const { return times_; }
   [[nodiscard]] std::size_t size() const { return times_.size(); }
+  [[nodiscard]] const D3plotStateLayout& layout() const { return layout_; }
   /// State i < size().
   [[nodiscard]] D3plotState read(std::size_t i) const;
+  /// All values of all shells of state i, as they are in the file: D3plotStateLayout::shell_words for each.
+  [[nodiscard]] std::vector<double> shell_words(std::size_t i) const;
 
  private:
   struct Place {

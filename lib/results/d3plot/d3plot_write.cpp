@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <filesystem>
 #include <map>
-#include <system_error>
 
 #include "results/d3plot/d3plot_buffer.hpp"
 #include "results/d3plot/d3plot_header.hpp"
@@ -29,11 +26,6 @@ constexpr std::size_t part_title_bytes = 72;
 Diagnostic failure(const std::string& path, std::string problem) {
   return {Severity::error, path, 0, std::move(problem)};
 }
-Diagnostic not_written(const std::string& path) {
-  return failure(path, fmt::format("cannot be written: {}", std::generic_category().message(errno != 0 ? errno : EIO)));
-}
-
-std::string member_path(const std::string& path, std::uint32_t member) { return fmt::format("{}{:02}", path, member); }
 
 std::int64_t count(std::size_t size) { return static_cast<std::int64_t>(size); }
 
@@ -204,36 +196,12 @@ bool needs_wide_words(const D3plot& mesh, const std::vector<LegendEntry>& parts)
          std::any_of(parts.begin(), parts.end(), [&](const LegendEntry& part) { return wide(part.id); });
 }
 
-bool write_bytes(std::FILE* file, std::string_view bytes) {
-  return std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
-}
-
-/// The files of an older family, also behind a gap: the new one may fill it, and they would be taken for its states.
-/// The first file too, so that what is linked to it stays.
-void remove_family(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  fs::remove(path, ignored);
-  const fs::path first(path);
-  const std::string name = first.filename().string();
-  std::vector<fs::path> members;
-  const fs::path folder = first.has_parent_path() ? first.parent_path() : fs::path(".");
-  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
-    const std::string other = entry->path().filename().string();
-    if (other.size() > name.size() && other.starts_with(name) &&
-        other.find_first_not_of("0123456789", name.size()) == std::string::npos)
-      members.push_back(entry->path());
-  }
-  for (const fs::path& member : members) fs::remove(member, ignored);
-}
-
 }  // namespace
 
 Result<D3plotWriter> D3plotWriter::create(const std::string& path, const D3plot& mesh,
                                           const std::vector<LegendEntry>& parts, const D3plotWriteSettings& settings) {
   if (const Status status = check(path, mesh, parts); !status.ok()) return status.error();
   D3plotWriter writer;
-  writer.path_ = path;
   writer.settings_ = settings;
   writer.settings_.word_bytes = settings.word_bytes == 8 || needs_wide_words(mesh, parts) ? 8 : 4;
   writer.nodes_ = mesh.node_ids.size();
@@ -242,46 +210,25 @@ Result<D3plotWriter> D3plotWriter::create(const std::string& path, const D3plot&
   writer.beams_ = mesh.beams.ids.size();
   writer.shells_ = mesh.shells.ids.size();
   writer.parts_ = parts.size();
-  remove_family(path);
-  errno = 0;
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "wb"));
   GeometryWriter geometry(mesh, parts, writer.settings_);
   if (settings.deletion) writer.part_numbers_ = geometry.part_numbers();
-  if (!file || !write_bytes(file.get(), geometry.write())) return not_written(path);
-  writer.written_.emplace_back(path, id_of(file.get()));
+  auto family = D3plotFamily::create(path, geometry.write(), writer.settings_.word_bytes, settings.member_words);
+  if (!family) return family.error();
+  writer.family_ = std::move(family).value();
   return {std::move(writer)};
-}
-
-Status D3plotWriter::open_member() {
-  member_path_ = member_path(path_, ++member_);
-  position_ = 0;
-  if (file_) written_.back().second = id_of(file_.get());
-  errno = 0;
-  file_.reset(std::fopen(member_path_.c_str(), "wb"));
-  if (!file_) return not_written(member_path_);
-  written_.emplace_back(member_path_, id_of(file_.get()));
-  return {};
-}
-
-Status D3plotWriter::check_names() const {
-  for (std::size_t i = 0; i < written_.size(); ++i) {
-    const bool closed = !file_ || i + 1 < written_.size();
-    if (Status there = check_name(written_[i].first, written_[i].second, closed); !there.ok()) return there;
-  }
-  return {};
 }
 
 Status D3plotWriter::append(const D3plotState& state) {
   if (state.parts.size() != parts_ || state.coordinates.size() != nodes_ || state.velocities.size() != nodes_ ||
       state.solids.size() != solids_ || state.shells.size() != shells_ || state.beams.size() != beams_ ||
       state.layers != D3plotState::surfaces || state.shell_points.size() != shells_ * D3plotState::surfaces)
-    return failure(path_, "a state does not have the sizes of the mesh");
+    return failure(family_.path(), "a state does not have the sizes of the mesh");
   const auto fits = [&](const std::vector<bool>& deleted, std::size_t size) {
     return deleted.empty() || (settings_.deletion && deleted.size() == size);
   };
   if (!fits(state.deleted_solids, solids_) || !fits(state.deleted_shells, shells_) ||
       !fits(state.deleted_beams, beams_))
-    return failure(path_, "elements are deleted in a database that does not say which");
+    return failure(family_.path(), "elements are deleted in a database that does not say which");
   WordBuffer out(settings_.word_bytes);
   out.reals(std::array{state.time, state.kinetic, state.internal, state.total});
   out.reals(state.velocity);
@@ -298,7 +245,10 @@ Status D3plotWriter::append(const D3plotState& state) {
     out.real(values.plastic_strain);
   };
   for (const StressPoint& solid : state.solids) point(solid);
-  out.zeros(thick_shells_ * static_cast<std::uint64_t>(thick_shell_values));
+  if (state.thick_shell_points.size() == thick_shells_ * D3plotState::surfaces)
+    for (const StressPoint& layer : state.thick_shell_points) point(layer);
+  else
+    out.zeros(thick_shells_ * static_cast<std::uint64_t>(thick_shell_values));
   for (const auto& beam : state.beams) out.reals(beam);
   for (std::size_t i = 0; i < shells_; ++i) {
     for (std::size_t k = 0; k < D3plotState::surfaces; ++k) point(state.shell_points[i * D3plotState::surfaces + k]);
@@ -312,18 +262,7 @@ Status D3plotWriter::append(const D3plotState& state) {
                                      : gone(state.deleted_shells, shell) || gone(state.deleted_beams, beam);
     out.real(deleted ? 0 : static_cast<double>(part_numbers_[i]));
   }
-  const std::uint64_t words = out.words();
-  if (!file_ || position_ + words + 1 > settings_.member_words)
-    if (Status opened = open_member(); !opened.ok()) return opened;
-  out.real(d3plot_end);
-  const std::uint64_t end = position_ + out.words();
-  if (end % block_words != 0) out.zeros(block_words - end % block_words);
-  errno = 0;
-  const auto offset = static_cast<long>(position_ * static_cast<std::uint64_t>(settings_.word_bytes));
-  if (std::fseek(file_.get(), offset, SEEK_SET) != 0 || !write_bytes(file_.get(), out.bytes()))
-    return not_written(member_path_);
-  position_ += words;
-  return {};
+  return family_.append(std::move(out));
 }
 
 }  // namespace gapcheck::results

@@ -1,14 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <cstdio>
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "base/file_writer.hpp"
 #include "base/result.hpp"
 #include "results/d3plot/d3plot.hpp"
+#include "results/d3plot/d3plot_family.hpp"
 #include "results/d3plot/d3plot_state.hpp"
 #include "results/text/file_header.hpp"
 
@@ -33,23 +30,14 @@ class D3plotWriter {
   /// Arrays of other sizes than the mesh's are an error, as are files that cannot be written.
   [[nodiscard]] Status append(const D3plotState& state);
   /// An error if one of the files is no longer where it was written.
-  [[nodiscard]] Status check_names() const;
+  [[nodiscard]] Status check_names() const { return family_.check_names(); }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  [[nodiscard]] Status open_member();
-
-  std::string path_, member_path_;
   D3plotWriteSettings settings_;
   /// For each solid, thick shell, shell and beam its part's number, 0 if it is deleted.
   std::vector<std::int64_t> part_numbers_;
   std::size_t nodes_ = 0, solids_ = 0, thick_shells_ = 0, beams_ = 0, shells_ = 0, parts_ = 0;
-  std::uint32_t member_ = 0;
-  std::uint64_t position_ = 0;  ///< words of states in the member
-  std::unique_ptr<std::FILE, Close> file_;
-  std::vector<std::pair<std::string, FileId>> written_;  ///< all files, the open one last
+  D3plotFamily family_;
 };
 
 }  // namespace gapcheck::results

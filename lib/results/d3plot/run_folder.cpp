@@ -7,18 +7,22 @@
 #include <system_error>
 
 #include "results/d3plot/d3plot_header.hpp"
+#include "results/text/binout_name.hpp"
 
 namespace gapcheck::results {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view plot_name = "d3plot";
+constexpr std::string_view plot_name = "d3plot", intfor_name = "intfor";
 
-/// d3plot01, d3plot02, …
-bool is_plot_member(std::string_view name) {
-  return name.starts_with(plot_name) && name.size() > plot_name.size() &&
-         name.find_first_not_of("0123456789", plot_name.size()) == std::string_view::npos;
+/// The first file of the database to which d3plot01, intfor01, … belong; empty: they belong to none.
+std::string_view first_of_member(std::string_view name) {
+  for (const std::string_view first : {plot_name, intfor_name})
+    if (name.starts_with(first) && name.size() > first.size() &&
+        name.find_first_not_of("0123456789", first.size()) == std::string_view::npos)
+      return first;
+  return {};
 }
 
 /// The beginning of a file, which says who wrote it.
@@ -47,18 +51,28 @@ bool has_text_mark(std::string_view head) {
   return begin != std::string_view::npos && head.substr(begin).starts_with("gapcheck ");
 }
 
+/// The first file of a binout has the metadata.
+fs::path binout_beginning(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return path.parent_path() / name.substr(0, name.find('%'));
+}
+
 bool is_own(const fs::path& path) {
   const std::string name = path.filename().string();
-  if (is_plot_member(name)) return has_plot_mark(head_of(path.parent_path() / plot_name));
-  return name == plot_name ? has_plot_mark(head_of(path)) : has_text_mark(head_of(path));
+  if (is_binout_name(name)) return has_binout_mark(head_of(binout_beginning(path)));
+  if (const std::string_view first = first_of_member(name); !first.empty())
+    return has_plot_mark(head_of(path.parent_path() / first));
+  return name == plot_name || name == intfor_name ? has_plot_mark(head_of(path)) : has_text_mark(head_of(path));
 }
 
 }  // namespace
 
 bool is_result_name(std::string_view name) {
-  constexpr std::array<std::string_view, 9> names{"messag", "d3hsp",  "glstat", "matsum", "nodout",
-                                                  "rcforc", "sleout", "ncforc", plot_name};
-  return std::find(names.begin(), names.end(), name) != names.end() || is_plot_member(name);
+  constexpr std::array<std::string_view, 17> names{"messag", "d3hsp",  "glstat",  "matsum",  "nodout",   "rcforc",
+                                                   "sleout", "ncforc", "secforc", "spcforc", "bndout",   "rwforc",
+                                                   "rbdout", "swforc", "elout",   plot_name, intfor_name};
+  return std::find(names.begin(), names.end(), name) != names.end() || !first_of_member(name).empty() ||
+         is_binout_name(name);
 }
 
 std::vector<std::string> result_files(const std::string& directory) {

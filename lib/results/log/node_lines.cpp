@@ -17,7 +17,7 @@ namespace {
 bool has(std::string_view text, std::string_view words) { return text.find(words) != std::string_view::npos; }
 
 /// The text after the word and signs such as "#", "ID", "=", ":"; empty if the word is missing.
-std::string_view behind(std::string_view text, std::string_view word) {
+std::string_view text_after(std::string_view text, std::string_view word) {
   const std::size_t at = text.find(word);
   if (at == std::string_view::npos) return {};
   text.remove_prefix(at + word.size());
@@ -33,7 +33,7 @@ std::string_view behind(std::string_view text, std::string_view word) {
 }
 
 std::optional<std::int64_t> id_behind(std::string_view text, std::string_view word) {
-  std::string_view rest = behind(text, word);
+  std::string_view rest = text_after(text, word);
   rest = rest.substr(0, rest.find_first_not_of("0123456789"));
   const auto id = parse_integer(rest);
   return id && *id > 0 ? id : std::nullopt;
@@ -165,7 +165,7 @@ bool NodeLines::record(std::string_view text, std::uint32_t line, bool moved) {
   Penetration record;
   record.contact = collector_.slot(interface_);
   record.node = *node;
-  const std::string_view rest = behind(text, "penetration");
+  const std::string_view rest = text_after(text, "penetration");
   const auto depth = first_real(rest.empty() ? text : rest);
   record.depth = depth ? std::abs(*depth) : 0;
   record.outcome = moved ? Outcome::moved : Outcome::kept;

@@ -6,14 +6,20 @@
 #include <set>
 
 #include "solver/build/build_beams.hpp"
-#include "solver/build/build_equation_of_state.hpp"
+#include "solver/build/build_discrete_beams.hpp"
+#include "solver/build/build_folded_shells.hpp"
 #include "solver/build/build_full_shells.hpp"
 #include "solver/build/build_hourglass.hpp"
-#include "solver/build/build_johnson_cook.hpp"
 #include "solver/build/build_rigid.hpp"
+#include "solver/build/build_shells.hpp"
 #include "solver/build/build_solid_rules.hpp"
 #include "solver/build/build_spotwelds.hpp"
+#include "solver/build/build_thick_shells.hpp"
 #include "solver/build/build_welds.hpp"
+#include "solver/build/material/build_equation_of_state.hpp"
+#include "solver/build/material/build_foam_rubber.hpp"
+#include "solver/build/material/build_johnson_cook.hpp"
+#include "solver/build/material/build_orthotropic.hpp"
 #include "solver/element/nodal_mass.hpp"
 #include "solver/quadrature/gauss.hpp"
 
@@ -21,6 +27,27 @@ namespace gapcheck::solver {
 namespace {
 
 using model::SectionKind;
+
+/// Half thicknesses between the nodes of a shell and its mid-surface.
+constexpr double largest_reference = 1000;
+template <std::size_t N>
+model::Place place_of(const model::Elements<N>& elements, std::size_t i) {
+  return {elements.origins.file(static_cast<std::uint32_t>(i)), elements.line[i]};
+}
+
+/// *ELEMENT_MASS.
+SolverStatus add_masses(const model::Mesh& mesh, State& state) {
+  for (std::size_t i = 0; i < mesh.masses.size(); ++i) {
+    const double mass = mesh.mass_values[i];
+    if (const NodeIndex node = mesh.masses.nodes[i][0]; node.value < mesh.nodes.size() && mass > 0)
+      state.mass[node.value] += mass;
+    if (mass < 0)
+      return Failure{Failure::Kind::contradiction,
+                     fmt::format("mass {} is {:g}; set a number that is not below zero", mesh.masses.id[i], mass),
+                     place_of(mesh.masses, i)};
+  }
+  return {};
+}
 
 /// Builds, part by part, what elements need.
 class Builder {
@@ -47,10 +74,13 @@ class Builder {
     structure_.shell_id = mesh.shells.id;
     structure_.solid_id = mesh.solids.id;
     structure_.beam_id = mesh.beams.id;
+    name_element_controls(model_, diagnostics_);
+    structure_.thick_shell_id = mesh.thick_shells.id;
     SolverStatus added = add_shells();
     if (added.ok()) added = add_solids();
+    if (added.ok()) added = add_thick_shells(model_, scaling_, rigid_, structure_, diagnostics_);
     if (added.ok()) added = add_beams();
-    if (added.ok()) added = add_masses();
+    if (added.ok()) added = add_masses(mesh, state);
     if (added.ok()) build_rigid_bodies(model_, std::move(rigid_), structure_);
     if (added.ok()) build_welds(model_, structure_, diagnostics_);
     name_what_is_left_out();
@@ -79,19 +109,18 @@ class Builder {
                      place};
     auto material = build_material(model_, model_.materials[*part->material]);
     if (!material) return material.error();
-    if (kind != SectionKind::shell && material.value().kind == MaterialKind::anisotropic)
+    if (kind != SectionKind::shell && material.value().shells_only())
       return Failure{Failure::Kind::bad_material,
                      fmt::format("material {} is for shells only, but {} {} is of it",
                                  model_.materials[*part->material].id, what, id),
                      place};
-    const bool solids_only =
-        material.value().kind == MaterialKind::rubber || material.value().kind == MaterialKind::hydro;
+    const bool solids_only = material.value().solids_only();
     if (kind != SectionKind::solid && solids_only)
       return Failure{Failure::Kind::bad_material,
                      fmt::format("material {} is calculated in solids only, but {} {} is of it",
                                  model_.materials[*part->material].id, what, id),
                      place};
-    if (kind == SectionKind::beam && material.value().johnson_cook)
+    if (kind == SectionKind::beam && !material.value().in_beams())
       return Failure{Failure::Kind::bad_material,
                      fmt::format("material {} is calculated in shells and solids only, but {} {} is of it",
                                  model_.materials[*part->material].id, what, id),
@@ -118,20 +147,18 @@ class Builder {
       diagnostics_.warning("", 0,
                            fmt::format("{} {} and others of material {} do not fail (*MAT_ADD_EROSION)", what, id,
                                        model_.materials[*part->material].id));
-    if (kind == SectionKind::beam) return Properties{&section, std::move(material).value()};
-    const bool one_point = kind == SectionKind::shell
-                               ? section.elform == 0 || section.elform == 2 || full_shell(section)
-                               : SolidFormulations::is_calculated(section);
-    if (!one_point)
+    if (kind == SectionKind::solid && !SolidFormulations::is_calculated(section))
       diagnostics_.warning(
           "", 0,
-          fmt::format("section {}: ELFORM {} is calculated as the one-point {}", section.id, section.elform, what));
+          fmt::format("section {}: ELFORM {} is calculated as {}", section.id, section.elform,
+                      kind == SectionKind::shell ? "the one-point shell" : SolidFormulations::stand_in(section)));
     return Properties{&section, std::move(material).value()};
   }
 
   SolverStatus add_shells() {
     const model::Shells& shells = model_.mesh.shells;
     auto own = shells.own_thickness.begin();
+    auto offset = shells.own_offset.begin();
     for (std::uint32_t i = 0; i < shells.size(); ++i) {
       const PartIndex part = shells.part[i];
       if (SolverStatus known = complete("shell", shells, i); !known.ok()) return known;
@@ -139,20 +166,13 @@ class Builder {
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("shell", shells.id[i], part, SectionKind::shell, place_of(shells, i));
         if (!found) return found.error();
-        const auto& [section, material] = found.value();
-        const std::int64_t asked = section->nip, layers = std::clamp<std::int64_t>(asked, 1, 10);
-        if (asked != layers)
-          diagnostics_.warning("", 0,
-                               fmt::format("part {}: NIP of its section is {}; {} points are calculated",
-                                           model_.part(part).id.value, asked, layers));
-        ShellProperties all{
-            material, gauss_rule(static_cast<int>(layers)), section->shrf, model_.controls.istupd != 0, {}};
-        if (full_shell(*section)) {
-          make_full(model_, part, *section, all, diagnostics_);
-        } else {
-          all.hourglass = element_control(model_, model_.part(part), settings_.shell_hourglass, diagnostics_).hourglass;
-        }
-        positions_[part.value] = structure_.shells.add_properties(std::move(all));
+        auto all = shell_properties(model_, part, *found.value().section, found.value().material,
+                                    settings_.shell_hourglass, diagnostics_);
+        if (!all) return all.error();
+        const auto folded = folded_shells(model_, part, *found.value().section, diagnostics_);
+        if (!folded) return folded.error();
+        all.value().folded = folded.value();
+        positions_[part.value] = structure_.shells.add_properties(std::move(all).value());
       }
       const model::Section& section = model_.sections[*model_.part(part).section];
       while (own != shells.own_thickness.end() && own->shell < i) ++own;
@@ -166,11 +186,32 @@ class Builder {
         const double density = model_.materials[*model_.part(part).material].density;
         add_rigid(part, shells.nodes[i], shell_mass_points(places(shells.nodes[i]), thickness, density));
       } else {
+        while (offset != shells.own_offset.end() && offset->shell < i) ++offset;
+        const bool has_offset = offset != shells.own_offset.end() && offset->shell == i;
+        const double reference = shell_reference(section, has_offset ? &offset->offset : nullptr, thickness);
+        if (!std::isfinite(reference) || std::abs(reference) > largest_reference)
+          return Failure{Failure::Kind::bad_element,
+                         fmt::format("the mid-surface of shell {} is {:g} half thicknesses off its nodes; mend NLOC or "
+                                     "OFFSET",
+                                     shells.id[i], -reference),
+                         place_of(shells, i)};
         structure_.added_mass +=
-            structure_.shells.add(shells.nodes[i], *positions_[part.value], thickness, i, structure_.state, scaling_);
+            structure_.shells.add(shells.nodes[i], structure_.shells.with_reference(*positions_[part.value], reference),
+                                  thickness, i, structure_.state, scaling_);
+        if (SolverStatus turned = turn_last_shell(part); !turned.ok()) return turned;
       }
     }
     return {};
+  }
+
+  SolverStatus turn_last_shell(PartIndex part) {
+    const model::Material& material = model_.materials[*model_.part(part).material];
+    if (!material.orthotropic) return {};
+    double angle = 0;
+    SolverStatus turned =
+        turn_material(material, structure_.shells.axes(structure_.shells.size() - 1, structure_.state.x), angle);
+    structure_.shells.set_axis(angle);
+    return turned;
   }
 
   SolverStatus add_solids() {
@@ -183,20 +224,22 @@ class Builder {
       if (part == none<PartIndex> || !positions_[part.value]) {
         auto found = properties("solid", solids.id[i], part, SectionKind::solid, place_of(solids, i));
         if (!found) return found.error();
-        const auto rules = formulations.rules(*found.value().section, found.value().material);
+        const auto rules = formulations.rules(part, *found.value().section, found.value().material);
         if (!rules) return rules.error();
         Diagnostics of_no_effect;  // bricks with eight points have no hourglass modes
         const ElementControl control =
-            element_control(model_, model_.part(part), settings_.solid_hourglass,
+            element_control(model_, model_.part(part), ElementFamily::solids, settings_.solid_hourglass,
                             has_eight_points(rules.value().brick) ? of_no_effect : diagnostics_);
         const model::Material& written = model_.materials[*model_.part(part).material];
         auto weld = weld_limits(written);
         if (!weld) return weld.error();
         if (!has_eight_points(rules.value().brick))
           name_free_bending(model_, written, weld.value(), control.hourglass, diagnostics_);
+        const bool viscous = has_bulk_viscosity(found.value().material);
         positions_[part.value] = structure_.solids.add_properties(
-            {std::move(found.value().material), control.hourglass, control.quadratic_viscosity,
-             control.linear_viscosity, rules.value(), std::move(weld).value()});
+            {std::move(found.value().material), control.hourglass, viscous ? control.quadratic_viscosity : 0,
+             viscous ? control.linear_viscosity : 0, rules.value(), std::move(weld).value(),
+             formulations.inverted_fail(part)});
       }
       if (SolverStatus weld = check_weld_brick(model_, i); !weld.ok()) return weld;
       if (!model_.rigid(part))
@@ -225,9 +268,15 @@ class Builder {
     const model::Elements<2>& beams = model_.mesh.beams;
     positions_.assign(model_.parts.size(), std::nullopt);
     BeamLimits limits(model_, diagnostics_);
+    DiscreteBeams discrete(model_, diagnostics_);
     for (std::uint32_t i = 0; i < beams.size(); ++i) {
       const PartIndex part = beams.part[i];
       if (SolverStatus known = complete("beam", beams, i); !known.ok()) return known;
+      if (DiscreteBeams::has(model_, part)) {
+        const Vector third = limits.third_point(i, structure_.state);
+        if (SolverStatus added = discrete.add(i, third, scaling_, structure_); !added.ok()) return added;
+        continue;
+      }
       if (part != none<PartIndex> && limits.leaves_out(part)) continue;
       if (part == none<PartIndex> || !positions_[part.value]) {
         const auto found = properties("beam", beams.id[i], part, SectionKind::beam, place_of(beams, i));
@@ -260,11 +309,6 @@ class Builder {
   }
 
   template <std::size_t N>
-  static model::Place place_of(const model::Elements<N>& elements, std::size_t i) {
-    return {elements.origins.file(static_cast<std::uint32_t>(i)), elements.line[i]};
-  }
-
-  template <std::size_t N>
   SolverStatus complete(std::string_view what, const model::Elements<N>& elements, std::uint32_t i) {
     const auto& nodes = elements.nodes[i];
     const bool all =
@@ -289,26 +333,11 @@ class Builder {
     rigid.points.insert(rigid.points.end(), points.begin(), points.end());
   }
 
-  SolverStatus add_masses() {
-    const model::Mesh& mesh = model_.mesh;
-    for (std::size_t i = 0; i < mesh.masses.size(); ++i) {
-      const double mass = mesh.mass_values[i];
-      if (const NodeIndex node = mesh.masses.nodes[i][0]; node.value < mesh.nodes.size() && mass > 0)
-        structure_.state.mass[node.value] += mass;
-      if (mass < 0)
-        return Failure{Failure::Kind::contradiction,
-                       fmt::format("mass {} is {:g}; set a number that is not below zero", mesh.masses.id[i], mass),
-                       place_of(mesh.masses, i)};
-    }
-    return {};
-  }
-
   void name_what_is_left_out() {
     const model::Mesh& mesh = model_.mesh;
     const auto name = [&](std::string_view what, std::size_t count) {
       if (count > 0) diagnostics_.warning("", 0, fmt::format("{} {} take no part in the calculation", count, what));
     };
-    name("thick shells", mesh.thick_shells.size());
     name("particles", mesh.particles.size());
   }
 

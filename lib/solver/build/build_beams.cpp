@@ -92,7 +92,7 @@ bool BeamLimits::leaves_out(PartIndex part) {
   if (material && model_.materials[*material].null_material && section.beam_area > 0) return false;
   const bool out = !is_calculated(section);
   const bool other = section.elform != 2 && section.elform != truss && !section.integrated();
-  const bool shifted = section.integrated() && section.profile->shifted;
+  const bool shifted = section.integrated() && section.profile->location != std::array<double, 2>{};
   if ((out || other || shifted) && named_.insert(*position).second)
     diagnostics_.warning(
         model_.file(section.place), section.place.line,
@@ -106,8 +106,8 @@ Vector BeamLimits::third_point(std::uint32_t beam, const State& state) {
   const model::Elements<2>& beams = model_.mesh.beams;
   const auto& all = model_.mesh.beam_values;
   const model::BeamValues values = beam < all.size() ? all[beam] : model::BeamValues{};
-  if (values.released) ++released_;
-  if (values.shifted) ++shifted_;
+  if (values.released()) ++released_;
+  if (values.shifted()) ++shifted_;
   const Vector& first = state.x[beams.nodes[beam][0].value];
   const Vector way = state.x[beams.nodes[beam][1].value] - first;
   Vector third = values.orientation;

@@ -2,12 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "solver/element/shell_full_frame.hpp"
 
 namespace gapcheck::solver {
 namespace {
 
-constexpr std::int64_t full_form = 16, full_projection = 8, sort_to_dkt = 2;
+constexpr std::int64_t full_form = 16, one_point_membrane = 5, full_membrane = 9, full_projection = 8, sort_to_dkt = 2;
+/// Other forms with four points in the plane: Hughes and Liu with selective integration, linear shells with drilling
+/// stiffness or hybrid membrane, shells with thickness stretch.
+constexpr std::array<std::int64_t, 7> other_forms{-full_form, 6, 7, 18, 20, 21, 26};
 
 /// Type 8 always is on: it has no coefficient that would count, and shells with four points have nothing else to
 /// control.
@@ -34,8 +40,15 @@ void name_hourglass_control(const model::Model& model, const model::Part& part, 
 
 }  // namespace
 
+bool membrane(const model::Section& section) {
+  return section.kind == model::SectionKind::shell &&
+         (section.elform == one_point_membrane || section.elform == full_membrane);
+}
+
 bool full_shell(const model::Section& section) {
-  return section.kind == model::SectionKind::shell && (section.elform == full_form || section.elform == -full_form);
+  return section.kind == model::SectionKind::shell &&
+         (section.elform == full_form || section.elform == full_membrane ||
+          std::find(other_forms.begin(), other_forms.end(), section.elform) != other_forms.end());
 }
 
 void make_full(const model::Model& model, PartIndex index, const model::Section& section, ShellProperties& properties,
@@ -43,7 +56,7 @@ void make_full(const model::Model& model, PartIndex index, const model::Section&
   properties.form = ShellForm::full;
   properties.sorts = model.controls.shell_esort != 0;
   properties.hourglass.kind = HourglassKind::none;
-  if (section.elform < 0)
+  if (section.elform != full_form)
     diagnostics.warning("", 0,
                         fmt::format("section {}: ELFORM {} is calculated as ELFORM 16", section.id, section.elform));
   if (model.rigid(index)) return;

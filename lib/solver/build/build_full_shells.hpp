@@ -5,11 +5,14 @@
 
 namespace gapcheck::solver {
 
-/// ELFORM 16 and −16: four points in the plane.
+/// ELFORM 5 and 9: membranes with one point in the plane, and with 2 x 2.
+[[nodiscard]] bool membrane(const model::Section& section);
+
+/// ELFORM 16, and forms that are calculated as it (−16, 6, 7, 18, 20, 21, 26): four points in the plane.
 [[nodiscard]] bool full_shell(const model::Section& section);
 
 /// Makes a part's shells fully integrated; its triangles are what ESORT of *CONTROL_SHELL says. Warns about an
-/// hourglass control other than type 8, about ELFORM −16 and ESORT = 2.
+/// hourglass control other than type 8, about ELFORM other than 16 and ESORT = 2.
 void make_full(const model::Model& model, PartIndex index, const model::Section& section, ShellProperties& properties,
                Diagnostics& diagnostics);
 

@@ -3,9 +3,13 @@
 #include <cmath>
 
 #include "solver/build/build.hpp"
-#include "solver/build/build_equation_of_state.hpp"
-#include "solver/build/build_erosion.hpp"
-#include "solver/build/build_johnson_cook.hpp"
+#include "solver/build/material/build_equation_of_state.hpp"
+#include "solver/build/material/build_erosion.hpp"
+#include "solver/build/material/build_foam_rubber.hpp"
+#include "solver/build/material/build_johnson_cook.hpp"
+#include "solver/build/material/build_orthotropic.hpp"
+#include "solver/build/material/build_plasticity.hpp"
+#include "solver/build/material/material_curve.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -26,7 +30,7 @@ std::optional<RateTable> rate_table(const model::Model& model, const model::Tabl
     if (curve == model.curves.end()) return std::nullopt;
     if (!result.rates.empty() && !(row.value > result.rates.back())) return std::nullopt;
     result.rates.push_back(row.value);
-    result.curves.emplace_back(points_of(curve->second.points));
+    result.curves.emplace_back(points_of(material_points(model, curve->second)));
   }
   if (result.curves.empty()) return std::nullopt;
   YieldCurve::align(result.curves);
@@ -37,7 +41,7 @@ std::optional<RateTable> rate_table(const model::Model& model, const model::Tabl
 YieldCurve anisotropic_yield(const model::Model& model, const model::Plasticity& data) {
   if (data.lcss == 0) return {data.sigy, std::abs(data.etan)};
   const auto curve = model.curves.find(data.lcss);
-  return curve == model.curves.end() ? YieldCurve() : YieldCurve(points_of(curve->second.points));
+  return curve == model.curves.end() ? YieldCurve() : YieldCurve(points_of(material_points(model, curve->second)));
 }
 
 /// Material 024: a curve takes precedence over points, points over SIGY and ETAN.
@@ -45,7 +49,7 @@ YieldCurve piecewise_linear(const model::Model& model, const model::Material& ma
   const model::Plasticity& data = *material.plasticity;
   if (data.lcss != 0) {
     const auto curve = model.curves.find(data.lcss);
-    return curve == model.curves.end() ? YieldCurve() : YieldCurve(points_of(curve->second.points));
+    return curve == model.curves.end() ? YieldCurve() : YieldCurve(points_of(material_points(model, curve->second)));
   }
   if (!data.points.empty()) return YieldCurve(points_of(data.points));
   return {data.sigy, material.young * data.etan / (material.young - data.etan)};
@@ -57,7 +61,7 @@ SolverStatus set_weld_yield(const model::Model& model, const model::SpotWeld& we
   material.yield = {weld.sigy, weld.hardening};
   if (weld.curve == 0) return {};
   if (const auto curve = model.curves.find(weld.curve); curve != model.curves.end()) {
-    material.yield = YieldCurve(points_of(curve->second.points));
+    material.yield = YieldCurve(points_of(material_points(model, curve->second)));
   } else if (const auto table = model.tables.find(weld.curve); table != model.tables.end()) {
     if (auto rates = rate_table(model, table->second)) material.table = std::move(*rates);
     if (!material.table.curves.empty()) material.yield = material.table.curves[0];
@@ -116,6 +120,8 @@ SolverResult<Material> build_material(const model::Model& model, const model::Ma
       result.anisotropy = std::abs(data.anisotropy);
       result.yield = anisotropic_yield(model, data);
       if (result.yield.empty()) return refused("names a yield curve that is not there");
+    } else if (material.keyword == "MAT_POWER_LAW_PLASTICITY") {
+      if (const SolverStatus set = set_power_law(material, result); !set.ok()) return set.error();
     } else if (const auto table = model.tables.find(data.lcss); table != model.tables.end() && data.lcss != 0) {
       result.kind = MaterialKind::plastic;
       auto rates = rate_table(model, table->second);
@@ -127,8 +133,12 @@ SolverResult<Material> build_material(const model::Model& model, const model::Ma
       result.yield = piecewise_linear(model, material);
       if (result.yield.empty()) return refused("names a yield curve or table that is not there");
     }
-    set_rate_dependence(data, material.keyword == "MAT_PIECEWISE_LINEAR_PLASTICITY", result);
+    set_rate_dependence(
+        data,
+        material.keyword.ends_with("PIECEWISE_LINEAR_PLASTICITY") || material.keyword == "MAT_PLASTICITY_WITH_DAMAGE",
+        result);
     if (fails(data)) result.failure_strain = data.failure_strain;
+    if (const SolverStatus set = set_own_failure(material, result); !set.ok()) return set.error();
   } else if (material.weld) {
     if (!material.weld->variant.empty())
       return refused(fmt::format("is the variant {}, which is not calculated; use *MAT_SPOTWELD for this run",
@@ -136,20 +146,28 @@ SolverResult<Material> build_material(const model::Model& model, const model::Ma
     if (const SolverStatus set = set_weld_yield(model, *material.weld, result); !set.ok())
       return refused(set.error().message);
   } else if (material.mooney_rivlin) {
-    if (material.mooney_rivlin->lcid != 0) return refused("is to be fitted to a curve (LCID); give it A and B instead");
     result.kind = MaterialKind::rubber;
     result.rubber = mooney_rivlin(material.mooney_rivlin->a, material.mooney_rivlin->b, material.poisson);
   } else if (material.hydro) {
     if (const SolverStatus set = set_hydro(material, result); !set.ok()) return set.error();
   } else if (material.johnson_cook) {
     if (const SolverStatus set = set_johnson_cook(material, result); !set.ok()) return set.error();
+  } else if (material.orthotropic) {
+    if (const SolverStatus set = set_orthotropic(material, result); !set.ok()) return set.error();
+  } else if (!std::holds_alternative<std::monostate>(material.foam_rubber)) {
+    if (const SolverStatus set = set_foam_rubber(model, material, result); !set.ok()) return set.error();
   } else if (material.keyword != "MAT_ELASTIC") {
-    return refused("is none of 001, 003, 009, 010, 015, 020, 024, 027, 037, 098 and 100; replace it for this run");
+    return refused(
+        "is none of 001, 003, 006, 007, 009, 010, 015, 020, 024, 027, 037, 057, 063, 077, 098, 100 and 181; replace it "
+        "for "
+        "this run");
   }
   if (!result.valid()) return refused("has a density, stiffness or yield stress out of range");
   auto erosion = build_erosion(model, material);
   if (!erosion) return erosion.error();
-  if (result.kind != MaterialKind::rigid) result.erosion = erosion.value();
+  if (erosion.value() && result.erosion)
+    return refused("has limits of its own (EPSTHIN, EPSMAJ, NUMINT) and *MAT_ADD_EROSION; keep one of them");
+  if (result.kind != MaterialKind::rigid && erosion.value()) result.erosion = erosion.value();
   return result;
 }
 

@@ -49,7 +49,7 @@ SolverStatus check_weld_brick(const model::Model& model, std::uint32_t solid) {
 
 void name_free_bending(const model::Model& model, const model::Material& written, const WeldLimits& limits,
                        const Hourglass& hourglass, Diagnostics& diagnostics) {
-  if (hourglass.kind == HourglassKind::stiffness) return;
+  if (hourglass.kind == HourglassKind::stiffness || hourglass.kind == HourglassKind::assumed_strain) return;
   if (std::none_of(limits.strength.begin() + 3, limits.strength.end(), [](double value) { return value > 0; })) return;
   diagnostics.warning(model.file(written.place), written.place.line,
                       fmt::format("material {} (*{}): MRR, MSS and MTT hardly count, because one-point bricks resist "

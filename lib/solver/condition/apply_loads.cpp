@@ -191,7 +191,11 @@ void apply_gravity(ConditionBuilder& builder) {
   auto gravity = std::make_unique<Gravity>(masses_of_parts(builder));
   for (const model::BodyLoad& load : builder.model.loads.bodies) {
     builder.refuse_system(load.system, load.keyword, load.place);
-    gravity->add_axis(load.axis, {builder.curve(load.curve, load.keyword, load.place), load.scale, 0});
+    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0};
+    if (load.rotation)
+      gravity->add_rotation(load.axis, load.center, value);
+    else
+      gravity->add_axis(load.axis, value);
   }
   if (!builder.failed()) builder.forces.push_back(std::move(gravity));
 }
@@ -208,10 +212,50 @@ void apply_damping(ConditionBuilder& builder) {
   if (!builder.failed()) builder.forces.push_back(std::make_unique<GlobalDamping>(constant, damping.factors));
 }
 
+/// One part or those of a set; empty after a failure.
+std::vector<PartIndex> damped_parts(ConditionBuilder& builder, const model::PartDamping& damping) {
+  if (damping.set) return builder.part_set(damping.id, damping.keyword, damping.place);
+  const auto part = builder.model.part_of_id.find(damping.id);
+  if (part != builder.model.part_of_id.end()) return {part->second};
+  builder.fail(Failure::Kind::unknown_reference, damping.keyword, damping.place,
+               fmt::format("part {} is not defined; define it or remove the damping", damping.id));
+  return {};
+}
+
+void apply_part_dampings(ConditionBuilder& builder) {
+  const model::Model& model = builder.model;
+  if (model.loads.part_dampings.empty()) return;
+  auto dampings = std::make_unique<PartDampings>();
+  for (const model::PartDamping& damping : model.loads.part_dampings) {
+    const TimedValue constant{builder.curve(damping.curve, damping.keyword, damping.place), damping.scale, 0};
+    std::vector<bool> wanted(model.parts.size());
+    std::vector<std::size_t> bodies;
+    for (const PartIndex part : damped_parts(builder, damping)) {
+      const auto beam = std::find(model.mesh.beams.part.begin(), model.mesh.beams.part.end(), part);
+      if (beam != model.mesh.beams.part.end())
+        builder.fail(Failure::Kind::not_calculated, damping.keyword, damping.place,
+                     fmt::format("part {} has beams, whose masses are not damped by part; use *DAMPING_GLOBAL",
+                                 model.part(part).id.value));
+      if (!model.rigid(part))
+        wanted[part.value] = true;
+      else if (const auto body = builder.body(model.part(part).id.value, damping.keyword, damping.place))
+        bodies.push_back(*body);
+    }
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    if (builder.failed()) return;
+    std::vector<double> masses = nodal_masses(model, wanted);
+    for (std::size_t i = 0; i < masses.size(); ++i)
+      if (builder.structure.rigid.holds(i)) masses[i] = 0;
+    dampings->add_part(constant, damping.factors, masses, std::move(bodies));
+  }
+  builder.forces.push_back(std::move(dampings));
+}
+
 }  // namespace
 
 void apply_loads(ConditionBuilder& builder) {
-  for (const auto apply : {apply_concentrated, apply_pressures, apply_gravity, apply_damping})
+  for (const auto apply : {apply_concentrated, apply_pressures, apply_gravity, apply_damping, apply_part_dampings})
     if (!builder.failed()) apply(builder);
 }
 

@@ -71,6 +71,8 @@ struct BodyProperties {
 
 // Each applies one kind of condition to the structure.
 void apply_body_properties(ConditionBuilder& builder);
+/// Joins rigid bodies. A failure names nodes that are in no rigid body or in the same, or that give no axis.
+void apply_joints(ConditionBuilder& builder);
 void apply_loads(ConditionBuilder& builder);
 void apply_boundary(ConditionBuilder& builder);
 void apply_prescribed_motions(ConditionBuilder& builder);

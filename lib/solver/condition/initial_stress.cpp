@@ -261,10 +261,11 @@ class InitialStresses {
         return contradiction(fmt::format("the plastic strain {:g} or a stress beside it is out of range; use 0 to {:g}",
                                          point.plastic_strain, most_strain));
     }
-    if (material.kind == MaterialKind::rubber) {
+    if (material.kind == MaterialKind::rubber || material.viscoelastic || material.crushable) {
       fail(one, Failure::Kind::not_calculated,
-           fmt::format("element {}: the stress of rubber follows from its deformation since the start; remove the card",
-                       id));
+           fmt::format(
+               "element {}: the stress of rubber or foam follows from its deformation since the start; remove the card",
+               id));
       return false;
     }
     if (material.kind == MaterialKind::hydro) {

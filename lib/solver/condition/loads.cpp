@@ -25,6 +25,12 @@ std::vector<double> all_at(const std::vector<TimedValue>& values, double time) {
   return now;
 }
 
+std::vector<std::uint32_t> each_once(std::vector<std::uint32_t> list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
 /// The sum of one number per node over fixed blocks.
 struct Sum {
   double value = 0;
@@ -47,7 +53,7 @@ void ConcentratedLoads::follow(std::size_t target, bool body, bool moment, const
   followers_.push_back({static_cast<std::uint32_t>(target), body, moment, nodes, position_in(values_, value)});
 }
 
-void ConcentratedLoads::add(State& state, Forces& forces) {
+void ConcentratedLoads::add_at(const State& state, Forces& forces) const {
   const std::vector<double> now = all_at(values_, state.time);
   for (const Entry& entry : entries_) {
     auto& pushes = entry.body ? forces.body_force : forces.force;
@@ -71,7 +77,23 @@ void Pressures::add_segment(const model::SegmentNodes& nodes, const TimedValue& 
   value_of_.push_back(position_in(values_, value));
 }
 
-void Pressures::add(State& state, Forces& forces) {
+std::vector<std::uint32_t> ConcentratedLoads::targets(bool bodies) const {
+  std::vector<std::uint32_t> list;
+  for (const Entry& entry : entries_)
+    if (entry.body == bodies) list.push_back(entry.target);
+  for (const Follower& follower : followers_)
+    if (follower.body == bodies) list.push_back(follower.target);
+  return each_once(std::move(list));
+}
+
+std::vector<std::uint32_t> Pressures::nodes() const {
+  std::vector<std::uint32_t> list;
+  for (const model::SegmentNodes& segment : segments_)
+    for (const NodeIndex node : segment) list.push_back(node.value);
+  return each_once(std::move(list));
+}
+
+void Pressures::add_at(const State& state, Forces& forces) const {
   const std::vector<double> now = all_at(values_, state.time);
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const model::SegmentNodes& nodes = segments_[i];
@@ -91,8 +113,31 @@ void Gravity::add(State& state, Forces& forces) {
       else if (!state.in_body[i])
         forces.force[i] += state.mass[i] * acceleration;
   });
+  for (const Rotation& rotation : rotations_) add_one(rotation, state, forces);
   if (!masses_.empty()) return;
   for (std::size_t b = 0; b < state.bodies.size(); ++b) forces.body_force[b] += state.bodies[b].mass * acceleration;
+}
+
+void Gravity::add_one(const Rotation& rotation, const State& state, Forces& forces) const {
+  const double rate = rotation.rate.at(state.time), square = rate * rate;
+  const auto away = [&](const Vector& x) {
+    Vector arm = x - rotation.center;
+    arm[rotation.axis] = 0;
+    return Vector(square * arm);
+  };
+  parallel_for(state.x.size(), 16384, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (!masses_.empty())
+        forces.force[i] += masses_[i] * away(state.x[i]);
+      else if (!state.in_body[i])
+        forces.force[i] += state.mass[i] * away(state.x[i]);
+  });
+  if (!masses_.empty()) return;
+  const Vector axis = Vector::Unit(rotation.axis);
+  for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+    forces.body_force[b] += state.bodies[b].mass * away(state.bodies[b].center);
+    forces.body_moment[b] += square * Vector(state.bodies[b].inertia * axis).cross(axis);  // the sum over its masses
+  }
 }
 
 void GlobalDamping::add(State& state, Forces& forces) {
@@ -123,6 +168,43 @@ void GlobalDamping::add(State& state, Forces& forces) {
     forces.body_force[b] += last_.body_force[b] = force;
     forces.body_moment[b] += last_.body_moment[b] = moment;
   }
+}
+
+void PartDampings::add_part(const TimedValue& constant, const std::array<double, 6>& factors,
+                            const std::vector<double>& masses, std::vector<std::size_t> bodies) {
+  Entry entry{constant, {factors[0], factors[1], factors[2]}, {factors[3], factors[4], factors[5]}, {}, {}};
+  for (std::uint32_t i = 0; i < masses.size(); ++i)
+    if (masses[i] > 0) entry.nodes.push_back({i, masses[i]});
+  for (const std::size_t body : bodies) entry.bodies.push_back({body});
+  entries_.push_back(std::move(entry));
+}
+
+void PartDampings::add(State& state, Forces& forces) {
+  const double half = state.dt / 2;
+  double strongest = 0;
+  for (Entry& entry : entries_) {
+    const double constant = entry.constant.at(state.time);
+    strongest += std::abs(constant) * std::max(entry.move.cwiseAbs().maxCoeff(), entry.turn.cwiseAbs().maxCoeff());
+    const Vector move = -constant * entry.move, turn = -constant * entry.turn;
+    for (Node& one : entry.nodes) {
+      const std::uint32_t n = one.node;
+      const double share = state.mass[n] > 0 ? std::min(one.mass / state.mass[n], 1.0) : 0;
+      const Vector force = share * state.mass[n] * move.cwiseProduct(state.v[n]);
+      const Vector moment = share * state.inertia[n] * turn.cwiseProduct(state.w[n]);
+      work_ -= half * ((one.force + force).dot(state.v[n]) + (one.moment + moment).dot(state.w[n]));
+      forces.force[n] += one.force = force;
+      forces.moment[n] += one.moment = moment;
+    }
+    for (Body& one : entry.bodies) {
+      const BodyState& body = state.bodies[one.body];
+      const Vector force = body.mass * move.cwiseProduct(body.velocity);
+      const Vector moment = turn.cwiseProduct(body.angular_momentum);
+      work_ -= half * ((one.force + force).dot(body.velocity) + (one.moment + moment).dot(body.spin));
+      forces.body_force[one.body] += one.force = force;
+      forces.body_moment[one.body] += one.moment = moment;
+    }
+  }
+  stable_step_ = strongest > 0 ? 1 / strongest : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace gapcheck::solver

@@ -29,7 +29,10 @@ class ConcentratedLoads : public Force {
   /// A force, or moment, on a node or body that follows the normal of three nodes: (x₂ − x₁) × (x₃ − x₁).
   void follow(std::size_t target, bool body, bool moment, const std::array<NodeIndex, 3>& nodes,
               const TimedValue& value);
-  void add(State& state, Forces& forces) override;
+  void add(State& state, Forces& forces) override { add_at(state, forces); }
+  void add_at(const State& state, Forces& forces) const;
+  /// Nodes, or rigid bodies, that it acts on, each once, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> targets(bool bodies) const;
 
  private:
   struct Entry {
@@ -55,7 +58,10 @@ class ConcentratedLoads : public Force {
 class Pressures : public Force {
  public:
   void add_segment(const model::SegmentNodes& nodes, const TimedValue& value);
-  void add(State& state, Forces& forces) override;
+  void add(State& state, Forces& forces) override { add_at(state, forces); }
+  void add_at(const State& state, Forces& forces) const;
+  /// Nodes that it acts on, each once, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> nodes() const;
 
  private:
   std::vector<model::SegmentNodes> segments_;
@@ -63,13 +69,18 @@ class Pressures : public Force {
   std::vector<TimedValue> values_;
 };
 
-/// Body forces of an accelerated frame: −a m on every mass.
+/// Body forces of an accelerated frame: −a m on every mass; and of one that turns about an axis: m ω² r away from it,
+/// at the present places (no Euler and Coriolis forces; Keyword User's Manual, Vol. I, *LOAD_BODY).
 class Gravity : public Force {
  public:
   /// `masses`: of the nodes, if it acts only on some parts; empty: all masses of the state, rigid bodies at their
   /// centres.
   explicit Gravity(std::vector<double> masses) : masses_(std::move(masses)) {}
   void add_axis(int axis, const TimedValue& value) { axes_.push_back({axis, value}); }
+  /// Turns with the value of `rate` about an axis through `center`.
+  void add_rotation(int axis, const Vector& center, const TimedValue& rate) {
+    rotations_.push_back({axis, rate, center});
+  }
   void add(State& state, Forces& forces) override;
 
  private:
@@ -77,8 +88,15 @@ class Gravity : public Force {
     int axis;
     TimedValue value;
   };
+  struct Rotation {
+    int axis;
+    TimedValue rate;
+    Vector center;
+  };
+  void add_one(const Rotation& rotation, const State& state, Forces& forces) const;
   std::vector<double> masses_;
   std::vector<Axis> axes_;
+  std::vector<Rotation> rotations_;
 };
 
 /// −D m v on nodes, −D J ω on their rotations, −D M V and −D L on rigid bodies, with the velocities of the step that
@@ -99,6 +117,38 @@ class GlobalDamping : public Force {
   double work_ = 0;
   double stable_step_ = std::numeric_limits<double>::infinity();
   Forces last_;  ///< at the start of the step that led here
+};
+
+/// The same with a constant for each of some parts: on the masses that their elements give to nodes, and on rigid
+/// bodies.
+class PartDampings : public Force {
+ public:
+  /// `masses`: of the parts, by node.
+  void add_part(const TimedValue& constant, const std::array<double, 6>& factors, const std::vector<double>& masses,
+                std::vector<std::size_t> bodies);
+  void add(State& state, Forces& forces) override;
+  void absorbed(Absorbed& work) const override { work.damping += work_; }
+  [[nodiscard]] double stable_step() const override { return stable_step_; }
+
+ private:
+  struct Node {
+    std::uint32_t node;
+    double mass;
+    Vector force = Vector::Zero(), moment = Vector::Zero();  ///< at the start of the step that led here
+  };
+  struct Body {
+    std::size_t body;
+    Vector force = Vector::Zero(), moment = Vector::Zero();
+  };
+  struct Entry {
+    TimedValue constant;
+    Vector move, turn;
+    std::vector<Node> nodes;
+    std::vector<Body> bodies;
+  };
+  std::vector<Entry> entries_;
+  double work_ = 0;
+  double stable_step_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace gapcheck::solver

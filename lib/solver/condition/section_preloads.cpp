@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/condition/preload_curve.hpp"
+#include "solver/condition/section_plane.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -89,34 +90,16 @@ class SectionCut {
 
   /// Radius and edges of the plane; false after a failure.
   bool find_limits() {
-    const auto absurd = [](double length) { return !std::isfinite(length) || length < 0; };
-    if (absurd(section_.radius) || absurd(section_.along) || absurd(section_.across)) {
-      fail(Failure::Kind::contradiction,
-           fmt::format("RADIUS, LENL or LENM of section {} is not a length; use 0 or more", section_.id));
-      return false;
-    }
-    unit_ = section_.normal.normalized();
-    const bool edges = section_.radius == 0 && (section_.along > 0 || section_.across > 0);
-    const Vector in_plane = section_.edge - section_.edge.dot(unit_) * unit_;
-    if (edges && !(in_plane.norm() > 1e-9 * section_.edge.norm())) {
-      fail(Failure::Kind::contradiction,
-           fmt::format("the edge XHEV, YHEV, ZHEV of section {} has no direction in the plane", section_.id));
-      return false;
-    }
-    if (edges) along_ = in_plane.normalized();
-    across_ = unit_.cross(along_);
-    return true;
+    const std::string fault = SectionPlane::fault(section_);
+    if (!fault.empty()) fail(Failure::Kind::contradiction, fault);
+    if (fault.empty()) plane_.emplace(section_);
+    return fault.empty();
   }
 
-  /// Corners on both sides: at or behind the plane, and in front of it; and the centre within the limits.
+  /// Corners on both sides of the plane, and the centre within the limits.
   [[nodiscard]] bool cuts(const std::array<NodeIndex, 8>& nodes) const {
-    const auto ahead = [&](NodeIndex node) { return (x(node) - section_.tail).dot(unit_) > 0; };
-    const auto count = std::count_if(nodes.begin(), nodes.end(), ahead);
-    if (count == 0 || count == 8) return false;
-    const Vector from = centre(nodes) - section_.tail;
-    if (section_.radius > 0) return (from - from.dot(unit_) * unit_).norm() <= section_.radius;
-    const auto within = [](double at, double length) { return length == 0 || (at >= 0 && at <= length); };
-    return within(from.dot(along_), section_.along) && within(from.dot(across_), section_.across);
+    return plane_->parts(nodes, [&](NodeIndex node) -> const Vector& { return x(node); }) &&
+           plane_->within(centre(nodes));
   }
 
   void keep(std::int64_t parts, std::vector<std::uint32_t>& solids) {
@@ -133,7 +116,7 @@ class SectionCut {
   ConditionBuilder& builder_;
   const model::SectionPreload& preload_;
   const model::CrossSection& section_;
-  Vector unit_ = Vector::Zero(), along_ = Vector::Zero(), across_ = Vector::Zero();
+  std::optional<SectionPlane> plane_;
 };
 
 /// The section that a preload names; nullptr after a failure.

@@ -5,6 +5,7 @@
 #include "base/stopwatch.hpp"
 #include "contact/definition/repeated_contacts.hpp"
 #include "contact/surface/erosion.hpp"
+#include "solver/contact/curve_rule.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -69,6 +70,12 @@ std::vector<ContactNode> nodes_of(const ContactInterface& interface) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
+}
+
+void add_works(const ContactState& state, Absorbed& work) {
+  work.contact_friction += state.friction;
+  work.contact_damping += state.damping;
+  work.contact_normal += state.energy_a + state.energy_b - state.friction - state.damping;
 }
 
 }  // namespace
@@ -271,16 +278,12 @@ void ContactForces::advance_interface(std::size_t i, State& state, Forces& force
 }
 
 void ContactForces::absorbed(Absorbed& work) const {
-  for (const ContactState& state : states_) {
-    work.contact_friction += state.friction;
-    work.contact_damping += state.damping;
-    work.contact_normal += state.energy_a + state.energy_b - state.friction - state.damping;
-  }
+  for (const ContactState& state : states_) add_works(state, work);
 }
 
 std::size_t ContactForces::waiting() const {
-  return static_cast<std::size_t>(std::count_if(interfaces_.begin(), interfaces_.end(),
-                                                [](const auto& interface) { return interface.passes().empty(); }));
+  const auto waits = [](const ContactInterface& interface) { return interface.passes().empty(); };
+  return static_cast<std::size_t>(std::ranges::count_if(interfaces_, waits));
 }
 
 std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {
@@ -288,8 +291,11 @@ std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {
 }
 
 std::optional<double> ContactForces::stored(std::size_t position) const {
+  const ContactInterface& interface = interfaces_[interface_of_[position]];
+  // What a curve stores does not follow from the state where unloading differs from loading.
+  if (acts_by_curve(interface.card())) return std::nullopt;
   double sum = 0;
-  for (const auto& pass : interfaces_[interface_of_[position]].passes()) sum += pass->stored();
+  for (const auto& pass : interface.passes()) sum += pass->stored();
   return sum;
 }
 

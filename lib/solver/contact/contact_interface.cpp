@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "contact/definition/active_time.hpp"
 #include "contact/edge/edge_scene.hpp"
 #include "solver/contact/contact_method.hpp"
 #include "solver/contact/contact_pass.hpp"
+#include "solver/contact/curve_rule.hpp"
 #include "solver/contact/edge_pass.hpp"
 #include "solver/mortar/mortar_pass.hpp"
 
@@ -48,12 +48,13 @@ bool is_tiebreak(const model::Contact& contact) { return choose_method(contact).
 
 ContactInterface::ContactInterface(const ContactSetting& setting, contact::SurfaceStore& store,
                                    contact::SideCache& sides, ContactIndex contact, bool moved, const State& state)
-    : setting_(setting), x_(state.x), contact_(contact), first_step_(state.manual_step) {
+    : setting_(setting),
+      x_(state.x),
+      contact_(contact),
+      times_(setting.model, setting.model.contact(contact)),
+      first_step_(state.manual_step) {
   if (card().airbag_thickness > 0) thickness_ = &setting.model.curves.at(card().lcidab);
   searched_thickness_ = card().airbag_thickness;
-  const contact::ActiveTime time = contact::active_time(card());
-  start_ = time.start;
-  end_ = time.end;
   build_surfaces(store, sides, moved, state.x);
   if (!may_wait()) begin_passes();
   if (!surfaces_->type.by_segments()) return;
@@ -66,8 +67,7 @@ ContactInterface::ContactInterface(const ContactInterface& other, ContactIndex c
       x_(other.x_),
       contact_(contact),
       own_(std::make_unique<contact::ContactSurfaces>(*other.surfaces_)),
-      start_(other.start_),
-      end_(other.end_),
+      times_(other.times_),
       active_(memory.active),
       first_step_(other.first_step_) {
   surfaces_ = own_.get();
@@ -91,6 +91,8 @@ void ContactInterface::build_surfaces(contact::SurfaceStore& store, contact::Sid
                                       const std::vector<Vector>& x) {
   if (is_tiebreak(card()))
     set_own_surfaces(store.build(contact::after_failure(card()), x, &sides));
+  else if (acts_by_curve(card()))
+    set_own_surfaces(store.build(contact::as_oriented_type(card()), x, &sides));
   else if (moved || thickness_ != nullptr)
     set_own_surfaces(store.build(contact_, x, &sides));
   else

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/definition/active_time.hpp"
 #include "contact/surface/contact_surfaces.hpp"
 #include "contact/surface/erosion.hpp"
 #include "solver/contact/segment_crossings.hpp"
@@ -40,7 +41,7 @@ class ContactInterface {
   [[nodiscard]] std::span<const std::unique_ptr<InterfacePass>> passes() const { return passes_; }
   /// Makes the passes, if that has not been done.
   void begin_passes();
-  [[nodiscard]] bool acts_at(double time) const { return time >= start_ && time < end_; }
+  [[nodiscard]] bool acts_at(double time) const { return times_.at(time); }
 
   /// Whether it may act for other contacts with the same cards: its memory is known, and only coordinates and
   /// velocities change it.
@@ -80,7 +81,7 @@ class ContactInterface {
   std::unique_ptr<contact::ContactSurfaces> own_;
   std::shared_ptr<contact::ContactSide> inflated_;  ///< side A of `own_` where thickness changes; else null
   std::vector<std::unique_ptr<InterfacePass>> passes_;
-  double start_ = 0, end_ = 0;
+  contact::ActiveTimes times_;
   bool active_ = false;                                    ///< in the last cycle
   const model::Curve* thickness_ = nullptr;                ///< over time (LCIDAB); nullptr: constant
   double present_thickness_ = 0, searched_thickness_ = 0;  ///< now, and at the last search

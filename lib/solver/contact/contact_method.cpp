@@ -1,11 +1,13 @@
 #include "solver/contact/contact_method.hpp"
 
 #include "contact/definition/active_time.hpp"
+#include "solver/contact/curve_rule.hpp"
 
 namespace gapcheck::solver {
 namespace {
 
-constexpr std::string_view times_by_curve = "birth and death by a curve (DT = -9999) are not calculated";
+constexpr std::string_view times_by_curve =
+    "birth and death by a curve (DT = -9999) are calculated for penalty contacts alone";
 
 ContactChoice no(std::string_view why) { return {ContactMethod::none, why}; }
 
@@ -15,28 +17,58 @@ ContactChoice choose_tie(const model::Contact& contact, const contact::ContactTy
   return {ContactMethod::tie, ""};
 }
 
-/// Of the automatic ones OPTION 2 (until failure) and 6 (linear damage).
+/// Why a tiebreak of an automatic type is not calculated; empty if it is. What else its card needs is checked before
+/// the run.
+std::string_view option_not_calculated(const model::Contact& contact) {
+  const model::TiebreakStrength& card = contact.tiebreak;
+  switch (contact.tiebreak_option) {
+    case 2:
+    case -2:
+    case 4:
+      return {};
+    case 5:
+      return card.normal > 0 ? "" : "OPTION 5 without a yield stress (NFLS) is not calculated";
+    case 6:
+    case 8:
+      return card.param > 0 ? "" : "OPTION 6 and 8 without a critical opening (PARAM) are not calculated";
+    case 9:
+    case 11:
+      if (card.param == 0) return "OPTION 9 and 11 need an exponent of the energies (PARAM)";
+      if (card.stiffness < 0 || !(card.stiffness_ratio > 0)) return "CN and CT2CN must be positive";
+      [[fallthrough]];
+    case 7:
+    case 10:
+      return card.normal > 0 && card.shear > 0 && card.normal_energy > 0 && card.shear_energy > 0
+                 ? ""
+                 : "OPTION 7, 9, 10 and 11 need positive values of NFLS, SFLS, ERATEN and ERATES; curves are not "
+                   "calculated";
+    default:
+      return "of tiebreaks OPTION 2, -2 and 4 to 11 alone are calculated";
+  }
+}
+
 ContactChoice choose_tiebreak(const model::Contact& contact, const contact::ContactType& type) {
   if (type.treatment == contact::Treatment::single_surface)
-    return no("tiebreaks of a single surface are not calculated");
+    return no(
+        "tiebreaks of a single surface are not calculated: how the nodes of both faces share the strength is not "
+        "published; use AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK");
   if (contact.kind->automatic_tiebreak()) {
     if (contact.kind->tie == model::TieForm::automatic_tiebreak_user)
       return no("tiebreaks by a user's law are not calculated");
     if (contact.kind->tie == model::TieForm::automatic_tiebreak_damping)
       return no("the damping of tiebreaks is not calculated");
-    if (contact.tiebreak_option != 2 && contact.tiebreak_option != 6)
-      return no("of tiebreaks OPTION 2 and 6 alone are calculated");
-    if (contact.tiebreak_option == 6 && !(contact.tiebreak.param > 0))
-      return no("OPTION 6 without a critical opening (PARAM) is not calculated");
+    if (const std::string_view why = option_not_calculated(contact); !why.empty()) return no(why);
   }
-  if (contact.tiebreak.curve != 0) return no("stress after the failure of a tiebreak (TBLCID) is not calculated");
   if (contact.soft != 0 && contact.soft != 1) return no("of tiebreaks SOFT = 0 and 1 alone are calculated");
   if (contact::active_time(contact).by_curve) return no(times_by_curve);
   return {ContactMethod::tiebreak, ""};
 }
 
 ContactChoice choose_penalty(const model::Contact& contact) {
-  if (contact::active_time(contact).by_curve) return no(times_by_curve);
+  if (acts_by_curve(contact)) {
+    const std::string_view why = curve_not_calculated(contact);
+    return why.empty() ? ContactChoice{ContactMethod::penalty, ""} : no(why);
+  }
   if (contact.kind->can(contact::Ability::interference) && contact.soft == 2)
     return no("of INTERFERENCE contacts SOFT = 0 and 1 alone are calculated");
   if (contact.soft != 0 && contact.soft != 1 && contact.soft != 2) return no("only SOFT = 0, 1 and 2 are calculated");

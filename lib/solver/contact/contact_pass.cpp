@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "solver/contact/curve_rule.hpp"
 #include "solver/contact/penalty_rule.hpp"
 #include "solver/contact/segment_rule.hpp"
 
@@ -24,6 +25,7 @@ struct NodeMemories final : PassMemory {
 
 std::unique_ptr<NodeRule> make_rule(const ContactSetting& setting, const TrackedPairs& pairs) {
   if (pairs.scene().type.by_segments()) return std::make_unique<SegmentRule>(setting, pairs);
+  if (acts_by_curve(pairs.scene().contact)) return std::make_unique<CurveRule>(setting, pairs);
   return std::make_unique<PenaltyRule>(setting, pairs);
 }
 
@@ -134,8 +136,8 @@ void ContactPass::continue_from(InterfacePass& before, const State& state, Conta
 }
 
 std::unique_ptr<PassMemory> ContactPass::memory() const {
-  // The rule of SOFT = 2 has a memory of its own.
-  if (pairs_.scene().type.by_segments()) return nullptr;
+  // The rules of SOFT = 2 and of curves have a memory of their own.
+  if (pairs_.scene().type.by_segments() || rule_->has_memory()) return nullptr;
   auto memory = std::make_unique<NodeMemories>();
   memory->nodes = pairs_.known_nodes();
   memory->fresh = settler_.fresh();

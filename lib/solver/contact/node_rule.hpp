@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "contact/pair/node_contact.hpp"
+#include "solver/interface/contact_link.hpp"
 #include "solver/interface/contact_spring.hpp"
 
 namespace gapcheck::solver {
@@ -32,6 +33,11 @@ class NodeRule {
   /// The spring between a node and a segment, and the penetration beyond which the node is released.
   [[nodiscard]] virtual ContactSprings::Spring spring(SlotIndex slot, SegmentIndex segment) const = 0;
   [[nodiscard]] virtual double release_depth(SlotIndex slot, SegmentIndex segment) const = 0;
+  /// Changes the spring that spring() gave, in this cycle; `closing`: speed of penetration. Called once for each node
+  /// with force.
+  virtual void bend(SlotIndex /*slot*/, double /*depth*/, double /*closing*/, LinkSpring& /*law*/) {}
+  /// Whether it remembers more about nodes than NodeContact.
+  [[nodiscard]] virtual bool has_memory() const { return false; }
   /// Brings back a node that has passed the surface: changes the sign of the distance. Called once per check;
   /// `contact`: null if it penetrates nothing.
   virtual void bring_back(SlotIndex /*slot*/, SegmentContact* /*contact*/) {}

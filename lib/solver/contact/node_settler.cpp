@@ -40,7 +40,8 @@ void NodeSettler::settle_node(std::size_t place, NodeMeeting& meeting, const Sta
     const Vector friction = was_active ? tracked.link.friction : Vector::Zero();
     tracked.link = link_at(*meeting.contact);
     const Vector moving = speeds.of_segment(tracked.link.weights);
-    tracked.link.set_forces(law_of(slot, tracked), tracked.penetration - tracked.memory.forgiven, speeds.node - moving,
+    const Vector velocity = speeds.node - moving;
+    tracked.link.set_forces(law_of(slot, tracked, velocity), tracked.penetration - tracked.memory.forgiven, velocity,
                             friction, state.dt);
     block.work.add(tracked.link, speeds.node, moving, state.dt);
     block.touching += tracked.link.push > 0;
@@ -103,7 +104,7 @@ SegmentLink NodeSettler::link_at(const SegmentContact& contact) const {
   return link;
 }
 
-LinkSpring NodeSettler::law_of(SlotIndex slot, const TrackedNode& tracked) const {
+LinkSpring NodeSettler::law_of(SlotIndex slot, const TrackedNode& tracked, const Vector& velocity) const {
   const ContactSprings::Spring& spring = tracked.pair.spring;
   LinkSpring law{spring.stiffness, ContactSprings::damping(spring, scene_.contact.vdc), friction_.any(), {}, 0};
   if (law.rubs) {
@@ -112,6 +113,7 @@ LinkSpring NodeSettler::law_of(SlotIndex slot, const TrackedNode& tracked) const
         friction_.between(scene_.nodes.part[slot.value], contact::part_of(mesh_, scene_.segments, segment.value));
     law.area = pairs_.segment_area(segment);
   }
+  rule_.bend(slot, tracked.penetration, -velocity.dot(tracked.link.normal), law);
   return law;
 }
 

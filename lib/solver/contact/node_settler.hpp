@@ -37,7 +37,7 @@ class NodeSettler {
   /// The link at the closest point, without forces.
   [[nodiscard]] SegmentLink link_at(const SegmentContact& contact) const;
   /// Parameters of the node's spring; its link must be set.
-  [[nodiscard]] LinkSpring law_of(SlotIndex slot, const TrackedNode& tracked) const;
+  [[nodiscard]] LinkSpring law_of(SlotIndex slot, const TrackedNode& tracked, const Vector& velocity) const;
 
   const model::Mesh& mesh_;
   const std::vector<bool>& movable_;

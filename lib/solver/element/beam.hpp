@@ -1,9 +1,11 @@
 #pragma once
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "model/entity/part.hpp"
+#include "solver/discrete/discrete_beam.hpp"
 #include "solver/element/beam_section.hpp"
 #include "solver/element/spotweld.hpp"
 #include "solver/material/beam_stress.hpp"
@@ -19,12 +21,8 @@ struct BeamProperties {
   double shear_factor = 1;         ///< SHRF of integrated beams
   bool torsion_free = false;       ///< ITOFF = 1
   WeldLimits weld = {};
+  std::shared_ptr<const DiscreteBeam> discrete = {};  ///< ELFORM 6; then of the rest the density counts only
   [[nodiscard]] bool integrated() const { return !fibers.empty(); }
-};
-
-/// Ends of one beam: positions at the end of the step, velocities and angular velocities at its middle.
-struct BeamEnds {
-  std::array<Vector, 2> x, v, w;
 };
 
 /// The history of one beam.
@@ -60,6 +58,7 @@ struct BeamForces {
   double axial = 0;             ///< tension
   WeldResultants resultants{};  ///< of integrated beams
   double dissipated = 0;        ///< in this step: plastic work
+  bool failed = false;          ///< of discrete beams
   double manual_step = 0;       ///< length / √(E/ρ)
   double stable_step = 0;       ///< 2 / the element's highest frequency
   bool good = false;            ///< false: no length, or not a number

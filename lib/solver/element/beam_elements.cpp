@@ -5,6 +5,43 @@
 #include <limits>
 
 namespace gapcheck::solver {
+namespace {
+
+BeamForces as_beam_forces(const DiscreteForces& discrete) {
+  BeamForces forces;
+  forces.force = discrete.force;
+  forces.moment = discrete.moment;
+  forces.axial = discrete.axial;
+  forces.dissipated = discrete.dissipated;
+  forces.manual_step = forces.stable_step = discrete.step;
+  forces.failed = discrete.failed;
+  forces.good = discrete.good;
+  return forces;
+}
+
+/// Before its first step. `third`: towards the third node.
+BeamState undeformed_beam(const Vector& way, const Vector& third) {
+  BeamState beam;
+  beam.length = way.norm();
+  const Vector r = way / beam.length, across = third - third.dot(r) * r;
+  beam.axis = across.norm() > 1e-9 * third.norm() ? Vector(across.normalized()) : r.unitOrthogonal();
+  return beam;
+}
+
+/// `inertia`: per mass.
+void give_mass(const std::array<NodeIndex, 2>& nodes, double mass, double inertia, State& state) {
+  for (const NodeIndex node : nodes) {
+    state.mass[node.value] += mass;
+    state.inertia[node.value] += mass * inertia;
+  }
+}
+
+bool may_fail(const BeamProperties& properties) {
+  if (const DiscreteBeam* discrete = properties.discrete.get()) return discrete->can_fail();
+  return properties.integrated() && (properties.material.failure_strain > 0 || properties.weld.exist());
+}
+
+}  // namespace
 
 std::uint32_t BeamElements::add_properties(BeamProperties properties) {
   properties_.push_back(std::move(properties));
@@ -13,28 +50,48 @@ std::uint32_t BeamElements::add_properties(BeamProperties properties) {
 
 double BeamElements::add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third,
                          std::uint32_t origin, State& state, const MassScaling& scaling, double* added_mass) {
-  const Vector way = state.x[nodes[1].value] - state.x[nodes[0].value];
-  BeamState beam;
-  beam.length = way.norm();
+  const BeamState beam = undeformed_beam(state.x[nodes[1].value] - state.x[nodes[0].value], third);
   if (!(beam.length > 0) || !std::isfinite(beam.length)) return 0;
-  const Vector r = way / beam.length, across = third - third.dot(r) * r;
-  beam.axis = across.norm() > 1e-9 * third.norm() ? Vector(across.normalized()) : r.unitOrthogonal();
-  nodes_.push_back(nodes);
-  which_.push_back(properties);
-  origin_.push_back(origin);
-  state_.push_back(beam);
-  first_point_.push_back(first_point_.back() + properties_[properties].fibers.size());
-  points_.resize(first_point_.back());
-  preload_of_.push_back(no_position);
+  append(nodes, properties, origin, beam);
   const double factor = mass_factor(state, scaling), mass = beam_mass(properties_[properties], beam.length);
   step_factor_.push_back(std::sqrt(factor));
   if (added_mass != nullptr) *added_mass += (factor - 1) * mass;
-  const double share = factor * mass / 2;
-  for (const NodeIndex node : nodes) {
-    state.mass[node.value] += share;
-    state.inertia[node.value] += share * beam_inertia(properties_[properties], beam.length);
-  }
+  give_mass(nodes, factor * mass / 2, beam_inertia(properties_[properties], beam.length), state);
   return beam.length;
+}
+
+void BeamElements::append(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, std::uint32_t origin,
+                          BeamState beam) {
+  nodes_.push_back(nodes);
+  which_.push_back(properties);
+  origin_.push_back(origin);
+  state_.push_back(std::move(beam));
+  first_point_.push_back(first_point_.back() + properties_[properties].fibers.size());
+  points_.resize(first_point_.back());
+  preload_of_.push_back(no_position);
+  discrete_of_.push_back(no_position);
+}
+
+double BeamElements::add_discrete(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Matrix* axes,
+                                  const Vector& third, std::uint32_t origin, State& state, const MassScaling& scaling,
+                                  double* added_mass) {
+  const DiscreteBeam& beam = *properties_[properties].discrete;
+  const Vector way = state.x[nodes[1].value] - state.x[nodes[0].value];
+  DiscreteState discrete;
+  discrete.axes = discrete_axes(beam, axes, way, third);
+  begin_discrete(beam, way, discrete);
+  if (!(discrete.mass > 0) || !std::isfinite(discrete.mass)) return 0;
+  BeamState common;
+  common.length = way.norm();
+  common.axis = discrete.axes.col(1);
+  append(nodes, properties, origin, common);
+  discrete_of_.back() = static_cast<std::uint32_t>(discrete_.size());
+  discrete_.push_back(discrete);
+  const double factor = mass_factor(state, scaling);
+  step_factor_.push_back(std::sqrt(factor));
+  if (added_mass != nullptr) *added_mass += (factor - 1) * discrete.mass;
+  give_mass(nodes, factor * discrete.mass / 2, discrete.inertia / discrete.mass, state);
+  return discrete.mass;
 }
 
 /// Of the beam that was added last: first DT of its material, then the scaling of all elements.
@@ -55,15 +112,11 @@ std::uint32_t BeamElements::add_preload(AxialPreload preload) {
 }
 
 bool BeamElements::limit_step() const {
-  return std::any_of(which_.begin(), which_.end(),
-                     [&](std::uint32_t which) { return properties_[which].material.has_stress(); });
+  return std::ranges::any_of(which_, [&](std::uint32_t which) { return properties_[which].material.has_stress(); });
 }
 
 bool BeamElements::can_fail() const {
-  return std::any_of(which_.begin(), which_.end(), [&](std::uint32_t which) {
-    const BeamProperties& properties = properties_[which];
-    return properties.integrated() && (properties.material.failure_strain > 0 || properties.weld.exist());
-  });
+  return std::any_of(which_.begin(), which_.end(), [&](std::uint32_t which) { return may_fail(properties_[which]); });
 }
 
 void BeamElements::finish(std::size_t nodes) {
@@ -92,9 +145,32 @@ BeamEnds BeamElements::ends(const State& state, std::size_t beam) const {
 /// Forces on the steps of the unscaled mass. `supplied`: what a preload puts into the beam in the step.
 BeamForces BeamElements::forces(const State& state, std::size_t beam, const BeamEnds& ends, double& supplied) {
   const BeamProperties& properties = properties_[which_[beam]];
+  if (properties.discrete) return discrete_forces_of(state, beam, ends, supplied);
   if (properties.integrated()) return integrated_forces(state, beam, ends, supplied);
   return properties.truss ? truss_forces(properties, ends, state.dt, state_[beam])
                           : resultant_beam_forces(properties, ends, state.dt, state_[beam]);
+}
+
+BeamForces BeamElements::discrete_forces_of(const State& state, std::size_t beam, const BeamEnds& ends,
+                                            double& supplied) {
+  const DiscreteBeam& discrete = *properties_[which_[beam]].discrete;
+  DiscreteState& history = discrete_[discrete_of_[beam]];
+  const DiscreteForces all = discrete.cable ? cable_forces(*discrete.cable, ends, state.time, state.dt, history)
+                                            : discrete_forces(discrete, ends, state.dt, history);
+  state_[beam].axis = history.axes.col(1);
+  supplied = all.supplied;
+  return as_beam_forces(all);
+}
+
+Matrix BeamElements::axes(std::size_t beam, const std::vector<Vector>& x) const {
+  const DiscreteState* history = discrete(beam);
+  if (history != nullptr && !properties(beam).discrete->cable) return history->axes;
+  const auto& [a, b] = nodes_[beam];
+  Matrix axes;
+  axes.col(0) = (x[b.value] - x[a.value]).normalized();
+  axes.col(1) = state_[beam].axis;
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
 }
 
 BeamForces BeamElements::integrated_forces(const State& state, std::size_t beam, const BeamEnds& ends,
@@ -119,6 +195,7 @@ BeamForces BeamElements::integrated_forces(const State& state, std::size_t beam,
 
 bool BeamElements::fails(const State& state, std::size_t beam, const BeamForces& forces) {
   const BeamProperties& properties = properties_[which_[beam]];
+  if (forces.good && forces.failed) return true;
   if (!properties.integrated() || !forces.good) return false;
   const std::span<const BeamPoint> points = this->points(beam);
   if (std::all_of(points.begin(), points.end(), [](const BeamPoint& point) { return point.failed; })) return true;
@@ -139,6 +216,7 @@ Summary BeamElements::update_one(const State& state, std::size_t beam) {
   }
   summary.manual_step = forces.manual_step * step_factor_[beam];
   summary.stable_step = forces.stable_step * step_factor_[beam];
+  watched_.note(beam, summary.manual_step, summary.stable_step);
   summary.dissipated = forces.dissipated;
   if (!forces.good) summary.bad = static_cast<std::uint32_t>(beam);
   summary.work = summary.supplied;
@@ -157,9 +235,31 @@ Summary BeamElements::update_one(const State& state, std::size_t beam) {
 
 double BeamElements::stored(std::size_t beam, const std::vector<Vector>& x) const {
   const auto& [a, b] = nodes_[beam];
+  if (const DiscreteState* history = discrete(beam))
+    return failed_.empty() || failed_[beam] == 0
+               ? stored_energy(*properties(beam).discrete, *history, (x[b.value] - x[a.value]).norm())
+               : 0;
   if (properties(beam).integrated())
     return stored_energy(properties(beam), points(beam), (x[b.value] - x[a.value]).norm());
   return stored_energy(properties(beam), state_[beam], (x[b.value] - x[a.value]).norm());
+}
+
+void BeamElements::watch_steps(const MassScaling& scaling, const State& /*state*/) {
+  watched_.start(scaling, size());
+  for (std::size_t i = 0; i < size(); ++i)
+    watched_.mass[i] = beam_mass(properties(i), state_[i].length) * step_factor_[i] * step_factor_[i];
+}
+
+AddedMass BeamElements::keep_steps(State& state) {
+  AddedMass added;
+  watched_.grow_where_needed([&](std::size_t beam, double factor) {
+    const double share = (factor - 1) * watched_.mass[beam] / 2;
+    for (const NodeIndex node : nodes_[beam])
+      added.give(state, node.value, share, share * beam_inertia(properties(beam), state_[beam].length));
+    step_factor_[beam] *= std::sqrt(factor);
+    ++added.elements;
+  });
+  return added;
 }
 
 Summary BeamElements::update(const State& state) {

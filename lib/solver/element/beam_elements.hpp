@@ -33,6 +33,10 @@ class BeamElements {
   /// by `scaling` to `added_mass`, if that is given.
   double add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third, std::uint32_t origin,
              State& state, const MassScaling& scaling = {}, double* added_mass = nullptr);
+  /// The same for discrete beams, which may have no length. `axes`: of a local system, or nullptr. Returns their mass.
+  double add_discrete(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Matrix* axes,
+                      const Vector& third, std::uint32_t origin, State& state, const MassScaling& scaling = {},
+                      double* added_mass = nullptr);
   /// Adds a preload; returns its position.
   std::uint32_t add_preload(AxialPreload preload);
   /// Gives it to an integrated beam.
@@ -43,6 +47,10 @@ class BeamElements {
 
   /// Forces at state.time (dt = 0: those of the present state).
   Summary update(const State& state);
+  /// Watches the steps of all elements; call it once all are added. keep_steps() then adds mass where the last update()
+  /// found one that is too small.
+  void watch_steps(const MassScaling& scaling, const State& state);
+  [[nodiscard]] AddedMass keep_steps(State& state);
   /// Subtracts the beams' pull on a node from its force and moment.
   void gather(std::size_t node, Vector& force, Vector& moment) const {
     for (const std::uint32_t place : table_.of(node)) {
@@ -59,6 +67,12 @@ class BeamElements {
   /// The energy that it stores, with all nodes at `x`.
   [[nodiscard]] double stored(std::size_t beam, const std::vector<Vector>& x) const;
   [[nodiscard]] const BeamState& state(std::size_t beam) const { return state_[beam]; }
+  /// The axes r, s and t as columns, with all nodes at `x`.
+  [[nodiscard]] Matrix axes(std::size_t beam, const std::vector<Vector>& x) const;
+  /// Of a discrete beam; nullptr: it is none.
+  [[nodiscard]] const DiscreteState* discrete(std::size_t beam) const {
+    return discrete_of_[beam] == no_position ? nullptr : &discrete_[discrete_of_[beam]];
+  }
   /// The integration points of an integrated beam.
   [[nodiscard]] std::span<const BeamPoint> points(std::size_t beam) const {
     return {points_.data() + first_point_[beam], points_.data() + first_point_[beam + 1]};
@@ -70,14 +84,17 @@ class BeamElements {
   [[nodiscard]] bool can_fail() const;
   /// Tension at the last evaluation.
   [[nodiscard]] double axial(std::size_t beam) const { return axial_[beam]; }
-  /// Force and moment on the second end at the last evaluation; the beam pulls with the opposite.
-  [[nodiscard]] const Vector& end_force(std::size_t beam) const { return force_[2 * beam + 1]; }
-  [[nodiscard]] const Vector& end_moment(std::size_t beam) const { return moment_[2 * beam + 1]; }
+  /// Force and moment on the second end, or end `k`, at the last evaluation; the beam pulls with the opposite.
+  [[nodiscard]] const Vector& end_force(std::size_t beam, std::size_t k = 1) const { return force_[2 * beam + k]; }
+  [[nodiscard]] const Vector& end_moment(std::size_t beam, std::size_t k = 1) const { return moment_[2 * beam + k]; }
 
  private:
   [[nodiscard]] Summary update_one(const State& state, std::size_t beam);
   [[nodiscard]] BeamEnds ends(const State& state, std::size_t beam) const;
   [[nodiscard]] BeamForces forces(const State& state, std::size_t beam, const BeamEnds& ends, double& supplied);
+  [[nodiscard]] BeamForces discrete_forces_of(const State& state, std::size_t beam, const BeamEnds& ends,
+                                              double& supplied);
+  void append(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, std::uint32_t origin, BeamState beam);
   [[nodiscard]] BeamForces integrated_forces(const State& state, std::size_t beam, const BeamEnds& ends,
                                              double& supplied);
   [[nodiscard]] bool fails(const State& state, std::size_t beam, const BeamForces& forces);
@@ -89,6 +106,8 @@ class BeamElements {
   std::vector<BeamState> state_;
   std::vector<std::size_t> first_point_{0};  ///< of each beam among points_; one more than beams
   std::vector<BeamPoint> points_;
+  std::vector<DiscreteState> discrete_;
+  std::vector<std::uint32_t> discrete_of_;  ///< by beam; no_position: it is none
   std::vector<AxialPreload> preloads_;
   std::vector<std::uint32_t> preload_of_;  ///< by beam; no_position: none
   std::vector<double> step_factor_;        ///< by beam: √ of the factor on its mass
@@ -96,6 +115,7 @@ class BeamElements {
   std::vector<double> axial_;
   std::vector<ElementEnergy> energy_;
   std::vector<Vector> force_, moment_;  ///< two entries per beam
+  WatchedSteps watched_;
   CornerTable table_;
 };
 

@@ -21,9 +21,16 @@ std::optional<std::array<Vector, N>> places(const model::Mesh& mesh, const std::
   return x;
 }
 
-double density(const model::Model& model, PartIndex part) {
-  const auto material = model.part(part).material;
-  return material ? model.materials[*material].density : 0;
+/// Of composites the mean of their plies.
+double density(const model::Model& model, PartIndex index) {
+  const model::Part& part = model.part(index);
+  const auto of = [&](std::optional<std::uint32_t> material) {
+    return material ? model.materials[*material].density : 0;
+  };
+  if (part.plies.empty() || !(part.composite_thickness > 0)) return of(part.material);
+  double sum = 0;
+  for (const model::Ply& ply : part.plies) sum += of(ply.material) * ply.thickness;
+  return sum / part.composite_thickness;
 }
 
 template <std::size_t N>
@@ -73,6 +80,16 @@ void add_solids(const model::Model& model, const std::vector<bool>& wanted, std:
   }
 }
 
+void share_thick_shells(const model::Model& model, const std::vector<bool>& wanted, std::vector<double>& masses) {
+  const model::Elements<8>& shells = model.mesh.thick_shells;
+  for (std::uint32_t i = 0; i < shells.size(); ++i) {
+    const PartIndex part = shells.part[i];
+    if (part.value >= wanted.size() || !wanted[part.value]) continue;
+    const auto x = places(model.mesh, shells.nodes[i]);
+    if (x) share(shells.nodes[i], 8, density(model, part) * one_point_volume(*x), masses);
+  }
+}
+
 }  // namespace
 
 double mean_thickness(const model::Section& section, const std::array<double, 4>* own) {
@@ -85,6 +102,7 @@ std::vector<double> nodal_masses(const model::Model& model, const std::vector<bo
   std::vector<double> masses(model.mesh.nodes.size(), 0);
   add_shells(model, wanted, masses);
   add_solids(model, wanted, masses);
+  share_thick_shells(model, wanted, masses);
   return masses;
 }
 

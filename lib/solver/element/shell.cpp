@@ -1,15 +1,32 @@
 #include "solver/element/shell.hpp"
 
+#include <utility>
+
+#include "base/quad.hpp"
+
 namespace gapcheck::solver {
 
-ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& strain, double dt,
+bool is_folded(const std::array<Vector, 4>& x) {
+  if (x[2] == x[3]) return false;
+  const Vector normal = quad_normal(x);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vector next = x[(k + 1) % 4] - x[k], last = x[(k + 3) % 4] - x[k];
+    if (!(next.cross(last).dot(normal) > 0)) return true;
+  }
+  return false;
+}
+
+ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& whole, double dt,
                                  double& thickness, std::span<PointState> points) {
   ShellResultants sum;
-  const double half = thickness / 2;
+  const ShellStrain strain = properties.membrane ? ShellStrain{.xx = whole.xx, .yy = whole.yy, .xy = whole.xy} : whole;
+  const double half = thickness / 2, shift = half * properties.reference;
+  const bool composite = !properties.layer_materials.empty();
   double through = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [place, weight] = properties.layers[i];
-    const double z = half * place;
+    const double z = half * place - shift;
+    const Material& material = composite ? properties.layer_materials[i] : properties.material;
     if (dt > 0) {
       const Symmetric increment{strain.xx + z * strain.bend_xx,
                                 strain.yy + z * strain.bend_yy,
@@ -18,7 +35,15 @@ ShellResultants integrate_layers(const ShellProperties& properties, const ShellS
                                 strain.yz,
                                 strain.zx};
       const double before = points[i].plastic_work;
-      through += weight / 2 * update_plane_stress(properties.material, increment, dt, points[i]);
+      if (properties.thins_by_flow) {
+        // Without the elastic strain −ν/E (σxx + σyy).
+        const double mean = points[i].stress[xx] + points[i].stress[yy];
+        const double across = update_plane_stress(material, increment, dt, points[i]);
+        const double grown = points[i].stress[xx] + points[i].stress[yy] - mean;
+        through += weight / 2 * (across + material.poisson / material.young * grown);
+      } else {
+        through += weight / 2 * update_plane_stress(material, increment, dt, points[i]);
+      }
       sum.plastic_work += half * weight * (points[i].plastic_work - before);
     }
     const Symmetric& stress = points[i].stress;
@@ -36,6 +61,7 @@ ShellResultants integrate_layers(const ShellProperties& properties, const ShellS
   if (properties.thins) thickness *= (1 + through / 2) / (1 - through / 2);
   sum.yz *= properties.shear_factor;
   sum.zx *= properties.shear_factor;
+  if (properties.membrane) sum.bend_xx = sum.bend_yy = sum.bend_xy = 0;
   return sum;
 }
 
@@ -43,13 +69,34 @@ double stored_energy(const ShellProperties& properties, const ShellState& state,
                      std::span<const PointState> points) {
   double energy = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    Symmetric stress = points[i].stress;
-    for (const std::size_t transverse : {yz, zx}) stress[transverse] *= std::sqrt(properties.shear_factor);
-    energy += area * state.thickness / 2 * properties.layers[i].weight * elastic_energy(properties.material, stress);
+    PointState point = points[i];
+    for (const std::size_t transverse : {yz, zx}) {
+      point.stress[transverse] *= std::sqrt(properties.shear_factor);
+      point.back_stress[transverse] *= std::sqrt(properties.shear_factor);
+    }
+    const Material& material = properties.layer_materials.empty() ? properties.material : properties.layer_materials[i];
+    energy += area * state.thickness / 2 * properties.layers[i].weight * elastic_energy(material, point);
   }
   for (std::size_t i = 0; i < state.hourglass.size(); ++i)
     if (state.stiffness[i] > 0) energy += state.hourglass[i] * state.hourglass[i] / (2 * state.stiffness[i]);
   return energy;
+}
+
+void add_bulk_viscosity(const ShellProperties& properties, double area, double strain, double dt, ShellState& state,
+                        ShellResultants& resultants, ShellForces& out) {
+  const ShellViscosity& viscosity = properties.viscosity;
+  if (!(area > 0)) return;
+  const Material& material = properties.material;
+  const double length = std::sqrt(area), rate = dt > 0 ? strain / dt : 0;
+  out.damping_speed = viscosity.quadratic * length * std::abs(rate) +
+                      viscosity.linear * std::sqrt(material.plate_modulus() / material.density);
+  const double pressure = rate < 0 ? material.density * length * -rate * out.damping_speed : 0;
+  const double before = std::exchange(state.viscous_pressure, pressure);
+  const double work = -area * state.thickness * strain * (before + pressure) / 2;
+  out.dissipated += work;
+  if (!viscosity.in_energy) out.viscous_work += work;
+  resultants.xx -= state.thickness * pressure;
+  resultants.yy -= state.thickness * pressure;
 }
 
 namespace {
@@ -71,16 +118,33 @@ void set_time_steps(const ShellProperties& properties, const ShellShape& shape, 
   forces.manual_step = std::sqrt(shape.squared_length / squared_speed);
   // The strain energy is at most plate (1 + |ν|) |∇u|²; each corner has 1 / corners of the mass. Bending and transverse
   // shear share the rotations, so their bounds add up.
-  const double membrane = squared_speed * (1 + std::abs(material.poisson)) * shape.gradient;
-  const double bending =
-      membrane * shape.thickness * shape.thickness / 12 / rotational_inertia(shape.area, shape.thickness);
-  const double transverse = properties.shear_factor * material.shear() / material.density * shape.shear;
+  const double membrane = properties.stiffest * squared_speed * (1 + std::abs(material.poisson)) * shape.gradient;
+  const double squared_thickness = shape.thickness * shape.thickness, reference = properties.reference;
+  const double inertia = properties.inertia(shape.area, shape.thickness);
+  // Of membranes too, whose step is then shorter than need be where they are thick.
+  const double bending = membrane * squared_thickness / 12 / inertia;
+  const double transverse =
+      properties.stiffest * properties.shear_factor * material.shear() / material.density * shape.shear;
   const WarpShape& warp = shape.warp;
-  const double squared_curvature = warp.curvature * warp.curvature * shape.thickness * shape.thickness / 12;
+  const double squared_curvature = warp.curvature * warp.curvature * squared_thickness / 12;
   const double by_plane = membrane * squared_curvature + properties.shear_factor * material.shear() / material.density *
                                                              shape.gradient * warp.tilt * warp.tilt;
   const double by_deflection = membrane * warp.slope * warp.slope;
-  forces.stable_step = 2 / std::sqrt(shape.corners * coupled(membrane, bending + transverse, by_plane, by_deflection));
+  // Where the mid-surface is off the nodes, or the layers differ, bending and stretching are coupled: their sum bounds
+  // both.
+  double in_plane = membrane, across = bending + transverse;
+  if (reference != 0 || !properties.layer_materials.empty()) {
+    in_plane = membrane * (1 + squared_thickness * reference * reference / 4 / inertia) + bending;
+    across = in_plane + transverse;
+  }
+  forces.stable_step = 2 / std::sqrt(shape.corners * coupled(in_plane, across, by_plane, by_deflection));
+  if (forces.damping_speed > 0) {
+    // As in solids: ρ l Q per rate of the area where the stiffness gives E / 2 (1 − ν) per strain of it.
+    const double stiffness = material.plate_modulus() * (1 + material.poisson) / 2;
+    const double fraction =
+        material.density * std::sqrt(shape.area) * forces.damping_speed / (stiffness * forces.stable_step);
+    forces.stable_step *= std::sqrt(1 + fraction * fraction) - fraction;
+  }
 }
 
 }  // namespace gapcheck::solver

@@ -16,16 +16,62 @@ namespace gapcheck::solver {
 /// One point in the plane with hourglass control (ELFORM 2), or four (16).
 enum class ShellForm : std::uint8_t { one_point, full };
 
+/// Of one-point quads: BWC and PROJ of *CONTROL_SHELL. What is taken out of the motion of a quad whose warp counts.
+enum class ShellProjection : std::uint8_t {
+  none,   ///< the quad counts as flat (Belytschko and Tsay)
+  drill,  ///< rotations about the normals at the corners
+  full,   ///< these, and the rigid rotation
+};
+
+/// Bulk viscosity of shells; off where both are zero.
+struct ShellViscosity {
+  double quadratic = 0, linear = 0;  ///< Q1, Q2
+  bool in_energy = false;            ///< its work is in the internal energy that is printed (TYPE = −2)
+  [[nodiscard]] bool on() const { return quadratic > 0 || linear > 0; }
+};
+
+/// Rotational inertia of a corner per mass: max(h²/12, A/8), raised above the physical one so that bending does not
+/// control the time step (Hughes, Cohen and Haroun 1978). `shift`: of the mid-surface from the corners.
+[[nodiscard]] inline double rotational_inertia(double area, double thickness, double shift = 0) {
+  return std::max(thickness * thickness / 12 + shift * shift, area / 8);
+}
+
+/// What becomes of a quad that is distorted until a corner is folded in (NFAIL1 and NFAIL4 of *CONTROL_SHELL).
+enum class FoldedShell : std::uint8_t {
+  allowed,  ///< nothing, as long as its integration points are good
+  fails,
+  ends_run,
+};
+
 /// What all shells of one part share.
 struct ShellProperties {
-  Material material;
+  Material material;                               ///< of composites: mean density and plate modulus
   std::vector<GaussPoint> layers = gauss_rule(2);  ///< integration points from the lower to the upper side
   double shear_factor = 1;                         ///< SHRF
   bool thins = false;                              ///< ISTUPD = 1: the thickness follows the strain
+  bool thins_by_flow = false;                      ///< ISTUPD = 4: it follows the plastic part of the strain
   Hourglass hourglass;                             ///< of shells with one point
   ShellForm form = ShellForm::one_point;
-  bool sorts = true;  ///< triangles are C0 triangles; false: quads with two equal corners (full ones only)
+  ShellProjection projection = ShellProjection::none;
+  std::vector<Material> layer_materials;  ///< of composites, parallel to `layers`; otherwise empty
+  double stiffest = 1;                    ///< of composites: the largest plate modulus of a layer over the mean one
+  /// NLOC: where the nodes lie, in half thicknesses from the mid-surface along the normal.
+  double reference = 0;
+  ShellViscosity viscosity;
+  bool sides_shear = false;  ///< ELFORM 10: the transverse shear comes from the sides; with a projection only
+  bool membrane = false;     ///< ELFORM 5 and 9: neither bending nor transverse shear
+  bool sorts = true;         ///< triangles are C0 triangles; false: quads with two equal corners (full ones only)
+  FoldedShell folded = FoldedShell::allowed;
+
+  [[nodiscard]] double inertia(double area, double thickness) const {
+    return reference == 0 ? rotational_inertia(area, thickness)
+                          : rotational_inertia(area, thickness, reference * thickness / 2);
+  }
 };
+
+/// A corner of a quad has 180 degrees or more, so that its area map has a Jacobian that is not above zero there; that
+/// is where the Jacobian, linear in the plane, is least. Triangles never are.
+[[nodiscard]] bool is_folded(const std::array<Vector, 4>& x);
 
 /// Corners of one shell: positions at the end of the step, velocities and angular velocities at its middle.
 struct ShellCorners {
@@ -38,8 +84,10 @@ using HourglassModes = std::array<double, 5>;
 /// The history of one shell besides its integration points.
 struct ShellState {
   double thickness = 0;
-  HourglassModes hourglass{};  ///< generalised stresses
-  HourglassModes stiffness{};  ///< of quads whose hourglass control is a stiffness; zero: there is none
+  double axis = 0;              ///< of orthotropic materials: PointState::axis
+  HourglassModes hourglass{};   ///< generalised stresses
+  HourglassModes stiffness{};   ///< of quads whose hourglass control is a stiffness; zero: there is none
+  double viscous_pressure = 0;  ///< of the bulk viscosity
 };
 
 /// Internal forces on the corners (the shell pulls its nodes with the opposite) and what the step needs to know.
@@ -47,6 +95,8 @@ struct ShellForces {
   std::array<Vector, 4> force, moment;
   double hourglass_work = 0;  ///< in this step
   double dissipated = 0;      ///< in this step: plastic work, and work of viscous hourglass control
+  double viscous_work = 0;    ///< of the bulk viscosity in this step, where it is not in the printed internal energy
+  double damping_speed = 0;   ///< of the bulk viscosity: what it adds to the stress over density and rate of the area
   double manual_step = 0;     ///< characteristic length / wave speed, as in the solver manual
   double stable_step = 0;     ///< 2 / an upper bound of the element's highest frequency
   bool good = false;          ///< false: no area, or not a number
@@ -57,6 +107,10 @@ struct ShellForces {
 /// (x − dt v / 2), forces at its end, so a rigid motion causes no strain. dt = 0: forces of the present stresses.
 [[nodiscard]] ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                       ShellState& state, std::span<PointState> points);
+
+/// The same quad with warping stiffness (Belytschko, Wong and Chiang 1992): properties.projection says which.
+[[nodiscard]] ShellForces warped_quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
+                                             ShellState& state, std::span<PointState> points);
 
 /// The axes of a quad with corners `x`, as columns: those of its points' stresses.
 [[nodiscard]] Matrix quad_axes(const std::array<Vector, 4>& x);
@@ -88,12 +142,6 @@ struct ShellForces {
 [[nodiscard]] double full_stored_energy(const ShellProperties& properties, const ShellState& state,
                                         const std::array<Vector, 4>& x, std::span<const PointState> points);
 
-/// Rotational inertia of a corner per mass: max(h²/12, A/8), raised above the physical one so that bending does not
-/// control the time step (Hughes, Cohen and Haroun 1978).
-[[nodiscard]] inline double rotational_inertia(double area, double thickness) {
-  return std::max(thickness * thickness / 12, area / 8);
-}
-
 /// Strain increments of the mid-surface, of the curvature and of the transverse shear (tensor components).
 struct ShellStrain {
   double xx = 0, yy = 0, xy = 0;
@@ -116,6 +164,12 @@ struct ShellResultants {
 /// Updates the layers' stresses and integrates them through the thickness, which follows if the section says so.
 [[nodiscard]] ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& strain, double dt,
                                                double& thickness, std::span<PointState> points);
+
+/// Adds the bulk viscosity's pressure q = ρ l (Q1 l ε̇² − Q2 c ε̇) to the membrane forces of a shell whose area shrinks
+/// at the rate −ε̇, l = √A, c² = E / ρ (1 − ν²) (TYPE = −1 and −2 of *CONTROL_BULK_VISCOSITY). `strain`: ε̇ dt. For
+/// set_time_steps() it counts in expansion too (see BulkViscosity of solids).
+void add_bulk_viscosity(const ShellProperties& properties, double area, double strain, double dt, ShellState& state,
+                        ShellResultants& resultants, ShellForces& out);
 
 /// Gram matrix of an element's gradient operator in the plane, Σ b bᵀ, and its larger eigenvalue.
 struct Gram {

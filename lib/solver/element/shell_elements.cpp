@@ -11,6 +11,17 @@ std::uint32_t ShellElements::add_properties(ShellProperties properties) {
   return static_cast<std::uint32_t>(properties_.size() - 1);
 }
 
+std::uint32_t ShellElements::with_reference(std::uint32_t properties, double reference) {
+  if (properties_[properties].reference == reference) return properties;
+  const auto [entry, is_new] = referenced_.try_emplace({properties, reference}, 0);
+  if (is_new) {
+    ShellProperties own = properties_[properties];
+    own.reference = reference;
+    entry->second = add_properties(std::move(own));
+  }
+  return entry->second;
+}
+
 ShellForces ShellElements::at_rest(std::size_t shell, const std::vector<Vector>& x) const {
   ShellCorners corners;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -25,8 +36,10 @@ ShellForces ShellElements::at_rest(std::size_t shell, const std::vector<Vector>&
 
 ShellForces ShellElements::forces(std::size_t shell, const ShellCorners& corners, double dt, ShellState& state,
                                   std::span<PointState> points) const {
-  const auto kernel = full(shell) ? full_forces : triangle(shell) ? triangle_forces : quad_forces;
-  return kernel(properties(shell), corners, dt, state, points);
+  const ShellProperties& own = properties(shell);
+  const auto quad = own.projection == ShellProjection::none ? quad_forces : warped_quad_forces;
+  const auto kernel = full(shell) ? full_forces : triangle(shell) ? triangle_forces : quad;
+  return kernel(own, corners, dt, state, points);
 }
 
 double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness,
@@ -56,7 +69,7 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
   const double share = factor * mass / static_cast<double>(corners);
   for (std::size_t i = 0; i < corners; ++i) {
     state.mass[nodes[i].value] += share;
-    state.inertia[nodes[i].value] += share * rotational_inertia(area, thickness);
+    state.inertia[nodes[i].value] += share * properties_[properties].inertia(area, thickness);
   }
   first_point_.push_back(first_point_.back() + (full(size() - 1) ? 4 : 1) * properties_[properties].layers.size());
   return (factor - 1) * mass;
@@ -77,6 +90,8 @@ void ShellElements::begin_with(std::size_t shell, std::span<const PointState> po
 
 void ShellElements::finish(std::size_t nodes) {
   points_.resize(first_point_.back());
+  for (std::size_t i = 0; i < size(); ++i)
+    for (std::size_t p = first_point_[i]; p < first_point_[i + 1]; ++p) points_[p].axis = state_[i].axis;
   force_.assign(4 * size(), Vector::Zero());
   moment_.assign(4 * size(), Vector::Zero());
   energy_.resize(size());
@@ -122,7 +137,9 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
   const std::span<PointState> points(points_.data() + first_point_[shell], points_.data() + first_point_[shell + 1]);
   ShellForces forces = this->forces(shell, corners, state.dt, state_[shell], points);
   Summary summary;
-  if (fails(shell, state.time)) {
+  const FoldedShell rule = properties(shell).folded;
+  const bool folded = rule != FoldedShell::allowed && is_folded(corners.x);
+  if (fails(shell, state.time) || (folded && rule == FoldedShell::fails)) {
     failed_[shell] = 1;
     forces = {};
     forces.good = true;
@@ -137,9 +154,11 @@ Summary ShellElements::update_one(const State& state, std::size_t shell) {
     summary.manual_step *= step_factor_[shell];
     summary.stable_step *= step_factor_[shell];
   }
+  watched_.note(shell, summary.manual_step, summary.stable_step);
   summary.hourglass_work = forces.hourglass_work;
   summary.dissipated = forces.dissipated;
-  if (!forces.good) summary.bad = static_cast<std::uint32_t>(shell);
+  summary.viscous_work = forces.viscous_work;
+  if (!forces.good || (folded && rule == FoldedShell::ends_run)) summary.bad = static_cast<std::uint32_t>(shell);
   for (std::size_t k = 0; k < 4; ++k) {
     Vector &force = force_[4 * shell + k], &moment = moment_[4 * shell + k];
     summary.work +=
@@ -159,6 +178,27 @@ double ShellElements::stored(std::size_t shell, const std::vector<Vector>& x) co
     return full_stored_energy(properties(shell), state_[shell], corners, points(shell));
   }
   return stored_energy(properties(shell), state_[shell], quad_normal(nodes_[shell], x).norm() / 2, points(shell));
+}
+
+void ShellElements::watch_steps(const MassScaling& scaling, const State& state) {
+  watched_.start(scaling, size());
+  step_factor_.resize(size(), 1);
+  for (std::size_t i = 0; i < size(); ++i)
+    watched_.mass[i] = properties(i).material.density * quad_normal(nodes_[i], state.x).norm() / 2 *
+                       state_[i].thickness * step_factor_[i] * step_factor_[i];
+}
+
+AddedMass ShellElements::keep_steps(State& state) {
+  AddedMass added;
+  watched_.grow_where_needed([&](std::size_t shell, double factor) {
+    const std::size_t corners = triangle(shell) ? 3 : 4;
+    const double share = (factor - 1) * watched_.mass[shell] / static_cast<double>(corners);
+    const double turning = rotational_inertia(quad_normal(nodes_[shell], state.x).norm() / 2, state_[shell].thickness);
+    for (std::size_t k = 0; k < corners; ++k) added.give(state, nodes_[shell][k].value, share, share * turning);
+    step_factor_[shell] *= std::sqrt(factor);
+    ++added.elements;
+  });
+  return added;
 }
 
 Summary ShellElements::update(const State& state) {

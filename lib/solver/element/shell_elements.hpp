@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/ids.hpp"
@@ -18,11 +20,15 @@ class ShellElements {
  public:
   /// Adds a part's properties; returns their position.
   std::uint32_t add_properties(ShellProperties properties);
+  /// The position of properties that differ in `reference` alone; adds them where there are none.
+  std::uint32_t with_reference(std::uint32_t properties, double reference);
   /// Adds a shell (a triangle repeats its third corner) at positions `x` of all nodes and its share of mass and
   /// rotational inertia to the nodes. `origin`: its position in the model, for messages.
   /// Returns the mass added by `scaling`.
   double add(const std::array<NodeIndex, 4>& nodes, std::uint32_t properties, double thickness, std::uint32_t origin,
              State& state, const MassScaling& scaling = {});
+  /// Of the shell that was added last: the angle from its x axis to the material's axis a.
+  void set_axis(double angle) { state_.back().axis = angle; }
   /// The axes of a shell with all nodes at `x`, as columns: those of its points' stresses.
   [[nodiscard]] Matrix axes(std::size_t shell, const std::vector<Vector>& x) const;
   /// 1, or 4 of shells with four points in the plane.
@@ -35,6 +41,10 @@ class ShellElements {
 
   /// Forces at state.time, stresses updated over the last step (dt = 0: the forces of the present stresses).
   Summary update(const State& state);
+  /// Watches the steps of all elements; call it once all are added. keep_steps() then adds mass where the last update()
+  /// found one that is too small.
+  void watch_steps(const MassScaling& scaling, const State& state);
+  [[nodiscard]] AddedMass keep_steps(State& state);
   /// Subtracts the shells' pull on a node from its force and moment.
   void gather(std::size_t node, Vector& force, Vector& moment) const {
     for (const std::uint32_t place : table_.of(node)) {
@@ -43,14 +53,21 @@ class ShellElements {
     }
   }
 
+  /// Internal force and moment on a corner at the last evaluation; the shell pulls its node with the opposite.
+  [[nodiscard]] const Vector& corner_force(std::size_t shell, std::size_t k) const { return force_[4 * shell + k]; }
+  /// 3 of triangles without four points in the plane, otherwise 4, of which two may be one node.
+  [[nodiscard]] std::size_t corners(std::size_t shell) const { return triangle(shell) && !full(shell) ? 3 : 4; }
+  [[nodiscard]] const Vector& corner_moment(std::size_t shell, std::size_t k) const { return moment_[4 * shell + k]; }
+
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::uint32_t origin(std::size_t shell) const { return origin_[shell]; }
   [[nodiscard]] const std::array<NodeIndex, 4>& nodes(std::size_t shell) const { return nodes_[shell]; }
   [[nodiscard]] const ShellProperties& properties(std::size_t shell) const { return properties_[which_[shell]]; }
   /// False: none ever fails.
   [[nodiscard]] bool can_fail() const {
-    return std::any_of(properties_.begin(), properties_.end(),
-                       [](const ShellProperties& p) { return p.material.can_fail(); });
+    return std::any_of(properties_.begin(), properties_.end(), [](const ShellProperties& p) {
+      return p.material.can_fail() || p.folded == FoldedShell::fails;
+    });
   }
   /// All its layers, or enough of them, have failed: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t shell) const { return failed_[shell]; }
@@ -78,6 +95,7 @@ class ShellElements {
   [[nodiscard]] Summary update_one(const State& state, std::size_t shell);
 
   std::vector<ShellProperties> properties_;
+  std::map<std::pair<std::uint32_t, double>, std::uint32_t> referenced_;  ///< positions by with_reference()
   std::vector<std::array<NodeIndex, 4>> nodes_;
   std::vector<std::uint32_t> which_, origin_;  ///< position in properties_, in the model
   std::vector<ShellState> state_;
@@ -87,6 +105,7 @@ class ShellElements {
   std::vector<Vector> force_, moment_;  ///< four entries per shell
   std::vector<ElementEnergy> energy_;
   std::vector<char> failed_;  ///< not bits: written by several threads
+  WatchedSteps watched_;
   CornerTable table_;
 };
 

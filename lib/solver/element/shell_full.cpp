@@ -90,6 +90,16 @@ FullStrains integrate_points(const ShellProperties& properties, const FullFrame&
   return sum;
 }
 
+/// The bulk viscosity of the whole shell, by the mean rate of its area.
+void add_viscosity(const ShellProperties& properties, const FullFrame& middle, const FullStrains& rates, double dt,
+                   ShellState& state, FullStrains& resultants, ShellForces& out) {
+  const double rate = (middle.determinant * (rates.membrane.xx + rates.membrane.yy)).sum() / middle.area;
+  ShellResultants added;
+  add_bulk_viscosity(properties, middle.area, dt * rate, dt, state, added, out);
+  resultants.membrane.xx += added.xx;
+  resultants.membrane.yy += added.yy;
+}
+
 WarpShape warp_of(const FullFrame& frame) {
   WarpShape warp;
   const double z = frame.x.both.z();
@@ -128,7 +138,7 @@ void set_full_steps(const ShellProperties& properties, const std::array<Vector, 
                       frame.determinant * (frame.xi_x * frame.eta_x + frame.xi_y * frame.eta_y)};
   ShellShape shape{4, frame.area, thickness, length * length / squared_side, gram.gradient() / frame.area, 0};
   shape.shear =
-      gram.shear(frame.x.xi, frame.x.eta, frame.x.both, rotational_inertia(frame.area, thickness)) / frame.area;
+      gram.shear(frame.x.xi, frame.x.eta, frame.x.both, properties.inertia(frame.area, thickness)) / frame.area;
   if (collapsed) {
     // Its fields are linear. A collapsed corner counts twice in the sums over four corners, but has one of three shares
     // of the mass: twice the bound of the shear.
@@ -160,7 +170,8 @@ ShellForces full_forces(const ShellProperties& properties, const ShellCorners& c
   for (std::size_t i = 0; i < 4; ++i) turns[i] = middle.local(corners.w[i]).cross(middle.normal[i]);
   const FullStrains rates =
       full_rates(middle, MembraneModes(middle, poisson), middle.local(bilinear(corners.v)), bilinear(turns));
-  const FullStrains resultants = integrate_points(properties, middle, rates, dt, state, points, out.dissipated);
+  FullStrains resultants = integrate_points(properties, middle, rates, dt, state, points, out.dissipated);
+  if (properties.viscosity.on()) add_viscosity(properties, middle, rates, dt, state, resultants, out);
   Bilinear on_v{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()}, on_m = on_v;
   pull(end, MembraneModes(end, poisson), resultants, on_v, on_m);
   const std::array<Vector, 4> force = at_corners(on_v), turning = at_corners(on_m);

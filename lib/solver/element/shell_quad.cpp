@@ -1,6 +1,8 @@
+#include <optional>
 #include <utility>
 
 #include "solver/element/shell.hpp"
+#include "solver/element/shell_warping.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -82,11 +84,14 @@ HourglassModes hourglass_rates(const QuadFrame& frame, const Field& v, const Fie
 /// Viscosity of the modes.
 HourglassModes hourglass_viscosity(const ShellProperties& properties, double area, double thickness) {
   const Material& material = properties.material;
-  const double r = properties.hourglass.coefficient, squared_thickness = thickness * thickness;
+  const Hourglass& control = properties.hourglass;
+  const double squared_thickness = thickness * thickness;
   const double speed = std::sqrt(material.plate_modulus() / material.density);
-  const double membrane = r / 4 * material.density * speed * thickness * std::sqrt(area);
-  const double bending = membrane * squared_thickness / 12;
-  return {membrane, membrane, membrane * std::min(1.0, squared_thickness / area), bending, bending};
+  const double common = material.density * speed * thickness * std::sqrt(area) / 4;
+  const double membrane = control.coefficient * common, bending = control.bending * common * squared_thickness / 12;
+  if (properties.membrane) return {membrane, membrane, 0, 0, 0};
+  const double deflection = control.warping * common * std::min(1.0, squared_thickness / area);
+  return {membrane, membrane, deflection, bending, bending};
 }
 
 /// Updates the hourglass stresses to the end of the step; returns the work.
@@ -119,6 +124,82 @@ ShellStrain strain_of(const QuadFrame& frame, const Field& v, const Field& w, co
   strain.yz = dt / 2 * (v.dy.z() - mean.dot(frame.e1));
   return strain;
 }
+
+/// Motion in the plane bends a warped quad.
+void add_warping(const ShellWarping& warping, const QuadFrame& frame, const std::array<Vector, 4>& v, double dt,
+                 ShellStrain& strain) {
+  const Vector v13 = v[0] - v[2], v24 = v[1] - v[3];
+  const double x13 = v13.dot(frame.e1), y13 = v13.dot(frame.e2), x24 = v24.dot(frame.e1), y24 = v24.dot(frame.e2);
+  strain.bend_xx += dt * (warping.cx1 * x13 + warping.cx2 * x24);
+  strain.bend_yy += dt * (warping.cy1 * y13 + warping.cy2 * y24);
+  strain.bend_xy += dt / 2 * (warping.cx1 * y13 + warping.cx2 * y24 + warping.cy1 * x13 + warping.cy2 * x24);
+}
+
+/// The transpose of add_warping.
+void spread_warping(const ShellWarping& warping, const QuadFrame& frame, const ShellResultants& n, ShellForces& out) {
+  const auto force = [&](double cx, double cy) {
+    return Vector(frame.area * (cx * n.bend_xx + cy * n.bend_xy) * frame.e1 +
+                  frame.area * (cy * n.bend_yy + cx * n.bend_xy) * frame.e2);
+  };
+  const Vector force1 = force(warping.cx1, warping.cy1), force2 = force(warping.cx2, warping.cy2);
+  out.force[0] += force1;
+  out.force[1] += force2;
+  out.force[2] -= force1;
+  out.force[3] -= force2;
+}
+
+/// Transverse shear from the sides, which no bending of the quad strains: the rotation across each side is the mean
+/// of its ends' and its slope, a corner's that of the two sides that meet there, the quad's the mean of its corners'.
+struct SidesShear {
+  std::array<double, 4> x, y;              ///< components of the sides
+  std::array<double, 4> share_x, share_y;  ///< of each side's shear times its length in that of the quad
+
+  SidesShear(const std::array<Vector, 4>& corners, const QuadFrame& frame) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vector along = corners[(i + 1) % 4] - corners[i];
+      x[i] = along.dot(frame.e1);
+      y[i] = along.dot(frame.e2);
+      const double square = x[i] * x[i] + y[i] * y[i], half = square > 0 ? 0.5 / square : 0;
+      share_x[i] = half * x[i];
+      share_y[i] = half * y[i];
+    }
+  }
+  void set(const QuadFrame& frame, const std::array<Vector, 4>& v, const std::array<Vector, 4>& w, double dt,
+           ShellStrain& strain) const {
+    strain.zx = strain.yz = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t next = (i + 1) % 4;
+      const Vector mean = (w[i] + w[next]) / 2;
+      const double shear = (v[next] - v[i]).dot(frame.e3) + mean.dot(frame.e2) * x[i] - mean.dot(frame.e1) * y[i];
+      strain.zx += dt / 2 * share_x[i] * shear;
+      strain.yz += dt / 2 * share_y[i] * shear;
+    }
+  }
+  void spread(const QuadFrame& frame, const ShellResultants& n, ShellForces& out) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t next = (i + 1) % 4;
+      const double pull = frame.area * (share_x[i] * n.zx + share_y[i] * n.yz);
+      const Vector twist = pull / 2 * (x[i] * frame.e2 - y[i] * frame.e1);
+      out.force[next] += pull * frame.e3;
+      out.force[i] -= pull * frame.e3;
+      out.moment[i] += twist;
+      out.moment[next] += twist;
+    }
+  }
+  /// Larger eigenvalue of its Gram matrix, rotations over the root of their inertia per mass.
+  [[nodiscard]] double gram(double inertia) const {
+    Gram sum;
+    const double half = 0.5 / std::sqrt(inertia);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t last = (i + 3) % 4;
+      sum.add(share_x[last] - share_x[i], share_y[last] - share_y[i]);
+      for (const std::array<double, 4>& side : {x, y})
+        sum.add(half * (share_x[i] * side[i] + share_x[last] * side[last]),
+                half * (share_y[i] * side[i] + share_y[last] * side[last]));
+    }
+    return sum.largest();
+  }
+};
 
 /// Spreads resultants and hourglass stresses to the corners; the transpose of the strain operators.
 void spread(const QuadFrame& frame, const ShellResultants& n, const HourglassModes& hourglass, ShellForces& out) {
@@ -165,7 +246,7 @@ void count_hourglass(const ShellProperties& properties, const QuadFrame& frame, 
   const bool viscous = properties.hourglass.kind == HourglassKind::viscous;
   const HourglassModes moduli =
       viscous ? hourglass_viscosity(properties, frame.area, state.thickness) : state.stiffness;
-  const double inertia = rotational_inertia(frame.area, state.thickness);
+  const double inertia = properties.inertia(frame.area, state.thickness);
   const double modulus = std::max({moduli[0], moduli[2], moduli[3] / inertia});
   // The modes are (1, −1, 1, −1), which no linear motion has a part in, minus linear ones of at most this length.
   const double linear1 = frame.shape_x * frame.bx1 + frame.shape_y * frame.by1;
@@ -180,7 +261,7 @@ void count_hourglass(const ShellProperties& properties, const QuadFrame& frame, 
 }
 
 void set_steps(const ShellProperties& properties, const std::array<Vector, 4>& x, const QuadFrame& frame,
-               const ShellState& state, ShellForces& out) {
+               const ShellState& state, const ShellWarping* warping, ShellForces& out) {
   const double thickness = state.thickness;
   const double squared_side = std::max(std::max((x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm()),
                                        std::max((x[3] - x[2]).squaredNorm(), (x[0] - x[3]).squaredNorm()));
@@ -189,10 +270,38 @@ void set_steps(const ShellProperties& properties, const std::array<Vector, 4>& x
   gradient.add(std::sqrt(2) * frame.bx2, std::sqrt(2) * frame.by2);
   const double largest = gradient.largest();
   // Four times (1/4)² over the inertia, the same in all directions.
-  const double rotation = 0.25 / rotational_inertia(frame.area, thickness);
-  set_time_steps(properties,
-                 {4, frame.area, thickness, frame.area * frame.area / squared_side, largest, largest + rotation}, out);
+  const double rotation = 0.25 / properties.inertia(frame.area, thickness);
+  ShellShape shape{4, frame.area, thickness, frame.area * frame.area / squared_side, largest, largest + rotation};
+  if (warping != nullptr) {
+    Gram change;
+    change.add(std::sqrt(2) * warping->cx1, std::sqrt(2) * warping->cy1);
+    change.add(std::sqrt(2) * warping->cx2, std::sqrt(2) * warping->cy2);
+    shape.warp.curvature = std::sqrt(change.largest() / largest);
+    shape.warp.tilt = warping->squared_tilt(frame.e3);
+    if (properties.sides_shear) shape.shear = SidesShear(x, frame).gram(properties.inertia(frame.area, thickness));
+  }
+  set_time_steps(properties, shape, out);
   count_hourglass(properties, frame, largest, state, out);
+}
+
+/// Forces, work and time steps of the resultants.
+void finish(const ShellProperties& properties, const std::array<Vector, 4>& x, const QuadFrame& middle,
+            const QuadFrame& end, const ShellResultants& resultants, const ShellState& state,
+            const ShellWarping* warping, ShellForces& out) {
+  out.dissipated += middle.area * resultants.plastic_work;
+  if (properties.hourglass.kind == HourglassKind::viscous) out.dissipated += out.hourglass_work;
+  if (warping == nullptr) {
+    spread(end, resultants, state.hourglass, out);
+  } else {
+    ShellResultants of_centre = resultants;
+    if (properties.sides_shear) of_centre.zx = of_centre.yz = 0;
+    spread(end, of_centre, state.hourglass, out);
+    if (properties.sides_shear) SidesShear(x, end).spread(end, resultants, out);
+    spread_warping(*warping, end, resultants, out);
+    warping->transpose(out.force, out.moment);
+  }
+  set_steps(properties, x, end, state, warping, out);
+  out.good = end.area > 0 && std::isfinite(out.force[0].sum() + out.force[1].sum() + out.moment[0].sum());
 }
 
 }  // namespace
@@ -211,10 +320,13 @@ HourglassModes hourglass_stiffness(const ShellProperties& properties, const std:
   const Material& material = properties.material;
   const double squared_gradient =
       2 * (frame.bx1 * frame.bx1 + frame.bx2 * frame.bx2 + frame.by1 * frame.by1 + frame.by2 * frame.by2);
-  const double common = properties.hourglass.coefficient * thickness * frame.area * squared_gradient;
-  const double squared_thickness = thickness * thickness, membrane = common * material.young / 8;
-  const double deflection = common * properties.shear_factor * material.shear() * squared_thickness / 12;
-  const double bending = common * material.young * squared_thickness / 192;
+  const Hourglass& control = properties.hourglass;
+  const double squared_thickness = thickness * thickness, of_gradient = thickness * squared_gradient;
+  const double membrane = control.coefficient * of_gradient * frame.area * material.young / 8;
+  const double deflection =
+      control.warping * of_gradient * squared_thickness * properties.shear_factor * material.shear() / 12;
+  const double bending = control.bending * of_gradient * frame.area * material.young * squared_thickness / 192;
+  if (properties.membrane) return {membrane, membrane, 0, 0, 0};
   return {membrane, membrane, deflection, bending, bending};
 }
 
@@ -226,13 +338,34 @@ ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& c
   const auto [middle, end] = make_frames(middle_x, corners.x);
   const Field v = field_of(middle, corners.v), w = field_of(middle, corners.w);
   out.hourglass_work = update_hourglass(properties, middle, hourglass_rates(middle, v, w), dt, state);
-  const ShellResultants resultants =
-      integrate_layers(properties, strain_of(middle, v, w, corners.w, dt), dt, state.thickness, points);
-  out.dissipated = middle.area * resultants.plastic_work;
-  if (properties.hourglass.kind == HourglassKind::viscous) out.dissipated += out.hourglass_work;
-  spread(end, resultants, state.hourglass, out);
-  set_steps(properties, corners.x, end, state, out);
-  out.good = end.area > 0 && std::isfinite(out.force[0].sum() + out.force[1].sum() + out.moment[0].sum());
+  const ShellStrain strain = strain_of(middle, v, w, corners.w, dt);
+  ShellResultants resultants = integrate_layers(properties, strain, dt, state.thickness, points);
+  if (properties.viscosity.on())
+    add_bulk_viscosity(properties, middle.area, strain.xx + strain.yy, dt, state, resultants, out);
+  finish(properties, corners.x, middle, end, resultants, state, nullptr, out);
+  return out;
+}
+
+ShellForces warped_quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
+                               ShellState& state, std::span<PointState> points) {
+  ShellForces out;
+  std::array<Vector, 4> middle_x;
+  for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
+  const auto [middle, end] = make_frames(middle_x, corners.x);
+  const bool full = properties.projection == ShellProjection::full;
+  const ShellWarping before(middle_x, middle.e1, middle.e2, middle.area, full),
+      after(corners.x, end.e1, end.e2, end.area, full);
+  std::array<Vector, 4> all_v = corners.v, all_w = corners.w;
+  before.project(all_v, all_w);
+  const Field v = field_of(middle, all_v), w = field_of(middle, all_w);
+  out.hourglass_work = update_hourglass(properties, middle, hourglass_rates(middle, v, w), dt, state);
+  ShellStrain strain = strain_of(middle, v, w, all_w, dt);
+  add_warping(before, middle, all_v, dt, strain);
+  if (properties.sides_shear) SidesShear(middle_x, middle).set(middle, all_v, all_w, dt, strain);
+  ShellResultants resultants = integrate_layers(properties, strain, dt, state.thickness, points);
+  if (properties.viscosity.on())
+    add_bulk_viscosity(properties, middle.area, strain.xx + strain.yy, dt, state, resultants, out);
+  finish(properties, corners.x, middle, end, resultants, state, &after, out);
   return out;
 }
 

@@ -89,7 +89,7 @@ void spread(const TriangleFrame& frame, const ShellResultants& n, ShellForces& o
 
 void set_steps(const ShellProperties& properties, const TriangleFrame& frame, double thickness, ShellForces& out) {
   Gram gradient, shear;
-  const double inertia = rotational_inertia(frame.area, thickness);
+  const double inertia = properties.inertia(frame.area, thickness);
   double squared_side = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t last = (i + 2) % 3;
@@ -123,8 +123,10 @@ ShellForces triangle_forces(const ShellProperties& properties, const ShellCorner
   for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
   const TriangleFrame middle = make_frame(middle_x), end = make_frame(corners.x);
   const ShellStrain strain = strain_of(middle, corners, dt);
-  const ShellResultants resultants = integrate_layers(properties, strain, dt, state.thickness, points);
-  out.dissipated = middle.area * resultants.plastic_work;
+  ShellResultants resultants = integrate_layers(properties, strain, dt, state.thickness, points);
+  if (properties.viscosity.on())
+    add_bulk_viscosity(properties, middle.area, strain.xx + strain.yy, dt, state, resultants, out);
+  out.dissipated += middle.area * resultants.plastic_work;
   spread(end, resultants, out);
   set_steps(properties, end, state.thickness, out);
   out.good = end.area > 0 && std::isfinite(out.force[0].sum() + out.force[1].sum() + out.moment[0].sum());

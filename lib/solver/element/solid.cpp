@@ -15,7 +15,7 @@ Matrix update_solid_stress(const Material& material, const Matrix& gradient, dou
   }
   if (material.has_stress() && material.kind != MaterialKind::rubber) {
     point.stress = rotated(point.stress, rotation);
-    if (material.kinematic_slope > 0) point.back_stress = rotated(point.back_stress, rotation);
+    if (material.has_back_stress()) point.back_stress = rotated(point.back_stress, rotation);
     Symmetric increment = to_symmetric(gradient);
     for (double& value : increment) value *= dt;
     // The strain belongs to the middle of the step, the stress is in the axes of its end: half of the turn.
@@ -30,7 +30,8 @@ BulkViscosity bulk_viscosity(const SolidProperties& properties, double density, 
       properties.quadratic_viscosity * length * std::abs(volume_rate) + properties.linear_viscosity * speed;
   const auto& hydro = properties.material.hydro;
   const double of_shear = hydro ? 2 * hydro->viscosity / (density * length) : 0;  // damps like it
-  return {volume_rate < 0 ? density * length * -volume_rate * total : 0, total + of_shear};
+  return {volume_rate < 0 ? density * length * -volume_rate * total : 0, total + of_shear,
+          properties.material.damping * density * length * speed};
 }
 
 double viscous_work(double pressure, double volume_change, SolidState& state) {
@@ -38,20 +39,44 @@ double viscous_work(double pressure, double volume_change, SolidState& state) {
   return -(before + pressure) / 2 * volume_change;
 }
 
+namespace {
+
+/// What the nodal mean stresses of a tetrahedron store more than their mean, per volume.
+double spread_energy(const SolidProperties& properties, const SolidState& state) {
+  const std::array<double, 4>& all = state.mean_stress;
+  const double mean = (all[0] + all[1] + all[2] + all[3]) / 4;
+  double sum = 0;
+  for (const double one : all) sum += (one - mean) * (one - mean) / 4;
+  return sum > 0 ? sum / (2 * properties.material.bulk()) : 0;
+}
+
+}  // namespace
+
 double stored_energy(const SolidProperties& properties, const SolidState& state, double volume,
                      const PointState& point) {
   const bool rubber = properties.material.kind == MaterialKind::rubber;
-  double energy = rubber ? state.strain_energy : volume * elastic_energy(properties.material, point.stress);
+  double energy = rubber ? state.strain_energy : volume * elastic_energy(properties.material, point);
   if (properties.material.hydro) energy = fluid_energy(properties.material, state);
+  if (properties.rules.tetrahedron == SolidRule::nodal_pressure) energy += volume * spread_energy(properties, state);
   if (state.reference && state.reference->stiffness > 0)
     for (const Vector& stress : state.hourglass) energy += stress.squaredNorm() / (2 * state.reference->stiffness);
+  if (state.reference && state.reference->assumed) energy += state.reference->assumed->energy(state.hourglass);
   return energy;
 }
 
-double update_rubber(const Material& material, const Matrix& axes, double volume, SolidState& state,
-                     PointState& point) {
+double update_rubber(const Material& material, const Matrix& axes, double volume, const Matrix& gradient, double dt,
+                     SolidState& state, PointState& point) {
   const Matrix f = axes * *state.undeformed;
   const double growth = f.determinant();
+  if (material.finite) {
+    FiniteHistory& history = state.finite[0];
+    const double lost = history.lost;
+    const FinitePoint now = update_finite(*material.finite, f, gradient, dt, history);
+    point.stress = now.stress;
+    point.plastic_work += (history.lost - lost) / growth;
+    state.strain_energy = volume / growth * now.energy;
+    return now.bound / growth;
+  }
   point.stress = rubber_stress(material.rubber, f);
   state.strain_energy = volume / growth * rubber_energy(material.rubber, f);
   return rubber_stiffness_bound(material.rubber, f) / growth;
@@ -64,9 +89,11 @@ void set_time_steps(double density, double length, double squared_gradient, doub
   // The strain energy is at most max(3 K, 2 G) |∇u|² / 2; each corner has 1 / corners of the mass. Damping at the
   // fraction ξ of the critical shortens the step by √(1 + ξ²) − ξ. The viscosity gives ρ l Q per volume rate where the
   // stiffness gives at least K per volume strain, so that ξ is at most ω ρ l Q / (2 K).
+  // The damping of foams has the viscosity η for each strain rate where the bound is the stiffness: ω η / (2 bound).
   const double squared_frequency = stiffness.bound / density * corners * squared_gradient;
-  const double fraction =
+  double fraction =
       stiffness.volume > 0 ? std::sqrt(squared_frequency) * density * length * q / (2 * stiffness.volume) : 0;
+  if (stiffness.bound > 0) fraction += std::sqrt(squared_frequency) * viscosity.damping / (2 * stiffness.bound);
   forces.stable_step = 2 / std::sqrt(squared_frequency) * (std::sqrt(1 + fraction * fraction) - fraction);
 }
 

@@ -1,13 +1,17 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "solver/element/hourglass.hpp"
 #include "solver/element/section_stress.hpp"
+#include "solver/element/solid_assumed_strain.hpp"
 #include "solver/element/spotweld.hpp"
 #include "solver/material/material.hpp"
 #include "solver/quadrature/brick_map.hpp"
+#include "solver/quadrature/nodal_average.hpp"
 
 namespace gapcheck::solver {
 
@@ -19,11 +23,15 @@ struct SolidProperties {
   double linear_viscosity = 0.06;    ///< Q2
   SolidRules rules = {};
   WeldLimits weld = {};  ///< of material 100
+  /// A solid that loses its volume fails, instead of ending the run (PSFAIL of *CONTROL_SOLID).
+  bool inverted_fails = false;
 };
 
 /// Corners of one solid: positions at the end of the step, velocities at its middle. Tetrahedra use the first four.
 struct SolidCorners {
   std::array<Vector, 8> x, v;
+  /// Of tetrahedra with nodal pressures: the volume strains of the step at their corners. nullptr: their own counts.
+  const std::array<double, 4>* volume_strains = nullptr;
 };
 
 /// Hourglass control by stiffness of one brick, set up where it is undeformed: the shapes are orthogonal to all linear
@@ -33,6 +41,9 @@ struct HourglassReference {
   std::array<std::array<double, 8>, 4> shapes{};
   double stiffness = 0;
   double squared_frequency = 0;  ///< bound of the modes' highest frequency
+  /// Of control by assumed strains: the energy of the amplitudes over 8, in the brick's axes (the polar rotation of
+  /// brick_axes()). Then `stiffness` is zero.
+  std::shared_ptr<const AssumedStrain> assumed = {};
 };
 
 /// The state of a solid's equation of state.
@@ -47,16 +58,20 @@ struct FluidState {
 /// The history of one solid besides its integration point.
 struct SolidState {
   double mass = 0;  ///< of the element; its density follows from it
+  /// Generalised stresses; of control by assumed strains the amplitudes over 8, in the brick's axes.
   std::array<Vector, 4> hourglass{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
   std::shared_ptr<const HourglassReference> reference;  ///< of bricks whose hourglass control is a stiffness
   double viscous_pressure = 0;                          ///< of the bulk viscosity
   /// Of rubber: the inverse of the undeformed solid's axes (brick_axes() or tetrahedron_axes()).
   std::shared_ptr<const Matrix> undeformed;
-  double strain_energy = 0;  ///< of rubber
+  double strain_energy = 0;           ///< of rubber
+  std::vector<FiniteHistory> finite;  ///< by point, of materials with a FiniteLaw
   /// Of rubber with eight points: the undeformed brick.
   std::shared_ptr<const BrickMap> undeformed_brick;
   WeldHistory weld;  ///< of spotwelds
   FluidState fluid;  ///< of materials with an equation of state
+  /// K Σ volume strain at the corners of a tetrahedron with nodal pressures, above zero in tension.
+  std::array<double, 4> mean_stress{};
   /// Replaces part of each point's stress after its update; nullptr: nothing does.
   const ImposedStress3* imposed = nullptr;
 };
@@ -97,9 +112,15 @@ struct SolidForces {
 [[nodiscard]] HourglassReference hourglass_reference(const SolidProperties& properties, const std::array<Vector, 8>& x,
                                                      double mass);
 
-/// Tetrahedron with linear displacements; forces on the first four corners only.
+/// Tetrahedron with linear displacements; forces on the first four corners only. With SolidCorners::volume_strains
+/// their mean takes the place of its own volume strain (Bonet and Burton, Commun. Numer. Meth. Engng 14, 1998): its
+/// mean stress is then the mean of the nodal ones. The work of such tetrahedra is Σ V p ε of their nodes.
 [[nodiscard]] SolidForces tetrahedron_forces(const SolidProperties& properties, const SolidCorners& corners, double dt,
                                              SolidState& state, PointState& point);
+
+/// Volume of a tetrahedron in the middle of the step and what its own velocity gradient adds to it; zeros without
+/// volume.
+[[nodiscard]] NodalAverage::Share tetrahedron_share(const SolidCorners& corners, double dt);
 
 /// Brick with 2 x 2 x 2 Gauss points and a mean dilatation (Hughes, Int. J. Numer. Meth. Engng 15, 1980): each point
 /// has its own velocity gradient, but the volume rate of the brick; each stress turns with its own spin. Wedges and
@@ -145,6 +166,7 @@ Matrix update_solid_stress(const Material& material, const Matrix& gradient, dou
 struct BulkViscosity {
   double pressure = 0;
   double step_speed = 0;  ///< Q = Q2 c + Q1 l |ε̇|, in expansion too
+  double damping = 0;     ///< DAMP ρ c l of foams: their viscosity against all strain rates
 };
 [[nodiscard]] BulkViscosity bulk_viscosity(const SolidProperties& properties, double density, double speed,
                                            double length, double volume_rate);
@@ -152,9 +174,11 @@ struct BulkViscosity {
 /// Sets the pressure of the bulk viscosity to the end of the step; returns its work over a change of volume.
 [[nodiscard]] double viscous_work(double pressure, double volume_change, SolidState& state);
 
-/// Stress and energy of rubber whose axes are now `axes`; `volume`: now. Returns its rubber_stiffness_bound() per
-/// volume.
-double update_rubber(const Material& material, const Matrix& axes, double volume, SolidState& state, PointState& point);
+/// Stress and energy of rubber whose axes are now `axes`; `volume`: now, `gradient`: of the velocity in the middle of
+/// the step of dt. Returns the bound of its second derivative per volume. What a FiniteLaw dissipates counts as plastic
+/// work.
+double update_rubber(const Material& material, const Matrix& axes, double volume, const Matrix& gradient, double dt,
+                     SolidState& state, PointState& point);
 
 /// Of a point with an equation of state: what its deviator stores and has dissipated, per volume; otherwise 0.
 [[nodiscard]] double deviatoric_energy(const Material& material, const PointState& point);

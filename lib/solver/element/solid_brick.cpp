@@ -103,8 +103,35 @@ double update_viscous(const SolidProperties& properties, const std::array<Vector
   return work;
 }
 
+/// The same for control by assumed strains: the slopes of its energy U(Rᵀ q), R the brick's axes. Where q and ∂U/∂q are
+/// not parallel, the turn of the axes with the corners has a share in them.
+double add_assumed_strain(const HourglassReference& reference, const Corners& x, SolidState& state, SolidForces& out) {
+  const AssumedStrain& assumed = *reference.assumed;
+  const Matrix axes = brick_axes(x), r = polar_rotation(axes);
+  const double before = assumed.energy(state.hourglass);
+  std::array<Vector, 4> amplitudes;
+  for (std::size_t m = 0; m < 4; ++m) {
+    amplitudes[m].setZero();
+    for (std::size_t a = 0; a < 8; ++a) amplitudes[m] += reference.shapes[m][a] / 8 * x[a];
+    state.hourglass[m] = r.transpose() * amplitudes[m];
+  }
+  const BrickModeAmplitudes local = assumed.forces(state.hourglass);
+  Vector turning = Vector::Zero();
+  for (std::size_t m = 0; m < 4; ++m) {
+    const Vector force = r * local[m];
+    turning += force.cross(amplitudes[m]);
+    for (std::size_t a = 0; a < 8; ++a) out.force[a] += reference.shapes[m][a] / 8 * force;
+  }
+  const Matrix turn = polar_turn(axes, r, turning) / 8;
+  for (std::size_t a = 0; a < 8; ++a)
+    out.force[a] += turn * Vector(corner_signs[a][0], corner_signs[a][1], corner_signs[a][2]);
+  out.stable_step = std::min(out.stable_step, 2 / std::sqrt(reference.squared_frequency));
+  return assumed.energy(state.hourglass) - before;
+}
+
 /// The same for control by stiffness, and its forces.
 double add_stiffness(const HourglassReference& reference, const Corners& x, SolidState& state, SolidForces& out) {
+  if (reference.assumed) return add_assumed_strain(reference, x, state, out);
   if (!(reference.stiffness > 0)) return 0;
   double work = 0;
   for (std::size_t m = 0; m < 4; ++m) {
@@ -161,11 +188,21 @@ HourglassReference hourglass_reference(const SolidProperties& properties, const 
     }
     products += at * at.transpose();
   }
+  // Each corner has an eighth of the mass; the largest eigenvalue of the products is at most their largest row sum.
+  const double per_stiffness = products.cwiseAbs().rowwise().sum().maxCoeff() / (mass / 8);
+  if (properties.hourglass.kind == HourglassKind::assumed_strain) {
+    const Matrix axes = brick_axes(x);
+    const Vector half_side = (polar_rotation(axes).transpose() * axes).diagonal();
+    reference.assumed = std::make_shared<const AssumedStrain>(
+        assumed_strain(properties.hourglass.coefficient, properties.material.shear(), properties.material.bulk(),
+                       one_point_volume(x), half_side));
+    reference.squared_frequency = reference.assumed->bound() / 64 * per_stiffness;
+    return reference;
+  }
   const double squared_gradient = outer_sum(gradient, gradient).trace() / (volume * volume);
   reference.stiffness =
       properties.hourglass.coefficient / 24 * properties.material.wave_modulus() * volume * squared_gradient;
-  // Each corner has an eighth of the mass; the largest eigenvalue of the products is at most their largest row sum.
-  reference.squared_frequency = reference.stiffness * products.cwiseAbs().rowwise().sum().maxCoeff() / (mass / 8);
+  reference.squared_frequency = reference.stiffness * per_stiffness;
   return reference;
 }
 
@@ -187,7 +224,7 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
   const Matrix rotation = update_solid_stress(material, gradient, dt, point);
   if (state.imposed != nullptr) point.stress = state.imposed->on(point.stress);
   const double rubber = material.kind == MaterialKind::rubber
-                            ? update_rubber(material, brick_axes(corners.x), out.volume, state, point)
+                            ? update_rubber(material, brick_axes(corners.x), out.volume, gradient, dt, state, point)
                             : 0;
 
   const Matrix gram = outer_sum(end, end) / (out.volume * out.volume);
@@ -203,16 +240,24 @@ SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& 
   const std::array<Vector, 4> middle_shapes = shape_sums(middle_x), v_shapes = shape_sums(corners.v),
                               end_shapes = shape_sums(corners.x);
   std::array<Vector, 4> rates;
-  for (std::size_t m = 0; m < 4; ++m) rates[m] = v_shapes[m] - gradient * middle_shapes[m];
+  const bool orthogonal = !properties.hourglass.plain_shapes;
+  for (std::size_t m = 0; m < 4; ++m) {
+    rates[m] = v_shapes[m];
+    if (orthogonal) rates[m] -= gradient * middle_shapes[m];
+  }
   out.hourglass_work = update_viscous(properties, rates, rotation, out.volume, dt, state);
   out.dissipated = material.hydro
                        ? out.hourglass_work
                        : middle_volume * (point.plastic_work - flowed) + out.hourglass_work + out.viscous_work;
+  const Symmetric rate = to_symmetric(gradient);
+  out.dissipated += middle_volume * dt * viscosity.damping * contract(rate, rate);
 
   // f = σ b + Σ Q (shape − b · (shape · x) / V), Q of viscous control
-  Matrix stress = to_matrix(point.stress) - viscosity.pressure * Matrix::Identity();
+  Matrix stress =
+      to_matrix(point.stress) - viscosity.pressure * Matrix::Identity() + viscosity.damping * to_matrix(rate);
   const bool viscous = properties.hourglass.kind == HourglassKind::viscous;
-  for (std::size_t m = 0; m < 4 && viscous; ++m) stress -= state.hourglass[m] * end_shapes[m].transpose() / out.volume;
+  for (std::size_t m = 0; m < 4 && viscous && orthogonal; ++m)
+    stress -= state.hourglass[m] * end_shapes[m].transpose() / out.volume;
   for (std::size_t a = 0; a < 8; ++a) {
     out.force[a] = stress * end[a];
     for (std::size_t m = 0; m < 4 && viscous; ++m) out.force[a] += shapes[m][a] * state.hourglass[m];

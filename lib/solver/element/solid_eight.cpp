@@ -76,7 +76,7 @@ PointWorks update_points(const SolidProperties& properties, const BrickMap& midd
   set_trace(gradients, volume_rate);
   const bool plain = is_plain(properties.material);
   EightSymmetric strains;
-  if (plain) strains = turn_stresses(gradients, dt, properties.material.kinematic_slope > 0, points);
+  if (plain) strains = turn_stresses(gradients, dt, properties.material.has_back_stress(), points);
   PointWorks works;
   for (std::size_t p = 0; p < 8; ++p) {
     const double before = points[p].plastic_work, deviatoric = deviatoric_energy(properties.material, points[p]);
@@ -105,13 +105,55 @@ BrickModes forces_of(const BrickMap& map, double viscous_pressure, std::span<con
 struct RubberForces {
   BrickModes forces;
   double stiffness = 0;  ///< bound of the second derivative per volume and squared gradient
+  double lost = 0;       ///< dissipated in the step by a FiniteLaw
   bool good = true;
 };
 
+/// Of a point with a FiniteLaw: its stress and bound; adds its energies.
+FinitePoint update_finite_point(const Material& material, const Matrix& f, const Matrix& gradient, double dt,
+                                double volume, FiniteHistory& history, SolidState& state, double& lost) {
+  const double before = history.lost;
+  const FinitePoint now = update_finite(*material.finite, f, gradient, dt, history);
+  state.strain_energy += volume * now.energy;
+  lost += volume * (history.lost - before);
+  return now;
+}
+
+/// The velocity in the middle of the step.
+struct PointRates {
+  EightMatrices gradients;
+  double dt = 0;
+};
+
+/// Stresses, energy and forces of compressible foam: the slopes of Σ V W(F), V of the undeformed points.
+RubberForces foam_forces(const Material& material, const BrickModes& x, const PointRates& rates, SolidState& state,
+                         std::span<PointState, 8> points) {
+  const BrickMap& start = *state.undeformed_brick;
+  const EightMatrices all = brick_gradients(start, x);
+  RubberForces result;
+  EightMatrices nominal;
+  state.strain_energy = 0;
+  for (std::size_t p = 0; p < 8; ++p) {
+    const Matrix gradient = all.at(p);
+    const double own = gradient.determinant();
+    if (!(own > 0)) {
+      result.good = false;
+      return result;
+    }
+    const FinitePoint now = update_finite_point(material, gradient, rates.gradients.at(p), rates.dt, start.volume[p],
+                                                state.finite[p], state, result.lost);
+    points[p].stress = now.stress;
+    nominal.set(p, own * to_matrix(now.stress) * gradient.inverse().transpose());
+    result.stiffness = std::max(result.stiffness, now.bound / own);
+  }
+  result.forces = brick_stress_forces(start, nominal);
+  return result;
+}
+
 /// Stresses, energy and forces of rubber: the slopes of Σ V W(F̄), V of the undeformed points, F̄ = (J̄ / J)^⅓ F with the
 /// volume ratio J̄ of the whole brick.
-RubberForces rubber_forces(const Material& material, const BrickMap& now, const BrickModes& x, SolidState& state,
-                           std::span<PointState, 8> points) {
+RubberForces rubber_forces(const Material& material, const BrickMap& now, const BrickModes& x, const PointRates& rates,
+                           SolidState& state, std::span<PointState, 8> points) {
   const BrickMap& start = *state.undeformed_brick;
   const EightMatrices all = brick_gradients(start, x);
   const double growth = now.total / start.total;
@@ -127,16 +169,36 @@ RubberForces rubber_forces(const Material& material, const BrickMap& now, const 
       return result;
     }
     const Matrix f = std::cbrt(growth / own) * gradient;
-    points[p].stress = rubber_stress(material.rubber, f);
-    state.strain_energy += start.volume[p] * rubber_energy(material.rubber, f);
+    double bound = 0;
+    if (material.finite) {
+      const FinitePoint present = update_finite_point(material, f, rates.gradients.at(p), rates.dt, start.volume[p],
+                                                      state.finite[p], state, result.lost);
+      points[p].stress = present.stress;
+      bound = present.bound;
+    } else {
+      points[p].stress = rubber_stress(material.rubber, f);
+      state.strain_energy += start.volume[p] * rubber_energy(material.rubber, f);
+      bound = rubber_stiffness_bound(material.rubber, f);
+    }
     mean_trace += start.volume[p] / start.total * trace(points[p].stress);
     nominal.set(p, growth * to_matrix(deviator(points[p].stress)) * gradient.inverse().transpose());
     const double spread = std::max(1.0, growth * start.volume[p] / now.volume[p]);
-    result.stiffness = std::max(result.stiffness, spread * rubber_stiffness_bound(material.rubber, f) / growth);
+    result.stiffness = std::max(result.stiffness, spread * bound / growth);
   }
   result.forces = brick_stress_forces(start, nominal);
   add(result.forces, mean_trace / 3, now.slope);
   return result;
+}
+
+/// The forces of DAMP of foams; adds its work.
+BrickModes damping_forces(const BrickMap& map, double viscosity, const PointRates& rates, double& work) {
+  EightMatrices stresses;
+  for (std::size_t p = 0; p < 8; ++p) {
+    const Symmetric rate = to_symmetric(rates.gradients.at(p));
+    stresses.set(p, viscosity * to_matrix(rate));
+    work += map.volume[p] * rates.dt * viscosity * contract(rate, rate);
+  }
+  return brick_stress_forces(map, stresses);
 }
 
 /// The sixth of a wedge halved is the least share of a corner; all others have an eighth.
@@ -150,7 +212,7 @@ double eight_point_energy(const SolidProperties& properties, const SolidState& s
   if (properties.material.hydro) return fluid_energy(properties.material, state);
   const BrickMap map = brick_map(SolidRule::eight_points, brick_modes(x));
   double energy = 0;
-  for (std::size_t p = 0; p < 8; ++p) energy += map.volume[p] * elastic_energy(properties.material, points[p].stress);
+  for (std::size_t p = 0; p < 8; ++p) energy += map.volume[p] * elastic_energy(properties.material, points[p]);
   return energy;
 }
 
@@ -167,8 +229,12 @@ SolidForces eight_point_forces(const SolidProperties& properties, SolidRule rule
   const bool rubber = material.kind == MaterialKind::rubber;
   RubberForces of_rubber;
   PointWorks works;
-  if (rubber)
-    of_rubber = rubber_forces(material, end, x, state, points);
+  PointRates rates{{}, dt};
+  if (material.finite || material.damping > 0) rates.gradients = brick_gradients(middle, v);
+  if (material.finite && material.finite->compressible)
+    of_rubber = foam_forces(material, x, rates, state, points);
+  else if (rubber)
+    of_rubber = rubber_forces(material, end, x, rates, state, points);
   else
     works = update_points(properties, middle, v, volume_rate, dt, points);
   for (std::size_t p = 0; p < 8 && state.imposed != nullptr; ++p)
@@ -179,7 +245,7 @@ SolidForces eight_point_forces(const SolidProperties& properties, SolidRule rule
   const double speed = std::sqrt(solid_stiffness(material, state).wave / density);
   const BulkViscosity viscosity = bulk_viscosity(properties, density, speed, length, volume_rate);
   out.viscous_work = viscous_work(viscosity.pressure, dt * middle.total * volume_rate, state);
-  out.dissipated = material.hydro ? 0 : works.plastic + out.viscous_work;
+  out.dissipated = material.hydro ? 0 : works.plastic + of_rubber.lost + out.viscous_work;
   update_pressure(material, out.volume, works.deviatoric + out.viscous_work, state, points);
   for (PointState& point : points) erode(material, dt, point);
   const SolidStiffness stiffness = solid_stiffness(material, state, of_rubber.stiffness);
@@ -192,6 +258,7 @@ SolidForces eight_point_forces(const SolidProperties& properties, SolidRule rule
     add(of_rubber.forces, -viscosity.pressure, end.slope);
   else
     of_rubber.forces = forces_of(end, viscosity.pressure, points);
+  if (viscosity.damping > 0) add(of_rubber.forces, 1, damping_forces(end, viscosity.damping, rates, out.dissipated));
   out.force = corner_forces(of_rubber.forces);
   out.good = std::isfinite(out.force[0].sum() + out.force[6].sum());
   return out;

@@ -30,6 +30,7 @@ double least_volume(const SolidProperties& properties, const SolidKind& kind, co
 void set_references(const SolidProperties& properties, const SolidKind& kind, const std::array<Vector, 8>& x,
                     SolidState& solid) {
   const bool rubber = properties.material.kind == MaterialKind::rubber;
+  if (properties.material.finite) solid.finite.assign(!kind.tetrahedron && has_eight_points(kind.rule) ? 8 : 1, {});
   if (properties.material.hydro) {
     solid.fluid.energy = properties.material.hydro->state.initial_energy;
     solid.fluid.reference_volume = kind.tetrahedron              ? tetrahedron_volume(x)
@@ -40,7 +41,8 @@ void set_references(const SolidProperties& properties, const SolidKind& kind, co
     if (rubber) solid.undeformed_brick = std::make_shared<const BrickMap>(brick_map(kind.rule, brick_modes(x)));
     return;
   }
-  if (!kind.tetrahedron && properties.hourglass.kind == HourglassKind::stiffness)
+  if (!kind.tetrahedron && (properties.hourglass.kind == HourglassKind::stiffness ||
+                            properties.hourglass.kind == HourglassKind::assumed_strain))
     solid.reference = std::make_shared<HourglassReference>(hourglass_reference(properties, x, solid.mass));
   if (rubber)
     solid.undeformed = std::make_shared<Matrix>((kind.tetrahedron ? tetrahedron_axes(x) : brick_axes(x)).inverse());
@@ -62,6 +64,46 @@ SolidForces at_rest(const SolidProperties& properties, const SolidKind& kind, co
   return forces_by_kind(properties, kind, corners, 0, state, points);
 }
 
+PointState mean_of(std::span<const PointState> all) {
+  PointState mean = all[0];
+  if (all.size() == 1) return mean;
+  const auto share = [&](const auto& of) {
+    double sum = 0;
+    for (const PointState& point : all) sum += of(point);
+    return sum / static_cast<double>(all.size());
+  };
+  for (std::size_t k = 0; k < mean.stress.size(); ++k) {
+    mean.stress[k] = share([&](const PointState& point) { return point.stress[k]; });
+    mean.back_stress[k] = share([&](const PointState& point) { return point.back_stress[k]; });
+  }
+  mean.plastic_strain = share([](const PointState& point) { return point.plastic_strain; });
+  mean.plastic_work = share([](const PointState& point) { return point.plastic_work; });
+  return mean;
+}
+
+SolidCorners corners_of(const State& state, const std::array<NodeIndex, 8>& nodes) {
+  SolidCorners corners;
+  for (std::size_t k = 0; k < 8; ++k) {
+    corners.x[k] = state.x[nodes[k].value];
+    corners.v[k] = state.v[nodes[k].value];
+  }
+  return corners;
+}
+
+/// The share of each corner in a solid's mass.
+std::array<double, 8> mass_shares(const SolidKind& kind, const std::array<NodeIndex, 8>& nodes) {
+  return kind.tetrahedron ? std::array<double, 8>{0.25, 0.25, 0.25, 0.25} : corner_shares(kind.rule, nodes);
+}
+
+/// After its mass has grown by a factor.
+void let_grow(SolidState& solid, double factor) {
+  solid.mass *= factor;
+  if (solid.reference == nullptr) return;
+  HourglassReference reference = *solid.reference;
+  reference.squared_frequency /= factor;
+  solid.reference = std::make_shared<const HourglassReference>(reference);
+}
+
 }  // namespace
 
 std::uint32_t SolidElements::add_properties(SolidProperties properties) {
@@ -73,8 +115,7 @@ double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t p
                           State& state, const MassScaling& scaling, double* added) {
   const SolidProperties& all = properties_[properties];
   const SolidShape shape = solid_shape(nodes);
-  const SolidKind kind{shape == SolidShape::tetrahedron,
-                       shape == SolidShape::tetrahedron ? SolidRule::one_point : all.rules.of(shape)};
+  const SolidKind kind{shape == SolidShape::tetrahedron, all.rules.of(shape)};
   std::array<Vector, 8> x;
   for (std::size_t k = 0; k < 8; ++k) x[k] = state.x[nodes[k].value];
   const double volume = volume_of_mass(kind, x);
@@ -90,12 +131,8 @@ double SolidElements::add(const std::array<NodeIndex, 8>& nodes, std::uint32_t p
     if (added != nullptr) *added += solid.mass - own;
     set_references(all, kind, x, solid);
   }
-  if (kind.tetrahedron) {
-    for (std::size_t k = 0; k < 4; ++k) state.mass[nodes[k].value] += solid.mass / 4;
-  } else {
-    const std::array<double, 8> shares = corner_shares(kind.rule, nodes);
-    for (std::size_t k = 0; k < 8; ++k) state.mass[nodes[k].value] += solid.mass * shares[k];
-  }
+  const std::array<double, 8> shares = mass_shares(kind, nodes);
+  for (std::size_t k = 0; k < 8; ++k) state.mass[nodes[k].value] += solid.mass * shares[k];
   nodes_.push_back(nodes);
   which_.push_back(properties);
   origin_.push_back(origin);
@@ -117,6 +154,11 @@ void SolidElements::finish(std::size_t nodes) {
   force_.assign(8 * size(), Vector::Zero());
   energy_.resize(size());
   failed_.assign(size(), 0);
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (const auto& n = nodes_[i]; rule_[i] == SolidRule::nodal_pressure)
+      average_.add({n[0], n[1], n[2], n[3]}, which_[i], i);
+  average_.finish(size());
+  shares_.resize(average_.owners().size());
   std::vector<NodeIndex> corners;
   corners.reserve(8 * size());
   for (std::size_t i = 0; i < size(); ++i)
@@ -125,13 +167,25 @@ void SolidElements::finish(std::size_t nodes) {
   table_ = CornerTable(nodes, corners);
 }
 
+/// Volumes in the middle of the step; those that have failed or turned inside out take no part.
+void SolidElements::average_volumes(const State& state) {
+  parallel_for(shares_.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t solid = average_.owners()[i];
+      const SolidCorners corners = corners_of(state, nodes_[solid]);
+      shares_[i] = failed_[solid] != 0 ? NodalAverage::Share{} : tetrahedron_share(corners, state.dt);
+    }
+  });
+  average_.average(shares_);
+}
+
 Summary SolidElements::update_one(const State& state, std::size_t solid) {
   if (failed_[solid] != 0) return {};
-  SolidCorners corners;
-  for (std::size_t k = 0; k < 8; ++k) {
-    const std::uint32_t node = nodes_[solid][k].value;
-    corners.x[k] = state.x[node];
-    corners.v[k] = state.v[node];
+  SolidCorners corners = corners_of(state, nodes_[solid]);
+  std::array<double, 4> strains;
+  if (const auto position = static_cast<std::uint32_t>(solid); average_.has(position)) {
+    strains = average_.strains(position);
+    corners.volume_strains = &strains;
   }
   Summary summary;
   const std::uint32_t section = section_of(solid);
@@ -141,6 +195,7 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   if (fails(state.time, solid, corners, forces)) {
     failed_[solid] = 1;
     for (std::size_t p = first_point_[solid]; p < first_point_[solid + 1]; ++p) points_[p].stress = {};
+    state_[solid].mean_stress = {};
     forces = {};
     forces.force.fill(Vector::Zero());
     summary.failed = 1;
@@ -150,6 +205,7 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   } else {
     summary.bad = static_cast<std::uint32_t>(solid);
   }
+  watched_.note(solid, summary.manual_step, summary.stable_step);
   summary.hourglass_work = forces.hourglass_work;
   summary.dissipated = forces.dissipated;
   summary.viscous_work = forces.viscous_work;
@@ -168,7 +224,7 @@ bool SolidElements::fails(double time, std::size_t solid, const SolidCorners& co
   const std::span<const PointState> points = this->points(solid);
   if (std::any_of(points.begin(), points.end(), [](const PointState& point) { return point.failed; })) return true;
   if (past_time(properties(solid).material.erosion, time)) return true;
-  if (!forces.good) return inverted_fail_;
+  if (!forces.good) return inverted_fail_ || properties(solid).inverted_fails;
   if (std::min(small_.factor * forces.manual_step, forces.stable_step / step_slack) < small_.least) return true;
   const WeldLimits& weld = properties(solid).weld;
   return weld.exist() && weld_fails(weld, brick_resultants(corners.x, forces.force), time, least_plastic_strain(points),
@@ -181,23 +237,7 @@ SolidForces SolidElements::forces_of(std::size_t solid, const SolidCorners& corn
                         {&points_[first_point_[solid]], first_point_[solid + 1] - first_point_[solid]});
 }
 
-PointState SolidElements::point(std::size_t solid) const {
-  const std::span<const PointState> all = points(solid);
-  PointState mean = all[0];
-  if (all.size() == 1) return mean;
-  const auto share = [&](const auto& of) {
-    double sum = 0;
-    for (const PointState& point : all) sum += of(point);
-    return sum / static_cast<double>(all.size());
-  };
-  for (std::size_t k = 0; k < mean.stress.size(); ++k) {
-    mean.stress[k] = share([&](const PointState& point) { return point.stress[k]; });
-    mean.back_stress[k] = share([&](const PointState& point) { return point.back_stress[k]; });
-  }
-  mean.plastic_strain = share([](const PointState& point) { return point.plastic_strain; });
-  mean.plastic_work = share([](const PointState& point) { return point.plastic_work; });
-  return mean;
-}
+PointState SolidElements::point(std::size_t solid) const { return mean_of(points(solid)); }
 
 double SolidElements::stored(std::size_t solid, const std::vector<Vector>& x) const {
   std::array<Vector, 8> places;
@@ -213,8 +253,28 @@ double SolidElements::stored_at(std::size_t solid, const std::array<Vector, 8>& 
   return stored_energy(properties(solid), state_[solid], volume, points_[first_point_[solid]]);
 }
 
+void SolidElements::watch_steps(const MassScaling& scaling, const State& /*state*/) {
+  watched_.start(scaling, size());
+  for (std::size_t i = 0; i < size(); ++i) watched_.mass[i] = state_[i].mass;
+}
+
+AddedMass SolidElements::keep_steps(State& state) {
+  AddedMass added;
+  watched_.grow_where_needed([&](std::size_t solid, double factor) {
+    const double more = (factor - 1) * state_[solid].mass;
+    const std::array<double, 8> shares =
+        mass_shares({model::is_tetrahedron(nodes_[solid]), rule_[solid]}, nodes_[solid]);
+    for (std::size_t k = 0; k < 8; ++k)
+      if (shares[k] > 0) added.give(state, nodes_[solid][k].value, more * shares[k], 0);
+    let_grow(state_[solid], factor);
+    ++added.elements;
+  });
+  return added;
+}
+
 Summary SolidElements::update(const State& state) {
   if (small_.share > 0 && small_.least == 0) small_.least = small_.share * state.dt;
+  if (!average_.empty()) average_volumes(state);
   for (SectionStress& section : sections_) section.imposed.stress = section.curve.at(state.time);
   return sum_over_blocks<Summary>(size(), [&](std::size_t begin, std::size_t end) {
     Summary sum;

@@ -9,6 +9,7 @@
 #include "solver/element/assembly.hpp"
 #include "solver/element/mass_scaling.hpp"
 #include "solver/element/solid.hpp"
+#include "solver/quadrature/nodal_average.hpp"
 #include "solver/state/summary.hpp"
 
 namespace gapcheck::solver {
@@ -42,18 +43,29 @@ class SolidElements {
 
   /// Forces at state.time, stresses updated over the last step (dt = 0: the forces of the present stresses).
   Summary update(const State& state);
+  /// Watches the steps of all elements; call it once all are added. keep_steps() then adds mass where the last update()
+  /// found one that is too small.
+  void watch_steps(const MassScaling& scaling, const State& state);
+  [[nodiscard]] AddedMass keep_steps(State& state);
   /// Subtracts the solids' pull on a node from its force.
   void gather(std::size_t node, Vector& force) const {
     for (const std::uint32_t place : table_.of(node)) force -= force_[place];
   }
+
+  /// Internal force on a corner at the last evaluation; the solid pulls its node with the opposite. A tetrahedron has
+  /// four corners.
+  [[nodiscard]] const Vector& corner_force(std::size_t solid, std::size_t k) const { return force_[8 * solid + k]; }
+  [[nodiscard]] std::size_t corners(std::size_t solid) const;
+  [[nodiscard]] const std::array<NodeIndex, 8>& nodes(std::size_t solid) const { return nodes_[solid]; }
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] std::uint32_t origin(std::size_t solid) const { return origin_[solid]; }
   /// False: none ever fails.
   [[nodiscard]] bool can_fail() const {
     return inverted_fail_ || small_.share > 0 ||
-           std::any_of(properties_.begin(), properties_.end(),
-                       [](const SolidProperties& p) { return p.material.can_fail() || p.weld.exist(); });
+           std::any_of(properties_.begin(), properties_.end(), [](const SolidProperties& p) {
+             return p.material.can_fail() || p.weld.exist() || p.inverted_fails;
+           });
   }
   /// Its point has failed, or it was a spotweld and is torn: it has no stress, no force and no time step any more.
   [[nodiscard]] bool failed(std::size_t solid) const { return failed_[solid]; }
@@ -75,6 +87,7 @@ class SolidElements {
 
  private:
   [[nodiscard]] Summary update_one(const State& state, std::size_t solid);
+  void average_volumes(const State& state);
   [[nodiscard]] SolidForces forces_of(std::size_t solid, const SolidCorners& corners, double dt);
   [[nodiscard]] bool fails(double time, std::size_t solid, const SolidCorners& corners, const SolidForces& forces);
   /// With the stress of its section. `supplied`: what that puts into the solid in the step.
@@ -99,6 +112,9 @@ class SolidElements {
     double share = 0, factor = 0;  ///< share 0: no solid fails by its step
     double least = 0;              ///< known from the first step on
   } small_;
+  WatchedSteps watched_;
+  NodalAverage average_;                     ///< of tetrahedra with nodal pressures
+  std::vector<NodalAverage::Share> shares_;  ///< of each of them
   CornerTable table_;
 };
 

@@ -1,6 +1,9 @@
+#include "model/entity/faces.hpp"
 #include "solver/element/solid_elements.hpp"
 
 namespace gapcheck::solver {
+
+std::size_t SolidElements::corners(std::size_t solid) const { return model::is_tetrahedron(nodes_[solid]) ? 4 : 8; }
 
 Symmetric ImposedStress3::on(const Symmetric& stress_of_material) const {
   Matrix result = to_matrix(stress_of_material);

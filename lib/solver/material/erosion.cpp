@@ -27,6 +27,8 @@ ErosionMeasures erosion_measures(const Symmetric& stress, const Symmetric& strai
   of.shear_strain = (strains[2] - strains[0]) / 2;
   of.effective_strain = std::sqrt(2.0 / 3 * contract(e, e));
   of.volume_strain = trace(strain);
+  of.thinning = -strain[zz];
+  of.in_plane_strain = (strain[xx] + strain[yy]) / 2 + std::hypot((strain[xx] - strain[yy]) / 2, strain[xy]);
   of.plastic_strain = plastic_strain;
   return of;
 }
@@ -38,13 +40,15 @@ int Erosion::met(const ErosionMeasures& of, double impulse_so_far) const {
          static_cast<int>(of.principal_stress >= principal_stress) + static_cast<int>(of.von_mises >= von_mises) +
          static_cast<int>(of.shear_strain >= shear_strain) + static_cast<int>(of.effective_strain >= effective_strain) +
          static_cast<int>(of.plastic_strain >= plastic_strain) + static_cast<int>(of.volume_strain >= growth) +
+         static_cast<int>(of.thinning >= thinning) + static_cast<int>(of.in_plane_strain >= in_plane_strain) +
          static_cast<int>(of.volume_strain <= shrinkage) + static_cast<int>(impulse_so_far >= impulse);
 }
 
 int Erosion::given() const {
   int count = 0;
-  for (const double limit : {max_pressure, min_pressure, min_strain, max_strain, principal_stress, von_mises,
-                             shear_strain, effective_strain, plastic_strain, growth, shrinkage, impulse})
+  for (const double limit :
+       {max_pressure, min_pressure, min_strain, max_strain, principal_stress, von_mises, shear_strain, effective_strain,
+        plastic_strain, growth, shrinkage, impulse, thinning, in_plane_strain})
     count += static_cast<int>(std::isfinite(limit));
   return count;
 }

@@ -13,6 +13,7 @@ struct ErosionMeasures {
   double shear_strain = 0;                       ///< (ε₁ − ε₃) / 2
   double effective_strain = 0;                   ///< √(2/3 dev ε : dev ε)
   double volume_strain = 0;                      ///< tr ε
+  double thinning = 0, in_plane_strain = 0;      ///< −εzz; larger principal strain of xx, yy, xy
   double plastic_strain = 0;                     ///< effective
 };
 
@@ -29,7 +30,9 @@ struct Erosion {
   double effective_strain = never, plastic_strain = never;
   double growth = never, shrinkage = -never;  ///< of the volume strain
   double threshold = 0, impulse = never;  ///< Tuler and Butcher: ∫ (σ₁ − threshold)² dt over σ₁ > threshold
-  double time = never;                    ///< the element goes then, whatever else is met
+  // Of 123 in shells, whose axes are the element's:
+  double thinning = never, in_plane_strain = never;  ///< −εzz; larger principal strain in the plane
+  double time = never;                               ///< the element goes then, whatever else is met
   /// NUMFIP: points of a shell that must be eroded before it goes; below zero per cent of its layers. A solid goes with
   /// its first point.
   double points = 1;

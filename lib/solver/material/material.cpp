@@ -124,6 +124,23 @@ void grow_damage(const Material& material, const Symmetric& increment, double dt
   point.damage += limit > 0 ? flow / limit : 1;
 }
 
+/// A step of 081 by `step`, which updates the stress that the undamaged part carries. The damage grows with the plastic
+/// strain; what the part that goes has stored is dissipated.
+template <class Step>
+double with_damage(const Material& material, PointState& point, const Step& step) {
+  if (!(material.rupture > 0)) return step();
+  const double before = point.damage, work = point.plastic_work;
+  for (double& s : point.stress) s /= 1 - before;
+  const double result = step();
+  const double span = material.rupture - material.softening;
+  point.damage = std::max(before, std::clamp((point.plastic_strain - material.softening) / span, 0.0, 1.0));
+  const double mean = (before + point.damage) / 2;
+  point.plastic_work = work + (1 - mean) * (point.plastic_work - work) +
+                       (point.damage - before) * elastic_energy(material, point.stress);
+  for (double& s : point.stress) s *= 1 - point.damage;
+  return result;
+}
+
 /// Removes the stress from a point that has reached the failure strain, or whose damage is complete.
 void fail_when_due(const Material& material, PointState& point) {
   const bool strained = material.failure_strain > 0 && point.plastic_strain >= material.failure_strain;
@@ -150,6 +167,8 @@ void update_deviator(const Material& material, const Symmetric& increment, doubl
 double plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
   if (material.kind == MaterialKind::elastic) return elastic_plane(material, increment, point.stress);
   if (material.kind == MaterialKind::anisotropic) return update_anisotropic_plane_stress(material, increment, point);
+  if (material.viscoelastic) return update_viscoelastic_plane(material, increment, dt, point);
+  if (material.orthotropic) return update_orthotropic_plane(material, increment, point);
   Symmetric trial = point.stress;
   const double through = elastic_plane(material, increment, trial);
   Symmetric rate_increment = increment;
@@ -170,11 +189,17 @@ bool Material::valid() const {
   if (hydro)
     return std::isfinite(hydro->shear) && hydro->shear >= 0 &&
            (hydro->shear == 0 || johnson_cook || yield.stress(0) > 0);
+  if (finite) return std::isfinite(finite->wave) && finite->wave > 0;
   if (!std::isfinite(young) || young <= 0 || !(poisson > -1 && poisson < 0.5)) return false;
   if (kind == MaterialKind::anisotropic)
     return !yield.empty() && yield.stress(0) >= 0 && std::isfinite(anisotropy) && anisotropy >= 0;
   if (kind == MaterialKind::rubber)
     return std::isfinite(rubber.a) && std::isfinite(rubber.b) && std::isfinite(rubber.d);
+  if (orthotropic) {
+    const OrthotropicPlane& law = *orthotropic;
+    return law.ea > 0 && law.eb > 0 && law.gab > 0 && law.gbc >= 0 && law.gca >= 0 &&
+           law.poisson_ba * law.poisson_ba * law.ea < law.eb;
+  }
   if (kind != MaterialKind::plastic || johnson_cook) return true;
   for (const YieldCurve& curve : table.curves)
     if (curve.empty() || !(curve.stress(0) > 0)) return false;
@@ -240,11 +265,19 @@ void update_stress(const Material& material, const Symmetric& increment, double 
     fail_when_due(material, point);
     return;
   }
-  const Symmetric trial = elastic_trial(material, increment, point.stress);
   if (material.kind == MaterialKind::elastic)
-    point.stress = trial;
+    point.stress = elastic_trial(material, increment, point.stress);
+  else if (material.crushable)
+    update_crushable(material, increment, point);
+  else if (material.viscoelastic)
+    update_viscoelastic(material, increment, dt, point);
   else
-    point = radial_return(material, trial, step_yield(material, increment, dt, point), point).point;
+    with_damage(material, point, [&] {
+      point = radial_return(material, elastic_trial(material, increment, point.stress),
+                            step_yield(material, increment, dt, point), point)
+                  .point;
+      return 0.0;
+    });
   grow_damage(material, increment, dt, before, trace(point.stress) / 3, point);
   fail_when_due(material, point);
 }
@@ -252,7 +285,9 @@ void update_stress(const Material& material, const Symmetric& increment, double 
 double update_plane_stress(const Material& material, const Symmetric& increment, double dt, PointState& point) {
   if (point.failed || (!material.has_stress() && !material.erosion)) return 0;
   const BeforeFlow before(point);
-  const double through = material.has_stress() ? plane_stress(material, increment, dt, point) : 0;
+  const double through =
+      material.has_stress() ? with_damage(material, point, [&] { return plane_stress(material, increment, dt, point); })
+                            : 0;
   Symmetric whole = increment;
   whole[zz] = through;
   grow_damage(material, whole, dt, before, trace(point.stress) / 3, point);

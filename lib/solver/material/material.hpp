@@ -1,13 +1,18 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
 
+#include "solver/material/crushable_foam.hpp"
 #include "solver/material/erosion.hpp"
+#include "solver/material/finite_law.hpp"
 #include "solver/material/hardening.hpp"
 #include "solver/material/hydrodynamic.hpp"
 #include "solver/material/johnson_cook.hpp"
+#include "solver/material/orthotropic.hpp"
 #include "solver/material/rubber.hpp"
+#include "solver/material/viscoelastic.hpp"
 #include "solver/state/tensor.hpp"
 
 namespace gapcheck::solver {
@@ -15,11 +20,12 @@ namespace gapcheck::solver {
 /// The history of an integration point. In shells the axes are the element's, in solids the global ones.
 struct PointState {
   Symmetric stress{};
-  Symmetric back_stress{};    ///< centre of the yield surface, deviatoric
-  double plastic_strain = 0;  ///< effective
+  Symmetric back_stress{};    ///< centre of the yield surface, deviatoric; of 006 the stress that relaxes
+  double plastic_strain = 0;  ///< effective; of 063 ln V, the sum of volume strains
   double plastic_work = 0;    ///< per volume, since the start
-  double damage = 0;          ///< of 015: Σ Δε̄ / ε̄ at failure; it fails at 1
-  bool failed = false;        ///< no stress from then on
+  double damage = 0;    ///< of 015: Σ Δε̄ / ε̄ at failure; of 081 ω, the stress has 1 − ω; it fails at 1
+  double axis = 0;      ///< of orthotropic shells: the angle from the element's x to the material's a
+  bool failed = false;  ///< no stress from then on
   // Of materials with erosion alone:
   Symmetric strain{};   ///< sum of the strain increments
   double impulse = 0;   ///< ∫ (σ₁ − SIGTH)² dt over the times when σ₁ is above SIGTH
@@ -27,12 +33,15 @@ struct PointState {
 };
 
 enum class MaterialKind : std::uint8_t {
-  elastic,      ///< 001
-  plastic,      ///< 003, 024
-  anisotropic,  ///< 037: plastic, in plane stress only
-  null,         ///< 009: mass, no stress
-  rigid,        ///< 020: no stress; elastic constants count for contact and time step only
-  rubber,       ///< 027: stress by the deformation since the start (rubber.hpp), in solids only
+  elastic,       ///< 001
+  plastic,       ///< 003, 024
+  anisotropic,   ///< 037: plastic, in plane stress only
+  null,          ///< 009: mass, no stress
+  rigid,         ///< 020: no stress; elastic constants count for contact and time step only
+  rubber,        ///< 027, and laws of FiniteLaw: stress by the deformation since the start, in solids only
+  orthotropic,   ///< 002, 034: in shells only
+  viscoelastic,  ///< 006
+  crushable,     ///< 063: in solids only
   hydro,  ///< 009, 010 and 015 with an equation of state, in solids only: points have deviators, pressures are added
 };
 
@@ -60,20 +69,37 @@ struct Material {
   std::optional<Erosion> erosion = {};                   ///< *MAT_ADD_EROSION
   std::shared_ptr<const JohnsonCook> johnson_cook = {};  ///< of 015 and 098; replaces `yield`
   std::shared_ptr<const Hydrodynamic> hydro = {};        ///< of the kind `hydro`; then E and ν do not count
+  std::shared_ptr<const FiniteLaw> finite = {};          ///< of the kind `rubber`; replaces 027's
+  std::shared_ptr<const CrushableFoam> crushable = {};   ///< of 063
+  std::optional<Viscoelastic> viscoelastic = {};         ///< of 006
+  std::optional<OrthotropicPlane> orthotropic = {};      ///< of 002 and 034
+  double softening = 0, rupture = 0;  ///< of 081: plastic strains at which the damage begins and is complete
+  double damping = 0;                 ///< DAMP of foams, in solids: a stress DAMP ρ c l ε̇ beside that of the point
 
   [[nodiscard]] double shear() const { return hydro ? hydro->shear : young / (2 * (1 + poisson)); }
   /// Of equations of state: at rest.
   [[nodiscard]] double bulk() const { return hydro ? hydro->bulk : young / (3 * (1 - 2 * poisson)); }
   /// Largest stiffness of a plane wave: K + 4/3 G. Of rubber K, which LS-DYNA takes (read off a run).
   [[nodiscard]] double wave_modulus() const {
+    if (finite) return finite->wave;
     return bulk() + (kind == MaterialKind::rubber ? 0 : 4.0 / 3.0 * shear());
   }
   /// Of a plate: E / (1 − ν²).
   [[nodiscard]] double plate_modulus() const { return young / (1 - poisson * poisson); }
   /// Points may fail, by the material's own criteria or by erosion.
   [[nodiscard]] bool can_fail() const {
-    return failure_strain > 0 || erosion.has_value() || (johnson_cook && johnson_cook->fails);
+    return failure_strain > 0 || rupture > 0 || erosion.has_value() || (johnson_cook && johnson_cook->fails);
   }
+  [[nodiscard]] bool solids_only() const {
+    return kind == MaterialKind::rubber || kind == MaterialKind::hydro || kind == MaterialKind::crushable;
+  }
+  [[nodiscard]] bool shells_only() const {
+    const bool limited = erosion && (std::isfinite(erosion->thinning) || std::isfinite(erosion->in_plane_strain));
+    return kind == MaterialKind::anisotropic || kind == MaterialKind::orthotropic || limited;
+  }
+  [[nodiscard]] bool in_beams() const { return !johnson_cook && !viscoelastic && !(rupture > 0); }
+  /// Points turn their back_stress with the material.
+  [[nodiscard]] bool has_back_stress() const { return kinematic_slope > 0 || viscoelastic; }
   [[nodiscard]] bool has_stress() const { return kind != MaterialKind::null && kind != MaterialKind::rigid; }
   /// The yield stress at a strain rate.
   [[nodiscard]] YieldLaw yield_at(double rate) const;
@@ -128,12 +154,25 @@ class StepYield {
 /// Elastic energy per volume of a stress: ½ σ : C⁻¹ : σ; of `hydro` that of its deviator. Zero for materials without
 /// stress. Not for rubber.
 [[nodiscard]] double elastic_energy(const Material& material, const Symmetric& stress);
+/// The same of a point, whose stress may have parts with moduli of their own (006).
+[[nodiscard]] double elastic_energy(const Material& material, const PointState& point);
 
 /// Adds the strain increment (over dt) to a point in three dimensions. Plasticity: radial return to the von Mises
 /// cylinder (Wilkins; Krieg and Key), exact for a piecewise linear curve. Null, rigid and failed: stress stays zero.
 /// Not for rubber.
 /// Of `hydro` the deviator alone: return mapping, or 2 μ dev ε̇ without a shear modulus, whose work counts as plastic.
 void update_stress(const Material& material, const Symmetric& increment, double dt, PointState& point);
+
+/// update_stress() of 063: Hooke's law, then each principal stress is cut to its limits.
+void update_crushable(const Material& material, const Symmetric& increment, PointState& point);
+/// update_stress() of 006: the exact solution for a constant rate in the step.
+void update_viscoelastic(const Material& material, const Symmetric& increment, double dt, PointState& point);
+/// The same in plane stress; returns εzz.
+double update_viscoelastic_plane(const Material& material, Symmetric increment, double dt, PointState& point);
+
+/// update_plane_stress() of 002 and 034.
+double update_orthotropic_plane(const Material& material, const Symmetric& increment, PointState& point);
+[[nodiscard]] double orthotropic_energy(const OrthotropicPlane& law, const PointState& point);
 
 /// The same with σzz = 0: increment[zz] is not read but solved for, and returned. Plastic points iterate on it with the
 /// consistent tangent (Simo and Taylor 1985) until σzz is below 1e-10 of the yield stress.

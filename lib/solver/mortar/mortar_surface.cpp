@@ -24,12 +24,6 @@ double area_of(const model::SegmentNodes& nodes, const std::vector<Vector>& x) {
   return quad_normal(nodes, x).norm() / 2;
 }
 
-/// As SegmentSprings measures it: of a triangle the longest side.
-double longest_diagonal(const model::SegmentNodes& n, const std::vector<Vector>& x) {
-  const auto length = [&](std::size_t a, std::size_t b) { return (x[n[a].value] - x[n[b].value]).norm(); };
-  return std::max({length(0, 2), length(1, 3), corner_count(n) == 3 ? length(0, 1) : 0});
-}
-
 /// Nodes of the element of a segment, ascending, each once.
 std::vector<NodeIndex> element_nodes(const model::Mesh& mesh, const contact::Segments& segments, std::size_t s) {
   std::vector<NodeIndex> nodes(segments.nodes[s].begin(), segments.nodes[s].end());

@@ -30,6 +30,9 @@ PartMasses::PartMasses(const model::Model& model, const contact::ElementSizes& s
     add(mesh.solids.part[i], std::span(nodes).first(nodes[3] == nodes[7] ? 4 : 8),
         density_of(mesh.solids.part[i]) * sizes.solid_volume[i]);
   }
+  for (std::size_t i = 0; i < mesh.thick_shells.size(); ++i)
+    add(mesh.thick_shells.part[i], mesh.thick_shells.nodes[i],
+        density_of(mesh.thick_shells.part[i]) * sizes.thick_shell_volume[i]);
   const std::vector<Vector>& x = mesh.nodes.x;
   for (std::size_t i = 0; i < mesh.beams.size(); ++i) {
     const auto& [a, b] = mesh.beams.nodes[i];

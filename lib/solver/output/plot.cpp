@@ -44,10 +44,9 @@ void beam_values(const model::Model& model, const Structure& structure, results:
     if (complete(beams, i, model)) place[i] = count++;
   plot.beams.assign(count, {});
   for (std::size_t i = 0; i < structure.beams.size(); ++i) {
-    const auto [a, b] = structure.beams.nodes(i);
     if (place[structure.beams.origin(i)] == no_position) continue;
-    const Vector r = (structure.state.x[b.value] - structure.state.x[a.value]).normalized();
-    const Vector s = structure.beams.state(i).axis, t = r.cross(s);
+    const Matrix axes = structure.beams.axes(i, structure.state.x);
+    const Vector r = axes.col(0), s = axes.col(1), t = axes.col(2);
     const Vector &force = structure.beams.end_force(i), &moment = structure.beams.end_moment(i);
     plot.beams[place[structure.beams.origin(i)]] = {
         structure.beams.axial(i), force.dot(s), force.dot(t), moment.dot(s), moment.dot(t), moment.dot(r)};
@@ -126,9 +125,24 @@ void shell_values(const Structure& structure, std::size_t shell, results::D3plot
   values.internal_energy = shells.energy(shell).internal / (area * thickness);
 }
 
+/// Middle, lower and upper layer in global axes.
+void thick_shell_values(const model::Model& model, const Structure& structure, results::D3plotState& plot) {
+  const ThickShellElements& shells = structure.thick_shells;
+  plot.thick_shell_points.resize(results::D3plotState::surfaces * model.mesh.thick_shells.size());
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    const Matrix to_global = shells.axes(i, structure.state.x);
+    const std::span<const PointState> points = shells.points(i);
+    results::StressPoint* layers = &plot.thick_shell_points[results::D3plotState::surfaces * shells.origin(i)];
+    layers[0] = global_point(middle(points), to_global);
+    layers[1] = global_point(points.front(), to_global);
+    layers[2] = global_point(points.back(), to_global);
+  }
+}
+
 bool failed(const ShellElements& shells, std::size_t i) { return shells.failed(i); }
 bool failed(const SolidElements& solids, std::size_t i) { return solids.failed(i); }
 bool failed(const BeamElements& beams, std::size_t i) { return beams.failed(i); }
+bool failed(const ThickShellElements& shells, std::size_t i) { return shells.failed(i); }
 
 }  // namespace
 
@@ -156,6 +170,7 @@ std::vector<PartEnergy> part_energies(const model::Model& model, const Structure
   add(structure.shells, model.mesh.shells.part);
   add(structure.solids, model.mesh.solids.part);
   add(structure.beams, model.mesh.beams.part);
+  add(structure.thick_shells, model.mesh.thick_shells.part);
   return parts;
 }
 
@@ -166,6 +181,19 @@ bool can_fail(const Structure& structure) {
 std::vector<results::LegendEntry> part_titles(const model::Model& model) {
   std::vector<results::LegendEntry> list;
   for (const model::Part& part : model.parts) list.push_back({part.id.value, part.title});
+  return list;
+}
+
+std::vector<results::LegendEntry> contact_titles(const model::Model& model) {
+  std::vector<results::LegendEntry> list;
+  for (const model::Contact& contact : model.contacts) list.push_back({contact.id.value, contact.title});
+  return list;
+}
+
+std::vector<results::LegendEntry> node_titles(const model::Model& model) {
+  std::vector<results::LegendEntry> list;
+  for (const model::HistoryNode& entry : model.output.history_nodes)
+    list.push_back({model.mesh.nodes.id[entry.node.value], entry.title});
   return list;
 }
 
@@ -194,6 +222,7 @@ results::D3plotState plot_state(const model::Model& model, const Structure& stru
   for (std::size_t i = 0; i < structure.solids.size(); ++i)
     plot.solids[structure.solids.origin(i)] = {structure.solids.point(i).stress,
                                                structure.solids.point(i).plastic_strain};
+  thick_shell_values(model, structure, plot);
   plot.shell_points.resize(plot.layers * model.mesh.shells.size());
   plot.shells.resize(model.mesh.shells.size());
   for (std::size_t i = 0; i < plot.shells.size(); ++i) plot.shells[i].thickness = sizes.shell_thickness[i];

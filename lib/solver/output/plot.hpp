@@ -24,6 +24,10 @@ struct PartEnergy {
 /// Parts with their titles, in the model's order.
 [[nodiscard]] std::vector<results::LegendEntry> part_titles(const model::Model& model);
 
+/// All contacts, and the nodes of *DATABASE_HISTORY_NODE.
+[[nodiscard]] std::vector<results::LegendEntry> contact_titles(const model::Model& model);
+[[nodiscard]] std::vector<results::LegendEntry> node_titles(const model::Model& model);
+
 /// The model's mesh as in a d3plot: all elements whose nodes and part exist, nodes at their initial positions.
 [[nodiscard]] results::D3plot plot_mesh(const model::Model& model, const std::vector<Vector>& x);
 

@@ -7,18 +7,14 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <span>
 #include <string_view>
 #include <system_error>
 
 #include "base/file_writer.hpp"
-#include "results/curves/matsum.hpp"
-#include "results/curves/nodout.hpp"
 #include "results/log/run_log.hpp"
 #include "results/log/write_messag.hpp"
 #include "solver/output/plot.hpp"
 #include "solver/output/run_report.hpp"
-#include "solver/output/run_states.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -93,19 +89,6 @@ const char* reason(RunEnd end) {
   return "termination due to an error";
 }
 
-std::vector<results::LegendEntry> contact_titles(const model::Model& model) {
-  std::vector<results::LegendEntry> list;
-  for (const model::Contact& contact : model.contacts) list.push_back({contact.id.value, contact.title});
-  return list;
-}
-
-std::vector<results::LegendEntry> node_titles(const model::Model& model) {
-  std::vector<results::LegendEntry> list;
-  for (const model::HistoryNode& entry : model.output.history_nodes)
-    list.push_back({model.mesh.nodes.id[entry.node.value], entry.title});
-  return list;
-}
-
 }  // namespace
 
 bool Interval::due(double time) const {
@@ -114,16 +97,6 @@ bool Interval::due(double time) const {
 
 void Interval::written(double time) {
   multiple_ = std::max(multiple_, std::floor(time / length_ * (1 + rounding_of_time))) + 1;
-}
-
-model::Output output_intervals(const model::Model& model, double end_time) {
-  model::Output output = model.output;
-  for (double* interval : {&output.glstat, &output.sleout, &output.rcforc})
-    if (*interval == 0) *interval = end_time / 1000;
-  if (output.d3plot == 0) output.d3plot = end_time / 20;
-  if (model.contacts.empty()) output.sleout = output.rcforc = output.ncforc = 0;
-  if (output.history_nodes.empty()) output.nodout = 0;
-  return output;
 }
 
 SolverStatus RunFiles::open(Text& text, const std::string& header) {
@@ -146,33 +119,32 @@ SolverResult<RunFiles> RunFiles::create(const Run& run, contact::SurfaceStore& s
   if (error)
     return Failure{Failure::Kind::output, fmt::format("{}: cannot be created: {}", directory, error.message())};
   files.sizes_ = contact::element_sizes(run.model());
-  files.masses_ = std::make_unique<PartMasses>(run.model(), files.sizes_);
+  files.record_ = std::make_unique<RunRecord>(run, files.sizes_);
   SolverStatus opened = files.open_logs(run, surfaces);
   if (opened.ok()) opened = files.open_texts(run);
   if (opened.ok()) opened = files.open_plot(run);
+  if (opened.ok()) {
+    auto intfor = RunIntfor::create(run, surfaces, directory, run.model().output.intfor, files.settings_.double_words);
+    if (!intfor) return intfor.error();
+    files.intfor_ = std::move(intfor).value();
+  }
   if (!opened.ok()) return opened.error();
   return files;
 }
 
 SolverStatus RunFiles::open_texts(const Run& run) {
-  const model::Model& model = run.model();
-  const model::Output output = output_intervals(model, run.end_time());
-  const results::FileHeader header{model.title, settings_.program};
-  const auto contacts = contact_titles(model);
-  SolverStatus opened;
-  const auto add = [&](const char* name, double interval, const std::string& text) {
-    if (!opened.ok()) return;
-    texts_.push_back({name, {}, Interval(interval), nullptr});
-    opened = open(texts_.back(), text);
-  };
-  add("glstat", output.glstat, results::glstat_header(header));
-  add("matsum", output.matsum, results::matsum_header(header, part_titles(model)));
-  add("nodout", output.nodout, results::nodout_header(header, node_titles(model)));
-  add("rcforc", output.rcforc, results::contact_header(header, contacts));
-  add("sleout", output.sleout, results::contact_header(header, contacts));
-  add("ncforc", output.ncforc, results::contact_header(header, contacts));
+  const model::Output output = output_intervals(run.model(), run.end_time());
+  for (TextFile& file : text_files(run, settings_.program, *record_)) {
+    const double interval = writes_text(output, file.name, settings_.binout) ? file.interval : 0;
+    texts_.push_back({file.name, {}, Interval(interval), nullptr, std::move(file.state)});
+    if (SolverStatus opened = open(texts_.back(), file.header); !opened.ok()) return opened;
+  }
   plot_interval_ = Interval(output.d3plot);
-  return opened;
+  auto binout = RunBinout::create(settings_.directory, {run.model().title, settings_.program}, output, settings_.binout,
+                                  *record_);
+  if (!binout) return binout.error();
+  binout_ = std::move(binout).value();
+  return {};
 }
 
 SolverStatus RunFiles::open_logs(const Run& run, contact::SurfaceStore& surfaces) {
@@ -184,7 +156,7 @@ SolverStatus RunFiles::open_logs(const Run& run, contact::SurfaceStore& surfaces
     if (contact.soft == 2 && ContactForces::calculates(contact) && !contact::has_soft_2(contact::classify(contact)))
       switched += results::soft_switch_block(contact.id.value);
   for (const char* name : {"messag", "d3hsp"}) {
-    logs_.push_back({name, {}, Interval(1), nullptr});
+    logs_.push_back({name, {}, Interval(1), nullptr, nullptr});
     if (SolverStatus opened = open(logs_.back(), results::log_banner(header)); !opened.ok()) return opened;
   }
   const Text &messag = logs_[0], &d3hsp = logs_[1];
@@ -238,45 +210,10 @@ SolverStatus RunFiles::log_end(const Run& run, RunEnd end) {
                                      state.cycle + 1));
 }
 
-std::string RunFiles::state_text(std::size_t which, const Run& run) const {
-  const State& state = run.stepper().state();
-  switch (which) {
-    case glstat:
-      return results::glstat_text(global_state(run));
-    case matsum:
-      return results::matsum_text(state.time, part_states(run, *masses_));
-    case nodout:
-      return results::nodout_text(state.cycle + 1, state.time, node_states(run));
-    default:
-      break;
-  }
-  std::string text;
-  for (const ContactIndex contact : positions<ContactIndex>(run.model().contacts.size())) {
-    if (const auto nodes = node_forces(run, contact))
-      text += results::ncforc_text(state.time, run.model().contact(contact).id.value, *nodes);
-  }
-  return text;
-}
-
-bool RunFiles::write_state(std::size_t which, const Run& run) const {
-  std::FILE* const file = texts_[which].file.get();
-  const State& at = run.stepper().state();
-  if (which == sleout)
-    return results::write_sleout(at.time, at.cycle + 1, interface_states(run, false),
-                                 [file](std::string_view piece) { return write(file, piece); });
-  if (which != rcforc) return write(file, state_text(which, run));
-  // The rows of thousands of contacts are never all in memory.
-  constexpr std::size_t at_once = 1024;
-  const std::vector<results::InterfaceState> states = interface_states(run, true);
-  for (std::size_t i = 0; i < states.size(); i += at_once)
-    if (!write(file, results::rcforc_text(at.time, std::span(states).subspan(i, std::min(at_once, states.size() - i)))))
-      return false;
-  return true;
-}
-
 SolverStatus RunFiles::plot(const Run& run) {
   const Stepper& stepper = run.stepper();
-  results::D3plotState state = plot_state(run.model(), stepper.structure(), sizes_, masses_->motion(stepper.state()));
+  results::D3plotState state =
+      plot_state(run.model(), stepper.structure(), sizes_, record_->masses.motion(stepper.state()));
   state.kinetic = stepper.energies().printed_kinetic;
   state.internal = stepper.energies().printed_internal();
   state.total = stepper.energies().printed_total();
@@ -289,18 +226,22 @@ SolverStatus RunFiles::plot(const Run& run) {
 
 SolverStatus RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
   const State& state = run.stepper().state();
+  record_->advance(run);
   if (SolverStatus logged = log_failures(run); !logged.ok()) return logged;
   for (const ContactEvent& event : run.events())
     if (SolverStatus logged =
             log(results::contact_warning(run.model().contact(event.contact).id.value, event.time, event.text));
         !logged.ok())
       return logged;
-  for (std::size_t i = 0; i < texts_.size(); ++i) {
-    Text& text = texts_[i];
+  for (Text& text : texts_) {
     if (!text.file || !(text.interval.due(state.time) || end)) continue;
-    if (!write_state(i, run)) return not_written(text.path);
+    if (!text.state(run, [&](std::string_view piece) { return write(text.file.get(), piece); }))
+      return not_written(text.path);
     text.interval.written(state.time);
   }
+  for (Run::Observer* binary : {static_cast<Run::Observer*>(binout_.get()), static_cast<Run::Observer*>(intfor_.get())})
+    if (binary != nullptr)
+      if (SolverStatus added = binary->observe(run, end); !added.ok()) return added;
   if (plot_interval_.due(state.time) || end) {
     plot_interval_.written(state.time);
     const std::string line =
@@ -314,6 +255,10 @@ SolverStatus RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
 }
 
 SolverStatus RunFiles::check_names() const {
+  if (binout_)
+    if (SolverStatus names = binout_->check_names(); !names.ok()) return names;
+  if (intfor_)
+    if (SolverStatus names = intfor_->check_names(); !names.ok()) return names;
   Status there = plot_->check_names();
   for (const auto* texts : {&logs_, &texts_})
     for (const Text& text : *texts)
@@ -327,6 +272,8 @@ std::vector<std::string> RunFiles::names() const {
   for (const auto* texts : {&logs_, &texts_})
     for (const Text& text : *texts)
       if (text.file) list.push_back(text.name);
+  if (binout_) list.push_back(RunBinout::name());
+  if (intfor_) list.push_back(RunIntfor::name());
   list.emplace_back("d3plot");
   return list;
 }

@@ -1,16 +1,18 @@
 #pragma once
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "contact/stiffness/element_sizes.hpp"
-#include "results/curves/contact_forces.hpp"
-#include "results/curves/glstat.hpp"
 #include "results/d3plot/d3plot_write.hpp"
 #include "results/text/file_header.hpp"
-#include "solver/output/part_masses.hpp"
+#include "solver/output/run_binout.hpp"
+#include "solver/output/run_intfor.hpp"
+#include "solver/output/run_record.hpp"
+#include "solver/output/text_files.hpp"
 #include "solver/run.hpp"
 
 namespace gapcheck::solver {
@@ -19,6 +21,7 @@ struct RunFilesSettings {
   std::string directory;
   std::string program;        ///< "gapcheck 0.1.0", below the title of every file
   bool double_words = false;  ///< d3plot in words of eight bytes
+  bool binout = false;        ///< all files of curves also in a binout, whatever BINARY of their cards says
   /// Called for every state that goes to the d3plot, with its number from 1; a returned failure ends the run.
   std::function<SolverStatus(const results::D3plotState&, const Run&, std::size_t)> on_plot;
 };
@@ -38,14 +41,9 @@ class Interval {
   double multiple_ = 0;  ///< the next one, a whole number
 };
 
-/// Effective intervals: those of the deck; if it gives none, a thousandth of the end time for glstat, sleout and rcforc
-/// and a twentieth for d3plot (without an end time: only first and last state). Contact files only if there are
-/// contacts, nodout only if there are nodes to follow.
-[[nodiscard]] model::Output output_intervals(const model::Model& model, double end_time);
-
 /// Writes a run's results into a directory, state by state: messag, d3hsp, glstat, matsum, nodout, rcforc, sleout,
-/// ncforc, d3plot. Existing files of these names are replaced. Old files of optional kinds (such as ncforc) that the
-/// deck does not request are removed.
+/// ncforc, d3plot, and binout and intfor where the deck asks for them. Existing files of these names are replaced. Old
+/// files of optional kinds (such as ncforc) that the deck does not request are removed.
 class RunFiles : public Run::Observer {
  public:
   static SolverResult<RunFiles> create(const Run& run, contact::SurfaceStore& surfaces, RunFilesSettings settings);
@@ -59,13 +57,13 @@ class RunFiles : public Run::Observer {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  /// One text file and its output times.
+  /// One text file, its output times and what writes its states.
   struct Text {
     std::string name, path;
     Interval interval;
     std::unique_ptr<std::FILE, Close> file;
+    std::function<bool(const Run&, const TextWriter&)> state;
   };
-  enum Which : std::size_t { glstat, matsum, nodout, rcforc, sleout, ncforc };
 
   RunFiles() = default;
   [[nodiscard]] SolverStatus open(Text& text, const std::string& header);
@@ -75,9 +73,6 @@ class RunFiles : public Run::Observer {
   [[nodiscard]] SolverStatus log(const std::string& text);
   [[nodiscard]] SolverStatus log_failures(const Run& run);
   [[nodiscard]] SolverStatus log_end(const Run& run, RunEnd end);
-  [[nodiscard]] std::string state_text(std::size_t which, const Run& run) const;
-  /// Writes the present state to one of the text files; false: not all of it could be written.
-  [[nodiscard]] bool write_state(std::size_t which, const Run& run) const;
   [[nodiscard]] SolverStatus plot(const Run& run);
   /// A failure if a file is no longer where it was written.
   [[nodiscard]] SolverStatus check_names() const;
@@ -89,7 +84,9 @@ class RunFiles : public Run::Observer {
   std::size_t logged_failures_ = 0;  ///< of the stepper's
   std::unique_ptr<results::D3plotWriter> plot_;
   contact::ElementSizes sizes_;
-  std::unique_ptr<PartMasses> masses_;
+  std::unique_ptr<RunRecord> record_;
+  std::unique_ptr<RunBinout> binout_;  ///< of what is not only text; none: nothing
+  std::unique_ptr<RunIntfor> intfor_;  ///< none: not asked for, or no segment
 };
 
 }  // namespace gapcheck::solver

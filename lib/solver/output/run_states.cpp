@@ -9,9 +9,9 @@
 namespace gapcheck::solver {
 namespace {
 
-/// Acceleration of the next step; for nodes of rigid bodies zero, since their forces alone are meaningless.
-Vector acceleration(const Vector& force, double mass, bool rigid) {
-  return rigid || !(mass > 0) ? Vector(Vector::Zero()) : Vector(force / mass);
+/// Acceleration of the next step.
+Vector acceleration(const Vector& force, double mass) {
+  return mass > 0 ? Vector(force / mass) : Vector(Vector::Zero());
 }
 
 void set_control(const Run& run, results::GlobalState& global) {
@@ -29,9 +29,24 @@ void set_control(const Run& run, results::GlobalState& global) {
       return name("solid", mesh.solids);
     case StepControl::Kind::beam:
       return name("beam", mesh.beams);
+    case StepControl::Kind::thick_shell:
+      return name("thick shell", mesh.thick_shells);
     case StepControl::Kind::other:
       global.controlled_by = "force";
   }
+}
+
+/// Mass scaling of all elements, in the run or at its start.
+void set_added_mass(const Run& run, results::GlobalState& global) {
+  global.mass_scaling = run.model().controls.dt2ms != 0;
+  if (!global.mass_scaling) return;
+  const State& state = run.stepper().state();
+  double mass = 0;
+  for (std::size_t i = 0; i < state.mass.size(); ++i)
+    if (i >= state.in_body.size() || !state.in_body[i]) mass += state.mass[i];
+  for (const BodyState& body : state.bodies) mass += body.mass;
+  global.added_mass = run.stepper().structure().added_mass;
+  if (mass > global.added_mass) global.added_percent = 100 * global.added_mass / (mass - global.added_mass);
 }
 
 /// Velocity of the centre of mass.
@@ -83,9 +98,12 @@ results::GlobalState global_state(const Run& run) {
     if (supplied != 0)
       global.ratio_without_eroded = (e.printed_total() - global.eroded_internal - global.eroded_hourglass) / supplied;
   }
-  if (!run.model().rigid_walls.empty()) global.walls.push_back({1, e.absorbed.walls});
+  if (const RigidWalls* walls = run.conditions().walls; walls != nullptr)
+    for (const WallState& wall : walls->states())
+      global.walls.push_back({static_cast<std::int64_t>(wall.wall) + 1, wall.energy});
   global.velocity = global_velocity(stepper.state());
   set_control(run, global);
+  set_added_mass(run, global);
   return global;
 }
 
@@ -108,22 +126,25 @@ std::vector<results::PartState> part_states(const Run& run, const PartMasses& ma
   return parts;
 }
 
-std::vector<results::NodeState> node_states(const Run& run) {
+std::vector<results::NodeState> node_states(const Run& run, const NodeTurns* turns) {
   const Structure& structure = run.stepper().structure();
   const State& state = structure.state;
   const Forces& net = run.stepper().net();
   std::vector<results::NodeState> nodes;
   for (const model::HistoryNode& entry : run.model().output.history_nodes) {
     const std::uint32_t i = entry.node.value;
-    const bool rigid = structure.rigid.holds(i);
+    const auto body = structure.rigid.body_of(i);
     results::NodeState node;
     node.node = run.model().mesh.nodes.id[i];
     node.position = state.x[i];
     node.displacement = state.x[i] - run.initial().x[i];
     node.velocity = state.v[i];
-    node.acceleration = acceleration(net.force[i], state.mass[i], rigid);
+    node.acceleration =
+        body ? structure.rigid.acceleration_at(*body, state.x[i]) : acceleration(net.force[i], state.mass[i]);
+    if (turns != nullptr) node.rotation = turns->rotation(nodes.size());
     node.angular_velocity = state.w[i];
-    node.angular_acceleration = acceleration(net.moment[i], state.inertia[i], rigid);
+    node.angular_acceleration =
+        body ? structure.rigid.response(*body).spin_rate : acceleration(net.moment[i], state.inertia[i]);
     nodes.push_back(node);
   }
   return nodes;

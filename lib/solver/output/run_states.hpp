@@ -7,6 +7,7 @@
 #include "results/curves/matsum.hpp"
 #include "results/curves/nodout.hpp"
 #include "solver/output/part_masses.hpp"
+#include "solver/output/run_record.hpp"
 #include "solver/run.hpp"
 
 namespace gapcheck::solver {
@@ -16,8 +17,8 @@ namespace gapcheck::solver {
 [[nodiscard]] results::GlobalState global_state(const Run& run);
 /// By part of the model.
 [[nodiscard]] std::vector<results::PartState> part_states(const Run& run, const PartMasses& masses);
-/// Of the nodes of *DATABASE_HISTORY_NODE. Rotations are not integrated: only angular velocities and accelerations.
-[[nodiscard]] std::vector<results::NodeState> node_states(const Run& run);
+/// Of the nodes of *DATABASE_HISTORY_NODE. Without `turns` rotations are zero.
+[[nodiscard]] std::vector<results::NodeState> node_states(const Run& run, const NodeTurns* turns = nullptr);
 /// For the calculated contacts, each once even if several sources contribute; `transducers`: including those, all in
 /// deck order.
 [[nodiscard]] std::vector<results::InterfaceState> interface_states(const Run& run, bool transducers);

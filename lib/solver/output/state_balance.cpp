@@ -12,6 +12,7 @@ namespace {
 bool has_failed(const ShellElements& shells, std::size_t i) { return shells.failed(i); }
 bool has_failed(const SolidElements& solids, std::size_t i) { return solids.failed(i); }
 bool has_failed(const BeamElements& beams, std::size_t i) { return beams.failed(i); }
+bool has_failed(const ThickShellElements& shells, std::size_t i) { return shells.failed(i); }
 
 /// The elements of one kind, by part. What failed elements took is gone.
 template <class Elements>
@@ -74,6 +75,7 @@ StateBalance state_balance(const Run& run) {
   add_parts(HeldEnergy::Kind::shells, structure.shells, mesh.shells.part, run, balance.held);
   add_parts(HeldEnergy::Kind::solids, structure.solids, mesh.solids.part, run, balance.held);
   add_parts(HeldEnergy::Kind::beams, structure.beams, mesh.beams.part, run, balance.held);
+  add_parts(HeldEnergy::Kind::thick_shells, structure.thick_shells, mesh.thick_shells.part, run, balance.held);
   const Energies& energies = stepper.energies();
   const double springs = stepper.held().springs;
   if (springs != 0 || energies.absorbed.springs != 0)
@@ -95,6 +97,8 @@ std::string name(const HeldEnergy& held) {
       return fmt::format("solids of part {}", held.id);
     case HeldEnergy::Kind::beams:
       return fmt::format("beams of part {}", held.id);
+    case HeldEnergy::Kind::thick_shells:
+      return fmt::format("thick shells of part {}", held.id);
     case HeldEnergy::Kind::contact:
       return fmt::format("contact {}", held.id);
     case HeldEnergy::Kind::springs:

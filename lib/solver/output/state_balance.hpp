@@ -9,7 +9,7 @@ namespace gapcheck::solver {
 
 /// The energy of a part's elements, of a contact, or of all discrete springs, twice: by work and by state.
 struct HeldEnergy {
-  enum class Kind : std::uint8_t { shells, solids, beams, springs, contact } kind = Kind::shells;
+  enum class Kind : std::uint8_t { shells, solids, beams, thick_shells, springs, contact } kind = Kind::shells;
   std::int64_t id = 0;  ///< of the part or contact; 0: springs
   double work = 0;      ///< stored at the start, and taken from the nodes since
   double state = 0;     ///< stored by the present stresses and springs, and dissipated since the start

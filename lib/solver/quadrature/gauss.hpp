@@ -12,4 +12,8 @@ struct GaussPoint {
 /// polynomials of degree 2 n − 1.
 [[nodiscard]] std::vector<GaussPoint> gauss_rule(int points);
 
+/// Gauss–Lobatto rule with 3 … 10 points, both ends among them; exact for polynomials of degree 2 n − 3. With one or
+/// two points Gauss's rule.
+[[nodiscard]] std::vector<GaussPoint> lobatto_rule(int points);
+
 }  // namespace gapcheck::solver

@@ -39,8 +39,12 @@ SolidRules solid_rules(std::int64_t elform, std::int64_t esort) {
   const std::int64_t sorted = esort > 10 ? esort - 10 : esort;
   const bool all = sorted == 1 || sorted == 3, full = all || sorted == 2 || sorted == 4;
   SolidRules rules;
+  if (elform == 13 || stands_in_nodal_pressure(elform) || (esort > 10 && elform != 10))
+    rules.tetrahedron = SolidRule::nodal_pressure;
   switch (elform) {
     case 2:
+    case 3:
+    case 18:
       rules.brick = SolidRule::eight_points;
       break;
     case -1:
@@ -50,7 +54,8 @@ SolidRules solid_rules(std::int64_t elform, std::int64_t esort) {
       rules.brick = SolidRule::accurate;
       break;
     case 15:
-      return {SolidRule::wedge, SolidRule::wedge, SolidRule::wedge};
+      rules.brick = rules.wedge = rules.other = SolidRule::wedge;
+      return rules;
     default:
       if (all) rules.wedge = SolidRule::wedge;
       return rules;

@@ -77,31 +77,82 @@ void RigidBodies::tell(State& state) const {
   state.bodies.resize(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const RigidBody& body = bodies_[b].body;
-    state.bodies[b] = {body.mass(), body.center(), body.velocity(), body.angular_velocity(), body.angular_momentum()};
+    state.bodies[b] = {body.mass(),   body.center(), body.velocity(), body.angular_velocity(), body.angular_momentum(),
+                       body.inertia()};
   }
+}
+
+std::vector<const RigidBody*> RigidBodies::views() const {
+  std::vector<const RigidBody*> views;
+  views.reserve(bodies_.size());
+  for (const Body& entry : bodies_) views.push_back(&entry.body);
+  return views;
+}
+
+void RigidBodies::add_joint(RigidJoint joint) { joints_.add(std::move(joint), views()); }
+
+BodyLoad RigidBodies::load_on(std::size_t body, const State& state, const Forces& net, double next) const {
+  const Body& entry = bodies_[body];
+  BodyLoad load{net.body_force[body], net.body_moment[body], entry.imposed(state.time, next)};
+  for (const NodeIndex node : entry.nodes) {
+    const Vector& push = net.force[node.value];
+    load.force += push;
+    load.torque += net.moment[node.value] + (state.x[node.value] - entry.body.center()).cross(push);
+  }
+  return load;
+}
+
+/// The torque that imposes a rotation also balances the gyroscopic one, which does no work.
+RigidBodies::Response RigidBodies::response_of(const Body& entry, const RigidBody& before, const Push& push,
+                                               double mean) {
+  const RigidBody& body = entry.body;
+  const Vector spin_before = before.angular_velocity(), spin_after = body.angular_velocity();
+  Response response;
+  response.acceleration = (body.velocity() - before.velocity()) / mean;
+  response.spin_rate = (spin_after - spin_before) / mean;
+  response.reaction = push.force;
+  const Vector middle = (spin_before + spin_after) / 2;
+  if (push.torque != Vector::Zero()) response.reaction_moment = push.torque + middle.cross(body.inertia() * middle);
+  return response;
+}
+
+Vector RigidBodies::acceleration_at(std::size_t body, const Vector& x) const {
+  const Body& entry = bodies_[body];
+  const Vector arm = x - entry.body.center(), spin = entry.body.angular_velocity();
+  return entry.response.acceleration + entry.response.spin_rate.cross(arm) + spin.cross(spin.cross(arm));
 }
 
 BodyEnergies RigidBodies::accelerate(const State& state, const Forces& net, double mean, double next, bool first) {
   std::vector<BodyEnergies> energy(bodies_.size());
+  std::vector<BodyLoad> loads(bodies_.size());
+  parallel_for(bodies_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) loads[b] = load_on(b, state, net, next);
+  });
+  std::vector<BodyLoad> jointed;
+  if (!joints_.list().empty()) {
+    jointed = loads;
+    joints_.solve(views(), jointed, mean, next);
+  }
   parallel_for(bodies_.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
       Body& entry = bodies_[b];
       RigidBody& body = entry.body;
-      Vector force = net.body_force[b], torque = net.body_moment[b];
-      for (const NodeIndex node : entry.nodes) {
-        const Vector& push = net.force[node.value];
-        force += push;
-        torque += net.moment[node.value] + (state.x[node.value] - body.center()).cross(push);
-      }
+      const BodyLoad& load = jointed.empty() ? loads[b] : jointed[b];
       const Vector velocity = body.velocity(), spin = body.angular_velocity();
       const RigidBody before = body;
-      const Push push = body.accelerate(force, torque, mean, entry.imposed(state.time, next), first);
-      const Vector extra_force = net.body_force[b] + push.force, extra_torque = net.body_moment[b] + push.torque;
+      const Push push = body.accelerate(load.force, load.torque, mean, load.imposed, first);
+      Vector extra_force = net.body_force[b] + push.force, extra_torque = net.body_moment[b] + push.torque;
+      if (!jointed.empty()) {  // the work of joints, zero but for rounding, counts as external
+        extra_force += load.force - loads[b].force;
+        extra_torque += load.torque - loads[b].torque;
+      }
       energy[b].kinetic = push.kinetic;
       energy[b].printed_kinetic = push.printed_kinetic;
       energy[b].work = state.dt / 2 * (entry.power + extra_force.dot(velocity) + extra_torque.dot(spin));
       entry.power = extra_force.dot(body.velocity()) + extra_torque.dot(body.angular_velocity());
-      if (entry.strength.limited()) entry.failing = link_fails(entry, before, state, net, mean);
+      entry.response = response_of(entry, before, push, mean);
+      if (entry.nodes.size() == 2) entry.response.link = link_force(entry, before, state, net, mean);
+      if (entry.strength.limited()) entry.failing = link_fails(entry, state);
     }
   });
   BodyEnergies sum;

@@ -7,6 +7,7 @@
 
 #include "base/ids.hpp"
 #include "solver/rigid/rigid_body.hpp"
+#include "solver/rigid/rigid_joints.hpp"
 #include "solver/state/motion.hpp"
 #include "solver/state/state.hpp"
 
@@ -68,6 +69,21 @@ class RigidBodies {
   void set_strength(std::size_t body, const LinkStrength& strength) { bodies_[body].strength = strength; }
   [[nodiscard]] bool failed(std::size_t body) const { return bodies_[body].nodes.empty(); }
 
+  /// Adds a joint between two bodies; when these have their masses and are as they start.
+  void add_joint(RigidJoint joint);
+  [[nodiscard]] const std::vector<RigidJoint>& joints() const { return joints_.list(); }
+  [[nodiscard]] double joint_error() const { return joints_.error(views()); }
+
+  /// What a body did in the last accelerate().
+  struct Response {
+    Vector acceleration = Vector::Zero(), spin_rate = Vector::Zero();    ///< of the centre, over the mean of the steps
+    Vector reaction = Vector::Zero(), reaction_moment = Vector::Zero();  ///< on it, of what imposes its motion
+    Vector link = Vector::Zero();  ///< force by which a link of two nodes pulls the first one to the second
+  };
+  [[nodiscard]] const Response& response(std::size_t body) const { return bodies_[body].response; }
+  /// The acceleration of a place that moves with a body, over the mean of the steps.
+  [[nodiscard]] Vector acceleration_at(std::size_t body, const Vector& x) const;
+
   /// Velocities for the step `next` from the forces over `mean`. `first`: the first cycle.
   BodyEnergies accelerate(const State& state, const Forces& net, double mean, double next, bool first);
   /// Moves the bodies over dt and puts positions and velocities of their nodes into the state. A node's velocity is its
@@ -83,16 +99,23 @@ class RigidBodies {
     std::vector<std::pair<std::size_t, Motion>> motions;
     LinkStrength strength;
     bool failing = false;
+    Response response;
     double power = 0;  ///< of forces at the centre and imposed motions at the start of the present step
     /// The imposed motions in the step from `time` over dt.
     [[nodiscard]] Imposed imposed(double time, double dt) const;
   };
   void tell(State& state) const;
-  /// Whether the link's force reaches its strength; `before`: the body before it was accelerated.
-  static bool link_fails(const Body& entry, const RigidBody& before, const State& state, const Forces& net,
-                         double mean);
+  [[nodiscard]] std::vector<const RigidBody*> views() const;
+  [[nodiscard]] BodyLoad load_on(std::size_t body, const State& state, const Forces& net, double next) const;
+  /// Whether the link's force reaches its strength.
+  static bool link_fails(const Body& entry, const State& state);
+  /// The force on the first of two nodes besides those that act on it: m a − f.
+  static Vector link_force(const Body& entry, const RigidBody& before, const State& state, const Forces& net,
+                           double mean);
+  static Response response_of(const Body& entry, const RigidBody& before, const Push& push, double mean);
   void release(Body& entry);
   std::vector<Body> bodies_;
+  RigidJoints joints_;
   std::vector<std::uint32_t> of_node_;
 };
 

@@ -42,6 +42,24 @@ void RigidBody::set_motion(const Vector& velocity, const Vector& angular_velocit
   momentum_ = inertia() * angular_velocity;
 }
 
+Vector RigidBody::push_response(unsigned freedoms) const {
+  Vector response = Vector::Constant(mass_ > 0 ? 1 / mass_ : 0);
+  for (int axis = 0; axis < 3; ++axis)
+    if ((freedoms >> axis & 1u) != 0) response[axis] = 0;
+  return response;
+}
+
+Matrix RigidBody::turn_response(unsigned freedoms) const {
+  if (freedoms >> 3 == 0) return rotation_ * inverse_ * rotation_.transpose();
+  Matrix system = inertia(), given = Matrix::Identity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((freedoms >> (axis + 3) & 1u) == 0) continue;
+    system.row(axis) = Vector::Unit(axis).transpose();
+    given(axis, axis) = 0;
+  }
+  return system.inverse() * given;
+}
+
 Vector RigidBody::turn(const Vector& torque, double mean, const Imposed& imposed) {
   const Matrix inertia = this->inertia();
   const Vector old = angular_velocity();

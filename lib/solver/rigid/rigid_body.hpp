@@ -46,6 +46,11 @@ class RigidBody {
   [[nodiscard]] Vector angular_velocity() const;
   void set_motion(const Vector& velocity, const Vector& angular_velocity);
 
+  /// What a unit impulse changes: the velocity by axis; the spin as a matrix on the impulse's torque. `freedoms`:
+  /// imposed ones.
+  [[nodiscard]] Vector push_response(unsigned freedoms) const;
+  [[nodiscard]] Matrix turn_response(unsigned freedoms) const;
+
   /// Velocity and angular momentum over `mean`, the mean of the steps before and after; the kinetic energy is the one
   /// in between, ½ m V⁻·V⁺ + ½ L⁻·ω⁺. If rotations are imposed, the others follow from I (ω⁺ − ω⁻) / mean = T − ω̄ × I
   /// ω̄, ω̄ = (ω⁻ + ω⁺) / 2, whose gyroscopic torque does no work; the body then turns about ω⁺ over the step, which

@@ -11,6 +11,7 @@ struct BodyState {
   double mass = 0;
   Vector center = Vector::Zero(), velocity = Vector::Zero();
   Vector spin = Vector::Zero(), angular_momentum = Vector::Zero();
+  Matrix inertia = Matrix::Zero();  ///< about the centre
 };
 
 /// Elements that have failed; by position in the model, if the structure has the element.
@@ -25,14 +26,14 @@ constexpr double usual_share = 4 * 0.9 * 0.9;
 /// Everything that moves; arrays by node. Velocities belong to the middle of the step that led to `time`
 /// (central difference), positions to `time` itself.
 struct State {
-  std::vector<Vector> x, v, w;          ///< w: angular velocity
-  std::vector<double> mass, inertia;    ///< lumped; inertia is the same about all axes
-  std::vector<bool> in_body;            ///< by node: it moves with a rigid body
-  std::vector<BodyState> bodies;        ///< rigid bodies; forces act on their nodes or their centres
-  double time = 0, dt = 0;              ///< dt: of the last step, 0 before the first
-  double coming = 0;                    ///< the step that the elements allow next; known when other forces are called
-  /// What the manual's step lengths alone allow, which is never less than `coming`: contact springs that follow the step
-  /// (SOFT = 1 and 2) take it, so that they are as stiff as LS-DYNA's.
+  std::vector<Vector> x, v, w;        ///< w: angular velocity
+  std::vector<double> mass, inertia;  ///< lumped; inertia is the same about all axes
+  std::vector<bool> in_body;          ///< by node: it moves with a rigid body
+  std::vector<BodyState> bodies;      ///< rigid bodies; forces act on their nodes or their centres
+  double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
+  double coming = 0;                  ///< the step that the elements allow next; known when other forces are called
+  /// What the manual's step lengths alone allow, which is never less than `coming`: contact springs that follow the
+  /// step (SOFT = 1 and 2) take it, so that they are as stiff as LS-DYNA's.
   double manual_step = 0;
   double elements_share = usual_share;  ///< ω² dt² of the elements at that step, at most; 4 is the bound of stability
   std::uint64_t cycle = 0;

@@ -10,6 +10,7 @@
 #include "solver/rigid/rigid_bodies.hpp"
 #include "solver/state/constraints.hpp"
 #include "solver/state/state.hpp"
+#include "solver/thick/thick_shell_elements.hpp"
 
 namespace gapcheck::solver {
 
@@ -19,12 +20,13 @@ struct Structure {
   ShellElements shells;
   SolidElements solids;
   BeamElements beams;
+  ThickShellElements thick_shells;
   RigidBodies rigid;
   Constraints constraints;                         ///< of nodes outside rigid bodies
   std::map<std::int64_t, std::size_t> body_of_id;  ///< rigid bodies by the ids of their parts or nodal rigid bodies
   double added_mass = 0;                           ///< by mass scaling
   // Ids as in the deck, for messages.
-  std::vector<std::int64_t> node_id, shell_id, solid_id, beam_id;
+  std::vector<std::int64_t> node_id, shell_id, solid_id, beam_id, thick_shell_id;
 };
 
 }  // namespace gapcheck::solver

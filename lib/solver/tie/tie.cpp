@@ -34,8 +34,15 @@ ContactPoint point_of(const model::SegmentNodes& n, const Vector& query, const s
   return {n, quad_weights(closest.s, closest.t)};
 }
 
-Tie tie_of(const contact::JudgedNode& judged, const contact::ContactSurfaces& surfaces, const std::vector<Vector>& x,
-           const Structure& structure) {
+/// Tiebreaks that carry moments: OPTION -1 to -3, and those that work with shells at an offset (8, 10, 11), where the
+/// shells' rotation opens the gap between their faces.
+bool carries_moments(const model::Contact& contact) {
+  const std::int64_t option = contact.tiebreak_option;
+  return contact.kind->automatic_tiebreak() && (option < 0 || option == 8 || option == 10 || option == 11);
+}
+
+Tie tie_of(const model::Contact& contact, const contact::JudgedNode& judged, const contact::ContactSurfaces& surfaces,
+           const std::vector<Vector>& x, const Structure& structure) {
   const contact::Segments& segments = (surfaces.two_sided() ? surfaces.b : surfaces.a).selection.segments;
   const contact::ContactType& type = surfaces.type;
   const bool constraint = contact::ties_by_constraint(surfaces.type) && !judged.penalty;
@@ -49,7 +56,8 @@ Tie tie_of(const contact::JudgedNode& judged, const contact::ContactSurfaces& su
   tie.point = point_of(segments.nodes[judged.segment.value], x[judged.node.value], x);
   const bool sound = SegmentAxes(tie.point.nodes, x).sound, nodal = nodes_turn(structure, tie.point);
   const Turning turning = nodal ? Turning::nodes : sound ? Turning::axes : Turning::none;
-  tie.carries = type.offset == contact::TieOffset::beam || type.offset == contact::TieOffset::constrained;
+  tie.carries = type.offset == contact::TieOffset::beam || type.offset == contact::TieOffset::constrained ||
+                carries_moments(contact);
   if (tie.carries)
     tie.offset = turning;
   else if (!constraint && sound)
@@ -112,6 +120,11 @@ void TieOffset::start(const Tie& tie, const SegmentAxes& axes, const std::vector
 void TieOffset::move(const Tie& tie, const SegmentAxes& axes, const Vector& spin, double dt) {
   if (tie.offset == Turning::axes && axes.sound) value_ = axes.axes * local_;
   if (tie.offset == Turning::nodes) value_ = spin_rotation(dt * spin) * value_;
+}
+
+void TieOffset::shift(const SegmentAxes& axes, const Vector& by) {
+  value_ += by;
+  local_ = axes.axes.transpose() * value_;
 }
 
 void TieLoads::set(const Tie& tie, const SegmentAxes& axes, const Vector& arm, const Vector& on_node,
@@ -188,7 +201,7 @@ std::vector<Tie> tie_list(const model::Model& model, contact::SurfaceStore& surf
     if (!judged.tied() || !tied(contact)) continue;
     const contact::ContactSurfaces& sides = surfaces.at(judged.contact);
     if ((contact::ties_by_constraint(sides.type) && !judged.penalty) != by_constraint) continue;
-    ties.push_back(tie_of(judged, sides, initial.x, structure));
+    ties.push_back(tie_of(contact, judged, sides, initial.x, structure));
   }
   return ties;
 }

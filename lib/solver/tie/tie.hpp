@@ -64,6 +64,8 @@ class TieOffset {
   void start(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& x);
   /// At the end of a step over dt in which the segment turned with `spin`.
   void move(const Tie& tie, const SegmentAxes& axes, const Vector& spin, double dt);
+  /// Makes a part of the elongation permanent.
+  void shift(const SegmentAxes& axes, const Vector& by);
   [[nodiscard]] const Vector& value() const { return value_; }
   /// In the segment's axes, if these turn it.
   [[nodiscard]] const Vector& local() const { return local_; }

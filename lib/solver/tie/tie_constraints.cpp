@@ -38,6 +38,7 @@ TieConstraints::TieConstraints(const model::Model& model, contact::SurfaceStore&
   present_.resize(ties_.size());
   for (std::size_t t = 0; t < ties_.size(); ++t)
     equations_.push_back({&ties_[t], &present_[t].axes, Vector::Zero(), false});
+  weak_ = TieFailures(model, surfaces, interfaces_, ties_, structure.state.x);
 }
 
 void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnostics) {
@@ -72,9 +73,10 @@ void TieConstraints::keep_sound(const model::Model& model, Diagnostics& diagnost
 }
 
 bool TieConstraints::activate(const State& state) {
-  bool changed = state.failed.count != failures_;
+  bool changed = weak_.take_news() || state.failed.count != failures_;
   if (changed)
-    for (std::size_t t = 0; t < ties_.size(); ++t) present_[t].gone = segment_gone(ties_[t], state.failed);
+    for (std::size_t t = 0; t < ties_.size(); ++t)
+      present_[t].gone = weak_.failed(t) || segment_gone(ties_[t], state.failed);
   failures_ = state.failed.count;
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
     const bool active = interfaces_[i].active(state.time);
@@ -166,6 +168,7 @@ void TieConstraints::sum_up(const State& state, Forces& net, Forces& external) {
     for (std::size_t t = interface.first; t < interface.last; ++t) {
       result.touching += equations_[t].active;
       const TieLoads& loads = present_[t].loads;
+      if (equations_[t].active) weak_.check(t, loads.force, present_[t].axes);
       loads.add_to(ties_[t], net);
       loads.add_to(ties_[t], external);
       loads.add_to(ties_[t], state, result);

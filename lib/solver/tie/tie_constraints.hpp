@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.hpp"
 #include "solver/state/force.hpp"
+#include "solver/tie/tie_failures.hpp"
 #include "solver/tie/tie_nodes.hpp"
 #include "solver/tie/tie_system.hpp"
 
@@ -43,7 +44,7 @@ class TieConstraints : public Force, public ContactSource {
     TieOffset offset;
     TieLoads loads;
     bool started = false;
-    bool gone = false;  ///< with the element of its segment
+    bool gone = false;  ///< with the element of its segment, or by its strength
     bool told = false;  ///< its end is already reported
   };
   void keep_sound(const model::Model& model, Diagnostics& diagnostics);
@@ -67,6 +68,7 @@ class TieConstraints : public Force, public ContactSource {
   std::vector<std::pair<NodeIndex, PartIndex>> untied_;  ///< not reported yet
   Released released_;
   std::unique_ptr<TieSystem> system_;
+  TieFailures weak_;
   std::uint64_t failures_ = 0;  ///< elements that have failed, when this was last asked
   bool varying_ = false;        ///< some equation has an arm or axes, which turn from step to step
 };

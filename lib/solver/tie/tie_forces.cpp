@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "base/quad.hpp"
-#include "contact/stiffness/element_sizes.hpp"
+#include "contact/definition/friction.hpp"
 #include "contact/stiffness/stiffness.hpp"
-#include "solver/contact/contact_method.hpp"
 #include "solver/interface/contact_spring.hpp"
 #include "solver/tie/tie_stability.hpp"
+#include "solver/tie/tie_strengths.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -50,7 +49,7 @@ TieForces::TieForces(const model::Model& model, contact::SurfaceStore& surfaces,
     : model_(model), store_(surfaces), initial_(initial), structure_(&structure) {
   const std::vector<Tie> ties = tie_list(model, surfaces, initial, structure, false);
   for (const Tie& tie : ties) {
-    Spring& spring = springs_.emplace_back();
+    TieSpring& spring = springs_.emplace_back();
     spring.tie = tie;
     spring.percent = std::max(0.0, model.contact(tie.contact).vdc);
   }
@@ -58,42 +57,10 @@ TieForces::TieForces(const model::Model& model, contact::SurfaceStore& surfaces,
   for (const TieRange& interface : interfaces_) states_.emplace_back().contact = interface.contact;
 }
 
-/// Strengths of a tiebreak's ties as forces: stresses count with the area of the node, or of the segment if the node is
-/// given without segments.
-void TieForces::find_strength(const TieRange& interface, const contact::SideScene& side, const std::vector<Vector>& x) {
-  const model::Contact& contact = model_.contact(interface.contact);
-  if (choose_method(contact).method != ContactMethod::tiebreak) return;
-  const contact::Segments& own = side.tracked().selection.segments;
-  std::unordered_map<std::uint32_t, double> areas;
-  for (const model::SegmentNodes& corners : own.nodes) {
-    const std::size_t count = contact::corner_count(corners);
-    for (std::size_t i = 0; i < count; ++i)
-      areas[corners[i].value] += contact::shell_area(corners, x) / static_cast<double>(count);
-  }
-  const bool forces = contact.kind->code == model::ContactCode::tiebreak_nodes;
-  constexpr std::int64_t linear_damage = 6;
-  for (std::size_t i = interface.first; i < interface.last; ++i) {
-    Spring& spring = springs_[i];
-    const Tie& tie = spring.tie;
-    const auto found = areas.find(tie.node.value);
-    const double area = forces ? 1 : found != areas.end() ? found->second : contact::shell_area(tie.point.nodes, x);
-    const model::TiebreakStrength& card = contact.tiebreak;
-    const double opening = contact.tiebreak_option == linear_damage ? card.param : 0;
-    spring.strength = {card.normal * area, card.shear * area, card.normal_power, card.shear_power, opening, 1};
-    // Old types use the order of the segment's nodes, automatic ones the side on which the node lies.
-    const SegmentAxes axes(tie.point.nodes, x);
-    const double height = axes.axes.col(2).dot(x[tie.node.value] - tie.point.of(x));
-    constexpr double on_the_surface = 1e-6;  // of the segment's size: facets that touch
-    if (contact.kind->automatic_tiebreak() &&
-        height < -on_the_surface * std::sqrt(contact::shell_area(tie.point.nodes, x)))
-      spring.strength.side = -1;
-  }
-}
-
 void TieForces::tell_ends(const TieRange& interface, double time) {
   std::vector<std::int64_t> failed;
   for (std::size_t i = interface.first; i < interface.last; ++i) {
-    Spring& spring = springs_[i];
+    TieSpring& spring = springs_[i];
     if (spring.told || (!spring.damage.broken && !interface.over(time))) continue;
     spring.told = true;
     if (released_) released_(spring.tie.node, spring.tie.segment_part);
@@ -115,22 +82,26 @@ void TieForces::build(const State& state) {
     ContactSprings springs(model_, side, masses, contact.sfs, contact.sfm, tables);
     const double timestep = contact.dtstif > 0 ? contact.dtstif : state.manual_step;
     springs.set_timestep(timestep);
-    find_strength(interface, side, state.x);
+    const TieStrengths strengths(model_, interface.contact, side.tracked().selection.segments, state.x);
     const std::vector<NodeIndex>& nodes = side.scene().nodes.node;
     for (std::size_t i = interface.first; i < interface.last; ++i) {
-      Spring& spring = springs_[i];
+      TieSpring& spring = springs_[i];
       const Tie& tie = spring.tie;
+      spring.strength = strengths.of(tie, state.x);
       const auto slot = std::lower_bound(nodes.begin(), nodes.end(), tie.node) - nodes.begin();
       const ContactSprings::Spring found = springs(to_index<SlotIndex>(static_cast<std::size_t>(slot)), tie.segment);
       spring.stiffness = std::isfinite(found.stiffness) ? std::max(0.0, found.stiffness) : 0;
       if (spring.stiffness == 0)  // no modulus is known on either side
         spring.stiffness = contact.sofscl * contact::soft_1_stiffness(found.node_mass, found.segment_mass, timestep);
+      if (const double given = strengths.stiffness(spring.strength); given > 0) spring.stiffness = given;
       if (tie.rotations) spring.rotational = spring.stiffness * squared_radius(tie, *structure_);
       spring.damping = ContactSprings::damping(found, spring.percent);
       ratio = std::max(ratio, spring.percent / 100);
       const SegmentAxes axes(tie.point.nodes, state.x);
-      stability.add(tie, axes, state.x[tie.node.value] - tie.point.of(state.x), spring.stiffness, spring.rotational);
+      stability.add(tie, axes, state.x[tie.node.value] - tie.point.of(state.x),
+                    spring.stiffness * std::max(1.0, spring.strength.stiffness_ratio), spring.rotational);
     }
+    let_slide(interface);
   }
   const bool limited = state.coming > 0 && std::isfinite(state.coming);
   const double room = 4 / (shortest_step * shortest_step) - state.elements_share;
@@ -145,59 +116,19 @@ void TieForces::build(const State& state) {
   structure_ = nullptr;
 }
 
-/// The node's rotation relative to the segment grows, and turns with the segment.
-void TieForces::turn(Spring& spring, const State& state) {
-  const Tie& tie = spring.tie;
-  const SegmentAxes middle(tie.point.nodes, state.x, state.v, -state.dt / 2);
-  const Vector turn = motion(tie, middle, state.v, state.w).turn;
-  const Vector of_segment = state.w[tie.node.value] - turn;
-  spring.turned = spin_rotation(state.dt * of_segment) * spring.turned + state.dt * turn;
-}
-
-void TieForces::calculate(Spring& spring, const State& state, bool active) {
-  const Tie& tie = spring.tie;
-  const double half = state.dt / 2;
-  spring.on_node = -half * spring.loads.on_node(tie, state);
-  spring.on_segment = -half * spring.loads.on_segment(tie, state);
-  spring.damped = 0;
-  spring.lost = 0;
-  if (!active || spring.damage.broken) {
-    spring.loads = {};
-    spring.active = false;
-    spring.lost = std::exchange(spring.stored, 0);
-    return;
+/// Nodes of OPTION 4, whose ties have friction across the normal.
+void TieForces::let_slide(const TieRange& interface) {
+  const model::Contact& contact = model_.contact(interface.contact);
+  if (!ties_slide(contact)) return;
+  const contact::ContactSurfaces& surfaces = store_.at(interface.contact);
+  sliding_.push_back(std::make_unique<contact::SlidingSurface>(surfaces.b.selection.segments));
+  const contact::Friction friction(model_, contact);
+  for (std::size_t i = interface.first; i < interface.last; ++i) {
+    TieSpring& spring = springs_[i];
+    const bool plain = contact.tiebreak.param == 1;
+    spring.slide = TieSlide(*sliding_.back(), friction.between(none<PartIndex>, spring.tie.segment_part),
+                            plain ? contact.tiebreak.shear * spring.strength.area : 0);
   }
-  const SegmentAxes axes(tie.point.nodes, state.x);
-  const TieMotion moving = motion(tie, axes, state.v, state.w);
-  if (!spring.active) {
-    spring.active = true;
-    spring.offset.start(tie, axes, state.x);
-    spring.turned = Vector::Zero();
-  } else {
-    spring.offset.move(tie, axes, moving.spin, state.dt);
-    if (tie.rotations) turn(spring, state);
-  }
-  const Vector arm = state.x[tie.node.value] - tie.point.of(state.x);
-  const Vector velocity = moving.velocity - moving.spin.cross(spring.offset.value());
-  const Vector stretch = arm - spring.offset.value();
-  Vector force = -spring.stiffness * stretch, damping = -spring.damping * velocity;
-  if (spring.strength.limited()) {
-    const Vector normal = axes.sound ? Vector(axes.axes.col(2)) : Vector(Vector::Zero());
-    // Compression does no damage.
-    const Vector pressed = std::min(0.0, spring.strength.side * stretch.dot(normal)) * spring.strength.side * normal;
-    const double share = spring.damage.share(spring.strength, force, normal, (stretch - pressed).norm());
-    // Compression stays in full until the tie is gone.
-    const double push = spring.damage.broken ? 0 : std::max(0.0, spring.strength.side * force.dot(normal));
-    const Vector whole = spring.strength.side * push * normal;
-    force = share * (force - whole) + whole;
-    damping *= share;
-  }
-  spring.stored = (spring.stiffness * stretch.squaredNorm() + spring.rotational * spring.turned.squaredNorm()) / 2;
-  spring.loads.set(tie, axes, arm, force + damping, -spring.rotational * spring.turned);
-  if (spring.damage.broken) spring.active = false;
-  spring.damped = -state.dt * damping.dot(velocity);
-  spring.on_node -= half * spring.loads.on_node(tie, state);
-  spring.on_segment -= half * spring.loads.on_segment(tie, state);
 }
 
 void TieForces::add(State& state, Forces& forces) {
@@ -206,27 +137,28 @@ void TieForces::add(State& state, Forces& forces) {
   coming_ = state.coming;
   elements_share_ = state.elements_share;
   if (state.failed.count != failures_)
-    for (Spring& spring : springs_)
-      spring.damage.broken = spring.damage.broken || segment_gone(spring.tie, state.failed);
+    for (TieSpring& spring : springs_)
+      if (segment_gone(spring.tie, state.failed)) spring.damage.end();
   failures_ = state.failed.count;
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
     const TieRange& interface = interfaces_[i];
     const bool active = interface.active(state.time);
     parallel_for(interface.last - interface.first, 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t s = begin; s < end; ++s) calculate(springs_[interface.first + s], state, active);
+      for (std::size_t s = begin; s < end; ++s) advance(springs_[interface.first + s], state, active);
     });
     tell_ends(interface, state.time);
     ContactState& result = states_[i];
     result.force_a = result.force_b = result.moment_a = result.moment_b = Vector::Zero();
     result.touching = 0;
     for (std::size_t s = interface.first; s < interface.last; ++s) {
-      const Spring& spring = springs_[s];
+      const TieSpring& spring = springs_[s];
       result.touching += spring.active;
       spring.loads.add_to(spring.tie, forces);
       spring.loads.add_to(spring.tie, state, result);
       result.energy_a += spring.on_node;
       result.energy_b += spring.on_segment;
       result.damping += spring.damped;
+      result.friction += spring.rubbed;
       result.lost += spring.lost;
     }
   }
@@ -236,7 +168,7 @@ std::optional<double> TieForces::stored(std::size_t position) const {
   const TieRange& interface = interfaces_[position];
   double sum = 0;
   for (std::size_t i = interface.first; i < interface.last; ++i) {
-    if (springs_[i].strength.limited()) return std::nullopt;
+    if (springs_[i].strength.limited() || springs_[i].slide.slides()) return std::nullopt;
     sum += springs_[i].stored;
   }
   return sum;
@@ -253,7 +185,8 @@ double TieForces::stable_step() const {
 void TieForces::absorbed(Absorbed& work) const {
   for (const ContactState& state : states_) {
     work.contact_damping += state.damping;
-    work.contact_normal += state.energy_a + state.energy_b - state.damping;
+    work.contact_friction += state.friction;
+    work.contact_normal += state.energy_a + state.energy_b - state.damping - state.friction;
   }
 }
 

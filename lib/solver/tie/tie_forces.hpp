@@ -1,11 +1,11 @@
 #pragma once
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "contact/pair/side_scene.hpp"
 #include "solver/state/force.hpp"
 #include "solver/tie/tie.hpp"
-#include "solver/tie/tie_strength.hpp"
+#include "solver/tie/tie_spring.hpp"
 
 namespace gapcheck::solver {
 
@@ -36,33 +36,18 @@ class TieForces : public Force, public ContactSource {
   [[nodiscard]] std::vector<ContactEvent> take_events() override;
 
  private:
-  struct Spring {
-    Tie tie;
-    double stiffness = 0, rotational = 0, damping = 0;
-    double percent = 0;  ///< of the critical damping: VDC
-    bool active = false;
-    TieStrength strength;
-    TieDamage damage;
-    bool told = false;  ///< its end is already reported
-    TieOffset offset;
-    Vector turned = Vector::Zero();  ///< rotation of the node relative to the segment
-    TieLoads loads;
-    double on_node = 0, on_segment = 0, damped = 0;  ///< work taken in the last step
-    double stored = 0, lost = 0;                     ///< energy, and what the end of the tie in this step left of it
-  };
   void build(const State& state);
-  void find_strength(const TieRange& interface, const contact::SideScene& side, const std::vector<Vector>& x);
   void tell_ends(const TieRange& interface, double time);
-  static void turn(Spring& spring, const State& state);
-  static void calculate(Spring& spring, const State& state, bool active);
+  void let_slide(const TieRange& interface);
 
   const model::Model& model_;
   contact::SurfaceStore& store_;
   const contact::InitialState& initial_;
   const Structure* structure_;  ///< until the first cycle
-  std::vector<Spring> springs_;
+  std::vector<TieSpring> springs_;
   std::vector<TieRange> interfaces_;
   std::vector<ContactState> states_;
+  std::vector<std::unique_ptr<contact::SlidingSurface>> sliding_;
   double squared_frequency_ = 0;         ///< upper bound of the springs'
   double coming_ = 0;                    ///< step that the elements allow
   double elements_share_ = usual_share;  ///< their share of the bound of stability at that step

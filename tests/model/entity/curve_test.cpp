@@ -12,9 +12,42 @@ TEST(Curves, OffsetsAndScales) {
       "*DEFINE_CURVE\n8\n0.,1.\n1.,2.\n\n*DEFINE_CURVE_FUNCTION\n9\nsin(time)\n");
   EXPECT_EQ(read.text(), "");
   ASSERT_EQ(read.model.curves.size(), 2u);
-  EXPECT_EQ(read.model.curves.at(7).points, (std::vector<std::array<double, 2>>{{2, 12}, {10, 24}}));
+  EXPECT_EQ(read.model.curves.at(7).points,
+            (std::vector<std::array<double, 2>>{{0, 0}, {0.999 * 2, 0}, {2, 12}, {10, 24}}));
   EXPECT_EQ(read.model.curves.at(8).points, (std::vector<std::array<double, 2>>{{0, 1}, {1, 2}}));
   EXPECT_EQ(read.model.curves.at(7).place.line, 3u);
+}
+
+// Zero before the offset of a curve over time; general data (DATTYP 1) and curves that begin earlier only move.
+TEST(Curves, OffsetOfTimes) {
+  using Points = std::vector<std::array<double, 2>>;
+  const auto points = [](const std::string& fields, const std::string& first) {
+    return read_text("*DEFINE_CURVE\n7,0,1.,1.," + fields + "\n" + first + ",5.\n4.,9.\n").model.curves.at(7).points;
+  };
+  EXPECT_EQ(points("2.", "0."), (Points{{0, 0}, {0.999 * 2, 0}, {2, 5}, {6, 9}}));
+  EXPECT_EQ(points("2.,0.,1", "0."), (Points{{2, 5}, {6, 9}}));
+  EXPECT_EQ(points("-2.", "0."), (Points{{-2, 5}, {2, 9}}));
+  EXPECT_EQ(points("2.", "-1."), (Points{{1, 5}, {6, 9}}));
+}
+
+// Half a cosine up, level, half a cosine down: the area is DIST, from TEND or from VMAX.
+TEST(Curves, Smooth) {
+  const auto area = [](const Curve& curve) {
+    double sum = 0;
+    for (std::size_t i = 1; i < curve.points.size(); ++i)
+      sum += (curve.points[i][0] - curve.points[i - 1][0]) * (curve.points[i][1] + curve.points[i - 1][1]) / 2;
+    return sum;
+  };
+  const Read read = read_text("*DEFINE_CURVE_SMOOTH\n7,0,12.,1.,5.,0.5\n*DEFINE_CURVE_SMOOTH\n8,0,12.,1.,,0.5,6.\n");
+  EXPECT_EQ(read.text(), "");
+  const Curve &by_end = read.model.curves.at(7), &by_height = read.model.curves.at(8);
+  EXPECT_NEAR(area(by_end), 12, 1e-12);
+  EXPECT_NEAR(by_end.at(3), 12 / 3.5, 1e-12);
+  EXPECT_NEAR(by_end.at(1.25), 6 / 3.5, 1e-12);
+  EXPECT_EQ(by_end.points.back(), (std::array<double, 2>{5, 0}));
+  EXPECT_NEAR(area(by_height), 12, 1e-12);
+  EXPECT_NEAR(by_height.points.back()[0], 1 + 0.5 + 2, 1e-12);
+  EXPECT_EQ(read_text("*DEFINE_CURVE_SMOOTH\n7,0,12.,1.,1.5,0.5\n*DEFINE_CURVE_SMOOTH\n8,0,12.\n").errors(), 2u);
 }
 
 TEST(Curves, FaultsAreTold) {

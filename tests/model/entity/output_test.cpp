@@ -9,7 +9,9 @@ TEST(Output, IntervalsAndTitle) {
   const Read read = read_text(
       "*TITLE\n  A model of something\n*DATABASE_BINARY_D3PLOT\n       0.5\n         1\n*DATABASE_GLSTAT\n     0.125\n"
       "*DATABASE_MATSUM\n0.25\n*DATABASE_NODOUT\n0.1,0,0\n*DATABASE_RCFORC\n0.2\n*DATABASE_SLEOUT\n0.3\n"
-      "*DATABASE_NCFORC\n0.4\n*DATABASE_ELOUT\n7.\n");
+      "*DATABASE_NCFORC\n0.4\n*DATABASE_ELOUT\n7.\n*DATABASE_SECFORC\n0.6\n*DATABASE_SPCFORC\n0.7\n*DATABASE_BNDOUT\n0."
+      "8\n"
+      "*DATABASE_RWFORC\n0.9\n*DATABASE_RBDOUT\n1.1\n*DATABASE_SWFORC\n1.2\n*CONTROL_OUTPUT\n\n,,,,,,,1\n");
   EXPECT_EQ(read.text(), "");
   const Output& output = read.model.output;
   EXPECT_EQ(read.model.title, "A model of something");
@@ -20,28 +22,104 @@ TEST(Output, IntervalsAndTitle) {
   EXPECT_EQ(output.rcforc, 0.2);
   EXPECT_EQ(output.sleout, 0.3);
   EXPECT_EQ(output.ncforc, 0.4);
+  EXPECT_EQ(output.elout, 7);
+  EXPECT_EQ(output.secforc, 0.6);
+  EXPECT_EQ(output.spcforc, 0.7);
+  EXPECT_EQ(output.bndout, 0.8);
+  EXPECT_EQ(output.rwforc, 0.9);
+  EXPECT_EQ(output.rbdout, 1.1);
+  EXPECT_EQ(output.swforc, 1.2);
+  EXPECT_TRUE(output.local_shells);
   EXPECT_TRUE(output.notes.empty());
 }
 
 TEST(Output, FilesThatARunDoesNotWriteAreNamedOnce) {
   const Read read = read_text(
-      "*DATABASE_GLSTAT\n0.1\n*DATABASE_ELOUT\n0.5\n*DATABASE_SECFORC\n0.\n*DATABASE_RWFORC\n,,7\n*DATABASE_ELOUT\n"
-      "0.5\n*DATABASE_BINARY_INTFOR_FILE\nforces.dat\n0.5\n*DATABASE_BNDOUT\n");
+      "*DATABASE_GLSTAT\n0.1\n*DATABASE_ABSTAT\n0.5\n*DATABASE_NODFOR\n0.\n*DATABASE_DEFORC\n,,7\n*DATABASE_ABSTAT\n"
+      "0.5\n*DATABASE_BINARY_D3THDT\n0.5\n*DATABASE_JNTFORC\n*DATABASE_NODOUT_HF\n0.1\n");
   EXPECT_EQ(read.text(), "");
   ASSERT_EQ(read.model.output.all_notes().size(), 1u);
   EXPECT_EQ(read.model.output.all_notes()[0].place.line, 4u);
   EXPECT_EQ(read.model.output.all_notes()[0].text,
-            "the deck asks for files that a run does not write: elout, rwforc, intfor")
-      << "no interval: not asked for; rwforc has a curve of them";
+            "the deck asks for files that a run does not write: abstat, deforc, d3thdt, the second nodout of the nodes "
+            "with HFO (*DATABASE_NODOUT_HF)")
+      << "no interval: not asked for; deforc has a curve of them";
 }
 
 TEST(Output, WhatCannotBeDoneIsNoted) {
-  const Read read = read_text("*DATABASE_GLSTAT\n-1.,0,7\n*DATABASE_MATSUM\n0.\n*DATABASE_RCFORC\n");
+  const Read read = read_text(
+      "*DATABASE_GLSTAT\n-1.,0,7\n*DATABASE_MATSUM\n0.\n*DATABASE_RCFORC\n*DATABASE_SECFORC_FILTER\n0.5\n0.1,60.\n");
   EXPECT_EQ(read.model.output.glstat, 0);
-  ASSERT_EQ(read.model.output.notes.size(), 2u);
+  ASSERT_EQ(read.model.output.notes.size(), 3u);
+  EXPECT_EQ(read.model.output.secforc, 0.5);
+  EXPECT_NE(read.model.output.notes[2].text.find("not filtered"), std::string::npos);
   EXPECT_EQ(read.model.output.notes[0].place.line, 2u);
   EXPECT_NE(read.model.output.notes[0].text.find("curve"), std::string::npos);
   EXPECT_NE(read.model.output.notes[1].text.find("DT = -1"), std::string::npos);
+}
+
+TEST(Output, HistoryElements) {
+  const Read read = read_text(nodes_text(8) +
+                              "*ELEMENT_SOLID\n5,1,1,2,3,4,5,6,7,8\n6,1,1,2,3,4,5,6,7,8\n*ELEMENT_SHELL\n9,1,1,2,3,4\n"
+                              "*ELEMENT_BEAM\n4,1,1,2\n*DATABASE_HISTORY_SOLID_SET\n8,7\n*SET_SOLID\n8\n6\n"
+                              "*DATABASE_HISTORY_SOLID\n6,5,99\n*DATABASE_HISTORY_SHELL_ID\n         9the shell\n"
+                              "*DATABASE_HISTORY_BEAM\n4\n*DATABASE_HISTORY_TSHELL\n3\n"
+                              "*DATABASE_HISTORY_NODE_LOCAL\n1,7\n");
+  const Output& output = read.model.output;
+  ASSERT_EQ(output.history_solids.size(), 2u);
+  EXPECT_EQ(output.history_solids[0].element, 1u);
+  EXPECT_EQ(output.history_solids[1].element, 0u);
+  ASSERT_EQ(output.history_shells.size(), 1u);
+  EXPECT_EQ(output.history_shells[0].title, "the shell");
+  EXPECT_EQ(output.history_beams.size(), 1u);
+  EXPECT_TRUE(output.history_nodes.empty());
+  std::string notes;
+  for (const Output::Note& note : output.notes) notes += note.text + "\n";
+  for (const char* words : {"solid set 7", "solid 99", "*DATABASE_HISTORY_TSHELL", "*DATABASE_HISTORY_NODE_LOCAL"})
+    EXPECT_NE(notes.find(words), std::string::npos) << words << "\n" << notes;
+}
+
+TEST(Output, CrossSections) {
+  const Read read = read_text(
+      "*DATABASE_CROSS_SECTION_PLANE_ID\n         7the cut\n0,1.,0.,0.,2.,0.,0.,0.5\n,,,,,3,1\n"
+      "*DATABASE_CROSS_SECTION_SET\n1,2,3,4,5,6\n");
+  ASSERT_EQ(read.model.cross_sections.size(), 2u);
+  const CrossSection &plane = read.model.cross_sections[0], &set = read.model.cross_sections[1];
+  EXPECT_EQ(plane.id, 7);
+  EXPECT_EQ(plane.title, "the cut");
+  EXPECT_EQ(plane.system, 3);
+  EXPECT_EQ(plane.kind_of_system, 1);
+  EXPECT_EQ(set.nodes, 1);
+  EXPECT_EQ(set.solids, 2);
+  EXPECT_EQ(set.beams, 3);
+  EXPECT_EQ(set.shells, 4);
+  EXPECT_EQ(set.others, 5);
+}
+
+TEST(Output, InterfaceForces) {
+  const Read read = read_text("*NODE\n1\n*DATABASE_BINARY_INTFOR_FILE\nforces.dat\n0.5,3\n");
+  EXPECT_EQ(read.text(), "");
+  EXPECT_EQ(read.model.output.intfor, 0.5);
+  EXPECT_EQ(read.model.output.intfor_place.line, 5u);
+  ASSERT_EQ(read.model.output.notes.size(), 2u);
+  EXPECT_NE(read.model.output.notes[0].text.find("curve"), std::string::npos);
+  EXPECT_NE(read.model.output.notes[1].text.find("is called intfor"), std::string::npos);
+  EXPECT_EQ(read_text("*DATABASE_BINARY_INTFOR\n0.25\n").model.output.intfor, 0.25);
+  const Read without = read_text("*DATABASE_BINARY_INTFOR\n-2.\n*DATABASE_BINARY_INTFOR\n");
+  EXPECT_EQ(without.model.output.intfor, 0);
+  EXPECT_NE(without.model.output.notes.at(0).text.find("DT = -2"), std::string::npos);
+}
+
+TEST(Output, Binary) {
+  const Read read = read_text(
+      "*DATABASE_GLSTAT\n0.1,2\n*DATABASE_RCFORC\n0.1,3\n*DATABASE_SLEOUT\n0.1\n*DATABASE_NCFORC\n0.1,3\n"
+      "*DATABASE_NODOUT\n0.1,-4\n*DATABASE_MATSUM\n0.1,12\n");
+  const Output& output = read.model.output;
+  EXPECT_EQ(output.binary, (std::map<std::string, int, std::less<>>{{"glstat", 2}, {"rcforc", 3}, {"sleout", 0}}));
+  ASSERT_EQ(output.notes.size(), 3u);
+  EXPECT_NE(output.notes[0].text.find("ncforc is written as text"), std::string::npos);
+  EXPECT_NE(output.notes[1].text.find("BINARY = -4 is none of"), std::string::npos);
+  EXPECT_NE(output.notes[2].text.find("BINARY = 12 is none of"), std::string::npos);
 }
 
 TEST(Output, HistoryNodes) {

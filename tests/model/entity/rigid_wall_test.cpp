@@ -88,6 +88,33 @@ TEST(RigidWalls, FrictionTimesAndOptions) {
   EXPECT_EQ(walls[2].friction, 1);
 }
 
+TEST(RigidWalls, MotionAndFrictionByDirection) {
+  const Read read = read_text(
+      "*RIGIDWALL_PLANAR_FINITE_MOVING_FORCES\n0,0,0,0.,0.5,2.5,3.\n0,0,0,0,0,5,2.,7.\n1,0,0,2,3\n9.,1.5\n7\n"
+      "*RIGIDWALL_PLANAR_ORTHO_FINITE\n0\n0,0,0,0,0,5\n0.4,0.3,0.2,0.1,5.,6.\n8,9,1.,2.,0.\n1,0,0,2,3\n"
+      "*RIGIDWALL_GEOMETRIC_CYLINDER_MOTION\n0,0,0,0.5,2.5\n1,2,3,0,0,0,1.\n6,1.,1\n1,1.\n3,1,1.,2.,0.\n");
+  ASSERT_EQ(read.model.rigid_walls.size(), 3u) << read.text();
+  const auto& walls = read.model.rigid_walls;
+  EXPECT_EQ(walls[0].mass, 9);
+  EXPECT_EQ(walls[0].velocity, 1.5);
+  EXPECT_EQ(walls[0].weld_velocity, 7);
+  EXPECT_EQ(walls[0].stiffness_scale, 3);
+  EXPECT_EQ(walls[0].length_m, 3);
+  EXPECT_EQ(walls[0].soft, 7);
+  const OrthotropicFriction& ortho = walls[1].ortho;
+  EXPECT_EQ(
+      (std::array{ortho.static_a, ortho.static_b, ortho.dynamic_a, ortho.dynamic_b, ortho.decay_a, ortho.decay_b}),
+      (std::array{0.4, 0.3, 0.2, 0.1, 5., 6.}));
+  EXPECT_EQ(ortho.node_1, 8);
+  EXPECT_EQ(ortho.node_2, 9);
+  EXPECT_EQ(ortho.direction, Vector(1, 2, 0));
+  EXPECT_EQ(walls[1].length_l, 2);
+  EXPECT_EQ(walls[1].stiffness_scale, 1);
+  EXPECT_EQ(walls[2].motion_curve, 3);
+  EXPECT_EQ(walls[2].motion_option, 1);
+  EXPECT_EQ(walls[2].motion_direction, Vector(1, 2, 0));
+}
+
 TEST(RigidWalls, WhatIsNoShapeIsAnErrorAndLeftOut) {
   const Read read = read_text(
       "*RIGIDWALL_PLANAR\n0\n1,2,3,1,2,3\n"

@@ -196,10 +196,12 @@ TEST(OtherElements, BeamAndSpringValues) {
   ASSERT_EQ(mesh.beams.id, (Ids{1, 3, 4})) << read.text();
   ASSERT_EQ(mesh.beam_values.size(), 3u);
   EXPECT_EQ(mesh.beam_values[0].third, NodeIndex{2});
-  EXPECT_FALSE(mesh.beam_values[0].released);
+  EXPECT_FALSE(mesh.beam_values[0].released());
   EXPECT_EQ(mesh.beam_values[1].third, none<NodeIndex>);
-  EXPECT_TRUE(mesh.beam_values[1].released);
-  EXPECT_TRUE(mesh.beam_values[2].shifted);
+  EXPECT_TRUE(mesh.beam_values[1].released());
+  EXPECT_EQ(mesh.beam_values[1].releases, (std::array<std::uint8_t, 4>{1, 0, 0, 0}));
+  EXPECT_TRUE(mesh.beam_values[2].shifted());
+  EXPECT_EQ(mesh.beam_values[2].offsets[0], Vector(0, 0, 1));
   EXPECT_EQ(mesh.beam_values[2].orientation, Vector(0, 0.5, 1));
   ASSERT_EQ(mesh.discrete_values.size(), 2u);
   EXPECT_EQ(mesh.discrete_values[0].scale, 2.5);

@@ -110,12 +110,46 @@ TEST(ReadContacts, StrengthsOfTiebreaksOfIncludes) {
   const TiebreakStrength surfaces = strength("TIEBREAK_SURFACE_TO_SURFACE", "10.,20.");
   EXPECT_DOUBLE_EQ(surfaces.normal, 10 * stress);
   EXPECT_DOUBLE_EQ(surfaces.shear, 20 * stress);
-  // PARAM is a length with OPTION = 6 alone.
+  EXPECT_FALSE(surfaces.thickness_offsets);
+  const TiebreakStrength offsets = strength("TIEBREAK_SURFACE_TO_SURFACE", "10.,20.,5,1");
+  EXPECT_EQ(offsets.curve, 5);
+  EXPECT_TRUE(offsets.thickness_offsets);
+  // PARAM is a length with OPTION = 6 and 8 alone.
   const TiebreakStrength damage = strength("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "6,10.,20.,0.5");
   EXPECT_DOUBLE_EQ(damage.normal, 10 * stress);
   EXPECT_DOUBLE_EQ(damage.shear, 20 * stress);
   EXPECT_DOUBLE_EQ(damage.param, 3.5);
   EXPECT_EQ(strength("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "5,10.,20.,0.5").param, 0.5);
+  EXPECT_DOUBLE_EQ(strength("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "8,10.,20.,0.5").param, 3.5);
+  const TiebreakStrength law = strength("AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "9,10.,20.,-1.5,30.,40.,0.5,60.");
+  EXPECT_EQ(law.param, -1.5);
+  EXPECT_DOUBLE_EQ(law.normal_energy, 30 * stress * 7);
+  EXPECT_DOUBLE_EQ(law.shear_energy, 40 * stress * 7);
+  EXPECT_EQ(law.stiffness_ratio, 0.5);
+  EXPECT_DOUBLE_EQ(law.stiffness, 60 * stress / 7);
+  EXPECT_EQ(damage.stiffness_ratio, 1) << "CT2CN is 1 by default";
+}
+
+/// FS and FD of TIED_..._FAILURE are stresses; those of other contacts have no unit.
+TEST(ReadContacts, StressesAtFailureOfIncludes) {
+  constexpr double stress = 3 * 7 / 25.0 / 49;
+  const std::string cards = "1,2,3,3\n10.,20.\n1.,1.\n";
+  const Contact failing = included("*CONTACT_TIED_SURFACE_TO_SURFACE_FAILURE\n" + cards);
+  EXPECT_DOUBLE_EQ(failing.fs, 10 * stress);
+  EXPECT_DOUBLE_EQ(failing.fd, 20 * stress);
+  EXPECT_EQ(included("*CONTACT_TIED_SURFACE_TO_SURFACE\n" + cards).fs, 10);
+}
+
+TEST(ReadContacts, ForceCurvesOfRigidBodies) {
+  constexpr double force = 3 * 7 / 25.0;
+  const RigidForce law =
+      included("*CONTACT_RIGID_BODY_ONE_WAY_TO_RIGID_BODY\n" + cards_1_to_3 + "11,2,10.,,12,0.5,13\n").rigid;
+  EXPECT_EQ(law.curve, 11);
+  EXPECT_EQ(law.method, 2);
+  EXPECT_DOUBLE_EQ(law.unloading, 10 * force / 7);
+  EXPECT_EQ(law.damping_curve, 12);
+  EXPECT_EQ(law.damping_scale, 0.5);
+  EXPECT_EQ(law.unloading_curve, 13);
 }
 
 TEST(ReadContacts, SidesThatArePrinted) {

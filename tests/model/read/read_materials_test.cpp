@@ -32,7 +32,7 @@ const ManualCard cards[] = {
     {"ELASTIC_PLASTIC_THERMAL 004", "MID RO"},
     {"SOIL_AND_FOAM 005", "MID RO - K"},  // G KUN
     {"VISCOELASTIC 006", "MID RO K"},
-    {"BLATZ-KO_RUBBER 007", "MID RO - -"},
+    {"BLATZ-KO_RUBBER 007", "MID RO"},  // G
     {"HIGH_EXPLOSIVE_BURN 008", "MID RO - -"},
     {"NULL 009 9", "MID RO - - - - E PR"},
     {"POWER_LAW_PLASTICITY 018", "MID RO E PR"},
@@ -123,7 +123,7 @@ TEST(ReadMaterials, MooneyRivlin) {
     ASSERT_TRUE(material.mooney_rivlin);
     EXPECT_EQ(material.mooney_rivlin->a, 3);
     EXPECT_EQ(material.mooney_rivlin->b, 1);
-    EXPECT_EQ(material.mooney_rivlin->lcid, 17);
+    EXPECT_EQ(material.mooney_rivlin->test.curve, 17);
   }
 }
 

@@ -19,6 +19,25 @@ std::string two_states() {
   return text + glstat_text(state);
 }
 
+// The rows that R16 prints behind the block, from a public file.
+TEST(Glstat, AddedMass) {
+  GlobalState state;
+  state.mass_scaling = true;
+  state.added_mass = 2.8468e-4;
+  state.added_percent = 22936;
+  const std::string text = glstat_text(state);
+  EXPECT_TRUE(
+      text.ends_with("\n\n\n added mass.....................   0.28468E-03\n"
+                     " percentage increase............   0.22936E+05\n"))
+      << text;
+  EXPECT_EQ(read_glstat(text).at(0).added_mass, 2.8468e-4);
+  EXPECT_EQ(read_glstat(text).at(0).added_percent, 22936);
+  state.added_mass = 0;
+  EXPECT_NE(glstat_text(state).find("mass.....................   0.00000E+00\n"), std::string::npos);
+  EXPECT_EQ(glstat_text({}).find("added mass"), std::string::npos);
+  EXPECT_FALSE(read_glstat(glstat_text({})).at(0).mass_scaling);
+}
+
 TEST(ReadGlstat, AStateWithoutItsTotalIsLeftOut) {
   const std::string text = two_states();
   Diagnostics diagnostics;

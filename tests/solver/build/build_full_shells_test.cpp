@@ -104,10 +104,13 @@ TEST(BuildFullShells, HigherAccuracyIsNamed) {
   EXPECT_EQ(deck.warnings, "section 1: ELFORM -16 is calculated as ELFORM 16\n");
 }
 
-TEST(BuildFullShells, OtherFormsStayOnePoint) {
-  const Deck deck(6);
-  EXPECT_EQ(deck.points(0), 3u);
-  EXPECT_EQ(deck.warnings, "section 1: ELFORM 6 is calculated as the one-point shell\n");
+TEST(BuildFullShells, OtherFormsAreTheNearest) {
+  const Deck full(6);
+  EXPECT_EQ(full.points(0), 12u);
+  EXPECT_EQ(full.warnings, "section 1: ELFORM 6 is calculated as ELFORM 16\n");
+  const Deck one_point(25);
+  EXPECT_EQ(one_point.points(0), 3u);
+  EXPECT_EQ(one_point.warnings, "section 1: ELFORM 25 is calculated as the one-point shell (ELFORM 2)\n");
 }
 
 TEST(BuildFullShells, HourglassTypeEightIsAlwaysOn) {

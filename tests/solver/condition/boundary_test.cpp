@@ -151,16 +151,27 @@ TEST(Boundary, WhatIsNotCalculatedIsAFailure) {
   expect("*BOUNDARY_SPC_NODE\n4,0,1\n", Failure::Kind::unknown_reference, "node 4");
 }
 
-// Walls know neither local axes nor supports that come and go.
+// A wall stops what slides along local axes, and what a support has let go.
 TEST(Boundary, BesideRigidWalls) {
-  const std::string deck = point_mass + falls +
-                           "*RIGIDWALL_PLANAR\n0\n0.,0.,-1.,0.,0.,1.\n*CONTROL_TERMINATION\n0.1\n"
-                           "*CONTROL_TIMESTEP\n0.01\n*DEFINE_COORDINATE_VECTOR\n5,1.,1.,0.,0.,1.,0.\n";
-  EXPECT_TRUE(RunScene(deck + "*BOUNDARY_SPC_NODE\n1,0,1\n").prepared());
-  const RunScene local(deck + "*BOUNDARY_SPC_NODE\n1,5,1\n");
-  EXPECT_NE(local.message().find("rigid walls and conditions in local axes"), std::string::npos) << local.message();
-  const RunScene timed(deck + "*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n1.,2.\n");
-  EXPECT_NE(timed.message().find("birth or death"), std::string::npos) << timed.message();
+  const std::string deck = point_mass + "*LOAD_BODY_Z\n8,10.\n*DEFINE_CURVE\n8\n0.,1.\n" +
+                           "*RIGIDWALL_PLANAR\n0\n0.,0.,-1.,0.,0.,1.\n*CONTROL_TERMINATION\n2.\n"
+                           "*CONTROL_TIMESTEP\n0.001\n*DEFINE_COORDINATE_VECTOR\n5,1.,0.,-1.,0.,1.,0.\n";
+  RunScene local(deck + "*BOUNDARY_SPC_NODE\n1,5,0,1,1\n");  // x falls, at 45 degrees
+  ASSERT_TRUE(local.prepared()) << local.message();
+  local.go();
+  EXPECT_NEAR(local.state().x[0].z(), -1, 1e-12);
+  EXPECT_NEAR(local.state().x[0].x(), 1, 1e-12);
+  EXPECT_NEAR(local.energies().absorbed.walls, 2 * 10 * 1, 0.2);
+  EXPECT_NEAR(local.energies().ratio(), 1, 1e-3);
+  RunScene timed(deck + "*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,0,0,1\n0.,1.\n");
+  ASSERT_TRUE(timed.prepared()) << timed.message();
+  double at_death = 0;
+  timed.go([&](const solver::Run& run) {
+    if (run.stepper().state().time < 0.99) at_death = run.stepper().state().x[0].z();
+  });
+  EXPECT_EQ(at_death, 0);
+  EXPECT_NEAR(timed.state().x[0].z(), -1, 1e-12);
+  EXPECT_NEAR(timed.energies().absorbed.walls, 2 * 10 * 1, 0.2);
 }
 
 }  // namespace

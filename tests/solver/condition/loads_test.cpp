@@ -181,6 +181,56 @@ TEST(Loads, DampingByACurveAndDirection) {
   EXPECT_NEAR(result.forces[0]->stable_step(), 1.0 / 3, 1e-15);
 }
 
+// In a frame that turns: x = x₀ cosh(n α) with 2 sinh(α / 2) = ω dt, nothing along the axis.
+TEST(Loads, TurningFrame) {
+  constexpr double rate = 2, dt = 0.01;
+  Stepper stepper =
+      good("*NODE\n1,3.,5.,4.\n*ELEMENT_MASS\n1,1,2.\n*LOAD_BODY_RY\n5,2.,0,1.,9.,4.\n" + one).stepper(fixed_step(dt));
+  run(stepper, 100);
+  EXPECT_NEAR(stepper.state().x[0].x(), 1 + 2 * std::cosh(100 * 2 * std::asinh(rate * dt / 2)), 1e-11);
+  EXPECT_EQ(stepper.state().x[0].y(), 5);
+  EXPECT_NEAR(stepper.state().x[0].z(), 4, 1e-14);
+  EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-11);
+  // A rigid body: the sums over its masses.
+  Conditioned body = good(
+      "*NODE\n1,1.,0.,0.\n2,0.,2.,1.\n3,3.,1.,2.\n*ELEMENT_MASS\n1,1,2.\n2,2,1.\n3,3,3.\n*SET_NODE_LIST\n4\n1,2,3\n"
+      "*CONSTRAINED_NODAL_RIGID_BODY\n4,0,4\n*LOAD_BODY_RZ\n5,2.,0,0.5,0.,0.\n" +
+      one);
+  Forces forces;
+  forces.resize(3, 1);
+  body.forces[0]->add(body.structure.state, forces);
+  Vector force = Vector::Zero(), moment = Vector::Zero();
+  const Vector center = body.structure.rigid[0].center();
+  for (const auto& [x, mass] : {std::pair{Vector(1, 0, 0), 2}, {Vector(0, 2, 1), 1}, {Vector(3, 1, 2), 3}}) {
+    const Vector push = mass * rate * rate * Vector(x.x() - 0.5, x.y(), 0);
+    force += push;
+    moment += (x - center).cross(push);
+  }
+  EXPECT_NEAR((forces.body_force[0] - force).norm(), 0, 1e-12);
+  EXPECT_NEAR((forces.body_moment[0] - moment).norm(), 0, 1e-12);
+  EXPECT_GT(moment.norm(), 1);
+}
+
+// The damped part slows down as *DAMPING_GLOBAL has it, the other one flies on; the same for a rigid part.
+TEST(Loads, DampingOfParts) {
+  constexpr double damping = 1.5, dt = 0.001;
+  const std::string other =
+      "*NODE\n5,9.,0.,0.\n6,10.,0.,0.\n7,10.,1.,0.\n8,9.,1.,0.\n*ELEMENT_SHELL\n2,2,5,6,7,8\n*PART\nq\n2,1,1\n";
+  Stepper stepper = good(plate(1, 1, {1, 1, 0}) + elastic_deck(shell_section, 1000, 0.3, 7) + other + rigid_box +
+                         rigid_material + one + "*DAMPING_PART_MASS\n1,5,1.5\n*SET_PART_LIST\n3\n7\n" +
+                         "*DAMPING_PART_MASS_SET\n3,5,1.5,1\n1.,0.,1.,1.,1.,1.\n*INITIAL_VELOCITY\n0\n3.,2.,0.\n")
+                        .stepper(fixed_step(dt));
+  run(stepper, 100);
+  const double left = (1 - damping * dt / 2) * std::pow(1 - damping * dt, 99);
+  EXPECT_NEAR(stepper.state().v[0].x(), 3 * left, 1e-10);
+  EXPECT_NEAR(stepper.state().v[0].y(), 2 * left, 1e-10);
+  EXPECT_NEAR(stepper.state().v[4].x(), 3, 1e-10);
+  EXPECT_NEAR(stepper.structure().rigid[0].velocity().x(), 3 * left, 1e-10);
+  EXPECT_NEAR(stepper.structure().rigid[0].velocity().y(), 2, 1e-10);
+  EXPECT_NEAR(stepper.energies().ratio(), 1, 1e-10);
+  EXPECT_GT(stepper.energies().absorbed.damping, 0);
+}
+
 TEST(Loads, WhatCannotBeIsAFailure) {
   for (const auto& [cards, text] : std::vector<std::pair<std::string, std::string>>{
            {"*LOAD_NODE_POINT\n1,1,99\n", "*LOAD_NODE_POINT: curve 99"},
@@ -196,6 +246,9 @@ TEST(Loads, WhatCannotBeIsAFailure) {
            {"*LOAD_SHELL_SET\n6,5\n", "shell set 6"},
            {"*LOAD_BODY_X\n99\n", "curve 99"},
            {"*LOAD_BODY_X\n5\n*LOAD_BODY_PARTS\n8\n", "part set 8"},
+           {"*DAMPING_PART_MASS\n9,5,1.\n", "part 9"},
+           {"*DAMPING_PART_MASS_SET\n9,5,1.\n", "part set 9"},
+           {"*LOAD_BODY_RX\n99\n", "curve 99"},
            {"*DAMPING_GLOBAL\n99\n", "curve 99"}}) {
     const Conditioned result = conditioned(point_mass + one + cards);
     ASSERT_FALSE(result.status.ok()) << cards;

@@ -5,57 +5,10 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
-#include "solver/structure_of.hpp"
+#include "solver/condition/wall_flight.hpp"
 
 namespace gapcheck::solver::rigid_walls_test {
 namespace {
-
-/// A stepper with the walls of a deck; the deck's masses fly with the given velocity.
-struct Flight {
-  Stepper stepper;
-  const RigidWalls* walls;
-  std::vector<Diagnostic> diagnostics;
-  [[nodiscard]] const WallState& wall(std::size_t i = 0) const { return walls->states()[i]; }
-};
-
-Flight fly(const std::string& deck, const Vector& velocity, double step, std::uint8_t held = 0) {
-  const model::Read read = model::read_text(deck);
-  EXPECT_EQ(read.errors(), 0u) << read.text();
-  Diagnostics diagnostics;
-  Structure structure = build_structure(read.model, {}, diagnostics).value();
-  for (Vector& v : structure.state.v) v = velocity;
-  for (std::uint32_t i = 0; i < structure.state.x.size(); ++i) structure.constraints.hold(NodeIndex{i}, held);
-  StepSettings settings;
-  settings.greatest_step = step;
-  auto walls = std::make_unique<RigidWalls>(read.model, structure, diagnostics);
-  Flight flight{Stepper(std::move(structure), settings), walls.get(), diagnostics.sorted()};
-  flight.stepper.add(std::move(walls));
-  return flight;
-}
-
-void run(Flight& flight, int steps) {
-  for (int i = 0; i < steps; ++i) {
-    const SolverStatus status = flight.stepper.step();
-    ASSERT_TRUE(status.ok()) << status.error().message;
-  }
-}
-
-/// A mass of 2 at the given place; node set 1.
-std::string mass_at(const std::string& place) {
-  return "*NODE\n1," + place + "\n*ELEMENT_MASS\n1,1,2.\n*SET_NODE_LIST\n1\n1\n";
-}
-
-/// A constant force on all nodes.
-class Push : public Force {
- public:
-  explicit Push(Vector force) : force_(std::move(force)) {}
-  void add(State&, Forces& forces) override {
-    for (Vector& f : forces.force) f += force_;
-  }
-
- private:
-  Vector force_;
-};
 
 // A mass thrown at a plane: it comes to lie on it, gives m v and ½ m v² to it, and stays there.
 TEST(RigidWalls, PlasticStop) {
@@ -96,7 +49,7 @@ TEST(RigidWalls, PlaneInAnyDirection) {
 TEST(RigidWalls, WeightAndFriction) {
   constexpr double weight = 6, mass = 2, mu = 0.25, speed = 0.3, step = 1e-3;
   Flight flight = fly(mass_at("0.,0.,0.") + "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,0.25\n", {speed, 0, 0}, step);
-  flight.stepper.add(std::make_unique<Push>(Vector(0, 0, -weight)));
+  flight.stepper.add(std::make_unique<SteadyPush>(Vector(0, 0, -weight)));
   // The load was added behind the walls: reactions come after all loads.
   const double slowing = mu * weight / mass;
   for (int i = 0; i < 100; ++i) {
@@ -149,7 +102,7 @@ TEST(RigidWalls, RectangleAndTimes) {
   EXPECT_LT(past.stepper.state().x[0].z(), -0.014);
   const std::string timed = "*RIGIDWALL_PLANAR\n1,0,0,0.,0.0105,0.0205\n0,0,0,0,0,1\n";
   Flight flight = fly(mass_at("0.,0.,0.") + timed, {0, 0, -3}, 1e-3);
-  flight.stepper.add(std::make_unique<Push>(Vector(0, 0, -1)));
+  flight.stepper.add(std::make_unique<SteadyPush>(Vector(0, 0, -1)));
   run(flight, 10);
   EXPECT_EQ(flight.wall().touching, 0u);
   run(flight, 10);
@@ -223,20 +176,44 @@ TEST(RigidWalls, RodAgainstTheWall) {
 
 TEST(RigidWalls, WhatIsNotCalculatedIsNamed) {
   const Flight flight = fly(mass_at("0.,0.,0.") +
-                                "*RIGIDWALL_PLANAR_MOVING\n1\n0,0,0,0,0,1\n1.,1.\n"
-                                "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,2.\n"
-                                "*RIGIDWALL_PLANAR_ORTHO\n1\n0,0,0,0,0,1\n\n\n"
-                                "*RIGIDWALL_PLANAR_FORCES\n1\n0,0,0,0,0,1\n9\n"
+                                "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1,-2.5\n"
+                                "*RIGIDWALL_GEOMETRIC_SPHERE\n1\n0,0,0,0,0,1,3.\n1.\n"
                                 "*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n",
                             {0, 0, 0}, 1);
   EXPECT_EQ(flight.walls->states().size(), 1u);
-  EXPECT_EQ(flight.wall().wall, 4u);
-  ASSERT_EQ(flight.diagnostics.size(), 4u);
+  EXPECT_EQ(flight.wall().wall, 2u);
+  ASSERT_EQ(flight.diagnostics.size(), 2u);
   EXPECT_EQ(flight.diagnostics[0].file, "a.k");
   EXPECT_GT(flight.diagnostics[0].line, 0u);
   EXPECT_EQ(flight.diagnostics[0].message,
-            "*RIGIDWALL_PLANAR_MOVING, wall 1: moving walls are not calculated; the wall takes no part in the "
-            "calculation");
+            "*RIGIDWALL_PLANAR, wall 1: FRIC below 0 is not calculated; the wall takes no part in the calculation");
+}
+
+// Each contradiction ends the run before its first cycle, with the line of the wall.
+TEST(RigidWalls, ContradictionsEndTheRun) {
+  const auto said = [](const std::string& wall) {
+    const SolverStatus status = check_walls(model::read_text(mass_at("0.,0.,0.") + wall).model);
+    if (status.ok()) return std::string();
+    EXPECT_GT(status.error().place.line, 0u);
+    return status.error().message;
+  };
+  EXPECT_EQ(said("*RIGIDWALL_PLANAR\n1\n0,0,0,0,0,1\n"), "");
+  const std::string curve = "*DEFINE_CURVE\n3\n0.,1.\n1.,1.\n*DEFINE_CURVE\n4\n1.,1.\n0.,1.\n";
+  EXPECT_EQ(said("*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n1\n0,0,0,0,0,1\n1,0,0\n3,0,0.,0.,1.\n" + curve), "");
+  for (const auto& [wall, expected] : std::initializer_list<std::pair<std::string, std::string>>{
+           {"*RIGIDWALL_PLANAR\n9\n0,0,0,0,0,1\n", "node set 9"},
+           {"*RIGIDWALL_PLANAR\n0,9\n0,0,0,0,0,1\n", "node set 9"},
+           {"*RIGIDWALL_PLANAR\n0,0,9\n0,0,0,0,0,1\n", "box 9"},
+           {"*RIGIDWALL_PLANAR_MOVING\n0\n0,0,0,0,0,1\n0.,3.\n", "MASS"},
+           {"*RIGIDWALL_PLANAR_MOVING\n0\n0,0,0,0,0,1\n-1.,3.\n", "MASS"},
+           {"*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n1\n0,0,0,0,0,1\n1,0,0\n9,0,0.,0.,1.\n", "curve 9"},
+           {"*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n1\n0,0,0,0,0,1\n1,0,0\n4,0,0.,0.,1.\n" + curve, "do not rise"},
+           {"*RIGIDWALL_GEOMETRIC_FLAT_MOTION\n1\n0,0,0,0,0,1\n1,0,0\n3,0\n" + curve, "no direction"},
+           {"*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,0,0,0,1\n0.1,0.1\n0,0,0.,0.,2.\n", "D1 to D3"},
+           {"*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,0,0,0,1\n-0.1,0.1\n0,0,1.\n", "coefficient"},
+           {"*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,0,0,0,1\n0.1,0.1\n1,7\n", "node 7"},
+           {"*RIGIDWALL_PLANAR_FORCES\n0\n0,0,0,0,0,1\n-2\n", "SOFT -2"}})
+    EXPECT_NE(said(wall).find(expected), std::string::npos) << wall << said(wall);
 }
 
 // Numbers without sense must not bring it down.

@@ -117,6 +117,59 @@ TEST(Penalty, SoftOneReckonsWithDtstif) {
   }
 }
 
+/// `deck` with the third card of *PART_CONTACT (FS, FD, DC, VC, OPTT, SFT, SSF) and FS of the contact.
+std::string with_part_contact(std::string deck, const std::string& card, const std::string& fs) {
+  const std::string part = "*PART\np\n1,1,1\n", card2 = "4,2\n0.\n";
+  deck.replace(deck.find(part), part.size(), "*PART_CONTACT\np\n1,1,1\n" + card + "\n");
+  return deck.replace(deck.find(card2), card2.size(), "4,2\n" + fs + "\n");
+}
+
+// *PART_CONTACT: SSF scales the spring of the part's segments; OPTT and SFT replace and scale their thickness.
+TEST(Penalty, PartsScaleTheirStiffnessAndThickness) {
+  const double spring = 0.1 * (1000 / 1.5) / std::sqrt(2.0);
+  const auto of = [](const std::string& card) {
+    RunSettings settings;
+    settings.cycles = 1;
+    settings.step.greatest_step = 1e-6;
+    RunScene scene(with_part_contact(node_over_held_quad(0.04, "1.,1.\n0\n0.,0,0,1\n", ""), card, "0."), settings);
+    EXPECT_TRUE(scene.prepared()) << scene.message();
+    std::pair<double, double> found;
+    if (!scene.prepared()) return found;
+    scene.go([&](const solver::Run& run) {
+      const auto nodes = run.contacts()[0].nodes();
+      if (!nodes.empty()) found = {nodes[0].penetration, nodes[0].force.norm()};
+    });
+    return found;
+  };
+  EXPECT_NEAR(of("0.,0.,0.,0.,0.,0.,2.5").second / (2.5 * spring * 0.01), 1, 1e-9);
+  EXPECT_NEAR(of("0.,0.,0.,0.,0.,0.,0.").second / (spring * 0.01), 1, 1e-9);
+  EXPECT_NEAR(of("0.,0.,0.,0.,0.12").first, 0.02, 1e-12) << "OPTT";
+  EXPECT_NEAR(of("0.,0.,0.,0.,0.,0.9").first, 0.005, 1e-12) << "SFT";
+}
+
+// FS = -1: the friction of the segment's part, by the speed, and no more than VC times the segment's area.
+TEST(Penalty, PartsHaveTheirFriction) {
+  for (const double limit : {0.0, 0.05}) {
+    RunSettings settings;
+    settings.cycles = 60;
+    settings.step.greatest_step = 1e-3;
+    const std::string deck = node_over_held_quad(0.04, "1.,1.\n0\n0.,0,0,1\n", "*INITIAL_VELOCITY_NODE\n5,2.\n");
+    RunScene scene(with_part_contact(deck, fmt::format("0.3,0.1,0.5,{}", limit), "-1."), settings);
+    ASSERT_TRUE(scene.prepared()) << scene.message();
+    int seen = 0;
+    scene.go([&](const solver::Run& run) {
+      const auto nodes = run.contacts()[0].nodes();
+      if (run.stepper().state().cycle < 30 || nodes.empty()) return;
+      // That of the next half step, by which the coefficient differs in its fifth digit.
+      const double speed = run.stepper().state().v[4].head<2>().norm();
+      const double coulomb = (0.1 + 0.2 * std::exp(-0.5 * speed)) * nodes[0].force.z();
+      EXPECT_NEAR(nodes[0].force.head<2>().norm(), limit > 0 ? std::min(limit, coulomb) : coulomb, 5e-6);
+      ++seen;
+    });
+    EXPECT_GT(seen, 20);
+  }
+}
+
 // SLDTHK coats a brick's face; SLDSTF takes the place of its bulk modulus.
 TEST(Penalty, CoatOfSolids) {
   for (const double modulus : {0.0, 5000.0}) {

@@ -404,6 +404,19 @@ TEST(SegmentRule, TellsOfIntersectingSegments) {
   EXPECT_TRUE(scene.contacts->take_events().empty()) << "told once while nothing changes";
 }
 
+// Without elements that set a step its springs would have no stiffness, and bodies would pass through each other.
+TEST(SegmentRule, RigidBodiesAloneNeedAStep) {
+  const std::string rigid = "*SECTION_SHELL\n1,2\n0.04\n*MAT_RIGID\n1,1.,1000.,0.3\n\n\n*SET_PART_LIST\n1\n1,2\n";
+  const std::string deck = sheet(1, 1, {0, 0, 0}, 1) + sheet(2, 1, {0, 0, 0.5}, 1) + rigid +
+                           "*CONTROL_TERMINATION\n1.\n" + contact_of("AUTOMATIC_SURFACE_TO_SURFACE");
+  RunSettings settings;
+  settings.cycles = 1;
+  const RunScene without(deck, settings), with(deck + "*CONTROL_TIMESTEP\n1e-3\n", settings);
+  EXPECT_FALSE(without.prepared());
+  EXPECT_NE(without.message().find("SOFT = 2"), std::string::npos) << without.message();
+  EXPECT_TRUE(with.prepared()) << with.message();
+}
+
 TEST(SegmentRule, NamesWhatIsNotCalculated) {
   const auto warnings = [](const std::string& a_card, const std::string& more, const std::string& type) {
     RunSettings settings;

@@ -4,68 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/element/shell_stiffness.hpp"
+#include "solver/element/shell_strip.hpp"
 #include "solver/output/plot.hpp"
 #include "solver/output/state_balance.hpp"
 #include "solver/run_scene.hpp"
 
 namespace gapcheck::solver::shell_full_structures_test {
 namespace {
-
-struct Strip {
-  double young = 1000, poisson = 0, thickness = 0.1;
-  std::vector<Vector> x;  ///< by station along the strip, then across it; the first station is clamped
-  std::size_t across = 2;
-  std::vector<std::array<std::size_t, 4>> elements = {};
-
-  /// n x (across − 1) quads.
-  void join() {
-    for (std::size_t a = 0; a + across < x.size(); a += across)
-      for (std::size_t j = a; j + 1 < a + across; ++j) elements.push_back({j, j + across, j + across + 1, j + 1});
-  }
-
-  /// Displacement of the last station along `direction` under a unit force there.
-  [[nodiscard]] double tip(const Vector& direction) const {
-    const int clamped = 6 * static_cast<int>(across), size = 6 * static_cast<int>(x.size()) - clamped;
-    Eigen::MatrixXd k = Eigen::MatrixXd::Zero(size, size);
-    for (const auto& element : elements) add(element, clamped, k);
-    // Rotations about the normals have no stiffness: hold them by next to nothing.
-    const double least = 1e-9 * young * std::pow(thickness, 3);
-    for (int i = 0; i < size; ++i) k(i, i) += i % 6 < 3 ? 0 : least;
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(size);
-    for (std::size_t j = 0; j < across; ++j) {
-      const double share = (j == 0 || j + 1 == across ? 0.5 : 1) / static_cast<double>(across - 1);
-      load.segment<3>(size - 6 * static_cast<int>(across - j)) = share * direction;
-    }
-    return load.dot(k.partialPivLu().solve(load));
-  }
-
- private:
-  void add(const std::array<std::size_t, 4>& element, int clamped, Eigen::MatrixXd& k) const {
-    ShellProperties properties;
-    properties.material = elastic_material(young, poisson);
-    properties.shear_factor = 5.0 / 6;
-    std::array<Vector, 4> corners;
-    for (std::size_t i = 0; i < 4; ++i) corners[i] = x[element[i]];
-    const Eigen::MatrixXd own = shell_stiffness(OneShell(properties, thickness, full_forces), corners, 1e-14);
-    const Eigen::MatrixXd even = (own + own.transpose()) / 2;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) {
-        const int row = 6 * static_cast<int>(element[i]) - clamped, column = 6 * static_cast<int>(element[j]) - clamped;
-        if (row >= 0 && column >= 0)
-          k.block<6, 6>(row, column) += even.block<6, 6>(6 * static_cast<int>(i), 6 * static_cast<int>(j));
-      }
-  }
-};
-
-Strip straight(int n, double length, double width, double thickness) {
-  Strip strip;
-  strip.thickness = thickness;
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j < 2; ++j) strip.x.emplace_back(length * i / n, width * j, 0);
-  strip.join();
-  return strip;
-}
 
 // P L³/3 E I + P L/κ G A. A linear curvature misses 1/(4 n²) of the bending, whatever the thickness and the sides.
 TEST(FullShellCantilever, DoesNotLockInShear) {
@@ -105,17 +50,6 @@ TEST(FullShellCantilever, InItsPlane) {
 // MacNeal and Harder (1985): twisted by 90°, 12 x 2 quads, t = 0.32; t = 0.0032 with the values commonly quoted for it,
 // where a shell that locks in the membrane fails.
 TEST(FullShellCantilever, TwistedBeam) {
-  constexpr double length = 12, width = 1.1;
-  const auto twisted = [](int n, double thickness) {
-    Strip strip{29e6, 0.22, thickness, {}, 3};
-    for (int i = 0; i <= n; ++i)
-      for (int j = -1; j <= 1; ++j) {
-        const double angle = std::numbers::pi / 2 * i / n, y = width / 2 * j;
-        strip.x.emplace_back(length * i / n, y * std::cos(angle), y * std::sin(angle));
-      }
-    strip.join();
-    return strip;
-  };
   const auto near = [](const char* name, double found, double reference, double tolerance) {
     EXPECT_NEAR(found / reference, 1, tolerance) << name;
     testing::Test::RecordProperty(name, fmt::format("{:.4f}", found / reference));

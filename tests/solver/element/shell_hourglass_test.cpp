@@ -42,7 +42,7 @@ std::array<Mode, 5> modes() {
   const double shear = young / 2 / (1 + poisson), cube = thickness * thickness * thickness, c = membrane_viscosity();
   const double membrane = share * young * thickness * area * sum_b / 8,
                turn = share * young * cube * area * sum_b / 192;
-  const double deflection = share * shear_factor * shear * cube * area * sum_b / 12;
+  const double deflection = share * shear_factor * shear * cube * sum_b / 12;
   const double thin = thickness * thickness;
   return {Mode{"membrane x", false, 0, membrane, c}, Mode{"membrane y", false, 1, membrane, c},
           Mode{"deflection", false, 2, deflection, c * thin / area}, Mode{"rotation x", true, 0, turn, c * thin / 12},
@@ -98,6 +98,39 @@ TEST(ShellHourglass, ViscosityOfDeflectionIsBounded) {
   const Mode deflection = modes()[2];
   const double stress = membrane_viscosity() / thickness * 3 * rate;
   EXPECT_NEAR(shell.step(moved(deflection), dt).force[0].z(), stress, 1e-6 * stress);
+}
+
+// QM, QB and QW: of membrane, rotation and deflection.
+TEST(ShellHourglass, CoefficientOfEachKind) {
+  for (const HourglassKind kind : {HourglassKind::stiffness, HourglassKind::viscous}) {
+    ShellProperties all = properties(kind);
+    all.hourglass.coefficient = 2 * share;
+    all.hourglass.bending = 3 * share;
+    all.hourglass.warping = 5 * share;
+    for (const Mode& m : modes()) {
+      OneShell shell(all, thickness);
+      const double factor = m.turns ? 3 : m.axis == 2 ? 5 : 2;
+      const double stress = kind == HourglassKind::viscous ? m.viscosity * rate : m.stiffness * rate * dt;
+      expect_forces(shell.step(moved(m), dt), m, factor * stress);
+    }
+  }
+}
+
+// In metres instead of millimetres the same shell has the same forces.
+TEST(ShellHourglass, DoesNotDependOnTheUnitOfLength) {
+  const Mode deflection = modes()[2];
+  const auto force = [&](double unit) {
+    ShellProperties all = properties(HourglassKind::stiffness);
+    all.material = elastic_material(young / (unit * unit), poisson, density / (unit * unit * unit));
+    OneShell shell(all, unit * thickness);
+    ShellCorners corners = moved(deflection);
+    for (std::size_t i = 0; i < 4; ++i) {
+      corners.x[i] *= unit;
+      corners.v[i] *= unit;
+    }
+    return shell.step(corners, dt).force[0].z();
+  };
+  EXPECT_NEAR(force(1e-3) / force(1), 1, 1e-6);
 }
 
 TEST(ShellHourglass, NoControlGivesNoForce) {

@@ -28,7 +28,7 @@ struct OneShell {
     state.thickness = thickness;
   }
   ShellForces step(const ShellCorners& corners, double dt) {
-    if (!started && kernel == quad_forces)
+    if (!started && (kernel == quad_forces || kernel == warped_quad_forces))
       state.stiffness = hourglass_stiffness(properties, corners.x, state.thickness);
     started = true;
     return kernel(properties, corners, dt, state, points);

@@ -300,7 +300,7 @@ TEST(Shell, StableStepCountsHourglassControl) {
     for (Vector& corner : x) corner += Vector(number(random), number(random), trial % 2 == 0 ? 0 : number(random) / 4);
     constexpr double h = 0.05;
     ShellProperties properties = elastic_shell();
-    properties.hourglass.coefficient = trial % 3 == 0 ? 0.1 : 1;
+    properties.hourglass.set_all(trial % 3 == 0 ? 0.1 : 1);
     OneShell shell(properties, h);
     const double share = shell_area(x) * h / 4, inertia = share * rotational_inertia(shell_area(x), h);
     Eigen::VectorXd root(24);

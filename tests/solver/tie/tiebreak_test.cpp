@@ -11,26 +11,12 @@
 #include "results/log/solver_log.hpp"
 #include "solver/output/run_files.hpp"
 #include "solver/run_scene.hpp"
+#include "solver/tie/tiebreak_scene.hpp"
 
 namespace gapcheck::solver::tiebreak_test {
 namespace {
 
-constexpr double half_thickness = 0.05;
-
-/// Node 5 of mass 1 in touch with the middle of a held shell of 1 by 1, tied by `contact` (keyword, card 4). `drive`:
-/// what moves the node; curve 1 is `curve`.
-std::string node_on_shell(const std::string& keyword, const std::string& card, const std::string& drive,
-                          const std::string& curve, double end) {
-  return fmt::format(
-      "*NODE\n1,0.,0.,0.\n2,1.,0.,0.\n3,1.,1.,0.\n4,0.,1.,0.\n5,0.5,0.5,{}\n*ELEMENT_SHELL\n1,1,1,2,3,4\n"
-      "*ELEMENT_MASS\n5,5,1.\n*PART\np\n1,1,1\n*SECTION_SHELL\n1,2\n0.1\n*MAT_ELASTIC\n1,1.,1000.,0.25\n"
-      "*BOUNDARY_SPC_NODE\n1,0,1,1,1,1,1,1\n2,0,1,1,1,1,1,1\n3,0,1,1,1,1,1,1\n4,0,1,1,1,1,1,1\n"
-      "*SET_NODE_LIST\n1\n5\n*CONTACT_{}\n1,1,4,3\n0.\n1.,1.\n{}\n*DEFINE_CURVE\n1\n{}{}"
-      "*CONTROL_TERMINATION\n{}\n",
-      half_thickness, keyword, card, curve, drive, end);
-}
-
-const std::string old_type = "TIEBREAK_NODES_TO_SURFACE", automatic = "AUTOMATIC_NODES_TO_SURFACE_TIEBREAK";
+using namespace tiebreak_scene;
 
 struct Pull {
   double force = 0, time = 0;  ///< of the failure; 0: none
@@ -265,17 +251,32 @@ TEST(Tiebreak, WhatIsNotCalculatedIsRefused) {
   EXPECT_EQ(method(surfaces, "2,1.,1.").method, ContactMethod::tiebreak);
   EXPECT_EQ(method(surfaces, "6,1.,1.,0.1").method, ContactMethod::tiebreak);
   EXPECT_EQ(method("TIEBREAK_SURFACE_TO_SURFACE", "1.,1.").method, ContactMethod::tiebreak);
-  for (const char* card : {"1", "3,1.,1.", "4,1.,1.", "5,1.,1.", "7,1.,1.", "9,1.,1.", "6,1.,1."}) {
+  for (const char* card : {"1", "3,1.,1.", "5,0.,1.", "7,1.,1.", "9,1.,1.,0.,1.,1.", "9,1.,-7.,1.,1.,1.",
+                           "9,1.,1.,1.,1.,1.,-1.", "6,1.,1.", "8,1.,1.", "13,1.,1."}) {
     EXPECT_EQ(method(surfaces, card).method, ContactMethod::none) << card;
     EXPECT_FALSE(method(surfaces, card).why_not.empty()) << card;
   }
-  EXPECT_EQ(method("TIEBREAK_SURFACE_TO_SURFACE", "1.,1.,7").method, ContactMethod::none);
+  for (const char* card :
+       {"-2,1.,1.", "4,1.", "5,1.", "7,1.,1.,0.,1.,1.", "8,1.,1.,0.1", "9,1.,1.,-1.,1.,1.", "11,1.,1.,1.,1.,1."})
+    EXPECT_EQ(method(surfaces, card).method, ContactMethod::tiebreak) << card;
   for (const int soft : {0, 1})
     EXPECT_EQ(method(surfaces, fmt::format("2,1.,1.\n{}", soft)).method, ContactMethod::tiebreak);
   EXPECT_EQ(method(surfaces, "2,1.,1.\n2").method, ContactMethod::none);
   EXPECT_NE(method(surfaces, "2,1.,1.\n2").why_not.find("SOFT"), std::string_view::npos);
   EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "2,1.,1.").method, ContactMethod::none);
-  EXPECT_EQ(method("TIED_SURFACE_TO_SURFACE_FAILURE", "1.,1.").method, ContactMethod::none);
+  EXPECT_EQ(method("TIED_SURFACE_TO_SURFACE_FAILURE", "").method, ContactMethod::tie);
+}
+
+TEST(Tiebreak, CardsThatCannotBeAreNamed) {
+  const auto message = [](const std::string& keyword, const std::string& card) {
+    RunScene scene(node_on_shell(keyword, card, "*LOAD_NODE_POINT\n5,3,1,1.\n", "0.,0.\n10.,1.\n", 1));
+    return scene.message();
+  };
+  EXPECT_NE(message("TIEBREAK_SURFACE_TO_SURFACE", "1.,1.,77").find("no curve 77"), std::string::npos);
+  EXPECT_NE(message(automatic, "5,1.,1.,78").find("no curve 78"), std::string::npos);
+  EXPECT_NE(message(automatic, "2,-1.,1.").find("0 or more"), std::string::npos);
+  EXPECT_NE(message(old_type, "1.,1.,-1.,1.").find("NEN"), std::string::npos);
+  EXPECT_EQ(message(automatic, "5,1.,1."), "");
 }
 
 }  // namespace

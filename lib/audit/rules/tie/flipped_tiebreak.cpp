@@ -25,9 +25,10 @@ constexpr double touching = 1e-4;
 /// faces that look along the segment too.
 constexpr double facing = 0.5;
 
-/// Types 8 and 9; tiebreaks of automatic types remember the side of each node.
+/// Types 8 and 9 with oriented surfaces.
 bool oriented(const model::Contact& contact) {
-  return contact.kind != nullptr && contact.kind->breaks() && !contact.kind->automatic_tiebreak();
+  return contact.kind != nullptr && contact.kind->breaks() && !contact::sides_are_remembered(contact) &&
+         contact.kind->treatment != model::Treatment::single_surface;
 }
 
 /// Faces of solids look outward whatever the order of their nodes.

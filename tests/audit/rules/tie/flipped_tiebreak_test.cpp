@@ -81,6 +81,9 @@ TEST(FlippedTiebreak, TheSolverTurnsSomeSurfaces) {
 
 TEST(FlippedTiebreak, OldTypesOnly) {
   EXPECT_EQ(listed(plate_at(-1, "1,9,3,1", "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "", "2,1.,1.\n")), 0U);
+  // PARAM = 1 takes the orientation; THKOFF = 1 leaves it out.
+  EXPECT_EQ(listed(plate_at(-1, "1,9,3,1", "AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", "", "2,1.,1.,1.\n")), 1U);
+  EXPECT_EQ(listed(plate_at(-1, "1,9,3,1", "TIEBREAK_SURFACE_TO_SURFACE", "", "1.,1.,0,1\n")), 0U);
   EXPECT_EQ(listed(plate_at(-1, "1,9,3,1", "TIED_SURFACE_TO_SURFACE", "", "")), 0U);
   EXPECT_EQ(listed(plate_at(-1, "1,9,3,1", "SURFACE_TO_SURFACE", "", "")), 0U);
 }

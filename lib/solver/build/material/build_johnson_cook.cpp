@@ -1,4 +1,4 @@
-#include "solver/build/build_johnson_cook.hpp"
+#include "solver/build/material/build_johnson_cook.hpp"
 
 #include <fmt/format.h>
 

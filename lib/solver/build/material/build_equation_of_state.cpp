@@ -1,11 +1,11 @@
-#include "solver/build/build_equation_of_state.hpp"
+#include "solver/build/material/build_equation_of_state.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "solver/build/build_johnson_cook.hpp"
+#include "solver/build/material/build_johnson_cook.hpp"
 
 namespace gapcheck::solver {
 namespace {

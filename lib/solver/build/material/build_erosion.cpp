@@ -1,4 +1,4 @@
-#include "solver/build/build_erosion.hpp"
+#include "solver/build/material/build_erosion.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,60 @@
+#pragma once
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "results/text/file_header.hpp"
+#include "results/text/result_text.hpp"
+
+namespace gapcheck::results {
+
+/// All rows of a file at one time.
+template <class Row>
+struct Timed {
+  double time = 0;
+  std::vector<Row> rows;
+};
+
+/// What a file of curves says over the whole run.
+template <class Row>
+struct History {
+  std::vector<LegendEntry> titles;
+  std::vector<Timed<Row>> states;  ///< in order of the file
+
+  /// A row without a time of its own belongs to the last state.
+  void add(Row row) {
+    if (!states.empty()) states.back().rows.push_back(std::move(row));
+  }
+  /// Rows with one time are one state. A time that is not a number begins none.
+  void at(double time) {
+    if (time == time && (states.empty() || states.back().time != time)) states.push_back({time, {}});
+  }
+  /// Leaves out a last state with fewer rows than the one before it.
+  void end(ResultText& file) {
+    if (states.size() < 2 || states.back().rows.size() >= states[states.size() - 2].rows.size()) return;
+    states.pop_back();
+    file.incomplete();
+  }
+};
+
+/// Three numbers off the front of `rest`.
+[[nodiscard]] inline Vector take_vector(ResultText& file, std::string_view& rest) {
+  Vector value = Vector::Zero();
+  for (int axis = 0; axis < 3; ++axis) value[axis] = file.take(rest);
+  return value;
+}
+
+/// What follows the first `word` in a line; nothing where it is missing.
+[[nodiscard]] inline std::string_view behind(std::string_view line, std::string_view word) {
+  const std::size_t at = line.find(word);
+  return at == std::string_view::npos ? std::string_view{} : line.substr(at + word.size());
+}
+
+/// What follows the first columns of a line.
+[[nodiscard]] inline std::string_view behind_columns(std::string_view line, std::size_t columns) {
+  return line.substr(std::min(columns, line.size()));
+}
+
+}  // namespace gapcheck::results

@@ -1,0 +1,185 @@
+#include "solver/build/build_shells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/build/build_full_shells.hpp"
+#include "solver/build/build_hourglass.hpp"
+#include "solver/quadrature/gauss.hpp"
+
+namespace gapcheck::solver {
+namespace {
+
+constexpr std::int64_t belytschko_wong_chiang = 10;
+/// Thin triangles, and thick ones; all are calculated as the latter.
+constexpr std::int64_t bciz_triangle = 3, c0_triangle = 4, dkt_triangle = 17;
+
+bool in_set(const model::Model& model, std::int64_t id, PartIndex part) {
+  const auto set = model.sets.parts.find(id);
+  if (set == model.sets.parts.end()) return false;
+  const auto& members = set->second.members;
+  return std::find(members.begin(), members.end(), part) != members.end();
+}
+
+/// ISTUPD, PSTUPD and SIDT4TU.
+void set_thinning(const model::Model& model, PartIndex part, ShellProperties& properties) {
+  const model::Controls& controls = model.controls;
+  const bool asked = controls.istupd == 1 || controls.istupd == 3 || controls.istupd == 4;
+  const bool chosen = controls.pstupd == 0 || (controls.pstupd > 0) == in_set(model, std::abs(controls.pstupd), part);
+  const bool by_flow = controls.istupd == 4 || (controls.sidt4tu > 0 && in_set(model, controls.sidt4tu, part));
+  properties.thins = asked && chosen;
+  properties.thins_by_flow = properties.thins && by_flow;
+}
+
+/// The triangle whose quads a formulation has none of: a part of triangles alone is what it says.
+bool has_quads(const model::Model& model, PartIndex part) {
+  const model::Shells& shells = model.mesh.shells;
+  for (std::size_t i = 0; i < shells.size(); ++i)
+    if (shells.part[i] == part && shells.nodes[i][2] != shells.nodes[i][3]) return true;
+  return false;
+}
+
+void set_projection(const model::Model& model, std::int64_t elform, ShellProperties& properties) {
+  properties.sides_shear = elform == belytschko_wong_chiang;
+  if (model.controls.bwc != 1 && !properties.sides_shear) return;
+  properties.projection = model.controls.proj == 1 ? ShellProjection::full : ShellProjection::drill;
+}
+
+void name_formulation(const model::Model& model, PartIndex part, const model::Section& section,
+                      Diagnostics& diagnostics) {
+  const std::int64_t elform = section.elform;
+  if (elform == 0 || elform == 2 || elform == belytschko_wong_chiang || full_shell(section) || membrane(section))
+    return;
+  const bool triangles = elform == bciz_triangle || elform == c0_triangle || elform == dkt_triangle;
+  if (triangles && !has_quads(model, part)) {
+    if (elform != c0_triangle)
+      diagnostics.warning(
+          model.file(section.place), section.place.line,
+          fmt::format("section {}: ELFORM {} is calculated as the C0 triangle (ELFORM 4)", section.id, elform));
+    return;
+  }
+  diagnostics.warning(
+      model.file(section.place), section.place.line,
+      fmt::format("section {}: ELFORM {} is calculated as the one-point shell (ELFORM 2)", section.id, elform));
+}
+
+double mean_over_layers(const ShellProperties& properties, double (*value)(const Material&)) {
+  double sum = 0;
+  for (std::size_t i = 0; i < properties.layers.size(); ++i)
+    sum += properties.layers[i].weight / 2 * value(properties.layer_materials[i]);
+  return sum;
+}
+
+/// One point in the middle of each ply, with the ply's share of the thickness (Keyword User's Manual, *PART_COMPOSITE).
+SolverStatus set_plies(const model::Model& model, const model::Part& part, ShellProperties& properties) {
+  properties.layers.clear();
+  double below = 0;
+  for (const model::Ply& ply : part.plies) {
+    const double share = ply.thickness / part.composite_thickness;
+    if (!(share > 0) || !ply.material)
+      return Failure{Failure::Kind::missing_material,
+                     fmt::format("part {} has a ply of material {} with thickness {:g}; give it a material that is "
+                                 "defined and a thickness above zero",
+                                 part.id.value, ply.material_id, ply.thickness),
+                     part.place};
+    auto material = build_material(model, model.materials[*ply.material]);
+    if (!material) return material.error();
+    const MaterialKind kind = material.value().kind;
+    const bool known = kind == MaterialKind::elastic || kind == MaterialKind::plastic || kind == MaterialKind::null;
+    if (!known || material.value().erosion || material.value().johnson_cook)
+      return Failure{Failure::Kind::bad_material,
+                     fmt::format("material {} is not calculated in plies of composites, but part {} has one of it",
+                                 ply.material_id, part.id.value),
+                     part.place};
+    properties.layers.push_back({2 * (below + share / 2) - 1, 2 * share});
+    properties.layer_materials.push_back(std::move(material).value());
+    below += share;
+  }
+  // What mass, time step and hourglass control take.
+  Material& mean = properties.material;
+  mean = properties.layer_materials.front();
+  mean.density = mean_over_layers(properties, [](const Material& m) { return m.density; });
+  mean.poisson = mean_over_layers(properties, [](const Material& m) { return m.poisson; });
+  const double modulus = mean_over_layers(properties, [](const Material& m) { return m.plate_modulus(); });
+  mean.young = modulus * (1 - mean.poisson * mean.poisson);
+  double largest = modulus;
+  for (const Material& material : properties.layer_materials) {
+    largest =
+        std::max(largest, material.plate_modulus() * (1 + std::abs(material.poisson)) / (1 + std::abs(mean.poisson)));
+    largest = std::max(largest, modulus * material.shear() / mean.shear());
+    if (material.failure_strain > 0) mean.failure_strain = material.failure_strain;
+  }
+  properties.stiffest = modulus > 0 ? largest / modulus : 1;
+  return {};
+}
+
+void set_viscosity(const model::Model& model, const ElementControl& control, ShellProperties& properties) {
+  const std::int64_t type = model.controls.bulk_type;
+  if (type != -1 && type != -2) return;
+  properties.viscosity = {control.quadratic_viscosity, control.linear_viscosity, type == -2};
+}
+
+}  // namespace
+
+SolverResult<ShellProperties> shell_properties(const model::Model& model, PartIndex index,
+                                               const model::Section& section, Material material,
+                                               const Hourglass& otherwise, Diagnostics& diagnostics) {
+  const model::Part& part = model.part(index);
+  ShellProperties all;
+  all.material = std::move(material);
+  const std::int64_t layers = std::clamp<std::int64_t>(section.nip, 1, 10);
+  const auto rule = model.controls.intgrd == 1 ? lobatto_rule : gauss_rule;
+  all.membrane = membrane(section);
+  all.layers = rule(all.membrane ? 1 : static_cast<int>(layers));
+  if (!part.plies.empty()) {
+    if (SolverStatus plies = set_plies(model, part, all); !plies.ok()) return plies.error();
+  } else if (section.nip != layers) {
+    diagnostics.warning(
+        "", 0,
+        fmt::format("part {}: NIP of its section is {}; {} points are calculated", part.id.value, section.nip, layers));
+  }
+  all.shear_factor = section.shrf;
+  set_thinning(model, index, all);
+  name_formulation(model, index, section, diagnostics);
+  Diagnostics of_no_effect;  // fully integrated shells have no hourglass modes
+  const ElementControl control =
+      element_control(model, part, ElementFamily::shells, otherwise, full_shell(section) ? of_no_effect : diagnostics);
+  set_viscosity(model, control, all);
+  if (full_shell(section)) {
+    make_full(model, index, section, all, diagnostics);
+  } else {
+    all.hourglass = control.hourglass;
+    set_projection(model, section.elform, all);
+  }
+  return all;
+}
+
+void name_element_controls(const model::Model& model, Diagnostics& diagnostics) {
+  const model::Controls& controls = model.controls;
+  const auto warn = [&](model::Place place, std::string message) {
+    diagnostics.warning(model.file(place), place.line, std::move(message));
+  };
+  if (model.mesh.shells.size() > 0) {
+    if (controls.drcpsid != 0)
+      warn(controls.shell_place, "*CONTROL_SHELL: the drilling constraint of DRCPSID is not calculated");
+    if (controls.bwc == 1 && controls.shell_normals == -2)
+      warn(controls.shell_place, "*CONTROL_SHELL: IRNXX = -2 is calculated as -1: normals follow from the shape");
+    const bool off = controls.inn == 2 || controls.inn == 4 || controls.inn == -2 || controls.inn == -4;
+    if (off)
+      warn(
+          controls.accuracy_place,
+          "*CONTROL_ACCURACY: INN is calculated as 1 in shells: their first axis lies along the side from node 1 to 2");
+  }
+  if (controls.bulk_type == 2)
+    warn(controls.bulk_place, "*CONTROL_BULK_VISCOSITY: TYPE 2 is for plane solids; it is calculated as 1");
+  if (controls.bulk_beams != 0 && model.mesh.beams.size() > 0)
+    warn(controls.bulk_place, "*CONTROL_BULK_VISCOSITY: BTYPE is not calculated: beams have no bulk viscosity");
+}
+
+double shell_reference(const model::Section& section, const double* offset, double thickness) {
+  return offset != nullptr ? -2 * *offset / thickness : section.nloc;
+}
+
+}  // namespace gapcheck::solver

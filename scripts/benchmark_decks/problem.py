@@ -1,0 +1,29 @@
+"""What a benchmark consists of."""
+import dataclasses
+import typing
+
+
+@dataclasses.dataclass
+class Value:
+    """A measured quantity beside its reference."""
+    name: str
+    measured: float
+    reference: float
+
+    def error(self):
+        return self.measured / self.reference - 1
+
+
+@dataclasses.dataclass
+class Problem:
+    """`deck(level, variant)`: the text; each level halves the edges. `measure(run, level, variant)`: Values, the same
+    names for all. `text`: what it is, with the reference; `cause`: why errors remain, below the table."""
+    name: str
+    title: str
+    text: str
+    deck: typing.Callable
+    measure: typing.Callable
+    variants: tuple
+    levels: tuple = (0, 1, 2)
+    cause: str = ""
+    small: tuple = (0, 0)  # level and position of the variant of the deck in data/benchmarks
