@@ -107,7 +107,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("--small", action="store_true", help="a few cycles of one deck of each kind, to try the script")
-    parser.add_argument("--only", nargs="+", metavar="NAME", help="these problems; the pages of others stay as they are")
+    parser.add_argument("--only", nargs="+", metavar="NAME", help="only these problems; other pages are not rewritten")
     arguments = parser.parse_args()
     program = arguments.program.resolve()
     PAGES.mkdir(exist_ok=True)

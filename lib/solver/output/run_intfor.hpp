@@ -13,7 +13,7 @@ namespace gapcheck::solver {
 /// Writes the interface force database of a run, intfor, for the contact sides that SAPR and SBPR name.
 class RunIntfor : public Run::Observer {
  public:
-  /// Removes that of an earlier run. Without an interval or a segment there is no file, and the result is nullptr.
+  /// Removes the intfor of an earlier run. Without an interval or a segment it writes no file and returns nullptr.
   static SolverResult<std::unique_ptr<RunIntfor>> create(const Run& run, contact::SurfaceStore& surfaces,
                                                          const std::string& directory, double interval,
                                                          bool double_words);

@@ -25,7 +25,7 @@ constexpr Cut::Kind kind_of() {
   return N == 8 ? Cut::Kind::solid : N == 4 ? Cut::Kind::shell : Cut::Kind::beam;
 }
 
-/// Corners that carry forces: of tetrahedra four, of others all.
+/// How many corners carry forces: four of a tetrahedron, all of any other element.
 template <std::size_t N>
 std::size_t corners_of(const std::array<NodeIndex, N>& nodes) {
   if constexpr (N == 8) return model::is_tetrahedron(nodes) ? 4 : 8;
