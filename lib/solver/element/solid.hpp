@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -74,6 +75,9 @@ struct SolidState {
   std::array<double, 4> mean_stress{};
   /// Replaces part of each point's stress after its update; nullptr: nothing does.
   const ImposedStress3* imposed = nullptr;
+  /// Of materials whose stress follows from the deformation: the least of all steps so far.
+  double least_manual_step = std::numeric_limits<double>::infinity();
+  double least_stable_step = std::numeric_limits<double>::infinity();
 };
 
 /// Moduli of a solid at present.

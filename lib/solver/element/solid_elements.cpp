@@ -1,5 +1,7 @@
 #include "solver/element/solid_elements.hpp"
 
+#include <cmath>
+
 #include "model/entity/faces.hpp"
 
 namespace gapcheck::solver {
@@ -95,9 +97,21 @@ std::array<double, 8> mass_shares(const SolidKind& kind, const std::array<NodeIn
   return kind.tetrahedron ? std::array<double, 8>{0.25, 0.25, 0.25, 0.25} : corner_shares(kind.rule, nodes);
 }
 
+/// Rubber and foam vibrate with large strains. A step that follows these up and down, in phase with the vibration,
+/// feeds it; one that only falls cannot.
+void set_steps(const Material& material, const SolidForces& forces, SolidState& solid, Summary& summary) {
+  summary.manual_step = forces.manual_step;
+  summary.stable_step = forces.stable_step;
+  if (material.kind != MaterialKind::rubber) return;
+  summary.manual_step = solid.least_manual_step = std::min(solid.least_manual_step, forces.manual_step);
+  summary.stable_step = solid.least_stable_step = std::min(solid.least_stable_step, forces.stable_step);
+}
+
 /// After its mass has grown by a factor.
 void let_grow(SolidState& solid, double factor) {
   solid.mass *= factor;
+  solid.least_manual_step *= std::sqrt(factor);
+  solid.least_stable_step *= std::sqrt(factor);
   if (solid.reference == nullptr) return;
   HourglassReference reference = *solid.reference;
   reference.squared_frequency /= factor;
@@ -200,8 +214,7 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
     forces.force.fill(Vector::Zero());
     summary.failed = 1;
   } else if (forces.good) {
-    summary.manual_step = forces.manual_step;
-    summary.stable_step = forces.stable_step;
+    set_steps(properties(solid).material, forces, state_[solid], summary);
   } else {
     summary.bad = static_cast<std::uint32_t>(solid);
   }
