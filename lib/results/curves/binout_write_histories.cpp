@@ -108,6 +108,7 @@ void write_elements(LsdaWriter& file, StressKind kind, Elements elements) {
 
 void add_secforc(BinoutWriter& binout, const std::vector<LegendEntry>& titles, double time,
                  std::span<const SectionState> sections) {
+  if (sections.empty()) return;  // none is calculated
   LsdaWriter& file = binout.file();
   if (binout.begin_metadata("secforc")) {
     write_ids(file, sections, &SectionState::section);

@@ -133,15 +133,16 @@ SolverResult<RunFiles> RunFiles::create(const Run& run, contact::SurfaceStore& s
 }
 
 SolverStatus RunFiles::open_texts(const Run& run) {
-  const model::Output output = output_intervals(run.model(), run.end_time());
-  for (TextFile& file : text_files(run, settings_.program, *record_)) {
+  const model::Output& output = run.model().output;
+  const std::vector<TextFile> files = text_files(run, settings_.program, *record_);
+  for (const TextFile& file : files) {
     const double interval = writes_text(output, file.name, settings_.binout) ? file.interval : 0;
-    texts_.push_back({file.name, {}, Interval(interval), nullptr, std::move(file.state)});
+    texts_.push_back({file.name, {}, Interval(interval), nullptr, file.state});
     if (SolverStatus opened = open(texts_.back(), file.header); !opened.ok()) return opened;
   }
-  plot_interval_ = Interval(output.d3plot);
-  auto binout = RunBinout::create(settings_.directory, {run.model().title, settings_.program}, output, settings_.binout,
-                                  *record_);
+  plot_interval_ = Interval(output_intervals(run.model(), run.end_time()).d3plot);
+  auto binout =
+      RunBinout::create(settings_.directory, {run.model().title, settings_.program}, files, output, settings_.binout);
   if (!binout) return binout.error();
   binout_ = std::move(binout).value();
   return {};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gapcheck::solver {
@@ -43,6 +44,8 @@ void note_empty_files(const model::Model& model, std::vector<model::Output::Note
   for (const model::Material& material : model.materials) welds = welds || material.weld;
   const bool elements =
       !output.history_solids.empty() || !output.history_beams.empty() || !output.history_shells.empty();
+  const bool springs = std::any_of(model.mesh.discrete_values.begin(), model.mesh.discrete_values.end(),
+                                   [](const model::DiscreteValues& own) { return own.printed; });
   const auto note = [&](double interval, bool there, std::string_view name, std::string_view what) {
     if (interval > 0 && !there)
       notes.push_back(
@@ -54,6 +57,8 @@ void note_empty_files(const model::Model& model, std::vector<model::Output::Note
   note(output.rwforc, !model.rigid_walls.empty(), "rwforc", "rigid walls");
   note(output.rbdout, bodies, "rbdout", "rigid bodies");
   note(output.swforc, welds, "swforc", "welds");
+  note(output.deforc, springs, "deforc", "discrete springs and dampers with PF = 0");
+  note(output.jntforc, !model.joints.empty(), "jntforc", "joints");
   note(output.elout, elements, "elout", "*DATABASE_HISTORY of solids, beams or shells");
 }
 
