@@ -190,6 +190,11 @@ SolverStatus RunFiles::log(const std::string& text) {
   return {};
 }
 
+SolverStatus RunFiles::log_plot(const Run& run, const std::string& what) {
+  const State& state = run.stepper().state();
+  return log(results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), what));
+}
+
 SolverStatus RunFiles::log_failures(const Run& run) {
   const std::vector<ElementFailure>& failures = run.stepper().failures();
   const model::Mesh& mesh = run.model().mesh;
@@ -240,14 +245,15 @@ SolverStatus RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
       return not_written(text.path);
     text.interval.written(state.time);
   }
+  const bool plots = plot_interval_.due(state.time) || end;
+  if (intfor_ && (intfor_->due(state.time) || end))
+    if (SolverStatus logged = log_plot(run, "write intfor file"); !logged.ok()) return logged;
   for (Run::Observer* binary : {static_cast<Run::Observer*>(binout_.get()), static_cast<Run::Observer*>(intfor_.get())})
     if (binary != nullptr)
       if (SolverStatus added = binary->observe(run, end); !added.ok()) return added;
-  if (plot_interval_.due(state.time) || end) {
+  if (plots) {
     plot_interval_.written(state.time);
-    const std::string line =
-        results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), "write d3plot file");
-    if (SolverStatus logged = log(line); !logged.ok()) return logged;
+    if (SolverStatus logged = log_plot(run, "write d3plot file"); !logged.ok()) return logged;
     if (SolverStatus plotted = plot(run); !plotted.ok()) return plotted;
   }
   if (!end) return {};

@@ -71,6 +71,7 @@ class RunFiles : public Run::Observer {
   [[nodiscard]] SolverStatus open_logs(const Run& run, contact::SurfaceStore& surfaces);
   [[nodiscard]] SolverStatus open_plot(const Run& run);
   [[nodiscard]] SolverStatus log(const std::string& text);
+  [[nodiscard]] SolverStatus log_plot(const Run& run, const std::string& what);
   [[nodiscard]] SolverStatus log_failures(const Run& run);
   [[nodiscard]] SolverStatus log_end(const Run& run, RunEnd end);
   [[nodiscard]] SolverStatus plot(const Run& run);

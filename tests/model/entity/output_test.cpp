@@ -11,7 +11,8 @@ TEST(Output, IntervalsAndTitle) {
       "*DATABASE_MATSUM\n0.25\n*DATABASE_NODOUT\n0.1,0,0\n*DATABASE_RCFORC\n0.2\n*DATABASE_SLEOUT\n0.3\n"
       "*DATABASE_NCFORC\n0.4\n*DATABASE_ELOUT\n7.\n*DATABASE_SECFORC\n0.6\n*DATABASE_SPCFORC\n0.7\n*DATABASE_BNDOUT\n0."
       "8\n"
-      "*DATABASE_RWFORC\n0.9\n*DATABASE_RBDOUT\n1.1\n*DATABASE_SWFORC\n1.2\n*DATABASE_DEFORC\n1.3\n*DATABASE_JNTFORC\n1.4\n*CONTROL_OUTPUT\n\n,,,,,,,1\n");
+      "*DATABASE_RWFORC\n0.9\n*DATABASE_RBDOUT\n1.1\n*DATABASE_SWFORC\n1.2\n*DATABASE_DEFORC\n1.3\n*DATABASE_"
+      "JNTFORC\n1.4\n*CONTROL_OUTPUT\n\n,,,,,,,1\n");
   EXPECT_EQ(read.text(), "");
   const Output& output = read.model.output;
   EXPECT_EQ(read.model.title, "A model of something");

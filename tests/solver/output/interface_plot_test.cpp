@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "results/curves/run_results.hpp"
 #include "solver/output/run_files.hpp"
@@ -178,6 +179,10 @@ TEST_F(InterfaceFiles, ForcesAreThoseOfRcforc) {
   const std::vector<std::string> names =
       calculate(plates() + contact("AUTOMATIC_SURFACE_TO_SURFACE", "2,1,3,3", "1,1"));
   EXPECT_EQ(std::count(names.begin(), names.end(), "intfor"), 1);
+  std::ifstream messag(folder_ / "messag");
+  std::size_t lines = 0;
+  for (std::string line; std::getline(messag, line);) lines += line.ends_with(" write intfor file") ? 1 : 0;
+  EXPECT_EQ(lines, results().intfor.states.size());
   const results::RunResults found = results();
   ASSERT_EQ(found.intfor.surfaces.size(), 2u);
   ASSERT_EQ(found.intfor.states.size(), found.rcforc.states.size());
