@@ -119,7 +119,7 @@ SolverResult<RunFiles> RunFiles::create(const Run& run, contact::SurfaceStore& s
   if (error)
     return Failure{Failure::Kind::output, fmt::format("{}: cannot be created: {}", directory, error.message())};
   files.sizes_ = contact::element_sizes(run.model());
-  files.record_ = std::make_unique<RunRecord>(run, files.sizes_);
+  files.record_ = std::make_unique<RunRecord>(run, files.sizes_, surfaces);
   SolverStatus opened = files.open_logs(run, surfaces);
   if (opened.ok()) opened = files.open_texts(run);
   if (opened.ok()) opened = files.open_plot(run);

@@ -79,13 +79,14 @@ void NodeTurns::advance(const Run& run) {
   }
 }
 
-RunRecord::RunRecord(const Run& run, const contact::ElementSizes& sizes)
+RunRecord::RunRecord(const Run& run, const contact::ElementSizes& sizes, contact::SurfaceStore& surfaces)
     : masses(run.model(), sizes),
       turns(run),
       places(run.model(), run.stepper().structure()),
       held(run),
       sections(wanted_sections(run.model())) {
   const model::Output& output = run.model().output;
+  if (output.ncforc > 0) areas = NodeAreas(run.model(), surfaces);
   if (output.bndout > 0) boundary = BoundaryWork(run, held);
   if (output.rbdout > 0) bodies = BodyTurns(run);
   if (output.swforc > 0) welds = WeldForces(run);

@@ -65,11 +65,11 @@ bool write_sleout(const Run& run, const TextWriter& write) {
   return results::write_sleout(at.time, at.cycle + 1, interface_states(run, false), write);
 }
 
-bool write_ncforc(const Run& run, const TextWriter& write) {
+bool write_ncforc(const Run& run, const TextWriter& write, const NodeAreas& areas) {
   const double time = run.stepper().state().time;
   std::string text;
   for (const ContactIndex contact : positions<ContactIndex>(run.model().contacts.size())) {
-    if (const auto nodes = node_forces(run, contact))
+    if (const auto nodes = node_forces(run, contact, areas))
       text += results::ncforc_text(time, run.model().contact(contact).id.value, *nodes);
   }
   return write(text);
@@ -161,7 +161,10 @@ class TextFileList {
     files_.push_back({"sleout", output_.sleout, header, write_sleout, [=](const Run& run, BinoutWriter& binout) {
                         results::add_sleout(binout, titles, now(run, false));
                       }});
-    files_.push_back({"ncforc", output_.ncforc, header, write_ncforc, nullptr});
+    files_.push_back(
+        {"ncforc", output_.ncforc, header,
+         [&r = record_](const Run& run, const TextWriter& write) { return write_ncforc(run, write, r.areas); },
+         nullptr});
   }
 
   void add_forces(const Run& run) {
