@@ -57,15 +57,13 @@ class Results:
 
     def force(self, speed):
         """Force on the upper body over its way: the sum of ncforc on its nodes."""
-        curve = []
-        for block in self.text("ncforc").split("forces of contact")[1:]:
-            time = float(re.search(r"time=\s*(\S+)", block)[1])
-            force = 0.0
-            for line in block.splitlines()[2:]:
-                if line.strip() and int(line[:10]) >= FIRST_UPPER_NODE:
-                    force += float(line[36:49])
-            curve.append((speed * time, force))
-        return curve
+        curve = {}
+        for block in self.text("ncforc").split("\n forces (t=")[1:]:
+            time = float(block.split(")")[0])
+            rows = [line for line in block.splitlines()[4:] if line.strip()]
+            force = sum(float(line[44:58]) for line in rows[::2] if int(line[:10]) >= FIRST_UPPER_NODE)
+            curve[time] = curve.get(time, 0) + force
+        return [(speed * time, force) for time, force in curve.items()]
 
 
 # The figures --------------------------------------------------------------------------------------------------------

@@ -64,10 +64,10 @@ def glstat(folder):
 def forces(folder):
     """Half the sum of the magnitudes of all nodal contact forces over time, from ncforc, which contains both sides."""
     sums = {}
-    for block in (folder / "ncforc").read_text(encoding="ascii").split("forces of contact")[1:]:
-        time = float(re.search(r"time=\s*(\S+)", block)[1])
-        total = sum(math.hypot(float(line[10:23]), float(line[23:36]), float(line[36:49])) / 2
-                    for line in block.splitlines()[2:] if line.strip())
+    for block in (folder / "ncforc").read_text(encoding="ascii").split("\n forces (t=")[1:]:
+        time = float(block.split(")")[0])
+        rows = [line for line in block.splitlines()[4:] if line.strip()]
+        total = sum(math.hypot(float(line[16:30]), float(line[30:44]), float(line[44:58])) / 2 for line in rows[::2])
         sums[time] = sums.get(time, 0) + total
     return sorted(sums.items())
 

@@ -109,6 +109,7 @@ Result<RunSummary> calculated(solver::Run& run, contact::SurfaceStore& surfaces,
   solver::RunFilesSettings settings;
   settings.directory = directory;
   settings.program = fmt::format("gapcheck {}", version());
+  settings.binout = options.binout;
   auto files = solver::RunFiles::create(run, surfaces, std::move(settings));
   if (!files) return error_from(files.error(), run.model(), diagnostics);
   run.drop_contact_summaries();

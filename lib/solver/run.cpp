@@ -204,6 +204,7 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
     if (const auto* walls = dynamic_cast<const RigidWalls*>(force.get())) run.conditions_.walls = walls;
     if (const auto* loads = dynamic_cast<const ConcentratedLoads*>(force.get())) run.conditions_.loads = loads;
     if (const auto* pressures = dynamic_cast<const Pressures*>(force.get())) run.conditions_.pressures = pressures;
+    if (const auto* discrete = dynamic_cast<const Springs*>(force.get())) run.conditions_.springs = discrete;
     run.stepper_->add(std::move(force));
   }
   // Last: they hold regardless of all other forces.

@@ -11,6 +11,7 @@
 #include "solver/build/build.hpp"
 #include "solver/condition/loads.hpp"
 #include "solver/condition/rigid_walls.hpp"
+#include "solver/condition/springs.hpp"
 #include "solver/contact/contact_forces.hpp"
 #include "solver/contact/transducers.hpp"
 #include "solver/step.hpp"
@@ -71,11 +72,12 @@ class Run {
   /// Single events of contacts in the last force evaluation.
   [[nodiscard]] const std::vector<ContactEvent>& events() const { return events_; }
   [[nodiscard]] const ContactCounters& contact_counters() const { return contacts_->counters(); }
-  /// What presses on nodes from outside; nullptr: nothing of the kind.
+  /// What acts on nodes beside elements and contacts; nullptr: nothing of the kind.
   struct Conditions {
     const RigidWalls* walls = nullptr;
     const ConcentratedLoads* loads = nullptr;
     const Pressures* pressures = nullptr;
+    const Springs* springs = nullptr;
   };
   [[nodiscard]] const Conditions& conditions() const { return conditions_; }
   [[nodiscard]] double end_time() const { return end_time_; }

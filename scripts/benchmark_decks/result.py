@@ -66,17 +66,18 @@ class Result:
 
     def node_forces(self, state=-1):
         """Of the last state of ncforc, of all contacts."""
-        blocks = self.read("ncforc").split("\n forces of contact")[1:]
-        times = [re.search(r"time=\s*(\S+)", b)[1] for b in blocks]
+        blocks = self.read("ncforc").split("\n forces (t=")[1:]
+        times = [b.split(")")[0] for b in blocks]
         wanted = sorted(set(times), key=float)[state]
         found = []
         for block, time in zip(blocks, times):
             if time != wanted:
                 continue
-            for line in block.splitlines()[2:]:
-                if line.strip():
-                    v = [float(line[10 + 13 * i:23 + 13 * i]) for i in range(7)]
-                    found.append(Force(int(line[:10]), tuple(v[:3]), v[3], tuple(v[4:])))
+            rows = [line for line in block.splitlines()[4:] if line.strip()]
+            for line, place in zip(rows[::2], rows[1::2]):
+                v = [float(line[16 + 14 * i:30 + 14 * i]) for i in range(4)]
+                found.append(Force(int(line[:10]), tuple(v[:3]), v[3],
+                                   tuple(float(place[16 + 14 * i:30 + 14 * i]) for i in range(3))))
         return found
 
     def rows_of(self, keyword):

@@ -1,6 +1,7 @@
 // Decks are run as the command line runs them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <gapcheck/run.hpp>
 #include <limits>
@@ -26,6 +27,20 @@ TEST(ApiRun, RunsToItsEnd) {
   EXPECT_EQ(run.value().plotted_states, 21u);
   for (const std::string& name : run.value().files) EXPECT_TRUE(fs::exists(folder / ("out/" + name))) << name;
   EXPECT_GE(run.value().files.size(), 5u);
+}
+
+TEST(ApiRun, Binout) {
+  const NewFolder folder;
+  api::RunOptions options;
+  options.cycles = 1;
+  ASSERT_TRUE(api::run_deck(data("two_plates.k"), folder / "out", options).ok());
+  EXPECT_FALSE(fs::exists(folder / "out/binout0000"));
+  options.binout = true;
+  const auto run = api::run_deck(data("two_plates.k"), folder / "out", options);
+  ASSERT_TRUE(run.ok()) << run.error().message;
+  EXPECT_TRUE(fs::exists(folder / "out/binout0000"));
+  EXPECT_TRUE(fs::exists(folder / "out/glstat"));
+  EXPECT_EQ(std::count(run.value().files.begin(), run.value().files.end(), "binout0000"), 1);
 }
 
 TEST(ApiRun, ReplacesOnlyItsOwnResults) {

@@ -92,7 +92,11 @@ TEST(Glstat, IsReadBack) {
   second.ratio = 0.5;
   second.walls = {{1, 2.5}, {12, -3}};
   const std::string text = glstat_header(header) + glstat_text(global_state()) + glstat_text(second);
-  EXPECT_NE(text.find("\n stonewall energy...............  -3.00000E+00 wall#   12\n"), std::string::npos);
+  EXPECT_NE(text.find(" stonewall energy...............   2.50000E+00 wall#    1\n"
+                      " stonewall energy...............  -3.00000E+00 wall#   12\n"
+                      " spring and damper energy......."),
+            std::string::npos)
+      << "walls follow the internal energy";
   const auto states = read_glstat(text);
   ASSERT_EQ(states.size(), 2u);
   EXPECT_EQ(states[0].kinetic, 9.93442e-6);
@@ -262,10 +266,21 @@ TEST(ContactFiles, Ncforc) {
   node.force = {0, 0, -2.5};
   node.position = {1, 2, 3};
   node.pressure = 0.5;
-  EXPECT_EQ(ncforc_text(0.1, 3, std::vector{node}),
-            "\n forces of contact         3 on nodes, time=  1.00000E-01\n"
-            "      node      x-force      y-force      z-force     pressure       x-coor       y-coor       z-coor\n"
-            "        14  0.00000E+00  0.00000E+00 -2.50000E+00  5.00000E-01  1.00000E+00  2.00000E+00  3.00000E+00\n");
+  NodeForce other = node;
+  other.node = 2;
+  other.side = 1;
+  EXPECT_EQ(ncforc_text(0.1, 3, std::vector{other, node}),
+            "\n\n\n forces (t=1.00000E-01) for interface         3 slave  side\n\n"
+            "     node           x-force/      y-force/      z-force/     pressure/\n"
+            "                   coordinate    coordinate    coordinate\n"
+            "        14         0.00000E+00   0.00000E+00  -2.50000E+00   5.00000E-01\n"
+            "                   1.00000E+00   2.00000E+00   3.00000E+00\n"
+            "\n\n\n forces (t=1.00000E-01) for interface         3 master side\n\n"
+            "     node           x-force/      y-force/      z-force/     pressure/\n"
+            "                   coordinate    coordinate    coordinate\n"
+            "         2         0.00000E+00   0.00000E+00  -2.50000E+00   5.00000E-01\n"
+            "                   1.00000E+00   2.00000E+00   3.00000E+00\n");
+  EXPECT_EQ(ncforc_text(0.1, 3, {}), "");
 }
 
 TEST(FileHeaders, TitlesCannotBreakLines) {

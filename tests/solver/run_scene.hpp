@@ -45,6 +45,7 @@ class RunScene : private Run::Observer {
   [[nodiscard]] const SolverStatus& status() const { return status_; }
   [[nodiscard]] std::string message() const { return status_.ok() ? "" : status_.error().message; }
   [[nodiscard]] const model::Read& read() const { return read_; }
+  [[nodiscard]] contact::SurfaceStore& surfaces() { return surfaces_; }
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
   [[nodiscard]] Vector momentum() const {
     Vector sum = Vector::Zero();

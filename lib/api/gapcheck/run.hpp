@@ -39,6 +39,7 @@ struct RunOptions {
   bool ignore_unsupported = false;  ///< run without the keywords that are not calculated; else they are an error
   /// Contact springs as stiff as the surface time step that LS-DYNA prints has them, not as its manual says.
   bool printed_stiffness = false;
+  bool binout = false;           ///< all files of curves also in a binout, whatever BINARY of their cards says
   bool replace_foreign = false;  ///< replace results in the directory that gapcheck did not write; else an error
   /// Called in every cycle by the thread of run_deck(), which waits for it. False ends the run one cycle later, with a
   /// last state in the files and a last call. The state is valid during the call. It must not throw. Empty: no calls.

@@ -120,6 +120,7 @@ struct DiscreteValues {
   std::int64_t orientation = 0;  ///< VID; 0: along the line between the nodes
   double scale = 1;              ///< S, on forces
   double offset = 0;             ///< elongation (or angle) at the start
+  bool printed = true;           ///< PF: its forces are in deforc
 };
 
 struct Mesh {

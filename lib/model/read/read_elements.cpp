@@ -187,7 +187,8 @@ void read_discrete(Context& context, const Block& block, const Options& options)
     const Card card = reader.next(layout);
     append_row(rows, card, 2);
     const double scale = card.real("s");
-    values.push_back({card.integer("vid"), scale == 0 ? 1 : scale, length * card.real("offset")});
+    values.push_back(
+        {card.integer("vid"), scale == 0 ? 1 : scale, length * card.real("offset"), card.integer("pf") != 1});
     if (options.has("LCO")) reader.skip();
   }
   Mesh& mesh = context.model.mesh;

@@ -132,28 +132,6 @@ void add_nodes(const results::NodeHistory& history, std::vector<Curve>& list) {
     }
 }
 
-/// Each column of each entity.
-void add_entities(const results::EntityHistory& history, std::vector<Curve>& list) {
-  CurvesById groups(list);
-  const std::size_t width = history.columns.size();
-  for (const results::EntityState& state : history.states)
-    for (std::size_t i = 0; i < state.ids.size(); ++i) {
-      const std::int64_t id = state.ids[i];
-      const std::size_t first = groups.at(id, [&] {
-        const std::string who = id == 0 ? history.kind : fmt::format("{} {}", history.kind, id);
-        for (const results::EntityHistory::Column& column : history.columns)
-          list.push_back({history.file,
-                          column.quantity,
-                          fmt::format("{} {} {}", history.file, who, column.name),
-                          history.digits,
-                          {},
-                          {},
-                          0});
-      });
-      for (std::size_t k = 0; k < width; ++k) list[first + k].add(state.time, state.values[i * width + k]);
-    }
-}
-
 }  // namespace
 
 void Curve::add(double time, double value) {
@@ -176,7 +154,6 @@ std::vector<Curve> curves(const results::RunResults& run) {
   add_energies(run.sleout, list);
   add_nodes(run.nodout, list);
   add_history_curves(run, list);
-  for (const results::EntityHistory& history : run.entities) add_entities(history, list);
   return list;
 }
 

@@ -23,9 +23,8 @@ struct Curve {
 
 /// glstat: kinetic, internal, hourglass, sliding, total energy, external work, energy ratio, stonewall energies.
 /// rcforc, per contact and side: force components and resultant. sleout, per contact: energy of both sides, friction.
-/// nodout, per node: displacement and velocity. Then those of history_curves.hpp, and of the files of a binout
-/// and of intfor all columns (RunResults::entities). In order of the files; contacts, nodes and other entities as they
-/// first appear.
+/// nodout, per node: displacement and velocity. Then those of history_curves.hpp. In order of the files; contacts,
+/// nodes and other entities as they first appear.
 [[nodiscard]] std::vector<Curve> curves(const results::RunResults& run);
 
 }  // namespace gapcheck::report

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -64,10 +65,15 @@ void add_section(HistoryCurves& curves, double time, const results::SectionState
 }
 
 void add_support(HistoryCurves& curves, double time, const results::SupportState& row) {
-  curves.entity(0, row.node, time,
-                [&] { return row.node == 0 ? std::string("all nodes") : fmt::format("node {}", row.node); });
-  curves.vector("force", row.force);
-  curves.vector("moment", row.moment);
+  const std::string who = row.node == 0 ? std::string("all nodes") : fmt::format("node {}", row.node);
+  if (row.translation) {
+    curves.entity(0, row.node, time, [&] { return who; });
+    curves.vector("force", row.force);
+  }
+  if (row.rotation) {
+    curves.entity(1, row.node, time, [&] { return who; });
+    curves.vector("moment", row.moment);
+  }
 }
 
 void add_boundary(HistoryCurves& curves, double time, const results::BoundaryState& row) {
@@ -121,6 +127,38 @@ void add_element(HistoryCurves& curves, double time, const results::ElementStres
   }
 }
 
+/// Translations and rotations have curves of their own.
+void add_spring(HistoryCurves& curves, double time, const results::SpringForce& row) {
+  curves.entity(row.torsional ? 1 : 0, row.spring, time, [&] { return fmt::format("spring {}", row.spring); });
+  const std::string_view quantity = row.torsional ? "moment" : "force";
+  for (int axis = 0; axis < 3; ++axis)
+    curves.number(quantity, fmt::format("{}-{}", "xyz"[axis], quantity), row.force[axis]);
+  curves.number(quantity, fmt::format("resultant {}", quantity), row.resultant);
+  curves.number(row.torsional ? "rotation" : "displacement", row.torsional ? "relative rotation" : "change in length",
+                row.change);
+}
+
+void add_joint(HistoryCurves& curves, double time, const results::JointForce& row) {
+  curves.entity(0, row.joint, time, [&] { return fmt::format("joint {}", row.joint); });
+  curves.vector("force", row.force);
+  curves.vector("moment", row.moment);
+}
+
+/// One side of a contact, or a surface whose title names none.
+void add_surfaces(const results::SurfaceHistory& history, std::vector<Curve>& list) {
+  HistoryCurves curves("intfor", 6, list);
+  for (const auto& [time, rows] : history.states)
+    for (std::size_t i = 0; i < std::min(rows.size(), history.surfaces.size()); ++i) {
+      const results::InterfaceSurface& surface = history.surfaces[i];
+      curves.entity(0, static_cast<std::int64_t>(i), time, [&] {
+        return surface.contact == 0 ? surface.title
+                                    : fmt::format("contact {} side {}", surface.contact, "AB"[surface.side & 1]);
+      });
+      curves.number("pressure", "largest pressure", rows[i].largest_pressure);
+      if (history.forces) curves.vector("force", {rows[i].force[0], rows[i].force[1], rows[i].force[2]});
+    }
+}
+
 }  // namespace
 
 void add_history_curves(const results::RunResults& run, std::vector<Curve>& list) {
@@ -131,6 +169,9 @@ void add_history_curves(const results::RunResults& run, std::vector<Curve>& list
   add_rows("rbdout", 5, run.rbdout, list, add_body);
   add_rows("swforc", 6, run.swforc, list, add_weld);
   add_rows("elout", 4, run.elout, list, add_element);
+  add_rows("deforc", 6, run.deforc, list, add_spring);
+  add_rows("jntforc", 6, run.jntforc, list, add_joint);
+  add_surfaces(run.intfor, list);
 }
 
 }  // namespace gapcheck::report

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/file_bytes.hpp"
-#include "results/curves/binout_entities.hpp"
+#include "results/curves/binout_histories.hpp"
 #include "results/curves/binout_states.hpp"
 #include "results/curves/lsda.hpp"
 #include "results/text/binout_name.hpp"
@@ -58,7 +58,9 @@ class BinoutCollector {
   void finish(bool end_of_file) {
     if (!row_.empty()) {
       BinoutMeta& meta = meta_[place_.branch];
-      const bool whole = !end_of_file || row_.size() >= meta.arrays;
+      // A state in which all elements have failed has no ids.
+      const bool failed = place_.branch.starts_with("elout/") && !row_.has("ids");
+      const bool whole = !end_of_file || failed || row_.size() >= meta.arrays;
       meta.arrays = row_.size();
       if (!whole || !add_binout_state(place_.branch, meta, row_, run_)) ++left_out_;
     }
@@ -70,8 +72,9 @@ class BinoutCollector {
 
  private:
   void add_metadata(BinoutMeta& meta, const LsdaArray& array) {
-    constexpr std::array<std::string_view, 7> lists{"ids",    "force_ids",    "moment_ids", "side",
-                                                    "single", "single_sided", "types"};
+    constexpr std::array<std::string_view, 11> lists{"ids",       "force_ids",    "moment_ids", "side",
+                                                     "single",    "single_sided", "types",      "setid",
+                                                     "num_nodal", "irot",         "local"};
     if (std::find(lists.begin(), lists.end(), array.name()) == lists.end()) return;
     std::vector<std::int64_t>& list = meta.lists[std::string(array.name())];
     list.resize(array.size());
@@ -113,7 +116,7 @@ std::vector<std::string> wanted_files(const RunResults& run, bool nodes) {
   std::vector<std::string> wanted = run.missing;
   if (!nodes) std::erase(wanted, "nodout");
   std::error_code failed;
-  for (const std::string_view file : entity_files)
+  for (const std::string_view file : history_files)
     if (nodes && !std::filesystem::exists(run.path(file), failed)) wanted.emplace_back(file);
   return wanted;
 }

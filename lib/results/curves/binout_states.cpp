@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "results/curves/binout_entities.hpp"
+#include "results/curves/binout_histories.hpp"
 
 namespace gapcheck::results {
 namespace {
@@ -125,7 +125,7 @@ bool is_complete(std::string_view branch, const BinoutMeta& meta, const BinoutRo
 }  // namespace
 
 bool add_binout_state(std::string_view branch, const BinoutMeta& meta, const BinoutRow& row, RunResults& run) {
-  if (is_entity_branch(branch)) return add_entity_state(branch, meta, row, run.entities);
+  if (is_history_branch(branch)) return add_history_state(branch, meta, row, run);
   if (!is_complete(branch, meta, row)) return false;
   if (branch == "glstat") run.glstat.push_back(global_state(row));
   if (branch == "rcforc") run.rcforc.states.push_back(contact_forces(meta, row));

@@ -6,7 +6,7 @@
 
 namespace gapcheck::results {
 
-/// Adds one state of a branch to a run: glstat, rcforc, sleout, matsum, nodout, and those of EntityHistory. False: the
+/// Adds one state of a branch to a run: glstat, rcforc, sleout, matsum, nodout, and those of history_files. False: the
 /// state lacks its time or the values of all ids.
 [[nodiscard]] bool add_binout_state(std::string_view branch, const BinoutMeta& meta, const BinoutRow& row,
                                     RunResults& run);

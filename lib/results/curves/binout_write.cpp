@@ -46,7 +46,7 @@ Result<BinoutWriter> BinoutWriter::create(const std::string& path, const FileHea
 }
 
 bool BinoutWriter::begin_metadata(std::string_view branch) {
-  if (states_.find(branch) != states_.end()) return false;
+  if (has(branch)) return false;
   states_.emplace(branch, 0);
   file_.change_directory(fmt::format("/{}/metadata", branch));
   file_.text("title", column_text(header_.title, title_bytes));
@@ -64,6 +64,7 @@ void BinoutWriter::begin_state(std::string_view branch, double time) {
 }
 
 void BinoutWriter::legend(std::vector<LegendEntry> entries) {
+  if (entries.empty()) return;
   const auto before = [](const LegendEntry& a, const LegendEntry& b) { return a.id < b.id; };
   std::stable_sort(entries.begin(), entries.end(), before);
   std::string titles;

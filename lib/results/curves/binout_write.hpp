@@ -26,7 +26,9 @@ class BinoutWriter {
   bool begin_metadata(std::string_view branch);
   /// Goes to the next state of a branch and writes its time.
   void begin_state(std::string_view branch, double time);
-  /// The arrays legend and legend_ids: titles of 80 columns, ascending ids.
+  /// Metadata or states of the branch are written.
+  [[nodiscard]] bool has(std::string_view branch) const { return states_.find(branch) != states_.end(); }
+  /// The arrays legend and legend_ids: titles of 80 columns, ascending ids; none without entries.
   void legend(std::vector<LegendEntry> entries);
   /// The columns "x_force", "y_force", "z_force" for `word` "force"; with `prefix` "r" "rx_force", ….
   void vectors(std::string_view word, const std::vector<Vector>& values, std::string_view prefix = "");

@@ -61,14 +61,25 @@ bool write_sleout(double time, std::uint64_t cycle, std::span<const InterfaceSta
 }
 
 std::string ncforc_text(double time, std::int64_t contact, std::span<const NodeForce> nodes) {
-  std::string text = fmt::format("\n forces of contact{:10} on nodes, time={}\n", contact, scientific(time, 13, 5));
-  text += "      node      x-force      y-force      z-force     pressure       x-coor       y-coor       z-coor\n";
-  for (const NodeForce& node : nodes) {
-    text += fmt::format("{:10}", node.node);
-    for (const double value : {node.force.x(), node.force.y(), node.force.z(), node.pressure, node.position.x(),
-                               node.position.y(), node.position.z()})
-      text += scientific(value, 13, 5);
-    text += '\n';
+  std::string text;
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::string rows;
+    const auto add = [&](std::initializer_list<double> values) {
+      for (const double value : values) rows += scientific(value, 14, 5);
+      rows += '\n';
+    };
+    for (const NodeForce& node : nodes) {
+      if (node.side != side) continue;
+      rows += fmt::format("{:10}      ", node.node);
+      add({node.force.x(), node.force.y(), node.force.z(), node.pressure});
+      rows += std::string(16, ' ');
+      add({node.position.x(), node.position.y(), node.position.z()});
+    }
+    if (rows.empty()) continue;
+    text += fmt::format("\n\n\n forces (t={}) for interface{:10} {} side\n\n", scientific(time, 11, 5), contact,
+                        side == 0 ? "slave " : "master");
+    text += "     node           x-force/      y-force/      z-force/     pressure/\n";
+    text += "                   coordinate    coordinate    coordinate\n" + rows;
   }
   return text;
 }

@@ -40,11 +40,12 @@ struct InterfaceHistory {
   std::vector<InterfaceStates> states;       ///< in order of the file
 };
 
-/// Force of a contact on one node.
+/// Force of a contact on one node of a side.
 struct NodeForce {
   std::int64_t node = 0;
+  std::size_t side = 0;  ///< 0: A, 1: B
   Vector force = Vector::Zero(), position = Vector::Zero();
-  double pressure = 0;
+  double pressure = 0;  ///< normal force over the node's share of the area
 };
 
 /// Titles of contacts in the legend of all three.
@@ -63,8 +64,8 @@ struct NodeForce {
 [[nodiscard]] InterfaceHistory read_rcforc(std::string_view text, const std::string& name, Diagnostics& diagnostics);
 [[nodiscard]] InterfaceHistory read_sleout(std::string_view text, const std::string& name, Diagnostics& diagnostics);
 
-/// Nodes of one contact. No solver file with such data is public; this layout is our own: a heading with contact and
-/// time, then per node id, force, pressure and position, (i10, 7e13.5).
+/// The nodes of one contact, a block for each side that has some. No solver file with such data is public; the layout
+/// is that of the solver developer's own converter from binout to text (l2a): two lines for each node.
 [[nodiscard]] std::string ncforc_text(double time, std::int64_t contact, std::span<const NodeForce> nodes);
 
 }  // namespace gapcheck::results

@@ -1,11 +1,21 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "base/diagnostic.hpp"
-#include "results/curves/run_results.hpp"
+#include "results/d3plot/intfor.hpp"
+#include "results/history/history.hpp"
 
 namespace gapcheck::results {
 
-/// Reads the interface force database "intfor" in the directory of a run, if there is one: the largest pressure and the
-/// force on each side of each contact go to RunResults::entities. One that cannot be read is a warning.
-void read_intfor(RunResults& run, Diagnostics& diagnostics);
+/// What intfor says about the surfaces of contacts over the whole run.
+struct SurfaceHistory {
+  std::vector<InterfaceSurface> surfaces;
+  bool forces = false;                      ///< not only pressures
+  std::vector<Timed<SurfaceForce>> states;  ///< rows by surface
+};
+
+/// Reads an interface force database. Without a file the history is empty; another file is a warning.
+[[nodiscard]] SurfaceHistory read_intfor(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::results

@@ -46,10 +46,12 @@ RunResults read_run_results(const std::string& directory, bool nodes, Diagnostic
     read("rbdout", into(run.rbdout, read_rbdout));
     read("swforc", into(run.swforc, read_swforc));
     read("elout", into(run.elout, read_elout));
+    read("deforc", into(run.deforc, read_deforc));
+    read("jntforc", into(run.jntforc, read_jntforc));
   }
   run.missing = with_binout;
   read_binout(run, nodes, diagnostics);
-  if (nodes) read_intfor(run, diagnostics);
+  if (nodes) run.intfor = read_intfor(run.path("intfor"), diagnostics);
   return run;
 }
 

@@ -5,14 +5,16 @@
 
 #include "base/diagnostic.hpp"
 #include "results/curves/contact_forces.hpp"
-#include "results/curves/entity_history.hpp"
 #include "results/curves/glstat.hpp"
+#include "results/curves/intfor_history.hpp"
 #include "results/curves/matsum.hpp"
 #include "results/curves/nodout.hpp"
 #include "results/history/body_motion.hpp"
 #include "results/history/boundary_forces.hpp"
 #include "results/history/element_stress.hpp"
+#include "results/history/joint_forces.hpp"
 #include "results/history/section_forces.hpp"
+#include "results/history/spring_forces.hpp"
 #include "results/history/support_forces.hpp"
 #include "results/history/wall_forces.hpp"
 #include "results/history/weld_forces.hpp"
@@ -26,7 +28,6 @@ struct RunResults {
   InterfaceHistory rcforc, sleout;
   PartHistory matsum;
   NodeHistory nodout;
-  // As text only.
   History<SectionState> secforc;
   SupportHistory spcforc;
   BoundaryHistory bndout;
@@ -34,15 +35,17 @@ struct RunResults {
   History<BodyMotion> rbdout;
   History<WeldForce> swforc;
   History<ElementStress> elout;
-  std::vector<EntityHistory> entities;  ///< of secforc, spcforc, … in a binout, and of intfor
-  std::vector<std::string> missing;     ///< names of missing files of the first five
+  History<SpringForce> deforc;
+  History<JointForce> jntforc;
+  SurfaceHistory intfor;
+  std::vector<std::string> missing;  ///< names of missing files of the first five
 
   /// Path of one of them.
   [[nodiscard]] std::string path(std::string_view name) const;
 };
 
-/// Reads the existing files; what has no text file is taken from a binout. `nodes`: nodout and `entities` as well. An
-/// empty directory name is the current one.
+/// Reads the existing files; what has no text file is taken from a binout. `nodes`: nodout, secforc and all behind it
+/// as well. An empty directory name is the current one.
 [[nodiscard]] RunResults read_run_results(const std::string& directory, bool nodes, Diagnostics& diagnostics);
 
 }  // namespace gapcheck::results

@@ -1,11 +1,16 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/number.hpp"
 #include "base/vector.hpp"
 #include "results/text/file_header.hpp"
+#include "results/text/fortran_number.hpp"
 #include "results/text/result_text.hpp"
 
 namespace gapcheck::results {
@@ -55,6 +60,21 @@ struct History {
 /// What follows the first columns of a line.
 [[nodiscard]] inline std::string_view behind_columns(std::string_view line, std::size_t columns) {
   return line.substr(std::min(columns, line.size()));
+}
+
+/// " x-force......................   1.00000E+00", as deforc and jntforc have it.
+[[nodiscard]] inline std::string dotted_row(std::string_view label, double value) {
+  return fmt::format(" {:.<29}{}\n", label, scientific(value, 14, 5));
+}
+[[nodiscard]] inline std::string dotted_row(std::string_view label, std::int64_t value) {
+  return fmt::format(" {:.<29}{:10}\n", label, value);
+}
+/// Its label, empty for other lines; `value` becomes what follows the dots.
+[[nodiscard]] inline std::string_view dotted_label(std::string_view line, std::string_view& value) {
+  const std::size_t dots = line.find("..");
+  if (dots == std::string_view::npos) return {};
+  value = line.substr(std::min(line.find_first_not_of('.', dots), line.size()));
+  return trimmed(line.substr(0, dots));
 }
 
 }  // namespace gapcheck::results

@@ -38,7 +38,7 @@ class Collector {
       return;
     }
     if (const auto law = law_of(part, section))
-      springs.push_back({a, b, *law, own.scale, own.offset, section.torsional});
+      springs.push_back({a, b, *law, own.scale, own.offset, section.torsional, element});
   }
 
   std::vector<SpringLaw> laws;

@@ -30,6 +30,7 @@ struct SpringInput {
   double scale = 1;   ///< on the force
   double offset = 0;  ///< elongation at the start; without effect if there is no length
   bool torsional = false;
+  std::uint32_t element = 0;  ///< position in Mesh::discrete
 };
 
 /// Discrete springs and dampers. A force along the line between the nodes, positive in tension; if the nodes coincide
@@ -48,6 +49,9 @@ class Springs : public Force {
   [[nodiscard]] double stable_step() const override { return step_; }
 
   [[nodiscard]] std::size_t size() const { return springs_.size(); }
+  [[nodiscard]] const SpringInput& input(std::size_t spring) const { return springs_[spring].input; }
+  /// The force (or moment) on node a at the last evaluation.
+  [[nodiscard]] const Vector& pull(std::size_t spring) const { return springs_[spring].pull; }
   /// Tension (or moment) and elongation (or angle) at the last evaluation.
   [[nodiscard]] double tension(std::size_t spring) const { return springs_[spring].tension; }
   [[nodiscard]] double elongation(std::size_t spring) const { return springs_[spring].elongation; }

@@ -5,15 +5,12 @@
 #include <utility>
 
 #include "results/text/binout_name.hpp"
-#include "solver/output/plot.hpp"
 #include "solver/output/run_files.hpp"
-#include "solver/output/run_states.hpp"
 
 namespace gapcheck::solver {
 namespace {
 
 using results::BinoutWriter;
-using AddState = std::function<void(const Run&, BinoutWriter&)>;
 
 int binary_of(const model::Output& output, std::string_view file) {
   const auto found = output.binary.find(file);
@@ -36,27 +33,12 @@ void remove_old_binouts(const std::string& directory) {
   for (const fs::path& path : old) fs::remove(path, ignored);
 }
 
-results::InterfaceStates contacts_now(const Run& run, bool transducers) {
-  const State& at = run.stepper().state();
-  return {at.time, at.cycle + 1, interface_states(run, transducers)};
-}
-
-void add_glstat_state(const Run& run, BinoutWriter& binout) { results::add_glstat(binout, global_state(run)); }
-
-void add_rcforc_state(const Run& run, BinoutWriter& binout) {
-  results::add_rcforc(binout, contact_titles(run.model()), contacts_now(run, true));
-}
-
-void add_sleout_state(const Run& run, BinoutWriter& binout) {
-  results::add_sleout(binout, contact_titles(run.model()), contacts_now(run, false));
-}
-
 }  // namespace
 
 /// One branch: when it is due, and what adds its present state.
 struct RunBinout::Branch {
   Interval interval;
-  AddState add;
+  std::function<void(const Run&, BinoutWriter&)> add;
 };
 
 bool writes_text(const model::Output& output, std::string_view file, bool all) {
@@ -68,25 +50,12 @@ RunBinout::~RunBinout() = default;
 
 SolverResult<std::unique_ptr<RunBinout>> RunBinout::create(const std::string& directory,
                                                            const results::FileHeader& header,
-                                                           const model::Output& output, bool all,
-                                                           const RunRecord& record) {
+                                                           const std::vector<TextFile>& files,
+                                                           const model::Output& output, bool all) {
   std::vector<Branch> branches;
-  const auto add = [&](std::string_view file, double interval, AddState state) {
-    if (interval > 0 && (all || binary_of(output, file) >= 2))
-      branches.push_back({Interval(interval), std::move(state)});
-  };
-  const auto add_nodout_state = [&record](const Run& now, BinoutWriter& binout) {
-    const State& at = now.stepper().state();
-    results::add_nodout(binout, node_titles(now.model()), {at.cycle + 1, at.time, node_states(now, &record.turns)});
-  };
-  const auto add_matsum_state = [&record](const Run& now, BinoutWriter& binout) {
-    results::add_matsum(binout, now.stepper().state().time, part_titles(now.model()), part_states(now, record.masses));
-  };
-  add("glstat", output.glstat, add_glstat_state);
-  add("matsum", output.matsum, add_matsum_state);
-  add("nodout", output.nodout, add_nodout_state);
-  add("rcforc", output.rcforc, add_rcforc_state);
-  add("sleout", output.sleout, add_sleout_state);
+  for (const TextFile& file : files)
+    if (file.binout && file.interval > 0 && (all || binary_of(output, file.name) >= 2))
+      branches.push_back({Interval(file.interval), file.binout});
   remove_old_binouts(directory);
   if (branches.empty()) return std::unique_ptr<RunBinout>();
   auto binout = BinoutWriter::create((std::filesystem::path(directory) / name()).string(), header);

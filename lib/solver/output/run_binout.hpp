@@ -9,7 +9,7 @@
 #include "model/entity/output.hpp"
 #include "results/curves/binout_write.hpp"
 #include "results/text/file_header.hpp"
-#include "solver/output/run_record.hpp"
+#include "solver/output/text_files.hpp"
 #include "solver/run.hpp"
 
 namespace gapcheck::solver {
@@ -21,11 +21,12 @@ namespace gapcheck::solver {
 /// Writes the binout of a run, binout0000: the files whose cards say BINARY = 2 or 3, or `all` of them.
 class RunBinout : public Run::Observer {
  public:
-  /// `output`: the effective intervals. Removes the binouts of earlier runs; without a branch to write there is no
-  /// file, and the result is nullptr. `record` must outlive it.
+  /// `output`: of the deck. Removes the binouts of earlier runs; without a branch to write there is no file, and the
+  /// result is nullptr.
   static SolverResult<std::unique_ptr<RunBinout>> create(const std::string& directory,
-                                                         const results::FileHeader& header, const model::Output& output,
-                                                         bool all, const RunRecord& record);
+                                                         const results::FileHeader& header,
+                                                         const std::vector<TextFile>& files,
+                                                         const model::Output& output, bool all);
   ~RunBinout() override;
 
   [[nodiscard]] SolverStatus observe(const Run& run, std::optional<RunEnd> end) override;

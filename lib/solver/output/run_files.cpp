@@ -119,7 +119,7 @@ SolverResult<RunFiles> RunFiles::create(const Run& run, contact::SurfaceStore& s
   if (error)
     return Failure{Failure::Kind::output, fmt::format("{}: cannot be created: {}", directory, error.message())};
   files.sizes_ = contact::element_sizes(run.model());
-  files.record_ = std::make_unique<RunRecord>(run, files.sizes_);
+  files.record_ = std::make_unique<RunRecord>(run, files.sizes_, surfaces);
   SolverStatus opened = files.open_logs(run, surfaces);
   if (opened.ok()) opened = files.open_texts(run);
   if (opened.ok()) opened = files.open_plot(run);
@@ -133,15 +133,16 @@ SolverResult<RunFiles> RunFiles::create(const Run& run, contact::SurfaceStore& s
 }
 
 SolverStatus RunFiles::open_texts(const Run& run) {
-  const model::Output output = output_intervals(run.model(), run.end_time());
-  for (TextFile& file : text_files(run, settings_.program, *record_)) {
+  const model::Output& output = run.model().output;
+  const std::vector<TextFile> files = text_files(run, settings_.program, *record_);
+  for (const TextFile& file : files) {
     const double interval = writes_text(output, file.name, settings_.binout) ? file.interval : 0;
-    texts_.push_back({file.name, {}, Interval(interval), nullptr, std::move(file.state)});
+    texts_.push_back({file.name, {}, Interval(interval), nullptr, file.state});
     if (SolverStatus opened = open(texts_.back(), file.header); !opened.ok()) return opened;
   }
-  plot_interval_ = Interval(output.d3plot);
-  auto binout = RunBinout::create(settings_.directory, {run.model().title, settings_.program}, output, settings_.binout,
-                                  *record_);
+  plot_interval_ = Interval(output_intervals(run.model(), run.end_time()).d3plot);
+  auto binout =
+      RunBinout::create(settings_.directory, {run.model().title, settings_.program}, files, output, settings_.binout);
   if (!binout) return binout.error();
   binout_ = std::move(binout).value();
   return {};
@@ -187,6 +188,11 @@ SolverStatus RunFiles::log(const std::string& text) {
   for (const Text& file : logs_)
     if (!write(file.file.get(), text)) return not_written(file.path);
   return {};
+}
+
+SolverStatus RunFiles::log_plot(const Run& run, const std::string& what) {
+  const State& state = run.stepper().state();
+  return log(results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), what));
 }
 
 SolverStatus RunFiles::log_failures(const Run& run) {
@@ -239,14 +245,15 @@ SolverStatus RunFiles::observe(const Run& run, std::optional<RunEnd> end) {
       return not_written(text.path);
     text.interval.written(state.time);
   }
+  const bool plots = plot_interval_.due(state.time) || end;
+  if (intfor_ && (intfor_->due(state.time) || end))
+    if (SolverStatus logged = log_plot(run, "write intfor file"); !logged.ok()) return logged;
   for (Run::Observer* binary : {static_cast<Run::Observer*>(binout_.get()), static_cast<Run::Observer*>(intfor_.get())})
     if (binary != nullptr)
       if (SolverStatus added = binary->observe(run, end); !added.ok()) return added;
-  if (plot_interval_.due(state.time) || end) {
+  if (plots) {
     plot_interval_.written(state.time);
-    const std::string line =
-        results::cycle_line(state.cycle + 1, state.time, run.stepper().next_step(), "write d3plot file");
-    if (SolverStatus logged = log(line); !logged.ok()) return logged;
+    if (SolverStatus logged = log_plot(run, "write d3plot file"); !logged.ok()) return logged;
     if (SolverStatus plotted = plot(run); !plotted.ok()) return plotted;
   }
   if (!end) return {};

@@ -42,8 +42,8 @@ class Interval {
 };
 
 /// Writes a run's results into a directory, state by state: messag, d3hsp, glstat, matsum, nodout, rcforc, sleout,
-/// ncforc, d3plot, and binout and intfor where the deck asks for them. Existing files of these names are replaced. Old
-/// files of optional kinds (such as ncforc) that the deck does not request are removed.
+/// ncforc, secforc and so on, d3plot, and binout and intfor where the deck asks for them. Existing files of these names
+/// are replaced. Old files of optional kinds (such as ncforc) that the deck does not request are removed.
 class RunFiles : public Run::Observer {
  public:
   static SolverResult<RunFiles> create(const Run& run, contact::SurfaceStore& surfaces, RunFilesSettings settings);
@@ -71,6 +71,7 @@ class RunFiles : public Run::Observer {
   [[nodiscard]] SolverStatus open_logs(const Run& run, contact::SurfaceStore& surfaces);
   [[nodiscard]] SolverStatus open_plot(const Run& run);
   [[nodiscard]] SolverStatus log(const std::string& text);
+  [[nodiscard]] SolverStatus log_plot(const Run& run, const std::string& what);
   [[nodiscard]] SolverStatus log_failures(const Run& run);
   [[nodiscard]] SolverStatus log_end(const Run& run, RunEnd end);
   [[nodiscard]] SolverStatus plot(const Run& run);

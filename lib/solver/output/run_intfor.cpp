@@ -37,9 +37,11 @@ SolverResult<std::unique_ptr<RunIntfor>> RunIntfor::create(const Run& run, conta
   return std::unique_ptr<RunIntfor>(new RunIntfor(std::move(content)));
 }
 
+bool RunIntfor::due(double time) const { return content_->interval.due(time); }
+
 SolverStatus RunIntfor::observe(const Run& run, std::optional<RunEnd> end) {
   const double time = run.stepper().state().time;
-  if (!content_->interval.due(time) && !end) return {};
+  if (!due(time) && !end) return {};
   content_->interval.written(time);
   if (const Status added = content_->writer.append(content_->plot.state(run)); !added.ok())
     return intfor_failure(added.error());

@@ -19,6 +19,8 @@ class RunIntfor : public Run::Observer {
                                                          bool double_words);
   ~RunIntfor() override;
 
+  /// The next observation writes a state.
+  [[nodiscard]] bool due(double time) const;
   [[nodiscard]] SolverStatus observe(const Run& run, std::optional<RunEnd> end) override;
   /// A failure if a file is no longer where it was written.
   [[nodiscard]] SolverStatus check_names() const;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gapcheck::solver {
@@ -43,6 +44,8 @@ void note_empty_files(const model::Model& model, std::vector<model::Output::Note
   for (const model::Material& material : model.materials) welds = welds || material.weld;
   const bool elements =
       !output.history_solids.empty() || !output.history_beams.empty() || !output.history_shells.empty();
+  const bool springs = std::any_of(model.mesh.discrete_values.begin(), model.mesh.discrete_values.end(),
+                                   [](const model::DiscreteValues& own) { return own.printed; });
   const auto note = [&](double interval, bool there, std::string_view name, std::string_view what) {
     if (interval > 0 && !there)
       notes.push_back(
@@ -54,6 +57,8 @@ void note_empty_files(const model::Model& model, std::vector<model::Output::Note
   note(output.rwforc, !model.rigid_walls.empty(), "rwforc", "rigid walls");
   note(output.rbdout, bodies, "rbdout", "rigid bodies");
   note(output.swforc, welds, "swforc", "welds");
+  note(output.deforc, springs, "deforc", "discrete springs and dampers with PF = 0");
+  note(output.jntforc, !model.joints.empty(), "jntforc", "joints");
   note(output.elout, elements, "elout", "*DATABASE_HISTORY of solids, beams or shells");
 }
 
@@ -74,13 +79,14 @@ void NodeTurns::advance(const Run& run) {
   }
 }
 
-RunRecord::RunRecord(const Run& run, const contact::ElementSizes& sizes)
+RunRecord::RunRecord(const Run& run, const contact::ElementSizes& sizes, contact::SurfaceStore& surfaces)
     : masses(run.model(), sizes),
       turns(run),
       places(run.model(), run.stepper().structure()),
       held(run),
       sections(wanted_sections(run.model())) {
   const model::Output& output = run.model().output;
+  if (output.ncforc > 0) areas = NodeAreas(run.model(), surfaces);
   if (output.bndout > 0) boundary = BoundaryWork(run, held);
   if (output.rbdout > 0) bodies = BodyTurns(run);
   if (output.swforc > 0) welds = WeldForces(run);

@@ -6,6 +6,7 @@
 #include "solver/output/boundary_work.hpp"
 #include "solver/output/element_places.hpp"
 #include "solver/output/element_states.hpp"
+#include "solver/output/node_areas.hpp"
 #include "solver/output/part_masses.hpp"
 #include "solver/output/section_cuts.hpp"
 #include "solver/run.hpp"
@@ -33,12 +34,13 @@ struct RunRecord {
   ElementPlaces places;
   HeldFreedoms held;
   std::vector<CutSection> sections;
+  NodeAreas areas;
   BoundaryWork boundary;
   BodyTurns bodies;
   WeldForces welds;
 
   /// Only what the deck's intervals ask for is followed.
-  RunRecord(const Run& run, const contact::ElementSizes& sizes);
+  RunRecord(const Run& run, const contact::ElementSizes& sizes, contact::SurfaceStore& surfaces);
   /// Once per step, after its forces are known and before its files are written.
   void advance(const Run& run);
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "solver/output/plot.hpp"
 
@@ -174,7 +175,8 @@ std::vector<results::InterfaceState> interface_states(const Run& run, bool trans
   return list;
 }
 
-std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, ContactIndex contact) {
+std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, ContactIndex contact,
+                                                           const NodeAreas& areas) {
   const model::Contact& card = run.model().contact(contact);
   const auto& cards = run.model().contacts;
   const bool all =
@@ -183,13 +185,13 @@ std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, Conta
   const bool calculated =
       std::any_of(views.begin(), views.end(), [&](const ContactView& view) { return view.state().contact == contact; });
   if (!calculated || !(all || card.print_a || card.print_b)) return std::nullopt;
-  const State& state = run.stepper().state();
-  std::vector<results::NodeForce> list;
-  std::map<NodeIndex, results::NodeForce> by_node;
+  std::map<std::pair<NodeIndex, std::size_t>, Vector> forces;
   const auto add = [&](const ContactPoint& point, const Vector& force, bool side_b) {
     if (!all && !(side_b ? card.print_b : card.print_a)) return;
     for (std::size_t i = 0; i < 4; ++i)
-      if (point.weights[i] != 0) by_node[point.nodes[i]].force += point.weights[i] * force;
+      if (point.weights[i] != 0)
+        forces.try_emplace({point.nodes[i], side_b ? 1u : 0u}, Vector::Zero()).first->second +=
+            point.weights[i] * force;
   };
   for (const ContactView& view : views) {
     if (view.state().contact != contact) continue;
@@ -200,14 +202,13 @@ std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, Conta
       add(link.tracked, link.force, link.exchanged && !single);
       add(link.reference, -link.force, !link.exchanged && !single);
     }
-    for (const ContactNode& node : view.nodes())
-      if (const auto at = by_node.find(node.node); at != by_node.end())
-        at->second.pressure = std::max(at->second.pressure, node.pressure);
   }
-  for (auto& [node, entry] : by_node) {
-    entry.node = run.model().mesh.nodes.id[node.value];
-    entry.position = state.x[node.value];
-    list.push_back(entry);
+  const State& state = run.stepper().state();
+  std::vector<results::NodeForce> list;
+  for (const auto& [place, force] : forces) {
+    const auto& [node, side] = place;
+    list.push_back({run.model().mesh.nodes.id[node.value], side, force, state.x[node.value],
+                    areas.pressure(contact, side, node, force, state.x)});
   }
   return list;
 }

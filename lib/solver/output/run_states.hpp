@@ -6,6 +6,7 @@
 #include "results/curves/glstat.hpp"
 #include "results/curves/matsum.hpp"
 #include "results/curves/nodout.hpp"
+#include "solver/output/node_areas.hpp"
 #include "solver/output/part_masses.hpp"
 #include "solver/output/run_record.hpp"
 #include "solver/run.hpp"
@@ -22,9 +23,10 @@ namespace gapcheck::solver {
 /// For the calculated contacts, each once even if several sources contribute; `transducers`: including those, all in
 /// deck order.
 [[nodiscard]] std::vector<results::InterfaceState> interface_states(const Run& run, bool transducers);
-/// By node the force of a contact and the largest pressure: on the sides that SAPR and
-/// SBPR name, for all contacts if no contact names one. Nodes without a force are left out. Nothing: the contact is not
-/// calculated, or must not be printed.
-[[nodiscard]] std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, ContactIndex contact);
+/// By node and side the force and pressure of a contact: on the sides that SAPR and SBPR name, for all contacts if no
+/// contact names one. Nodes without a force are left out. Nothing: the contact is not calculated, or must not be
+/// printed.
+[[nodiscard]] std::optional<std::vector<results::NodeForce>> node_forces(const Run& run, ContactIndex contact,
+                                                                         const NodeAreas& areas);
 
 }  // namespace gapcheck::solver

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/entity/output.hpp"
+#include "results/curves/binout_write.hpp"
 #include "solver/output/run_record.hpp"
 #include "solver/run.hpp"
 
@@ -13,13 +14,15 @@ namespace gapcheck::solver {
 /// Takes a file's text in pieces; false: not all of it could be written.
 using TextWriter = std::function<bool(std::string_view)>;
 
-/// One text file of curves: what it is called, how often it is written and what it holds.
+/// One file of curves: what it is called, how often it is written and what it holds.
 struct TextFile {
   std::string name;
   double interval = 0;  ///< 0: not written
   std::string header;
   /// Writes the present state; ends with false where the writer does.
   std::function<bool(const Run&, const TextWriter&)> state;
+  /// Adds the present state to a binout; empty: a binout has no such branch.
+  std::function<void(const Run&, results::BinoutWriter&)> binout;
 };
 
 /// Effective intervals: those of the deck; if it gives none, a thousandth of the end time for glstat, sleout and rcforc

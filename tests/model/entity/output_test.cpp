@@ -11,7 +11,8 @@ TEST(Output, IntervalsAndTitle) {
       "*DATABASE_MATSUM\n0.25\n*DATABASE_NODOUT\n0.1,0,0\n*DATABASE_RCFORC\n0.2\n*DATABASE_SLEOUT\n0.3\n"
       "*DATABASE_NCFORC\n0.4\n*DATABASE_ELOUT\n7.\n*DATABASE_SECFORC\n0.6\n*DATABASE_SPCFORC\n0.7\n*DATABASE_BNDOUT\n0."
       "8\n"
-      "*DATABASE_RWFORC\n0.9\n*DATABASE_RBDOUT\n1.1\n*DATABASE_SWFORC\n1.2\n*CONTROL_OUTPUT\n\n,,,,,,,1\n");
+      "*DATABASE_RWFORC\n0.9\n*DATABASE_RBDOUT\n1.1\n*DATABASE_SWFORC\n1.2\n*DATABASE_DEFORC\n1.3\n*DATABASE_"
+      "JNTFORC\n1.4\n*CONTROL_OUTPUT\n\n,,,,,,,1\n");
   EXPECT_EQ(read.text(), "");
   const Output& output = read.model.output;
   EXPECT_EQ(read.model.title, "A model of something");
@@ -29,21 +30,23 @@ TEST(Output, IntervalsAndTitle) {
   EXPECT_EQ(output.rwforc, 0.9);
   EXPECT_EQ(output.rbdout, 1.1);
   EXPECT_EQ(output.swforc, 1.2);
+  EXPECT_EQ(output.deforc, 1.3);
+  EXPECT_EQ(output.jntforc, 1.4);
   EXPECT_TRUE(output.local_shells);
   EXPECT_TRUE(output.notes.empty());
 }
 
 TEST(Output, FilesThatARunDoesNotWriteAreNamedOnce) {
   const Read read = read_text(
-      "*DATABASE_GLSTAT\n0.1\n*DATABASE_ABSTAT\n0.5\n*DATABASE_NODFOR\n0.\n*DATABASE_DEFORC\n,,7\n*DATABASE_ABSTAT\n"
-      "0.5\n*DATABASE_BINARY_D3THDT\n0.5\n*DATABASE_JNTFORC\n*DATABASE_NODOUT_HF\n0.1\n");
+      "*DATABASE_GLSTAT\n0.1\n*DATABASE_ABSTAT\n0.5\n*DATABASE_NODFOR\n0.\n*DATABASE_SBTOUT\n,,7\n*DATABASE_ABSTAT\n"
+      "0.5\n*DATABASE_BINARY_D3THDT\n0.5\n*DATABASE_SSSTAT\n*DATABASE_NODOUT_HF\n0.1\n");
   EXPECT_EQ(read.text(), "");
   ASSERT_EQ(read.model.output.all_notes().size(), 1u);
   EXPECT_EQ(read.model.output.all_notes()[0].place.line, 4u);
   EXPECT_EQ(read.model.output.all_notes()[0].text,
-            "the deck asks for files that a run does not write: abstat, deforc, d3thdt, the second nodout of the nodes "
+            "the deck asks for files that a run does not write: abstat, sbtout, d3thdt, the second nodout of the nodes "
             "with HFO (*DATABASE_NODOUT_HF)")
-      << "no interval: not asked for; deforc has a curve of them";
+      << "no interval: not asked for; sbtout has a curve of them";
 }
 
 TEST(Output, WhatCannotBeDoneIsNoted) {

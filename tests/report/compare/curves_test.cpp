@@ -47,27 +47,6 @@ TEST(Curves, EveryFileGivesItsOwn) {
   EXPECT_TRUE(curves({}).empty());
 }
 
-TEST(Curves, ColumnsOfEntities) {
-  results::RunResults run;
-  run.entities.push_back({"secforc", "section", 5, {{"force", "x-force"}, {"moment", "z-moment"}}, {}});
-  run.entities.push_back({"spcforc", "all nodes", 5, {{"force", "x-force"}}, {}});
-  for (const double time : {0.0, 1.0}) {
-    run.entities[0].states.push_back({time, {4, 9}, {time, 2, 3, 4 * time}});
-    run.entities[1].states.push_back({time, {0}, {-time}});
-  }
-  // A section that appears later.
-  run.entities[0].states.push_back({2, {9, 11, 4}, {5, 6, 7, 8, 9, 10}});
-  const std::vector<Curve> list = curves(run);
-  EXPECT_EQ(list.size(), 7u);
-  ASSERT_NE(named(list, "secforc section 9 z-moment"), nullptr);
-  EXPECT_EQ(named(list, "secforc section 9 z-moment")->values, (std::vector{0.0, 4.0, 6.0}));
-  EXPECT_EQ(named(list, "secforc section 9 z-moment")->quantity, "moment");
-  EXPECT_EQ(named(list, "secforc section 9 z-moment")->digits, 5);
-  EXPECT_EQ(named(list, "secforc section 4 x-force")->values, (std::vector{0.0, 1.0, 9.0}));
-  EXPECT_EQ(named(list, "secforc section 11 x-force")->times, std::vector{2.0});
-  EXPECT_EQ(named(list, "spcforc all nodes x-force")->values, (std::vector{-0.0, -1.0}));
-}
-
 TEST(Curves, ARestartTakesThePlaceOfWhatItRepeats) {
   Curve curve;
   for (const auto& [time, value] : std::vector<std::pair<double, double>>{{0, 1}, {1, 2}, {2, 3}, {1, 20}, {3, 30}})

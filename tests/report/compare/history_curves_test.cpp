@@ -23,6 +23,11 @@ TEST(HistoryCurves, NamedAfterTheirEntities) {
   run.elout.states = {{0,
                        {{results::StressKind::beam, 1, 1, {1, 2, 3, 4, 5, 6}, {}, 1},
                         {results::StressKind::shell, 1, 1, {}, {{{1, 2, 3, 4, 5, 6}, 0.5, 0, true}, {}}, 2}}}};
+  run.deforc.states = {{0, {{21, false, {3, 0, 4}, -5, 0.25}, {22, true, {0, 0, 6}, 6, 0.5}}}};
+  run.jntforc.states = {{0, {{31, false, {0, 3, 4}, {1, 0, 0}}}}};
+  run.intfor.surfaces = {{7, 1, "lid"}, {0, 0, "surface 2"}};
+  run.intfor.forces = true;
+  run.intfor.states = {{0, {{8, {0, 6, 8}}, {9, {}}}}};
   results::GlobalState global;
   global.walls = {{1, 3.5}};
   run.glstat = {global};
@@ -46,7 +51,35 @@ TEST(HistoryCurves, NamedAfterTheirEntities) {
   EXPECT_EQ(value("elout shell 1 point 1 zx-stress"), 6);
   EXPECT_EQ(value("elout shell 1 point 1 plastic strain"), 0.5);
   EXPECT_EQ(value("elout shell 1 point 2 xx-stress"), 0);
+  EXPECT_EQ(value("deforc spring 21 resultant force"), -5);
+  EXPECT_EQ(value("deforc spring 21 change in length"), 0.25);
+  EXPECT_EQ(value("deforc spring 22 z-moment"), 6);
+  EXPECT_EQ(value("deforc spring 22 relative rotation"), 0.5);
+  EXPECT_EQ(value("jntforc joint 31 resultant force"), 5);
+  EXPECT_EQ(value("jntforc joint 31 x-moment"), 1);
+  EXPECT_EQ(value("intfor contact 7 side B largest pressure"), 8);
+  EXPECT_EQ(value("intfor contact 7 side B resultant force"), 10);
+  EXPECT_EQ(value("intfor surface 2 largest pressure"), 9);
   EXPECT_EQ(value("glstat stonewall energy of wall 1"), 3.5);
+}
+
+// A support has curves of what it holds, entities keep theirs when others appear or change places.
+TEST(HistoryCurves, OfRowsThatComeAndGo) {
+  results::RunResults run;
+  run.spcforc.states = {{0, {{5, true, false, {1, 0, 0}, {}}}},
+                        {1, {{6, true, true, {2, 0, 0}, {3, 0, 0}}, {5, true, true, {4, 0, 0}, {5, 0, 0}}}},
+                        {2, {{5, true, false, {6, 0, 0}, {}}, {0, true, false, {7, 0, 0}, {}}}}};
+  const std::vector<Curve> list = curves(run);
+  EXPECT_EQ(list.size(), 20u);  // forces of 5, 6 and all, moments of 5 and 6
+  const auto values = [&](const std::string& name) {
+    for (const Curve& curve : list)
+      if (curve.name == name) return curve.values;
+    return std::vector<double>();
+  };
+  EXPECT_EQ(values("spcforc node 5 x-force"), (std::vector<double>{1, 4, 6}));
+  EXPECT_EQ(values("spcforc node 5 x-moment"), std::vector<double>{5});
+  EXPECT_EQ(values("spcforc node 6 resultant moment"), std::vector<double>{3});
+  EXPECT_EQ(values("spcforc all nodes x-force"), std::vector<double>{7});
 }
 
 }  // namespace

@@ -119,21 +119,18 @@ TEST_F(IntforFile, CurvesOfARun) {
   Diagnostics diagnostics;
   const RunResults run = read_run_results(folder_.string(), true, diagnostics);
   EXPECT_TRUE(diagnostics.sorted().empty());
-  ASSERT_EQ(run.entities.size(), 3u);
-  const EntityHistory& b = run.entities[1];
-  EXPECT_EQ(b.file, "intfor");
-  EXPECT_EQ(b.kind, "contact");
-  ASSERT_EQ(b.columns.size(), 5u);
-  EXPECT_EQ(b.columns[0].name, "side B largest pressure");
-  EXPECT_EQ(b.columns[1].name, "side B x-force");
-  ASSERT_EQ(b.states.size(), 3u);
-  EXPECT_EQ(b.states[2].ids, std::vector<std::int64_t>{80085});
+  ASSERT_EQ(run.intfor.surfaces.size(), 3u);
+  EXPECT_EQ(run.intfor.surfaces[1].contact, 80085);
+  EXPECT_EQ(run.intfor.surfaces[1].side, 1u);
+  EXPECT_TRUE(run.intfor.forces);
+  ASSERT_EQ(run.intfor.states.size(), 3u);
+  const SurfaceForce& b = run.intfor.states[2].rows.at(1);
   const InterfaceForces state = sample_state(2);
-  EXPECT_EQ(b.states[2].values[0], std::max(state.segments[1].pressure, state.segments[2].pressure));
+  EXPECT_EQ(b.largest_pressure, std::max(state.segments[1].pressure, state.segments[2].pressure));
   double y = 0;
   for (const std::size_t segment : {1u, 2u})
     for (const auto& corner : state.segments[segment].force) y += corner[1];
-  EXPECT_DOUBLE_EQ(b.states[2].values[2], y);
+  EXPECT_DOUBLE_EQ(b.force[1], y);
 }
 
 // Wrong databases, and any damage: an error or fewer states, never more than the file holds.

@@ -1,11 +1,13 @@
-// secforc, spcforc, bndout, rwforc, rbdout, swforc, elout: what is written is read back, and the layout is that of
-// LS-DYNA's converter.
+// secforc, spcforc, bndout, rwforc, rbdout, swforc, elout, deforc, jntforc: what is written is read back, and the
+// layout is that of LS-DYNA's converter.
 #include <gtest/gtest.h>
 
 #include "results/history/body_motion.hpp"
 #include "results/history/boundary_forces.hpp"
 #include "results/history/element_stress.hpp"
+#include "results/history/joint_forces.hpp"
 #include "results/history/section_forces.hpp"
+#include "results/history/spring_forces.hpp"
 #include "results/history/support_forces.hpp"
 #include "results/history/wall_forces.hpp"
 #include "results/history/weld_forces.hpp"
@@ -16,23 +18,39 @@ namespace {
 
 const FileHeader header{"a title", "gapcheck 0"};
 
+void expect_part(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text << "\nlacks\n" << part;
+}
+
+template <class Row>
+using Reader = History<Row> (*)(std::string_view, const std::string&, Diagnostics&);
+
+/// Without a complaint, with this many states that have `rows` rows each.
+template <class Row>
+History<Row> read_whole(Reader<Row> read, const std::string& text, std::size_t states, std::size_t rows) {
+  Diagnostics diagnostics;
+  History<Row> history = read(text, "file", diagnostics);
+  EXPECT_EQ(said(diagnostics), "");
+  EXPECT_EQ(history.states.size(), states);
+  history.states.resize(states);
+  for (Timed<Row>& state : history.states) {
+    EXPECT_EQ(state.rows.size(), rows);
+    state.rows.resize(rows);
+  }
+  return history;
+}
+
 TEST(Secforc, LayoutAndRoundTrip) {
   const SectionState one{7, {3, 0, -4}, {0, 0, 2}, {1.5, 0.25, 0}, 0.125}, two{11, {0, 1, 0}, {}, {}, 2};
   const std::string text = secforc_header(header, {{7, "cut"}}) + secforc_text(0.5, std::vector{one, two}) +
                            secforc_text(1, std::vector{one, two});
-  EXPECT_NE(text.find(" line#1  section#     time        x-force     y-force     z-force    magnitude\n"),
-            std::string::npos);
-  EXPECT_NE(text.find("           7    5.00000E-01     3.0000E+00  0.0000E+00 -4.0000E+00  5.0000E+00\n"
-                      "global system                   0.0000E+00  0.0000E+00  2.0000E+00  2.0000E+00\n"
-                      "                                1.5000E+00  2.5000E-01  0.0000E+00  1.2500E-01\n\n"),
-            std::string::npos)
-      << text;
-  Diagnostics diagnostics;
-  const auto history = read_secforc(text, "secforc", diagnostics);
-  EXPECT_EQ(said(diagnostics), "");
-  ASSERT_EQ(history.states.size(), 2u);
+  expect_part(text, " line#1  section#     time        x-force     y-force     z-force    magnitude\n");
+  expect_part(text,
+              "           7    5.00000E-01     3.0000E+00  0.0000E+00 -4.0000E+00  5.0000E+00\n"
+              "global system                   0.0000E+00  0.0000E+00  2.0000E+00  2.0000E+00\n"
+              "                                1.5000E+00  2.5000E-01  0.0000E+00  1.2500E-01\n\n");
+  const auto history = read_whole(read_secforc, text, 2, 2);
   EXPECT_EQ(history.states[1].time, 1);
-  ASSERT_EQ(history.states[0].rows.size(), 2u);
   const SectionState& read = history.states[0].rows[0];
   EXPECT_EQ(read.section, 7);
   EXPECT_EQ(read.force, one.force);
@@ -60,19 +78,14 @@ TEST(Spcforc, LayoutAndRoundTrip) {
   states.supports = {{5, true, true, {1, 2, 3}, {4, 5, 6}}, {12345678, true, false, {-1, 0, 0}, {}}};
   states.resultant = {0, 2, 3};
   const std::string text = spcforc_header(header) + spcforc_text(0.25, states);
-  EXPECT_NE(text.find(" single point constraint forces\n\n"
-                      " output at time =   2.50000E-01\n"
-                      " node=       5 local x,y,z forces =    1.0000E+00    2.0000E+00    3.0000E+00\n"
-                      " node=       5 local x,y,z moments=    4.0000E+00    5.0000E+00    6.0000E+00\n"
-                      " node=12345678 local x,y,z forces =   -1.0000E+00    0.0000E+00    0.0000E+00\n"
-                      "             force resultants   =    0.0000E+00    2.0000E+00    3.0000E+00\n"),
-            std::string::npos)
-      << text;
-  Diagnostics diagnostics;
-  const SupportHistory history = read_spcforc(text, "spcforc", diagnostics);
-  EXPECT_EQ(said(diagnostics), "");
-  ASSERT_EQ(history.states.size(), 1u);
-  ASSERT_EQ(history.states[0].rows.size(), 3u);
+  expect_part(text,
+              " single point constraint forces\n\n"
+              " output at time =   2.50000E-01\n"
+              " node=       5 local x,y,z forces =    1.0000E+00    2.0000E+00    3.0000E+00\n"
+              " node=       5 local x,y,z moments=    4.0000E+00    5.0000E+00    6.0000E+00\n"
+              " node=12345678 local x,y,z forces =   -1.0000E+00    0.0000E+00    0.0000E+00\n"
+              "             force resultants   =    0.0000E+00    2.0000E+00    3.0000E+00\n");
+  const auto history = read_whole(read_spcforc, text, 1, 3);
   EXPECT_EQ(history.states[0].rows[0].force, Vector(1, 2, 3));
   EXPECT_EQ(history.states[0].rows[0].moment, Vector(4, 5, 6));
   EXPECT_EQ(history.states[0].rows[2].node, 0);
@@ -96,22 +109,15 @@ TEST(Bndout, LayoutAndRoundTrip) {
                                           {BoundaryKind::discrete, true, 8, {0, 4, 0}, 1, {}},
                                           {BoundaryKind::discrete, false, 2, {0, 1, 0}, 2, {}}};
   const std::string text = bndout_header(header) + bndout_text(0.25, states) + bndout_text(0.5, states);
-  EXPECT_NE(text.find(" n o d a l   f o r c e/e n e r g y    o u t p u t   t=2.500E-01\n"), std::string::npos);
-  EXPECT_NE(
-      text.find(
-          " discrete nodal point forces \n\n"
-          " nd#       2  xforce=   0.0000E+00   yforce=   1.0000E+00  zforce=   0.0000E+00   energy=   2.0000E+00\n"
-          " mt#       8  xforce=   0.0000E+00   yforce=   4.0000E+00  zforce=   0.0000E+00   energy=   1.0000E+00\n"
-          "              xtotal=   0.0000E+00   ytotal=   5.0000E+00  ztotal=   0.0000E+00   etotal=   3.0000E+00\n"),
-      std::string::npos)
-      << text;
-  EXPECT_NE(text.find("             xmoment=   0.0000E+00  ymoment=   0.0000E+00 zmoment=   9.0000E+00\n"),
-            std::string::npos);
-  Diagnostics diagnostics;
-  const BoundaryHistory history = read_bndout(text, "bndout", diagnostics);
-  EXPECT_EQ(said(diagnostics), "");
-  ASSERT_EQ(history.states.size(), 2u);
-  ASSERT_EQ(history.states[1].rows.size(), 4u);
+  expect_part(text, " n o d a l   f o r c e/e n e r g y    o u t p u t   t=2.500E-01\n");
+  expect_part(
+      text,
+      " discrete nodal point forces \n\n"
+      " nd#       2  xforce=   0.0000E+00   yforce=   1.0000E+00  zforce=   0.0000E+00   energy=   2.0000E+00\n"
+      " mt#       8  xforce=   0.0000E+00   yforce=   4.0000E+00  zforce=   0.0000E+00   energy=   1.0000E+00\n"
+      "              xtotal=   0.0000E+00   ytotal=   5.0000E+00  ztotal=   0.0000E+00   etotal=   3.0000E+00\n");
+  expect_part(text, "             xmoment=   0.0000E+00  ymoment=   0.0000E+00 zmoment=   9.0000E+00\n");
+  const auto history = read_whole(read_bndout, text, 2, 4);
   const auto& rows = history.states[0].rows;
   EXPECT_EQ(rows[0].kind, BoundaryKind::discrete);
   EXPECT_EQ(rows[1].force, Vector(0, 4, 0));
@@ -125,18 +131,13 @@ TEST(Bndout, LayoutAndRoundTrip) {
 TEST(Rwforc, LayoutAndRoundTrip) {
   const std::vector<WallForce> walls{{1, 5, {3, 4, 0}}, {12, 0, {}}};
   std::string text = rwforc_header(header, {{1, "front"}}) + rwforc_text(0.125, walls);
-  EXPECT_NE(text.find("    time       wall#   normal-force    x-force        y-force        z-force\n"
-                      " 1.25000E-01       1   5.000000E+00   3.000000E+00   4.000000E+00   0.000000E+00\n"),
-            std::string::npos)
-      << text;
+  expect_part(text,
+              "    time       wall#   normal-force    x-force        y-force        z-force\n"
+              " 1.25000E-01       1   5.000000E+00   3.000000E+00   4.000000E+00   0.000000E+00\n");
   text +=
       "                seg#    \n                   1                  1.000000E+00   2.000000E+00   3.000000E+00\n"
       "  total force                         1.000000E+00   2.000000E+00   3.000000E+00\n";
-  Diagnostics diagnostics;
-  const auto history = read_rwforc(text, "rwforc", diagnostics);
-  EXPECT_EQ(said(diagnostics), "");
-  ASSERT_EQ(history.states.size(), 1u);
-  ASSERT_EQ(history.states[0].rows.size(), 2u);
+  const auto history = read_whole(read_rwforc, text, 1, 2);
   EXPECT_EQ(history.states[0].rows[0].normal, 5);
   EXPECT_EQ(history.states[0].rows[0].force, Vector(3, 4, 0));
   EXPECT_EQ(history.states[0].rows[1].wall, 12);
@@ -157,22 +158,15 @@ TEST(Rbdout, LayoutAndRoundTrip) {
   nodal.body = 9;
   nodal.nodal = true;
   const std::string text = rbdout_header(header) + rbdout_text(12, 0.5, std::vector{body, nodal});
-  EXPECT_NE(
-      text.find("1\n\n  r i g i d   b o d y   m o t i o n   a t  cycle=      12    time=   5.000000E-01\n\n rigid body "
-                "      7\n   global             x           y           z          x-rot       y-rot       z-rot\n"
-                "   coordinates:    1.0000E+00  2.0000E+00  3.0000E+00\n"
-                " displacements:    4.0000E+00  0.0000E+00  0.0000E+00  5.0000E-01  0.0000E+00  0.0000E+00\n"),
-      std::string::npos)
-      << text;
-  EXPECT_NE(text.find("     row 1     0.0000E+00    -1.0000E+00     0.0000E+00\n"), std::string::npos);
+  expect_part(text,
+              "1\n\n  r i g i d   b o d y   m o t i o n   a t  cycle=      12    time=   5.000000E-01\n\n rigid body "
+              "      7\n   global             x           y           z          x-rot       y-rot       z-rot\n"
+              "   coordinates:    1.0000E+00  2.0000E+00  3.0000E+00\n"
+              " displacements:    4.0000E+00  0.0000E+00  0.0000E+00  5.0000E-01  0.0000E+00  0.0000E+00\n");
+  expect_part(text, "     row 1     0.0000E+00    -1.0000E+00     0.0000E+00\n");
   // Along a, which is the global y, it has moved by nothing, along b, the negative x, by −4.
-  EXPECT_NE(text.find(" displacements:    0.0000E+00 -4.0000E+00  0.0000E+00  0.0000E+00 -5.0000E-01  0.0000E+00\n"),
-            std::string::npos);
-  Diagnostics diagnostics;
-  const auto history = read_rbdout(text, "rbdout", diagnostics);
-  EXPECT_EQ(said(diagnostics), "");
-  ASSERT_EQ(history.states.size(), 1u);
-  ASSERT_EQ(history.states[0].rows.size(), 2u);
+  expect_part(text, " displacements:    0.0000E+00 -4.0000E+00  0.0000E+00  0.0000E+00 -5.0000E-01  0.0000E+00\n");
+  const auto history = read_whole(read_rbdout, text, 1, 2);
   const BodyMotion& read = history.states[0].rows[0];
   EXPECT_EQ(read.position, body.position);
   EXPECT_EQ(read.displacement, body.displacement);
@@ -190,21 +184,15 @@ TEST(Swforc, LayoutAndRoundTrip) {
                                      {WeldForce::Kind::beam, 5, 1, 2, false, 0, 0.5, 0, 0},
                                      {WeldForce::Kind::solid, 6, 0, 0, true, 0.25, 1, 0, 0}};
   const std::string text = swforc_header(header) + swforc_text(0.5, welds);
-  EXPECT_NE(
-      text.find("\n constraint #      axial        shear         time                                                "
-                "length\n"
-                "          1  3.00000E+00  4.00000E+00  5.00000E-01             constraint/weld  ID       71\n"
-                "          2  1.00000E+00  2.00000E+00  5.00000E-01             spotweld beam  ID          5  "
-                "5.00000E-01\n"
-                "          3  0.00000E+00  0.00000E+00  5.00000E-01  failure    spotweld solid ID          6  failure "
-                "time=  2.5000E-01\n"),
-      std::string::npos)
-      << text;
-  Diagnostics diagnostics;
-  const auto history = read_swforc(text, "swforc", diagnostics);
-  EXPECT_EQ(said(diagnostics), "");
-  ASSERT_EQ(history.states.size(), 1u);
-  ASSERT_EQ(history.states[0].rows.size(), 3u);
+  expect_part(text,
+              "\n constraint #      axial        shear         time                                                "
+              "length\n"
+              "          1  3.00000E+00  4.00000E+00  5.00000E-01             constraint/weld  ID       71\n"
+              "          2  1.00000E+00  2.00000E+00  5.00000E-01             spotweld beam  ID          5  "
+              "5.00000E-01\n"
+              "          3  0.00000E+00  0.00000E+00  5.00000E-01  failure    spotweld solid ID          6  failure "
+              "time=  2.5000E-01\n");
+  const auto history = read_whole(read_swforc, text, 1, 3);
   const auto& rows = history.states[0].rows;
   EXPECT_EQ(rows[0].id, 71);
   EXPECT_EQ(rows[0].shear, 4);
@@ -221,33 +209,25 @@ TEST(Elout, LayoutAndRoundTrip) {
                                             {StressKind::shell, 5, 6, {}, {point, other}, 2}};
   const std::string text =
       elout_header(header, {}) + elout_text(9, 0.5, false, elements) + elout_text(10, 1, false, elements);
-  EXPECT_NE(
-      text.find(
-          " element  materl(global)\n"
-          " ipt-shl  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       plastic\n"
-          "           state                                                                                 strain "
-          "\n"
-          "       5-      6\n"
-          "   1-  1 plastic   1.0000E+00  2.0000E+00  3.0000E+00  4.0000E+00  5.0000E+00  6.0000E+00    5.0000E-01"
-          "\n"
-          "   2-  1 elastic  -1.0000E+00"),
-      std::string::npos)
-      << text;
-  EXPECT_NE(
-      text.find(
-          "       1 plastic   1.0000E+00  2.0000E+00  3.0000E+00  4.0000E+00  5.0000E+00  6.0000E+00    7.0000E+00   "
-          " 5.0000E-01\n"),
-      std::string::npos);
-  EXPECT_NE(
-      text.find(" beam/truss # =       3      material #  =    4\n\n\n resultants      axial    shear-s    shear-t    "
-                "moment-s   moment-t   torsion\n             1.000E+00  2.000E+00  3.000E+00  4.000E+00  5.000E+00  "
-                "6.000E+00\n"),
-      std::string::npos);
-  Diagnostics diagnostics;
-  const auto history = read_elout(text, "elout", diagnostics);
-  EXPECT_EQ(said(diagnostics), "");
-  ASSERT_EQ(history.states.size(), 2u);
-  ASSERT_EQ(history.states[1].rows.size(), 3u);
+  expect_part(
+      text,
+      " element  materl(global)\n"
+      " ipt-shl  stress       sig-xx      sig-yy      sig-zz      sig-xy      sig-yz      sig-zx       plastic\n"
+      "           state                                                                                 strain "
+      "\n"
+      "       5-      6\n"
+      "   1-  1 plastic   1.0000E+00  2.0000E+00  3.0000E+00  4.0000E+00  5.0000E+00  6.0000E+00    5.0000E-01"
+      "\n"
+      "   2-  1 elastic  -1.0000E+00");
+  expect_part(
+      text,
+      "       1 plastic   1.0000E+00  2.0000E+00  3.0000E+00  4.0000E+00  5.0000E+00  6.0000E+00    7.0000E+00   "
+      " 5.0000E-01\n");
+  expect_part(text,
+              " beam/truss # =       3      material #  =    4\n\n\n resultants      axial    shear-s    shear-t    "
+              "moment-s   moment-t   torsion\n             1.000E+00  2.000E+00  3.000E+00  4.000E+00  5.000E+00  "
+              "6.000E+00\n");
+  const auto history = read_whole(read_elout, text, 2, 3);
   for (std::size_t i = 0; i < 3; ++i) {
     const ElementStress& read = history.states[0].rows[i];
     EXPECT_EQ(read.kind, elements[i].kind);
@@ -264,6 +244,63 @@ TEST(Elout, LayoutAndRoundTrip) {
   EXPECT_EQ(history.states[0].rows[2].layers, 2u);
 }
 
+TEST(Deforc, LayoutAndRoundTrip) {
+  const std::vector<SpringForce> springs{{11, false, {3, 0, -4}, -5, 0.25}, {12, true, {0, 0, 2}, 2, 0.5}};
+  const std::string text = deforc_header(header) + deforc_text(0.5, springs) + deforc_text(1, springs);
+  expect_part(text,
+              "\n time.........................   5.00000E-01\n"
+              " spring/damper number.........        11\n"
+              " x-force......................   3.00000E+00\n"
+              " y-force......................   0.00000E+00\n"
+              " z-force......................  -4.00000E+00\n"
+              " resultant force..............  -5.00000E+00\n"
+              " change in length.............   2.50000E-01\n"
+              " spring/damper number.........        12\n"
+              " x-moment.....................   0.00000E+00\n");
+  expect_part(text,
+              " resultant moment.............   2.00000E+00\n"
+              " relative rotation............   5.00000E-01\n");
+  const auto history = read_whole(read_deforc, text, 2, 2);
+  EXPECT_EQ(history.states[1].time, 1);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const SpringForce& read = history.states[0].rows[i];
+    EXPECT_EQ(read.spring, springs[i].spring);
+    EXPECT_EQ(read.torsional, springs[i].torsional);
+    EXPECT_EQ(read.force, springs[i].force);
+    EXPECT_EQ(read.resultant, springs[i].resultant);
+    EXPECT_EQ(read.change, springs[i].change);
+  }
+}
+
+// Rows of joint stiffnesses are left out.
+TEST(Jntforc, LayoutAndRoundTrip) {
+  const std::vector<JointForce> joints{{5, false, {3, 0, -4}, {0, 1, 0}}, {6, true, {1, 2, 2}, {0, 0, -1}}};
+  const std::string text = jntforc_header(header) + jntforc_text(0.5, joints) +
+                           " joint stiffness id number....         7\n phi moment-total.............   9.00000E+00\n" +
+                           jntforc_text(1, joints);
+  expect_part(text,
+              "\n\n time.........................   5.00000E-01\n"
+              " joint ID.....................         5\n"
+              " x-force......................   3.00000E+00\n");
+  expect_part(text,
+              " y-moment.....................   1.00000E+00\n"
+              " z-moment.....................   0.00000E+00\n"
+              " resultant force..............   5.00000E+00\n"
+              " resultant moment.............   1.00000E+00\n"
+              " joint ID.....................         6\n"
+              " x-force  (local) ............   1.00000E+00\n");
+  expect_part(text, " z-moment (local) ............  -1.00000E+00\n");
+  const auto history = read_whole(read_jntforc, text, 2, 2);
+  EXPECT_EQ(history.states[1].time, 1);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const JointForce& read = history.states[0].rows[i];
+    EXPECT_EQ(read.joint, joints[i].joint);
+    EXPECT_EQ(read.local, joints[i].local);
+    EXPECT_EQ(read.force, joints[i].force);
+    EXPECT_EQ(read.moment, joints[i].moment);
+  }
+}
+
 // Cut anywhere, and of bytes that are none of theirs, the readers come back.
 TEST(HistoryFiles, HostileText) {
   const std::string text = secforc_text(1, std::vector<SectionState>{{1, {}, {}, {}, 1}}) +
@@ -271,18 +308,17 @@ TEST(HistoryFiles, HostileText) {
                            elout_text(1, 1, true, std::vector<ElementStress>{{StressKind::beam, 1, 1, {}, {{}}, 1}}) +
                            rbdout_text(1, 1, std::vector<BodyMotion>(1)) + swforc_text(1, std::vector<WeldForce>(1)) +
                            spcforc_text(1, {{{1, true, true, {}, {}}}, {}}) + rwforc_header(header, {}) +
-                           rwforc_text(1, std::vector<WallForce>(1));
+                           rwforc_text(1, std::vector<WallForce>(1)) + deforc_text(1, std::vector<SpringForce>(1)) +
+                           jntforc_text(1, std::vector<JointForce>(1));
   for (std::size_t cut = 0; cut < text.size(); cut += 11) {
     std::string part = text.substr(cut);
     if (part.size() > 40) part[40] = '*';
     Diagnostics diagnostics;
-    EXPECT_LE(read_secforc(part, "f", diagnostics).states.size(), 9u);
-    EXPECT_LE(read_spcforc(part, "f", diagnostics).states.size(), 9u);
-    EXPECT_LE(read_bndout(part, "f", diagnostics).states.size(), 9u);
-    EXPECT_LE(read_rwforc(part, "f", diagnostics).states.size(), 9u);
-    EXPECT_LE(read_rbdout(part, "f", diagnostics).states.size(), 9u);
-    EXPECT_LE(read_swforc(part, "f", diagnostics).states.size(), 9u);
-    EXPECT_LE(read_elout(part, "f", diagnostics).states.size(), 9u);
+    const auto states = [&](auto read) { return read(part, "f", diagnostics).states.size(); };
+    for (const std::size_t number :
+         {states(read_secforc), states(read_spcforc), states(read_bndout), states(read_rwforc), states(read_rbdout),
+          states(read_swforc), states(read_elout), states(read_deforc), states(read_jntforc)})
+      EXPECT_LE(number, 9u);
   }
 }
 

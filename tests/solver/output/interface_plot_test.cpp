@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "results/curves/run_results.hpp"
 #include "solver/output/run_files.hpp"
@@ -178,18 +179,21 @@ TEST_F(InterfaceFiles, ForcesAreThoseOfRcforc) {
   const std::vector<std::string> names =
       calculate(plates() + contact("AUTOMATIC_SURFACE_TO_SURFACE", "2,1,3,3", "1,1"));
   EXPECT_EQ(std::count(names.begin(), names.end(), "intfor"), 1);
+  std::ifstream messag(folder_ / "messag");
+  std::size_t lines = 0;
+  for (std::string line; std::getline(messag, line);) lines += line.ends_with(" write intfor file") ? 1 : 0;
+  EXPECT_EQ(lines, results().intfor.states.size());
   const results::RunResults found = results();
-  ASSERT_EQ(found.entities.size(), 2u);
-  ASSERT_EQ(found.entities[0].states.size(), found.rcforc.states.size());
+  ASSERT_EQ(found.intfor.surfaces.size(), 2u);
+  ASSERT_EQ(found.intfor.states.size(), found.rcforc.states.size());
   double greatest = 0;
   for (std::size_t i = 0; i < found.rcforc.states.size(); ++i)
     for (const std::size_t side : {0u, 1u}) {
-      const results::EntityState& state = found.entities[side].states[i];
+      const results::SurfaceForce& sum = found.intfor.states[i].rows.at(side);
       const Vector& force = found.rcforc.states[i].contacts[0].force[side];
-      EXPECT_NEAR(state.time, found.rcforc.states[i].time, 1e-6);
-      ASSERT_EQ(state.values.size(), 5u);
+      EXPECT_NEAR(found.intfor.states[i].time, found.rcforc.states[i].time, 1e-6);
       for (const int axis : {0, 1, 2})
-        EXPECT_NEAR(state.values[static_cast<std::size_t>(axis) + 1], force[axis], 1e-5 * (1e-3 + force.norm()));
+        EXPECT_NEAR(sum.force[static_cast<std::size_t>(axis)], force[axis], 1e-5 * (1e-3 + force.norm()));
       greatest = std::max(greatest, force.norm());
     }
   EXPECT_GT(greatest, 1);

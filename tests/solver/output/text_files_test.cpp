@@ -20,7 +20,7 @@ RunSettings small_steps() {
 /// All files of a run with their states at every step.
 std::map<std::string, std::string> texts_of(RunScene& scene) {
   std::map<std::string, std::string> texts;
-  RunRecord record(scene.run(), contact::element_sizes(scene.read().model));
+  RunRecord record(scene.run(), contact::element_sizes(scene.read().model), scene.surfaces());
   const std::vector<TextFile> files = text_files(scene.run(), "gapcheck 0", record);
   for (const TextFile& file : files)
     if (file.interval > 0) texts[file.name] = file.header;
@@ -102,7 +102,7 @@ TEST(TextFiles, MomentsOfContactsAreAboutTheOrigin) {
   scene.go([&](const solver::Run& run) {
     const std::vector<results::InterfaceState> contacts = interface_states(run, true);
     ASSERT_EQ(contacts.size(), 1u);
-    const auto nodes = node_forces(run, ContactIndex{0});
+    const auto nodes = node_forces(run, ContactIndex{0}, {});
     ASSERT_TRUE(nodes);
     std::array<Vector, 2> force{Vector::Zero(), Vector::Zero()}, moment = force;
     for (const results::NodeForce& node : *nodes) {
