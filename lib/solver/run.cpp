@@ -14,6 +14,7 @@
 #include "solver/condition/conditions.hpp"
 #include "solver/constraint/constraint_contact.hpp"
 #include "solver/contact/contact_method.hpp"
+#include "solver/mortar/mortar_stiffness.hpp"
 #include "solver/tie/tie_constraints.hpp"
 #include "solver/tie/tie_forces.hpp"
 
@@ -75,6 +76,28 @@ void name_tied_nodes_at_walls(const model::Model& model, const contact::InitialS
                     nodes));
 }
 
+/// Names the contacts whose springs the run's step does not bear: nothing in LS-DYNA or here shortens the step for
+/// them.
+void name_unstable_springs(const model::Model& model, contact::SurfaceStore& surfaces, Diagnostics& diagnostics) {
+  // Against nodes as light the limit is that of a vibration of both; what exceeds it by less has not been seen to grow.
+  constexpr double clearly = 1.1;
+  const std::vector<ContactIndex> all = positions<ContactIndex>(model.contacts.size()).list();
+  const contact::PredictedTimesteps steps = contact::predict_timesteps(model, surfaces, all);
+  for (const contact::UnstableSide& side : steps.unstable) {
+    const double limit = side.limit.timestep;
+    if (!(steps.run > (side.alone ? 1 : clearly) * limit)) continue;
+    const SurfaceTimestep& surface = steps.timesteps.surface_timesteps[side.surface];
+    const model::Contact& contact = model.contacts[surface.contact];
+    diagnostics.warning(
+        model.file(contact.place), contact.place.line,
+        fmt::format("*{}: the springs of contact {}, side {}, are stable below a step of {:.4g} (node {}), but the "
+                    "elements allow {:.4g}; set TSSFAC of *CONTROL_TIMESTEP to {:.2g}, or scale {} by {:.2g}",
+                    contact.written, contact.id.value, surface.side, limit, model.mesh.nodes.id[side.limit.node.value],
+                    steps.run, model.controls.tssfac * limit / steps.run, surface.side == 'A' ? "SFSA" : "SFSB",
+                    std::pow(limit / steps.run, 2)));
+  }
+}
+
 /// The curve that limits the step, LCTM; nullptr: there is none.
 SolverResult<std::shared_ptr<const TimeCurve>> step_limit(const model::Model& model) {
   const model::Controls& controls = model.controls;
@@ -111,9 +134,23 @@ SolverStatus check_stiffness_by_step(const model::Model& model) {
   return {};
 }
 
+/// The least step of mortar contacts between rigid bodies; infinity: there is none.
+double step_of_mortar(const model::Model& model, contact::SurfaceStore& surfaces, Structure& structure) {
+  double least = std::numeric_limits<double>::infinity();
+  structure.rigid.start(structure.state);
+  const ContactMasses masses(model);
+  for (const ContactIndex c : positions<ContactIndex>(model.contacts.size())) {
+    const model::Contact& contact = model.contact(c);
+    if (contact::classify(contact).pairing != contact::Pairing::mortar) continue;
+    const MortarSurface surface(model, masses, contact, surfaces.at(c), structure.state.x);
+    least = std::min(least, MortarStiffness(surface).step_of_bodies(structure.state));
+  }
+  return least;
+}
+
 /// Rigid parts alone allow any step: the least of DTINIT, LCTM at the start, and what the contact springs allow. 0:
 /// none.
-double step_without_elements(const model::Model& model, contact::SurfaceStore& surfaces) {
+double step_without_elements(const model::Model& model, contact::SurfaceStore& surfaces, Structure& structure) {
   double least = 0;
   const auto take = [&](double step) {
     if (step > 0 && (least == 0 || step < least)) least = step;
@@ -124,6 +161,7 @@ double step_without_elements(const model::Model& model, contact::SurfaceStore& s
     take(curve->second.at(0));
   const std::vector<ContactIndex> all = positions<ContactIndex>(model.contacts.size()).list();
   take(controls.tssfac * contact::predict_timesteps(model, surfaces, all).timesteps.contact_timestep);
+  if (const double step = step_of_mortar(model, surfaces, structure); std::isfinite(step)) take(controls.tssfac * step);
   return least;
 }
 
@@ -165,7 +203,7 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   Structure& built = structure.value();
   if (built.shells.size() + built.solids.size() + built.thick_shells.size() == 0 && !built.beams.limit_step() &&
       !(step.greatest_step > 0)) {
-    step.greatest_step = step_without_elements(model, surfaces);
+    step.greatest_step = step_without_elements(model, surfaces, built);
     if (!(step.greatest_step > 0))
       if (const SolverStatus stiff = check_stiffness_by_step(model); !stiff.ok()) return stiff.error();
   }
@@ -182,6 +220,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   if (model.controls.erode == 1 && model.controls.dtmin > 0)
     built.solids.let_small_steps_fail(model.controls.dtmin, model.controls.tssfac);
   name_tied_nodes_at_walls(model, *run.initial_, diagnostics);
+  if (step.limit == nullptr && settings.springs == SpringFormula::documented)
+    name_unstable_springs(model, surfaces, diagnostics);
   auto constraints = ConstraintContact::create(model, surfaces, *run.initial_, built, movable_nodes(built));
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
   auto contacts =

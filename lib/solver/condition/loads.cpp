@@ -110,7 +110,7 @@ void Gravity::add(State& state, Forces& forces) {
     for (std::size_t i = begin; i < end; ++i)
       if (!masses_.empty())
         forces.force[i] += masses_[i] * acceleration;
-      else if (!state.in_body[i])
+      else if (!state.in_body(i))
         forces.force[i] += state.mass[i] * acceleration;
   });
   for (const Rotation& rotation : rotations_) add_one(rotation, state, forces);
@@ -129,7 +129,7 @@ void Gravity::add_one(const Rotation& rotation, const State& state, Forces& forc
     for (std::size_t i = begin; i < end; ++i)
       if (!masses_.empty())
         forces.force[i] += masses_[i] * away(state.x[i]);
-      else if (!state.in_body[i])
+      else if (!state.in_body(i))
         forces.force[i] += state.mass[i] * away(state.x[i]);
   });
   if (!masses_.empty()) return;
@@ -150,7 +150,7 @@ void GlobalDamping::add(State& state, Forces& forces) {
   work_ -= sum_over_blocks<Sum>(state.x.size(), [&](std::size_t begin, std::size_t end) {
              Sum sum;
              for (std::size_t i = begin; i < end; ++i) {
-               if (state.in_body[i]) continue;
+               if (state.in_body(i)) continue;
                const Vector force = state.mass[i] * move.cwiseProduct(state.v[i]);
                const Vector moment = state.inertia[i] * turn.cwiseProduct(state.w[i]);
                sum.value +=

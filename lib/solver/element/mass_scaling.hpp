@@ -46,7 +46,7 @@ struct AddedMass {
   std::uint64_t elements = 0;
   /// Nodes of rigid bodies get none.
   void give(State& state, std::uint32_t node, double more, double inertia) {
-    if (node < state.in_body.size() && state.in_body[node]) return;
+    if (state.in_body(node)) return;
     state.mass[node] += more;
     state.inertia[node] += inertia;
     mass += more;

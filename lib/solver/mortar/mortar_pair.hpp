@@ -18,6 +18,7 @@ struct MortarTouch {
   std::array<std::array<Vector, 4>, 2> offset;  ///< from the nodes of these points to the corners of their faces
   double area = 0;                              ///< under pressure
   double stored = 0;                            ///< energy of the pressure
+  MortarLaw law;                                ///< of that pressure
   /// Velocity of a point; corners of free edges turn with their nodes.
   [[nodiscard]] Vector velocity(std::size_t side, const State& state) const;
   /// Adds half a step of work of the present force.

@@ -26,10 +26,11 @@ MortarPass::MortarPass(const ContactSetting& setting, ContactIndex contact, cons
                        const std::vector<Vector>& x)
     : contact_(setting.model.contact(contact)),
       x_(x),
-      surface_(setting, contact_, surfaces, x),
+      surface_(setting.model, setting.masses, contact_, surfaces, x),
       search_(setting, contact_, surface_, surfaces.two_sided(), surfaces.settings.ignore >= 0,
               greatest_depth(contact_, surfaces.settings.ignore)),
       offsets_(surfaces.settings.ignore, contact_.dprfac, surface_.size()),
+      stiffness_(surface_),
       friction_(setting.model, contact_) {}
 
 void MortarPass::find_candidates(double margin, ContactCounters& counters) {
@@ -73,7 +74,7 @@ void MortarPass::for_each_pair(const Visit& visit) {
 LinkSpring MortarPass::spring_of(const MortarPair& pair, const MortarLaw& law, double area) const {
   const MortarFace &tracked = surface_[pair.tracked], &other = surface_[pair.other];
   LinkSpring spring;
-  spring.stiffness = law.slope * area;
+  spring.stiffness = law.stiffness() * area;
   spring.damping = ContactSprings::damping({spring.stiffness, tracked.mass * area, other.mass * area}, contact_.vdc);
   spring.rubs = friction_.any();
   if (spring.rubs) spring.friction = friction_.between(tracked.part, other.part);
@@ -84,7 +85,7 @@ LinkSpring MortarPass::spring_of(const MortarPair& pair, const MortarLaw& law, d
 bool MortarPass::push_pair(MortarPair& pair, const MortarSight& sight, const State& state) const {
   if (!sight.faces || !(pair.deepest > 0)) return false;
   const MortarFace &tracked = surface_[pair.tracked], &other = surface_[pair.other];
-  const MortarLaw law = stiffness_.law_of(tracked, other);
+  const MortarLaw law = stiffness_.law_of(pair.tracked, pair.other);
   const double h = tracked.half + other.half, release = search_.release_depth(tracked, other);
   const double forgiven = offsets_.forgiven(pair, state.time, law), before = std::exchange(pair.forgiven, forgiven);
   const MortarPush sum = integrate_pressure(sight, law, h, forgiven, release);
@@ -97,9 +98,11 @@ bool MortarPass::push_pair(MortarPair& pair, const MortarSight& sight, const Sta
   touch.offset = {MortarSurface::offsets(tracked, state.x), MortarSurface::offsets(other, state.x)};
   touch.area = sum.area;
   touch.stored = sum.stored;
-  // Depth that is no longer forgiven stores energy that nobody paid for.
-  if (was_active && offsets_.grows() && forgiven != before)
-    pair.lost -= sum.stored - integrate_pressure(sight, law, h, before, release).stored;
+  // Depth that is no longer forgiven, or a stiffness that is allowed now, stores energy that nobody paid for.
+  const double paid = offsets_.grows() ? before : forgiven;
+  if (was_active && (paid != forgiven || touch.law != law))
+    pair.lost -= sum.stored - integrate_pressure(sight, touch.law, h, paid, release).stored;
+  touch.law = law;
   touch.force.normal = -sight.sign * sight.overlap.normal;
   const LinkSpring spring = spring_of(pair, law, sum.area);
   touch.force.set_forces(spring, sum.push / spring.stiffness, touch.velocity(0, state) - touch.velocity(1, state),
@@ -154,7 +157,7 @@ void MortarPass::measure_start(const State& state) {
 }
 
 double MortarPass::advance_state(State& state, double used, ContactCounters& counters) {
-  stiffness_.follow_step(state);
+  stiffness_.follow(state);
   if (first_) measure_start(state);
   first_ = false;
   for_each_pair(

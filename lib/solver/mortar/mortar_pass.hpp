@@ -15,7 +15,7 @@ namespace gapcheck::solver {
 /// Mortar contact: faces against faces, by the pressure over their overlap in projection. Each pair has one resultant:
 /// normal force, friction and damping at the centre of its pressure, on the corners of both faces with the weights of
 /// the integrals, so that forces and, without friction, moments balance. The stiffness is that of the tracked face, but
-/// no more than the step of the elements leaves room for. Sources: docs/theory/solver-mortar.md.
+/// nowhere steeper than the step leaves room for. Sources: docs/theory/solver-mortar.md.
 class MortarPass final : public InterfacePass {
  public:
   /// `contact`: position in Model::contacts. `x` must be the coordinates of every later state.
@@ -58,10 +58,10 @@ class MortarPass final : public InterfacePass {
   MortarSurface surface_;
   MortarSearch search_;
   MortarOffsets offsets_;
+  MortarStiffness stiffness_;
   contact::Friction friction_;
   std::vector<MortarPair> pairs_;  // by key
   std::vector<Block> blocks_;
-  MortarStiffness stiffness_;
   bool first_ = true;
   std::string message_;
 };

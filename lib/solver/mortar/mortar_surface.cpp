@@ -63,10 +63,10 @@ struct MortarSurface::Side {
   double scale = 1;  ///< α
 };
 
-MortarSurface::MortarSurface(const ContactSetting& setting, const model::Contact& contact,
+MortarSurface::MortarSurface(const model::Model& model, const ContactMasses& masses, const model::Contact& contact,
                              const contact::ContactSurfaces& surfaces, const std::vector<Vector>& x)
-    : setting_(setting), contact_(contact), x_(x) {
-  const double slsfac = setting.model.controls.slsfac;
+    : model_(model), masses_(masses), contact_(contact), x_(x) {
+  const double slsfac = model.controls.slsfac;
   const bool forming = contact.kind->family == model::Family::forming;
   add_side({surfaces.a.selection.segments, false, false, slsfac * contact.sfs});
   if (surfaces.two_sided()) add_side({surfaces.b.selection.segments, true, forming, slsfac * contact.sfm});
@@ -74,7 +74,7 @@ MortarSurface::MortarSurface(const ContactSetting& setting, const model::Contact
 
 void MortarSurface::add_side(const Side& side) {
   const contact::Segments& segments = side.segments;
-  const contact::Neighbours around(segments, setting_.model.mesh);
+  const contact::Neighbours around(segments, model_.mesh);
   for (const SegmentIndex s : positions<SegmentIndex>(segments.size())) {
     if (segments.kind[s.value] == SegmentKind::line) continue;
     const MortarFace face = segment_face(side, s.value);
@@ -89,8 +89,8 @@ MortarFace MortarSurface::segment_face(const Side& side, std::size_t s) const {
   const bool solid = segments.kind[s] == SegmentKind::solid;
   MortarFace face;
   face.nodes = face.shell = segments.nodes[s];
-  face.elements = element_nodes(setting_.model.mesh, segments, s);
-  face.part = contact::part_of(setting_.model.mesh, segments, s);
+  face.elements = element_nodes(model_.mesh, segments, s);
+  face.part = contact::part_of(model_.mesh, segments, s);
   face.on_b = side.b;
   face.oriented = solid || side.oriented_shells;
   face.half = segments.half[s];
@@ -98,21 +98,21 @@ MortarFace MortarSurface::segment_face(const Side& side, std::size_t s) const {
   if (!segments.offset.empty()) face.shift = segments.offset[s];
   const double area = area_of(face.nodes, x_);
   if (!(area > 0) || !std::isfinite(area)) return face;
-  const double size = element_size(setting_.masses, segments, s, area);
+  const double size = element_size(masses_, segments, s, area);
   face.length = solid && contact_.penmax > 0 ? contact_.penmax : size > 0 ? size : std::sqrt(area);
   if (solid)
     face.reach = contact_.penmax > 0 ? contact_.penmax : released_share_of_solid * face.length;
   else
     face.reach =
         face.half > 0 || !face.oriented ? face.half : released_share_of_tool * contact::shortest_edge(face.nodes, x_);
-  const contact::SegmentSpring spring = setting_.masses.springs(segments, s, side.scale);
+  const contact::SegmentSpring spring = masses_.springs(segments, s, side.scale);
   const double corners = static_cast<double>(corner_count(face.nodes));
   if (spring.weight > 0) {
     // α K A² / V of a solid, α K A / (longest diagonal) of a shell.
     const double per_area = spring.stiffness / (spring.weight * corners);
-    face.slope = per_area * (solid ? size : longest_diagonal(face.nodes, setting_.model.mesh.nodes.x)) / face.length;
+    face.slope = per_area * (solid ? size : longest_diagonal(face.nodes, model_.mesh.nodes.x)) / face.length;
   }
-  face.mass = contact::segment_mass(setting_.model, setting_.masses.sizes, setting_.masses.mass, segments, s) / area;
+  face.mass = contact::segment_mass(model_, masses_.sizes, masses_.mass, segments, s) / area;
   return face;
 }
 

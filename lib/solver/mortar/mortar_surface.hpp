@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contact/surface/contact_surfaces.hpp"
-#include "solver/interface/contact_setting.hpp"
+#include "solver/interface/contact_spring.hpp"
 
 namespace gapcheck::solver {
 
@@ -30,8 +30,8 @@ struct MortarFace {
 class MortarSurface {
  public:
   /// `surfaces` must be on the coordinates `x`.
-  MortarSurface(const ContactSetting& setting, const model::Contact& contact, const contact::ContactSurfaces& surfaces,
-                const std::vector<Vector>& x);
+  MortarSurface(const model::Model& model, const ContactMasses& masses, const model::Contact& contact,
+                const contact::ContactSurfaces& surfaces, const std::vector<Vector>& x);
   [[nodiscard]] std::size_t size() const { return faces_.size(); }
   [[nodiscard]] const MortarFace& operator[](std::uint32_t face) const { return faces_[face]; }
   /// From the nodes of a face to its corners: at a free edge half the thickness along the shell's normal, and the
@@ -46,7 +46,8 @@ class MortarSurface {
   [[nodiscard]] MortarFace segment_face(const Side& side, std::size_t segment) const;
   void add_rims(const Side& side, const MortarFace& face, SegmentIndex segment, const contact::Neighbours& around);
 
-  const ContactSetting& setting_;
+  const model::Model& model_;
+  const ContactMasses& masses_;
   const model::Contact& contact_;
   const std::vector<Vector>& x_;
   std::vector<MortarFace> faces_;

@@ -44,7 +44,7 @@ void set_added_mass(const Run& run, results::GlobalState& global) {
   const State& state = run.stepper().state();
   double mass = 0;
   for (std::size_t i = 0; i < state.mass.size(); ++i)
-    if (i >= state.in_body.size() || !state.in_body[i]) mass += state.mass[i];
+    if (!state.in_body(i)) mass += state.mass[i];
   for (const BodyState& body : state.bodies) mass += body.mass;
   global.added_mass = run.stepper().structure().added_mass;
   if (mass > global.added_mass) global.added_percent = 100 * global.added_mass / (mass - global.added_mass);

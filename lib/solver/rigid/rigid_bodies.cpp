@@ -70,15 +70,20 @@ void RigidBodies::start(State& state) {
 }
 
 void RigidBodies::tell(State& state) const {
-  if (state.in_body.size() != of_node_.size()) {
-    state.in_body.resize(of_node_.size());
-    for (std::size_t i = 0; i < of_node_.size(); ++i) state.in_body[i] = holds(i);
-  }
+  if (state.body.size() != of_node_.size()) state.body = of_node_;
   state.bodies.resize(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const RigidBody& body = bodies_[b].body;
-    state.bodies[b] = {body.mass(),   body.center(), body.velocity(), body.angular_velocity(), body.angular_momentum(),
-                       body.inertia()};
+    const unsigned imposed = bodies_[b].imposed(state.time, 0).freedoms;
+    state.bodies[b] = {body.mass(),
+                       body.center(),
+                       body.velocity(),
+                       body.angular_velocity(),
+                       body.angular_momentum(),
+                       body.inertia(),
+                       imposed,
+                       body.push_response(imposed),
+                       body.turn_response(imposed)};
   }
 }
 
@@ -180,7 +185,7 @@ void RigidBodies::move(State& state, double dt) {
       if (entry.failing) release(entry);
     }
   });
-  if (released) state.in_body.clear();
+  if (released) state.body.clear();
   tell(state);
 }
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.hpp"
 #include "solver/state/tensor.hpp"
 
 namespace gapcheck::solver {
@@ -12,6 +13,9 @@ struct BodyState {
   Vector center = Vector::Zero(), velocity = Vector::Zero();
   Vector spin = Vector::Zero(), angular_momentum = Vector::Zero();
   Matrix inertia = Matrix::Zero();  ///< about the centre
+  unsigned imposed = 0;  ///< freedoms that follow no force: bits 0 … 2: x y z, bits 3 … 5: rotations about them
+  Vector push_response = Vector::Zero();  ///< velocity by axis of a unit impulse at the centre
+  Matrix turn_response = Matrix::Zero();  ///< spin of an impulse's torque
 };
 
 /// Elements that have failed; by position in the model, if the structure has the element.
@@ -28,16 +32,17 @@ constexpr double usual_share = 4 * 0.9 * 0.9;
 struct State {
   std::vector<Vector> x, v, w;        ///< w: angular velocity
   std::vector<double> mass, inertia;  ///< lumped; inertia is the same about all axes
-  std::vector<bool> in_body;          ///< by node: it moves with a rigid body
-  std::vector<BodyState> bodies;      ///< rigid bodies; forces act on their nodes or their centres
-  double time = 0, dt = 0;            ///< dt: of the last step, 0 before the first
-  double coming = 0;                  ///< the step that the elements allow next; known when other forces are called
+  std::vector<std::uint32_t> body;  ///< by node: position in `bodies` of the one that it moves with; no_position: none
+  std::vector<BodyState> bodies;    ///< rigid bodies; forces act on their nodes or their centres
+  double time = 0, dt = 0;          ///< dt: of the last step, 0 before the first
+  double coming = 0;                ///< the step that the elements allow next; known when other forces are called
   /// What the manual's step lengths alone allow, which is never less than `coming`: contact springs that follow the
   /// step (SOFT = 1 and 2) take it, so that they are as stiff as LS-DYNA's.
   double manual_step = 0;
   double elements_share = usual_share;  ///< ω² dt² of the elements at that step, at most; 4 is the bound of stability
   std::uint64_t cycle = 0;
   FailedElements failed;  ///< these no longer take part; their mass stays at their nodes
+  [[nodiscard]] bool in_body(std::size_t node) const { return node < body.size() && body[node] != no_position; }
 };
 
 /// Force and moment by node, and by rigid body at its centre.

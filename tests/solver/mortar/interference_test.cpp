@@ -112,6 +112,26 @@ TEST(Interference, OneWayTypes) {
 /// How much the mean radius of an arc of chords is smaller than that of its corners.
 double sagitta(int n) { return 2.0 / 3 * middle * (1 - std::cos(std::numbers::pi / 4 / n)); }
 
+// Springs above the limit of the step are named before the run, with what would be stable.
+TEST(Interference, NamesAnUnstableStep) {
+  const auto warnings = [](const std::string& scale) {
+    const RunScene scene(ring(1, inner, middle + overlap / 2, 24) + ring(2, middle - overlap / 2, outer, 24) +
+                         fmt::format("*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,1.,{},{}\n", young, poisson) +
+                         "*DEFINE_CURVE\n1\n0.,0.\n1.,1.\n*CONTROL_TERMINATION\n2.\n*CONTACT_SURFACE_TO_SURFACE_"
+                         "INTERFERENCE\n1,2\n0.\n" +
+                         scale + "," + scale + "\n0,1\n");
+    EXPECT_TRUE(scene.prepared()) << scene.message();
+    std::string text;
+    for (const Diagnostic& one : scene.diagnostics().sorted())
+      if (one.message.find("are stable below a step of") != std::string::npos) text += one.message + "\n";
+    return text;
+  };
+  EXPECT_EQ(warnings("2."), "");
+  const std::string found = warnings("200.");
+  EXPECT_NE(found.find("contact 1, side A"), std::string::npos) << found;
+  EXPECT_NE(found.find("set TSSFAC of *CONTROL_TIMESTEP to 0."), std::string::npos) << found;
+}
+
 // PENMAX makes the pressure linear nearly from the beginning, and MPAR2 keeps what is deeper than it.
 TEST(Interference, MortarPressesTheOverlapOut) {
   const std::string contact = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MORTAR\n1,2\n0.\n20.,20.\n\n0.001\n1,4,1.,0.01\n";

@@ -6,7 +6,7 @@
 namespace gapcheck::solver::mortar_law_test {
 namespace {
 
-constexpr MortarLaw law{50, 0.03};
+constexpr MortarLaw law{50, 0.03, 50};
 
 TEST(MortarLaw, QuadraticThenLinear) {
   EXPECT_EQ(law.pressure(0), 0);
@@ -15,6 +15,26 @@ TEST(MortarLaw, QuadraticThenLinear) {
   EXPECT_NEAR(law.pressure(0.03), 50 * 0.03 / 4, 1e-15);
   EXPECT_NEAR(law.pressure(0.06), 50 * 0.03, 1e-14);
   EXPECT_NEAR(law.pressure(1.03), 50, 1e-12);
+}
+
+// Steeper than κ: the curve goes on, up to any depth without a bound; less steep: the line begins at a smaller
+// pressure.
+TEST(MortarLaw, FollowsTheFormulaUpToTheBound) {
+  constexpr MortarLaw free{50, 0.03}, steep{50, 0.03, 500}, flat{50, 0.03, 5};
+  for (const double depth : {0.001, 0.02, 0.5, 0.6}) {
+    EXPECT_NEAR(free.pressure(depth), 50 * depth * depth / 0.12, 1e-12);
+    EXPECT_NEAR(steep.pressure(depth), free.pressure(depth), 1e-12);
+  }
+  EXPECT_NEAR(steep.pressure(0.7) - steep.pressure(0.6), 0.1 * 500, 1e-10);
+  EXPECT_NEAR(flat.pressure(0.006), free.pressure(0.006), 1e-15);
+  EXPECT_NEAR(flat.pressure(0.106) - flat.pressure(0.006), 0.1 * 5, 1e-12);
+  for (const MortarLaw& one : {free, steep, flat}) {
+    double sum = 0;
+    for (int i = 0; i < 8000; ++i) sum += 1e-4 * one.pressure(1e-4 * i + 5e-5);
+    EXPECT_NEAR(one.energy(0.8), sum, 1e-5 * sum);
+    for (const double depth : {0.001, 0.02, 0.5, 2.0})
+      EXPECT_NEAR(one.depth_of(one.pressure(depth)), depth, 1e-12 * depth);
+  }
 }
 
 TEST(MortarLaw, SlopeHasNoJump) {
