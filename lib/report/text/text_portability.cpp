@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "report/item/describe.hpp"
+#include "report/text/paint.hpp"
 
 namespace gapcheck::report {
 namespace {
