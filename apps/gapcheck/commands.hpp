@@ -19,6 +19,7 @@ void add_audit(CLI::App& app, Action& action);
 void add_messag(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);
+void add_start(CLI::App& app, Action& action);
 void add_fix(CLI::App& app, Action& action);
 void add_rules(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);

@@ -4,20 +4,16 @@
 
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
-#include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "base/file_writer.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
+#include "changed_files.hpp"
 #include "commands.hpp"
 #include "common/version.hpp"
 #include "options.hpp"
@@ -30,8 +26,6 @@
 
 namespace gapcheck::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct FixArguments {
   std::string deck, directory, format = "text", output;
@@ -79,36 +73,6 @@ std::string check_priority(const std::string& text) {
   return parse_priority(text) ? "" : text + " is not PART=FACTOR with a factor between 1e-6 and 1e6";
 }
 
-/// Where each changed file goes: at its path relative to the main file, or only by name if it is elsewhere. An
-/// error if this would overwrite a file of the deck, or two files would go to the same place.
-Status choose_places(const keyword::Deck& deck, const FixArguments& arguments, audit::Fix& fix) {
-  std::error_code error;
-  const fs::path home = fs::weakly_canonical(fs::path(arguments.deck), error).parent_path();
-  std::set<fs::path> sources, taken;
-  for (const keyword::SourceFile& file : deck.files()) sources.insert(fs::weakly_canonical(file.path, error));
-  // Another name of the same file counts, too.
-  const auto is_source = [&](const fs::path& target) {
-    return sources.contains(fs::weakly_canonical(target, error)) ||
-           std::any_of(sources.begin(), sources.end(),
-                       [&](const fs::path& s) { return fs::equivalent(s, target, error); });
-  };
-  for (std::size_t i = 0; i < fix.files.size(); ++i) {
-    FixedFile& changed = fix.report.changed[i];
-    fs::path below = fs::weakly_canonical(changed.path, error).lexically_relative(home);
-    if (below.empty() || *below.begin() == "..") below = fs::path(changed.path).filename();
-    const fs::path target = fs::path(arguments.directory) / below;
-    const fs::path canonical = fs::weakly_canonical(target, error);
-    if (is_source(target))
-      return plain_error(
-          fmt::format("{} is a file of the deck itself; give another directory with -o", target.string()));
-    if (!taken.insert(canonical).second)
-      return plain_error(fmt::format(
-          "two files of the deck would become {}; put them below the folder of the main file", target.string()));
-    changed.written = target.string();
-  }
-  return {};
-}
-
 /// An error if the report would overwrite an input or a corrected file.
 Status check_report(const keyword::Deck& deck, const FixArguments& arguments, const FixReport& report) {
   std::vector<ReadInput> read{{arguments.settings_path, "the settings file"}};
@@ -116,28 +80,6 @@ Status check_report(const keyword::Deck& deck, const FixArguments& arguments, co
   std::vector<PlannedOutput> outputs{{"--output", arguments.output}};
   for (const FixedFile& file : report.changed) outputs.push_back({"-o", file.written});
   return check_outputs(read, outputs);
-}
-
-/// All files or none, unless a name cannot be taken over at the end.
-Status write_files(const keyword::Deck& deck, const audit::Fix& fix) {
-  if (Status same = deck.unchanged(); !same.ok()) return same;
-  std::vector<FileWriter> writers;
-  for (std::size_t i = 0; i < fix.files.size(); ++i) {
-    const std::string& path = fix.report.changed[i].written;
-    std::error_code error;
-    fs::create_directories(fs::path(path).parent_path(), error);
-    const std::string_view bytes = deck.file(fix.files[i].file).bytes;
-    const keyword::LineIndex index(bytes);
-    auto writer = FileWriter::create(path);
-    if (!writer) return writer.error();
-    writer.value().write(keyword::with_lines(bytes, index, fix.files[i].edits));
-    if (Status written = writer.value().finish(); !written.ok()) return written;
-    writers.push_back(std::move(writer).value());
-  }
-  if (Status same = deck.unchanged(); !same.ok()) return same;
-  for (FileWriter& writer : writers)
-    if (Status written = writer.commit(); !written.ok()) return written;
-  return {};
 }
 
 Status write_report(const FixArguments& arguments, const FixReport& report) {
@@ -149,9 +91,10 @@ Status write_report(const FixArguments& arguments, const FixReport& report) {
 /// The corrected files, unless it is a dry run, and the report.
 Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Fix& fix) {
   Status status;
-  status = arguments.dry_run ? deck.unchanged() : choose_places(deck, arguments, fix);
+  status = arguments.dry_run ? deck.unchanged()
+                             : choose_places(deck, arguments.deck, {"-o", arguments.directory}, fix.report.changed);
   if (status.ok()) status = check_report(deck, arguments, fix.report);
-  if (status.ok() && !arguments.dry_run) status = write_files(deck, fix);
+  if (status.ok() && !arguments.dry_run) status = write_files(deck, fix.files, fix.report.changed);
   return status.ok() ? write_report(arguments, fix.report) : status;
 }
 

@@ -226,6 +226,7 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   if (auto* failure = std::get_if<Failure>(&constraints)) return std::move(*failure);
   auto contacts =
       std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built), settings.springs);
+  contacts->log_shot_nodes(settings.shot);
   run.contacts_ = contacts.get();
   const auto release = [after = contacts.get(), kept = std::get<std::unique_ptr<ConstraintContact>>(constraints).get()](
                            NodeIndex node, PartIndex part) {

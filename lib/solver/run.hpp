@@ -34,8 +34,9 @@ struct RunSettings {
   BuildSettings build;
   StepSettings step;
   SpringFormula springs = SpringFormula::documented;  ///< of contacts with SOFT = 0 and 1
-  std::function<bool()> stop;                         ///< called before every step; true ends the run
-  RunEnd stop_means = RunEnd::stopped;                ///< what it is then, if not that
+  std::vector<ShotNode>* shot = nullptr;  ///< gets the nodes that contacts move during the run; null: nobody asks
+  std::function<bool()> stop;             ///< called before every step; true ends the run
+  RunEnd stop_means = RunEnd::stopped;    ///< what it is then, if not that
 };
 
 /// A calculation from a model to its end. The model must outlive it.

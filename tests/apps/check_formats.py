@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Holds every format of gapcheck audit against readers that are not ours: jsonschema with the published schema of
-gapcheck/1 (and gapcheck fix with that of gapcheck-fix/1), the classes that were generated from the public schema of
+gapcheck/1 (and gapcheck fix and start with theirs), the classes that were generated from the public schema of
 SARIF 2.1.0, junitparser and xmllint, the csv module.
 
 usage: check_formats.py GAPCHECK ROOT
@@ -140,6 +140,26 @@ def check_fix(gapcheck, root):
     assert seen == {"moved", "unfixed", "proposals", "files"}, seen
 
 
+def check_start(gapcheck, root):
+    """The start of every deck, as it runs and as it is written."""
+    schema = json.loads((root / "docs/schema/gapcheck-start-1.schema.json").read_text())
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(strict(schema))
+    lists, seen = {"contacts", "pairs", "moves", "moved_again", "elements", "files"}, set()
+    with tempfile.TemporaryDirectory() as folder:
+        for deck in sorted((root / "data").glob("*.k")):
+            run = subprocess.run([gapcheck, "start", deck, "--format", "json", "--write-deck", folder],
+                                 capture_output=True, text=True)
+            assert run.returncode in (0, 1), f"{deck}: {run.stderr}"
+            report = json.loads(run.stdout)
+            validator.validate(report)
+            assert report["summary"]["clean"] == (run.returncode == 0), deck
+            assert all(contact["score"] == "starts clean" or not report["summary"]["clean"] or "not_known" in contact
+                       for contact in report["contacts"]), deck
+            seen |= {key for key in lists if report[key]}
+    assert seen == lists, lists - seen
+
+
 def check_baseline(checker):
     """One deck against the baseline of a shallower one, with a finding that is gone: every format agrees."""
     deck = (checker.root / "data/two_plates.k").read_text()
@@ -270,6 +290,7 @@ def main():
     check_ignores(checker)
     check_settings(checker)
     check_fix(checker.gapcheck, checker.root)
+    check_start(checker.gapcheck, checker.root)
     decks = sorted(checker.root.glob("data/*.k"))
     findings = sum(checker.check(["audit", str(deck.relative_to(checker.root))]) for deck in decks)
     assert len(decks) > 30 and findings > 300

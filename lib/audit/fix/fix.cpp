@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -134,28 +133,6 @@ class Reporter {
   FixReport& report_;
 };
 
-/// A keyword that moves nodes away from where their lines say, or that moves or creates some and is not read: the
-/// corrected geometry would not be the one that runs.
-Status check_geometry(const keyword::Deck& deck) {
-  constexpr std::array read{"NODE_TRANSFORM", "PART_MOVE"};
-  constexpr std::array unread{"NODE_MERGE",     "NODE_REPLICATE",        "ELEMENT_GENERATE", "PART_MOVE_",
-                              "PART_DUPLICATE", "PART_STACKED_ELEMENTS", "NODE_TRANSFORM_"};
-  for (const keyword::Block& block : deck.blocks()) {
-    const auto begins = [&](std::string_view name) { return block.name.starts_with(name); };
-    std::string_view why;
-    if (std::any_of(unread.begin(), unread.end(), begins))
-      why = "is not read, so that the nodes are not where they run";
-    else if (std::any_of(read.begin(), read.end(), begins))
-      why = "moves nodes after their lines are read";
-    if (!why.empty())
-      return Diagnostic{Severity::error, deck.file(block.file).path, block.line,
-                        fmt::format("*{} {}; write its effect into the coordinates first", block.name, why)};
-  }
-  if (deck.counters().missing_includes > 0)
-    return Diagnostic{Severity::error, "", 0, "includes are missing, and with them what nodes could run into"};
-  return {};
-}
-
 /// Entries of --lock and --priority that name nothing in the model.
 Status check_choice(const model::Model& model, const FixOptions& options) {
   for (const Lock& lock : options.locks) {
@@ -175,12 +152,12 @@ Status check_choice(const model::Model& model, const FixOptions& options) {
 }
 
 /// The lines of the moved nodes, file by file.
-std::vector<Fix::File> edits(const model::Model& model, NodeLines& lines, const Mover& mover,
-                             const std::vector<NodeIndex>& moved) {
+std::vector<ChangedLines> edits(const model::Model& model, NodeLines& lines, const Mover& mover,
+                                const std::vector<NodeIndex>& moved) {
   std::map<std::uint32_t, std::vector<keyword::LineEdit>> by_file;
   for (const NodeIndex n : moved)
     by_file[model.mesh.nodes.origins.file(n.value).value].push_back(lines.edit(n, mover.target(n)));
-  std::vector<Fix::File> files;
+  std::vector<ChangedLines> files;
   for (auto& [file, list] : by_file) {
     std::sort(list.begin(), list.end(),
               [](const keyword::LineEdit& a, const keyword::LineEdit& b) { return a.line < b.line; });
@@ -236,7 +213,8 @@ Result<Fix> fix_penetrations(const keyword::Deck& deck, const FixOptions& option
   reporter.unfixed();
   reporter.notes(unread);
   fix.files = edits(model, lines, mover, moved);
-  for (const Fix::File& file : fix.files) report.changed.push_back({deck.file(file.file).path, "", file.edits.size()});
+  for (const ChangedLines& file : fix.files)
+    report.changed.push_back({deck.file(file.file).path, "", file.edits.size()});
   return fix;
 }
 

@@ -6,10 +6,10 @@
 
 #include "audit/fix/element_bounds.hpp"
 #include "audit/fix/freedoms.hpp"
+#include "audit/fix/node_lines.hpp"
 #include "base/diagnostic.hpp"
 #include "base/result.hpp"
 #include "keyword/deck.hpp"
-#include "keyword/write_back.hpp"
 #include "records/fix.hpp"
 
 namespace gapcheck::audit {
@@ -30,10 +30,7 @@ struct FixOptions {
 /// A corrected deck: what was done, and the lines that change.
 struct Fix {
   FixReport report;
-  struct File {
-    FileIndex file;
-    std::vector<keyword::LineEdit> edits;  ///< ascending by line
-  };
+  using File = ChangedLines;
   std::vector<File> files;  ///< only those that change, in the order of the deck
 };
 

@@ -1,8 +1,12 @@
 #include "audit/fix/node_lines.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace gapcheck::audit {
 namespace {
@@ -122,6 +126,52 @@ Vector NodeLines::written(NodeIndex node, const Vector& to) {
   const keyword::Card card = this->card(at, line.text);
   const keyword::Transform& transform = deck_.transform(at.block->transform);
   return transform.apply(transform.length_factor * Vector(card.real(1), card.real(2), card.real(3)));
+}
+
+Status check_geometry(const keyword::Deck& deck) {
+  constexpr std::array read{"NODE_TRANSFORM", "PART_MOVE"};
+  constexpr std::array unread{"NODE_MERGE",     "NODE_REPLICATE",        "ELEMENT_GENERATE", "PART_MOVE_",
+                              "PART_DUPLICATE", "PART_STACKED_ELEMENTS", "NODE_TRANSFORM_"};
+  for (const keyword::Block& block : deck.blocks()) {
+    const auto begins = [&](std::string_view name) { return block.name.starts_with(name); };
+    std::string_view why;
+    if (std::any_of(unread.begin(), unread.end(), begins))
+      why = "is not read, so that the nodes are not where they run";
+    else if (std::any_of(read.begin(), read.end(), begins))
+      why = "moves nodes after their lines are read";
+    if (!why.empty())
+      return Diagnostic{Severity::error, deck.file(block.file).path, block.line,
+                        fmt::format("*{} {}; write its effect into the coordinates first", block.name, why)};
+  }
+  if (deck.counters().missing_includes > 0)
+    return Diagnostic{Severity::error, "", 0, "includes are missing, and with them what nodes could run into"};
+  return {};
+}
+
+Result<MovedDeck> move_deck(const keyword::Deck& deck, const model::Model& model, const std::vector<Vector>& x) {
+  if (const Status status = check_geometry(deck); !status.ok()) return status.error();
+  const model::Nodes& nodes = model.mesh.nodes;
+  NodeLines lines(deck, model, nodes.x);
+  MovedDeck moved;
+  std::map<std::uint32_t, std::vector<keyword::LineEdit>> by_file;
+  for (const NodeIndex n : positions<NodeIndex>(nodes.size())) {
+    if (x[n.value] == nodes.x[n.value]) continue;
+    const std::uint32_t file = nodes.origins.file(n.value).value;
+    if (const Status status = lines.check(n); !status.ok())
+      return Diagnostic{
+          Severity::error, deck.files()[file].path, nodes.line[n.value],
+          fmt::format("node {} cannot be written where it starts: {}", nodes.id[n.value], status.error().message)};
+    moved.rounding = std::max(moved.rounding, (lines.written(n, x[n.value]) - x[n.value]).norm());
+    // A move below the last digit of its line changes nothing.
+    keyword::LineEdit edit = lines.edit(n, x[n.value]);
+    by_file[file].push_back(std::move(edit));
+  }
+  for (auto& [file, edits] : by_file) {
+    std::ranges::sort(edits, {}, &keyword::LineEdit::line);
+    moved.nodes += edits.size();
+    moved.files.push_back({FileIndex{file}, std::move(edits)});
+  }
+  return moved;
 }
 
 }  // namespace gapcheck::audit

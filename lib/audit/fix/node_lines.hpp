@@ -5,6 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/result.hpp"
+#include "keyword/deck.hpp"
 #include "keyword/write_back.hpp"
 #include "model/model.hpp"
 
@@ -48,5 +50,27 @@ class NodeLines {
   std::map<std::uint32_t, keyword::LineIndex> lines_;       ///< by file
   std::unordered_map<std::int64_t, bool> again_;            ///< ids that are defined more than once
 };
+
+/// The lines of one file of a deck that change.
+struct ChangedLines {
+  FileIndex file;
+  std::vector<keyword::LineEdit> edits;  ///< ascending by line
+};
+
+/// An error if the deck has a keyword that moves nodes away from where their lines say, or that moves or creates some
+/// and is not read, or lacks an include: changed lines would not be the geometry that runs.
+[[nodiscard]] Status check_geometry(const keyword::Deck& deck);
+
+/// The lines of *NODE with other coordinates.
+struct MovedDeck {
+  std::vector<ChangedLines> files;  ///< only those that change, in the order of the deck
+  std::uint64_t nodes = 0;          ///< whose lines change
+  double rounding = 0;              ///< largest distance between a node and what its line can express
+};
+
+/// Writes `x` (coordinates by node) into the lines of the nodes that are not where the deck has them; all other lines
+/// stay. Errors: check_geometry(), and a node whose line cannot be rewritten.
+[[nodiscard]] Result<MovedDeck> move_deck(const keyword::Deck& deck, const model::Model& model,
+                                          const std::vector<Vector>& x);
 
 }  // namespace gapcheck::audit

@@ -45,6 +45,12 @@ double bulk_viscosity_factor(const model::Model& model, const model::Part& part)
   return q2 + std::sqrt(q2 * q2 + 1);
 }
 
+double step_of(const std::vector<double>& speed, PartIndex part, double length) {
+  const double c = part == none<PartIndex> ? 0 : speed[part.value];
+  const double step = c > 0 ? length / c : 0;
+  return step > 0 ? step : std::numeric_limits<double>::infinity();
+}
+
 /// Length / speed of all elements of one kind; infinite for those that do not count.
 template <std::size_t N, class Length>
 std::vector<double> steps_of(const model::Elements<N>& elements, const std::vector<double>& speed,
@@ -53,13 +59,17 @@ std::vector<double> steps_of(const model::Elements<N>& elements, const std::vect
   constexpr std::size_t grain = 16384;
   parallel_for(elements.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      // Without a speed the length is not needed.
       const PartIndex part = elements.part[i];
-      const double c = part == none<PartIndex> ? 0 : speed[part.value];
-      const double step = c > 0 ? length(i) / c : 0;
-      steps[i] = step > 0 ? step : std::numeric_limits<double>::infinity();
+      const bool counts = part != none<PartIndex> && speed[part.value] > 0;
+      steps[i] = counts ? step_of(speed, part, length(i)) : std::numeric_limits<double>::infinity();
     }
   });
   return steps;
+}
+
+double beam_length(const std::array<NodeIndex, 2>& nodes, const std::vector<Vector>& x) {
+  return nodes[1] == none<NodeIndex> ? 0 : (x[nodes[0].value] - x[nodes[1].value]).norm();
 }
 
 /// Calls take(kind, steps) for shells, solids, thick shells and beams.
@@ -67,30 +77,56 @@ template <class Take>
 void for_each_kind(const model::Model& model, const ElementSizes& sizes, const Take& take) {
   const model::Mesh& mesh = model.mesh;
   const std::vector<Vector>& x = mesh.nodes.x;
-  const auto shell = speeds(model, [&](const model::Material& material, double density, const model::Part&) {
-    return shell_sound_speed(material, density, model.controls.isdo);
-  });
-  const auto solid = speeds(model, [&](const model::Material& material, double density, const model::Part& part) {
-    return solid_sound_speed(material, density) * bulk_viscosity_factor(model, part);
-  });
-  const auto beam = speeds(model, [&](const model::Material& material, double density, const model::Part& part) {
-    const bool discrete = part.section && model.sections[*part.section].elform == model::discrete_beam;
-    return discrete ? 0 : beam_sound_speed(material, density);
-  });
-  take(model::ElementKind::shell, steps_of(mesh.shells, shell, [&](std::size_t i) { return sizes.shell_length[i]; }));
-  take(model::ElementKind::solid, steps_of(mesh.solids, solid, [&](std::size_t i) {
+  const PartSpeeds speed(model);
+  take(model::ElementKind::shell,
+       steps_of(mesh.shells, speed.shell, [&](std::size_t i) { return sizes.shell_length[i]; }));
+  take(model::ElementKind::solid, steps_of(mesh.solids, speed.solid, [&](std::size_t i) {
          return solid_length(mesh.solids.nodes[i], sizes.solid_volume[i], x);
        }));
-  take(model::ElementKind::thick_shell, steps_of(mesh.thick_shells, solid, [&](std::size_t i) {
+  take(model::ElementKind::thick_shell, steps_of(mesh.thick_shells, speed.solid, [&](std::size_t i) {
          return solid_length(mesh.thick_shells.nodes[i], sizes.thick_shell_volume[i], x);
        }));
-  take(model::ElementKind::beam, steps_of(mesh.beams, beam, [&](std::size_t i) {
-         const auto& [a, b] = mesh.beams.nodes[i];
-         return b == none<NodeIndex> ? 0 : (x[a.value] - x[b.value]).norm();
-       }));
+  take(model::ElementKind::beam,
+       steps_of(mesh.beams, speed.beam, [&](std::size_t i) { return beam_length(mesh.beams.nodes[i], x); }));
 }
 
 }  // namespace
+
+PartSpeeds::PartSpeeds(const model::Model& model)
+    : shell(
+          speeds(model, [&](const model::Material& material, double density,
+                            const model::Part&) { return shell_sound_speed(material, density, model.controls.isdo); })),
+      solid(speeds(model,
+                   [&](const model::Material& material, double density, const model::Part& part) {
+                     return solid_sound_speed(material, density) * bulk_viscosity_factor(model, part);
+                   })),
+      beam(speeds(model, [&](const model::Material& material, double density, const model::Part& part) {
+        const bool discrete = part.section && model.sections[*part.section].elform == model::discrete_beam;
+        return discrete ? 0 : beam_sound_speed(material, density);
+      })) {}
+
+double ElementSteps::operator()(model::ElementKind kind, std::uint32_t i, const std::vector<Vector>& x) const {
+  const model::Mesh& mesh = model_.mesh;
+  const auto solid = [&](const model::Elements<8>& elements) {
+    const auto& nodes = elements.nodes[i];
+    return step_of(speeds_.solid, elements.part[i], solid_length(nodes, brick_volume(nodes, x), x));
+  };
+  switch (kind) {
+    case model::ElementKind::shell: {
+      const auto& nodes = mesh.shells.nodes[i];
+      return step_of(speeds_.shell, mesh.shells.part[i],
+                     shell_length(nodes, shell_area(nodes, x), model_.controls.isdo, x));
+    }
+    case model::ElementKind::solid:
+      return solid(mesh.solids);
+    case model::ElementKind::thick_shell:
+      return solid(mesh.thick_shells);
+    case model::ElementKind::beam:
+      return step_of(speeds_.beam, mesh.beams.part[i], beam_length(mesh.beams.nodes[i], x));
+    default:
+      return std::numeric_limits<double>::infinity();
+  }
+}
 
 double shell_sound_speed(const model::Material& material, double density, std::int64_t isdo) {
   if (isdo == 2) return beam_sound_speed(material, density);

@@ -31,4 +31,22 @@ struct ElementTimestep {
 [[nodiscard]] std::vector<ElementTimestep> smallest_element_timesteps(const model::Model& model,
                                                                       const ElementSizes& sizes, std::size_t count);
 
+/// Speed of sound by part in each kind of element; 0: its elements have no step.
+struct PartSpeeds {
+  explicit PartSpeeds(const model::Model& model);
+  std::vector<double> shell, solid, beam;  ///< solid: thick shells too
+};
+
+/// The steps of single elements on any coordinates, by the same rules. The model must outlive it.
+class ElementSteps {
+ public:
+  explicit ElementSteps(const model::Model& model) : model_(model), speeds_(model) {}
+  /// `element`: position in the array of its kind. Infinity: it has none.
+  [[nodiscard]] double operator()(model::ElementKind kind, std::uint32_t element, const std::vector<Vector>& x) const;
+
+ private:
+  const model::Model& model_;
+  PartSpeeds speeds_;
+};
+
 }  // namespace gapcheck::contact

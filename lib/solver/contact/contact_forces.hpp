@@ -31,6 +31,7 @@ class ContactForces : public Force, public ContactSource {
   ContactForces(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
                 std::vector<bool> movable, SpringFormula formula = SpringFormula::documented);
 
+  void log_shot_nodes(std::vector<ShotNode>* list) { setting_.shot = list; }  ///< gets moved nodes; must outlive it
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override;
   /// For the springs of eroding types, unless ECDT of *CONTROL_CONTACT says that they do not count.

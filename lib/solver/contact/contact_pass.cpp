@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/parallel.hpp"
+#include "contact/surface/segment_elements.hpp"
 #include "solver/contact/curve_rule.hpp"
 #include "solver/contact/penalty_rule.hpp"
 #include "solver/contact/segment_rule.hpp"
@@ -33,7 +34,8 @@ std::unique_ptr<NodeRule> make_rule(const ContactSetting& setting, const Tracked
 
 ContactPass::ContactPass(const ContactSetting& setting, ContactIndex contact, const contact::ContactSurfaces& surfaces,
                          bool exchanged, const std::vector<Vector>& x)
-    : search_(setting.search),
+    : setting_(setting),
+      contact_(contact),
       pairs_(setting, contact, surfaces, exchanged, x),
       rule_(make_rule(setting, pairs_)),
       finder_(pairs_),
@@ -50,7 +52,7 @@ void ContactPass::set_timestep(double timestep) {
 
 void ContactPass::find_candidates(double margin, ContactCounters& counters) {
   contact::SweepCounters sweep;
-  counters.candidates += pairs_.find_candidates(search_, margin, sweep);
+  counters.candidates += pairs_.find_candidates(setting_.search, margin, sweep);
   counters.crowded += sweep.crowded_nodes;
   for (PassBlock& block : blocks_) block.sleep = 0;
 }
@@ -87,6 +89,23 @@ void ContactPass::advance_block(std::size_t b, const State& state, double used, 
   }
 }
 
+double ContactPass::move_nodes(const PassBlock& block, State& state) const {
+  const contact::PairScene& scene = pairs_.scene();
+  double longest = 0;
+  for (const NodeMove& move : block.moves) {
+    const NodeIndex node = scene.nodes.node[move.slot.value];
+    Vector& x = state.x[node.value];
+    const Vector from = x;
+    x += move.way;
+    longest = std::max(longest, move.way.norm());
+    if (setting_.shot == nullptr) continue;
+    const SegmentIndex segment = pairs_.node(move.slot).link.segment;
+    setting_.shot->push_back({contact_, node, scene.nodes.part[move.slot.value],
+                              contact::part_of(scene.model.mesh, scene.segments, segment.value), from, x});
+  }
+  return longest;
+}
+
 double ContactPass::advance_state(State& state, double used, ContactCounters& counters) {
   if (rule_->begin_cycle(state.time)) pairs_.forget_pair_data();
   // Half of what springs get at their length before this step, half at that after it.
@@ -101,10 +120,7 @@ double ContactPass::advance_state(State& state, double used, ContactCounters& co
   double longest = 0;
   for (const PassBlock& block : blocks_) {
     block.counts.add_to(counters);
-    for (const NodeMove& move : block.moves) {
-      state.x[pairs_.scene().nodes.node[move.slot.value].value] += move.way;
-      longest = std::max(longest, move.way.norm());
-    }
+    longest = std::max(longest, move_nodes(block, state));
   }
   pairs_.clear_lost();
   settler_.end_cycle();
@@ -186,6 +202,12 @@ std::vector<ContactNode> ContactPass::nodes() const {
     node.forgiven = tracked.memory.forgiven;
     const double area = pairs_.segment_area(tracked.link.segment);
     node.pressure = area > 0 ? push / area : 0;
+    node.stored = tracked.stored();
+    node.release_depth = tracked.pair.release_depth;
+    node.part = scene.nodes.part[slot.value];
+    const SegmentIndex segment = tracked.link.segment;
+    node.contact_distance = scene.nodes.half[slot.value] + scene.segments.half[segment.value];
+    node.segment_part = contact::part_of(scene.model.mesh, scene.segments, segment.value);
   }
   return all;
 }

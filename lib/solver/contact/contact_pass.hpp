@@ -48,7 +48,11 @@ class ContactPass final : public InterfacePass {
   /// Adds the work of a node's force over its last half step.
   void end_force(SlotIndex slot, const State& state, ContactState& result) const;
 
-  const contact::CandidateSearch& search_;
+  /// Moves the nodes of a block in `state`; returns the longest of their ways.
+  [[nodiscard]] double move_nodes(const PassBlock& block, State& state) const;
+
+  const ContactSetting& setting_;
+  ContactIndex contact_;
   TrackedPairs pairs_;
   std::unique_ptr<NodeRule> rule_;
   SegmentFinder finder_;

@@ -313,6 +313,8 @@ std::vector<ContactNode> EdgePass::nodes() const {
     node.force = touch.force.force();
     node.penetration = touch.penetration;
     node.forgiven = touch.memory.forgiven;
+    node.stored = touch.stored();
+    node.contact_distance = half_sum(e, f);
     all.push_back(node);
   }
   return all;

@@ -4,6 +4,7 @@
 #include "contact/pair/tied_pairs.hpp"
 #include "contact/search/search.hpp"
 #include "solver/interface/contact_spring.hpp"
+#include "solver/interface/contact_state.hpp"
 
 namespace gapcheck::solver {
 
@@ -21,6 +22,7 @@ struct ContactSetting {
   const contact::TiedPairs& ties;
   const std::vector<bool>& movable;  ///< by node: the shooting-node logic may move it
   SharedTables& shared;
+  std::vector<ShotNode>* shot = nullptr;  ///< gets the nodes that are moved, in that order; null: nobody asks
 };
 
 }  // namespace gapcheck::solver

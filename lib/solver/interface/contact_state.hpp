@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "base/ids.hpp"
 #include "base/vector.hpp"
@@ -39,8 +40,20 @@ struct ContactNode {
   std::array<NodeIndex, 4> segment;
   Vector force = Vector::Zero();  ///< on the node
   double penetration = 0;
-  double forgiven = 0;  ///< IGNORE: penetration without force
-  double pressure = 0;  ///< normal force over the segment's area
+  double forgiven = 0;                                               ///< IGNORE: penetration without force
+  double pressure = 0;                                               ///< normal force over the segment's area
+  double stored = 0;                                                 ///< energy of its spring
+  double contact_distance = 0;                                       ///< 0 where a surface has no thickness
+  double release_depth = std::numeric_limits<double>::infinity();    ///< penetration beyond which it is released
+  PartIndex part = none<PartIndex>, segment_part = none<PartIndex>;  ///< none: not known
+};
+
+/// A node that a contact has moved out of a segment when it found it there suddenly.
+struct ShotNode {
+  ContactIndex contact;  ///< position in Model::contacts
+  NodeIndex node;
+  PartIndex part = none<PartIndex>, segment_part = none<PartIndex>;  ///< none: not known
+  Vector from = Vector::Zero(), to = Vector::Zero();
 };
 
 }  // namespace gapcheck::solver

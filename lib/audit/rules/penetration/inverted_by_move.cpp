@@ -8,42 +8,12 @@
 #include "audit/rules.hpp"
 #include "audit/shared/mesh_finding.hpp"
 #include "audit/shared_results.hpp"
-#include "contact/surface/segment_quality.hpp"
-#include "model/entity/faces.hpp"
+#include "contact/surface/element_fate.hpp"
 
 namespace gapcheck::audit::rule::inverted_by_move {
 namespace {
 
 using Points = std::vector<Vector>;
-
-/// A scaled Jacobian or a share of the former area below this is as good as none: the element cannot be calculated.
-constexpr double flattened = 0.01;
-
-/// Twice the vector area of a shell; a triangle repeats its last node.
-Vector double_area(const std::array<NodeIndex, 4>& n, const Points& x) {
-  return (x[n[2].value] - x[n[0].value]).cross(x[n[3].value] - x[n[1].value]);
-}
-
-/// Area (shells) or volume of an element; negative: turned against the area before.
-double size_of(const std::array<NodeIndex, 4>& nodes, const Points& x, const Vector& before) {
-  const double length = before.norm();
-  return length > 0 ? double_area(nodes, x).dot(before) / (2 * length) : 0;
-}
-
-/// Volume within the faces, each cut into triangles around its middle.
-double volume(const std::array<NodeIndex, 8>& nodes, const Points& x) {
-  double sum = 0;
-  const Vector& origin = x[nodes[0].value];
-  for (const model::SegmentNodes& face : model::SolidFaces(nodes)) {
-    Vector middle = Vector::Zero();
-    for (const NodeIndex n : face) middle += (x[n.value] - origin) / 4;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Vector a = x[face[k].value] - origin, b = x[face[(k + 1) % 4].value] - origin;
-      sum += middle.dot(a.cross(b)) / 6;
-    }
-  }
-  return std::abs(sum);
-}
 
 /// Who moved a node.
 struct Move {
@@ -92,26 +62,6 @@ class Moves {
   bool any_ = false;
 };
 
-/// What becomes of one element.
-struct Fate {
-  double before, after;  ///< area of shells, volume of solids
-  bool inverted, flat;
-  [[nodiscard]] bool bad() const { return inverted || flat; }
-};
-
-Fate fate(const std::array<NodeIndex, 4>& nodes, const Points& x, const Points& after) {
-  const Vector normal = double_area(nodes, x);
-  const double before = normal.norm() / 2, now = size_of(nodes, after, normal);
-  return {before, now, before > 0 && now<0, before> 0 && now >= 0 && now < flattened * before};
-}
-
-Fate fate(const std::array<NodeIndex, 8>& nodes, const Points& x, const Points& after) {
-  const contact::SolidQuality was = contact::solid_quality(nodes, x), is = contact::solid_quality(nodes, after);
-  const double least_was = std::min(was.centre, was.worst_corner), least = std::min(is.centre, is.worst_corner);
-  if (least_was < flattened || least >= flattened) return {};
-  return {volume(nodes, x), is.centre < 0 ? -volume(nodes, after) : volume(nodes, after), least < 0, least >= 0};
-}
-
 template <std::size_t N>
 void check(const RuleIdentity& rule, Context& context, Report& report, const Moves& moves,
            const model::Elements<N>& elements, std::string_view word, std::string_view measure) {
@@ -121,7 +71,7 @@ void check(const RuleIdentity& rule, Context& context, Report& report, const Mov
     const auto& nodes = elements.nodes[i];
     if (moves.furthest(nodes) == none<NodeIndex>) return;
     if (elements.part[i] != none<PartIndex> && !context.part_chosen(elements.part[i])) return;
-    const Fate f = fate(nodes, x, moves.after());
+    const contact::ElementFate f = contact::element_fate(nodes, x, moves.after());
     if (f.bad())
       list.push_back({elements.part[i].value, rough_weight((f.before - f.after) / f.before), i, {elements.id[i]}});
   });
@@ -139,7 +89,7 @@ void check(const RuleIdentity& rule, Context& context, Report& report, const Mov
       [&](const Found& one) {
         const std::size_t i = one.item;
         const NodeIndex node = moves.furthest(elements.nodes[i]);
-        const Fate f = fate(elements.nodes[i], x, moves.after());
+        const contact::ElementFate f = contact::element_fate(elements.nodes[i], x, moves.after());
         const Move* move = moves.of(node);
         const std::string who = move == nullptr ? "the start moves" : move->tie ? "the tie moves" : "the contact moves";
         return at(
