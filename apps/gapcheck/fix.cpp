@@ -173,16 +173,8 @@ void add_fix(CLI::App& app, Action& action) {
       "Move nodes of contacts with IGNORE = 2 to the coordinates that the solver recommends, and no others");
   command->add_flag("--free-welds", arguments->fix.free_welds,
                     "Nodes of spot welds, rivets and weld elements may move against each other");
-  command->add_option("--format", arguments->format, "Of the report: text or json")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->capture_default_str();
-  command->add_option("--output", arguments->output, "Write the report to a file instead of standard output")
-      ->type_name("FILE");
-  command->add_option("--top", arguments->text.top, "Nodes and pairs of parts that the text lists")
-      ->check(CLI::Range(0, 1'000'000'000).description(""))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_flag("--quiet", arguments->text.quiet, "Only the last line, and no warnings");
+  add_plain_report(*command, arguments->format, arguments->output, arguments->text.top, "Nodes and pairs of parts",
+                   arguments->text.quiet);
   command->add_flag("--stats", arguments->stats, "Show counters and times, on standard error");
   add_settings(*command, arguments->settings);
   add_includes(*command, arguments->read, arguments->missing_includes);

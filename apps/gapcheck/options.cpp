@@ -209,6 +209,19 @@ void write(const Report& report, const ExportOptions& options, const report::Nod
   write(options.sets, [&] { return report::keyword_sets(report, options.set_id); });
 }
 
+void add_plain_report(CLI::App& command, std::string& format, std::string& output, std::size_t& top,
+                      const std::string& listed, bool& quiet) {
+  command.add_option("--format", format, "Of the report: text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command.add_option("--output", output, "Write the report to a file instead of standard output")->type_name("FILE");
+  command.add_option("--top", top, listed + " that the text lists")
+      ->check(CLI::Range(0, 1'000'000'000).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--quiet", quiet, "Only the last line, and no warnings");
+}
+
 void add_jobs(CLI::App& command, std::size_t& jobs) {
   command.add_option("--jobs", jobs, "Threads; 0: as many as the machine has")
       ->check(CLI::Range(0, 4096).description(""))

@@ -67,6 +67,10 @@ void add_exports(CLI::App& command, ExportOptions& options);
 void write(const Report& report, const ExportOptions& options, const report::NodePosition& position,
            Failures& failures);
 
+/// --format, --output, --top and --quiet of a report that is text or JSON; `listed`: what the text lists --top of.
+void add_plain_report(CLI::App& command, std::string& format, std::string& output, std::size_t& top,
+                      const std::string& listed, bool& quiet);
+
 void add_jobs(CLI::App& command, std::size_t& jobs);
 
 /// Options that every command accepts, even without work to share: --quiet, --stats, --jobs, --version.

@@ -154,16 +154,8 @@ void add_start(CLI::App& app, Action& action) {
       ->add_option("--write-deck", arguments->directory,
                    "Directory for the deck with the nodes where they start; made where it is not there")
       ->type_name("DIR");
-  command->add_option("--format", arguments->format, "Of the report: text or json")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->capture_default_str();
-  command->add_option("--output", arguments->output, "Write the report to a file instead of standard output")
-      ->type_name("FILE");
-  command->add_option("--top", arguments->text.top, "Pairs of parts, elements and nodes that the text lists")
-      ->check(CLI::Range(0, 1'000'000'000).description(""))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_flag("--quiet", arguments->text.quiet, "Only the last line, and no warnings");
+  add_plain_report(*command, arguments->format, arguments->output, arguments->text.top,
+                   "Pairs of parts, elements and nodes", arguments->text.quiet);
   command->add_flag("--stats", arguments->stats, "Show counters, on standard error");
   add_settings(*command, arguments->settings);
   add_includes(*command, arguments->read, arguments->missing_includes);

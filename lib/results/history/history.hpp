@@ -11,6 +11,7 @@
 #include "base/vector.hpp"
 #include "results/text/file_header.hpp"
 #include "results/text/fortran_number.hpp"
+#include "results/text/printed_number.hpp"
 #include "results/text/result_text.hpp"
 
 namespace gapcheck::results {
@@ -75,6 +76,36 @@ struct History {
   if (dots == std::string_view::npos) return {};
   value = line.substr(std::min(line.find_first_not_of('.', dots), line.size()));
   return trimmed(line.substr(0, dots));
+}
+
+/// Reads a file of dotted rows. A block begins with the id that `head` labels and ends at the next time, or at a label
+/// that begins with `other`. `blank(id)` is its empty row; `take(file, label, rest, row)` puts a number into it.
+template <class Row, class Blank, class Take>
+[[nodiscard]] History<Row> read_dotted(ResultText file, std::string_view head, std::string_view other,
+                                       const Blank& blank, const Take& take) {
+  History<Row> history;
+  bool open = false;
+  for (; !file.done(); file.advance()) {
+    if (file.take_legend(history.titles)) continue;
+    std::string_view rest;
+    const std::string_view label = dotted_label(file.line(), rest);
+    if (label == "time") {
+      history.at(file.take(rest));
+      open = false;
+    } else if (label == head) {
+      const auto id = take_integer(rest);
+      open = id.has_value() && !history.states.empty();
+      if (open) history.add(blank(*id));
+      if (!id) file.unreadable();
+    } else if (!other.empty() && label.starts_with(other)) {
+      open = false;
+    } else if (open && !label.empty()) {
+      take(file, label, rest, history.states.back().rows.back());
+    }
+  }
+  history.end(file);
+  file.finish();
+  return history;
 }
 
 }  // namespace gapcheck::results

@@ -1,7 +1,5 @@
 #include "results/history/joint_forces.hpp"
 
-#include "results/text/printed_number.hpp"
-
 namespace gapcheck::results {
 namespace {
 
@@ -34,30 +32,12 @@ std::string jntforc_text(double time, std::span<const JointForce> joints) {
 }
 
 History<JointForce> read_jntforc(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
-  History<JointForce> history;
-  ResultText file(text, name, diagnostics);
-  bool joint = false;  // the rows are those of a joint, and of no stiffness
-  for (; !file.done(); file.advance()) {
-    if (file.take_legend(history.titles)) continue;
-    std::string_view rest;
-    const std::string_view label = dotted_label(file.line(), rest);
-    if (label == "time") {
-      history.at(file.take(rest));
-      joint = false;
-    } else if (label == "joint ID") {
-      const auto id = take_integer(rest);
-      joint = id.has_value() && !history.states.empty();
-      if (joint) history.add({*id, false, Vector::Zero(), Vector::Zero()});
-      if (!id) file.unreadable();
-    } else if (label.starts_with("joint stiffness")) {
-      joint = false;
-    } else if (joint && !label.empty()) {
-      take_joint_row(file, label, rest, history.states.back().rows.back());
-    }
-  }
-  history.end(file);
-  file.finish();
-  return history;
+  return read_dotted<JointForce>(
+      ResultText(text, name, diagnostics), "joint ID", "joint stiffness",
+      [](std::int64_t id) {
+        return JointForce{id, false, Vector::Zero(), Vector::Zero()};
+      },
+      take_joint_row);
 }
 
 }  // namespace gapcheck::results

@@ -1,7 +1,5 @@
 #include "results/history/spring_forces.hpp"
 
-#include "results/text/printed_number.hpp"
-
 namespace gapcheck::results {
 namespace {
 
@@ -31,28 +29,12 @@ std::string deforc_text(double time, std::span<const SpringForce> springs) {
 }
 
 History<SpringForce> read_deforc(std::string_view text, const std::string& name, Diagnostics& diagnostics) {
-  History<SpringForce> history;
-  ResultText file(text, name, diagnostics);
-  bool spring = false;  // the rows are those of a spring
-  for (; !file.done(); file.advance()) {
-    if (file.take_legend(history.titles)) continue;
-    std::string_view rest;
-    const std::string_view label = dotted_label(file.line(), rest);
-    if (label == "time") {
-      history.at(file.take(rest));
-      spring = false;
-    } else if (label == "spring/damper number") {
-      const auto id = take_integer(rest);
-      spring = id.has_value() && !history.states.empty();
-      if (spring) history.add({*id, false, Vector::Zero(), 0, 0});
-      if (!id) file.unreadable();
-    } else if (spring && !label.empty()) {
-      take_spring_row(file, label, rest, history.states.back().rows.back());
-    }
-  }
-  history.end(file);
-  file.finish();
-  return history;
+  return read_dotted<SpringForce>(
+      ResultText(text, name, diagnostics), "spring/damper number", "",
+      [](std::int64_t id) {
+        return SpringForce{id, false, Vector::Zero(), 0, 0};
+      },
+      take_spring_row);
 }
 
 }  // namespace gapcheck::results

@@ -21,8 +21,8 @@ namespace gapcheck::solver {
 /// Writes the binout of a run, binout0000: the files whose cards say BINARY = 2 or 3, or `all` of them.
 class RunBinout : public Run::Observer {
  public:
-  /// `output`: of the deck. Removes the binouts of earlier runs; without a branch to write there is no file, and the
-  /// result is nullptr.
+  /// `output`: of the deck. Removes the binouts of earlier runs. Creates no file and returns nullptr if there is
+  /// nothing to write.
   static SolverResult<std::unique_ptr<RunBinout>> create(const std::string& directory,
                                                          const results::FileHeader& header,
                                                          const std::vector<TextFile>& files,

@@ -1,38 +1,21 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 
-#include "results/curves/run_results.hpp"
+#include "results/curves/binout_folder.hpp"
 #include "results/curves/sample_lsda.hpp"
 
 namespace gapcheck::results::binout_histories_test {
 namespace {
 
-namespace fs = std::filesystem;
 using Type = LsdaArray::Type;
 
-class BinoutHistories : public ::testing::Test {
+class BinoutHistories : public BinoutFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("gapcheck_binout_histories_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   RunResults read(const SampleLsda& file) {
-    std::ofstream(folder_ / "binout0000", std::ios::binary) << file.bytes;
-    Diagnostics diagnostics;
-    RunResults run = read_run_results(folder_.string(), true, diagnostics);
-    said_.clear();
-    for (const Diagnostic& diagnostic : diagnostics.sorted()) said_ += diagnostic.message + "\n";
-    return run;
+    std::ofstream(path(), std::ios::binary) << file.bytes;
+    return read_folder();
   }
-
-  fs::path folder_;
-  std::string said_;
 };
 
 /// The rows of the only state.

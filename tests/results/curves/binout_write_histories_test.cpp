@@ -1,20 +1,16 @@
 #include "results/curves/binout_write_histories.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 
-#include "results/curves/run_results.hpp"
+#include "results/curves/binout_folder.hpp"
 
 namespace gapcheck::results::binout_write_histories_test {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Every number of its own.
 class Numbers {
@@ -109,30 +105,26 @@ struct AllRows {
   }
 };
 
-class BinoutWriteHistories : public ::testing::Test {
+class BinoutWriteHistories : public BinoutFolder {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("gapcheck_binout_write_histories_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    auto binout = BinoutWriter::create((folder_ / "binout0000").string(), {"a run", "gapcheck 1.2.3"});
+    BinoutFolder::SetUp();
+    auto binout = BinoutWriter::create(path(), {"a run", "gapcheck 1.2.3"});
     ASSERT_TRUE(binout);
     binout_ = std::make_unique<BinoutWriter>(std::move(binout).value());
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   RunResults read() {
     EXPECT_TRUE(binout_->file().flush().ok());
-    Diagnostics diagnostics;
-    RunResults run = read_run_results(folder_.string(), true, diagnostics);
-    for (const Diagnostic& d : diagnostics.sorted()) ADD_FAILURE() << d.message;
+    RunResults run = read_folder();
+    EXPECT_EQ(said_, "");
     return run;
   }
   /// Sizes of the arrays of a directory.
   std::map<std::string, std::size_t> arrays(const std::string& directory) {
     EXPECT_TRUE(binout_->file().flush().ok());
     std::ostringstream bytes;
-    bytes << std::ifstream(folder_ / "binout0000", std::ios::binary).rdbuf();
+    bytes << std::ifstream(path(), std::ios::binary).rdbuf();
     const std::string text = bytes.str();
     std::map<std::string, std::size_t> found;
     Diagnostics diagnostics;
@@ -146,7 +138,6 @@ class BinoutWriteHistories : public ::testing::Test {
     return found;
   }
 
-  fs::path folder_;
   std::unique_ptr<BinoutWriter> binout_;
 };
 

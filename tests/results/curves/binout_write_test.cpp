@@ -2,40 +2,23 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
-#include "results/curves/run_results.hpp"
+#include "results/curves/binout_folder.hpp"
 
 namespace gapcheck::results::binout_write_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class BinoutWrite : public ::testing::Test {
+class BinoutWrite : public BinoutFolder {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("gapcheck_binout_write_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  RunResults read() { return read_folder(); }
 
-  [[nodiscard]] std::string path() const { return (folder_ / "binout0000").string(); }
-  RunResults read() {
-    Diagnostics diagnostics;
-    RunResults run = read_run_results(folder_.string(), true, diagnostics);
-    said_.clear();
-    for (const Diagnostic& diagnostic : diagnostics.sorted()) said_ += diagnostic.message + "\n";
-    return run;
-  }
-
-  fs::path folder_;
-  std::string said_;
   FileHeader header_{"a run", "gapcheck 1.2.3"};
 };
 

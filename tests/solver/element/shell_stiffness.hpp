@@ -1,5 +1,7 @@
 #pragma once
 #include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "solver/element/shell.hpp"
@@ -40,6 +42,26 @@ inline ShellCorners at_rest(const std::array<Vector, 4>& x) {
   corners.x = x;
   for (std::size_t i = 0; i < 4; ++i) corners.v[i] = corners.w[i] = Vector::Zero();
   return corners;
+}
+
+/// Turns a shell through a whole circle about `axis` in 200 rigid steps; `corners` follow. `check(forces)` sees each.
+template <class Check>
+ShellForces turn_around(OneShell& shell, ShellCorners& corners, const Vector& axis, const Check& check) {
+  constexpr int steps = 200;
+  const double angle = 2 * std::numbers::pi / steps, dt = 0.01;
+  const Matrix turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+  ShellForces last;
+  for (int step = 0; step < steps; ++step) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vector next = turn * corners.x[i];
+      corners.v[i] = (next - corners.x[i]) / dt;
+      corners.x[i] = next;
+      corners.w[i] = 2 * std::tan(angle / 2) / dt * axis;
+    }
+    last = shell.step(corners, dt);
+    check(last);
+  }
+  return last;
 }
 
 /// Stiffness by a unit rate of each degree of freedom over a short step: 6 per corner, displacements first.

@@ -83,25 +83,13 @@ TEST(ShellWarping, TurnsOfWarpedQuads) {
 
 TEST(ShellWarping, FullTurnKeepsStresses) {
   const Vector axis = Vector(1, -2, 0.5).normalized();
-  constexpr int steps = 200;
-  const double angle = 2 * std::numbers::pi / steps, dt = 0.01;
   OneShell shell(properties(ShellProjection::full, true), thickness, warped_quad_forces);
   ShellCorners corners = at_rest(quad(0.15));
   corners.v[2] = {0.01, 0.02, 0.003};
   corners.w[1] = {0.01, -0.01, 0};
   const ShellForces first = shell.step(corners, 1e-3);
   const std::vector<PointState> stressed = shell.points;
-  const Matrix turn = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-  ShellForces last;
-  for (int step = 0; step < steps; ++step) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vector next = turn * corners.x[i];
-      corners.v[i] = (next - corners.x[i]) / dt;
-      corners.x[i] = next;
-      corners.w[i] = 2 * std::tan(angle / 2) / dt * axis;
-    }
-    last = shell.step(corners, dt);
-  }
+  const ShellForces last = turn_around(shell, corners, axis, [](const ShellForces&) {});
   double scale = 0;
   for (const PointState& point : stressed) scale = std::max(scale, std::abs(point.stress[xx]));
   for (std::size_t p = 0; p < stressed.size(); ++p)
