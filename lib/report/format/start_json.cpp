@@ -8,7 +8,7 @@ namespace {
 
 using StartJson = nlohmann::ordered_json;
 
-StartJson coordinates(const Vector& x) { return StartJson::array({x.x(), x.y(), x.z()}); }
+StartJson place_json(const Vector& x) { return StartJson::array({x.x(), x.y(), x.z()}); }
 
 void add_known(StartJson& json, const char* key, const std::optional<double>& value) {
   if (value && std::isfinite(*value)) json[key] = *value;
@@ -98,8 +98,8 @@ void add_moves_json(const StartReport& report, StartJson& json) {
                              {"node", m.node},
                              {"part", m.part},
                              {"other_part", m.other_part},
-                             {"from", coordinates(m.from)},
-                             {"to", coordinates(m.to)},
+                             {"from", place_json(m.from)},
+                             {"to", place_json(m.to)},
                              {"cause", name(m.cause)}});
   for (const StartRepeat& r : report.repeats) {
     StartJson by = StartJson::array();

@@ -11,7 +11,7 @@
 namespace gapcheck::solver {
 namespace {
 
-using Freedoms = Eigen::Matrix<double, 6, 1>;
+using BodyVector = Eigen::Matrix<double, 6, 1>;
 using FreedomMatrix = Eigen::Matrix<double, 6, 6>;
 
 /// The body that moves all corners of a face; no_position: none does.
@@ -38,7 +38,7 @@ double body_mobility(const BodyState& body, const std::vector<std::array<Vector,
     const Vector normal = doubled / (2 * area);
     for (const double s : {-place, place})
       for (const double t : {-place, place}) {
-        Freedoms g;
+        BodyVector g;
         g << push.cwiseProduct(normal), turn * (quad_point(face, s, t) - body.center).cross(normal);
         sum += area / 4 * g * g.transpose();
       }

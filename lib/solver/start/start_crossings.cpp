@@ -27,8 +27,8 @@ std::pair<ElementKey, ElementKey> key_of(const Crossing& crossing) {
 }
 
 template <class Elements>
-StartCrossing::Element named(const model::Model& model, const Elements& elements, std::string_view kind,
-                             std::uint32_t i) {
+StartCrossing::Element crossing_element(const model::Model& model, const Elements& elements, std::string_view kind,
+                                        std::uint32_t i) {
   if (i >= elements.size()) return {kind};
   const PartIndex part = elements.part[i];
   return {kind, elements.id[i], part == none<PartIndex> ? 0 : model.part(part).id.value};
@@ -38,13 +38,13 @@ StartCrossing::Element element_of(const model::Model& model, const CrossingSegme
   const model::Mesh& mesh = model.mesh;
   switch (segment.kind) {
     case model::ElementKind::shell:
-      return named(model, mesh.shells, "shell", segment.element);
+      return crossing_element(model, mesh.shells, "shell", segment.element);
     case model::ElementKind::solid:
-      return named(model, mesh.solids, "solid", segment.element);
+      return crossing_element(model, mesh.solids, "solid", segment.element);
     case model::ElementKind::thick_shell:
-      return named(model, mesh.thick_shells, "thick shell", segment.element);
+      return crossing_element(model, mesh.thick_shells, "thick shell", segment.element);
     case model::ElementKind::beam:
-      return named(model, mesh.beams, "beam", segment.element);
+      return crossing_element(model, mesh.beams, "beam", segment.element);
     default:
       return {"segment"};
   }
