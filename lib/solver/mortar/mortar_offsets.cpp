@@ -31,15 +31,17 @@ void MortarOffsets::follow(std::span<const MortarPair> pairs) {
 double MortarOffsets::forgiven(const MortarPair& pair, double time, const MortarLaw& law) const {
   const double depth = depth_[place(pair.tracked, pair)];
   if (!(depth > 0)) return 0;
-  switch (ignore_) {
-    case 1:
-      return depth;
-    case 3:
-    case 4:
-      return mpar1_ > 0 ? depth * std::max(0.0, 1 - (time - start_) / mpar1_) : 0;
-    default:
-      return depth - law.depth_of(mpar1_);
-  }
+  if (ignore_ == 1) return depth;
+  return presses_out() ? depth * share_left(time) : depth - law.depth_of(mpar1_);
+}
+
+double MortarOffsets::grown(const MortarPair& pair, double time, double dt) const {
+  const double depth = depth_[place(pair.tracked, pair)];
+  return depth > 0 && presses_out() ? depth * (share_left(time - dt) - share_left(time)) : 0;
+}
+
+double MortarOffsets::share_left(double time) const {
+  return mpar1_ > 0 ? std::clamp(1 - (time - start_) / mpar1_, 0.0, 1.0) : 0;
 }
 
 void MortarOffsets::take(std::uint32_t face, const MortarOffsets& from, std::uint32_t of) {

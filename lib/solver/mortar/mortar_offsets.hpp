@@ -25,8 +25,8 @@ class MortarOffsets {
   void follow(std::span<const MortarPair> pairs);
   /// Depth without force of a pair's tracked face.
   [[nodiscard]] double forgiven(const MortarPair& pair, double time, const MortarLaw& law) const;
-  /// Whether penetrations are pressed out.
-  [[nodiscard]] bool grows() const { return ignore_ == 3 || ignore_ == 4; }
+  /// How much of that depth gives force again since `dt` ago: penetrations that IGNORE = 3 and 4 press out.
+  [[nodiscard]] double grown(const MortarPair& pair, double time, double dt) const;
   /// Takes over a depth of the same face on an earlier surface.
   void take(std::uint32_t face, const MortarOffsets& from, std::uint32_t of);
   void continue_from(const MortarOffsets& before) { start_ = before.start_; }
@@ -35,6 +35,9 @@ class MortarOffsets {
   static std::size_t place(std::uint32_t face, const MortarPair& pair) {
     return 2 * std::size_t{face} + (pair.side < 0 ? 1 : 0);
   }
+  [[nodiscard]] bool presses_out() const { return ignore_ == 3 || ignore_ == 4; }
+  /// The share of the depth that MPAR1 leaves without force.
+  [[nodiscard]] double share_left(double time) const;
   [[nodiscard]] std::vector<double> deepest(std::span<const MortarPair> pairs) const;
 
   std::int64_t ignore_ = 2;

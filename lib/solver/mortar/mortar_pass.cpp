@@ -87,8 +87,8 @@ bool MortarPass::push_pair(MortarPair& pair, const MortarSight& sight, const Sta
   const MortarFace &tracked = surface_[pair.tracked], &other = surface_[pair.other];
   const MortarLaw law = stiffness_.law_of(pair.tracked, pair.other);
   const double h = tracked.half + other.half, release = search_.release_depth(tracked, other);
-  const double forgiven = offsets_.forgiven(pair, state.time, law), before = std::exchange(pair.forgiven, forgiven);
-  const MortarPush sum = integrate_pressure(sight, law, h, forgiven, release);
+  pair.forgiven = offsets_.forgiven(pair, state.time, law);
+  const MortarPush sum = integrate_pressure(sight, law, h, pair.forgiven, release);
   if (!(sum.push > 0)) return false;
   const Vector friction = pair.touch ? pair.touch->force.friction : Vector(Vector::Zero());
   const bool was_active = pair.touch != nullptr;
@@ -98,10 +98,9 @@ bool MortarPass::push_pair(MortarPair& pair, const MortarSight& sight, const Sta
   touch.offset = {MortarSurface::offsets(tracked, state.x), MortarSurface::offsets(other, state.x)};
   touch.area = sum.area;
   touch.stored = sum.stored;
-  // Depth that is no longer forgiven, or a stiffness that is allowed now, stores energy that nobody paid for.
-  const double paid = offsets_.grows() ? before : forgiven;
-  if (was_active && (paid != forgiven || touch.law != law))
-    pair.lost -= sum.stored - integrate_pressure(sight, touch.law, h, paid, release).stored;
+  // A stiffness that is allowed now stores energy that nobody paid for.
+  if (was_active && touch.law != law)
+    pair.lost -= sum.stored - integrate_pressure(sight, touch.law, h, pair.forgiven, release).stored;
   touch.law = law;
   touch.force.normal = -sight.sign * sight.overlap.normal;
   const LinkSpring spring = spring_of(pair, law, sum.area);
@@ -121,12 +120,18 @@ void MortarPass::advance_pair(std::uint32_t number, const State& state, double u
   pair.lost = 0;
   const double stored = pair.touch ? pair.touch->stored : 0;
   const bool was_active = pair.touch != nullptr;
-  if (was_active) pair.touch->add_work(state, pair.work);
+  // Depth that is no longer forgiven stores energy that nobody paid for: work like that of the nodes, by the same rule.
+  const double grown = offsets_.grown(pair, state.time, state.dt);
+  const auto add_step_end = [&] {
+    pair.touch->add_work(state, pair.work);
+    pair.lost -= pair.touch->force.push * grown / 2;
+  };
+  if (was_active) add_step_end();
   const MortarFace &tracked = surface_[pair.tracked], &other = surface_[pair.other];
   sight_pair(surface_, state.x, pair, search_.release_depth(tracked, other), sight);
   const bool active = push_pair(pair, sight, state);
   if (active)
-    pair.touch->add_work(state, pair.work);
+    add_step_end();
   else
     pair.touch.reset();
   if (pair.released) {
