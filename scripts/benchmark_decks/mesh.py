@@ -104,10 +104,11 @@ def history(ids):
         "".join(f"{n:10d}" for n in ids[i:i + 8]) + "\n" for i in range(0, len(ids), 8))
 
 
-def start(title, units, end, interval, scale=0.9, plots=1):
-    """Control and output cards. `scale`: TSSFAC; `plots`: states of d3plot behind the first."""
+def start(title, units, end, interval, scale=0.9, plots=1, hourglass=True):
+    """Control and output cards. `scale`: TSSFAC; `plots`: states of d3plot behind the first; `hourglass`: by stiffness,
+    otherwise as the program does it unasked."""
     return (f"*KEYWORD\n*TITLE\n{title}\n$ {units}\n*CONTROL_TERMINATION\n{end:10g}\n*CONTROL_TIMESTEP\n"
             f"       0.0{scale:10g}\n*CONTROL_ENERGY\n         2         2         2         2\n"
-            "*CONTROL_HOURGLASS\n         5       0.1\n"
+            + ("*CONTROL_HOURGLASS\n         5       0.1\n" if hourglass else "")
             + "".join(f"*DATABASE_{name}\n{interval:10g}\n" for name in ("GLSTAT", "RCFORC", "SLEOUT", "NODOUT"))
             + f"*DATABASE_NCFORC\n{end:10g}\n*DATABASE_BINARY_D3PLOT\n{end / plots:10g}\n")

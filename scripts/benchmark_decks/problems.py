@@ -3,7 +3,10 @@ from .fits import PIN, PRESS_FIT
 from .hertz import BALL, CYLINDERS
 from .plastic import BEAM
 from .punch import PUNCH
+from .ring import RING
 from .rods import BALL_IMPACT, RODS
 from .sliding import STICK_SLIP, WEDGE
+from .taylor import TAYLOR
+from .walls import WALL_ROD
 
-PROBLEMS = [BALL, CYLINDERS, PUNCH, PRESS_FIT, PIN, WEDGE, STICK_SLIP, RODS, BALL_IMPACT, BEAM]
+PROBLEMS = [BALL, CYLINDERS, PUNCH, PRESS_FIT, PIN, RING, WEDGE, STICK_SLIP, RODS, WALL_ROD, BALL_IMPACT, BEAM, TAYLOR]

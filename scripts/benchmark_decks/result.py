@@ -64,6 +64,11 @@ class Result:
                           re.MULTILINE)
         return [(float(t), tuple(map(float, force))) for t, *force in rows]
 
+    def rwforc(self, wall=1):
+        """[(time, normal force)]."""
+        rows = re.findall(rf"^ +(\S+) +{wall} +(\S+) +\S+ +\S+ +\S+$", self.read("rwforc"), re.MULTILINE)
+        return [(float(t), float(force)) for t, force in rows]
+
     def node_forces(self, state=-1):
         """Of the last state of ncforc, of all contacts."""
         blocks = self.read("ncforc").split("\n forces (t=")[1:]
@@ -94,6 +99,10 @@ class Result:
 
     def solids_of(self, part):
         return [[int(line[i:i + 8]) for i in range(16, 80, 8)] for line in self.rows_of("*ELEMENT_SOLID")
+                if int(line[8:16]) == part]
+
+    def shells_of(self, part):
+        return [[int(line[i:i + 8]) for i in range(16, 48, 8)] for line in self.rows_of("*ELEMENT_SHELL")
                 if int(line[8:16]) == part]
 
     def pressures(self, part, on_surface):
