@@ -84,6 +84,13 @@ def node_set(number, ids):
         "".join(f"{n:10d}" for n in ids[i:i + 8]) + "\n" for i in range(0, len(ids), 8))
 
 
+def segment_set(number, rows):
+    """Of the quads between the rows of nodes ids[j][i] of a face, normals along ∂/∂i × ∂/∂j."""
+    quads = [[rows[j + b][i + a] for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+             for j in range(len(rows) - 1) for i in range(len(rows[0]) - 1)]
+    return f"*SET_SEGMENT\n{number:10d}\n" + "".join("".join(f"{n:10d}" for n in quad) + "\n" for quad in quads)
+
+
 def curve(number, points):
     return f"*DEFINE_CURVE\n{number:10d}\n" + "".join(f"{x:20.10g}{y:20.10g}\n" for x, y in points)
 

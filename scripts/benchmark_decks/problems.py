@@ -1,6 +1,7 @@
 """All problems with meshes and a reference, in the order of the pages."""
 from .fits import PIN, PRESS_FIT
 from .hertz import BALL, CYLINDERS
+from .ironing import IRONING
 from .plastic import BEAM
 from .punch import PUNCH
 from .ring import RING
@@ -10,4 +11,4 @@ from .taylor import TAYLOR
 from .tube import TUBE
 from .walls import WALL_ROD
 
-PROBLEMS = [BALL, CYLINDERS, PUNCH, PRESS_FIT, PIN, RING, WEDGE, STICK_SLIP, RODS, WALL_ROD, BALL_IMPACT, BEAM, TAYLOR, TUBE]
+PROBLEMS = [BALL, CYLINDERS, PUNCH, PRESS_FIT, PIN, RING, WEDGE, STICK_SLIP, IRONING, RODS, WALL_ROD, BALL_IMPACT, BEAM, TAYLOR, TUBE]

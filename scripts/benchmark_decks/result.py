@@ -13,7 +13,7 @@ class Result:
     """A run's files. nodes: {id: rows of displacement, velocity, acceleration and position} of nodout."""
 
     def __init__(self, program, deck, folder, options=()):
-        self.deck, self.folder = deck, folder / "out"
+        self.program, self.deck, self.folder = program, deck, folder / "out"
         path = folder / "deck.k"
         path.write_text(deck, encoding="ascii")
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
