@@ -10,8 +10,8 @@ PUBLISHED_LENGTH, PUBLISHED_RADIUS = 21.43, 7.22
 
 
 def quarter_disc(count):
-    """Points of a quarter of a disc, {(i, j) of a block: index}: a square of count² quads from the axis on, and two
-    blocks around it. Returns the points and the quads."""
+    """A quarter of a disc: a square of count² quads from the axis on, and two blocks around it. The points, and of each quad
+    its four points."""
     points, known, quads = [], {}, []
 
     def block(place):
@@ -79,7 +79,7 @@ calculations, as commonly quoted, in mm:
 The reference is the middle of the last row, whose meshes were refined during the run. The meshes have 2, 4 and 8 bricks over the
 radius and 20, 40 and 80 along. The energy ratio leaves out the work of the bulk viscosity, as LS-DYNA's does.
 """, taylor_deck, taylor_values, ("ELFORM 1", "ELFORM 2", "ELFORM -1"), column="solids", finest={"ELFORM 2": 1, "ELFORM -1": 1}, cause="""\
-All come near the published length from above: coarse meshes are too stiff for the folds of the foot. Of the radius ELFORM 1 has least on
-the coarse mesh, where its hourglass forces hold the rim back. The finest mesh is left to ELFORM 1: eight points take three times as
+All come near the published length from above: coarse meshes are too stiff for the foot to spread. ELFORM 1 has the smallest radius on the
+coarse mesh, where its hourglass forces hold the rim back. The finest mesh is left to ELFORM 1: eight points take three times as
 long. Between the published calculations themselves are 2 % in length and 4 % in radius.
 """)

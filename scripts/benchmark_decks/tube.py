@@ -104,7 +104,7 @@ nodout: t where walls lie on each other. `*CONTACT_AUTOMATIC_SINGLE_SURFACE`, SO
 """, tube_deck, tube_values, ("ELFORM 2", "ELFORM 16", "ELFORM 16, SSTHK 0", "ELFORM 16, no contact"), levels=(0, 1), column="shells", cause="""\
 With contact the mean force lies within the scatter of the formula; it does not converge to it, because where and when folds form
 depends on the mesh, and because the way ends within a fold. Self-contact keeps the walls a thickness apart within 1 %. With SSTHK = 0 a single
-surface takes at most 0.4 of the edges for the thickness, so the walls come as near as that: softer by a tenth. Without contact the folds
+surface takes at most 0.4 of the edges for the thickness, so the walls come as near as that; the force is a few percent lower. Without contact the folds
 pass through each other, and the force stays near Alexander's.
 
 Meshes with shells shorter than half of their thickness do worse, not better: with SSTHK = 1 neighbours in a sharp fold touch each other,
