@@ -277,50 +277,6 @@ shank
     return "".join(lines)
 
 
-def taylor_bar(density=1, solid=1):
-    """A copper rod of 6.4 by 32.4 mm at 227 m/s onto a frictionless wall; mm, ms, kg, kN."""
-    radius, length = 3.2, 32.4
-    flat = Mesh()
-    quads = disc_quads(flat, radius, density, 0.0)
-    layers, per_layer = round(40 * density), len(flat.nodes)
-    nodes = [(x, y, length * k / layers) for k in range(layers + 1) for x, y, _ in flat.nodes]
-    bricks = [[n + per_layer * k for n in quad] + [n + per_layer * (k + 1) for n in quad]
-              for k in range(layers) for quad in quads]
-    axis = flat.node((0.0, 0.0, 0.0))
-    rim = max(range(per_layer), key=lambda n: flat.nodes[n][0]) + 1
-    lines = [f"""*KEYWORD
-*TITLE
-Taylor bar, copper, 227 m/s
-$ mm, ms, kg, kN
-*CONTROL_TERMINATION
-    0.08
-*DATABASE_GLSTAT
-   0.001
-*DATABASE_NODOUT
-   0.001
-*DATABASE_HISTORY_NODE
-{axis:10d}{axis + per_layer * layers:10d}{rim:10d}
-*PART
-bar
-         1         1         1
-*SECTION_SOLID
-         1{solid:10d}
-*MAT_PLASTIC_KINEMATIC
-         1   8.93E-6     117.0      0.35       0.4       0.1       1.0
-
-*RIGIDWALL_PLANAR
-         0
-       0.0       0.0       0.0       0.0       0.0       1.0       0.0
-*INITIAL_VELOCITY_GENERATION
-         1         2       0.0       0.0       0.0    -227.0
-
-"""]
-    lines += ["*NODE\n"] + [f"{i:8d}{x:16.8g}{y:16.8g}{z:16.8g}\n" for i, (x, y, z) in enumerate(nodes, 1)]
-    lines += ["*ELEMENT_SOLID\n"] + [f"{i:8d}{1:8d}" + "".join(f"{n:8d}" for n in brick) + "\n"
-                                     for i, brick in enumerate(bricks, 1)]
-    return "".join(lines + ["*END\n"])
-
-
 def spot_welded_sheets(weld="beam", load="peel", solid=2):
     """Two flat sheets, three welds in a row, planes of symmetry at both ends of the row; mm, ms, kg, kN. The lower sheet
     is clamped at x = 25, the upper one pulled up there (peel) or along the sheets at x = 0 (shear)."""
@@ -413,8 +369,8 @@ $ Weak welds, so that the sheets stay elastic: NRR = 0.5 kN, NRS = NRT = 1 kN.
     return "".join(lines + ["*END\n"])
 
 
-DECKS = {"rubber_ball.k": rubber_ball, "bolted_joint.k": bolted_joint, "taylor_bar.k": taylor_bar,
-         "spot_welded_sheets.k": spot_welded_sheets}
+DECKS = {"rubber_ball.k": rubber_ball, "bolted_joint.k": bolted_joint, "spot_welded_sheets.k": spot_welded_sheets}
+
 
 def write_all(folder):
     folder.mkdir(parents=True, exist_ok=True)

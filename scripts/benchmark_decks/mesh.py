@@ -84,6 +84,13 @@ def node_set(number, ids):
         "".join(f"{n:10d}" for n in ids[i:i + 8]) + "\n" for i in range(0, len(ids), 8))
 
 
+def segment_set(number, rows):
+    """Of the quads between the rows of nodes ids[j][i] of a face, normals along ∂/∂i × ∂/∂j."""
+    quads = [[rows[j + b][i + a] for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+             for j in range(len(rows) - 1) for i in range(len(rows[0]) - 1)]
+    return f"*SET_SEGMENT\n{number:10d}\n" + "".join("".join(f"{n:10d}" for n in quad) + "\n" for quad in quads)
+
+
 def curve(number, points):
     return f"*DEFINE_CURVE\n{number:10d}\n" + "".join(f"{x:20.10g}{y:20.10g}\n" for x, y in points)
 
@@ -104,10 +111,11 @@ def history(ids):
         "".join(f"{n:10d}" for n in ids[i:i + 8]) + "\n" for i in range(0, len(ids), 8))
 
 
-def start(title, units, end, interval, scale=0.9, plots=1):
-    """Control and output cards. `scale`: TSSFAC; `plots`: states of d3plot behind the first."""
+def start(title, units, end, interval, scale=0.9, plots=1, hourglass=True):
+    """Control and output cards. `scale`: TSSFAC; `plots`: states of d3plot behind the first; `hourglass`: by stiffness,
+    otherwise as the program does it unasked."""
     return (f"*KEYWORD\n*TITLE\n{title}\n$ {units}\n*CONTROL_TERMINATION\n{end:10g}\n*CONTROL_TIMESTEP\n"
             f"       0.0{scale:10g}\n*CONTROL_ENERGY\n         2         2         2         2\n"
-            "*CONTROL_HOURGLASS\n         5       0.1\n"
+            + ("*CONTROL_HOURGLASS\n         5       0.1\n" if hourglass else "")
             + "".join(f"*DATABASE_{name}\n{interval:10g}\n" for name in ("GLSTAT", "RCFORC", "SLEOUT", "NODOUT"))
             + f"*DATABASE_NCFORC\n{end:10g}\n*DATABASE_BINARY_D3PLOT\n{end / plots:10g}\n")

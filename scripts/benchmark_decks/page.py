@@ -38,17 +38,17 @@ def by_variant(rows):
     return found
 
 
-def table(rows):
+def table(rows, column):
     names = [v.name for v in rows[0].values]
-    head = ["contact", "mesh", "elements"] + [c for n in names for c in (n, "reference", "error")] + ["energy ratio", "s"]
+    head = [column, "mesh", "elements"] + [c for n in names for c in (n, "reference", "error")] + ["energy ratio", "s"]
     lines = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
     return "\n".join(lines + [row.text() for row in rows]) + "\n"
 
 
-def orders(rows):
-    """A line for each contact: the exponent of the error over the length of the edges, between meshes."""
+def orders(rows, column):
+    """A line for each variant: the exponent of the error over the length of the edges, between meshes."""
     names = [v.name for v in rows[0].values]
-    lines = ["| contact | " + " | ".join(names) + " |", "|---|" + "---:|" * len(names)]
+    lines = [f"| {column} | " + " | ".join(names) + " |", "|---|" + "---:|" * len(names)]
     for variant, own in by_variant(rows).items():
         cells = [", ".join(order(a.values[i].error(), b.values[i].error()) for a, b in zip(own, own[1:]))
                  for i in range(len(names))]
@@ -82,9 +82,9 @@ def page(problem, rows, has_picture):
 Finest meshes: {summary(rows)}.
 
 {problem.text}
-{table(rows)}"""
+{table(rows, problem.column)}"""
     if max(len(own) for own in by_variant(rows).values()) > 1:
-        text += f"\nOrder of the error over the length of the edges, from mesh to mesh:\n\n{orders(rows)}"
+        text += f"\nOrder of the error over the length of the edges, from mesh to mesh:\n\n{orders(rows, problem.column)}"
     if has_picture:
         text += f"\n![error over the number of elements]({problem.name}.svg)\n"
     return text + (f"\n{problem.cause}" if problem.cause else "")

@@ -25,5 +25,10 @@ class Problem:
     measure: typing.Callable
     variants: tuple
     levels: tuple = (0, 1, 2)
+    column: str = "contact"  # what the variants are
     cause: str = ""
+    finest: dict = dataclasses.field(default_factory=dict)  # {variant: level}, where finer meshes take too long
     small: tuple = (0, 0)  # level and position of the variant of the deck in data/benchmarks
+
+    def levels_of(self, variant):
+        return [level for level in self.levels if level <= self.finest.get(variant, level)]

@@ -1,9 +1,14 @@
 """All problems with meshes and a reference, in the order of the pages."""
 from .fits import PIN, PRESS_FIT
 from .hertz import BALL, CYLINDERS
+from .ironing import IRONING
 from .plastic import BEAM
 from .punch import PUNCH
+from .ring import RING
 from .rods import BALL_IMPACT, RODS
 from .sliding import STICK_SLIP, WEDGE
+from .taylor import TAYLOR
+from .tube import TUBE
+from .walls import WALL_ROD
 
-PROBLEMS = [BALL, CYLINDERS, PUNCH, PRESS_FIT, PIN, WEDGE, STICK_SLIP, RODS, BALL_IMPACT, BEAM]
+PROBLEMS = [BALL, CYLINDERS, PUNCH, PRESS_FIT, PIN, RING, WEDGE, STICK_SLIP, IRONING, RODS, WALL_ROD, BALL_IMPACT, BEAM, TAYLOR, TUBE]

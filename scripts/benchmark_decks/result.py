@@ -13,7 +13,7 @@ class Result:
     """A run's files. nodes: {id: rows of displacement, velocity, acceleration and position} of nodout."""
 
     def __init__(self, program, deck, folder, options=()):
-        self.deck, self.folder = deck, folder / "out"
+        self.program, self.deck, self.folder = program, deck, folder / "out"
         path = folder / "deck.k"
         path.write_text(deck, encoding="ascii")
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
@@ -64,6 +64,11 @@ class Result:
                           re.MULTILINE)
         return [(float(t), tuple(map(float, force))) for t, *force in rows]
 
+    def rwforc(self, wall=1):
+        """[(time, normal force)]."""
+        rows = re.findall(rf"^ +(\S+) +{wall} +(\S+) +\S+ +\S+ +\S+$", self.read("rwforc"), re.MULTILINE)
+        return [(float(t), float(force)) for t, force in rows]
+
     def node_forces(self, state=-1):
         """Of the last state of ncforc, of all contacts."""
         blocks = self.read("ncforc").split("\n forces (t=")[1:]
@@ -94,6 +99,10 @@ class Result:
 
     def solids_of(self, part):
         return [[int(line[i:i + 8]) for i in range(16, 80, 8)] for line in self.rows_of("*ELEMENT_SOLID")
+                if int(line[8:16]) == part]
+
+    def shells_of(self, part):
+        return [[int(line[i:i + 8]) for i in range(16, 48, 8)] for line in self.rows_of("*ELEMENT_SHELL")
                 if int(line[8:16]) == part]
 
     def pressures(self, part, on_surface):
