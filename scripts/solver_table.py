@@ -29,6 +29,7 @@ ROWS = [
     ("shell 16: twisted beam, thick, load in its plane", "MacNeal and Harder (1985)", "FullShellCantilever.TwistedBeam", "thick_in_plane", 1),
     ("shell 16: twisted beam, thin, load out of its plane", "MacNeal and Harder (1985)", "FullShellCantilever.TwistedBeam", "thin_out_of_plane", 1),
     ("shell 16: stiffness", "slow twin in Cartesian strains", "FullShell.StiffnessOfItsTwin", None, 0),
+    ("shell 16: step of warped quads, the least of 800 random ones", "2/ω of all eigenvalues", "WarpedFrequency.NeverAboveTheExactStepAndCloseToIt", "least_share_of_the_exact_step", 1),
     ("shell 16: full turn of a warped, stressed element", "no strain", "FullShell.RigidRotationIsFree", None, 0),
     ("shell 2 with BWC, PROJ = 0: twisted beam, load in its plane", "MacNeal and Harder (1985)", "ShellWarping.TwistedBeam", "drill_in_plane", 1),
     ("shell 2 with BWC, PROJ = 1: the same, load out of its plane", "MacNeal and Harder (1985)", "ShellWarping.TwistedBeam", "full_out_of_plane", 1),

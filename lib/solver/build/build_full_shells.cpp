@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "solver/element/shell_full_frame.hpp"
+#include "solver/element/full/shell_full_frame.hpp"
 
 namespace gapcheck::solver {
 namespace {

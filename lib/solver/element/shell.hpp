@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/element/full/warped_frequency.hpp"
 #include "solver/element/hourglass.hpp"
 #include "solver/material/material.hpp"
 #include "solver/quadrature/gauss.hpp"
@@ -88,6 +89,7 @@ struct ShellState {
   HourglassModes hourglass{};   ///< generalised stresses
   HourglassModes stiffness{};   ///< of quads whose hourglass control is a stiffness; zero: there is none
   double viscous_pressure = 0;  ///< of the bulk viscosity
+  WarpedFrequency warped;       ///< of quads with four points
 };
 
 /// Internal forces on the corners (the shell pulls its nodes with the opposite) and what the step needs to know.
@@ -202,7 +204,16 @@ struct ShellShape {
   WarpShape warp = {};
 };
 
-/// Sets both time steps.
+/// Squared highest frequency: an upper bound, and the largest of the parts (in the plane, bending, transverse shear) of
+/// which it is made.
+struct ShellFrequency {
+  double bound = 0, largest = 0;
+};
+[[nodiscard]] ShellFrequency squared_frequency(const ShellProperties& properties, const ShellShape& shape);
+
+/// Sets both time steps; the stable one from that bound, or from another upper bound of the squared highest frequency.
 void set_time_steps(const ShellProperties& properties, const ShellShape& shape, ShellForces& forces);
+void set_time_steps(const ShellProperties& properties, const ShellShape& shape, double squared_frequency,
+                    ShellForces& forces);
 
 }  // namespace gapcheck::solver

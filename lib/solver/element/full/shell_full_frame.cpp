@@ -1,4 +1,4 @@
-#include "solver/element/shell_full_frame.hpp"
+#include "solver/element/full/shell_full_frame.hpp"
 
 #include <algorithm>
 
