@@ -31,6 +31,7 @@ ROWS = [
     ("shell 16: stiffness", "slow twin in Cartesian strains", "FullShell.StiffnessOfItsTwin", None, 0),
     ("shell 16: step of warped quads, the least of 800 random ones", "2/ω of all eigenvalues", "WarpedFrequency.NeverAboveTheExactStepAndCloseToIt", "least_share_of_the_exact_step", 1),
     ("shell 16: full turn of a warped, stressed element", "no strain", "FullShell.RigidRotationIsFree", None, 0),
+    ("shells 2, 10, 16 with INN: other first node, far beyond yield", "the same forces", "ShellAxes.AllOrdersOfTheCornersGiveTheSameForces", None, 0),
     ("shell 2 with BWC, PROJ = 0: twisted beam, load in its plane", "MacNeal and Harder (1985)", "ShellWarping.TwistedBeam", "drill_in_plane", 1),
     ("shell 2 with BWC, PROJ = 1: the same, load out of its plane", "MacNeal and Harder (1985)", "ShellWarping.TwistedBeam", "full_out_of_plane", 1),
     ("shell 10: bending patch of irregular quads", "no shear", "ShellWarping.SidesShearPassesTheBendingPatch", None, 0),

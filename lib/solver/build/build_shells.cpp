@@ -41,6 +41,16 @@ bool has_quads(const model::Model& model, PartIndex part) {
   return false;
 }
 
+bool has_triangles(const model::Shells& shells) {
+  return std::any_of(shells.nodes.begin(), shells.nodes.end(), [](const auto& n) { return n[2] == n[3]; });
+}
+
+/// INN of shells: ±2, and ±4 of solids too.
+ShellAxes axes_of(const model::Controls& controls) {
+  const std::int64_t inn = std::abs(controls.inn);
+  return inn == 2 || inn == 4 ? ShellAxes::invariant : ShellAxes::side;
+}
+
 void set_projection(const model::Model& model, std::int64_t elform, ShellProperties& properties) {
   properties.sides_shear = elform == belytschko_wong_chiang;
   if (model.controls.bwc != 1 && !properties.sides_shear) return;
@@ -141,6 +151,7 @@ SolverResult<ShellProperties> shell_properties(const model::Model& model, PartIn
         fmt::format("part {}: NIP of its section is {}; {} points are calculated", part.id.value, section.nip, layers));
   }
   all.shear_factor = section.shrf;
+  all.axes = axes_of(model.controls);
   set_thinning(model, index, all);
   name_formulation(model, index, section, diagnostics);
   Diagnostics of_no_effect;  // fully integrated shells have no hourglass modes
@@ -166,11 +177,11 @@ void name_element_controls(const model::Model& model, Diagnostics& diagnostics) 
       warn(controls.shell_place, "*CONTROL_SHELL: the drilling constraint of DRCPSID is not calculated");
     if (controls.bwc == 1 && controls.shell_normals == -2)
       warn(controls.shell_place, "*CONTROL_SHELL: IRNXX = -2 is calculated as -1: normals follow from the shape");
-    const bool off = controls.inn == 2 || controls.inn == 4 || controls.inn == -2 || controls.inn == -4;
-    if (off)
-      warn(
-          controls.accuracy_place,
-          "*CONTROL_ACCURACY: INN is calculated as 1 in shells: their first axis lies along the side from node 1 to 2");
+    if ((controls.inn == 2 || controls.inn == 4) && has_triangles(model.mesh.shells))
+      warn(controls.accuracy_place,
+           fmt::format("*CONTROL_ACCURACY: INN = {} is calculated as {} in triangles: their first axis lies along the "
+                       "side from node 1 to 2",
+                       controls.inn, -controls.inn));
   }
   if (controls.bulk_type == 2)
     warn(controls.bulk_place, "*CONTROL_BULK_VISCOSITY: TYPE 2 is for plane solids; it is calculated as 1");

@@ -9,6 +9,7 @@
 
 #include "solver/element/full/warped_frequency.hpp"
 #include "solver/element/hourglass.hpp"
+#include "solver/element/shell_axes.hpp"
 #include "solver/material/material.hpp"
 #include "solver/quadrature/gauss.hpp"
 
@@ -63,6 +64,9 @@ struct ShellProperties {
   bool membrane = false;     ///< ELFORM 5 and 9: neither bending nor transverse shear
   bool sorts = true;         ///< triangles are C0 triangles; false: quads with two equal corners (full ones only)
   FoldedShell folded = FoldedShell::allowed;
+  ShellAxes axes = ShellAxes::side;  ///< of quads
+  /// Triangles bend as those of Batoz (ELFORM 17, ESORT = 2), otherwise as C0 triangles.
+  bool discrete_kirchhoff = false;
 
   [[nodiscard]] double inertia(double area, double thickness) const {
     return reference == 0 ? rotational_inertia(area, thickness)
@@ -113,13 +117,6 @@ struct ShellForces {
 /// The same quad with warping stiffness (Belytschko, Wong and Chiang 1992): properties.projection says which.
 [[nodiscard]] ShellForces warped_quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                              ShellState& state, std::span<PointState> points);
-
-/// The axes of a quad with corners `x`, as columns: those of its points' stresses.
-[[nodiscard]] Matrix quad_axes(const std::array<Vector, 4>& x);
-/// The same of a triangle.
-[[nodiscard]] Matrix triangle_axes(const std::array<Vector, 4>& x);
-/// The same of a quad with 2 x 2 points.
-[[nodiscard]] Matrix full_axes(const std::array<Vector, 4>& x);
 
 /// Stiffness of the modes of a quad with undeformed corners `x` (Belytschko, Lin and Tsay, eq. 24). It stays constant,
 /// so that the stresses Q have the energy Σ Q² / (2 stiffness): a stiffness that follows the shape has none, and gives

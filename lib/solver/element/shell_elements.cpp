@@ -78,7 +78,8 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
 Matrix ShellElements::axes(std::size_t shell, const std::vector<Vector>& x) const {
   std::array<Vector, 4> places;
   for (std::size_t k = 0; k < 4; ++k) places[k] = x[nodes_[shell][k].value];
-  return full(shell) ? full_axes(places) : triangle(shell) ? triangle_axes(places) : quad_axes(places);
+  const ShellAxes kind = properties(shell).axes;
+  return full(shell) ? full_axes(places, kind) : triangle(shell) ? triangle_axes(places) : quad_axes(places, kind);
 }
 
 void ShellElements::begin_with(std::size_t shell, std::span<const PointState> points, const std::vector<Vector>& x) {

@@ -125,11 +125,11 @@ void set_full_steps(const ShellProperties& properties, const std::array<Vector, 
 
 }  // namespace
 
-Matrix full_axes(const std::array<Vector, 4>& x) {
-  const FullFrame frame = make_full_frame(x);
-  Matrix axes;
-  axes << frame.e1, frame.e2, frame.e3;
-  return axes;
+Matrix full_axes(const std::array<Vector, 4>& x, ShellAxes axes) {
+  const FullFrame frame = make_full_frame(x, axes);
+  Matrix columns;
+  columns << frame.e1, frame.e2, frame.e3;
+  return columns;
 }
 
 ShellForces full_forces(const ShellProperties& properties, const ShellCorners& corners, double dt, ShellState& state,
@@ -138,7 +138,8 @@ ShellForces full_forces(const ShellProperties& properties, const ShellCorners& c
   std::array<Vector, 4> middle_x;
   for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
   const double poisson = properties.material.poisson;
-  const FullFrame middle = make_full_frame(middle_x), end = make_full_frame(corners.x);
+  const FullFrame middle = make_full_frame(middle_x, properties.axes),
+                  end = make_full_frame(corners.x, properties.axes);
   std::array<Vector, 4> turns;
   for (std::size_t i = 0; i < 4; ++i) turns[i] = middle.local(corners.w[i]).cross(middle.normal[i]);
   const FullStrains rates =
