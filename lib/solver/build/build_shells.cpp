@@ -13,7 +13,7 @@ namespace gapcheck::solver {
 namespace {
 
 constexpr std::int64_t belytschko_wong_chiang = 10;
-/// Thin triangles, and thick ones; all are calculated as the latter.
+/// Thin triangles, of which the first is calculated as the thick one, which is second.
 constexpr std::int64_t bciz_triangle = 3, c0_triangle = 4, dkt_triangle = 17;
 
 bool in_set(const model::Model& model, std::int64_t id, PartIndex part) {
@@ -64,7 +64,7 @@ void name_formulation(const model::Model& model, PartIndex part, const model::Se
     return;
   const bool triangles = elform == bciz_triangle || elform == c0_triangle || elform == dkt_triangle;
   if (triangles && !has_quads(model, part)) {
-    if (elform != c0_triangle)
+    if (elform == bciz_triangle)
       diagnostics.warning(
           model.file(section.place), section.place.line,
           fmt::format("section {}: ELFORM {} is calculated as the C0 triangle (ELFORM 4)", section.id, elform));
@@ -158,6 +158,7 @@ SolverResult<ShellProperties> shell_properties(const model::Model& model, PartIn
   const ElementControl control =
       element_control(model, part, ElementFamily::shells, otherwise, full_shell(section) ? of_no_effect : diagnostics);
   set_viscosity(model, control, all);
+  all.discrete_kirchhoff = section.elform == dkt_triangle && !has_quads(model, index);
   if (full_shell(section)) {
     make_full(model, index, section, all, diagnostics);
   } else {

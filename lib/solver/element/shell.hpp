@@ -129,6 +129,16 @@ struct ShellForces {
 [[nodiscard]] ShellForces triangle_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                           ShellState& state, std::span<PointState> points);
 
+/// Triangle with constant membrane strain that bends as the discrete Kirchhoff triangle (Batoz, Bathe and Ho, Int. J.
+/// Numer. Meth. Engng 15, 1980): no transverse shear, three points in the plane. `points`: the layers of the first,
+/// then those of the next. Corner 3 as in triangle_forces().
+[[nodiscard]] ShellForces kirchhoff_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
+                                           ShellState& state, std::span<PointState> points);
+
+/// What such a triangle of this area stores.
+[[nodiscard]] double kirchhoff_stored_energy(const ShellProperties& properties, const ShellState& state, double area,
+                                             std::span<const PointState> points);
+
 /// Quadrilateral with 2 x 2 points in the plane (ELFORM 16): transverse shear from the middles of the sides (Bathe and
 /// Dvorkin, Int. J. Numer. Meth. Engng 21, 1985), membrane strain of five parameters (Pian and Sumihara, ibid. 20,
 /// 1984; Engelmann, Whirley and Goudreau 1989), slopes of the warped mid-surface in the membrane strain, so that no

@@ -71,8 +71,13 @@ TEST(BuildShells, Theory) {
 
 TEST(BuildShells, FormsOfTriangles) {
   EXPECT_EQ(plain("", "4", "", triangle).warnings, "");
-  EXPECT_EQ(plain("", "17", "", triangle).warnings,
-            "section 1: ELFORM 17 is calculated as the C0 triangle (ELFORM 4)\n");
+  EXPECT_EQ(plain("", "3", "", triangle).warnings, "section 1: ELFORM 3 is calculated as the C0 triangle (ELFORM 4)\n");
+  const Built kirchhoff = plain("", "17", "", triangle);
+  EXPECT_EQ(kirchhoff.warnings, "");
+  EXPECT_TRUE(kirchhoff.first().discrete_kirchhoff);
+  EXPECT_EQ(kirchhoff.structure.shells.points_in_plane(0), 3u);
+  EXPECT_FALSE(plain("", "4", "", triangle).first().discrete_kirchhoff);
+  EXPECT_EQ(plain("", "17").warnings, "section 1: ELFORM 17 is calculated as the one-point shell (ELFORM 2)\n");
   EXPECT_EQ(plain("", "4").warnings, "section 1: ELFORM 4 is calculated as the one-point shell (ELFORM 2)\n");
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "solver/element/full/shell_full_strains.hpp"
-#include "solver/element/shell.hpp"
+#include "solver/element/plate_roots.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -22,20 +22,15 @@ using Energies = Eigen::Matrix<double, motions, motions>;
 
 /// Factors on the strains whose squares add up to twice the energy per mass.
 struct Moduli {
-  double sum, difference, bending, shear, shift;
+  PlateRoots plate;
+  double bending, shear, shift;
 
-  Moduli(const ShellProperties& properties, double thickness) {
-    const Material& material = properties.material;
-    const double plate = properties.stiffest * material.plate_modulus() / material.density, nu = material.poisson;
-    // Of a material that is not isotropic no more is known than the bound of its moduli. Plies may differ in ν.
-    const bool isotropic = material.kind != MaterialKind::orthotropic && properties.layer_materials.empty();
-    const double largest = (1 + std::abs(nu)) / 2;
-    sum = std::sqrt(plate * (isotropic ? (1 + nu) / 2 : largest));
-    difference = std::sqrt(plate * (isotropic ? (1 - nu) / 2 : largest));
-    bending = thickness / std::sqrt(12);
-    shear = std::sqrt(properties.stiffest * properties.shear_factor * material.shear() / material.density);
-    shift = thickness / 2 * properties.reference;
-  }
+  Moduli(const ShellProperties& properties, double thickness)
+      : plate(properties),
+        bending(thickness / std::sqrt(12)),
+        shear(std::sqrt(properties.stiffest * properties.shear_factor * properties.material.shear() /
+                        properties.material.density)),
+        shift(thickness / 2 * properties.reference) {}
 };
 
 /// One column: what a motion strains, in roots of energy.
@@ -45,12 +40,12 @@ void set_column(const FullFrame& frame, const Moduli& moduli, const FullStrains&
   const auto put = [&](int row, const Four& value) { all.col(column).segment<4>(4 * row) = (weight * value).matrix(); };
   const PlaneTensor &e = rates.membrane, &k = rates.bending;
   const double shift = moduli.shift;
-  put(0, moduli.sum * (e.xx + e.yy - shift * (k.xx + k.yy)));
-  put(1, moduli.difference * (e.xx - e.yy - shift * (k.xx - k.yy)));
-  put(2, moduli.difference * (e.xy - shift * k.xy));
-  put(3, moduli.bending * moduli.sum * (k.xx + k.yy));
-  put(4, moduli.bending * moduli.difference * (k.xx - k.yy));
-  put(5, moduli.bending * moduli.difference * k.xy);
+  put(0, moduli.plate.sum * (e.xx + e.yy - shift * (k.xx + k.yy)));
+  put(1, moduli.plate.difference * (e.xx - e.yy - shift * (k.xx - k.yy)));
+  put(2, moduli.plate.difference * (e.xy - shift * k.xy));
+  put(3, moduli.bending * moduli.plate.sum * (k.xx + k.yy));
+  put(4, moduli.bending * moduli.plate.difference * (k.xx - k.yy));
+  put(5, moduli.bending * moduli.plate.difference * k.xy);
   put(6, moduli.shear * rates.zx);
   put(7, moduli.shear * rates.yz);
 }
