@@ -147,10 +147,10 @@ TEST_F(RunTest, PlotHoldsTheState) {
 
 // Stresses are in global axes: the same strip along y has σyy for σxx.
 TEST(Plot, StressesAreGlobal) {
-  const auto axes = shell_axes({Vector(0, 0, 0), Vector(0, 2, 0), Vector(-1, 2, 0), Vector(-1, 0, 0)});
-  EXPECT_EQ(Vector(axes.row(0)), Vector(0, 1, 0));
-  EXPECT_EQ(Vector(axes.row(1)), Vector(-1, 0, 0));
-  EXPECT_EQ(Vector(axes.row(2)), Vector(0, 0, 1));
+  const Matrix axes = quad_axes({Vector(0, 0, 0), Vector(0, 2, 0), Vector(-1, 2, 0), Vector(-1, 0, 0)});
+  EXPECT_EQ(Vector(axes.col(0)), Vector(0, 1, 0));
+  EXPECT_EQ(Vector(axes.col(1)), Vector(-1, 0, 0));
+  EXPECT_EQ(Vector(axes.col(2)), Vector(0, 0, 1));
 }
 
 TEST_F(RunTest, IntervalsWhereTheDeckGivesNone) {

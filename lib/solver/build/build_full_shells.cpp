@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "solver/element/shell_full_frame.hpp"
+#include "solver/element/full/shell_full_frame.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -55,6 +55,7 @@ void make_full(const model::Model& model, PartIndex index, const model::Section&
                Diagnostics& diagnostics) {
   properties.form = ShellForm::full;
   properties.sorts = model.controls.shell_esort != 0;
+  properties.discrete_kirchhoff = model.controls.shell_esort == sort_to_dkt;
   properties.hourglass.kind = HourglassKind::none;
   if (section.elform != full_form)
     diagnostics.warning("", 0,
@@ -62,12 +63,6 @@ void make_full(const model::Model& model, PartIndex index, const model::Section&
   if (model.rigid(index)) return;
   const model::Part& part = model.part(index);
   name_hourglass_control(model, part, diagnostics);
-  const model::Place place = model.controls.shell_place;
-  if (model.controls.shell_esort == sort_to_dkt)
-    diagnostics.warning(model.file(place), place.line,
-                        fmt::format("part {}: triangles are calculated as C0 triangles (ESORT 1), not as DKT triangles "
-                                    "(ESORT 2)",
-                                    part.id.value));
 }
 
 SolverStatus check_full_shell(const model::Model& model, const model::Shells& shells, std::uint32_t i,
@@ -82,7 +77,7 @@ SolverStatus check_full_shell(const model::Model& model, const model::Shells& sh
     return Failure{
         Failure::Kind::contradiction,
         fmt::format("*CONTROL_SHELL: ESORT is {}, with which triangle {} cannot be calculated; set 0 (quad with "
-                    "two equal corners) or 1 (C0 triangle)",
+                    "two equal corners), 1 (C0 triangle) or 2 (DKT triangle)",
                     esort, shells.id[i]),
         model.controls.shell_place};
   if (!triangle && !(make_full_frame(x).determinant > 0).all())

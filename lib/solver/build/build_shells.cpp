@@ -13,7 +13,7 @@ namespace gapcheck::solver {
 namespace {
 
 constexpr std::int64_t belytschko_wong_chiang = 10;
-/// Thin triangles, and thick ones; all are calculated as the latter.
+/// Thin triangles, of which the first is calculated as the thick one, which is second.
 constexpr std::int64_t bciz_triangle = 3, c0_triangle = 4, dkt_triangle = 17;
 
 bool in_set(const model::Model& model, std::int64_t id, PartIndex part) {
@@ -41,6 +41,16 @@ bool has_quads(const model::Model& model, PartIndex part) {
   return false;
 }
 
+bool has_triangles(const model::Shells& shells) {
+  return std::any_of(shells.nodes.begin(), shells.nodes.end(), [](const auto& n) { return n[2] == n[3]; });
+}
+
+/// INN of shells: ±2, and ±4 of solids too.
+ShellAxes axes_of(const model::Controls& controls) {
+  const std::int64_t inn = std::abs(controls.inn);
+  return inn == 2 || inn == 4 ? ShellAxes::invariant : ShellAxes::side;
+}
+
 void set_projection(const model::Model& model, std::int64_t elform, ShellProperties& properties) {
   properties.sides_shear = elform == belytschko_wong_chiang;
   if (model.controls.bwc != 1 && !properties.sides_shear) return;
@@ -54,7 +64,7 @@ void name_formulation(const model::Model& model, PartIndex part, const model::Se
     return;
   const bool triangles = elform == bciz_triangle || elform == c0_triangle || elform == dkt_triangle;
   if (triangles && !has_quads(model, part)) {
-    if (elform != c0_triangle)
+    if (elform == bciz_triangle)
       diagnostics.warning(
           model.file(section.place), section.place.line,
           fmt::format("section {}: ELFORM {} is calculated as the C0 triangle (ELFORM 4)", section.id, elform));
@@ -141,12 +151,14 @@ SolverResult<ShellProperties> shell_properties(const model::Model& model, PartIn
         fmt::format("part {}: NIP of its section is {}; {} points are calculated", part.id.value, section.nip, layers));
   }
   all.shear_factor = section.shrf;
+  all.axes = axes_of(model.controls);
   set_thinning(model, index, all);
   name_formulation(model, index, section, diagnostics);
   Diagnostics of_no_effect;  // fully integrated shells have no hourglass modes
   const ElementControl control =
       element_control(model, part, ElementFamily::shells, otherwise, full_shell(section) ? of_no_effect : diagnostics);
   set_viscosity(model, control, all);
+  all.discrete_kirchhoff = section.elform == dkt_triangle && !has_quads(model, index);
   if (full_shell(section)) {
     make_full(model, index, section, all, diagnostics);
   } else {
@@ -166,11 +178,11 @@ void name_element_controls(const model::Model& model, Diagnostics& diagnostics) 
       warn(controls.shell_place, "*CONTROL_SHELL: the drilling constraint of DRCPSID is not calculated");
     if (controls.bwc == 1 && controls.shell_normals == -2)
       warn(controls.shell_place, "*CONTROL_SHELL: IRNXX = -2 is calculated as -1: normals follow from the shape");
-    const bool off = controls.inn == 2 || controls.inn == 4 || controls.inn == -2 || controls.inn == -4;
-    if (off)
-      warn(
-          controls.accuracy_place,
-          "*CONTROL_ACCURACY: INN is calculated as 1 in shells: their first axis lies along the side from node 1 to 2");
+    if ((controls.inn == 2 || controls.inn == 4) && has_triangles(model.mesh.shells))
+      warn(controls.accuracy_place,
+           fmt::format("*CONTROL_ACCURACY: INN = {} is calculated as {} in triangles: their first axis lies along the "
+                       "side from node 1 to 2",
+                       controls.inn, -controls.inn));
   }
   if (controls.bulk_type == 2)
     warn(controls.bulk_place, "*CONTROL_BULK_VISCOSITY: TYPE 2 is for plane solids; it is calculated as 1");

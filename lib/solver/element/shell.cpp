@@ -1,5 +1,6 @@
 #include "solver/element/shell.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/quad.hpp"
@@ -15,6 +16,39 @@ bool is_folded(const std::array<Vector, 4>& x) {
   }
   return false;
 }
+
+namespace {
+
+/// The part of a step's plastic work that transverse shear did: its work less what it stores more than before.
+double transverse_plastic_work(const Material& material, const Symmetric& increment, const PointState& before,
+                               const PointState& after) {
+  const auto stored = [&](PointState point) {
+    for (const std::size_t in_plane : {xx, yy, zz, xy}) point.stress[in_plane] = point.back_stress[in_plane] = 0;
+    return elastic_energy(material, point);
+  };
+  double work = 0;
+  for (const std::size_t c : {yz, zx}) work += (before.stress[c] + after.stress[c]) * increment[c];
+  return work - (stored(after) - stored(before));
+}
+
+/// Updates a point; returns its strain through the thickness. `plastic_work`: gets that of the step with the shear
+/// factor on transverse shear, which the resultants have too.
+double update_layer(const Material& material, const Symmetric& increment, double dt, double shear_factor,
+                    PointState& point, double& plastic_work) {
+  const double worked = point.plastic_work, damage = point.damage;
+  const Symmetric stress = point.stress, back_stress = point.back_stress;
+  const double through = update_plane_stress(material, increment, dt, point);
+  plastic_work = point.plastic_work - worked;
+  if (shear_factor == 1 || plastic_work == 0 || point.failed) return through;
+  PointState before = point;
+  before.stress = stress;
+  before.back_stress = back_stress;
+  before.damage = damage;
+  plastic_work -= (1 - shear_factor) * transverse_plastic_work(material, increment, before, point);
+  return through;
+}
+
+}  // namespace
 
 ShellResultants integrate_layers(const ShellProperties& properties, const ShellStrain& whole, double dt,
                                  double& thickness, std::span<PointState> points) {
@@ -34,17 +68,13 @@ ShellResultants integrate_layers(const ShellProperties& properties, const ShellS
                                 strain.xy + z * strain.bend_xy,
                                 strain.yz,
                                 strain.zx};
-      const double before = points[i].plastic_work;
-      if (properties.thins_by_flow) {
-        // Without the elastic strain −ν/E (σxx + σyy).
-        const double mean = points[i].stress[xx] + points[i].stress[yy];
-        const double across = update_plane_stress(material, increment, dt, points[i]);
-        const double grown = points[i].stress[xx] + points[i].stress[yy] - mean;
-        through += weight / 2 * (across + material.poisson / material.young * grown);
-      } else {
-        through += weight / 2 * update_plane_stress(material, increment, dt, points[i]);
-      }
-      sum.plastic_work += half * weight * (points[i].plastic_work - before);
+      const double mean = points[i].stress[xx] + points[i].stress[yy];
+      double flowed = 0;
+      double across = update_layer(material, increment, dt, properties.shear_factor, points[i], flowed);
+      if (properties.thins_by_flow)  // without the elastic strain −ν/E (σxx + σyy)
+        across += material.poisson / material.young * (points[i].stress[xx] + points[i].stress[yy] - mean);
+      through += weight / 2 * across;
+      sum.plastic_work += half * weight * flowed;
     }
     const Symmetric& stress = points[i].stress;
     const double share = half * weight, lever = share * z;
@@ -112,10 +142,9 @@ double coupled(double membrane, double across, double by_plane, double by_deflec
 
 }  // namespace
 
-void set_time_steps(const ShellProperties& properties, const ShellShape& shape, ShellForces& forces) {
+ShellFrequency squared_frequency(const ShellProperties& properties, const ShellShape& shape) {
   const Material& material = properties.material;
   const double squared_speed = material.plate_modulus() / material.density;
-  forces.manual_step = std::sqrt(shape.squared_length / squared_speed);
   // The strain energy is at most plate (1 + |ν|) |∇u|²; each corner has 1 / corners of the mass. Bending and transverse
   // shear share the rotations, so their bounds add up.
   const double membrane = properties.stiffest * squared_speed * (1 + std::abs(material.poisson)) * shape.gradient;
@@ -137,7 +166,15 @@ void set_time_steps(const ShellProperties& properties, const ShellShape& shape, 
     in_plane = membrane * (1 + squared_thickness * reference * reference / 4 / inertia) + bending;
     across = in_plane + transverse;
   }
-  forces.stable_step = 2 / std::sqrt(shape.corners * coupled(in_plane, across, by_plane, by_deflection));
+  return {shape.corners * coupled(in_plane, across, by_plane, by_deflection),
+          shape.corners * std::max({membrane, bending, transverse})};
+}
+
+void set_time_steps(const ShellProperties& properties, const ShellShape& shape, double squared_frequency,
+                    ShellForces& forces) {
+  const Material& material = properties.material;
+  forces.manual_step = std::sqrt(shape.squared_length * material.density / material.plate_modulus());
+  forces.stable_step = 2 / std::sqrt(squared_frequency);
   if (forces.damping_speed > 0) {
     // As in solids: ρ l Q per rate of the area where the stiffness gives E / 2 (1 − ν) per strain of it.
     const double stiffness = material.plate_modulus() * (1 + material.poisson) / 2;
@@ -145,6 +182,10 @@ void set_time_steps(const ShellProperties& properties, const ShellShape& shape, 
         material.density * std::sqrt(shape.area) * forces.damping_speed / (stiffness * forces.stable_step);
     forces.stable_step *= std::sqrt(1 + fraction * fraction) - fraction;
   }
+}
+
+void set_time_steps(const ShellProperties& properties, const ShellShape& shape, ShellForces& forces) {
+  set_time_steps(properties, shape, squared_frequency(properties, shape).bound, forces);
 }
 
 }  // namespace gapcheck::solver

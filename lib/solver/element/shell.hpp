@@ -7,7 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "solver/element/full/warped_frequency.hpp"
 #include "solver/element/hourglass.hpp"
+#include "solver/element/shell_axes.hpp"
 #include "solver/material/material.hpp"
 #include "solver/quadrature/gauss.hpp"
 
@@ -62,6 +64,9 @@ struct ShellProperties {
   bool membrane = false;     ///< ELFORM 5 and 9: neither bending nor transverse shear
   bool sorts = true;         ///< triangles are C0 triangles; false: quads with two equal corners (full ones only)
   FoldedShell folded = FoldedShell::allowed;
+  ShellAxes axes = ShellAxes::side;  ///< of quads
+  /// Triangles bend as those of Batoz (ELFORM 17, ESORT = 2), otherwise as C0 triangles.
+  bool discrete_kirchhoff = false;
 
   [[nodiscard]] double inertia(double area, double thickness) const {
     return reference == 0 ? rotational_inertia(area, thickness)
@@ -88,6 +93,7 @@ struct ShellState {
   HourglassModes hourglass{};   ///< generalised stresses
   HourglassModes stiffness{};   ///< of quads whose hourglass control is a stiffness; zero: there is none
   double viscous_pressure = 0;  ///< of the bulk viscosity
+  WarpedFrequency warped;       ///< of quads with four points
 };
 
 /// Internal forces on the corners (the shell pulls its nodes with the opposite) and what the step needs to know.
@@ -112,13 +118,6 @@ struct ShellForces {
 [[nodiscard]] ShellForces warped_quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                              ShellState& state, std::span<PointState> points);
 
-/// The axes of a quad with corners `x`, as columns: those of its points' stresses.
-[[nodiscard]] Matrix quad_axes(const std::array<Vector, 4>& x);
-/// The same of a triangle.
-[[nodiscard]] Matrix triangle_axes(const std::array<Vector, 4>& x);
-/// The same of a quad with 2 x 2 points.
-[[nodiscard]] Matrix full_axes(const std::array<Vector, 4>& x);
-
 /// Stiffness of the modes of a quad with undeformed corners `x` (Belytschko, Lin and Tsay, eq. 24). It stays constant,
 /// so that the stresses Q have the energy Σ Q² / (2 stiffness): a stiffness that follows the shape has none, and gives
 /// back more or less than it takes.
@@ -129,6 +128,16 @@ struct ShellForces {
 /// along its sides (after Kennedy, Belytschko and Lin 1986). Corner 3 repeats corner 2 and gets no force.
 [[nodiscard]] ShellForces triangle_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                           ShellState& state, std::span<PointState> points);
+
+/// Triangle with constant membrane strain that bends as the discrete Kirchhoff triangle (Batoz, Bathe and Ho, Int. J.
+/// Numer. Meth. Engng 15, 1980): no transverse shear, three points in the plane. `points`: the layers of the first,
+/// then those of the next. Corner 3 as in triangle_forces().
+[[nodiscard]] ShellForces kirchhoff_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
+                                           ShellState& state, std::span<PointState> points);
+
+/// What such a triangle of this area stores.
+[[nodiscard]] double kirchhoff_stored_energy(const ShellProperties& properties, const ShellState& state, double area,
+                                             std::span<const PointState> points);
 
 /// Quadrilateral with 2 x 2 points in the plane (ELFORM 16): transverse shear from the middles of the sides (Bathe and
 /// Dvorkin, Int. J. Numer. Meth. Engng 21, 1985), membrane strain of five parameters (Pian and Sumihara, ibid. 20,
@@ -202,7 +211,16 @@ struct ShellShape {
   WarpShape warp = {};
 };
 
-/// Sets both time steps.
+/// Squared highest frequency: an upper bound, and the largest of the parts (in the plane, bending, transverse shear) of
+/// which it is made.
+struct ShellFrequency {
+  double bound = 0, largest = 0;
+};
+[[nodiscard]] ShellFrequency squared_frequency(const ShellProperties& properties, const ShellShape& shape);
+
+/// Sets both time steps; the stable one from that bound, or from another upper bound of the squared highest frequency.
 void set_time_steps(const ShellProperties& properties, const ShellShape& shape, ShellForces& forces);
+void set_time_steps(const ShellProperties& properties, const ShellShape& shape, double squared_frequency,
+                    ShellForces& forces);
 
 }  // namespace gapcheck::solver

@@ -30,7 +30,7 @@ ShellForces ShellElements::at_rest(std::size_t shell, const std::vector<Vector>&
   }
   const ShellProperties& properties = properties_[which_[shell]];
   ShellState state = state_[shell];
-  std::vector<PointState> points((full(shell) ? 4 : 1) * properties.layers.size());
+  std::vector<PointState> points(points_in_plane(shell) * properties.layers.size());
   return forces(shell, corners, 0, state, points);
 }
 
@@ -38,7 +38,8 @@ ShellForces ShellElements::forces(std::size_t shell, const ShellCorners& corners
                                   std::span<PointState> points) const {
   const ShellProperties& own = properties(shell);
   const auto quad = own.projection == ShellProjection::none ? quad_forces : warped_quad_forces;
-  const auto kernel = full(shell) ? full_forces : triangle(shell) ? triangle_forces : quad;
+  const auto bent = own.discrete_kirchhoff ? kirchhoff_forces : triangle_forces;
+  const auto kernel = full(shell) ? full_forces : triangle(shell) ? bent : quad;
   return kernel(own, corners, dt, state, points);
 }
 
@@ -71,14 +72,15 @@ double ShellElements::add(const std::array<NodeIndex, 4>& nodes, std::uint32_t p
     state.mass[nodes[i].value] += share;
     state.inertia[nodes[i].value] += share * properties_[properties].inertia(area, thickness);
   }
-  first_point_.push_back(first_point_.back() + (full(size() - 1) ? 4 : 1) * properties_[properties].layers.size());
+  first_point_.push_back(first_point_.back() + points_in_plane(size() - 1) * properties_[properties].layers.size());
   return (factor - 1) * mass;
 }
 
 Matrix ShellElements::axes(std::size_t shell, const std::vector<Vector>& x) const {
   std::array<Vector, 4> places;
   for (std::size_t k = 0; k < 4; ++k) places[k] = x[nodes_[shell][k].value];
-  return full(shell) ? full_axes(places) : triangle(shell) ? triangle_axes(places) : quad_axes(places);
+  const ShellAxes kind = properties(shell).axes;
+  return full(shell) ? full_axes(places, kind) : triangle(shell) ? triangle_axes(places) : quad_axes(places, kind);
 }
 
 void ShellElements::begin_with(std::size_t shell, std::span<const PointState> points, const std::vector<Vector>& x) {
@@ -177,7 +179,8 @@ double ShellElements::stored(std::size_t shell, const std::vector<Vector>& x) co
     for (std::size_t k = 0; k < 4; ++k) corners[k] = x[nodes_[shell][k].value];
     return full_stored_energy(properties(shell), state_[shell], corners, points(shell));
   }
-  return stored_energy(properties(shell), state_[shell], quad_normal(nodes_[shell], x).norm() / 2, points(shell));
+  const auto stored = kirchhoff(shell) ? kirchhoff_stored_energy : stored_energy;
+  return stored(properties(shell), state_[shell], quad_normal(nodes_[shell], x).norm() / 2, points(shell));
 }
 
 void ShellElements::watch_steps(const MassScaling& scaling, const State& state) {

@@ -31,8 +31,10 @@ class ShellElements {
   void set_axis(double angle) { state_.back().axis = angle; }
   /// The axes of a shell with all nodes at `x`, as columns: those of its points' stresses.
   [[nodiscard]] Matrix axes(std::size_t shell, const std::vector<Vector>& x) const;
-  /// 1, or 4 of shells with four points in the plane.
-  [[nodiscard]] std::size_t points_in_plane(std::size_t shell) const { return full(shell) ? 4 : 1; }
+  /// 1; 4 of shells with four points in the plane, 3 of triangles after Batoz.
+  [[nodiscard]] std::size_t points_in_plane(std::size_t shell) const {
+    return full(shell) ? 4 : kirchhoff(shell) ? 3 : 1;
+  }
   /// What a shell begins with instead of nothing: all its points, with all nodes at `x`. Between the last add() and
   /// finish().
   void begin_with(std::size_t shell, std::span<const PointState> points, const std::vector<Vector>& x);
@@ -87,6 +89,9 @@ class ShellElements {
   [[nodiscard]] bool full(std::size_t shell) const {
     const ShellProperties& own = properties(shell);
     return own.form == ShellForm::full && !(own.sorts && triangle(shell));
+  }
+  [[nodiscard]] bool kirchhoff(std::size_t shell) const {
+    return triangle(shell) && !full(shell) && properties(shell).discrete_kirchhoff;
   }
   [[nodiscard]] ShellForces forces(std::size_t shell, const ShellCorners& corners, double dt, ShellState& state,
                                    std::span<PointState> points) const;

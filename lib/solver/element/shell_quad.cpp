@@ -32,10 +32,14 @@ struct BothVectors {
 };
 
 BothVectors operator-(const BothVectors& a, const BothVectors& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+BothVectors operator+(const BothVectors& a, const BothVectors& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 BothVectors operator*(const Both& f, const BothVectors& a) { return {f * a.x, f * a.y, f * a.z}; }
 
+BothVectors unit_of(const BothVectors& a) { return Both(1 / a.dot(a).sqrt()) * a; }
+
 /// The frames in the middle and at the end of the step.
-std::array<QuadFrame, 2> make_frames(const std::array<Vector, 4>& middle, const std::array<Vector, 4>& end) {
+std::array<QuadFrame, 2> make_frames(const std::array<Vector, 4>& middle, const std::array<Vector, 4>& end,
+                                     ShellAxes axes) {
   const auto difference = [&](std::size_t i, std::size_t j) {
     return BothVectors(middle[i] - middle[j], end[i] - end[j]);
   };
@@ -46,6 +50,7 @@ std::array<QuadFrame, 2> make_frames(const std::array<Vector, 4>& middle, const 
   BothVectors along = side - Both(side.dot(normal) * inverse_square) * normal;
   // Coincident corners 1 and 2 give no direction: the diagonal does.
   if (!(along.dot(along) > 0).all()) along = d31;
+  if (axes == ShellAxes::invariant) along = invariant_direction(d31 - d42, d31 + d42);
   const Both inverse = twice_area * inverse_square;
   const BothVectors e3 = inverse * normal, e1 = Both(1 / along.dot(along).sqrt()) * along, e2 = e3.cross(e1);
   const Both bx1 = -d42.dot(e2) * inverse, bx2 = d31.dot(e2) * inverse;
@@ -306,17 +311,17 @@ void finish(const ShellProperties& properties, const std::array<Vector, 4>& x, c
 
 }  // namespace
 
-Matrix quad_axes(const std::array<Vector, 4>& x) {
-  const QuadFrame frame = make_frames(x, x)[0];
-  Matrix axes;
-  axes << frame.e1, frame.e2, frame.e3;
-  return axes;
+Matrix quad_axes(const std::array<Vector, 4>& x, ShellAxes axes) {
+  const QuadFrame frame = make_frames(x, x, axes)[0];
+  Matrix columns;
+  columns << frame.e1, frame.e2, frame.e3;
+  return columns;
 }
 
 HourglassModes hourglass_stiffness(const ShellProperties& properties, const std::array<Vector, 4>& x,
                                    double thickness) {
   if (properties.hourglass.kind != HourglassKind::stiffness) return {};
-  const QuadFrame frame = make_frames(x, x)[0];
+  const QuadFrame frame = make_frames(x, x, properties.axes)[0];
   const Material& material = properties.material;
   const double squared_gradient =
       2 * (frame.bx1 * frame.bx1 + frame.bx2 * frame.bx2 + frame.by1 * frame.by1 + frame.by2 * frame.by2);
@@ -335,7 +340,7 @@ ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& c
   ShellForces out;
   std::array<Vector, 4> middle_x;
   for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
-  const auto [middle, end] = make_frames(middle_x, corners.x);
+  const auto [middle, end] = make_frames(middle_x, corners.x, properties.axes);
   const Field v = field_of(middle, corners.v), w = field_of(middle, corners.w);
   out.hourglass_work = update_hourglass(properties, middle, hourglass_rates(middle, v, w), dt, state);
   const ShellStrain strain = strain_of(middle, v, w, corners.w, dt);
@@ -351,7 +356,7 @@ ShellForces warped_quad_forces(const ShellProperties& properties, const ShellCor
   ShellForces out;
   std::array<Vector, 4> middle_x;
   for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
-  const auto [middle, end] = make_frames(middle_x, corners.x);
+  const auto [middle, end] = make_frames(middle_x, corners.x, properties.axes);
   const bool full = properties.projection == ShellProjection::full;
   const ShellWarping before(middle_x, middle.e1, middle.e2, middle.area, full),
       after(corners.x, end.e1, end.e2, end.area, full);

@@ -1,18 +1,9 @@
 #include "solver/element/shell.hpp"
+#include "solver/element/triangle_frame.hpp"
 
 namespace gapcheck::solver {
-namespace {
 
-/// Axes, and the sides 1→2, 2→3, 3→1 in them.
-struct TriangleFrame {
-  Vector e1, e2, e3;
-  double area;
-  std::array<double, 3> side_x, side_y;
-  std::array<double, 3> bx, by;            ///< ∂N/∂x of the corners
-  std::array<double, 3> shear_x, shear_y;  ///< share of each side's shear (times its length) in the element's
-};
-
-TriangleFrame make_frame(const std::array<Vector, 4>& x) {
+TriangleFrame make_triangle_frame(const std::array<Vector, 4>& x) {
   TriangleFrame frame;
   const Vector normal = (x[1] - x[0]).cross(x[2] - x[0]);
   const double twice_area = normal.norm();
@@ -36,15 +27,10 @@ TriangleFrame make_frame(const std::array<Vector, 4>& x) {
   return frame;
 }
 
-/// Vectors at the corners in the frame.
-std::array<Vector, 3> local(const TriangleFrame& frame, const std::array<Vector, 4>& v) {
-  std::array<Vector, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = {v[i].dot(frame.e1), v[i].dot(frame.e2), v[i].dot(frame.e3)};
-  return result;
-}
+namespace {
 
 ShellStrain strain_of(const TriangleFrame& frame, const ShellCorners& corners, double dt) {
-  const std::array<Vector, 3> v = local(frame, corners.v), w = local(frame, corners.w);
+  const std::array<Vector, 3> v = frame.local(corners.v), w = frame.local(corners.w);
   ShellStrain strain;
   for (std::size_t i = 0; i < 3; ++i) {
     const double bx = dt * frame.bx[i], by = dt * frame.by[i];
@@ -81,8 +67,8 @@ void spread(const TriangleFrame& frame, const ShellResultants& n, ShellForces& o
     moment[next] += twist;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    out.force[i] = force[i].x() * frame.e1 + force[i].y() * frame.e2 + force[i].z() * frame.e3;
-    out.moment[i] = moment[i].x() * frame.e1 + moment[i].y() * frame.e2;
+    out.force[i] = frame.global(force[i]);
+    out.moment[i] = frame.global(moment[i]);
   }
   out.force[3] = out.moment[3] = Vector::Zero();
 }
@@ -101,7 +87,7 @@ void set_steps(const ShellProperties& properties, const TriangleFrame& frame, do
       shear.add(half * (frame.shear_x[i] * side[i] + frame.shear_x[last] * side[last]),
                 half * (frame.shear_y[i] * side[i] + frame.shear_y[last] * side[last]));
     }
-    squared_side = std::max(squared_side, frame.side_x[i] * frame.side_x[i] + frame.side_y[i] * frame.side_y[i]);
+    squared_side = std::max(squared_side, frame.squared_side(i));
   }
   const double squared_length = 4 * frame.area * frame.area / squared_side;
   set_time_steps(properties, {3, frame.area, thickness, squared_length, gradient.largest(), shear.largest()}, out);
@@ -110,7 +96,7 @@ void set_steps(const ShellProperties& properties, const TriangleFrame& frame, do
 }  // namespace
 
 Matrix triangle_axes(const std::array<Vector, 4>& x) {
-  const TriangleFrame frame = make_frame(x);
+  const TriangleFrame frame = make_triangle_frame(x);
   Matrix axes;
   axes << frame.e1, frame.e2, frame.e3;
   return axes;
@@ -121,7 +107,7 @@ ShellForces triangle_forces(const ShellProperties& properties, const ShellCorner
   ShellForces out;
   std::array<Vector, 4> middle_x;
   for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
-  const TriangleFrame middle = make_frame(middle_x), end = make_frame(corners.x);
+  const TriangleFrame middle = make_triangle_frame(middle_x), end = make_triangle_frame(corners.x);
   const ShellStrain strain = strain_of(middle, corners, dt);
   ShellResultants resultants = integrate_layers(properties, strain, dt, state.thickness, points);
   if (properties.viscosity.on())

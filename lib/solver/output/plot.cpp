@@ -110,10 +110,9 @@ std::array<double, 8> resultants(const ShellProperties& properties, std::span<co
 void shell_values(const Structure& structure, std::size_t shell, results::D3plotState& plot) {
   const ShellElements& shells = structure.shells;
   const std::size_t place = shells.origin(shell);
-  std::array<Vector, 4> x;
-  for (std::size_t k = 0; k < 4; ++k) x[k] = structure.state.x[shells.nodes(shell)[k].value];
-  const double area = quad_normal(x).norm() / 2, thickness = shells.state(shell).thickness;
-  const Matrix to_global = shell_axes(x).transpose();
+  const double area = quad_normal(shells.nodes(shell), structure.state.x).norm() / 2,
+               thickness = shells.state(shell).thickness;
+  const Matrix to_global = shells.axes(shell, structure.state.x);
   const std::vector<PointState> points = layer_means(shells.points(shell), shells.properties(shell).layers.size());
   results::StressPoint* layers = &plot.shell_points[place * plot.layers];
   layers[0] = global_point(middle(points), to_global);
@@ -145,16 +144,6 @@ bool failed(const BeamElements& beams, std::size_t i) { return beams.failed(i); 
 bool failed(const ThickShellElements& shells, std::size_t i) { return shells.failed(i); }
 
 }  // namespace
-
-Matrix shell_axes(const std::array<Vector, 4>& x) {
-  const Vector normal = quad_normal(x).normalized();
-  const Vector side = x[1] - x[0];
-  Matrix axes;
-  axes.row(2) = normal;
-  axes.row(0) = (side - side.dot(normal) * normal).normalized();
-  axes.row(1) = normal.cross(Vector(axes.row(0)));
-  return axes;
-}
 
 std::vector<PartEnergy> part_energies(const model::Model& model, const Structure& structure) {
   std::vector<PartEnergy> parts(model.parts.size());

@@ -37,7 +37,4 @@ struct PartEnergy {
 [[nodiscard]] results::D3plotState plot_state(const model::Model& model, const Structure& structure,
                                               const contact::ElementSizes& sizes, std::span<const PartMotion> motion);
 
-/// Axes of a shell's layers as rows: the third is normal to both diagonals, the first lies along side 1-2.
-[[nodiscard]] Matrix shell_axes(const std::array<Vector, 4>& x);
-
 }  // namespace gapcheck::solver

@@ -86,7 +86,7 @@ double ThickShellElements::stored(std::size_t shell, const std::vector<Vector>& 
 }
 
 Matrix ThickShellElements::axes(std::size_t shell, const std::vector<Vector>& x) const {
-  return quad_axes(mid_surface(places(shell, x)));
+  return quad_axes(mid_surface(places(shell, x)), properties(shell).axes);
 }
 
 Summary ThickShellElements::update(const State& state) {

@@ -47,9 +47,11 @@ TEST(BuildFullShells, EsortDecidesOnTriangles) {
   EXPECT_EQ(sorted(0).points(1), 12u);
   EXPECT_EQ(sorted(1).points(1), 3u);
   EXPECT_EQ(sorted(1).warnings, "");
-  EXPECT_EQ(sorted(2).points(1), 3u);
-  EXPECT_EQ(sorted(2).warnings,
-            "part 1: triangles are calculated as C0 triangles (ESORT 1), not as DKT triangles (ESORT 2)\n");
+  EXPECT_FALSE(sorted(1).structure.shells.properties(1).discrete_kirchhoff);
+  EXPECT_EQ(sorted(2).points(0), 12u);
+  EXPECT_EQ(sorted(2).points(1), 9u) << "a DKT triangle";
+  EXPECT_EQ(sorted(2).structure.shells.points_in_plane(1), 3u);
+  EXPECT_EQ(sorted(2).warnings, "");
   EXPECT_EQ(Deck(2).points(1), 3u) << "one-point shells: always a C0 triangle";
 }
 
@@ -60,7 +62,7 @@ TEST(BuildFullShells, AbsurdEsortEndsTheRun) {
     EXPECT_EQ(
         failure.message,
         fmt::format("*CONTROL_SHELL: ESORT is {}, with which triangle 2 cannot be calculated; set 0 (quad with two "
-                    "equal corners) or 1 (C0 triangle)",
+                    "equal corners), 1 (C0 triangle) or 2 (DKT triangle)",
                     esort));
     EXPECT_GT(failure.place.line, 0u);
   }

@@ -55,6 +55,13 @@ TEST(BuildShells, WarpingStiffness) {
   EXPECT_FALSE(plain("*CONTROL_SHELL\n20.,1,-1,0,2,1\n").first().sides_shear);
 }
 
+TEST(BuildShells, Axes) {
+  for (const char* inn : {"", "1", "3"})
+    EXPECT_EQ(plain(std::string("*CONTROL_ACCURACY\n1,") + inn + "\n").first().axes, ShellAxes::side) << inn;
+  for (const char* inn : {"2", "4", "-2", "-4"})
+    EXPECT_EQ(plain(std::string("*CONTROL_ACCURACY\n1,") + inn + "\n").first().axes, ShellAxes::invariant) << inn;
+}
+
 // ELFORM of sections that give none.
 TEST(BuildShells, Theory) {
   EXPECT_EQ(plain("*CONTROL_SHELL\n20.,1,-1,0,16\n", "").first().form, ShellForm::full);
@@ -64,8 +71,13 @@ TEST(BuildShells, Theory) {
 
 TEST(BuildShells, FormsOfTriangles) {
   EXPECT_EQ(plain("", "4", "", triangle).warnings, "");
-  EXPECT_EQ(plain("", "17", "", triangle).warnings,
-            "section 1: ELFORM 17 is calculated as the C0 triangle (ELFORM 4)\n");
+  EXPECT_EQ(plain("", "3", "", triangle).warnings, "section 1: ELFORM 3 is calculated as the C0 triangle (ELFORM 4)\n");
+  const Built kirchhoff = plain("", "17", "", triangle);
+  EXPECT_EQ(kirchhoff.warnings, "");
+  EXPECT_TRUE(kirchhoff.first().discrete_kirchhoff);
+  EXPECT_EQ(kirchhoff.structure.shells.points_in_plane(0), 3u);
+  EXPECT_FALSE(plain("", "4", "", triangle).first().discrete_kirchhoff);
+  EXPECT_EQ(plain("", "17").warnings, "section 1: ELFORM 17 is calculated as the one-point shell (ELFORM 2)\n");
   EXPECT_EQ(plain("", "4").warnings, "section 1: ELFORM 4 is calculated as the one-point shell (ELFORM 2)\n");
 }
 
@@ -145,9 +157,11 @@ TEST(BuildShells, PliesThatAreNotCalculated) {
 }
 
 TEST(BuildShells, ControlsWithoutEffectAreNamed) {
-  EXPECT_EQ(
-      plain("*CONTROL_ACCURACY\n1,4\n").warnings,
-      "*CONTROL_ACCURACY: INN is calculated as 1 in shells: their first axis lies along the side from node 1 to 2\n");
+  EXPECT_EQ(plain("*CONTROL_ACCURACY\n1,4\n").warnings, "");
+  EXPECT_EQ(plain("*CONTROL_ACCURACY\n1,4\n", "2", "", triangle).warnings,
+            "*CONTROL_ACCURACY: INN = 4 is calculated as -4 in triangles: their first axis lies along the side from "
+            "node 1 to 2\n");
+  EXPECT_EQ(plain("*CONTROL_ACCURACY\n1,-4\n", "2", "", triangle).warnings, "");
   EXPECT_EQ(plain("*CONTROL_ACCURACY\n1,3\n").warnings, "");
   EXPECT_EQ(plain("*CONTROL_SHELL\n20.\n\n\n1,1,0,0,0,7\n").warnings,
             "*CONTROL_SHELL: the drilling constraint of DRCPSID is not calculated\n");

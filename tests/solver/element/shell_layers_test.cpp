@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "solver/element/shell_strip.hpp"
 
@@ -127,6 +128,53 @@ TEST(ShellLayers, StoredEnergyIsThatOfEachPly) {
   ShellState state;
   state.thickness = thickness;
   EXPECT_NEAR(stored_energy(properties, state, 2, points), 2 * n.xx * strain.xx / 2, 1e-12 * n.xx);
+}
+
+/// What one step of the resultants does per area.
+double work_of(const ShellResultants& n, const ShellStrain& e) {
+  return n.xx * e.xx + n.yy * e.yy + 2 * n.xy * e.xy + n.bend_xx * e.bend_xx + n.bend_yy * e.bend_yy +
+         2 * n.bend_xy * e.bend_xy + 2 * n.yz * e.yz + 2 * n.zx * e.zx;
+}
+
+// Whatever SHRF is, the work of the resultants is what the layers store and dissipate.
+TEST(ShellLayers, ShearFactorOfPlasticWork) {
+  Material damaged = plastic_kinematic(1, 1000, 0.3, 1, 100, 1), viscous = elastic_material(1000, 0.3);
+  damaged.softening = 0.002;
+  damaged.rupture = 0.1;
+  viscous.kind = MaterialKind::viscoelastic;
+  viscous.viscoelastic = Viscoelastic{};
+  viscous.viscoelastic->bulk = 800;
+  viscous.viscoelastic->long_shear = 100;
+  viscous.viscoelastic->relaxing_shear = 280;
+  viscous.viscoelastic->decay = 3;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> number(-1e-3, 1e-3);
+  for (const Material& material :
+       {plastic_kinematic(1, 1000, 0.3, 1, 100, 1), plastic_kinematic(1, 1000, 0.3, 1, 100, 0), damaged, viscous})
+    for (const double factor : {1.0, 5.0 / 6, 0.3}) {
+      ShellProperties properties;
+      properties.material = material;
+      properties.layers = gauss_rule(3);
+      properties.shear_factor = factor;
+      ShellState state;
+      state.thickness = thickness;
+      std::vector<PointState> points(3);
+      ShellResultants last;
+      double work = 0, dissipated = 0;
+      for (int step = 0; step < 50; ++step) {
+        ShellStrain e;
+        for (double* component : {&e.xx, &e.yy, &e.xy, &e.yz, &e.zx}) *component = number(random);
+        for (double* component : {&e.bend_xx, &e.bend_yy, &e.bend_xy}) *component = number(random) / thickness;
+        const ShellResultants n = integrate_layers(properties, e, 0.01, state.thickness, points);
+        work += (work_of(last, e) + work_of(n, e)) / 2;
+        dissipated += n.plastic_work;
+        last = n;
+      }
+      EXPECT_GT(dissipated, 0.2 * work);
+      // Damage that grows in a step is taken at its middle.
+      const double tolerance = material.rupture > 0 ? 5e-3 : 1e-8;
+      EXPECT_NEAR((stored_energy(properties, state, 1, points) + dissipated) / work, 1, tolerance) << factor;
+    }
 }
 
 // ISTUPD = 4: elastic strain does not thin, plastic flow does: by its own volume.

@@ -1,49 +1,9 @@
-#include "solver/element/membrane_modes.hpp"
+#include "solver/element/full/shell_full_strains.hpp"
+#include "solver/element/full/shell_gram.hpp"
 #include "solver/element/shell.hpp"
-#include "solver/element/shell_full_frame.hpp"
-#include "solver/element/shell_gram.hpp"
 
 namespace gapcheck::solver {
 namespace {
-
-/// Rates of all strains, or all resultants, at the points.
-struct FullStrains {
-  PlaneTensor membrane, bending;
-  Four zx, yz;  ///< whole shear angles
-};
-
-/// x: positions, n: normals at the corners, v and m: their rates. x,α·v,β is the rate of the metric, x,α·m,β + n,α·v,β
-/// that of the curvature, x,α·m + n·v,α that of the transverse shear. None of them sees a rigid motion, warped or not.
-FullStrains full_rates(const FullFrame& frame, const MembraneModes& modes, const Bilinear& v, const Bilinear& m) {
-  FullStrains rates;
-  Products membrane, bending;
-  membrane.add(frame.x, v);
-  bending.add(frame.x, m);
-  bending.add(frame.n, v);
-  rates.membrane = modes.assumed(in_plane(frame, membrane));
-  rates.bending = in_plane(frame, bending);
-  SideShear shear;
-  shear.add(frame.x, m);
-  shear.add(v, frame.n);
-  const Four xi = shear.mean_xi + point_eta * shear.slope_xi, eta = shear.mean_eta + point_xi * shear.slope_eta;
-  rates.zx = frame.xi_x * xi + frame.eta_x * eta;
-  rates.yz = frame.xi_y * xi + frame.eta_y * eta;
-  return rates;
-}
-
-/// What works on v and m; the transpose of full_rates times the area.
-void pull(const FullFrame& frame, const MembraneModes& modes, const FullStrains& resultants, Bilinear& on_v,
-          Bilinear& on_m) {
-  along_lines(frame, modes.transposed(resultants.membrane)).spread(frame.x, on_v);
-  const Products bending = along_lines(frame, resultants.bending);
-  bending.spread(frame.x, on_m);
-  bending.spread(frame.n, on_v);
-  const Four xi = frame.determinant * (resultants.zx * frame.xi_x + resultants.yz * frame.xi_y),
-             eta = frame.determinant * (resultants.zx * frame.eta_x + resultants.yz * frame.eta_y);
-  const SideShear shear{xi.sum(), (point_eta * xi).sum(), eta.sum(), (point_xi * eta).sum()};
-  shear.spread(frame.x, on_m);
-  shear.spread_tangent(frame.n, on_v);
-}
 
 /// The corners' share in what works on the coefficients of a field.
 std::array<Vector, 4> at_corners(const Bilinear& f) {
@@ -127,8 +87,21 @@ double linear_gradient(const std::array<Vector, 4>& x) {
   return gram.largest();
 }
 
+/// That of set_time_steps(), and a sharper one where the warp costs much of the step and the shell may limit that of
+/// the run: one that allows 5 % more than the last step does not.
+double squared_frequency(const ShellProperties& properties, const ShellShape& shape, const FullFrame& frame, double dt,
+                         WarpedFrequency& warped) {
+  constexpr double least_slope = 0.01, much = 1.05, longer = 1.05;
+  const ShellFrequency cheap = squared_frequency(properties, shape);
+  if (!(shape.warp.slope > least_slope && cheap.bound > much * much * cheap.largest)) return cheap.bound;
+  const double least = longer * dt;
+  if (dt > 0 && !properties.viscosity.on() && least * least * cheap.bound < 4) return cheap.bound;
+  return std::min(cheap.bound, warped.squared(properties, frame, shape.thickness));
+}
+
 void set_full_steps(const ShellProperties& properties, const std::array<Vector, 4>& x, const FullFrame& frame,
-                    double thickness, ShellForces& out) {
+                    double dt, ShellState& state, ShellForces& out) {
+  const double thickness = state.thickness;
   double squared_side = 0;
   for (std::size_t i = 0; i < 4; ++i) squared_side = std::max(squared_side, (x[(i + 1) % 4] - x[i]).squaredNorm());
   const bool collapsed = x[2] == x[3];
@@ -147,16 +120,16 @@ void set_full_steps(const ShellProperties& properties, const std::array<Vector, 
     shape.shear *= 2;
   }
   shape.warp = warp_of(frame);
-  set_time_steps(properties, shape, out);
+  set_time_steps(properties, shape, squared_frequency(properties, shape, frame, dt, state.warped), out);
 }
 
 }  // namespace
 
-Matrix full_axes(const std::array<Vector, 4>& x) {
-  const FullFrame frame = make_full_frame(x);
-  Matrix axes;
-  axes << frame.e1, frame.e2, frame.e3;
-  return axes;
+Matrix full_axes(const std::array<Vector, 4>& x, ShellAxes axes) {
+  const FullFrame frame = make_full_frame(x, axes);
+  Matrix columns;
+  columns << frame.e1, frame.e2, frame.e3;
+  return columns;
 }
 
 ShellForces full_forces(const ShellProperties& properties, const ShellCorners& corners, double dt, ShellState& state,
@@ -165,7 +138,8 @@ ShellForces full_forces(const ShellProperties& properties, const ShellCorners& c
   std::array<Vector, 4> middle_x;
   for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
   const double poisson = properties.material.poisson;
-  const FullFrame middle = make_full_frame(middle_x), end = make_full_frame(corners.x);
+  const FullFrame middle = make_full_frame(middle_x, properties.axes),
+                  end = make_full_frame(corners.x, properties.axes);
   std::array<Vector, 4> turns;
   for (std::size_t i = 0; i < 4; ++i) turns[i] = middle.local(corners.w[i]).cross(middle.normal[i]);
   const FullStrains rates =
@@ -179,7 +153,7 @@ ShellForces full_forces(const ShellProperties& properties, const ShellCorners& c
     out.force[i] = end.global(force[i]);
     out.moment[i] = end.global(end.normal[i].cross(turning[i]));
   }
-  set_full_steps(properties, corners.x, end, state.thickness, out);
+  set_full_steps(properties, corners.x, end, dt, state, out);
   out.good = (end.determinant > 0).all() && (middle.determinant > 0).all() &&
              std::isfinite(out.force[0].sum() + out.force[1].sum() + out.moment[0].sum() + out.moment[1].sum());
   return out;

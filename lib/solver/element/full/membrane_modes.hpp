@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "solver/element/shell_full_frame.hpp"
+#include "solver/element/full/shell_full_frame.hpp"
 
 namespace gapcheck::solver {
 

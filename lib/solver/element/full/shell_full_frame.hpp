@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/vector.hpp"
+#include "solver/element/shell_axes.hpp"
 
 namespace gapcheck::solver {
 
@@ -47,7 +48,7 @@ struct PlaneTensor {
   Four xx, yy, xy;
 };
 
-[[nodiscard]] FullFrame make_full_frame(const std::array<Vector, 4>& corners);
+[[nodiscard]] FullFrame make_full_frame(const std::array<Vector, 4>& corners, ShellAxes axes = ShellAxes::side);
 
 /// a,ξ·b,ξ, a,η·b,η and a,ξ·b,η + a,η·b,ξ of two fields a and b, by the powers of ξ and η in them:
 /// xi + η skew_xi + both / 3, eta + ξ skew_eta + both / 3, shear + ξ skew_xi + η skew_eta + 2 ξη both at the points.

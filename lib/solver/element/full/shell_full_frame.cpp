@@ -1,4 +1,4 @@
-#include "solver/element/shell_full_frame.hpp"
+#include "solver/element/full/shell_full_frame.hpp"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ void set_normals(FullFrame& frame) {
 
 }  // namespace
 
-FullFrame make_full_frame(const std::array<Vector, 4>& corners) {
+FullFrame make_full_frame(const std::array<Vector, 4>& corners, ShellAxes axes) {
   FullFrame frame;
   const Bilinear x = bilinear(corners);
   const Vector normal = x.xi.cross(x.eta);
@@ -31,6 +31,7 @@ FullFrame make_full_frame(const std::array<Vector, 4>& corners) {
   Vector along = side - side.dot(frame.e3) * frame.e3;
   // Coincident corners 1 and 2 give no direction: the diagonal does.
   if (!(along.squaredNorm() > 0)) along = x.xi + x.eta;
+  if (axes == ShellAxes::invariant) along = invariant_direction(x.xi, x.eta);
   frame.e1 = along.normalized();
   frame.e2 = frame.e3.cross(frame.e1);
   frame.x = frame.local(x);

@@ -1,5 +1,5 @@
 #pragma once
-#include "solver/element/shell_full_frame.hpp"
+#include "solver/element/full/shell_full_frame.hpp"
 
 namespace gapcheck::solver {
 

@@ -1,4 +1,4 @@
-#include "solver/element/shell_gram.hpp"
+#include "solver/element/full/shell_gram.hpp"
 
 #include <algorithm>
 
