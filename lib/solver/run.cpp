@@ -14,6 +14,8 @@
 #include "solver/condition/conditions.hpp"
 #include "solver/constraint/constraint_contact.hpp"
 #include "solver/contact/contact_method.hpp"
+#include "solver/interpolation/find_followers.hpp"
+#include "solver/interpolation/follower_forces.hpp"
 #include "solver/mortar/mortar_stiffness.hpp"
 #include "solver/tie/tie_constraints.hpp"
 #include "solver/tie/tie_forces.hpp"
@@ -213,6 +215,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   if (const SolverStatus known = check_supports(model, built); !known.ok()) return known.error();
   if (const SolverStatus added = add_walls_and_springs(model, built, forces, diagnostics); !added.ok())
     return added.error();
+  auto followers = find_followers(model, surfaces, *run.initial_, built, diagnostics);
+  if (!followers) return followers.error();
   // A side effect of eroding contacts in the solver.
   if (std::any_of(model.contacts.begin(), model.contacts.end(),
                   [](const model::Contact& c) { return contact::is_eroding(contact::classify(c)); }))
@@ -249,6 +253,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
     run.stepper_->add(std::move(force));
   }
   // Last: they hold regardless of all other forces.
+  if (!followers.value().empty())
+    run.stepper_->add(std::make_unique<FollowerForces>(std::move(followers).value(), model, stepped));
   auto ties = std::make_unique<TieConstraints>(model, surfaces, *run.initial_, stepped, diagnostics);
   ties->on_failure(release);
   run.add_contacts(std::move(ties));
