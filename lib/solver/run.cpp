@@ -232,8 +232,9 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
       std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built), settings.springs);
   contacts->log_shot_nodes(settings.shot);
   run.contacts_ = contacts.get();
-  const auto release = [after = contacts.get(), kept = std::get<std::unique_ptr<ConstraintContact>>(constraints).get()](
-                           NodeIndex node, PartIndex part) {
+  ContactForces* const after = contacts.get();
+  const auto release = [after, kept = std::get<std::unique_ptr<ConstraintContact>>(constraints).get()](NodeIndex node,
+                                                                                                       PartIndex part) {
     after->release(node, part);
     if (kept != nullptr) kept->release(node, part);
   };
@@ -243,6 +244,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   run.add_contacts(std::move(contacts));
   auto springs = std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped);
   springs->on_failure(release);
+  springs->on_touch([after](ContactIndex c) { return after->touches(c); },
+                    [after](NodeIndex node, PartIndex part) { after->hold(node, part); });
   run.add_contacts(std::move(springs));
   run.add_contacts(std::move(std::get<std::unique_ptr<ConstraintContact>>(constraints)));
   for (auto& force : forces) {
