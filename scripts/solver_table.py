@@ -150,6 +150,8 @@ ROWS = [
     ("TIED_SURFACE_TO_SURFACE_FAILURE: stress at failure", "FS, FD", "TiedWithFailure.FailsByItsStresses", None, 0),
     ("rigid bodies by a force curve: rebound", "energy of the curve", "CurveContact.ReboundGivesBackWhatTheCurveStores", None, 0),
     ("tiebreak, linear damage", "fracture energy", "Tiebreak.LinearDamageTakesTheFractureEnergy", None, 0),
+    ("tiebreak, OPTION 1: nodes that stick when they touch", "lone masses on springs", "TieStick.AgreesWithLoneMasses", None, 0),
+    ("tiebreak, OPTION 1: amplitude after the touch", "v / ω", "TieStick.TouchedNodesStayAndSwingInAllDirections", None, 0),
 ]
 
 HEAD = """# Elements, materials, conditions and contacts: test, reference, error

@@ -175,6 +175,7 @@ void read_control_termination(Context& context, const Block& block, const Option
 void read_title(Context& context, const Block& block, const Options& options);
 void read_database(Context& context, const Block& block, const Options& options);
 void read_intfor(Context& context, const Block& block, const Options& options);
+void read_intfor_values(Context& context, const Block& block, const Options& options);
 void read_unwritten_database(Context& context, const Block& block, const Options& options);
 void read_history_elements(Context& context, const Block& block, const Options& options);
 void read_unwritten_history(Context& context, const Block& block, const Options& options);

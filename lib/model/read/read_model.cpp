@@ -168,6 +168,7 @@ constexpr KeywordFamily keyword_families[] = {
     {"DATABASE_TPRINT", Phase::rest, read_unwritten_database},
     {"DATABASE_BINARY_D3THDT", Phase::rest, read_unwritten_database},
     {"DATABASE_BINARY_INTFOR", Phase::rest, read_intfor, "FILE"},
+    {"DATABASE_EXTENT_INTFOR", Phase::rest, read_intfor_values},
     {"DATABASE_HISTORY_NODE", Phase::rest, read_history_nodes, "ID SET LOCAL"},
     {"DATABASE_HISTORY_SOLID", Phase::rest, read_history_elements, "ID SET"},
     {"DATABASE_HISTORY_BEAM", Phase::rest, read_history_elements, "ID SET"},
