@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "solver/contact/contact_method.hpp"
+#include "solver/interpolation/follower_groups.hpp"
 #include "solver/interpolation/motion_fit.hpp"
 #include "solver/tie/tie.hpp"
 #include "solver/tie/tie_nodes.hpp"
@@ -19,6 +20,10 @@ namespace gapcheck::solver {
 namespace {
 
 constexpr unsigned translation_bits = 7, rotation_bits = 56;
+
+/// Of a dense system: degrees of freedom that follow, and these times those of the independent nodes.
+constexpr Eigen::Index most_rows = 3000;
+constexpr std::size_t most_coefficients = 20'000'000;
 
 /// Bits 0 … 5 of digits 1 … 6; nothing for other digits.
 std::optional<unsigned> freedoms_of_digits(std::int64_t digits) {
@@ -49,6 +54,7 @@ class FollowerFinder {
       followers_.push_back(std::move(follower));
     }
     check_chains();
+    check_size();
   }
 
   /// Nodes that constraints tie cannot follow or be followed.
@@ -76,6 +82,12 @@ class FollowerFinder {
                                   "form",
                                   structure_.node_id[node.value], model_.contact(tie.contact).id.value));
     }
+    // A spring without a mass at one of its ends has no frequency that the step could follow.
+    for (const Tie& tie : tie_list(model_, surfaces, initial, structure_, false))
+      if (dependent_.count(tie.node.value) > 0 && !has_mass(structure_.state.mass[tie.node.value]))
+        return fail(Failure::Kind::zero_mass, model_.contact(tie.contact).place,
+                    fmt::format("dependent node {} has no mass and contact {} ties it; give it one",
+                                structure_.node_id[tie.node.value], model_.contact(tie.contact).id.value));
   }
 
   [[nodiscard]] SolverResult<std::vector<Follower>> take() {
@@ -151,10 +163,9 @@ class FollowerFinder {
         fail(Failure::Kind::contradiction, place,
              fmt::format("dependent node {} is held or moved in a direction that DDOF names; remove one of both",
                          card_->dependent));
-    for (const Follower& other : followers_)
-      if (other.node == follower.node)
-        fail(Failure::Kind::contradiction, place,
-             fmt::format("node {} is the dependent one of two interpolations", card_->dependent));
+    if (!dependent_.insert(follower.node).second)
+      fail(Failure::Kind::contradiction, place,
+           fmt::format("node {} is the dependent one of two interpolations", card_->dependent));
     return status_.ok();
   }
 
@@ -261,11 +272,25 @@ class FollowerFinder {
         }
   }
 
+  void check_size() {
+    if (!status_.ok()) return;
+    for (const FollowerGroup& group : group_followers(followers_)) {
+      if (group.rows <= most_rows && 3 * group.nodes.size() <= most_coefficients / static_cast<std::size_t>(group.rows))
+        continue;
+      card_ = &model_.interpolations[group.followers[0]];
+      return fail(Failure::Kind::not_calculated, card_->place,
+                  fmt::format("{} interpolations share their {} independent nodes, which are too many to solve for "
+                              "together; let fewer of them share nodes",
+                              group.followers.size(), group.nodes.size()));
+    }
+  }
+
   const model::Model& model_;
   const Structure& structure_;
   Diagnostics& diagnostics_;
   const model::Interpolation* card_ = nullptr;
   std::vector<Follower> followers_;
+  std::set<std::uint32_t> dependent_;  ///< their nodes
   SolverStatus status_;
 };
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "solver/tie/tie_nodes.hpp"
@@ -31,43 +30,11 @@ bool all_failed(const std::vector<std::uint32_t>& elements, const std::vector<bo
 
 FollowerForces::FollowerForces(std::vector<Follower> followers, const model::Model& model, const Structure& structure)
     : followers_(std::move(followers)), structure_(structure) {
-  make_groups();
+  for (FollowerGroup& group : group_followers(followers_)) groups_.push_back({std::move(group), Column::Zero(0)});
+  for (Group& group : groups_) group.at_nodes = Column::Zero(3 * static_cast<Eigen::Index>(group.nodes.size()));
   watch_nodes(model);
   for (const Follower& follower : followers_)
     for (std::vector<Column>* columns : {&loads_, &targets_}) columns->push_back(Column::Zero(follower.axes.cols()));
-}
-
-void FollowerForces::make_groups() {
-  std::vector<std::size_t> group_of(followers_.size());
-  std::iota(group_of.begin(), group_of.end(), std::size_t{0});
-  const auto root = [&](std::size_t f) {
-    while (group_of[f] != f) f = group_of[f] = group_of[group_of[f]];
-    return f;
-  };
-  std::map<std::uint32_t, std::size_t> user;
-  for (std::size_t f = 0; f < followers_.size(); ++f)
-    for (const std::uint32_t node : followers_[f].nodes) group_of[root(f)] = root(user.emplace(node, f).first->second);
-  std::map<std::size_t, std::size_t> place;
-  for (std::size_t f = 0; f < followers_.size(); ++f) {
-    const auto [at, fresh] = place.emplace(root(f), groups_.size());
-    if (fresh) groups_.emplace_back();
-    groups_[at->second].followers.push_back(f);
-  }
-  for (Group& group : groups_) {
-    for (const std::size_t f : group.followers)
-      group.nodes.insert(group.nodes.end(), followers_[f].nodes.begin(), followers_[f].nodes.end());
-    std::sort(group.nodes.begin(), group.nodes.end());
-    group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
-    group.at_nodes = Column::Zero(3 * static_cast<Eigen::Index>(group.nodes.size()));
-    for (const std::size_t f : group.followers) {
-      group.first.push_back(group.rows);
-      group.rows += followers_[f].axes.cols();
-      std::vector<std::size_t>& positions = group.positions.emplace_back();
-      for (const std::uint32_t node : followers_[f].nodes)
-        positions.push_back(static_cast<std::size_t>(std::lower_bound(group.nodes.begin(), group.nodes.end(), node) -
-                                                     group.nodes.begin()));
-    }
-  }
 }
 
 /// Nodes of elements that cannot fail are never deleted, nor are nodes without elements.
@@ -180,81 +147,109 @@ Vector FollowerForces::free_velocity(std::uint32_t node, const State& state, dou
   return velocity;
 }
 
-/// With the velocities vᵢ and v of followed nodes and followers in the next step, v = C vᵢ + b; the loads λ along the
-/// followers' axes act at the positions before the step, −Cᵀ λ on the followed nodes:
-///     m (C vᵢ⁰ + b − v₀) − Δt f = Δt (1 + m C M⁻¹ Cᵀ) λ
-/// for the masses m of the followers, which may be zero, and the velocities vᵢ⁰ without λ. b = (C halfway − C) vᵢ.
-void FollowerForces::solve(Group& group, const State& state, double mean, double next, Forces& net, Forces& external) {
+FollowerForces::Present FollowerForces::present(const Group& group, const State& state, double mean, double next,
+                                                const Forces& net) const {
   const Eigen::Index columns = group.at_nodes.size();
-  Column places(columns), before(columns), free(columns), mobility(columns);
+  Present now;
+  for (Column* column : {&now.places, &now.before, &now.free, &now.mobility}) column->resize(columns);
+  for (Column* column : {&now.mass, &now.own, &now.force}) column->resize(group.rows);
   for (std::size_t i = 0; i < group.nodes.size(); ++i) {
     const std::uint32_t n = group.nodes[i];
     const auto at = 3 * static_cast<Eigen::Index>(i);
-    places.segment<3>(at) = state.x[n];
-    before.segment<3>(at) = state.v[n];
-    free.segment<3>(at) = free_velocity(n, state, mean, next, net);
-    mobility.segment<3>(at) = mobility_of(n, state, next);
+    now.places.segment<3>(at) = state.x[n];
+    now.before.segment<3>(at) = state.v[n];
+    now.free.segment<3>(at) = free_velocity(n, state, mean, next, net);
+    now.mobility.segment<3>(at) = mobility_of(n, state, next);
   }
-  Column mass(group.rows), own(group.rows), force(group.rows), old(group.rows);
-  std::vector<Vector> points, drifting;
   for (std::size_t k = 0; k < group.followers.size(); ++k) {
     const Follower& follower = followers_[group.followers[k]];
     const std::uint32_t n = follower.node;
     const Eigen::Index first = group.first[k], count = follower.axes.cols();
-    points.push_back(state.x[n]);
-    old.segment(first, count) = loads_[group.followers[k]];
-    own.segment(first, count) = follower.axes.transpose() * twist_of(state.v[n], state.w[n]);
-    force.segment(first, count) = follower.axes.transpose() * twist_of(net.force[n], net.moment[n]);
+    now.points.push_back(state.x[n]);
+    now.drifting.push_back(free_velocity(n, state, mean, next, net));
+    now.own.segment(first, count) = follower.axes.transpose() * twist_of(state.v[n], state.w[n]);
+    now.force.segment(first, count) = follower.axes.transpose() * twist_of(net.force[n], net.moment[n]);
     for (Eigen::Index row = 0; row < count; ++row)
-      mass[first + row] = follower.axes.col(row).head<3>().isZero(0) ? state.inertia[n] : state.mass[n];
-    drifting.push_back(free_velocity(n, state, mean, next, net));
+      now.mass[first + row] = follower.axes.col(row).head<3>().isZero(0) ? state.inertia[n] : state.mass[n];
   }
-  const Rows c = coefficients(group, places, points);
-  // The work of the last step: half by the loads before it, half by the loads after it.
-  residue_ -= state.dt / 2 * (old.dot(own) + group.at_nodes.dot(before));
+  return now;
+}
+
+/// Places of the followers halfway through the step, with these velocities along their axes.
+std::vector<Vector> FollowerForces::halfway(const Group& group, const Present& now, const Column& wanted,
+                                            double next) const {
+  std::vector<Vector> middle = now.points;
+  for (std::size_t k = 0; k < middle.size(); ++k) {
+    const Follower& follower = followers_[group.followers[k]];
+    Vector velocity = now.drifting[k];
+    for (Eigen::Index row = 0; row < follower.axes.cols(); ++row)
+      if (const Vector axis = follower.axes.col(row).head<3>(); !axis.isZero(0))
+        velocity += (wanted[group.first[k] + row] - axis.dot(velocity)) * axis;
+    middle[k] += next / 2 * velocity;
+  }
+  return middle;
+}
+
+/// With the velocities vᵢ and v of followed nodes and followers in the next step, v = C vᵢ + b; the loads λ along the
+/// followers' axes act at the positions before the step, −Cᵀ λ on the followed nodes:
+///     m (C vᵢ⁰ + b − v₀) − Δt f = Δt (1 + m C M⁻¹ Cᵀ) λ
+/// for the masses m of the followers, which may be zero, and the velocities vᵢ⁰ without λ. b = (C halfway − C) vᵢ.
+FollowerForces::Solution FollowerForces::solve(const Group& group, const Present& now, const Rows& c, double mean,
+                                               double next) const {
   const Eigen::PartialPivLU<Rows> system(Rows::Identity(group.rows, group.rows) +
-                                         mass.asDiagonal() * (c * mobility.asDiagonal() * c.transpose()));
-  Column moved = free, halfway = c * free, load;
+                                         now.mass.asDiagonal() * (c * now.mobility.asDiagonal() * c.transpose()));
+  Column moved = now.free, turned = Column::Zero(group.rows);
+  Solution solution;
   for (int round = 0; round < most_halfway_rounds; ++round) {
-    const Column turned = round == 0 ? Column(Column::Zero(group.rows)) : Column(halfway - c * moved);
-    load = system.solve(Column(mass.cwiseProduct(c * free + turned - own) / mean - force));
-    moved = free - mean * mobility.cwiseProduct(c.transpose() * load);
-    std::vector<Vector> middle = points;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Follower& follower = followers_[group.followers[k]];
-      const auto axes = follower.axes.topRows<3>();
-      const Column wanted =
-          c.middleRows(group.first[k], axes.cols()) * moved + turned.segment(group.first[k], axes.cols());
-      Vector velocity = drifting[k];
-      for (Eigen::Index row = 0; row < axes.cols(); ++row)
-        if (const Vector axis = axes.col(row); !axis.isZero(0)) velocity += (wanted[row] - axis.dot(velocity)) * axis;
-      middle[k] += next / 2 * velocity;
-    }
-    const Column better = coefficients(group, Column(places + next / 2 * moved), middle) * moved;
-    const double change = (better - halfway).lpNorm<Eigen::Infinity>(), size = better.lpNorm<Eigen::Infinity>();
-    halfway = better;
-    if (round > 0 && !(change > same_velocity * size)) break;
+    solution.load = system.solve(Column(now.mass.cwiseProduct(c * now.free + turned - now.own) / mean - now.force));
+    moved = now.free - mean * now.mobility.cwiseProduct(c.transpose() * solution.load);
+    const std::vector<Vector> middle = halfway(group, now, c * moved + turned, next);
+    const Column better = coefficients(group, now.places + next / 2 * moved, middle) * moved;
+    const bool settled = round > 0 && !((better - solution.velocity).lpNorm<Eigen::Infinity>() >
+                                        same_velocity * better.lpNorm<Eigen::Infinity>());
+    solution.velocity = better;
+    turned = better - c * moved;
+    if (settled) break;
   }
-  group.at_nodes = -c.transpose() * load;
-  residue_ -= state.dt / 2 * (load.dot(own) + group.at_nodes.dot(before));
+  return solution;
+}
+
+void FollowerForces::push(const Group& group, const Solution& solution, Forces& forces) const {
   for (std::size_t i = 0; i < group.nodes.size(); ++i)
-    for (Forces* forces : {&net, &external})
-      forces->force[group.nodes[i]] += group.at_nodes.segment<3>(3 * static_cast<Eigen::Index>(i));
+    forces.force[group.nodes[i]] += group.at_nodes.segment<3>(3 * static_cast<Eigen::Index>(i));
   for (std::size_t k = 0; k < group.followers.size(); ++k) {
-    const std::size_t f = group.followers[k];
-    const Follower& follower = followers_[f];
-    loads_[f] = load.segment(group.first[k], follower.axes.cols());
-    targets_[f] = halfway.segment(group.first[k], follower.axes.cols());
-    const Twist total = follower.axes * loads_[f];
-    for (Forces* forces : {&net, &external}) {
-      forces->force[follower.node] += total.head<3>();
-      forces->moment[follower.node] += total.tail<3>();
-    }
+    const Follower& follower = followers_[group.followers[k]];
+    const Twist total = follower.axes * solution.load.segment(group.first[k], follower.axes.cols());
+    forces.force[follower.node] += total.head<3>();
+    forces.moment[follower.node] += total.tail<3>();
   }
 }
 
 void FollowerForces::react(const State& state, double mean, double next, Forces& net, Forces& external) {
-  for (Group& group : groups_) solve(group, state, mean, next, net, external);
+  for (Group& group : groups_) {
+    const Present now = present(group, state, mean, next, net);
+    // The work of the last step: half by the loads before it, half by the loads after it.
+    const auto work = [&] {
+      double sum = group.at_nodes.dot(now.before);
+      for (std::size_t k = 0; k < group.followers.size(); ++k) {
+        const Column& load = loads_[group.followers[k]];
+        sum += load.dot(now.own.segment(group.first[k], load.size()));
+      }
+      return state.dt / 2 * sum;
+    };
+    residue_ -= work();
+    const Rows c = coefficients(group, now.places, now.points);
+    const Solution solution = solve(group, now, c, mean, next);
+    group.at_nodes = -c.transpose() * solution.load;
+    for (std::size_t k = 0; k < group.followers.size(); ++k) {
+      const std::size_t f = group.followers[k];
+      loads_[f] = solution.load.segment(group.first[k], loads_[f].size());
+      targets_[f] = solution.velocity.segment(group.first[k], loads_[f].size());
+    }
+    residue_ -= work();
+    push(group, solution, net);
+    push(group, solution, external);
+  }
 }
 
 /// Followers with mass have this velocity already, but for rounding.

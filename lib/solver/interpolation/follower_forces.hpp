@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "solver/interpolation/follower.hpp"
+#include "solver/interpolation/follower_groups.hpp"
 #include "solver/interpolation/motion_fit.hpp"
 #include "solver/state/force.hpp"
 #include "solver/structure/structure.hpp"
@@ -37,15 +37,17 @@ class FollowerForces : public Force {
  private:
   using Column = Eigen::VectorXd;
   using Rows = Eigen::MatrixXd;
-  /// Followers that share nodes.
-  struct Group {
-    std::vector<std::size_t> followers;
-    std::vector<std::uint32_t> nodes;                 ///< followed, ascending
-    std::vector<std::vector<std::size_t>> positions;  ///< by follower, of its nodes in these
-    std::vector<Eigen::Index> first;                  ///< by follower: its first row
-    Eigen::Index rows = 0;
-    // The last forces at the nodes and the place where they act, for the work.
-    Column at_nodes;
+  struct Group : FollowerGroup {
+    Column at_nodes;  ///< the last forces on its nodes, one after the other
+  };
+  /// A group before its loads are known: by column of the coefficients, then by row, then by follower.
+  struct Present {
+    Column places, before, free, mobility;  ///< of the nodes: velocities of the last step, and without loads
+    Column mass, own, force;                ///< along the followers' axes: velocities of the last step, forces
+    std::vector<Vector> points, drifting;   ///< places of the followers, and velocities without loads
+  };
+  struct Solution {
+    Column load, velocity;  ///< along the followers' axes; velocity: in the next step
   };
   /// The elements whose failure deletes a node.
   struct Watched {
@@ -53,7 +55,6 @@ class FollowerForces : public Force {
     std::size_t follower = 0;
     std::vector<std::uint32_t> shells, solids, beams;  ///< positions in the model
   };
-  void make_groups();
   void watch_nodes(const model::Model& model);
   void find_deleted(const State& state);
   [[nodiscard]] Rows coefficients(const Group& group, const Column& places, const std::vector<Vector>& points) const;
@@ -61,7 +62,12 @@ class FollowerForces : public Force {
   [[nodiscard]] Vector mobility_of(std::uint32_t node, const State& state, double next) const;
   [[nodiscard]] Vector free_velocity(std::uint32_t node, const State& state, double mean, double next,
                                      const Forces& net) const;
-  void solve(Group& group, const State& state, double mean, double next, Forces& net, Forces& external);
+  [[nodiscard]] Present present(const Group& group, const State& state, double mean, double next,
+                                const Forces& net) const;
+  [[nodiscard]] std::vector<Vector> halfway(const Group& group, const Present& now, const Column& wanted,
+                                            double next) const;
+  [[nodiscard]] Solution solve(const Group& group, const Present& now, const Rows& c, double mean, double next) const;
+  void push(const Group& group, const Solution& solution, Forces& forces) const;
 
   std::vector<Follower> followers_;
   const Structure& structure_;

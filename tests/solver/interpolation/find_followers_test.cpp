@@ -135,6 +135,32 @@ TEST(FindFollowers, ConstraintTiesOfItsNodesAreRefused) {
   EXPECT_NE(kept.message().find("which acts by constraints"), std::string::npos) << kept.message();
 }
 
+TEST(FindFollowers, SpringsNeedAMassAtTheFollower) {
+  const std::string plate =
+      "*NODE\n21,-1.,-1.,2.\n22,2.,-1.,2.\n23,2.,2.,2.\n24,-1.,2.,2.\n*ELEMENT_SHELL\n21,2,21,22,23,24\n"
+      "*PART\nq\n2,2,1\n*SECTION_SHELL\n2,2\n0.1\n*SET_NODE_LIST\n3\n9\n"
+      "*CONTACT_TIED_NODES_TO_SURFACE_OFFSET\n3,2,4,3\n\n\n";
+  RunScene heavy(block + plate);
+  EXPECT_TRUE(heavy.prepared()) << heavy.message();
+  std::string light = block;
+  const std::string mass = "*ELEMENT_MASS\n9,9,0.5\n";
+  light.erase(light.find(mass), mass.size());
+  RunScene scene(light + plate);
+  EXPECT_FALSE(scene.prepared());
+  EXPECT_NE(scene.message().find("dependent node 9 has no mass and contact 1 ties it"), std::string::npos)
+      << scene.message();
+}
+
+TEST(FindFollowers, TooManyThatShareNodesAreRefused) {
+  std::string nodes = "*NODE\n", cards;
+  for (int i = 0; i < 1001; ++i) {
+    nodes += fmt::format("{},0.,0.,{}\n", 1000 + i, i);
+    cards += fmt::format("*CONSTRAINED_INTERPOLATION\n{},{},123\n1,123\n2,123\n3,123\n4,123\n", i + 1, 1000 + i);
+  }
+  EXPECT_NE(refused(nodes + cards).message.find("1001 interpolations share their 4 independent nodes"),
+            std::string::npos);
+}
+
 TEST(FindFollowers, NodesBehindWallsAreNamed) {
   RunScene scene(block + "*RIGIDWALL_PLANAR\n0\n0.,0.,-5.,0.,0.,1.,0.\n");
   ASSERT_TRUE(scene.prepared()) << scene.message();
