@@ -7,7 +7,7 @@ namespace gapcheck::solver {
 namespace {
 
 /// Eigenvalues below this share of the greatest belong to motions that the nodes do not give.
-constexpr double least_share = 1e-10;
+constexpr double least_eigenvalue = 1e-10;
 /// A component that such a motion changes by less than this is given all the same.
 constexpr double least_change = 1e-6;
 
@@ -43,7 +43,7 @@ MotionFit::MotionFit(std::span<const Matrix> weights, std::span<const Vector> pl
   for (int k = 0; k < 6; ++k) {
     const Twist mode = eigen.eigenvectors().col(k);
     const double value = eigen.eigenvalues()[k];
-    if (value > least_share * greatest)
+    if (value > least_eigenvalue * greatest)
       inverse_ += mode * mode.transpose() / value;
     else
       free_.col(k) = mode;
