@@ -116,6 +116,8 @@ ROWS = [
     ("joints: quarter period of a pendulum", "√(I / m g d) K(sin 45°)", "RigidJoints.Pendulum", "pendulum_REVOLUTE", 1),
     ("joints: slider and crank", "r cos ωt + √(l² − r² sin² ωt)", "RigidJoints.SliderCrank", "slider_crank_error", 0),
     ("joints: universal joint", "tan φ₂ = tan φ₁ cos β", "RigidJoints.UniversalJoint", "universal_joint_error", 0),
+    ("nodes that follow others: accelerations", "all equations of motion at once", "FollowerForces.AgreesWithAllEquationsAtOnce", None, 0),
+    ("nodes that follow others: two turns of nine degrees per step", "circle", "FollowerForces.FiniteRotationsPassExactly", None, 0),
     ("DT2MS: truss pressed to half its length", "m (L₀/L)²", "MassScaling.GrowsDuringTheRun", None, 0),
     ("frame that turns", "r cosh(n α)", "Loads.TurningFrame", None, 0),
     ("damping of a part", "(1 − D dt)ⁿ", "Loads.DampingOfParts", None, 0),
@@ -153,6 +155,8 @@ ROWS = [
     ("TIED_SURFACE_TO_SURFACE_FAILURE: stress at failure", "FS, FD", "TiedWithFailure.FailsByItsStresses", None, 0),
     ("rigid bodies by a force curve: rebound", "energy of the curve", "CurveContact.ReboundGivesBackWhatTheCurveStores", None, 0),
     ("tiebreak, linear damage", "fracture energy", "Tiebreak.LinearDamageTakesTheFractureEnergy", None, 0),
+    ("tiebreak, OPTION 1: nodes that stick when they touch", "lone masses on springs", "TieStick.AgreesWithLoneMasses", None, 0),
+    ("tiebreak, OPTION 1: amplitude after the touch", "v / ω", "TieStick.TouchedNodesStayAndSwingInAllDirections", None, 0),
 ]
 
 HEAD = """# Elements, materials, conditions and contacts: test, reference, error

@@ -14,6 +14,8 @@
 #include "solver/condition/conditions.hpp"
 #include "solver/constraint/constraint_contact.hpp"
 #include "solver/contact/contact_method.hpp"
+#include "solver/interpolation/find_followers.hpp"
+#include "solver/interpolation/follower_forces.hpp"
 #include "solver/mortar/mortar_stiffness.hpp"
 #include "solver/tie/tie_constraints.hpp"
 #include "solver/tie/tie_forces.hpp"
@@ -213,6 +215,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   if (const SolverStatus known = check_supports(model, built); !known.ok()) return known.error();
   if (const SolverStatus added = add_walls_and_springs(model, built, forces, diagnostics); !added.ok())
     return added.error();
+  auto followers = find_followers(model, surfaces, *run.initial_, built, diagnostics);
+  if (!followers) return followers.error();
   // A side effect of eroding contacts in the solver.
   if (std::any_of(model.contacts.begin(), model.contacts.end(),
                   [](const model::Contact& c) { return contact::is_eroding(contact::classify(c)); }))
@@ -228,8 +232,9 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
       std::make_unique<ContactForces>(model, surfaces, *run.initial_, movable_nodes(built), settings.springs);
   contacts->log_shot_nodes(settings.shot);
   run.contacts_ = contacts.get();
-  const auto release = [after = contacts.get(), kept = std::get<std::unique_ptr<ConstraintContact>>(constraints).get()](
-                           NodeIndex node, PartIndex part) {
+  ContactForces* const after = contacts.get();
+  const auto release = [after, kept = std::get<std::unique_ptr<ConstraintContact>>(constraints).get()](NodeIndex node,
+                                                                                                       PartIndex part) {
     after->release(node, part);
     if (kept != nullptr) kept->release(node, part);
   };
@@ -239,6 +244,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   run.add_contacts(std::move(contacts));
   auto springs = std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped);
   springs->on_failure(release);
+  springs->on_touch([after](ContactIndex c) { return after->touches(c); },
+                    [after](NodeIndex node, PartIndex part) { after->hold(node, part); });
   run.add_contacts(std::move(springs));
   run.add_contacts(std::move(std::get<std::unique_ptr<ConstraintContact>>(constraints)));
   for (auto& force : forces) {
@@ -249,6 +256,8 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
     run.stepper_->add(std::move(force));
   }
   // Last: they hold regardless of all other forces.
+  if (!followers.value().empty())
+    run.stepper_->add(std::make_unique<FollowerForces>(std::move(followers).value(), model, stepped));
   auto ties = std::make_unique<TieConstraints>(model, surfaces, *run.initial_, stepped, diagnostics);
   ties->on_failure(release);
   run.add_contacts(std::move(ties));

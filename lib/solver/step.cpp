@@ -231,6 +231,7 @@ SolverStatus Stepper::evaluate(double& next) {
   for (const auto& other : others_) {
     other->add(state, external_);
     limit = std::min(limit, other->stable_step());
+    if (SolverStatus status = other->status(); !status.ok()) return status;
   }
   if (!(limit >= next)) {
     next = limit;
@@ -297,6 +298,7 @@ SolverStatus Stepper::accelerate(double next) {
     return sum;
   });
   const BodyEnergies bodies = structure_.rigid.accelerate(state, net_, mean, next, first);
+  for (const auto& other : others_) other->follow(state);
   energies_.kinetic = sums.kinetic + bodies.kinetic;
   energies_.printed_kinetic = std::max(sums.printed_kinetic + bodies.printed_kinetic, 0.0);
   work_ += sums.work + bodies.work;

@@ -30,14 +30,22 @@ constexpr auto kind_table = [] {
   constexpr std::uint16_t k14 = bits({soft_2, reads_ignore});
   constexpr std::uint16_t fit = bits({interference});
   constexpr std::string_view of_type = "contacts of this type are not calculated";
+  // Public texts list types 1 and p1 by name: whether the surfaces may part, and what closes them, is in none.
+  constexpr std::string_view slides =
+      "how SLIDING_ONLY holds its surfaces together is not published; the nearest contact that is calculated, "
+      "CONSTRAINT_SURFACE_TO_SURFACE, lets them part";
+  constexpr std::string_view slides_by_springs =
+      "how SLIDING_ONLY_PENALTY holds its surfaces together is not published; the nearest contact that is calculated, "
+      "SURFACE_TO_SURFACE, lets them part";
   constexpr std::string_view layer = "the layer of COMPOSITE and LUBRICATION contacts is not calculated";
   constexpr std::string_view joint = "contraction joints are not calculated";
   constexpr std::string_view sticks = "the ties of AUTOMATIC_..._TIED contacts are not calculated";
   constexpr std::string_view welds = "welding (TIED_WELD) is not calculated";
   return std::to_array<ContactKind>({
       // name, code, treatment, family, abilities, cards, tie, offset, method, why not, after the tie
-      {"SLIDING_ONLY", C::sliding, T::two_way, F::old, 0, none, TieForm::none, O::none, M::none, of_type},
-      {"SLIDING_ONLY_PENALTY", C::sliding, T::two_way, F::old, 0, none, TieForm::none, O::none, M::none, of_type},
+      {"SLIDING_ONLY", C::sliding, T::two_way, F::old, 0, none, TieForm::none, O::none, M::none, slides},
+      {"SLIDING_ONLY_PENALTY", C::sliding, T::two_way, F::old, 0, none, TieForm::none, O::none, M::none,
+       slides_by_springs},
 
       {"TIED_SURFACE_TO_SURFACE", C::tied_surface, T::one_way, F::tied, 0, none, TieForm::permanent, O::none, M::tie},
       {"TIED_SURFACE_TO_SURFACE_OFFSET", C::tied_surface, T::one_way, F::tied, 0, none, TieForm::permanent, O::penalty,

@@ -150,6 +150,7 @@ void read_beam_preload(Context& context, const Block& block, const Options& opti
 void read_spot_weld(Context& context, const Block& block, const Options& options);
 void read_joint(Context& context, const Block& block, const Options& options);
 void read_generalized_weld(Context& context, const Block& block, const Options& options);
+void read_interpolation(Context& context, const Block& block, const Options& options);
 void read_concentrated_load(Context& context, const Block& block, const Options& options);
 void read_segment_load(Context& context, const Block& block, const Options& options);
 void read_shell_load(Context& context, const Block& block, const Options& options);
@@ -174,6 +175,7 @@ void read_control_termination(Context& context, const Block& block, const Option
 void read_title(Context& context, const Block& block, const Options& options);
 void read_database(Context& context, const Block& block, const Options& options);
 void read_intfor(Context& context, const Block& block, const Options& options);
+void read_intfor_values(Context& context, const Block& block, const Options& options);
 void read_unwritten_database(Context& context, const Block& block, const Options& options);
 void read_history_elements(Context& context, const Block& block, const Options& options);
 void read_unwritten_history(Context& context, const Block& block, const Options& options);

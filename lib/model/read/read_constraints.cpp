@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <array>
+
 #include "model/read/context.hpp"
 #include "model/read/field_values.hpp"
 
@@ -62,6 +64,18 @@ void add_weld(Context& context, Weld weld) {
     context.model.welds.push_back(std::move(weld));
   else
     context.warning(weld.place, fmt::format("weld {} holds fewer than two nodes; it is left out", weld.id));
+}
+
+/// Weights that are not given are the first one.
+Interpolation::Independent read_independent(const Card& card, bool set) {
+  Interpolation::Independent one;
+  one.nodes = {card.integer("inid"), set};
+  one.freedoms = or_default(card.integer("idof"), one.freedoms);
+  constexpr std::array fields{"twghtx", "twghty", "twghtz", "rwghtx", "rwghty", "rwghtz"};
+  const double first = or_default(card.real(fields[0]), 1);
+  for (std::size_t i = 0; i < fields.size(); ++i) one.weights[i] = or_default(card.real(fields[i]), first);
+  one.place.line = card.line();
+  return one;
 }
 
 Joint::Kind joint_kind(const Options& options) {
@@ -183,6 +197,37 @@ void read_generalized_weld(Context& context, const Block& block, const Options& 
                  reader.next(keyword::card_layout("CONSTRAINED_GENERALIZED_WELD_SPOT", "card2")), weld);
     add_weld(context, std::move(weld));
   }
+}
+
+void read_interpolation(Context& context, const Block& block, const Options& options) {
+  const auto layout = [](std::string_view card) -> const keyword::CardLayout& {
+    return keyword::card_layout("CONSTRAINED_INTERPOLATION", card);
+  };
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end() && skip_blank(reader)) continue;
+  if (reader.at_end()) return;
+  const Card card = reader.next(layout("card1"));
+  Interpolation one;
+  one.keyword = block.name;
+  one.place = Context::place(block, card.line());
+  one.id = card.integer("icid");
+  one.dependent = card.integer("dnid");
+  one.freedoms = or_default(card.integer("ddof"), one.freedoms);
+  one.by_set = card.integer("ityp");
+  one.deletion = or_default(card.integer("idnsw"), one.deletion);
+  const bool local = options.has("LOCAL");
+  if (local) one.system = card.integer("cidd");
+  note_system(context, one.system);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    one.independents.push_back(
+        read_independent(reader.next(layout(one.by_set == 1 ? "set" : "node")), one.by_set == 1));
+    Interpolation::Independent& independent = one.independents.back();
+    independent.place.file = block.file;
+    if (local && !reader.at_end()) independent.system = reader.next(layout("axes")).integer("cidi");
+    note_system(context, independent.system);
+  }
+  context.model.interpolations.push_back(std::move(one));
 }
 
 void read_joint(Context& context, const Block& block, const Options& options) {

@@ -231,6 +231,14 @@ void read_unwritten_history(Context& context, const Block& block, const Options&
                                         fmt::format("*{}: elout has no thick shells and other elements", block.name)});
 }
 
+void read_intfor_values(Context& context, const Block& block, const Options&) {
+  context.model.output.notes.push_back(
+      {Context::place(block, block.line),
+       fmt::format("*{}: intfor has pressure, shear stress and forces of each segment, whatever is asked for; gaps, "
+                   "energies and wear are not written, since their places are not published",
+                   block.name)});
+}
+
 void read_control_output(Context& context, const Block& block, const Options&) {
   CardReader reader(context.deck, block, context.diagnostics);
   if (!reader.at_end()) static_cast<void>(reader.next(keyword::card_layout("CONTROL_OUTPUT", "card1")));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "solver/condition/condition_builder.hpp"
 #include "solver/condition/loads.hpp"
@@ -12,6 +13,15 @@ namespace {
 
 using PressureKind = model::PressureLoad::Kind;
 
+/// Its independent nodes carry the load of a dependent one (*CONSTRAINED_INTERPOLATION).
+bool is_carried(const model::Model& model, NodeIndex node, std::size_t freedom) {
+  const auto carries = [&](const model::Interpolation& one) {
+    return one.dependent == model.mesh.nodes.id[node.value] &&
+           std::to_string(one.freedoms).find(std::to_string(freedom + 1)) != std::string::npos;
+  };
+  return std::any_of(model.interpolations.begin(), model.interpolations.end(), carries);
+}
+
 /// Something must carry the load: a mass, an inertia, a rigid body or a constraint.
 void check_target(ConditionBuilder& builder, const model::ConcentratedLoad& load, NodeIndex node, std::size_t freedom) {
   const Structure& structure = builder.structure;
@@ -20,7 +30,7 @@ void check_target(ConditionBuilder& builder, const model::ConcentratedLoad& load
   const unsigned mask = structure.constraints.mask(node.value), three = moment ? mask >> 3 : mask & 7u;
   const bool local = structure.constraints.axes(node.value) != nullptr;
   const bool held = local ? three == 7u : (mask >> freedom & 1u) != 0;
-  if (mass > 0 || structure.rigid.holds(node.value) || held) return;
+  if (mass > 0 || structure.rigid.holds(node.value) || held || is_carried(builder.model, node, freedom)) return;
   builder.fail(Failure::Kind::zero_mass, load.keyword, load.place,
                fmt::format("node {} has no {} to take up the load; give it one, hold it or remove the load",
                            structure.node_id[node.value], moment ? "rotational inertia" : "mass"));

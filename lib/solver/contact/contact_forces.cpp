@@ -195,6 +195,22 @@ void ContactForces::release(NodeIndex node, PartIndex part) {
   released_ = true;
 }
 
+void ContactForces::hold(NodeIndex node, PartIndex part) {
+  ties_.add(node, part);
+  released_ = true;
+}
+
+std::vector<Touch> ContactForces::touches(ContactIndex contact) const {
+  std::vector<Touch> all;
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    if (states_[i].contact == contact)
+      for (const auto& pass : interfaces_[interface_of_[i]].passes()) {
+        const std::vector<Touch> more = pass->touches();
+        all.insert(all.end(), more.begin(), more.end());
+      }
+  return all;
+}
+
 void ContactForces::add(State& state, Forces& forces) {
   const bool first = !built_;
   if (first) build(state);

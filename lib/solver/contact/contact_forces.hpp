@@ -51,6 +51,10 @@ class ContactForces : public Force, public ContactSource {
     return method == ContactMethod::penalty ||
            (method == ContactMethod::tiebreak && contact.kind->tie != model::TieForm::tiebreak_only);
   }
+  /// The nodes that this contact pushes at the moment.
+  [[nodiscard]] std::vector<Touch> touches(ContactIndex contact) const;
+  /// The node is tied to this part from the next cycle on, so contact between them ends.
+  void hold(NodeIndex node, PartIndex part);
   /// A tie of this node to a segment of this part has failed: from the next cycle on they are in contact like others.
   void release(NodeIndex node, PartIndex part);
 
@@ -119,7 +123,7 @@ class ContactForces : public Force, public ContactSource {
   std::unique_ptr<contact::TimestepEstimate> estimate_;
   double stable_step_ = std::numeric_limits<double>::infinity();
   bool built_ = false;
-  bool released_ = false;  ///< a tie has failed since the last search
+  bool released_ = false;  ///< a tie has failed or begun since the last search
 };
 
 }  // namespace gapcheck::solver

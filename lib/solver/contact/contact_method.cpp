@@ -1,5 +1,7 @@
 #include "solver/contact/contact_method.hpp"
 
+#include <cstdlib>
+
 #include "contact/definition/active_time.hpp"
 #include "solver/contact/curve_rule.hpp"
 
@@ -22,8 +24,12 @@ ContactChoice choose_tie(const model::Contact& contact, const contact::ContactTy
 std::string_view option_not_calculated(const model::Contact& contact) {
   const model::TiebreakStrength& card = contact.tiebreak;
   switch (contact.tiebreak_option) {
+    case 1:
+    case -1:
     case 2:
     case -2:
+    case 3:
+    case -3:
     case 4:
       return {};
     case 5:
@@ -43,15 +49,16 @@ std::string_view option_not_calculated(const model::Contact& contact) {
                  : "OPTION 7, 9, 10 and 11 need positive values of NFLS, SFLS, ERATEN and ERATES; curves are not "
                    "calculated";
     default:
-      return "of tiebreaks OPTION 2, -2 and 4 to 11 alone are calculated";
+      return "of tiebreaks OPTION 1 to 11, -1, -2 and -3 alone are calculated";
   }
 }
 
 ContactChoice choose_tiebreak(const model::Contact& contact, const contact::ContactType& type) {
-  if (type.treatment == contact::Treatment::single_surface)
+  if (type.treatment == contact::Treatment::single_surface &&
+      (type.code != contact::ContactCode::automatic_single || std::abs(contact.tiebreak_option) != 1))
     return no(
-        "tiebreaks of a single surface are not calculated: how the nodes of both faces share the strength is not "
-        "published; use AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK");
+        "of tiebreaks of a single surface AUTOMATIC_SINGLE_SURFACE with OPTION 1 and -1 is calculated: how the nodes "
+        "of both faces share a strength is not published; use AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK");
   if (contact.kind->automatic_tiebreak()) {
     if (contact.kind->tie == model::TieForm::automatic_tiebreak_user)
       return no("tiebreaks by a user's law are not calculated");

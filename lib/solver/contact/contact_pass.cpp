@@ -212,6 +212,27 @@ std::vector<ContactNode> ContactPass::nodes() const {
   return all;
 }
 
+std::vector<Touch> ContactPass::touches() const {
+  const contact::PairScene& scene = pairs_.scene();
+  std::vector<Touch> all;
+  for (const SlotIndex slot : positions<SlotIndex>(pairs_.size())) {
+    const TrackedNode& tracked = pairs_.node(slot);
+    const double depth = tracked.penetration - tracked.memory.forgiven;
+    if (!tracked.active || !(tracked.link.push > 0) || !(depth > 0)) continue;
+    const std::size_t segment = tracked.link.segment.value;
+    Touch& touch = all.emplace_back();
+    touch.node = scene.nodes.node[slot.value];
+    touch.point = {scene.segments.nodes[segment], tracked.link.weights};
+    touch.element_kind = scene.segments.element_kind[segment];
+    touch.element = scene.segments.element[segment];
+    touch.segment_part = contact::part_of(scene.model.mesh, scene.segments, segment);
+    touch.push = tracked.link.push * tracked.link.normal;
+    touch.depth = depth;
+    touch.spring = tracked.pair.spring;
+  }
+  return all;
+}
+
 void ContactPass::add_links(std::vector<ContactLink>& links) const {
   const contact::PairScene& scene = pairs_.scene();
   for (const SlotIndex slot : positions<SlotIndex>(pairs_.size())) {

@@ -37,6 +37,7 @@ class ContactPass final : public InterfacePass {
   void deactivate(const State& state, ContactState& result) override;
   [[nodiscard]] double stored() const override;
   [[nodiscard]] std::vector<ContactNode> nodes() const override;
+  [[nodiscard]] std::vector<Touch> touches() const override;
   void add_links(std::vector<ContactLink>& links) const override;
 
  private:

@@ -7,6 +7,7 @@
 #include "contact/pair/node_contact.hpp"
 #include "records/penetration.hpp"
 #include "solver/interface/contact_source.hpp"
+#include "solver/interface/touch.hpp"
 
 namespace gapcheck::solver {
 
@@ -61,6 +62,8 @@ class InterfacePass {
   [[nodiscard]] virtual double stored() const = 0;
   /// The nodes that it affects.
   [[nodiscard]] virtual std::vector<ContactNode> nodes() const = 0;
+  /// The nodes that it pushes, where these can be tied.
+  [[nodiscard]] virtual std::vector<Touch> touches() const { return {}; }
   /// Adds its forces at the time of the last advance_state().
   virtual void add_links(std::vector<ContactLink>& links) const = 0;
 };

@@ -1,6 +1,7 @@
 #pragma once
 #include <limits>
 
+#include "solver/state/failure.hpp"
 #include "solver/state/state.hpp"
 
 namespace gapcheck::solver {
@@ -19,6 +20,10 @@ class Force {
   /// of the last step and the next one, `next`). Must not act on nodes of rigid bodies and constrained degrees of
   /// freedom.
   virtual void react(const State& /*state*/, double /*mean*/, double /*next*/, Forces& /*net*/, Forces& /*external*/) {}
+  /// Sets velocities of nodes that follow others, once all other velocities of the next step are known.
+  virtual void follow(State& /*state*/) {}
+  /// A failure ends the run; asked after add().
+  [[nodiscard]] virtual SolverStatus status() const { return {}; }
   /// Adds the work that this force took from the structure since the start, by its row of the energy balance; up to
   /// state.time, by the trapezoidal rule over each step: -dt/2 (force before + force now) . velocity.
   virtual void absorbed(Absorbed& /*work*/) const {}

@@ -41,19 +41,13 @@ bool carries_moments(const model::Contact& contact) {
   return contact.kind->automatic_tiebreak() && (option < 0 || option == 8 || option == 10 || option == 11);
 }
 
-Tie tie_of(const model::Contact& contact, const contact::JudgedNode& judged, const contact::ContactSurfaces& surfaces,
-           const std::vector<Vector>& x, const Structure& structure) {
-  const contact::Segments& segments = (surfaces.two_sided() ? surfaces.b : surfaces.a).selection.segments;
-  const contact::ContactType& type = surfaces.type;
-  const bool constraint = contact::ties_by_constraint(surfaces.type) && !judged.penalty;
+}  // namespace
+
+Tie tie_at(const model::Contact& contact, const contact::ContactType& type, bool constraint, NodeIndex node,
+           const ContactPoint& point, const std::vector<Vector>& x, const Structure& structure) {
   Tie tie;
-  tie.contact = judged.contact;
-  tie.segment = judged.segment;
-  tie.segment_part = judged.segment_part;
-  tie.element_kind = segments.element_kind[judged.segment.value];
-  tie.element = segments.element[judged.segment.value];
-  tie.node = judged.node;
-  tie.point = point_of(segments.nodes[judged.segment.value], x[judged.node.value], x);
+  tie.node = node;
+  tie.point = point;
   const bool sound = SegmentAxes(tie.point.nodes, x).sound, nodal = nodes_turn(structure, tie.point);
   const Turning turning = nodal ? Turning::nodes : sound ? Turning::axes : Turning::none;
   tie.carries = type.offset == contact::TieOffset::beam || type.offset == contact::TieOffset::constrained ||
@@ -67,6 +61,22 @@ Tie tie_of(const model::Contact& contact, const contact::JudgedNode& judged, con
       type.code == contact::ContactCode::tied_shell_edge && turning != Turning::none && turns(structure, tie.node);
   if (tie.rotations) tie.rotation = turning;
   if (tie.rotation == Turning::nodes && type.can(contact::Ability::torsion) && sound) tie.rotation = Turning::drill;
+  return tie;
+}
+
+namespace {
+
+Tie tie_of(const model::Contact& contact, const contact::JudgedNode& judged, const contact::ContactSurfaces& surfaces,
+           const std::vector<Vector>& x, const Structure& structure) {
+  const contact::Segments& segments = (surfaces.two_sided() ? surfaces.b : surfaces.a).selection.segments;
+  const bool constraint = contact::ties_by_constraint(surfaces.type) && !judged.penalty;
+  const ContactPoint point = point_of(segments.nodes[judged.segment.value], x[judged.node.value], x);
+  Tie tie = tie_at(contact, surfaces.type, constraint, judged.node, point, x, structure);
+  tie.contact = judged.contact;
+  tie.segment = judged.segment;
+  tie.segment_part = judged.segment_part;
+  tie.element_kind = segments.element_kind[judged.segment.value];
+  tie.element = segments.element[judged.segment.value];
   return tie;
 }
 
@@ -113,7 +123,11 @@ TieMotion motion(const Tie& tie, const SegmentAxes& axes, const std::vector<Vect
 }
 
 void TieOffset::start(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& x) {
-  value_ = x[tie.node.value] - tie.point.of(x);
+  start(axes, x[tie.node.value] - tie.point.of(x));
+}
+
+void TieOffset::start(const SegmentAxes& axes, const Vector& value) {
+  value_ = value;
   local_ = axes.axes.transpose() * value_;
 }
 

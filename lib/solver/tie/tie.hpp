@@ -62,6 +62,8 @@ struct TieMotion {
 class TieOffset {
  public:
   void start(const Tie& tie, const SegmentAxes& axes, const std::vector<Vector>& x);
+  /// With another value than the present distance.
+  void start(const SegmentAxes& axes, const Vector& value);
   /// At the end of a step over dt in which the segment turned with `spin`.
   void move(const Tie& tie, const SegmentAxes& axes, const Vector& spin, double dt);
   /// Makes a part of the elongation permanent.
@@ -100,6 +102,12 @@ struct TieRange {
 /// Of the contacts that tie by constraints, or by springs, and of other contacts with ties in the list.
 [[nodiscard]] std::vector<TieRange> tie_ranges(const model::Model& model, const std::vector<Tie>& ties,
                                                bool by_constraint);
+
+/// A tie of a calculated contact at a point. `constraint`: it is no spring. What the segment belongs to is still to be
+/// set.
+[[nodiscard]] Tie tie_at(const model::Contact& contact, const contact::ContactType& type, bool constraint,
+                         NodeIndex node, const ContactPoint& point, const std::vector<Vector>& x,
+                         const Structure& structure);
 
 /// The ties of all calculated contacts, by contact, then node: those by constraints, or those by springs. The ties are
 /// those that the initialisation found.

@@ -10,8 +10,7 @@
 #include "contact/definition/friction.hpp"
 #include "contact/stiffness/stiffness.hpp"
 #include "solver/interface/contact_spring.hpp"
-#include "solver/tie/tie_stability.hpp"
-#include "solver/tie/tie_strengths.hpp"
+#include "solver/tie/tie_stick.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -46,112 +45,148 @@ double squared_radius(const Tie& tie, const Structure& structure) {
 
 TieForces::TieForces(const model::Model& model, contact::SurfaceStore& surfaces, const contact::InitialState& initial,
                      const Structure& structure)
-    : model_(model), store_(surfaces), initial_(initial), structure_(&structure) {
+    : model_(model), store_(surfaces), initial_(initial), structure_(structure), stability_(structure) {
   const std::vector<Tie> ties = tie_list(model, surfaces, initial, structure, false);
-  for (const Tie& tie : ties) {
-    TieSpring& spring = springs_.emplace_back();
-    spring.tie = tie;
-    spring.percent = std::max(0.0, model.contact(tie.contact).vdc);
+  for (const TieRange& range : tie_ranges(model, ties, false)) {
+    Interface& interface = interfaces_.emplace_back();
+    interface.range = range;
+    for (std::size_t i = range.first; i < range.last; ++i) {
+      TieSpring& spring = interface.springs.emplace_back();
+      spring.tie = ties[i];
+      spring.percent = std::max(0.0, model.contact(range.contact).vdc);
+    }
+    states_.emplace_back().contact = range.contact;
   }
-  interfaces_ = tie_ranges(model, ties, false);
-  for (const TieRange& interface : interfaces_) states_.emplace_back().contact = interface.contact;
 }
 
-void TieForces::tell_ends(const TieRange& interface, double time) {
+void TieForces::tell_ends(Interface& interface, double time) {
   std::vector<std::int64_t> failed;
-  for (std::size_t i = interface.first; i < interface.last; ++i) {
-    TieSpring& spring = springs_[i];
-    if (spring.told || (!spring.damage.broken && !interface.over(time))) continue;
+  for (TieSpring& spring : interface.springs) {
+    if (spring.told || (!spring.damage.broken && !interface.range.over(time))) continue;
     spring.told = true;
     if (released_) released_(spring.tie.node, spring.tie.segment_part);
+    if (!spring.strength.limited()) interface.has_stuck.erase(spring.tie.node.value);
     if (spring.damage.broken) failed.push_back(model_.mesh.nodes.id[spring.tie.node.value]);
   }
-  if (!failed.empty()) events_.push_back({interface.contact, time, failed_ties(failed)});
+  if (!failed.empty()) events_.push_back({interface.range.contact, time, failed_ties(failed)});
+}
+
+void TieForces::build_springs(Interface& interface, const ContactMasses& masses, StiffnessCache& tables,
+                              const State& state) {
+  const ContactIndex c = interface.range.contact;
+  const model::Contact& contact = model_.contact(c);
+  const contact::ContactSurfaces& surfaces = store_.at(c);
+  const contact::SideScene side(model_, c, surfaces, false, initial_.x);
+  ContactSprings springs(model_, side, masses, contact.sfs, contact.sfm, tables);
+  const double timestep = contact.dtstif > 0 ? contact.dtstif : state.manual_step;
+  springs.set_timestep(timestep);
+  auto strengths = std::make_unique<TieStrengths>(model_, c, side.tracked().selection.segments, state.x);
+  const std::vector<NodeIndex>& nodes = side.scene().nodes.node;
+  for (TieSpring& spring : interface.springs) {
+    const Tie& tie = spring.tie;
+    spring.strength = strengths->of(tie, state.x);
+    const auto slot = std::lower_bound(nodes.begin(), nodes.end(), tie.node) - nodes.begin();
+    const ContactSprings::Spring found = springs(to_index<SlotIndex>(static_cast<std::size_t>(slot)), tie.segment);
+    spring.stiffness = std::isfinite(found.stiffness) ? std::max(0.0, found.stiffness) : 0;
+    if (spring.stiffness == 0)  // no modulus is known on either side
+      spring.stiffness = contact.sofscl * contact::soft_1_stiffness(found.node_mass, found.segment_mass, timestep);
+    if (const double given = strengths->stiffness(spring.strength); given > 0) spring.stiffness = given;
+    if (tie.rotations) spring.rotational = spring.stiffness * squared_radius(tie, structure_);
+    spring.damping = ContactSprings::damping(found, spring.percent);
+    ratio_ = std::max(ratio_, spring.percent / 100);
+    const SegmentAxes axes(tie.point.nodes, state.x);
+    stability_.add(tie, axes, state.x[tie.node.value] - tie.point.of(state.x),
+                   spring.stiffness * std::max(1.0, spring.strength.stiffness_ratio), spring.rotational);
+  }
+  if (!ties_stick(contact) || contact::ties_by_constraint(surfaces.type)) return;
+  interface.strengths = std::move(strengths);
+  for (const TieSpring& spring : interface.springs) interface.has_stuck.insert(spring.tie.node.value);
 }
 
 void TieForces::build(const State& state) {
   built_ = true;
   const ContactMasses masses(model_);
   StiffnessCache tables;
-  TieStability stability(*structure_);
-  double ratio = 0;
-  for (const TieRange& interface : interfaces_) {
-    const model::Contact& contact = model_.contact(interface.contact);
-    const contact::ContactSurfaces& surfaces = store_.at(interface.contact);
-    const contact::SideScene side(model_, interface.contact, surfaces, false, initial_.x);
-    ContactSprings springs(model_, side, masses, contact.sfs, contact.sfm, tables);
-    const double timestep = contact.dtstif > 0 ? contact.dtstif : state.manual_step;
-    springs.set_timestep(timestep);
-    const TieStrengths strengths(model_, interface.contact, side.tracked().selection.segments, state.x);
-    const std::vector<NodeIndex>& nodes = side.scene().nodes.node;
-    for (std::size_t i = interface.first; i < interface.last; ++i) {
-      TieSpring& spring = springs_[i];
-      const Tie& tie = spring.tie;
-      spring.strength = strengths.of(tie, state.x);
-      const auto slot = std::lower_bound(nodes.begin(), nodes.end(), tie.node) - nodes.begin();
-      const ContactSprings::Spring found = springs(to_index<SlotIndex>(static_cast<std::size_t>(slot)), tie.segment);
-      spring.stiffness = std::isfinite(found.stiffness) ? std::max(0.0, found.stiffness) : 0;
-      if (spring.stiffness == 0)  // no modulus is known on either side
-        spring.stiffness = contact.sofscl * contact::soft_1_stiffness(found.node_mass, found.segment_mass, timestep);
-      if (const double given = strengths.stiffness(spring.strength); given > 0) spring.stiffness = given;
-      if (tie.rotations) spring.rotational = spring.stiffness * squared_radius(tie, *structure_);
-      spring.damping = ContactSprings::damping(found, spring.percent);
-      ratio = std::max(ratio, spring.percent / 100);
-      const SegmentAxes axes(tie.point.nodes, state.x);
-      stability.add(tie, axes, state.x[tie.node.value] - tie.point.of(state.x),
-                    spring.stiffness * std::max(1.0, spring.strength.stiffness_ratio), spring.rotational);
-    }
+  for (Interface& interface : interfaces_) {
+    build_springs(interface, masses, tables, state);
     let_slide(interface);
   }
   const bool limited = state.coming > 0 && std::isfinite(state.coming);
   const double room = 4 / (shortest_step * shortest_step) - state.elements_share;
-  const std::vector<double> shares = stability.shares(limited ? room / damped(ratio) / (state.coming * state.coming)
-                                                              : std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < springs_.size(); ++i) {
-    springs_[i].stiffness *= shares[2 * i];
-    springs_[i].rotational *= shares[2 * i + 1];
-    springs_[i].damping *= std::sqrt(shares[2 * i]);
-  }
-  squared_frequency_ = damped(ratio) * stability.squared_frequency(shares);
-  structure_ = nullptr;
+  shares_ = stability_.shares(limited ? room / damped(ratio_) / (state.coming * state.coming)
+                                      : std::numeric_limits<double>::infinity());
+  std::size_t next = 0;
+  for (Interface& interface : interfaces_)
+    for (TieSpring& spring : interface.springs) {
+      spring.stiffness *= shares_[next];
+      spring.damping *= std::sqrt(shares_[next]);
+      spring.rotational *= shares_[next + 1];
+      next += 2;
+    }
+  squared_frequency_ = damped(ratio_) * stability_.squared_frequency(shares_);
 }
 
 /// Nodes of OPTION 4, whose ties have friction across the normal.
-void TieForces::let_slide(const TieRange& interface) {
-  const model::Contact& contact = model_.contact(interface.contact);
+void TieForces::let_slide(Interface& interface) {
+  const model::Contact& contact = model_.contact(interface.range.contact);
   if (!ties_slide(contact)) return;
-  const contact::ContactSurfaces& surfaces = store_.at(interface.contact);
+  const contact::ContactSurfaces& surfaces = store_.at(interface.range.contact);
   sliding_.push_back(std::make_unique<contact::SlidingSurface>(surfaces.b.selection.segments));
   const contact::Friction friction(model_, contact);
-  for (std::size_t i = interface.first; i < interface.last; ++i) {
-    TieSpring& spring = springs_[i];
+  for (TieSpring& spring : interface.springs) {
     const bool plain = contact.tiebreak.param == 1;
     spring.slide = TieSlide(*sliding_.back(), friction.between(none<PartIndex>, spring.tie.segment_part),
                             plain ? contact.tiebreak.shear * spring.strength.area : 0);
   }
 }
 
+/// Nodes of OPTION 1 and 3 that contact has stopped in this cycle. The step follows their springs, which are as stiff
+/// as those of the contact.
+void TieForces::let_stick(Interface& interface, const State& state) {
+  if (!interface.strengths || !touches_ || !interface.range.active(state.time)) return;
+  const ContactIndex c = interface.range.contact;
+  const model::Contact& contact = model_.contact(c);
+  bool any = false;
+  for (const Touch& touch : touches_(c)) {
+    if (!interface.has_stuck.insert(touch.node.value).second) continue;
+    Tie tie = tie_at(contact, store_.at(c).type, false, touch.node, touch.point, state.x, structure_);
+    tie.contact = c;
+    tie.segment_part = touch.segment_part;
+    tie.element_kind = touch.element_kind;
+    tie.element = touch.element;
+    TieSpring spring = stuck_spring(contact, tie, touch, *interface.strengths, state);
+    ratio_ = std::max(ratio_, spring.percent / 100);
+    const SegmentAxes axes(tie.point.nodes, state.x);
+    stability_.add(tie, axes, state.x[tie.node.value] - tie.point.of(state.x), spring.stiffness, 0);
+    shares_.insert(shares_.end(), {1.0, 1.0});
+    if (held_) held_(tie.node, tie.segment_part);
+    interface.springs.push_back(std::move(spring));
+    any = true;
+  }
+  if (any) squared_frequency_ = damped(ratio_) * stability_.squared_frequency(shares_);
+}
+
 void TieForces::add(State& state, Forces& forces) {
-  if (springs_.empty()) return;
+  if (interfaces_.empty()) return;
   if (!built_) build(state);
   coming_ = state.coming;
   elements_share_ = state.elements_share;
   if (state.failed.count != failures_)
-    for (TieSpring& spring : springs_)
-      if (segment_gone(spring.tie, state.failed)) spring.damage.end();
+    for (Interface& interface : interfaces_)
+      for (TieSpring& spring : interface.springs)
+        if (segment_gone(spring.tie, state.failed)) spring.damage.end();
   failures_ = state.failed.count;
   for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-    const TieRange& interface = interfaces_[i];
-    const bool active = interface.active(state.time);
-    parallel_for(interface.last - interface.first, 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t s = begin; s < end; ++s) advance(springs_[interface.first + s], state, active);
+    Interface& interface = interfaces_[i];
+    const bool active = interface.range.active(state.time);
+    parallel_for(interface.springs.size(), 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) advance(interface.springs[s], state, active);
     });
     tell_ends(interface, state.time);
     ContactState& result = states_[i];
     result.force_a = result.force_b = result.moment_a = result.moment_b = Vector::Zero();
     result.touching = 0;
-    for (std::size_t s = interface.first; s < interface.last; ++s) {
-      const TieSpring& spring = springs_[s];
+    for (const TieSpring& spring : interface.springs) {
       result.touching += spring.active;
       spring.loads.add_to(spring.tie, forces);
       spring.loads.add_to(spring.tie, state, result);
@@ -161,15 +196,15 @@ void TieForces::add(State& state, Forces& forces) {
       result.friction += spring.rubbed;
       result.lost += spring.lost;
     }
+    let_stick(interface, state);
   }
 }
 
 std::optional<double> TieForces::stored(std::size_t position) const {
-  const TieRange& interface = interfaces_[position];
   double sum = 0;
-  for (std::size_t i = interface.first; i < interface.last; ++i) {
-    if (springs_[i].strength.limited() || springs_[i].slide.slides()) return std::nullopt;
-    sum += springs_[i].stored;
+  for (const TieSpring& spring : interfaces_[position].springs) {
+    if (spring.strength.limited() || spring.slide.slides()) return std::nullopt;
+    sum += spring.stored;
   }
   return sum;
 }
@@ -192,24 +227,24 @@ void TieForces::absorbed(Absorbed& work) const {
 
 std::vector<ContactNode> TieForces::nodes(std::size_t position) const {
   std::vector<ContactNode> all;
-  for (std::size_t s = interfaces_[position].first; s < interfaces_[position].last; ++s) {
-    if (!springs_[s].active && !springs_[s].damage.broken) continue;
+  for (const TieSpring& spring : interfaces_[position].springs) {
+    if (!spring.active && !spring.damage.broken) continue;
     ContactNode& node = all.emplace_back();
-    node.kind = springs_[s].damage.broken ? ContactNode::Kind::broken : ContactNode::Kind::tied;
-    node.node = springs_[s].tie.node;
-    node.segment = springs_[s].tie.point.nodes;
-    node.force = springs_[s].loads.force;
+    node.kind = spring.damage.broken ? ContactNode::Kind::broken : ContactNode::Kind::tied;
+    node.node = spring.tie.node;
+    node.segment = spring.tie.point.nodes;
+    node.force = spring.loads.force;
   }
   return all;
 }
 
 void TieForces::links(std::size_t position, std::vector<ContactLink>& links) const {
-  for (std::size_t s = interfaces_[position].first; s < interfaces_[position].last; ++s) {
-    if (!springs_[s].active) continue;
+  for (const TieSpring& spring : interfaces_[position].springs) {
+    if (!spring.active) continue;
     ContactLink& link = links.emplace_back();
-    link.tracked = {{springs_[s].tie.node}, {1}};
-    link.reference = springs_[s].tie.point;
-    link.force = springs_[s].loads.force;
+    link.tracked = {{spring.tie.node}, {1}};
+    link.reference = spring.tie.point;
+    link.force = spring.loads.force;
   }
 }
 

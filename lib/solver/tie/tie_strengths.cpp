@@ -47,6 +47,9 @@ void TieStrengths::set_law(TieStrength& strength) const {
   const model::TiebreakStrength& card = contact_.tiebreak;
   strength.curve = curve_of(model_, card.curve);
   switch (std::abs(contact_.tiebreak_option)) {
+    case 1:
+      strength.normal = strength.shear = 0;
+      break;
     case 4:
       strength.shear = 0;
       break;

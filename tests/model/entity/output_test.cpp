@@ -99,6 +99,18 @@ TEST(Output, CrossSections) {
   EXPECT_EQ(set.others, 5);
 }
 
+// What LS-DYNA would add to intfor has no known place there: it is named.
+TEST(Output, InterfaceValuesThatAreNotWrittenAreNamed) {
+  const Read read = read_text("*CONTROL_CONTACT\n\n\n\n1,1\n*DATABASE_EXTENT_INTFOR\n1,1,1,1,1,1\n");
+  EXPECT_EQ(read.text(), "");
+  ASSERT_EQ(read.model.output.notes.size(), 2u);
+  EXPECT_NE(read.model.output.notes[0].text.find("FRCENG = 1"), std::string::npos);
+  EXPECT_EQ(read.model.output.notes[0].place.line, 5u);
+  EXPECT_NE(read.model.output.notes[1].text.find("gaps, energies and wear are not written"), std::string::npos);
+  EXPECT_EQ(read.model.output.notes[1].place.line, 6u);
+  EXPECT_TRUE(read_text("*CONTROL_CONTACT\n\n\n\n1\n").model.output.notes.empty());
+}
+
 TEST(Output, InterfaceForces) {
   const Read read = read_text("*NODE\n1\n*DATABASE_BINARY_INTFOR_FILE\nforces.dat\n0.5,3\n");
   EXPECT_EQ(read.text(), "");

@@ -251,13 +251,16 @@ TEST(Tiebreak, WhatIsNotCalculatedIsRefused) {
   EXPECT_EQ(method(surfaces, "2,1.,1.").method, ContactMethod::tiebreak);
   EXPECT_EQ(method(surfaces, "6,1.,1.,0.1").method, ContactMethod::tiebreak);
   EXPECT_EQ(method("TIEBREAK_SURFACE_TO_SURFACE", "1.,1.").method, ContactMethod::tiebreak);
-  for (const char* card : {"1", "3,1.,1.", "5,0.,1.", "7,1.,1.", "9,1.,1.,0.,1.,1.", "9,1.,-7.,1.,1.,1.",
+  EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "1").method, ContactMethod::tiebreak);
+  EXPECT_EQ(method("AUTOMATIC_SINGLE_SURFACE_TIEBREAK", "2,1.,1.").method, ContactMethod::none);
+  EXPECT_EQ(method("AUTOMATIC_GENERAL_TIEBREAK", "1").method, ContactMethod::none);
+  for (const char* card : {"0", "12", "5,0.,1.", "7,1.,1.", "9,1.,1.,0.,1.,1.", "9,1.,-7.,1.,1.,1.",
                            "9,1.,1.,1.,1.,1.,-1.", "6,1.,1.", "8,1.,1.", "13,1.,1."}) {
     EXPECT_EQ(method(surfaces, card).method, ContactMethod::none) << card;
     EXPECT_FALSE(method(surfaces, card).why_not.empty()) << card;
   }
-  for (const char* card :
-       {"-2,1.,1.", "4,1.", "5,1.", "7,1.,1.,0.,1.,1.", "8,1.,1.,0.1", "9,1.,1.,-1.,1.,1.", "11,1.,1.,1.,1.,1."})
+  for (const char* card : {"1", "-1", "3,1.,1.", "-3,1.,1.", "-2,1.,1.", "4,1.", "5,1.", "7,1.,1.,0.,1.,1.",
+                           "8,1.,1.,0.1", "9,1.,1.,-1.,1.,1.", "11,1.,1.,1.,1.,1."})
     EXPECT_EQ(method(surfaces, card).method, ContactMethod::tiebreak) << card;
   for (const int soft : {0, 1})
     EXPECT_EQ(method(surfaces, fmt::format("2,1.,1.\n{}", soft)).method, ContactMethod::tiebreak);
