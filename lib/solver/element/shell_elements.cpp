@@ -179,8 +179,9 @@ double ShellElements::stored(std::size_t shell, const std::vector<Vector>& x) co
     for (std::size_t k = 0; k < 4; ++k) corners[k] = x[nodes_[shell][k].value];
     return full_stored_energy(properties(shell), state_[shell], corners, points(shell));
   }
-  const auto stored = kirchhoff(shell) ? kirchhoff_stored_energy : stored_energy;
-  return stored(properties(shell), state_[shell], quad_normal(nodes_[shell], x).norm() / 2, points(shell));
+  const double area = quad_normal(nodes_[shell], x).norm() / 2;
+  if (kirchhoff(shell)) return kirchhoff_stored_energy(properties(shell), state_[shell], area, points(shell));
+  return stored_energy(properties(shell), state_[shell], area, points(shell));
 }
 
 void ShellElements::watch_steps(const MassScaling& scaling, const State& state) {

@@ -16,9 +16,9 @@ constexpr double kept_change = 0.01, kept_growth = 1.05;
 
 /// Motions: nine coefficients of v that strain, and two rates of the normal at each corner. Strains: eight at each
 /// point.
-constexpr int motions = 17, strains = 32;
-using Strains = Eigen::Matrix<double, strains, motions>;
-using Energies = Eigen::Matrix<double, motions, motions>;
+constexpr int motion_count = 17, strain_count = 32;
+using ModeStrains = Eigen::Matrix<double, strain_count, motion_count>;
+using ModeEnergies = Eigen::Matrix<double, motion_count, motion_count>;
 
 /// Factors on the strains whose squares add up to twice the energy per mass.
 struct Moduli {
@@ -34,7 +34,7 @@ struct Moduli {
 };
 
 /// One column: what a motion strains, in roots of energy.
-void set_column(const FullFrame& frame, const Moduli& moduli, const FullStrains& rates, double scale, Strains& all,
+void set_column(const FullFrame& frame, const Moduli& moduli, const FullStrains& rates, double scale, ModeStrains& all,
                 int column) {
   const Four weight = scale * (frame.determinant / frame.area).sqrt();
   const auto put = [&](int row, const Four& value) { all.col(column).segment<4>(4 * row) = (weight * value).matrix(); };
@@ -51,11 +51,11 @@ void set_column(const FullFrame& frame, const Moduli& moduli, const FullStrains&
 }
 
 /// Strains of all motions of which each has the kinetic energy of a quarter of the mass.
-Strains strains_of_motions(const ShellProperties& properties, const FullFrame& frame, double thickness) {
+ModeStrains strains_of_motions(const ShellProperties& properties, const FullFrame& frame, double thickness) {
   const Moduli moduli(properties, thickness);
   const MembraneModes modes(frame, properties.material.poisson);
   const Bilinear rest{Vector::Zero(), Vector::Zero(), Vector::Zero(), Vector::Zero()};
-  Strains all;
+  ModeStrains all;
   int column = 0;
   for (Vector Bilinear::*coefficient : {&Bilinear::xi, &Bilinear::eta, &Bilinear::both})
     for (int axis = 0; axis < 3; ++axis) {
@@ -77,12 +77,12 @@ Strains strains_of_motions(const ShellProperties& properties, const FullFrame& f
   return all;
 }
 
-double largest_bound(const Strains& of_motions) {
-  Energies power = of_motions.transpose() * of_motions;
+double largest_bound(const ModeStrains& of_motions) {
+  ModeEnergies power = of_motions.transpose() * of_motions;
   const double trace = power.trace();
   if (!(trace > 0)) return trace;
   power /= trace;
-  for (int squaring = 0; squaring < 3; ++squaring) power = Energies(power * power);
+  for (int squaring = 0; squaring < 3; ++squaring) power = ModeEnergies(power * power);
   return trace * std::pow(power.squaredNorm(), 1.0 / 16);
 }
 
