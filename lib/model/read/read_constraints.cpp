@@ -73,7 +73,8 @@ Interpolation::Independent read_independent(const Card& card, bool set) {
   one.freedoms = or_default(card.integer("idof"), one.freedoms);
   constexpr std::array weight_fields{"twghtx", "twghty", "twghtz", "rwghtx", "rwghty", "rwghtz"};
   const double first = or_default(card.real(weight_fields[0]), 1);
-  for (std::size_t i = 0; i < weight_fields.size(); ++i) one.weights[i] = or_default(card.real(weight_fields[i]), first);
+  for (std::size_t i = 0; i < weight_fields.size(); ++i)
+    one.weights[i] = or_default(card.real(weight_fields[i]), first);
   one.place.line = card.line();
   return one;
 }

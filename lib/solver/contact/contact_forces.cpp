@@ -47,6 +47,29 @@ std::vector<std::uint32_t> nodes_in_contact(std::span<const ContactInterface> in
   return list;
 }
 
+std::vector<Touch> touches_of(const ContactInterface& interface) {
+  std::vector<Touch> all;
+  for (const auto& pass : interface.passes()) {
+    const std::vector<Touch> more = pass->touches();
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
+std::optional<double> stored_in(const ContactInterface& interface) {
+  // What a curve stores does not follow from the state where unloading differs from loading.
+  if (acts_by_curve(interface.card())) return std::nullopt;
+  double sum = 0;
+  for (const auto& pass : interface.passes()) sum += pass->stored();
+  return sum;
+}
+
+/// Interfaces to which nothing has been near so far.
+std::size_t count_waiting(std::span<const ContactInterface> interfaces) {
+  const auto waits = [](const ContactInterface& interface) { return interface.passes().empty(); };
+  return static_cast<std::size_t>(std::ranges::count_if(interfaces, waits));
+}
+
 /// For the springs of eroding types. `estimate` is made when it is needed.
 double eroding_step(std::span<const ContactInterface> interfaces, const model::Model& model,
                     const ContactMasses& masses, std::unique_ptr<contact::TimestepEstimate>& estimate) {
@@ -190,25 +213,15 @@ double ContactForces::used_since_search(std::uint32_t i) const {
   return before > 0 ? now * rounding_of_motion - before : now;
 }
 
-void ContactForces::release(NodeIndex node, PartIndex part) {
-  ties_.remove(node, part);
-  released_ = true;
-}
-
-void ContactForces::hold(NodeIndex node, PartIndex part) {
-  ties_.add(node, part);
+void ContactForces::set_tied(NodeIndex node, PartIndex part, bool tied) {
+  tied ? ties_.add(node, part) : ties_.remove(node, part);
   released_ = true;
 }
 
 std::vector<Touch> ContactForces::touches(ContactIndex contact) const {
-  std::vector<Touch> all;
-  for (std::size_t i = 0; i < states_.size(); ++i)
-    if (states_[i].contact == contact)
-      for (const auto& pass : interfaces_[interface_of_[i]].passes()) {
-        const std::vector<Touch> more = pass->touches();
-        all.insert(all.end(), more.begin(), more.end());
-      }
-  return all;
+  const auto at = std::ranges::find(states_, contact, &ContactState::contact);
+  if (at == states_.end()) return {};
+  return touches_of(interfaces_[interface_of_[static_cast<std::size_t>(at - states_.begin())]]);
 }
 
 void ContactForces::add(State& state, Forces& forces) {
@@ -297,22 +310,14 @@ void ContactForces::absorbed(Absorbed& work) const {
   for (const ContactState& state : states_) add_works(state, work);
 }
 
-std::size_t ContactForces::waiting() const {
-  const auto waits = [](const ContactInterface& interface) { return interface.passes().empty(); };
-  return static_cast<std::size_t>(std::ranges::count_if(interfaces_, waits));
-}
+std::size_t ContactForces::waiting() const { return count_waiting(interfaces_); }
 
 std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {
   return nodes_of(interfaces_[interface_of_[position]]);
 }
 
 std::optional<double> ContactForces::stored(std::size_t position) const {
-  const ContactInterface& interface = interfaces_[interface_of_[position]];
-  // What a curve stores does not follow from the state where unloading differs from loading.
-  if (acts_by_curve(interface.card())) return std::nullopt;
-  double sum = 0;
-  for (const auto& pass : interface.passes()) sum += pass->stored();
-  return sum;
+  return stored_in(interfaces_[interface_of_[position]]);
 }
 
 void ContactForces::links(std::size_t position, std::vector<ContactLink>& links) const {

@@ -53,10 +53,9 @@ class ContactForces : public Force, public ContactSource {
   }
   /// The nodes that this contact pushes at the moment.
   [[nodiscard]] std::vector<Touch> touches(ContactIndex contact) const;
-  /// The node is tied to this part from the next cycle on, so contact between them ends.
-  void hold(NodeIndex node, PartIndex part);
-  /// A tie of this node to a segment of this part has failed: from the next cycle on they are in contact like others.
-  void release(NodeIndex node, PartIndex part);
+  /// From the next cycle on the node is tied to this part, and contact between them ends; or a tie to a segment of it
+  /// has failed, and they are in contact like others.
+  void set_tied(NodeIndex node, PartIndex part, bool tied);
 
  private:
   /// An interface that several contacts share.

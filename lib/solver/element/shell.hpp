@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "solver/element/full/warped_frequency.hpp"
+#include "solver/element/full/shell_axes.hpp"
 #include "solver/element/hourglass.hpp"
-#include "solver/element/shell_axes.hpp"
+#include "solver/element/warped_frequency.hpp"
 #include "solver/material/material.hpp"
 #include "solver/quadrature/gauss.hpp"
 

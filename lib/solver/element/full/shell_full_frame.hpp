@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/vector.hpp"
-#include "solver/element/shell_axes.hpp"
+#include "solver/element/full/shell_axes.hpp"
 
 namespace gapcheck::solver {
 

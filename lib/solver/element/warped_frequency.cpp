@@ -1,4 +1,4 @@
-#include "solver/element/full/warped_frequency.hpp"
+#include "solver/element/warped_frequency.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
