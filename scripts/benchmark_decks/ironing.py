@@ -83,6 +83,5 @@ without losses in the bodies the work F v is that of friction, and surfaces that
 other at v. The normal force of penalty contacts is even within 0.3 % on the finer mesh, that of mortar contact within 0.1 %. Mortar
 contact is softer here: its pressure begins with no slope, so its depth is a greater part of the way pressed; that falls with the edges.
 
-By parts (types 2 and 3) instead of segments the penalty contacts fail at this: nodes on the common edge of the flush sides of both
-bodies lose their segment as they slide from brick to brick, and most of the force is gone. Mortar contact does not need the segments.
+The contacts name the segments of the faces that meet, so that the flush sides of both bodies take no part.
 """)

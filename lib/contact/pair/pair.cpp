@@ -114,8 +114,11 @@ bool PairScene::ends_at(SegmentIndex s, NodeIndex node) const {
 bool PairScene::slides(SlotIndex slot, SegmentIndex segment, double distance) const {
   if (own_neighbours == nullptr || segments.kind[segment.value] != SegmentKind::solid) return false;
   const geometry::Facet plane = facet(segment);
-  if (!(std::abs(distance) <= flush_share * min_diagonal(plane))) return false;
   const Vector face = quad_normal(plane.x).stableNormalized();
+  // In the plane of a face beside it, too: the next one along a flush side may be nearer than the face that is met.
+  const Vector middle = (plane.x[0] + plane.x[1] + plane.x[2] + plane.x[3]) / 4;
+  const double height = std::min(std::abs(distance), std::abs(face.dot(position(slot) - middle)));
+  if (!(height <= flush_share * min_diagonal(plane))) return false;
   const std::span<const SegmentIndex> around = own_neighbours->at(nodes.node[slot.value]);
   for (const SegmentIndex each : around) {
     if (own->kind[each.value] != SegmentKind::solid) return false;

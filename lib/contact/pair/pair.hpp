@@ -76,10 +76,10 @@ struct PairScene {
   /// False if the query lies behind the segment, given its closest point; `slot`: the node there.
   [[nodiscard]] bool in_front(SlotIndex slot, SegmentIndex segment, const geometry::ClosestPoint& closest,
                               const Vector& query) const;
-  /// True if a corner or edge of a solid slides along the segment instead of pressing on it: it is `distance` away from
-  /// its plane, next to nothing, all segments at the node are faces of solids, and none of them looks against the
-  /// segment. At an edge of two flush blocks that tells the side face, in whose plane the node lies, from the end face,
-  /// which it meets.
+  /// True if a corner or edge of a solid slides along the segment instead of pressing on it: next to nothing lies
+  /// between it and the segment (`distance`), or the segment's plane; all segments at the node are faces of solids, and
+  /// none of them looks against the segment. At an edge of two flush blocks that tells the side faces, in whose plane
+  /// the node lies, from the end face, which it meets.
   [[nodiscard]] bool slides(SlotIndex slot, SegmentIndex segment, double distance) const;
 };
 
