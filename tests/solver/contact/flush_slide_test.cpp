@@ -32,7 +32,7 @@ TEST(FlushSlide, KeepsItsNormalForce) {
   RunScene scene(sliding_block());
   ASSERT_TRUE(scene.prepared()) << scene.message();
   double pressed = 0, least = 1e300;
-  scene.go([&](const Run& run) {
+  scene.go([&](const solver::Run& run) {
     const double force = std::abs(run.contacts()[0].state().force_a.z());
     const double time = run.stepper().state().time;
     if (time < 22) pressed = force;
