@@ -90,8 +90,8 @@ def tube_values(run, level, variant):
 TUBE = Problem(
     "tube", "Axial crush of a round tube", f"""\
 A round tube (mean diameter D = 50 mm, t = 1.5 mm, length 60 mm, E = 210 GPa, ν = 0.3, yield stress σ = 0.25 GPa, ideally plastic), clamped
-at both ends, is crushed by 36 mm at 10 m/s and folds like a concertina. One row of shells between two planes of symmetry stands for all
-around, so no other mode can form. There is no exact answer. The formula of Abramowicz and Jones (Int. J. Impact Engng 4, 1986),
+at both ends, is crushed by 36 mm at 10 m/s and folds like a concertina. The model is one row of shells between two planes of symmetry, so no
+mode but this one can form. There is no exact answer. The formula of Abramowicz and Jones (Int. J. Impact Engng 4, 1986),
 made for experiments, holds within some 10 to 20 %:
 
     P / M₀ = (20.79 √(D/t) + 11.90) / (0.86 − 0.568 √(t/D))      M₀ = σ t² / 2 √3

@@ -114,17 +114,21 @@ bool PairScene::ends_at(SegmentIndex s, NodeIndex node) const {
 bool PairScene::slides(SlotIndex slot, SegmentIndex segment, double distance) const {
   if (own_neighbours == nullptr || segments.kind[segment.value] != SegmentKind::solid) return false;
   const geometry::Facet plane = facet(segment);
-  const Vector face = quad_normal(plane.x).stableNormalized();
-  // In the plane of a face beside it, too: the next one along a flush side may be nearer than the face that is met.
-  const Vector middle = (plane.x[0] + plane.x[1] + plane.x[2] + plane.x[3]) / 4;
-  const double height = std::min(std::abs(distance), std::abs(face.dot(position(slot) - middle)));
-  if (!(height <= flush_share * min_diagonal(plane))) return false;
+  const Vector normal = quad_normal(plane.x);
+  const double flush = flush_share * min_diagonal(plane);
+  // Of a warped face the distance tells; of one beside the node, the next along a flush side, its plane.
+  if (!(std::abs(distance) <= flush)) {
+    const Vector middle = (plane.x[0] + plane.x[1] + plane.x[2] + plane.x[3]) / 4;
+    const double height = normal.dot(position(slot) - middle);
+    if (!(height * height < flush * flush * normal.squaredNorm())) return false;
+  }
+  const Vector face = normal.stableNormalized();
   const std::span<const SegmentIndex> around = own_neighbours->at(nodes.node[slot.value]);
   for (const SegmentIndex each : around) {
     if (own->kind[each.value] != SegmentKind::solid) return false;
     const auto& n = own->nodes[each.value];
-    const Vector normal = quad_normal(std::array{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]});
-    if (normal.stableNormalized().dot(face) < against) return false;
+    const Vector own_face = quad_normal(std::array{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]});
+    if (own_face.stableNormalized().dot(face) < against) return false;
   }
   return !around.empty();
 }

@@ -8,8 +8,9 @@
 
 namespace gapcheck::model {
 
-/// *CONSTRAINED_INTERPOLATION: a node that follows the weighted mean motion of others. Numbers are as written, but for
-/// defaults; digits name degrees of freedom: 1 … 3 the translations, 4 … 6 the rotations.
+/// *CONSTRAINED_INTERPOLATION: a dependent node whose motion is the weighted average of that of independent nodes.
+/// Numbers are as written, but for defaults; digits name degrees of freedom: 1 … 3 the translations, 4 … 6 the
+/// rotations.
 struct Interpolation {
   /// A card of independent nodes.
   struct Independent {

@@ -52,10 +52,10 @@ void read_control_contact(Context& context, const Block& block, const Options&) 
   const Card card4 = next_card(reader, "CONTROL_CONTACT", "card4");
   controls.ignore = card4.integer("ignore");
   if (card4.integer("frceng") == 1)
-    context.model.output.notes.push_back({Context::place(block, card4.line()),
-                                          "*CONTROL_CONTACT: FRCENG = 1: the energy of friction is in sleout, by "
-                                          "contact; where intfor has it by segment "
-                                          "is not published, so that is not written"});
+    context.model.output.notes.push_back(
+        {Context::place(block, card4.line()),
+         "*CONTROL_CONTACT: FRCENG = 1: sleout has the friction energy of each contact; "
+         "intfor does not have it by segment, since its layout is not published"});
   reader.skip();
   const Card card6 = next_card(reader, "CONTROL_CONTACT", "card6");
   controls.shledg = card6.integer("shledg");

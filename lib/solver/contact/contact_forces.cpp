@@ -47,10 +47,12 @@ std::vector<std::uint32_t> nodes_in_contact(std::span<const ContactInterface> in
   return list;
 }
 
-std::vector<Touch> touches_of(const ContactInterface& interface) {
-  std::vector<Touch> all;
+/// What each pass of an interface has, one after the other; `list`: a member of the passes.
+template <class Each>
+std::vector<Each> of_passes(const ContactInterface& interface, std::vector<Each> (InterfacePass::*list)() const) {
+  std::vector<Each> all;
   for (const auto& pass : interface.passes()) {
-    const std::vector<Touch> more = pass->touches();
+    const std::vector<Each> more = ((*pass).*list)();
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
@@ -84,15 +86,6 @@ double eroding_step(std::span<const ContactInterface> interfaces, const model::M
       step = std::min(step, estimate->side(side->selection.segments, model.controls.slsfac * scale).timestep);
   }
   return step;
-}
-
-std::vector<ContactNode> nodes_of(const ContactInterface& interface) {
-  std::vector<ContactNode> all;
-  for (const auto& pass : interface.passes()) {
-    const std::vector<ContactNode> more = pass->nodes();
-    all.insert(all.end(), more.begin(), more.end());
-  }
-  return all;
 }
 
 void add_works(const ContactState& state, Absorbed& work) {
@@ -214,14 +207,18 @@ double ContactForces::used_since_search(std::uint32_t i) const {
 }
 
 void ContactForces::set_tied(NodeIndex node, PartIndex part, bool tied) {
-  tied ? ties_.add(node, part) : ties_.remove(node, part);
+  if (tied)
+    ties_.add(node, part);
+  else
+    ties_.remove(node, part);
   released_ = true;
 }
 
 std::vector<Touch> ContactForces::touches(ContactIndex contact) const {
   const auto at = std::ranges::find(states_, contact, &ContactState::contact);
   if (at == states_.end()) return {};
-  return touches_of(interfaces_[interface_of_[static_cast<std::size_t>(at - states_.begin())]]);
+  const auto position = static_cast<std::size_t>(at - states_.begin());
+  return of_passes(interfaces_[interface_of_[position]], &InterfacePass::touches);
 }
 
 void ContactForces::add(State& state, Forces& forces) {
@@ -313,7 +310,7 @@ void ContactForces::absorbed(Absorbed& work) const {
 std::size_t ContactForces::waiting() const { return count_waiting(interfaces_); }
 
 std::vector<ContactNode> ContactForces::nodes(std::size_t position) const {
-  return nodes_of(interfaces_[interface_of_[position]]);
+  return of_passes(interfaces_[interface_of_[position]], &InterfacePass::nodes);
 }
 
 std::optional<double> ContactForces::stored(std::size_t position) const {

@@ -12,6 +12,7 @@
 #include "solver/element/warped_frequency.hpp"
 #include "solver/material/material.hpp"
 #include "solver/quadrature/gauss.hpp"
+#include "solver/state/half_step.hpp"
 
 namespace gapcheck::solver {
 

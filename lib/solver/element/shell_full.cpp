@@ -135,8 +135,7 @@ Matrix full_axes(const std::array<Vector, 4>& x, ShellAxes axes) {
 ShellForces full_forces(const ShellProperties& properties, const ShellCorners& corners, double dt, ShellState& state,
                         std::span<PointState> points) {
   ShellForces out;
-  std::array<Vector, 4> middle_x;
-  for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
+  const std::array<Vector, 4> middle_x = half_step_ago(corners.x, corners.v, dt);
   const double poisson = properties.material.poisson;
   const FullFrame middle = make_full_frame(middle_x, properties.axes),
                   end = make_full_frame(corners.x, properties.axes);

@@ -159,8 +159,7 @@ ShellResultants integrate_kirchhoff(const ShellProperties& properties, ShellStra
 ShellForces kirchhoff_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                              ShellState& state, std::span<PointState> points) {
   ShellForces out;
-  std::array<Vector, 4> middle_x;
-  for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
+  const std::array<Vector, 4> middle_x = half_step_ago(corners.x, corners.v, dt);
   const TriangleFrame middle = make_triangle_frame(middle_x), end = make_triangle_frame(corners.x);
   const std::array<Vector, 3> v = middle.local(corners.v), w = middle.local(corners.w);
   const std::array<Curvature, 3> curvature = KirchhoffBending(middle).rates(middle, v, w);

@@ -338,8 +338,7 @@ HourglassModes hourglass_stiffness(const ShellProperties& properties, const std:
 ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt, ShellState& state,
                         std::span<PointState> points) {
   ShellForces out;
-  std::array<Vector, 4> middle_x;
-  for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
+  const std::array<Vector, 4> middle_x = half_step_ago(corners.x, corners.v, dt);
   const auto [middle, end] = make_frames(middle_x, corners.x, properties.axes);
   const Field v = field_of(middle, corners.v), w = field_of(middle, corners.w);
   out.hourglass_work = update_hourglass(properties, middle, hourglass_rates(middle, v, w), dt, state);
@@ -354,8 +353,7 @@ ShellForces quad_forces(const ShellProperties& properties, const ShellCorners& c
 ShellForces warped_quad_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                                ShellState& state, std::span<PointState> points) {
   ShellForces out;
-  std::array<Vector, 4> middle_x;
-  for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
+  const std::array<Vector, 4> middle_x = half_step_ago(corners.x, corners.v, dt);
   const auto [middle, end] = make_frames(middle_x, corners.x, properties.axes);
   const bool full = properties.projection == ShellProjection::full;
   const ShellWarping before(middle_x, middle.e1, middle.e2, middle.area, full),

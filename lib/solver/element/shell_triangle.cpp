@@ -105,8 +105,7 @@ Matrix triangle_axes(const std::array<Vector, 4>& x) {
 ShellForces triangle_forces(const ShellProperties& properties, const ShellCorners& corners, double dt,
                             ShellState& state, std::span<PointState> points) {
   ShellForces out;
-  std::array<Vector, 4> middle_x;
-  for (std::size_t i = 0; i < 4; ++i) middle_x[i] = corners.x[i] - dt / 2 * corners.v[i];
+  const std::array<Vector, 4> middle_x = half_step_ago(corners.x, corners.v, dt);
   const TriangleFrame middle = make_triangle_frame(middle_x), end = make_triangle_frame(corners.x);
   const ShellStrain strain = strain_of(middle, corners, dt);
   ShellResultants resultants = integrate_layers(properties, strain, dt, state.thickness, points);

@@ -13,6 +13,7 @@
 #include "solver/material/material.hpp"
 #include "solver/quadrature/brick_map.hpp"
 #include "solver/quadrature/nodal_average.hpp"
+#include "solver/state/half_step.hpp"
 
 namespace gapcheck::solver {
 

@@ -85,9 +85,7 @@ Matrix polar_turn(const Matrix& a, const Matrix& r, const Vector& m) {
   const Matrix s = r.transpose() * a;
   const Matrix k = s.trace() * Matrix::Identity() - (s + s.transpose()) / 2;
   const Vector g = k.inverse() * Vector(r.transpose() * m);
-  Matrix cross;
-  cross << 0, -g.z(), g.y(), g.z(), 0, -g.x(), -g.y(), g.x(), 0;
-  return r * cross;
+  return r * cross_matrix(g);
 }
 
 }  // namespace gapcheck::solver

@@ -209,8 +209,7 @@ HourglassReference hourglass_reference(const SolidProperties& properties, const 
 SolidForces brick_forces(const SolidProperties& properties, const SolidCorners& corners, double dt, SolidState& state,
                          PointState& point) {
   SolidForces out;
-  Corners middle_x;
-  for (std::size_t a = 0; a < 8; ++a) middle_x[a] = corners.x[a] - dt / 2 * corners.v[a];
+  const Corners middle_x = half_step_ago(corners.x, corners.v, dt);
   const Corners middle = gradient_of(properties, middle_x), end = gradient_of(properties, corners.x);
   const double middle_volume = volume_of(middle_x, middle);
   out.volume = volume_of(corners.x, end);

@@ -2,24 +2,20 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "base/union_find.hpp"
 
 namespace gapcheck::solver {
 
 std::vector<FollowerGroup> group_followers(std::span<const Follower> followers) {
   std::vector<FollowerGroup> groups;
-  std::vector<std::size_t> group_of(followers.size());
-  std::iota(group_of.begin(), group_of.end(), std::size_t{0});
-  const auto root = [&](std::size_t f) {
-    while (group_of[f] != f) f = group_of[f] = group_of[group_of[f]];
-    return f;
-  };
-  std::map<std::uint32_t, std::size_t> user;
-  for (std::size_t f = 0; f < followers.size(); ++f)
-    for (const std::uint32_t node : followers[f].nodes) group_of[root(f)] = root(user.emplace(node, f).first->second);
-  std::map<std::size_t, std::size_t> place;
-  for (std::size_t f = 0; f < followers.size(); ++f) {
-    const auto [at, fresh] = place.emplace(root(f), groups.size());
+  UnionFind joined(followers.size());
+  std::map<std::uint32_t, std::uint32_t> user;
+  for (std::uint32_t f = 0; f < followers.size(); ++f)
+    for (const std::uint32_t node : followers[f].nodes) joined.unite(f, user.emplace(node, f).first->second);
+  std::map<std::uint32_t, std::size_t> place;
+  for (std::uint32_t f = 0; f < followers.size(); ++f) {
+    const auto [at, fresh] = place.emplace(joined.root(f), groups.size());
     if (fresh) groups.emplace_back();
     groups[at->second].followers.push_back(f);
   }

@@ -11,15 +11,9 @@ constexpr double least_eigenvalue = 1e-10;
 /// A component that such a motion changes by less than this is given all the same.
 constexpr double least_change = 1e-6;
 
-Matrix turning_by(const Vector& arm) {
-  Matrix m;
-  m << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
-  return m;  // m θ = θ × arm
-}
-
 Eigen::Matrix<double, 3, 6> motion_at(const Vector& arm) {
   Eigen::Matrix<double, 3, 6> result;
-  result << Matrix::Identity(), turning_by(arm);
+  result << Matrix::Identity(), cross_matrix(-arm);  // u + θ × arm
   return result;
 }
 

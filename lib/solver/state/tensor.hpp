@@ -37,12 +37,18 @@ inline Symmetric to_symmetric(const Matrix& m) {
 /// R a Rᵀ
 inline Symmetric rotated(const Symmetric& a, const Matrix& r) { return to_symmetric(r * to_matrix(a) * r.transpose()); }
 
+/// a × as a matrix
+inline Matrix cross_matrix(const Vector& a) {
+  Matrix m;
+  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return m;
+}
+
 /// The rotation that a mid-step spin increment W (skew) represents: (I − W/2)⁻¹ (I + W/2), exactly orthogonal. Hughes
 /// and Winget, Int. J. Numer. Meth. Engng 15 (1980). Closed form for the axial vector w of W.
 inline Matrix spin_rotation(const Vector& w) {
   const Vector half = w / 2;
-  Matrix cross;
-  cross << 0, -half.z(), half.y(), half.z(), 0, -half.x(), -half.y(), half.x(), 0;
+  const Matrix cross = cross_matrix(half);
   return Matrix::Identity() + 2 / (1 + half.squaredNorm()) * (cross + cross * cross);
 }
 

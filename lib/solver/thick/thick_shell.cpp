@@ -126,8 +126,7 @@ ThickShellForces thick_shell_forces(const ShellProperties& properties, const Sol
                                     ThickShellState& state, std::span<PointState> points) {
   ThickShellForces out;
   out.force.fill(Vector::Zero());
-  std::array<Vector, 8> middle_x;
-  for (std::size_t k = 0; k < 8; ++k) middle_x[k] = corners.x[k] - dt / 2 * corners.v[k];
+  const std::array<Vector, 8> middle_x = half_step_ago(corners.x, corners.v, dt);
   const Fibres middle = fibres_of(middle_x), end = fibres_of(corners.x);
   if (!(middle.good() && end.good())) return out;
   const FibreRates rates = rates_of(middle, corners.v);

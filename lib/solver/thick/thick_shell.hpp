@@ -4,6 +4,7 @@
 
 #include "solver/element/shell.hpp"
 #include "solver/element/solid.hpp"
+#include "solver/state/half_step.hpp"
 
 namespace gapcheck::solver {
 

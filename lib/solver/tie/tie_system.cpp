@@ -10,12 +10,6 @@ constexpr double least_pivot = 1e-9;
 /// Share of the diagonal that keeps a search for such rows from dividing by zero.
 constexpr double support = 1e-12;
 
-Matrix cross_matrix(const Vector& a) {
-  Matrix m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
-
 }  // namespace
 
 TieSystem::TieSystem(std::span<const Tie> ties, std::size_t nodes) : nodes_(nodes) {
