@@ -235,7 +235,7 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   ContactForces* const after = contacts.get();
   const auto release = [after, kept = std::get<std::unique_ptr<ConstraintContact>>(constraints).get()](NodeIndex node,
                                                                                                        PartIndex part) {
-    after->set_tied(node, part, false);
+    after->release(node, part);
     if (kept != nullptr) kept->release(node, part);
   };
   run.transducers_ = std::make_unique<Transducers>(model, surfaces);
@@ -245,7 +245,7 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   auto springs = std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped);
   springs->on_failure(release);
   springs->on_touch([after](ContactIndex c) { return after->touches(c); },
-                    [after](NodeIndex node, PartIndex part) { after->set_tied(node, part, true); });
+                    [after](NodeIndex node, PartIndex part) { after->hold(node, part); });
   run.add_contacts(std::move(springs));
   run.add_contacts(std::move(std::get<std::unique_ptr<ConstraintContact>>(constraints)));
   for (auto& force : forces) {

@@ -206,14 +206,6 @@ double ContactForces::used_since_search(std::uint32_t i) const {
   return before > 0 ? now * rounding_of_motion - before : now;
 }
 
-void ContactForces::set_tied(NodeIndex node, PartIndex part, bool tied) {
-  if (tied)
-    ties_.add(node, part);
-  else
-    ties_.remove(node, part);
-  released_ = true;
-}
-
 std::vector<Touch> ContactForces::touches(ContactIndex contact) const {
   const auto at = std::ranges::find(states_, contact, &ContactState::contact);
   if (at == states_.end()) return {};

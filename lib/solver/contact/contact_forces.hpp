@@ -53,9 +53,10 @@ class ContactForces : public Force, public ContactSource {
   }
   /// The nodes that this contact pushes at the moment.
   [[nodiscard]] std::vector<Touch> touches(ContactIndex contact) const;
-  /// From the next cycle on the node is tied to this part, and contact between them ends; or a tie to a segment of it
-  /// has failed, and they are in contact like others.
-  void set_tied(NodeIndex node, PartIndex part, bool tied);
+  /// From the next cycle on the node is tied to this part, and contact between them ends.
+  void hold(NodeIndex node, PartIndex part) { ties_.add(node, part), released_ = true; }
+  /// A tie of this node to a segment of this part has failed: from the next cycle on they are in contact like others.
+  void release(NodeIndex node, PartIndex part) { ties_.remove(node, part), released_ = true; }
 
  private:
   /// An interface that several contacts share.
