@@ -122,13 +122,14 @@ bool PairScene::slides(SlotIndex slot, SegmentIndex segment, double distance) co
     const double height = normal.dot(position(slot) - middle);
     if (!(height * height < flush * flush * normal.squaredNorm())) return false;
   }
-  const Vector face = normal.stableNormalized();
   const std::span<const SegmentIndex> around = own_neighbours->at(nodes.node[slot.value]);
   for (const SegmentIndex each : around) {
     if (own->kind[each.value] != SegmentKind::solid) return false;
     const auto& n = own->nodes[each.value];
-    const Vector own_face = quad_normal(std::array{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]});
-    if (own_face.stableNormalized().dot(face) < against) return false;
+    const Vector own_normal = quad_normal(std::array{x[n[0].value], x[n[1].value], x[n[2].value], x[n[3].value]});
+    const double cosine = own_normal.dot(normal);  // times both lengths
+    if (cosine < 0 && cosine * cosine > against * against * own_normal.squaredNorm() * normal.squaredNorm())
+      return false;
   }
   return !around.empty();
 }
@@ -146,8 +147,9 @@ bool PairScene::in_front(SlotIndex slot, SegmentIndex s, const geometry::Closest
     const auto& n = segments.nodes[other.value];
     if (!oriented(other)) continue;
     if (closest.feature == Feature::edge && std::find(n.begin(), n.end(), b) == n.end()) continue;
-    const double height = sign(other) * quad_normal(facet(other).x).stableNormalized().dot(query - closest.point);
-    if (height >= 0 && (other == s || !slides(slot, other, height))) return true;
+    const Vector normal = sign(other) * quad_normal(facet(other).x), from_closest = query - closest.point;
+    if (!(normal.dot(from_closest) >= 0)) continue;
+    if (other == s || !slides(slot, other, normal.stableNormalized().dot(from_closest))) return true;
   }
   return false;
 }
