@@ -23,6 +23,7 @@
 #include "report/format/fix_report.hpp"
 #include "report/item/describe.hpp"
 #include "settings/settings.hpp"
+#include "solver/trial/run_trial.hpp"
 
 namespace gapcheck::app {
 namespace {
@@ -36,8 +37,9 @@ struct FixArguments {
   audit::FixOptions fix;
   report::FixTextOptions text;
   SettingsOptions settings;
+  solver::TrialSettings trial;
   std::size_t jobs = 0;
-  bool dry_run = false, stats = false;
+  bool dry_run = false, stats = false, verify = false;
 };
 
 /// `PART`, `FIRST-LAST`, or the same for nodes after `node:`.
@@ -98,6 +100,16 @@ Status write(const keyword::Deck& deck, const FixArguments& arguments, audit::Fi
   return status.ok() ? write_report(arguments, fix.report) : status;
 }
 
+/// Runs the deck before and after the correction.
+Status verify(const keyword::Deck& deck, const FixArguments& arguments, FixReport& report) {
+  const Progress progress("running " + report::printable(arguments.deck) + " before and after", !arguments.text.quiet);
+  Diagnostics repeated, warnings;  // the model was read before
+  auto model = model::read_model(deck, repeated);
+  if (!model) return model.error();
+  report.proof = solver::prove_fix(deck, model.value(), report.moved, arguments.trial, warnings);
+  return {};
+}
+
 /// Counters and the time, on standard error.
 void print_statistics(const keyword::Deck& deck, const FixReport& report, double seconds) {
   const auto line = [](std::string_view name, const auto& value) { fmt::print(stderr, "  {:<16}  {}\n", name, value); };
@@ -137,13 +149,15 @@ int fix_deck(const FixArguments& arguments) {
   FixReport& report = fix.value().report;
   report.input = arguments.deck;
   report.dry_run = arguments.dry_run;
-  if (const Status status = write(deck.value(), arguments, fix.value()); !status.ok()) {
+  Status status = arguments.verify ? verify(deck.value(), arguments, report) : Status();
+  if (status.ok()) status = write(deck.value(), arguments, fix.value());
+  if (!status.ok()) {
     print(status.error());
     return failed;
   }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   if (arguments.stats) print_statistics(deck.value(), report, spent.count());
-  return complete(report) ? clean : findings;
+  return complete(report) && (!report.proof || report.proof->holds()) ? clean : findings;
 }
 
 void add_choices(CLI::App& command, FixArguments& arguments) {
@@ -154,6 +168,29 @@ void add_choices(CLI::App& command, FixArguments& arguments) {
   add_list(command, "--priority", arguments.priorities, "A part with a larger factor moves less")
       ->check(priority)
       ->type_name("PART=FACTOR");
+}
+
+/// Cycles of a run that proves a correction, unless a time or a number is given.
+constexpr std::uint64_t default_cycles = 1000;
+
+void add_verify(CLI::App& command, FixArguments& arguments) {
+  CLI::Option* verify =
+      command.add_flag("--verify", arguments.verify, "Run the deck for a short time before and after, and compare");
+  const CLI::Validator amount(check_amount, "");
+  command.add_option("--until", arguments.trial.until, "With --verify: end time of the runs")
+      ->check(amount)
+      ->needs(verify)
+      ->type_name("T");
+  command
+      .add_option("--cycles", arguments.trial.cycles,
+                  fmt::format("With --verify: most cycles of each run (default {} without --until)", default_cycles))
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000'000}).description(""))
+      ->needs(verify)
+      ->type_name("N");
+  command
+      .add_flag("--ignore-unsupported", arguments.trial.leave_out,
+                "With --verify: run without the keywords that are not calculated")
+      ->needs(verify);
 }
 
 }  // namespace
@@ -173,6 +210,7 @@ void add_fix(CLI::App& app, Action& action) {
       "Move nodes of contacts with IGNORE = 2 to the coordinates that the solver recommends, and no others");
   command->add_flag("--free-welds", arguments->fix.free_welds,
                     "Nodes of spot welds, rivets and weld elements may move against each other");
+  add_verify(*command, *arguments);
   add_plain_report(*command, arguments->format, arguments->output, arguments->text.top, "Nodes and pairs of parts",
                    arguments->text.quiet);
   command->add_flag("--stats", arguments->stats, "Show counters and times, on standard error");
@@ -187,6 +225,7 @@ void add_fix(CLI::App& app, Action& action) {
       arguments->read.skip_missing_includes = arguments->missing_includes == "skip";
       for (const std::string& text : arguments->locks) arguments->fix.locks.push_back(*parse_lock(text));
       for (const std::string& text : arguments->priorities) arguments->fix.priorities.push_back(*parse_priority(text));
+      if (arguments->trial.until == 0 && arguments->trial.cycles == 0) arguments->trial.cycles = default_cycles;
       return fix_deck(*arguments);
     };
   });

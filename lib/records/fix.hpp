@@ -1,10 +1,12 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/vector.hpp"
+#include "records/fix_proof.hpp"
 
 namespace gapcheck {
 
@@ -96,6 +98,7 @@ struct FixReport {
   std::uint64_t rounds = 0;
   bool cut_short = false;  ///< the search ended because it took too long; more might be possible
   bool dry_run = false;
+  std::optional<FixProof> proof;  ///< runs before and after, where they were asked for
   [[nodiscard]] double mean_move() const { return moved.empty() ? 0 : total_move / static_cast<double>(moved.size()); }
 };
 

@@ -103,6 +103,45 @@ TEST_F(FixProgram, SaysWhatRemains) {
   EXPECT_EQ(gapcheck("fix data/two_plates.k --dry-run --lock 1 --priority 2=10").code, 0);
 }
 
+TEST_F(FixProgram, ThePageShowsWhatAVerifiedCorrectionPrints) {
+  const std::string page = content(project / "docs/fix.md"), begin = "<!-- verify: begin -->\n```\n$ ";
+  const std::size_t from = page.find(begin);
+  ASSERT_NE(from, std::string::npos);
+  const std::size_t line = page.find('\n', from + begin.size()), end = page.find("```\n<!-- verify: end -->", line);
+  ASSERT_NE(end, std::string::npos);
+  const std::string call = page.substr(from + begin.size(), line - from - begin.size());
+  ASSERT_EQ(call.rfind("gapcheck ", 0), 0u) << call;
+  EXPECT_EQ(gapcheck(call.substr(9)).out, page.substr(line + 1, end - line - 1));
+}
+
+TEST_F(FixProgram, ARunProvesTheCorrection) {
+  const Ended proven = gapcheck("fix data/contact_chain.k --dry-run --verify --cycles 50 --format json");
+  EXPECT_EQ(proven.code, 0) << proven.err;
+  const auto proof = nlohmann::json::parse(proven.out)["proof"];
+  EXPECT_TRUE(proof["holds"]);
+  EXPECT_EQ(proof["before"]["moved_at_start"], 9);
+  EXPECT_EQ(proof["before"]["forced_at_start"], 9);
+  EXPECT_NEAR(proof["before"]["start_energy"], 2795.43, 0.01);
+  EXPECT_EQ(proof["after"]["moved_at_start"], 0);
+  EXPECT_EQ(proof["after"]["start_energy"], 0);
+  EXPECT_EQ(proof["after"]["cycles"], 50);
+  // What cannot be moved still pushes, and the run shows it.
+  const Ended locked = gapcheck("fix data/snlog_1.k --dry-run --verify --cycles 5 --lock 1,2 --format json");
+  EXPECT_EQ(locked.code, 1);
+  EXPECT_FALSE(nlohmann::json::parse(locked.out)["proof"]["holds"]);
+}
+
+TEST_F(FixProgram, ADeckThatIsNotCalculatedIsNotProven) {
+  std::string deck = content(folder_ / "data/two_plates.k");
+  deck.insert(deck.find("*END"), "*AIRBAG_SIMPLE_PRESSURE_VOLUME\n1,0\n1.,1.\n");
+  std::ofstream(folder_ / "airbag.k") << deck;
+  const Ended refused = gapcheck("fix airbag.k --dry-run --verify");
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.out.find("the corrected deck cannot be run: airbag.k:"), std::string::npos) << refused.out;
+  EXPECT_EQ(gapcheck("fix airbag.k --dry-run --verify --cycles 5 --ignore-unsupported").code, 0);
+  EXPECT_EQ(gapcheck("fix data/two_plates.k --dry-run --cycles 5").code, 2) << "only with --verify";
+}
+
 TEST_F(FixProgram, RefusesWhatItDoesNotUnderstand) {
   for (const char* bad : {"--lock x", "--lock 5-3", "--lock node:", "--lock -1", "--priority 1", "--priority 1=0",
                           "--priority 1=nan", "--format xml"})

@@ -22,7 +22,7 @@ DECK_CALLS = [
     ["gapcheck", "run", "DECK", "-o", "run", "--cycles", "2"],
     ["gapcheck", "compare", "DECK", "GOOD", "--format", "json"],
     ["gapcheck", "audit", "DECK", "--format", "sarif", "--exact"],
-    ["gapcheck", "fix", "DECK", "--dry-run", "--free-welds"],
+    ["gapcheck", "fix", "DECK", "--dry-run", "--free-welds", "--verify", "--cycles", "2", "--ignore-unsupported"],
     ["gapcheck", "messag", "LOG", "--deck", "DECK", "--format", "json", "--html", "page.html", "--vtu", "grid.vtu"],
     ["check-c", "--deck", "DECK", "-pid", "-psum", "-key", "-medina", "LOG"],
     ["gapcheck", "audit", "DECK", "GOOD", "--format", "gitlab"],
