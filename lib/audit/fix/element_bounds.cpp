@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/quad.hpp"
 #include "contact/surface/segment_quality.hpp"
@@ -106,10 +107,36 @@ void ElementBounds::for_each_element(std::span<const NodeIndex> moved, const Vis
   visit_kind(model::ElementKind::beam, model_.mesh.beams, index_.beams);
 }
 
+double ElementBounds::least_step() {
+  if (least_step_) return *least_step_;
+  double smallest = std::numeric_limits<double>::infinity();
+  const auto take = [&](model::ElementKind kind, std::size_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) smallest = std::min(smallest, steps_(kind, i, deck_));
+  };
+  const model::Mesh& mesh = model_.mesh;
+  take(model::ElementKind::shell, mesh.shells.size());
+  take(model::ElementKind::solid, mesh.solids.size());
+  take(model::ElementKind::thick_shell, mesh.thick_shells.size());
+  take(model::ElementKind::beam, mesh.beams.size());
+  return least_step_.emplace(std::isfinite(smallest) ? limits_.step * smallest : 0);
+}
+
+bool ElementBounds::keeps_step(const ElementOfKind& element, const std::vector<Vector>& x) {
+  const double least = least_step() * (1 - slack), now = steps_(element.first, element.second, x);
+  return now >= least || now >= steps_(element.first, element.second, deck_) * (1 - slack);
+}
+
+ShapeLimits ElementBounds::limits_of(const ElementOfKind& element) {
+  ShapeLimits limits = limits_;
+  const double step = steps_(element.first, element.second, deck_);
+  if (step > 0) limits.edge_from = std::min(1.0, std::max(limits.edge_from, least_step() / step));
+  return limits;
+}
+
 std::vector<ElementOfKind> ElementBounds::broken(const std::vector<Vector>& x, std::span<const NodeIndex> moved) {
   std::vector<ElementOfKind> list;
   for_each_element(moved, [&](const ElementOfKind& element, std::span<const NodeIndex> nodes) {
-    if (!keeps_shape(nodes, deck_, x, limits_)) list.push_back(element);
+    if (!keeps_shape(nodes, deck_, x, limits_) || !keeps_step(element, x)) list.push_back(element);
   });
   return list;
 }

@@ -24,11 +24,11 @@ double add_terms(MoveCondition& c, NodeIndex node, const model::SegmentNodes& co
 }  // namespace
 
 bool MoveConditions::add_shapes(const model::Mesh& mesh, const std::vector<Vector>& x,
-                                std::span<const ElementOfKind> elements, const ShapeLimits& limits) {
+                                std::span<const ElementOfKind> elements, ElementBounds& bounds) {
   bool any = false;
   for (const ElementOfKind& element : elements) {
     if (!shaped_.insert(element).second) continue;
-    for (const ShapeCondition& c : shape_conditions(mesh, x, element, limits)) {
+    for (const ShapeCondition& c : shape_conditions(mesh, x, element, bounds.limits_of(element))) {
       shapes_.push_back(c);
       any = true;
     }

@@ -27,7 +27,7 @@ class MoveConditions {
   /// Adds conditions that keep the shape of elements that have none yet; true if there were any. `x`: the deck's
   /// coordinates.
   bool add_shapes(const model::Mesh& mesh, const std::vector<Vector>& x, std::span<const ElementOfKind> elements,
-                  const ShapeLimits& limits);
+                  ElementBounds& bounds);
   /// Marks the nodes that some condition names, and those that are tied or joined to marked ones. Of the ties, those of
   /// marked nodes count from now on.
   void mark_nodes(std::vector<std::uint8_t>& marked, const JoinedNodes& joined);

@@ -42,7 +42,7 @@ std::vector<Vector> MoveSolver::solve(const std::vector<Vector>& at) {
     const std::vector<ElementOfKind> broken = bounds_.broken(x, moving_.nodes());
     if (broken.empty()) return x;
     // Neighbours first move along; elements that this does not help are held.
-    if (conditions_.add_shapes(mesh_, start_.deck, broken, limits_))
+    if (conditions_.add_shapes(mesh_, start_.deck, broken, bounds_))
       choose_nodes();
     else
       for (const NodeIndex n : bounds_.offenders(x, broken)) start_.hold_in_deck(n, HoldReason::shape);

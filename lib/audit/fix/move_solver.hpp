@@ -22,13 +22,12 @@ struct WorkBudget {
 class MoveSolver {
  public:
   MoveSolver(const model::Mesh& mesh, MoveStart& start, MoveConditions& conditions, WritableNodes& writable,
-             ElementBounds& bounds, const ShapeLimits& limits, WorkBudget& budget)
+             ElementBounds& bounds, WorkBudget& budget)
       : mesh_(mesh),
         start_(start),
         conditions_(conditions),
         writable_(writable),
         bounds_(bounds),
-        limits_(limits),
         budget_(budget),
         moving_(start.deck.size()) {}
 
@@ -49,7 +48,6 @@ class MoveSolver {
   MoveConditions& conditions_;
   WritableNodes& writable_;
   ElementBounds& bounds_;
-  const ShapeLimits& limits_;
   WorkBudget& budget_;
   MovingNodes moving_;
 };

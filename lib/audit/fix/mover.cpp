@@ -27,7 +27,7 @@ Mover::Mover(model::Model& model, NodeLines& lines, ElementBounds& bounds, const
       start_{deck_x, deck_x, std::move(freedoms)},
       writable_(lines, deck_x),
       conditions_(bounds.index()),
-      solver_(model.mesh, start_, conditions_, writable_, bounds, options.limits, budget_) {}
+      solver_(model.mesh, start_, conditions_, writable_, bounds, budget_) {}
 
 void Mover::run() {
   before_ = judge(start_.deck);

@@ -1,8 +1,12 @@
 #include "audit/fix/element_bounds.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <string>
+
+#include "model/read.hpp"
 
 namespace gapcheck::audit::element_bounds_test {
 namespace {
@@ -120,6 +124,39 @@ TEST(ElementBounds, EachElementByItself) {
   const auto broken = bounds.broken(now, shell.nodes);
   ASSERT_EQ(broken.size(), 1u);
   EXPECT_EQ(broken[0].second, 1u);
+}
+
+// Bricks of 1 x 1 x 1 and 1 x 1 x 4, the sound travels 1 in 0.1: steps of a tenth of the shortest height.
+TEST(ElementBounds, TheStepKeepsFourFifths) {
+  std::string deck =
+      "*KEYWORD\n*PART\na\n1,1,1\n*SECTION_SOLID\n1,1\n*MAT_ELASTIC\n1,1.,100.,0.\n"
+      "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n2,1,11,12,13,14,15,16,17,18\n*NODE\n";
+  for (int box = 0; box < 2; ++box)
+    for (int i = 0; i < 8; ++i)
+      deck += fmt::format("{},{},{},{}\n", 10 * box + i + 1, 9 * box + (i % 4 == 1 || i % 4 == 2 ? 1 : 0),
+                          i % 4 > 1 ? 1 : 0, (i > 3 ? 1 : 0) * (box == 0 ? 1 : 4));
+  const model::Model model = model::read_text(deck + "*END\n").model;
+  const std::vector<Vector>& x = model.mesh.nodes.x;
+  std::vector<NodeIndex> top[2];
+  for (std::uint32_t n = 0; n < x.size(); ++n)
+    if (x[n].z() > 0) top[x[n].x() > 5 ? 1 : 0].push_back(NodeIndex{n});
+  const auto broken = [&](int box, double lower) {
+    ElementBounds bounds(model, x);
+    std::vector<Vector> now = x;
+    for (const NodeIndex n : top[box]) now[n.value].z() -= lower;
+    return !bounds.broken(now, top[box]).empty();
+  };
+  EXPECT_FALSE(broken(0, 0.19));
+  EXPECT_TRUE(broken(0, 0.21)) << "0.79 of the smallest step";
+  // The tall one has the step of its height of 1 along x and y until it is lower than that: edges of half are allowed.
+  EXPECT_FALSE(broken(1, 1.99));
+  EXPECT_TRUE(broken(1, 2.01));
+  ElementBounds bounds(model, x);
+  EXPECT_NEAR(bounds.limits_of({model::ElementKind::solid, 0}).edge_from, 0.8, 1e-12);
+  ShapeLimits free;
+  free.step = 0;
+  EXPECT_TRUE(ElementBounds(model, x, free).broken(x, top[0]).empty());
+  EXPECT_EQ(ElementBounds(model, x, free).limits_of({model::ElementKind::solid, 0}).edge_from, 0.5);
 }
 
 TEST(ElementBounds, CountsWhatHasChanged) {
