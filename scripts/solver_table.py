@@ -107,6 +107,8 @@ ROWS = [
     ("preload of a beam", "two masses and a spring", "BeamPreload.FollowsTheCurveAndLetsGo", None, 0),
     ("start stress: bar between supports", "σ A", "InitialStress.UniformIsInEquilibrium", None, 0),
     ("start stress: brick let go", "σ L / E (1 − cos ω t)", "InitialStress.LetsGo", None, 0),
+    ("relaxation: bar under its load", "ln(l/L) = F/EA", "RelaxationRun.BarUnderItsLoadComesToRest", "error", 0),
+    ("relaxation: bolt of bricks in the run", "σ A", "RelaxationRun.PreloadOfASectionStays", "error", 0),
     ("preload of a section: load on a tightened bolt", "two springs", "SectionPreload.LoadedBoltIsTwoSprings", None, 0),
     ("rigid wall: impulse and energy of a stop", "m v, m v²/2", "RigidWalls.PlasticStop", None, 0),
     ("rigid wall: rod", "ρ c v A", "RigidWalls.RodAgainstTheWall", None, 0),

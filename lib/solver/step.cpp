@@ -136,8 +136,29 @@ Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::m
   if (!constrained_.empty()) reaction_of_.assign(nodes, no_position);
   for (std::uint32_t k = 0; k < constrained_.size(); ++k) reaction_of_[constrained_[k]] = k;
   reactions_.assign(constrained_.size(), {Vector::Zero(), Vector::Zero()});
+  structure_.constraints.begin_phase(structure_.state.relaxing);
+  structure_.rigid.begin_phase(structure_.state.relaxing);
   start_moving(structure_);
   structure_.rigid.start(structure_.state);
+}
+
+void Stepper::begin_run(const InitialMotion& motion, double time_step_factor) {
+  State& state = structure_.state;
+  work_ -= energies_.kinetic;
+  stopped_ += energies_.kinetic;
+  state.v = motion.v;
+  state.w = motion.w;
+  for (std::size_t b = 0; b < motion.bodies.size(); ++b)
+    structure_.rigid.set_motion(b, motion.bodies[b][0], motion.bodies[b][1], state);
+  state.relaxing = false;
+  state.relaxed = true;
+  state.time = state.dt = 0;
+  state.cycle = 0;
+  settings_.time_step_factor = time_step_factor;
+  structure_.constraints.begin_phase(false);
+  structure_.rigid.begin_phase(false);
+  start_moving(structure_);
+  structure_.rigid.start(state);
 }
 
 /// The step that the elements allow; notes which of them is the shortest.
@@ -304,10 +325,11 @@ SolverStatus Stepper::accelerate(double next) {
   work_ += sums.work + bodies.work;
   energies_.absorbed = {};
   for (const auto& other : others_) other->absorbed(energies_.absorbed);
+  energies_.absorbed.damping += stopped_;
   energies_.external = work_ + energies_.absorbed.sum();
   if (first) {
-    energies_.initial = energies_.kinetic;
-    energies_.printed_initial = energies_.printed_kinetic;
+    energies_.initial += energies_.kinetic;
+    energies_.printed_initial += energies_.printed_kinetic;
   }
   if (sums.not_a_number != no_position)
     return Failure{Failure::Kind::not_a_number, fmt::format("the velocity of node {} is not a number at time {:g}",
@@ -327,6 +349,7 @@ std::array<Vector, 2> Stepper::reaction(std::size_t node) const {
 Absorbed Stepper::held() const {
   Absorbed energy;
   for (const auto& other : others_) other->held(energy);
+  energy.damping += stopped_;
   return energy;
 }
 

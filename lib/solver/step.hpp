@@ -39,6 +39,12 @@ struct ElementFailure {
   double time = 0;
 };
 
+/// Velocities of nodes and, by body, those of the centres and the spins.
+struct InitialMotion {
+  std::vector<Vector> v, w;
+  std::vector<std::array<Vector, 2>> bodies;
+};
+
 /// Explicit time integration by central differences (Belytschko, Liu, Moran, 6.2): forces at tₙ, accelerations,
 /// velocities at tₙ + ½, positions at tₙ₊₁. Rotations are advanced by angular velocities; the elements need nothing
 /// else from them. The result is the same, bit for bit, for any number of threads.
@@ -55,6 +61,9 @@ class Stepper {
   /// between everything else belongs to state().time. end_step() advances.
   [[nodiscard]] SolverStatus begin_step();
   void end_step() { move(next_); }
+  /// Ends a dynamic relaxation between the halves of a step: what is moving stops, which counts as damping, time and
+  /// cycles begin again with these velocities and TSSFAC; stresses, contacts and energies go on.
+  void begin_run(const InitialMotion& motion, double time_step_factor);
   /// Between the halves: the next step, and what sets it.
   [[nodiscard]] double next_step() const { return next_; }
   [[nodiscard]] const StepControl& control() const { return control_; }
@@ -99,7 +108,8 @@ class Stepper {
   double next_ = 0;
   StepControl control_;
   std::vector<ElementFailure> failures_;
-  double work_ = 0;  ///< of all forces other than the elements'
+  double work_ = 0;     ///< of all forces other than the elements'
+  double stopped_ = 0;  ///< kinetic energy that begin_run() has taken
   double largest_energy_ = 0;
 };
 

@@ -45,6 +45,7 @@ struct BodyLoad {
   bool rotation = false;
   Vector center = Vector::Zero();  ///< of a rotation: a point of its axis
   std::int64_t curve = 0;
+  std::int64_t relaxation_curve = 0;  ///< LCIDDR: takes the place of `curve` in dynamic relaxation; 0: none
   double scale = 1;
   std::int64_t system = 0;
   Place place;

@@ -105,6 +105,7 @@ void read_body_load(Context& context, const Block& block, const Options&) {
     load.axis = block.name.back() - 'X';
     load.rotation = block.name.starts_with("LOAD_BODY_R");
     load.curve = card.integer("lcid");
+    load.relaxation_curve = card.integer("lciddr");
     load.scale = scale_of(card) / units.time_factor;
     if (!load.rotation) load.scale *= units.length_factor / units.time_factor;
     if (load.rotation)

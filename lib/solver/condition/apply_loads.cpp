@@ -6,6 +6,7 @@
 
 #include "solver/condition/condition_builder.hpp"
 #include "solver/condition/loads.hpp"
+#include "solver/condition/relaxation.hpp"
 #include "solver/element/nodal_mass.hpp"
 
 namespace gapcheck::solver {
@@ -111,7 +112,8 @@ void apply_concentrated(ConditionBuilder& builder) {
     if (load.freedom < 1 || load.freedom > 8)
       builder.fail(Failure::Kind::not_calculated, load.keyword, load.place,
                    fmt::format("DOF {} is not calculated; 1 to 8 are", load.freedom));
-    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0};
+    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0,
+                           builder.phases(load.curve)};
     if (builder.failed()) return;
     if (load.freedom == 4 || load.freedom == 8)
       add_follower(builder, load, value, *loads);
@@ -167,7 +169,8 @@ void apply_pressures(ConditionBuilder& builder) {
   if (builder.model.loads.pressures.empty()) return;
   auto pressures = std::make_unique<Pressures>();
   for (const model::PressureLoad& load : builder.model.loads.pressures) {
-    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, load.arrival};
+    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, load.arrival,
+                           builder.phases(load.curve)};
     for (const model::SegmentNodes& segment : segments_of(builder, load)) {
       for (const NodeIndex node : segment)
         if (node.value >= builder.structure.state.x.size())
@@ -196,16 +199,29 @@ std::vector<double> masses_of_parts(ConditionBuilder& builder) {
   return masses;
 }
 
+/// Its value over time; LCIDDR takes the place of LCID in a relaxation.
+std::vector<TimedValue> body_load_values(ConditionBuilder& builder, const model::BodyLoad& load) {
+  TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0, builder.phases(load.curve)};
+  if (load.relaxation_curve == 0 || !relaxes(builder.model)) return {value};
+  value.phases.relaxation = false;
+  TimedValue before{builder.curve(load.relaxation_curve, load.keyword, load.place), load.scale, 0, {false, true}};
+  if (!builder.failed() && !builder.phases(load.relaxation_curve).relaxation)
+    builder.fail(Failure::Kind::contradiction, load.keyword, load.place,
+                 fmt::format("curve {} (LCIDDR) is for dynamic relaxation, but has SIDR = 0; set its SIDR to 1 or 2",
+                             load.relaxation_curve));
+  return {value, before};
+}
+
 void apply_gravity(ConditionBuilder& builder) {
   if (builder.model.loads.bodies.empty()) return;
   auto gravity = std::make_unique<Gravity>(masses_of_parts(builder));
   for (const model::BodyLoad& load : builder.model.loads.bodies) {
     builder.refuse_system(load.system, load.keyword, load.place);
-    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0};
-    if (load.rotation)
-      gravity->add_rotation(load.axis, load.center, value);
-    else
-      gravity->add_axis(load.axis, value);
+    for (const TimedValue& value : body_load_values(builder, load))
+      if (load.rotation)
+        gravity->add_rotation(load.axis, load.center, value);
+      else
+        gravity->add_axis(load.axis, value);
   }
   if (!builder.failed()) builder.forces.push_back(std::move(gravity));
 }
@@ -214,9 +230,9 @@ void apply_damping(ConditionBuilder& builder) {
   constexpr std::string_view keyword = "DAMPING_GLOBAL";
   if (!builder.model.loads.damping) return;
   const model::GlobalDamping& damping = *builder.model.loads.damping;
-  TimedValue constant{nullptr, damping.value, 0};
+  TimedValue constant{nullptr, damping.value, 0, {true, true}};
   if (damping.curve != 0)
-    constant = {builder.curve(damping.curve, keyword, damping.place), damping.scale, 0};
+    constant = {builder.curve(damping.curve, keyword, damping.place), damping.scale, 0, builder.phases(damping.curve)};
   else
     constant.curve = std::make_shared<const TimeCurve>(std::vector<TimeCurve::Point>{{0, 1}});
   if (!builder.failed()) builder.forces.push_back(std::make_unique<GlobalDamping>(constant, damping.factors));
@@ -237,7 +253,8 @@ void apply_part_dampings(ConditionBuilder& builder) {
   if (model.loads.part_dampings.empty()) return;
   auto dampings = std::make_unique<PartDampings>();
   for (const model::PartDamping& damping : model.loads.part_dampings) {
-    const TimedValue constant{builder.curve(damping.curve, damping.keyword, damping.place), damping.scale, 0};
+    const TimedValue constant{builder.curve(damping.curve, damping.keyword, damping.place), damping.scale, 0,
+                              builder.phases(damping.curve)};
     std::vector<bool> wanted(model.parts.size());
     std::vector<std::size_t> bodies;
     for (const PartIndex part : damped_parts(builder, damping)) {

@@ -14,7 +14,7 @@ std::optional<AxialPreload> preload_of(ConditionBuilder& builder, const model::B
   constexpr PreloadWords words{preload_keyword, " (times SCALE)", "force", "forces", "beams"};
   auto curve = preload_curve(builder, preload.curve, preload.scale, words, preload.place);
   if (!curve) return std::nullopt;
-  return AxialPreload{std::move(curve->curve), curve->end, preload.kbend == 1};
+  return AxialPreload{std::move(curve->curve), curve->end, preload.kbend == 1, curve->phases};
 }
 
 /// Positions of the model's beams among those of the structure.

@@ -41,6 +41,8 @@ class ConditionBuilder {
   [[nodiscard]] std::optional<std::size_t> body(std::int64_t id, std::string_view keyword, model::Place place);
   /// A curve over time in the model's unit of time; nullptr after a failure. Ordinates are as written.
   [[nodiscard]] std::shared_ptr<const TimeCurve> curve(std::int64_t id, std::string_view keyword, model::Place place);
+  /// When a curve acts on what it scales or moves; a curve that is not defined: in the run.
+  [[nodiscard]] Phases phases(std::int64_t curve) const;
   /// The axes of a local system, as columns; nothing after a failure.
   [[nodiscard]] std::optional<Matrix> system(std::int64_t id, std::string_view keyword, model::Place place);
   /// Lets the nodes' degrees of freedom have these axes. A failure names a node of a rigid body, or one that has

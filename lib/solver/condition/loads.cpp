@@ -13,15 +13,16 @@ namespace {
 /// The list of values keeps repeated ones only once.
 std::uint32_t position_in(std::vector<TimedValue>& values, const TimedValue& value) {
   const bool same = !values.empty() && values.back().curve == value.curve && values.back().scale == value.scale &&
-                    values.back().arrival == value.arrival;
+                    values.back().arrival == value.arrival && values.back().phases.run == value.phases.run &&
+                    values.back().phases.relaxation == value.phases.relaxation;
   if (!same) values.push_back(value);
   return static_cast<std::uint32_t>(values.size() - 1);
 }
 
-std::vector<double> all_at(const std::vector<TimedValue>& values, double time) {
+std::vector<double> all_at(const std::vector<TimedValue>& values, const State& state) {
   std::vector<double> now;
   now.reserve(values.size());
-  for (const TimedValue& value : values) now.push_back(value.at(time));
+  for (const TimedValue& value : values) now.push_back(value.at(state));
   return now;
 }
 
@@ -54,7 +55,7 @@ void ConcentratedLoads::follow(std::size_t target, bool body, bool moment, const
 }
 
 void ConcentratedLoads::add_at(const State& state, Forces& forces) const {
-  const std::vector<double> now = all_at(values_, state.time);
+  const std::vector<double> now = all_at(values_, state);
   for (const Entry& entry : entries_) {
     auto& pushes = entry.body ? forces.body_force : forces.force;
     auto& turns = entry.body ? forces.body_moment : forces.moment;
@@ -94,7 +95,7 @@ std::vector<std::uint32_t> Pressures::nodes() const {
 }
 
 void Pressures::add_at(const State& state, Forces& forces) const {
-  const std::vector<double> now = all_at(values_, state.time);
+  const std::vector<double> now = all_at(values_, state);
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const model::SegmentNodes& nodes = segments_[i];
     const std::size_t corners = nodes[2] == nodes[3] ? 3 : 4;
@@ -105,7 +106,7 @@ void Pressures::add_at(const State& state, Forces& forces) const {
 
 void Gravity::add(State& state, Forces& forces) {
   Vector acceleration = Vector::Zero();
-  for (const auto& [axis, value] : axes_) acceleration[axis] -= value.at(state.time);
+  for (const auto& [axis, value] : axes_) acceleration[axis] -= value.at(state);
   parallel_for(state.x.size(), 16384, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (!masses_.empty())
@@ -119,7 +120,7 @@ void Gravity::add(State& state, Forces& forces) {
 }
 
 void Gravity::add_one(const Rotation& rotation, const State& state, Forces& forces) const {
-  const double rate = rotation.rate.at(state.time), square = rate * rate;
+  const double rate = rotation.rate.at(state), square = rate * rate;
   const auto away = [&](const Vector& x) {
     Vector arm = x - rotation.center;
     arm[rotation.axis] = 0;
@@ -141,7 +142,7 @@ void Gravity::add_one(const Rotation& rotation, const State& state, Forces& forc
 }
 
 void GlobalDamping::add(State& state, Forces& forces) {
-  const double constant = constant_.at(state.time);
+  const double constant = constant_.at(state);
   const double strongest = std::max(move_.cwiseAbs().maxCoeff(), turn_.cwiseAbs().maxCoeff()) * std::abs(constant);
   stable_step_ = strongest > 0 ? 1 / strongest : std::numeric_limits<double>::infinity();
   const Vector move = -constant * move_, turn = -constant * turn_;
@@ -183,7 +184,7 @@ void PartDampings::add(State& state, Forces& forces) {
   const double half = state.dt / 2;
   double strongest = 0;
   for (Entry& entry : entries_) {
-    const double constant = entry.constant.at(state.time);
+    const double constant = entry.constant.at(state);
     strongest += std::abs(constant) * std::max(entry.move.cwiseAbs().maxCoeff(), entry.turn.cwiseAbs().maxCoeff());
     const Vector move = -constant * entry.move, turn = -constant * entry.turn;
     for (Node& one : entry.nodes) {

@@ -11,12 +11,14 @@
 
 namespace gapcheck::solver {
 
-/// A value over time: scale times a curve that begins at `arrival`; zero before it.
+/// A value over time: scale times a curve that begins at `arrival`; zero before it, and in phases without the curve.
 struct TimedValue {
   std::shared_ptr<const TimeCurve> curve;
   double scale = 1, arrival = 0;
-  [[nodiscard]] double at(double time) const {
-    return time < arrival || curve == nullptr ? 0 : scale * curve->at(time - arrival);
+  Phases phases{};
+  [[nodiscard]] double at(const State& state) const {
+    const bool silent = state.time < arrival || curve == nullptr || !phases.now(state.relaxing);
+    return silent ? 0 : scale * curve->at(state.time - arrival);
   }
 };
 

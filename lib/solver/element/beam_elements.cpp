@@ -178,7 +178,7 @@ BeamForces BeamElements::integrated_forces(const State& state, std::size_t beam,
   const BeamProperties& properties = properties_[which_[beam]];
   const std::span<BeamPoint> points(points_.data() + first_point_[beam], points_.data() + first_point_[beam + 1]);
   const AxialPreload* preload = preloaded(beam) ? &preloads_[preload_of_[beam]] : nullptr;
-  if (preload == nullptr || !preload->active(state.time))
+  if (preload == nullptr || !preload->active(state))
     return integrated_beam_forces(properties, ends, state.dt, nullptr, state_[beam], points);
   const double length = (ends.x[1] - ends.x[0]).norm(),
                before = (ends.x[1] - ends.x[0] - state.dt * (ends.v[1] - ends.v[0])).norm();

@@ -19,7 +19,10 @@ struct AxialPreload {
   TimeCurve force;
   double end = 0;        ///< of the curve, or where it first falls
   bool bending = false;  ///< KBEND = 1
-  [[nodiscard]] bool active(double time) const { return time >= force.start() && time <= end; }
+  Phases phases{};
+  [[nodiscard]] bool active(const State& state) const {
+    return phases.now(state.relaxing) && state.time >= force.start() && state.time <= end;
+  }
 };
 
 /// All beams and trusses of a structure; arrays by beam.
