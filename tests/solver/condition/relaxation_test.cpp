@@ -33,9 +33,11 @@ TEST(Relaxation, ScalesTheVelocityOfAMass) {
     ASSERT_NEAR(stepper.state().v[0].x(), v, 1e-13) << i;
     ASSERT_NEAR(stepper.state().x[0].x(), x, 1e-13) << i;
     const Energies& e = stepper.energies();
-    ASSERT_NEAR(e.total(), e.external, 1e-12);
+    ASSERT_NEAR(e.total() - e.initial, e.external, 1e-12);
     ASSERT_NEAR(e.external, force * (x - step * v), 1e-12) << "the work of the force alone";
-    if (i > 1) ASSERT_GT(e.absorbed.damping, 0);
+    if (i > 1) {
+      ASSERT_GT(e.absorbed.damping, 0);
+    }
   }
   EXPECT_NEAR(v, factor / (1 - factor) * force * step / mass, 3e-3) << "what it tends to";
 }
@@ -57,7 +59,7 @@ TEST(Relaxation, ScalesTheMotionOfARigidBody) {
     ASSERT_NEAR(body.velocity().x(), v, 1e-13);
     ASSERT_EQ(body.velocity().y(), 0);
     ASSERT_NEAR(body.angular_velocity().z(), w, 1e-13);
-    ASSERT_NEAR(stepper.energies().total(), stepper.energies().external, 1e-13);
+    ASSERT_NEAR(stepper.energies().total() - stepper.energies().initial, stepper.energies().external, 1e-13);
   }
   EXPECT_GT(stepper.energies().absorbed.damping, 0.5 * stepper.energies().external);
 }
