@@ -169,6 +169,12 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"mass_not_a_number", with(&Cards::more, "*ELEMENT_MASS\n1,5,nan\n"), Wanted::refused,
                 "is not a number"},
         Hostile{"damping_negative", with(&Cards::more, "*DAMPING_GLOBAL\n0,-1e6\n"), Wanted::stopped, "at time"},
+        Hostile{"relative_damping_of_nothing", with(&Cards::more, "*DAMPING_RELATIVE\n0.1,1.,2\n"), Wanted::refused, "PSID"},
+        Hostile{"relative_damping_not_a_number", with(&Cards::more, "*DAMPING_RELATIVE\nnan,1.,2,1\n"), Wanted::refused,
+                "is not a number"},
+        Hostile{"body_load_without_vector",
+                with(&Cards::more, "*DEFINE_CURVE\n1\n0.,1.\n1.,1.\n*LOAD_BODY_VECTOR\n1,1.\n"), Wanted::refused,
+                "vector"},
         Hostile{"damping_huge", with(&Cards::more, "*DAMPING_GLOBAL\n0,1e300\n"), Wanted::refused,
                 "is larger than 1e30"}),
     [](const auto& one) { return std::string(one.param.name); });
