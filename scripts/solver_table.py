@@ -39,6 +39,8 @@ ROWS = [
     ("shell 2 with BWC, PROJ = 1: the same, load out of its plane", "MacNeal and Harder (1985)", "ShellWarping.TwistedBeam", "full_out_of_plane", 1),
     ("shell 10: bending patch of irregular quads", "no shear", "ShellWarping.SidesShearPassesTheBendingPatch", None, 0),
     ("shells of plies: stiffness", "laminate theory", "ShellLayers.LaminateTheory", None, 0),
+    ("shells of plies of their own", "laminate theory", "BuildShellLayers.PliesOfOneElement", None, 0),
+    ("shells with listed points", "Σ E WF t (S t/2)²", "BuildShellLayers.ListedPoints", None, 0),
     ("shells with nodes on a surface: cantilever", "nodes in the middle", "ShellLayers.CantileverWithNodesOnASurface", "offset_one_point", 1),
     ("shells: bulk viscosity", "closed form", "ShellLayers.BulkViscosity", None, 0),
     ("solid 1 with IHQ 6, QM = 1: cantilever of one layer", "P l³/3EI + P l/GA", "AssumedStrain.OneLayerBends", "cantilever_0.3", 1),

@@ -91,6 +91,7 @@ struct Model {
   std::vector<SectionPreload> section_preloads;
   Loads loads;
   std::map<std::int64_t, HourglassControl> hourglass;  ///< *HOURGLASS
+  std::map<std::int64_t, ShellRule> shell_rules;       ///< *INTEGRATION_SHELL
   Controls controls;
   Output output;
   std::vector<std::string> files;                         ///< paths, by FileIndex

@@ -159,6 +159,7 @@ void read_body_load_parts(Context& context, const Block& block, const Options& o
 void read_part_damping(Context& context, const Block& block, const Options& options);
 void read_global_damping(Context& context, const Block& block, const Options& options);
 void read_relative_damping(Context& context, const Block& block, const Options& options);
+void read_integration_shell(Context& context, const Block& block, const Options& options);
 void read_hourglass(Context& context, const Block& block, const Options& options);
 void read_control_hourglass(Context& context, const Block& block, const Options& options);
 void read_control_bulk_viscosity(Context& context, const Block& block, const Options& options);

@@ -129,6 +129,7 @@ constexpr KeywordFamily keyword_families[] = {
     {"DAMPING_GLOBAL", Phase::rest, read_global_damping},
     {"DAMPING_RELATIVE", Phase::rest, read_relative_damping},
     {"HOURGLASS", Phase::properties, read_hourglass, "TITLE"},
+    {"INTEGRATION_SHELL", Phase::properties, read_integration_shell},
     {"CONTROL_HOURGLASS", Phase::rest, read_control_hourglass},
     {"CONTROL_BULK_VISCOSITY", Phase::rest, read_control_bulk_viscosity},
     {"CONTROL_ACCURACY", Phase::rest, read_control_accuracy},

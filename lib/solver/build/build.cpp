@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "solver/build/build_beams.hpp"
 #include "solver/build/build_discrete_beams.hpp"
@@ -155,6 +157,31 @@ class Builder {
     return Properties{&section, std::move(material).value()};
   }
 
+  /// The position of a shell's properties, which all shells of its part share, or those with the same plies of their
+  /// own.
+  SolverResult<std::uint32_t> shell_position(std::uint32_t i) {
+    const model::Shells& shells = model_.mesh.shells;
+    const PartIndex part = shells.part[i];
+    const auto layup = shells.own_layup.empty() ? std::nullopt : shells.layup_of(i);
+    if (part != none<PartIndex> && !layup && positions_[part.value]) return *positions_[part.value];
+    const std::pair key{part.value, layup.value_or(0)};
+    if (const auto known = layered_.find(key); layup && known != layered_.end()) return known->second;
+    const auto found = properties("shell", shells.id[i], part, SectionKind::shell, place_of(shells, i));
+    if (!found) return found.error();
+    auto all = shell_properties(model_, part, *found.value().section, found.value().material, settings_.shell_hourglass,
+                                diagnostics_, layup ? &shells.layups[*layup] : nullptr);
+    if (!all) return all.error();
+    const auto folded = folded_shells(model_, part, *found.value().section, diagnostics_);
+    if (!folded) return folded.error();
+    all.value().folded = folded.value();
+    const std::uint32_t position = structure_.shells.add_properties(std::move(all).value());
+    if (layup)
+      layered_.emplace(key, position);
+    else
+      positions_[part.value] = position;
+    return position;
+  }
+
   SolverStatus add_shells() {
     const model::Shells& shells = model_.mesh.shells;
     auto own = shells.own_thickness.begin();
@@ -163,17 +190,8 @@ class Builder {
       const PartIndex part = shells.part[i];
       if (SolverStatus known = complete("shell", shells, i); !known.ok()) return known;
       if (SolverStatus full = check_full_shell(model_, shells, i, places(shells.nodes[i])); !full.ok()) return full;
-      if (part == none<PartIndex> || !positions_[part.value]) {
-        const auto found = properties("shell", shells.id[i], part, SectionKind::shell, place_of(shells, i));
-        if (!found) return found.error();
-        auto all = shell_properties(model_, part, *found.value().section, found.value().material,
-                                    settings_.shell_hourglass, diagnostics_);
-        if (!all) return all.error();
-        const auto folded = folded_shells(model_, part, *found.value().section, diagnostics_);
-        if (!folded) return folded.error();
-        all.value().folded = folded.value();
-        positions_[part.value] = structure_.shells.add_properties(std::move(all).value());
-      }
+      const auto position = shell_position(i);
+      if (!position) return position.error();
       const model::Section& section = model_.sections[*model_.part(part).section];
       while (own != shells.own_thickness.end() && own->shell < i) ++own;
       const bool has_own = own != shells.own_thickness.end() && own->shell == i;
@@ -196,7 +214,7 @@ class Builder {
                                      shells.id[i], -reference),
                          place_of(shells, i)};
         structure_.added_mass +=
-            structure_.shells.add(shells.nodes[i], structure_.shells.with_reference(*positions_[part.value], reference),
+            structure_.shells.add(shells.nodes[i], structure_.shells.with_reference(position.value(), reference),
                                   thickness, i, structure_.state, scaling_);
         if (SolverStatus turned = turn_last_shell(part); !turned.ok()) return turned;
       }
@@ -346,8 +364,9 @@ class Builder {
   Diagnostics& diagnostics_;
   MassScaling scaling_;
   std::vector<std::optional<std::uint32_t>> positions_;  ///< by part: its position among the properties
-  std::vector<RigidPart> rigid_;                         ///< by part
-  std::set<std::uint32_t> named_;                        ///< materials whose limits were reported
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> layered_;  ///< of shells, by part and own plies
+  std::vector<RigidPart> rigid_;                                              ///< by part
+  std::set<std::uint32_t> named_;                                             ///< materials whose limits were reported
   Structure structure_;
 };
 
