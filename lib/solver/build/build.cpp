@@ -313,8 +313,10 @@ class Builder {
         add_rigid(part, beams.nodes[i], points);
       } else {
         const Vector third = limits.third_point(i, structure_.state);
+        const auto joint = limits.joint(i);
+        if (!joint) return joint.error();
         length = structure_.beams.add(beams.nodes[i], *positions_[part.value], third, i, structure_.state, scaling_,
-                                      &structure_.added_mass);
+                                      &structure_.added_mass, joint.value());
       }
       if (!(length > 0)) {
         limits.tell();

@@ -28,12 +28,25 @@ BeamState undeformed_beam(const Vector& way, const Vector& third) {
   return beam;
 }
 
-/// `inertia`: per mass.
-void give_mass(const std::array<NodeIndex, 2>& nodes, double mass, double inertia, State& state) {
-  for (const NodeIndex node : nodes) {
-    state.mass[node.value] += mass;
-    state.inertia[node.value] += mass * inertia;
+/// `inertia`: per mass, by node.
+void give_mass(const std::array<NodeIndex, 2>& nodes, double mass, const std::array<double, 2>& inertia, State& state) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    state.mass[nodes[k].value] += mass;
+    state.inertia[nodes[k].value] += mass * inertia[k];
   }
+}
+
+/// An end at a distance a from its node, whose inertia per mass is i + a², answers to forces and moments at most c
+/// times as much as one with i at its node: |f|² + |m + a × f|²/(i + a²) ≤ c (|f|² + |m|²/i). So ω² grows by c at most.
+double share_left_by(const std::array<Vector, 2>& arm, double inertia) {
+  double most = 1;
+  for (const Vector& one : arm) {
+    const double squared = one.squaredNorm(), both = std::sqrt(squared * inertia);
+    if (!(squared > 0)) continue;
+    most = std::max({most, 1 + (squared + both) / (inertia + squared),
+                     (1 + std::sqrt(squared / inertia)) * inertia / (inertia + squared)});
+  }
+  return 1 / std::sqrt(most);
 }
 
 bool may_fail(const BeamProperties& properties) {
@@ -49,14 +62,24 @@ std::uint32_t BeamElements::add_properties(BeamProperties properties) {
 }
 
 double BeamElements::add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third,
-                         std::uint32_t origin, State& state, const MassScaling& scaling, double* added_mass) {
-  const BeamState beam = undeformed_beam(state.x[nodes[1].value] - state.x[nodes[0].value], third);
+                         std::uint32_t origin, State& state, const MassScaling& scaling, double* added_mass,
+                         const BeamJoint& joint) {
+  const Vector nodes_apart = state.x[nodes[1].value] - state.x[nodes[0].value];
+  BeamState beam = undeformed_beam(nodes_apart + joint.offset[1] - joint.offset[0], third);
   if (!(beam.length > 0) || !std::isfinite(beam.length)) return 0;
+  beam.released = joint.released;
   append(nodes, properties, origin, beam);
+  if (joint.offset != BeamJoint().offset || joint.shift != BeamJoint().shift) {
+    const Vector r = (nodes_apart + joint.offset[1] - joint.offset[0]) / beam.length;
+    const Vector shift = joint.shift[0] * beam.axis + joint.shift[1] * r.cross(beam.axis);
+    arms_of_.back() = static_cast<std::uint32_t>(arms_.size());
+    arms_.push_back({{joint.offset[0] + shift, joint.offset[1] + shift}});
+    arms_.back().step = share_left_by(arms_.back().arm, beam_inertia(properties_[properties], beam.length));
+  }
   const double factor = mass_factor(state, scaling), mass = beam_mass(properties_[properties], beam.length);
   step_factor_.push_back(std::sqrt(factor));
   if (added_mass != nullptr) *added_mass += (factor - 1) * mass;
-  give_mass(nodes, factor * mass / 2, beam_inertia(properties_[properties], beam.length), state);
+  give_mass(nodes, factor * mass / 2, {inertia_at(size() - 1, 0), inertia_at(size() - 1, 1)}, state);
   return beam.length;
 }
 
@@ -70,6 +93,7 @@ void BeamElements::append(const std::array<NodeIndex, 2>& nodes, std::uint32_t p
   points_.resize(first_point_.back());
   preload_of_.push_back(no_position);
   discrete_of_.push_back(no_position);
+  arms_of_.push_back(no_position);
 }
 
 double BeamElements::add_discrete(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Matrix* axes,
@@ -90,7 +114,8 @@ double BeamElements::add_discrete(const std::array<NodeIndex, 2>& nodes, std::ui
   const double factor = mass_factor(state, scaling);
   step_factor_.push_back(std::sqrt(factor));
   if (added_mass != nullptr) *added_mass += (factor - 1) * discrete.mass;
-  give_mass(nodes, factor * discrete.mass / 2, discrete.inertia / discrete.mass, state);
+  const double inertia = discrete.inertia / discrete.mass;
+  give_mass(nodes, factor * discrete.mass / 2, {inertia, inertia}, state);
   return discrete.mass;
 }
 
@@ -101,7 +126,10 @@ double BeamElements::mass_factor(const State& state, const MassScaling& scaling)
   if (!properties.material.has_stress() || (!(least > 0) && !(scaling.step > 0))) return 1;
   State still{};
   double supplied = 0;
-  const BeamForces steps = forces(still, size() - 1, ends(state, size() - 1), supplied);
+  const BeamEnds at = ends(state, size() - 1);
+  BeamForces steps =
+      forces(still, size() - 1, on_arms(size() - 1) ? turn_arms(at, 0, arms_[arms_of_.back()]) : at, supplied);
+  if (on_arms(size() - 1)) steps.stable_step *= arms_[arms_of_.back()].step;
   const double own = least > steps.manual_step ? least / steps.manual_step : 1;
   return own * own * scaling.factor(own * steps.manual_step, own * steps.stable_step);
 }
@@ -142,6 +170,31 @@ BeamEnds BeamElements::ends(const State& state, std::size_t beam) const {
   return ends;
 }
 
+Vector BeamElements::way(std::size_t beam, const std::vector<Vector>& x) const {
+  const auto& [a, b] = nodes_[beam];
+  const Vector nodes_apart = x[b.value] - x[a.value];
+  if (!on_arms(beam)) return nodes_apart;
+  const Arms& arms = arms_[arms_of_[beam]];
+  return nodes_apart + arms.arm[1] - arms.arm[0];
+}
+
+double BeamElements::inertia_at(std::size_t beam, std::size_t k) const {
+  const double own = beam_inertia(properties(beam), state_[beam].length);
+  return on_arms(beam) ? own + arms_[arms_of_[beam]].arm[k].squaredNorm() : own;
+}
+
+BeamEnds BeamElements::turn_arms(const BeamEnds& nodes, double dt, Arms& arms) const {
+  BeamEnds ends = nodes;
+  for (std::size_t k = 0; k < 2; ++k) {
+    Vector& arm = arms.arm[k];
+    const Vector before = arm;
+    if (dt > 0) arm = spin_rotation(dt * nodes.w[k]) * before;
+    ends.x[k] += arm;
+    ends.v[k] += dt > 0 ? Vector((arm - before) / dt) : nodes.w[k].cross(arm);
+  }
+  return ends;
+}
+
 /// Forces on the steps of the unscaled mass. `supplied`: what a preload puts into the beam in the step.
 BeamForces BeamElements::forces(const State& state, std::size_t beam, const BeamEnds& ends, double& supplied) {
   const BeamProperties& properties = properties_[which_[beam]];
@@ -165,9 +218,8 @@ BeamForces BeamElements::discrete_forces_of(const State& state, std::size_t beam
 Matrix BeamElements::axes(std::size_t beam, const std::vector<Vector>& x) const {
   const DiscreteState* history = discrete(beam);
   if (history != nullptr && !properties(beam).discrete->cable) return history->axes;
-  const auto& [a, b] = nodes_[beam];
   Matrix axes;
-  axes.col(0) = (x[b.value] - x[a.value]).normalized();
+  axes.col(0) = way(beam, x).normalized();
   axes.col(1) = state_[beam].axis;
   axes.col(2) = axes.col(0).cross(axes.col(1));
   return axes;
@@ -206,13 +258,19 @@ Summary BeamElements::update_one(const State& state, std::size_t beam) {
   if (failed_[beam] != 0) return {};
   const BeamEnds ends = this->ends(state, beam);
   Summary summary;
-  BeamForces forces = this->forces(state, beam, ends, summary.supplied);
+  Arms* const arms = on_arms(beam) ? &arms_[arms_of_[beam]] : nullptr;
+  BeamForces forces =
+      this->forces(state, beam, arms == nullptr ? ends : turn_arms(ends, state.dt, *arms), summary.supplied);
   if (fails(state, beam, forces)) {
     failed_[beam] = 1;
     forces = {};
     forces.good = true;
     forces.manual_step = forces.stable_step = std::numeric_limits<double>::infinity();
     summary.failed = 1;
+  }
+  if (arms != nullptr) {
+    for (std::size_t k = 0; k < 2; ++k) forces.moment[k] += arms->arm[k].cross(forces.force[k]);
+    forces.stable_step *= arms->step;
   }
   summary.manual_step = forces.manual_step * step_factor_[beam];
   summary.stable_step = forces.stable_step * step_factor_[beam];
@@ -234,14 +292,11 @@ Summary BeamElements::update_one(const State& state, std::size_t beam) {
 }
 
 double BeamElements::stored(std::size_t beam, const std::vector<Vector>& x) const {
-  const auto& [a, b] = nodes_[beam];
+  const double length = way(beam, x).norm();
   if (const DiscreteState* history = discrete(beam))
-    return failed_.empty() || failed_[beam] == 0
-               ? stored_energy(*properties(beam).discrete, *history, (x[b.value] - x[a.value]).norm())
-               : 0;
-  if (properties(beam).integrated())
-    return stored_energy(properties(beam), points(beam), (x[b.value] - x[a.value]).norm());
-  return stored_energy(properties(beam), state_[beam], (x[b.value] - x[a.value]).norm());
+    return failed_.empty() || failed_[beam] == 0 ? stored_energy(*properties(beam).discrete, *history, length) : 0;
+  if (properties(beam).integrated()) return stored_energy(properties(beam), points(beam), length);
+  return stored_energy(properties(beam), state_[beam], length);
 }
 
 void BeamElements::watch_steps(const MassScaling& scaling, const State& /*state*/) {
@@ -254,8 +309,7 @@ AddedMass BeamElements::keep_steps(State& state) {
   AddedMass added;
   watched_.grow_where_needed([&](std::size_t beam, double factor) {
     const double share = (factor - 1) * watched_.mass[beam] / 2;
-    for (const NodeIndex node : nodes_[beam])
-      added.give(state, node.value, share, share * beam_inertia(properties(beam), state_[beam].length));
+    for (std::size_t k = 0; k < 2; ++k) added.give(state, nodes_[beam][k].value, share, share * inertia_at(beam, k));
     step_factor_[beam] *= std::sqrt(factor);
     ++added.elements;
   });
