@@ -128,6 +128,8 @@ ROWS = [
     ("nodes that follow others: two turns of nine degrees per step", "circle", "FollowerForces.FiniteRotationsPassExactly", None, 0),
     ("DT2MS: truss pressed to half its length", "m (L₀/L)²", "MassScaling.GrowsDuringTheRun", None, 0),
     ("frame that turns", "r cosh(n α)", "Loads.TurningFrame", None, 0),
+    ("linear constraints: periodic pairs", "all equations of motion at once", "LinearConstraints.GroupsAreSolvedAtOnce", None, 0),
+    ("nodes that share a direction", "F / Σ m", "LinearConstraints.JoinedNodesShareTheirMomentum", None, 0),
     ("damping relative to a rigid body", "−D m (v − V − ω × r)", "Loads.RelativeDampingIsThatOfTheRelativeVelocity", None, 0),
     ("damping of a part", "(1 − D dt)ⁿ", "Loads.DampingOfParts", None, 0),
     ("rigid body: steady spin", "discrete closed form", "RigidBody.SteadySpin", None, 0),

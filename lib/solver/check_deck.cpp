@@ -159,6 +159,18 @@ SolverStatus check_mortar(const model::Contact& contact, const contact::ContactS
   return {};
 }
 
+/// What moves nodes by constraints does not know of other equations between them.
+SolverStatus check_linear(const model::Model& model, const model::Contact& contact, ContactMethod method,
+                          const contact::ContactSurfaces& surfaces) {
+  if (model.linear_constraints.empty() && model.joined_sets.empty()) return {};
+  if (method != ContactMethod::constraint && !contact::ties_by_constraint(surfaces.type)) return {};
+  return Failure{Failure::Kind::not_calculated,
+                 fmt::format("contact {} (*{}) acts by constraints, which is not calculated together with "
+                             "*CONSTRAINED_LINEAR_GLOBAL and _NODE_SET; use a penalty type or a tie with _OFFSET",
+                             contact.id.value, contact.written),
+                 contact.place};
+}
+
 /// Contacts whose times or offsets in a dynamic relaxation are not known.
 SolverStatus check_relaxation(const model::Contact& contact, ContactMethod method,
                               const contact::ContactSurfaces& surfaces) {
@@ -235,6 +247,7 @@ SolverStatus check_deck(const model::Model& model, contact::SurfaceStore& surfac
     if (acts_by_curve(contact))
       if (SolverStatus status = check_curve_contact(model, contact); !status.ok()) return status;
     if (SolverStatus status = check_times(model, contact); !status.ok()) return status;
+    if (SolverStatus status = check_linear(model, contact, method, surfaces.at(c)); !status.ok()) return status;
     if (relaxing)
       if (SolverStatus status = check_relaxation(contact, method, surfaces.at(c)); !status.ok()) return status;
     if (SolverStatus status = check_tie_strength(model, contact, diagnostics); !status.ok()) return status;
