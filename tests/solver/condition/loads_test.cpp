@@ -214,7 +214,10 @@ TEST(Loads, RelativeDampingIsThatOfTheRelativeVelocity) {
     const Vector velocity(1, 2, 3), spin(-2, 0.5, 1.5);
     structure.rigid.set_motion(0, velocity, spin, state);
     structure.rigid.start(state);
-    for (std::size_t i = 8; i < 16; ++i) state.v[i] = Vector(std::cos(i), std::sin(3. * i), 2);
+    for (std::size_t i = 8; i < 16; ++i) {
+      const auto angle = static_cast<double>(i);
+      state.v[i] = Vector(std::cos(angle), std::sin(3 * angle), 2);
+    }
     Forces forces;
     forces.resize(16, 1);
     result.forces[0]->add(state, forces);
