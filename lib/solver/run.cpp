@@ -261,8 +261,11 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
   const Structure& stepped = run.stepper_->structure();
   // First: what reacts after it reacts to the damped motion.
-  if (run.relaxation_)
-    run.stepper_->add(std::make_unique<RelaxationDamping>(stepped, run.relaxation_->settings().factor));
+  if (run.relaxation_) {
+    auto damping = std::make_unique<RelaxationDamping>(stepped, run.relaxation_->settings().factor);
+    run.damping_ = damping.get();
+    run.stepper_->add(std::move(damping));
+  }
   run.add_contacts(std::move(contacts));
   auto springs = std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped);
   springs->on_failure(release);
@@ -348,6 +351,7 @@ std::optional<RunEnd> Run::relax() {
   }
   relaxed_ = Relaxed{state.cycle, state.time, relaxation_->ratio(), relaxation_->converged(),
                      unfinished_curve(*model_, state.time)};
+  damping_->stop(stepper_->energies().kinetic);
   stepper_->begin_run(motion_, model_->controls.tssfac);
   return std::nullopt;
 }

@@ -123,7 +123,8 @@ class Run {
   std::vector<ContactSource*> sources_;  ///< of contacts; all owned by the stepper
   std::vector<ContactEvent> events_;
   std::optional<RelaxationCheck> relaxation_;
-  InitialMotion motion_;  ///< after the relaxation
+  RelaxationDamping* damping_ = nullptr;  ///< of the relaxation; owned by the stepper
+  InitialMotion motion_;                  ///< after the relaxation
   std::optional<Relaxed> relaxed_;
   SolverStatus status_;
   std::chrono::steady_clock::time_point start_;

@@ -54,15 +54,13 @@ class Stepper {
   /// Forces act in the order in which they are added.
   void add(std::unique_ptr<Force> force) { others_.push_back(std::move(force)); }
 
-  /// One step; after a failure the positions are those at which it occurred, and no further
-  /// step should be made.
+  /// One step; after a failure the positions are those at which it occurred, and no further step should be made.
   [[nodiscard]] SolverStatus step();
   /// A step in two halves. begin_step() computes forces, energies and the velocities in the middle of the next step; in
   /// between everything else belongs to state().time. end_step() advances.
   [[nodiscard]] SolverStatus begin_step();
   void end_step() { move(next_); }
-  /// Ends a dynamic relaxation between the halves of a step: what is moving stops, which counts as damping, time and
-  /// cycles begin again with these velocities and TSSFAC; stresses, contacts and energies go on.
+  /// Ends a dynamic relaxation between the halves of a step. What moves loses its kinetic energy; the rest goes on.
   void begin_run(const InitialMotion& motion, double time_step_factor);
   /// Between the halves: the next step, and what sets it.
   [[nodiscard]] double next_step() const { return next_; }
@@ -108,8 +106,7 @@ class Stepper {
   double next_ = 0;
   StepControl control_;
   std::vector<ElementFailure> failures_;
-  double work_ = 0;     ///< of all forces other than the elements'
-  double stopped_ = 0;  ///< kinetic energy that begin_run() has taken
+  double work_ = 0;  ///< of all forces other than the elements'
   double largest_energy_ = 0;
 };
 

@@ -63,6 +63,8 @@ class RelaxationDamping : public Force {
   [[nodiscard]] bool reacts() const override { return true; }
   void react(const State& state, double mean, double next, Forces& net, Forces& external) override;
   void absorbed(Absorbed& work) const override { work.damping += work_; }
+  /// What is still moving at the end of the relaxation loses this kinetic energy.
+  void stop(double kinetic) { work_ += kinetic; }
 
  private:
   void damp_bodies(const State& state, double mean, double next, Forces& net, Forces& external);

@@ -28,6 +28,13 @@ BeamState undeformed_beam(const Vector& way, const Vector& third) {
   return beam;
 }
 
+/// Of both nodes per mass.
+std::array<double, 2> inertias(const BeamProperties& properties, double length, const BeamArms& arms,
+                               std::size_t beam) {
+  const double own = beam_inertia(properties, length);
+  return arms.has(beam) ? std::array{own + arms.inertia(beam, 0), own + arms.inertia(beam, 1)} : std::array{own, own};
+}
+
 /// `inertia`: per mass, by node.
 void give_mass(const std::array<NodeIndex, 2>& nodes, double mass, const std::array<double, 2>& inertia, State& state) {
   for (std::size_t k = 0; k < 2; ++k) {
@@ -36,17 +43,39 @@ void give_mass(const std::array<NodeIndex, 2>& nodes, double mass, const std::ar
   }
 }
 
-/// An end at a distance a from its node, whose inertia per mass is i + a², answers to forces and moments at most c
-/// times as much as one with i at its node: |f|² + |m + a × f|²/(i + a²) ≤ c (|f|² + |m|²/i). So ω² grows by c at most.
-double share_left_by(const std::array<Vector, 2>& arm, double inertia) {
-  double most = 1;
-  for (const Vector& one : arm) {
-    const double squared = one.squaredNorm(), both = std::sqrt(squared * inertia);
-    if (!(squared > 0)) continue;
-    most = std::max({most, 1 + (squared + both) / (inertia + squared),
-                     (1 + std::sqrt(squared / inertia)) * inertia / (inertia + squared)});
+BeamEnds ends_of(const State& state, const std::array<NodeIndex, 2>& nodes) {
+  BeamEnds ends;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::uint32_t node = nodes[k].value;
+    ends.x[k] = state.x[node];
+    ends.v[k] = state.v[node];
+    ends.w[k] = state.w[node];
   }
-  return 1 / std::sqrt(most);
+  return ends;
+}
+
+/// Those of a beam that has failed: none.
+BeamForces without_forces() {
+  BeamForces forces;
+  forces.good = true;
+  forces.manual_step = forces.stable_step = std::numeric_limits<double>::infinity();
+  return forces;
+}
+
+/// `force`, `moment`: those on both ends before the step. `supplied`: what the preload puts into the beam in it.
+BeamForces preloaded_forces(const AxialPreload& preload, const BeamProperties& properties, const State& state,
+                            const BeamEnds& ends, std::span<const Vector> force, std::span<const Vector> moment,
+                            BeamState& beam, std::span<BeamPoint> points, double& supplied) {
+  const double length = (ends.x[1] - ends.x[0]).norm(),
+               before = (ends.x[1] - ends.x[0] - state.dt * (ends.v[1] - ends.v[0])).norm();
+  const double stored = stored_energy(properties, points, before);
+  const ImposedStress imposed{preload.force.at(state.time) / properties.section.area, preload.bending};
+  const BeamForces forces = integrated_beam_forces(properties, ends, state.dt, &imposed, beam, points);
+  supplied = stored_energy(properties, points, length) - stored;
+  for (std::size_t k = 0; k < 2; ++k)
+    supplied -=
+        state.dt / 2 * ((force[k] + forces.force[k]).dot(ends.v[k]) + (moment[k] + forces.moment[k]).dot(ends.w[k]));
+  return forces;
 }
 
 bool may_fail(const BeamProperties& properties) {
@@ -72,14 +101,13 @@ double BeamElements::add(const std::array<NodeIndex, 2>& nodes, std::uint32_t pr
   if (joint.offset != BeamJoint().offset || joint.shift != BeamJoint().shift) {
     const Vector r = (nodes_apart + joint.offset[1] - joint.offset[0]) / beam.length;
     const Vector shift = joint.shift[0] * beam.axis + joint.shift[1] * r.cross(beam.axis);
-    arms_of_.back() = static_cast<std::uint32_t>(arms_.size());
-    arms_.push_back({{joint.offset[0] + shift, joint.offset[1] + shift}});
-    arms_.back().step = share_left_by(arms_.back().arm, beam_inertia(properties_[properties], beam.length));
+    arms_.set_last({joint.offset[0] + shift, joint.offset[1] + shift},
+                   beam_inertia(properties_[properties], beam.length));
   }
   const double factor = mass_factor(state, scaling), mass = beam_mass(properties_[properties], beam.length);
   step_factor_.push_back(std::sqrt(factor));
   if (added_mass != nullptr) *added_mass += (factor - 1) * mass;
-  give_mass(nodes, factor * mass / 2, {inertia_at(size() - 1, 0), inertia_at(size() - 1, 1)}, state);
+  give_mass(nodes, factor * mass / 2, inertias(properties_[properties], beam.length, arms_, size() - 1), state);
   return beam.length;
 }
 
@@ -93,7 +121,7 @@ void BeamElements::append(const std::array<NodeIndex, 2>& nodes, std::uint32_t p
   points_.resize(first_point_.back());
   preload_of_.push_back(no_position);
   discrete_of_.push_back(no_position);
-  arms_of_.push_back(no_position);
+  arms_.add();
 }
 
 double BeamElements::add_discrete(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Matrix* axes,
@@ -126,10 +154,8 @@ double BeamElements::mass_factor(const State& state, const MassScaling& scaling)
   if (!properties.material.has_stress() || (!(least > 0) && !(scaling.step > 0))) return 1;
   State still{};
   double supplied = 0;
-  const BeamEnds at = ends(state, size() - 1);
-  BeamForces steps =
-      forces(still, size() - 1, on_arms(size() - 1) ? turn_arms(at, 0, arms_[arms_of_.back()]) : at, supplied);
-  if (on_arms(size() - 1)) steps.stable_step *= arms_[arms_of_.back()].step;
+  BeamForces steps = forces(still, size() - 1, arms_.turn(size() - 1, ends_of(state, nodes_.back()), 0), supplied);
+  steps.stable_step *= arms_.step(size() - 1);
   const double own = least > steps.manual_step ? least / steps.manual_step : 1;
   return own * own * scaling.factor(own * steps.manual_step, own * steps.stable_step);
 }
@@ -159,40 +185,9 @@ void BeamElements::finish(std::size_t nodes) {
   table_ = CornerTable(nodes, corners);
 }
 
-BeamEnds BeamElements::ends(const State& state, std::size_t beam) const {
-  BeamEnds ends;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const std::uint32_t node = nodes_[beam][k].value;
-    ends.x[k] = state.x[node];
-    ends.v[k] = state.v[node];
-    ends.w[k] = state.w[node];
-  }
-  return ends;
-}
-
 Vector BeamElements::way(std::size_t beam, const std::vector<Vector>& x) const {
-  const auto& [a, b] = nodes_[beam];
-  const Vector nodes_apart = x[b.value] - x[a.value];
-  if (!on_arms(beam)) return nodes_apart;
-  const Arms& arms = arms_[arms_of_[beam]];
-  return nodes_apart + arms.arm[1] - arms.arm[0];
-}
-
-double BeamElements::inertia_at(std::size_t beam, std::size_t k) const {
-  const double own = beam_inertia(properties(beam), state_[beam].length);
-  return on_arms(beam) ? own + arms_[arms_of_[beam]].arm[k].squaredNorm() : own;
-}
-
-BeamEnds BeamElements::turn_arms(const BeamEnds& nodes, double dt, Arms& arms) const {
-  BeamEnds ends = nodes;
-  for (std::size_t k = 0; k < 2; ++k) {
-    Vector& arm = arms.arm[k];
-    const Vector before = arm;
-    if (dt > 0) arm = spin_rotation(dt * nodes.w[k]) * before;
-    ends.x[k] += arm;
-    ends.v[k] += dt > 0 ? Vector((arm - before) / dt) : nodes.w[k].cross(arm);
-  }
-  return ends;
+  const Vector apart = x[nodes_[beam][1].value] - x[nodes_[beam][0].value];
+  return on_arms(beam) ? Vector(apart + arms_.way(beam)) : apart;
 }
 
 /// Forces on the steps of the unscaled mass. `supplied`: what a preload puts into the beam in the step.
@@ -232,17 +227,8 @@ BeamForces BeamElements::integrated_forces(const State& state, std::size_t beam,
   const AxialPreload* preload = preloaded(beam) ? &preloads_[preload_of_[beam]] : nullptr;
   if (preload == nullptr || !preload->active(state))
     return integrated_beam_forces(properties, ends, state.dt, nullptr, state_[beam], points);
-  const double length = (ends.x[1] - ends.x[0]).norm(),
-               before = (ends.x[1] - ends.x[0] - state.dt * (ends.v[1] - ends.v[0])).norm();
-  const double stored = stored_energy(properties, points, before);
-  const ImposedStress imposed{preload->force.at(state.time) / properties.section.area, preload->bending};
-  const BeamForces forces = integrated_beam_forces(properties, ends, state.dt, &imposed, state_[beam], points);
-  supplied = stored_energy(properties, points, length) - stored;
-  for (std::size_t k = 0; k < 2; ++k)
-    supplied -= state.dt / 2 *
-                ((force_[2 * beam + k] + forces.force[k]).dot(ends.v[k]) +
-                 (moment_[2 * beam + k] + forces.moment[k]).dot(ends.w[k]));
-  return forces;
+  const std::span<const Vector> force(&force_[2 * beam], 2), moment(&moment_[2 * beam], 2);
+  return preloaded_forces(*preload, properties, state, ends, force, moment, state_[beam], points, supplied);
 }
 
 bool BeamElements::fails(const State& state, std::size_t beam, const BeamForces& forces) {
@@ -256,22 +242,16 @@ bool BeamElements::fails(const State& state, std::size_t beam, const BeamForces&
 
 Summary BeamElements::update_one(const State& state, std::size_t beam) {
   if (failed_[beam] != 0) return {};
-  const BeamEnds ends = this->ends(state, beam);
+  const BeamEnds ends = ends_of(state, nodes_[beam]);
   Summary summary;
-  Arms* const arms = on_arms(beam) ? &arms_[arms_of_[beam]] : nullptr;
-  BeamForces forces =
-      this->forces(state, beam, arms == nullptr ? ends : turn_arms(ends, state.dt, *arms), summary.supplied);
+  BeamForces forces = this->forces(state, beam, arms_.turn(beam, ends, state.dt), summary.supplied);
   if (fails(state, beam, forces)) {
     failed_[beam] = 1;
-    forces = {};
-    forces.good = true;
-    forces.manual_step = forces.stable_step = std::numeric_limits<double>::infinity();
+    forces = without_forces();
     summary.failed = 1;
   }
-  if (arms != nullptr) {
-    for (std::size_t k = 0; k < 2; ++k) forces.moment[k] += arms->arm[k].cross(forces.force[k]);
-    forces.stable_step *= arms->step;
-  }
+  for (std::size_t k = 0; k < 2; ++k) forces.moment[k] = arms_.at_node(beam, k, forces.force[k], forces.moment[k]);
+  forces.stable_step *= arms_.step(beam);
   summary.manual_step = forces.manual_step * step_factor_[beam];
   summary.stable_step = forces.stable_step * step_factor_[beam];
   watched_.note(beam, summary.manual_step, summary.stable_step);
@@ -309,7 +289,8 @@ AddedMass BeamElements::keep_steps(State& state) {
   AddedMass added;
   watched_.grow_where_needed([&](std::size_t beam, double factor) {
     const double share = (factor - 1) * watched_.mass[beam] / 2;
-    for (std::size_t k = 0; k < 2; ++k) added.give(state, nodes_[beam][k].value, share, share * inertia_at(beam, k));
+    const auto inertia = inertias(properties(beam), state_[beam].length, arms_, beam);
+    for (std::size_t k = 0; k < 2; ++k) added.give(state, nodes_[beam][k].value, share, share * inertia[k]);
     step_factor_[beam] *= std::sqrt(factor);
     ++added.elements;
   });

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/ids.hpp"
+#include "solver/discrete/beam_arms.hpp"
 #include "solver/element/assembly.hpp"
 #include "solver/element/beam.hpp"
 #include "solver/element/mass_scaling.hpp"
@@ -40,8 +41,7 @@ class BeamElements {
   /// Adds a beam and its share of mass and rotational inertia to the nodes. `third`: a point in the plane of the axes r
   /// and s, from the first node; any length; only its direction across counts. `origin`: position in the model, for
   /// messages. Returns its length; if not above zero, the beam was not added. Adds the mass by DT of material 100 and
-  /// by `scaling` to `added_mass`, if that is given.
-  /// Ends off their nodes move with them as rigid arms.
+  /// by `scaling` to `added_mass`, if that is given. Ends off their nodes move with them as rigid arms.
   double add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third, std::uint32_t origin,
              State& state, const MassScaling& scaling = {}, double* added_mass = nullptr, const BeamJoint& joint = {});
   /// The same for discrete beams, which may have no length. `axes`: of a local system, or nullptr. Returns their mass.
@@ -96,28 +96,18 @@ class BeamElements {
   /// Tension at the last evaluation.
   [[nodiscard]] double axial(std::size_t beam) const { return axial_[beam]; }
   /// Its ends are not at its nodes.
-  [[nodiscard]] bool on_arms(std::size_t beam) const { return arms_of_[beam] != no_position; }
+  [[nodiscard]] bool on_arms(std::size_t beam) const { return arms_.has(beam); }
   /// Force and moment on the second node, or node `k`, at the last evaluation; the beam pulls with the opposite.
   [[nodiscard]] const Vector& end_force(std::size_t beam, std::size_t k = 1) const { return force_[2 * beam + k]; }
   [[nodiscard]] const Vector& end_moment(std::size_t beam, std::size_t k = 1) const { return moment_[2 * beam + k]; }
   /// The moment on an end of the beam, which may be off its node.
   [[nodiscard]] Vector moment_at_end(std::size_t beam, std::size_t k) const {
-    return on_arms(beam) ? Vector(end_moment(beam, k) - arms_[arms_of_[beam]].arm[k].cross(end_force(beam, k)))
-                         : end_moment(beam, k);
+    return arms_.at_end(beam, k, end_force(beam, k), end_moment(beam, k));
   }
 
  private:
-  /// From the nodes to the ends, and the share that the inertia of the arms leaves of the stable step.
-  struct Arms {
-    std::array<Vector, 2> arm;
-    double step = 1;
-  };
   [[nodiscard]] Vector way(std::size_t beam, const std::vector<Vector>& x) const;
-  [[nodiscard]] double inertia_at(std::size_t beam, std::size_t k) const;
-  /// The ends of a beam on arms, which turn with the nodes over the last step.
-  [[nodiscard]] BeamEnds turn_arms(const BeamEnds& nodes, double dt, Arms& arms) const;
   [[nodiscard]] Summary update_one(const State& state, std::size_t beam);
-  [[nodiscard]] BeamEnds ends(const State& state, std::size_t beam) const;
   [[nodiscard]] BeamForces forces(const State& state, std::size_t beam, const BeamEnds& ends, double& supplied);
   [[nodiscard]] BeamForces discrete_forces_of(const State& state, std::size_t beam, const BeamEnds& ends,
                                               double& supplied);
@@ -137,9 +127,8 @@ class BeamElements {
   std::vector<std::uint32_t> discrete_of_;  ///< by beam; no_position: it is none
   std::vector<AxialPreload> preloads_;
   std::vector<std::uint32_t> preload_of_;  ///< by beam; no_position: none
-  std::vector<Arms> arms_;
-  std::vector<std::uint32_t> arms_of_;  ///< by beam; no_position: its ends are its nodes
-  std::vector<double> step_factor_;     ///< by beam: √ of the factor on its mass
+  BeamArms arms_;
+  std::vector<double> step_factor_;  ///< by beam: √ of the factor on its mass
   std::vector<std::uint8_t> failed_;
   std::vector<double> axial_;
   std::vector<ElementEnergy> energy_;
