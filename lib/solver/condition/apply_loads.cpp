@@ -8,7 +8,6 @@
 
 #include "solver/condition/condition_builder.hpp"
 #include "solver/condition/loads.hpp"
-#include "solver/condition/relaxation.hpp"
 #include "solver/element/nodal_mass.hpp"
 
 namespace gapcheck::solver {
@@ -204,7 +203,7 @@ std::vector<double> masses_of_parts(ConditionBuilder& builder) {
 /// Its value over time; LCIDDR takes the place of LCID in a relaxation.
 std::vector<TimedValue> body_load_values(ConditionBuilder& builder, const model::BodyLoad& load) {
   TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0, builder.phases(load.curve)};
-  if (load.relaxation_curve == 0 || !relaxes(builder.model)) return {value};
+  if (load.relaxation_curve == 0 || !builder.relaxing) return {value};
   value.phases.relaxation = false;
   TimedValue before{builder.curve(load.relaxation_curve, load.keyword, load.place), load.scale, 0, {false, true}};
   if (!builder.failed() && !builder.phases(load.relaxation_curve).relaxation)

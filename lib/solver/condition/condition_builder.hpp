@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
+#include "solver/condition/relaxation.hpp"
 #include "solver/state/failure.hpp"
 #include "solver/state/force.hpp"
 #include "solver/state/motion.hpp"
@@ -20,12 +21,13 @@ class ConditionBuilder {
  public:
   ConditionBuilder(const model::Model& deck, Structure& target, std::vector<std::unique_ptr<Force>>& list,
                    Diagnostics& messages)
-      : model(deck), structure(target), forces(list), diagnostics(messages) {}
+      : model(deck), structure(target), forces(list), diagnostics(messages), relaxing(relaxes(deck)) {}
 
   const model::Model& model;
   Structure& structure;
   std::vector<std::unique_ptr<Force>>& forces;
   Diagnostics& diagnostics;
+  const bool relaxing;  ///< a dynamic relaxation comes before the run
 
   [[nodiscard]] bool failed() const { return !status_.ok(); }
   [[nodiscard]] const SolverStatus& status() const { return status_; }

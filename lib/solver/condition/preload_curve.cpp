@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/condition/relaxation.hpp"
-
 namespace gapcheck::solver {
 
 std::optional<PreloadCurve> preload_curve(ConditionBuilder& builder, std::int64_t id, double scale,
@@ -15,12 +13,12 @@ std::optional<PreloadCurve> preload_curve(ConditionBuilder& builder, std::int64_
   if (builder.curve(id, keyword, place) == nullptr) return std::nullopt;
   const model::Curve& written = builder.model.curves.at(id);
   const Phases phases = builder.phases(id);
-  if (!phases.run && !relaxes(builder.model))
+  if (!phases.run && !builder.relaxing)
     builder.fail(Failure::Kind::contradiction, keyword, place,
                  fmt::format("curve {} is for dynamic relaxation only (SIDR = 1), and there is none; set SIDR to 0, or "
                              "IDRFLG of *CONTROL_DYNAMIC_RELAXATION to 1",
                              id));
-  else if (phases.run && phases.relaxation && relaxes(builder.model))
+  else if (phases.run && phases.relaxation && builder.relaxing)
     builder.warn(keyword, place,
                  fmt::format("curve {} acts in the dynamic relaxation and again from the start of the run (SIDR = 2); "
                              "the preload stays with SIDR = 1",

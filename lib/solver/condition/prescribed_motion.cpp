@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "solver/condition/condition_builder.hpp"
-#include "solver/condition/relaxation.hpp"
 
 namespace gapcheck::solver {
 namespace {
@@ -78,7 +77,7 @@ std::optional<Directions> directions_of(ConditionBuilder& builder, const model::
 
 /// What a motion does in a dynamic relaxation, or after it, where that is not documented.
 void check_relaxation(ConditionBuilder& builder, const model::PrescribedMotion& motion, const Motion& result) {
-  if (!relaxes(builder.model)) return;
+  if (!builder.relaxing) return;
   if (!result.phases.relaxation)
     return builder.warn(motion.keyword, motion.place,
                         fmt::format("curve {} is not used in the dynamic relaxation (SIDR = 0), which leaves what it "
