@@ -24,7 +24,8 @@ BeamForces turned(const BeamReleases& released, const Vector& turn, double& stor
   state.length = length;
   state.axis = Vector::UnitY();
   state.released = released;
-  const BeamEnds ends{{Vector(0, 0, 0), Vector(length, 0, 0)}, {}, {Vector(0, 0, 0), turn}};
+  const Vector still = Vector::Zero();
+  const BeamEnds ends{{still, Vector(length, 0, 0)}, {still, still}, {still, turn}};
   const BeamForces forces = resultant_beam_forces(resultant(), ends, 1, state);
   stored = stored_energy(resultant(), state, length);
   return forces;
@@ -64,8 +65,9 @@ TEST(BeamHinge, TorsionAndTension) {
   state.length = length;
   state.axis = Vector::UnitY();
   state.released.axial = true;
-  const BeamEnds pulled{{Vector(0, 0, 0), Vector(length + 0.1, 0, 0)}, {Vector(0, 0, 0), Vector(0.1, 0, 0)}, {}};
-  EXPECT_EQ(resultant_beam_forces(resultant(), pulled, 1, state).axial, 0);
+  const Vector nothing = Vector::Zero();
+  const BeamEnds stretched{{nothing, Vector(length + 0.1, 0, 0)}, {nothing, Vector(0.1, 0, 0)}, {nothing, nothing}};
+  EXPECT_EQ(resultant_beam_forces(resultant(), stretched, 1, state).axial, 0);
   EXPECT_EQ(stored_energy(resultant(), state, length + 0.1), 0);
 }
 
@@ -161,8 +163,8 @@ TEST(BeamOffset, EccentricTension) {
     const double stiffness = young * (one.arm.z() != 0 ? one.iss : one.itt);
     const double along = load * length * (1 / (young * one.area) + distance * distance / stiffness);
     EXPECT_NEAR(shift->x() / along, 1, 1e-4) << one.name;
-    // The bar bends towards the line of the force: w = θ L / 2 against the arm.
-    EXPECT_NEAR(shift->dot(one.arm) / distance / (load * distance * length * length / (2 * stiffness)), -1, 1e-3)
+    // The fibres on the side of the force are the longer ones, so the end moves to the other side: w = θ L / 2.
+    EXPECT_NEAR(shift->dot(one.arm) / distance / (load * distance * length * length / (2 * stiffness)), 1, 1e-3)
         << one.name;
     EXPECT_NEAR(moment / (load * distance), 1, 1e-4) << one.name;
     EXPECT_NEAR(axial / load, 1, 1e-4) << one.name;
