@@ -30,6 +30,19 @@ const char* words(solver::RunEnd end) {
   return "Ended with an error";
 }
 
+/// How the phase before the run ended.
+std::string relaxation_line(const solver::Run& run) {
+  if (!run.relaxed()) return "";
+  const auto& [cycles, time, ratio, converged, unfinished] = *run.relaxed();
+  std::string text =
+      fmt::format("Dynamic relaxation {} at time {:g}, cycle {}: kinetic energy {:.3g} of its greatest.\n",
+                  converged ? "converged" : "ended by DRTERM", time, cycles, ratio);
+  if (unfinished != 0)
+    text +=
+        fmt::format("Curve {} (SIDR = 1) still changes after that; let it rise faster, or lower DRTOL.\n", unfinished);
+  return text + "\n";
+}
+
 std::string row(const char* label, double value) { return fmt::format("  {:<24}{:>14.5g}\n", label, value); }
 
 std::string contact_rows(const solver::Run& run) {
@@ -81,6 +94,7 @@ std::string run_summary(const solver::Run& run, solver::RunEnd end) {
   const solver::Energies& e = stepper.energies();
   std::string text = fmt::format("{} at time {:g}, cycle {}, after {}.\n\n", words(end), stepper.state().time,
                                  stepper.state().cycle, duration(run.seconds()));
+  text += relaxation_line(run);
   text += row("kinetic energy", e.printed_kinetic) + row("internal energy", e.internal) +
           row("hourglass energy", e.hourglass);
   const auto add = [&](const char* label, double value) {

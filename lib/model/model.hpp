@@ -19,6 +19,7 @@
 #include "model/entity/initial_velocity.hpp"
 #include "model/entity/interpolation.hpp"
 #include "model/entity/joint.hpp"
+#include "model/entity/linear_constraint.hpp"
 #include "model/entity/loads.hpp"
 #include "model/entity/mesh.hpp"
 #include "model/entity/output.hpp"
@@ -76,9 +77,11 @@ struct Model {
   std::vector<RigidGroup> rigid_groups;
   std::vector<Joint> joints;                  ///< in input order
   std::vector<Interpolation> interpolations;  ///< in input order
-  std::vector<Weld> welds;                    ///< in input order
-  std::vector<RigidWall> rigid_walls;         ///< in input order
-  std::vector<SinglePointConstraint> spcs;    ///< these and what follows: in input order
+  std::vector<LinearConstraint> linear_constraints;
+  std::vector<JoinedSet> joined_sets;
+  std::vector<Weld> welds;                  ///< in input order
+  std::vector<RigidWall> rigid_walls;       ///< in input order
+  std::vector<SinglePointConstraint> spcs;  ///< these and what follows: in input order
   std::vector<NodeConstraint> node_constraints;
   std::vector<PrescribedMotion> prescribed_motions;
   std::map<std::int64_t, DirectionVector> vectors;
@@ -91,6 +94,7 @@ struct Model {
   std::vector<SectionPreload> section_preloads;
   Loads loads;
   std::map<std::int64_t, HourglassControl> hourglass;  ///< *HOURGLASS
+  std::map<std::int64_t, ShellRule> shell_rules;       ///< *INTEGRATION_SHELL
   Controls controls;
   Output output;
   std::vector<std::string> files;                         ///< paths, by FileIndex

@@ -9,6 +9,7 @@
 
 #include "contact/definition/active_time.hpp"
 #include "contact/mesh/rigid_nodes.hpp"
+#include "solver/condition/relaxation.hpp"
 #include "solver/contact/contact_method.hpp"
 #include "solver/contact/curve_rule.hpp"
 #include "solver/tie/tie_strengths.hpp"
@@ -76,21 +77,27 @@ SolverStatus check_interference(const model::Model& model, const model::Contact&
   const auto fail = [&](const std::string& text) {
     return Failure{Failure::Kind::contradiction, fmt::format("contact {}: {}", contact.id.value, text), contact.place};
   };
-  if (contact.interference_curve_relaxation != 0)
+  const auto check = [&](std::int64_t id, std::string_view field) -> SolverStatus {
+    const auto curve = model.curves.find(id);
+    if (curve == model.curves.end() || curve->second.points.empty())
+      return fail(
+          fmt::format("there is no curve {} ({}), or it has no points; define it with *DEFINE_CURVE", id, field));
+    for (const auto& [time, factor] : curve->second.points)
+      if (!std::isfinite(time) || !(factor >= 0) || !std::isfinite(factor))
+        return fail(fmt::format("curve {} ({}) has the value {:g}, with which the contact pulls; use values from 0 up",
+                                id, field, factor));
+    return {};
+  };
+  if (const std::int64_t before = contact.interference_curve_relaxation; before != 0 && !relaxes(model))
     warn("LCID1 is not used: there is no dynamic relaxation before the run; LCID2 scales the stiffness");
+  else if (before != 0)
+    if (SolverStatus status = check(before, "LCID1"); !status.ok()) return status;
   if (contact.interference_curve == 0) {
-    warn("LCID2 is not given: the whole stiffness acts at once; give a curve that grows from zero to one");
+    if (contact.interference_curve_relaxation == 0 || !relaxes(model))
+      warn("LCID2 is not given: the whole stiffness acts at once; give a curve that grows from zero to one");
     return {};
   }
-  const auto curve = model.curves.find(contact.interference_curve);
-  if (curve == model.curves.end() || curve->second.points.empty())
-    return fail(fmt::format("there is no curve {} (LCID2), or it has no points; define it with *DEFINE_CURVE",
-                            contact.interference_curve));
-  for (const auto& [time, factor] : curve->second.points)
-    if (!std::isfinite(time) || !(factor >= 0) || !std::isfinite(factor))
-      return fail(fmt::format("curve {} (LCID2) has the value {:g}, with which the contact pulls; use values from 0 up",
-                              contact.interference_curve, factor));
-  return {};
+  return check(contact.interference_curve, "LCID2");
 }
 
 /// The curve of births and deaths.
@@ -152,6 +159,38 @@ SolverStatus check_mortar(const model::Contact& contact, const contact::ContactS
   return {};
 }
 
+/// What moves nodes by constraints does not know of other equations between them.
+SolverStatus check_linear(const model::Model& model, const model::Contact& contact, ContactMethod method,
+                          const contact::ContactSurfaces& surfaces) {
+  if (model.linear_constraints.empty() && model.joined_sets.empty()) return {};
+  if (method != ContactMethod::constraint && !contact::ties_by_constraint(surfaces.type)) return {};
+  return Failure{Failure::Kind::not_calculated,
+                 fmt::format("contact {} (*{}) acts by constraints, which is not calculated together with "
+                             "*CONSTRAINED_LINEAR_GLOBAL and _NODE_SET; use a penalty type or a tie with _OFFSET",
+                             contact.id.value, contact.written),
+                 contact.place};
+}
+
+/// Contacts whose times or offsets in a dynamic relaxation are not known.
+SolverStatus check_relaxation(const model::Contact& contact, ContactMethod method,
+                              const contact::ContactSurfaces& surfaces) {
+  const auto fail = [&](std::string_view why) {
+    return Failure{Failure::Kind::not_calculated,
+                   fmt::format("contact {} (*{}): {}", contact.id.value, contact.written, why), contact.place};
+  };
+  const bool timed = contact.birth != 0 || (contact.death != 0 && contact.death < 1e19);
+  const std::int64_t ignore = std::abs(surfaces.settings.ignore);
+  if (timed && method != ContactMethod::penalty)
+    return fail(
+        "births and deaths of ties and of contact by constraints are not calculated together with a dynamic "
+        "relaxation; set BT and DT to 0");
+  if (surfaces.type.pairing == contact::Pairing::mortar && (ignore == 3 || ignore == 4))
+    return fail(
+        "penetrations that mortar contact presses out over time (IGNORE = 3 and 4) are not calculated together "
+        "with a dynamic relaxation; set IGNORE to 1 or 2");
+  return {};
+}
+
 /// Settings of a contact that are calculated differently.
 void name_differences(const model::Contact& contact, const contact::ContactSurfaces& surfaces,
                       Diagnostics& diagnostics) {
@@ -185,6 +224,7 @@ SolverStatus check_deck(const model::Model& model, contact::SurfaceStore& surfac
     return Failure{
         Failure::Kind::zero_time_step,
         fmt::format("TSSFAC of *CONTROL_TIMESTEP is {:g}; set a number above 0, at most 0.9", controls.tssfac)};
+  const bool relaxing = relaxes(model);
   for (const ContactIndex c : positions<ContactIndex>(model.contacts.size())) {
     const model::Contact& contact = model.contact(c);
     const ContactMethod method = choose_method(contact).method;
@@ -207,6 +247,9 @@ SolverStatus check_deck(const model::Model& model, contact::SurfaceStore& surfac
     if (acts_by_curve(contact))
       if (SolverStatus status = check_curve_contact(model, contact); !status.ok()) return status;
     if (SolverStatus status = check_times(model, contact); !status.ok()) return status;
+    if (SolverStatus status = check_linear(model, contact, method, surfaces.at(c)); !status.ok()) return status;
+    if (relaxing)
+      if (SolverStatus status = check_relaxation(contact, method, surfaces.at(c)); !status.ok()) return status;
     if (SolverStatus status = check_tie_strength(model, contact, diagnostics); !status.ok()) return status;
     name_differences(contact, surfaces.at(c), diagnostics);
     if (const std::string why = why_idle(surfaces.at(c)); !why.empty())

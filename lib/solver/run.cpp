@@ -136,6 +136,17 @@ SolverStatus check_stiffness_by_step(const model::Model& model) {
   return {};
 }
 
+/// Convergence is judged by the motion of deformable parts.
+SolverStatus check_masses(const Structure& structure, const RelaxationSettings& settings) {
+  if (std::isfinite(settings.end)) return {};
+  const State& state = structure.state;
+  for (std::size_t i = 0; i < state.x.size(); ++i)
+    if (!structure.rigid.holds(i) && state.mass[i] > 0) return {};
+  return Failure{Failure::Kind::contradiction,
+                 "the dynamic relaxation ends when deformable parts come to rest, and there are none; give it an end "
+                 "by DRTERM of *CONTROL_DYNAMIC_RELAXATION"};
+}
+
 /// The least step of mortar contacts between rigid bodies; infinity: there is none.
 double step_of_mortar(const model::Model& model, contact::SurfaceStore& surfaces, Structure& structure) {
   double least = std::numeric_limits<double>::infinity();
@@ -212,6 +223,14 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   std::vector<std::unique_ptr<Force>> forces;
   if (const SolverStatus applied = apply_conditions(model, built, forces, diagnostics); !applied.ok())
     return applied.error();
+  if (settings.relax && relaxes(model)) {
+    auto relaxation = relaxation_settings(model);
+    if (!relaxation) return relaxation.error();
+    run.relaxation_.emplace(relaxation.value());
+    step.time_step_factor = relaxation.value().time_step_factor;
+    run.motion_ = hold_back(built);
+    if (const SolverStatus judged = check_masses(built, relaxation.value()); !judged.ok()) return judged.error();
+  }
   if (const SolverStatus known = check_supports(model, built); !known.ok()) return known.error();
   if (const SolverStatus added = add_walls_and_springs(model, built, forces, diagnostics); !added.ok())
     return added.error();
@@ -241,6 +260,12 @@ SolverResult<Run> Run::prepare(const model::Model& model, contact::SurfaceStore&
   run.transducers_ = std::make_unique<Transducers>(model, surfaces);
   run.stepper_ = std::make_unique<Stepper>(std::move(built), step);
   const Structure& stepped = run.stepper_->structure();
+  // First: what reacts after it reacts to the damped motion.
+  if (run.relaxation_) {
+    auto damping = std::make_unique<RelaxationDamping>(stepped, run.relaxation_->settings().factor);
+    run.damping_ = damping.get();
+    run.stepper_->add(std::move(damping));
+  }
   run.add_contacts(std::move(contacts));
   auto springs = std::make_unique<TieForces>(model, surfaces, *run.initial_, stepped);
   springs->on_failure(release);
@@ -284,25 +309,66 @@ std::optional<RunEnd> Run::end_reached() const {
   return std::nullopt;
 }
 
-SolverStatus Run::check_length() const {
+SolverStatus Run::check_length(double end) const {
   constexpr double most_cycles = 1e12;  // years, of the smallest model
-  const double left = end_time_ - stepper_->state().time, step = stepper_->next_step();
+  const double left = end - stepper_->state().time, step = stepper_->next_step();
   if (settings_.cycles > 0 || left < most_cycles * step) return {};
   return Failure{Failure::Kind::zero_time_step,
                  fmt::format("with the time step {:g} the run would not come to its end at {:g}; look at the smallest "
                              "element, its material and TSSFAC",
-                             step, end_time_)};
+                             step, end)};
+}
+
+InitialMotion Run::hold_back(Structure& structure) {
+  State& state = structure.state;
+  InitialMotion motion{state.v, state.w, {}};
+  for (std::size_t b = 0; b < structure.rigid.size(); ++b) {
+    motion.bodies.push_back({structure.rigid[b].velocity(), structure.rigid[b].angular_velocity()});
+    structure.rigid.set_motion(b, Vector::Zero(), Vector::Zero(), state);
+  }
+  std::fill(state.v.begin(), state.v.end(), Vector::Zero());
+  std::fill(state.w.begin(), state.w.end(), Vector::Zero());
+  state.relaxing = true;
+  return motion;
+}
+
+void Run::take_events() {
+  for (ContactSource* source : sources_)
+    for (ContactEvent& event : source->take_events()) events_.push_back(std::move(event));
+}
+
+std::optional<RunEnd> Run::relax() {
+  const State& state = stepper_->state();
+  while (true) {
+    status_ = stepper_->begin_step();
+    take_events();
+    if (status_.ok() && std::isfinite(relaxation_->settings().end)) status_ = check_length(relaxation_->settings().end);
+    if (!status_.ok()) return RunEnd::failed;
+    if (settings_.stop && settings_.stop()) return settings_.stop_means;
+    if (settings_.cycles > 0 && state.cycle >= settings_.cycles) return RunEnd::cycles;
+    if (relaxation_->ends(stepper_->structure())) break;
+    stepper_->end_step();
+  }
+  relaxed_ = Relaxed{state.cycle, state.time, relaxation_->ratio(), relaxation_->converged(),
+                     unfinished_curve(*model_, state.time)};
+  damping_->stop(stepper_->energies().kinetic);
+  stepper_->begin_run(motion_, model_->controls.tssfac);
+  return std::nullopt;
 }
 
 RunEnd Run::go(Observer& observer) {
   start_ = std::chrono::steady_clock::now();
+  if (relaxation_)
+    if (const std::optional<RunEnd> end = relax()) {
+      if (SolverStatus observed = observer.observe(*this, end); !observed.ok()) status_ = std::move(observed);
+      return status_.ok() ? *end : RunEnd::failed;
+    }
   while (true) {
     status_ = stepper_->begin_step();
-    events_.clear();
-    for (ContactSource* source : sources_)
-      for (ContactEvent& event : source->take_events()) events_.push_back(std::move(event));
+    if (stepper_->state().cycle > 0) events_.clear();  // the first cycle keeps those of a relaxation
+    take_events();
     if (stepper_->state().cycle == 0) first_step_ = stepper_->next_step();
-    if (status_.ok()) status_ = check_length();
+    if (status_.ok()) status_ = check_length(end_time_);
     const std::optional<RunEnd> end = status_.ok() ? end_reached() : RunEnd::failed;
     if (SolverStatus observed = observer.observe(*this, end); !observed.ok()) {
       status_ = std::move(observed);

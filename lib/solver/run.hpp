@@ -10,6 +10,7 @@
 #include "model/model.hpp"
 #include "solver/build/build.hpp"
 #include "solver/condition/loads.hpp"
+#include "solver/condition/relaxation.hpp"
 #include "solver/condition/rigid_walls.hpp"
 #include "solver/condition/springs.hpp"
 #include "solver/contact/contact_forces.hpp"
@@ -35,6 +36,7 @@ struct RunSettings {
   StepSettings step;
   SpringFormula springs = SpringFormula::documented;  ///< of contacts with SOFT = 0 and 1
   std::vector<ShotNode>* shot = nullptr;  ///< gets the nodes that contacts move during the run; null: nobody asks
+  bool relax = true;                      ///< false: without the dynamic relaxation that the deck asks for
   std::function<bool()> stop;             ///< called before every step; true ends the run
   RunEnd stop_means = RunEnd::stopped;    ///< what it is then, if not that
 };
@@ -55,8 +57,8 @@ class Run {
     [[nodiscard]] virtual SolverStatus observe(const Run& run, std::optional<RunEnd> end) = 0;
   };
 
-  /// Steps until the end; the state is then that of the last observation. An observer's failure takes precedence over
-  /// the run's.
+  /// Steps until the end, after the deck's dynamic relaxation, which nobody observes; the state is then that of the
+  /// last observation. An observer's failure takes precedence over the run's.
   RunEnd go(Observer& observer);
 
   [[nodiscard]] const model::Model& model() const { return *model_; }
@@ -84,6 +86,15 @@ class Run {
   [[nodiscard]] double end_time() const { return end_time_; }
   /// Not ok() once it has failed.
   [[nodiscard]] const SolverStatus& status() const { return status_; }
+  /// How the dynamic relaxation before the run ended; nothing: there was none, or it has not ended.
+  struct Relaxed {
+    std::uint64_t cycles = 0;
+    double time = 0;   ///< of its own
+    double ratio = 0;  ///< of the distortional kinetic energy to its greatest value
+    bool converged = false;
+    std::int64_t unfinished = 0;  ///< a curve that still changes later, and is not used in the run; 0: none
+  };
+  [[nodiscard]] const std::optional<Relaxed>& relaxed() const { return relaxed_; }
   /// Seconds of wall clock since go() began.
   [[nodiscard]] double seconds() const;
 
@@ -92,9 +103,14 @@ class Run {
   /// Adds a force that is also a source of contacts; nullptr: nothing.
   template <class Contacts>
   void add_contacts(std::unique_ptr<Contacts> contacts);
+  /// Holds the deck's initial velocities back until a dynamic relaxation has ended, and adds what relaxes.
+  [[nodiscard]] static InitialMotion hold_back(Structure& structure);
+  /// Steps to the end of the dynamic relaxation; an end of the whole run, if that comes first.
+  [[nodiscard]] std::optional<RunEnd> relax();
+  void take_events();
   [[nodiscard]] std::optional<RunEnd> end_reached() const;
-  /// A failure if the remaining time needs more steps than allowed.
-  [[nodiscard]] SolverStatus check_length() const;
+  /// A failure if the time that remains until `end` needs more steps than allowed.
+  [[nodiscard]] SolverStatus check_length(double end) const;
 
   const model::Model* model_ = nullptr;
   RunSettings settings_;
@@ -106,6 +122,10 @@ class Run {
   std::unique_ptr<Transducers> transducers_;
   std::vector<ContactSource*> sources_;  ///< of contacts; all owned by the stepper
   std::vector<ContactEvent> events_;
+  std::optional<RelaxationCheck> relaxation_;
+  RelaxationDamping* damping_ = nullptr;  ///< of the relaxation; owned by the stepper
+  InitialMotion motion_;                  ///< after the relaxation
+  std::optional<Relaxed> relaxed_;
   SolverStatus status_;
   std::chrono::steady_clock::time_point start_;
 };

@@ -90,6 +90,36 @@ void start_moving(Structure& structure) {
     }
 }
 
+/// What the settings allow.
+double limit_at(const StepSettings& settings, const State& state) {
+  double limit = settings.greatest_step > 0 ? settings.greatest_step : std::numeric_limits<double>::infinity();
+  if (settings.limit != nullptr) limit = std::min(limit, settings.limit->at(state.time));
+  if (settings.first_step > 0 && state.cycle == 0) limit = std::min(limit, settings.first_step);
+  return limit;
+}
+
+/// Moves what moves from the start of a dynamic relaxation, or of the run.
+void begin_phase(Structure& structure) {
+  structure.constraints.begin_phase(structure.state.relaxing);
+  structure.rigid.begin_phase(structure.state.relaxing);
+  start_moving(structure);
+  structure.rigid.start(structure.state);
+}
+
+/// From the end of a relaxation to the start of the run.
+void restart(Structure& structure, const InitialMotion& motion) {
+  State& state = structure.state;
+  state.v = motion.v;
+  state.w = motion.w;
+  for (std::size_t b = 0; b < motion.bodies.size(); ++b)
+    structure.rigid.set_motion(b, motion.bodies[b][0], motion.bodies[b][1], state);
+  state.relaxing = false;
+  state.relaxed = true;
+  state.time = state.dt = 0;
+  state.cycle = 0;
+  begin_phase(structure);
+}
+
 /// A failure if an element has lost its area, volume or length. `ids`: of the model's elements.
 template <class Elements>
 SolverStatus check_elements(const Summary& sum, const Elements& elements, const std::vector<std::int64_t>& ids,
@@ -136,8 +166,13 @@ Stepper::Stepper(Structure structure, StepSettings settings) : structure_(std::m
   if (!constrained_.empty()) reaction_of_.assign(nodes, no_position);
   for (std::uint32_t k = 0; k < constrained_.size(); ++k) reaction_of_[constrained_[k]] = k;
   reactions_.assign(constrained_.size(), {Vector::Zero(), Vector::Zero()});
-  start_moving(structure_);
-  structure_.rigid.start(structure_.state);
+  begin_phase(structure_);
+}
+
+void Stepper::begin_run(const InitialMotion& motion, double time_step_factor) {
+  work_ -= energies_.kinetic;
+  settings_.time_step_factor = time_step_factor;
+  restart(structure_, motion);
 }
 
 /// The step that the elements allow; notes which of them is the shortest.
@@ -217,9 +252,7 @@ SolverStatus Stepper::evaluate(double& next) {
     next = std::min(next, settings_.time_step_factor * thick_shells.manual_step);
     if (settings_.bounded_step) next = std::min(next, thick_shells.stable_step / step_slack);
   }
-  double limit = settings_.greatest_step > 0 ? settings_.greatest_step : std::numeric_limits<double>::infinity();
-  if (settings_.limit != nullptr) limit = std::min(limit, settings_.limit->at(state.time));
-  if (settings_.first_step > 0 && state.cycle == 0) limit = std::min(limit, settings_.first_step);
+  double limit = limit_at(settings_, state);
   // If all elements have failed, the last step stays.
   if (state.failed.count > 0 && !std::isfinite(next)) limit = std::min(limit, state.dt);
   state.coming = std::min(next, limit);
@@ -306,8 +339,8 @@ SolverStatus Stepper::accelerate(double next) {
   for (const auto& other : others_) other->absorbed(energies_.absorbed);
   energies_.external = work_ + energies_.absorbed.sum();
   if (first) {
-    energies_.initial = energies_.kinetic;
-    energies_.printed_initial = energies_.printed_kinetic;
+    energies_.initial += energies_.kinetic;
+    energies_.printed_initial += energies_.printed_kinetic;
   }
   if (sums.not_a_number != no_position)
     return Failure{Failure::Kind::not_a_number, fmt::format("the velocity of node {} is not a number at time {:g}",
@@ -365,9 +398,9 @@ SolverStatus Stepper::begin_step() {
 }
 
 SolverStatus Stepper::step() {
-  if (SolverStatus begun = begin_step(); !begun.ok()) return begun;
-  end_step();
-  return {};
+  SolverStatus begun = begin_step();
+  if (begun.ok()) end_step();
+  return begun;
 }
 
 }  // namespace gapcheck::solver

@@ -39,6 +39,12 @@ struct ElementFailure {
   double time = 0;
 };
 
+/// Velocities of nodes and, by body, those of the centres and the spins.
+struct InitialMotion {
+  std::vector<Vector> v, w;
+  std::vector<std::array<Vector, 2>> bodies;
+};
+
 /// Explicit time integration by central differences (Belytschko, Liu, Moran, 6.2): forces at tₙ, accelerations,
 /// velocities at tₙ + ½, positions at tₙ₊₁. Rotations are advanced by angular velocities; the elements need nothing
 /// else from them. The result is the same, bit for bit, for any number of threads.
@@ -48,13 +54,14 @@ class Stepper {
   /// Forces act in the order in which they are added.
   void add(std::unique_ptr<Force> force) { others_.push_back(std::move(force)); }
 
-  /// One step; after a failure the positions are those at which it occurred, and no further
-  /// step should be made.
+  /// One step; after a failure the positions are those at which it occurred, and no further step should be made.
   [[nodiscard]] SolverStatus step();
   /// A step in two halves. begin_step() computes forces, energies and the velocities in the middle of the next step; in
   /// between everything else belongs to state().time. end_step() advances.
   [[nodiscard]] SolverStatus begin_step();
   void end_step() { move(next_); }
+  /// Ends a dynamic relaxation between the halves of a step. What moves loses its kinetic energy; the rest goes on.
+  void begin_run(const InitialMotion& motion, double time_step_factor);
   /// Between the halves: the next step, and what sets it.
   [[nodiscard]] double next_step() const { return next_; }
   [[nodiscard]] const StepControl& control() const { return control_; }

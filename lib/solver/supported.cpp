@@ -16,6 +16,7 @@
 #include "solver/build/material/build_johnson_cook.hpp"
 #include "solver/build/material/build_orthotropic.hpp"
 #include "solver/build/material/build_plasticity.hpp"
+#include "solver/condition/relaxation.hpp"
 #include "solver/condition/rigid_walls.hpp"
 #include "solver/contact/contact_method.hpp"
 
@@ -292,20 +293,41 @@ class Finder {
           fmt::format("ERODE = {} is not calculated; 0 and 1 are", controls.erode));
   }
 
-  /// IDRFLG -999 switches it off whatever curves ask for.
+  /// Of the ways to relax the explicit one of all parts is calculated; IDRFLG -999 switches it off.
   void find_relaxation() {
     const model::Controls& controls = model_.controls;
-    if (controls.idrflg == -999) return;
-    if (controls.idrflg != 0)
+    const auto name = [&](std::string_view why) {
       add("CONTROL_DYNAMIC_RELAXATION", controls.relaxation_place,
-          fmt::format("the run begins without dynamic relaxation (IDRFLG = {}); set IDRFLG to 0 or -999",
-                      controls.idrflg));
-    for (const auto& [id, curve] : model_.curves)
-      if (curve.relaxation == 1 || curve.relaxation == 2)
-        add("DEFINE_CURVE", curve.place,
-            fmt::format("curve {} begins a dynamic relaxation (SIDR = {}), which is not calculated; set SIDR to 0, or "
-                        "IDRFLG of *CONTROL_DYNAMIC_RELAXATION to -999",
-                        id, curve.relaxation));
+          fmt::format("IDRFLG = {}: {}", controls.idrflg, why));
+    };
+    switch (controls.idrflg) {
+      case -999:
+        return;
+      case 0:
+      case 1:
+        break;
+      case -1:
+        name("no time histories are written during the relaxation; set IDRFLG to 1");
+        break;
+      case 2:
+        name("nodes are not placed by a file; set IDRFLG to 1 and give the loads curves with SIDR = 1");
+        break;
+      case 3:
+      case -3:
+        name("convergence is not checked by parts (DRPSET); set IDRFLG to 1, which checks all");
+        break;
+      case 5:
+      case 6:
+        name("nothing is calculated implicitly; set IDRFLG to 1 for an explicit relaxation");
+        break;
+      default:
+        name("this value has no meaning; set 0, 1 or -999");
+    }
+    if (relaxes(model_) && controls.irelal != 0)
+      add("CONTROL_DYNAMIC_RELAXATION", controls.relaxation_place,
+          fmt::format("IRELAL = {}: the velocities are scaled by a constant factor only; set IRELAL to 0 and choose "
+                      "DRFCTR",
+                      controls.irelal));
   }
 
   const keyword::Deck& deck_;

@@ -14,10 +14,41 @@ class Densities {
     for (std::uint32_t p = 0; p < model.parts.size(); ++p) of_part_.push_back(density(model, PartIndex{p}));
   }
   [[nodiscard]] double at(PartIndex part) const { return part == none<PartIndex> ? 0 : of_part_[part.value]; }
+  [[nodiscard]] double of_shell(const model::Model& model, std::size_t shell) const {
+    return model.mesh.shells.own_layup.empty() ? at(model.mesh.shells.part[shell])
+                                               : shell_density(model, static_cast<std::uint32_t>(shell));
+  }
 
  private:
   std::vector<double> of_part_;
 };
+
+double density_of(const model::Model& model, const std::optional<std::uint32_t>& material) {
+  return material ? model.materials[*material].density : 0;
+}
+
+double density_of(const model::Model& model, const std::vector<model::Ply>& plies, double thickness) {
+  double sum = 0;
+  for (const model::Ply& ply : plies) sum += density_of(model, ply.material) * ply.thickness;
+  return sum / thickness;
+}
+
+/// Of a shell's rule whose points have materials of their own; nothing: they have not.
+std::optional<double> by_rule(const model::Model& model, const model::Part& part) {
+  if (!part.section || model.sections[*part.section].kind != model::SectionKind::shell) return std::nullopt;
+  const auto rule = model.shell_rules.find(-model.sections[*part.section].rule);
+  if (rule == model.shell_rules.end() || rule->second.equal == 1) return std::nullopt;
+  double sum = 0, weights = 0;
+  bool own = false;
+  for (const model::ShellRule::Point& point : rule->second.points) {
+    const auto other = model.part_of_id.find(point.part_id);
+    const bool has_own = point.part_id != 0 && other != model.part_of_id.end();
+    sum += point.weight * density_of(model, has_own ? model.part(other->second).material : part.material);
+    weights += point.weight;
+    own = own || has_own;
+  }
+  return own && weights > 0 ? std::optional(sum / weights) : std::nullopt;
+}
 
 bool counts(double mass) { return mass > 0 && std::isfinite(mass); }
 
@@ -26,7 +57,7 @@ void add_shells(const model::Model& model, const ElementSizes& sizes, const Dens
                 std::vector<double>& masses) {
   const model::Mesh& mesh = model.mesh;
   sum_at_nodes(masses, mesh.shells.size(), [&](std::size_t i, const auto& add) {
-    const double mass = densities.at(mesh.shells.part[i]) * sizes.shell_area[i] * sizes.shell_thickness[i];
+    const double mass = densities.of_shell(model, i) * sizes.shell_area[i] * sizes.shell_thickness[i];
     if (!counts(mass)) return;
     const auto& n = mesh.shells.nodes[i];
     const bool all_listed = printed && model.rigid(mesh.shells.part[i]);
@@ -63,13 +94,15 @@ double beam_mass(const model::Model& model, std::size_t beam, double density) {
 double density(const model::Model& model, PartIndex part) {
   if (part == none<PartIndex>) return 0;
   const model::Part& p = model.part(part);
-  const auto of = [&](const std::optional<std::uint32_t>& material) {
-    return material ? model.materials[*material].density : 0;
-  };
-  if (p.plies.empty() || !(p.composite_thickness > 0)) return of(p.material);
-  double sum = 0;
-  for (const model::Ply& ply : p.plies) sum += of(ply.material) * ply.thickness;
-  return sum / p.composite_thickness;
+  if (p.plies.empty() || !(p.composite_thickness > 0)) return by_rule(model, p).value_or(density_of(model, p.material));
+  return density_of(model, p.plies, p.composite_thickness);
+}
+
+double shell_density(const model::Model& model, std::uint32_t shell) {
+  const model::Shells& shells = model.mesh.shells;
+  const auto own = shells.layup_of(shell);
+  if (!own || !(shells.layups[*own].thickness > 0)) return density(model, shells.part[shell]);
+  return density_of(model, shells.layups[*own].plies, shells.layups[*own].thickness);
 }
 
 std::vector<double> node_masses(const model::Model& model, const ElementSizes& sizes, bool printed) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "contact/stiffness/element_sizes.hpp"
@@ -12,7 +13,10 @@ namespace gapcheck::contact {
 [[nodiscard]] std::vector<double> node_masses(const model::Model& model, const ElementSizes& sizes,
                                               bool printed = false);
 
-/// Mass per volume of a part; plies of *PART_COMPOSITE together. 0 without a material.
+/// Mass per volume of a part; plies of *PART_COMPOSITE, or points of its *INTEGRATION_SHELL, together. 0 without a
+/// material.
 [[nodiscard]] double density(const model::Model& model, PartIndex part);
+/// That of a shell, which may have plies of its own.
+[[nodiscard]] double shell_density(const model::Model& model, std::uint32_t shell);
 
 }  // namespace gapcheck::contact

@@ -219,8 +219,11 @@ struct Controls {
   Place timestep_place;
   // *CONTROL_SOLUTION: points of a material's curve; 0 = not given
   std::int64_t lcint = 0;
-  // *CONTROL_DYNAMIC_RELAXATION
-  std::int64_t idrflg = 0;
+  // *CONTROL_DYNAMIC_RELAXATION; zero as written: the defaults
+  std::int64_t idrflg = 0, nrcyck = 250, irelal = 0;
+  double drtol = 0.001, drfctr = 0.995;
+  double drterm = 0;  ///< end of the relaxation; zero = none
+  double tssfdr = 0;  ///< TSSFAC of the relaxation; zero = that of the run
   Place relaxation_place;
   // *CONTROL_TERMINATION; 0 = not given
   double endtim = 0;

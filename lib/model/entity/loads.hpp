@@ -43,8 +43,11 @@ struct BodyLoad {
   std::string keyword;
   int axis = 0;
   bool rotation = false;
-  Vector center = Vector::Zero();  ///< of a rotation: a point of its axis
+  bool by_vector = false;             ///< _VECTOR: along `direction` instead of an axis
+  Vector direction = Vector::Zero();  ///< as written
+  Vector center = Vector::Zero();     ///< of a rotation: a point of its axis
   std::int64_t curve = 0;
+  std::int64_t relaxation_curve = 0;  ///< LCIDDR: takes the place of `curve` in dynamic relaxation; 0: none
   double scale = 1;
   std::int64_t system = 0;
   Place place;
@@ -75,12 +78,24 @@ struct PartDamping {
   Place place;
 };
 
+/// *DAMPING_RELATIVE: the same against the velocity relative to that of a rigid body.
+struct RelativeDamping {
+  double fraction = 0;    ///< CDAMP, of critical damping at `frequency`
+  double frequency = 0;   ///< FREQ
+  std::int64_t body = 0;  ///< PIDRB
+  std::int64_t part_set = 0;
+  double squared = 0;      ///< DV2, as written
+  std::int64_t curve = 0;  ///< LCID: the fraction over time; 0: `fraction`
+  Place place;
+};
+
 struct Loads {
   std::vector<ConcentratedLoad> concentrated;
   std::vector<PressureLoad> pressures;
   std::vector<BodyLoad> bodies;
   std::vector<BodyLoadParts> body_parts;
   std::vector<PartDamping> part_dampings;
+  std::vector<RelativeDamping> relative_dampings;
   std::optional<GlobalDamping> damping;  ///< the last one of the deck
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/ids.hpp"
 #include "base/vector.hpp"
+#include "model/entity/part.hpp"
 
 namespace gapcheck::model {
 
@@ -99,9 +100,29 @@ struct ShellOffset {
   double offset;
 };
 
+/// The plies of *ELEMENT_SHELL_COMPOSITE, from the lower side.
+struct Layup {
+  std::vector<Ply> plies;
+  double thickness = 0;  ///< their sum
+  Place place;           ///< of the first element that has them
+};
+
+struct ShellLayup {
+  std::uint32_t shell;
+  std::uint32_t layup;
+};
+
 struct Shells : Elements<4> {
   std::vector<ShellThickness> own_thickness;  ///< ascending by shell, only shells that have one
   std::vector<ShellOffset> own_offset;        ///< ascending by shell
+  std::vector<Layup> layups;                  ///< different ones, at least within one keyword block
+  std::vector<ShellLayup> own_layup;          ///< ascending by shell, only shells that have one
+  /// The position of a shell's own layup; nothing if its part says what it is made of.
+  [[nodiscard]] std::optional<std::uint32_t> layup_of(std::uint32_t shell) const {
+    const auto own = std::lower_bound(own_layup.begin(), own_layup.end(), shell,
+                                      [](const ShellLayup& one, std::uint32_t wanted) { return one.shell < wanted; });
+    return own != own_layup.end() && own->shell == shell ? std::optional(own->layup) : std::nullopt;
+  }
 };
 
 /// What *ELEMENT_BEAM says besides part and end nodes.

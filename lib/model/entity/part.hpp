@@ -29,7 +29,7 @@ struct PartContact {
   double ssf = 0;   ///< scale on the penalty stiffness
 };
 
-/// One layer of *PART_COMPOSITE.
+/// One layer of *PART_COMPOSITE or *ELEMENT_SHELL_COMPOSITE.
 struct Ply {
   std::int64_t material_id = 0;
   double thickness = 0;
@@ -101,6 +101,7 @@ struct Section {
   std::array<double, 4> thickness{};  ///< shells: T1 … T4; where T2 … T4 are blank they repeat T1
   double nloc = 0;                    ///< shells: NLOC
   std::int64_t nip = 2;               ///< shells: integration points through the thickness
+  std::int64_t rule = 0;              ///< shells: QR/IRID; below zero minus the id of an *INTEGRATION_SHELL
   double shrf = 1;                    ///< shells: factor on the transverse shear
   double beam_radius = 0;             ///< beams: outer diameter / 2 of a tube, otherwise √(A/π)
   double beam_area = 0;
@@ -112,6 +113,20 @@ struct Section {
   Place place;
   /// Of beams that are integrated over their cross-section.
   [[nodiscard]] bool integrated() const { return kind == SectionKind::beam && profile.has_value(); }
+};
+
+/// *INTEGRATION_SHELL: integration points through the thickness.
+struct ShellRule {
+  struct Point {
+    double place = 0;          ///< S, from −1 at the lower side to 1
+    double weight = 0;         ///< WF: the share of the thickness
+    std::int64_t part_id = 0;  ///< whose material it has; 0: that of the element's part
+  };
+  std::int64_t count = 0;     ///< NIP
+  std::int64_t equal = 0;     ///< ESOP: 1: layers of equal thickness
+  std::int64_t failure = 0;   ///< FAILOPT
+  std::vector<Point> points;  ///< as listed
+  Place place;
 };
 
 /// *HOURGLASS: how the modes without strain are held. Zero = not given.

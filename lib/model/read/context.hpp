@@ -150,6 +150,8 @@ void read_beam_preload(Context& context, const Block& block, const Options& opti
 void read_spot_weld(Context& context, const Block& block, const Options& options);
 void read_joint(Context& context, const Block& block, const Options& options);
 void read_generalized_weld(Context& context, const Block& block, const Options& options);
+void read_linear_constraint(Context& context, const Block& block, const Options& options);
+void read_joined_set(Context& context, const Block& block, const Options& options);
 void read_interpolation(Context& context, const Block& block, const Options& options);
 void read_concentrated_load(Context& context, const Block& block, const Options& options);
 void read_segment_load(Context& context, const Block& block, const Options& options);
@@ -158,6 +160,8 @@ void read_body_load(Context& context, const Block& block, const Options& options
 void read_body_load_parts(Context& context, const Block& block, const Options& options);
 void read_part_damping(Context& context, const Block& block, const Options& options);
 void read_global_damping(Context& context, const Block& block, const Options& options);
+void read_relative_damping(Context& context, const Block& block, const Options& options);
+void read_integration_shell(Context& context, const Block& block, const Options& options);
 void read_hourglass(Context& context, const Block& block, const Options& options);
 void read_control_hourglass(Context& context, const Block& block, const Options& options);
 void read_control_bulk_viscosity(Context& context, const Block& block, const Options& options);

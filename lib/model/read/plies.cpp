@@ -21,20 +21,29 @@ bool at_element(const CardReader& reader, const CardLayout& line) {
 
 }  // namespace
 
-double read_plies(CardReader& reader, const CardLayout& element, bool one_per_line) {
-  static const CardLayout plies = [] {
+const CardLayout& ply_line() {
+  static const CardLayout line = [] {
     CardLayout layout = id_and_reals(IdKind::material, 7);
-    layout.fields[4].type = FieldType::integer;
+    layout.fields[3].type = layout.fields[4].type = layout.fields[7].type = FieldType::integer;
+    layout.fields[4].id = IdKind::material;
     return layout;
   }();
-  double sum = 0;
+  return line;
+}
+
+ElementPlies read_plies(CardReader& reader, const CardLayout& element, bool one_per_line) {
+  ElementPlies result;
   while (!reader.at_end() && !at_element(reader, element)) {
     if (skip_blank(reader)) continue;
-    const Card card = reader.next(plies);
-    sum += card.real(1);
-    if (!one_per_line) sum += card.real(5);
+    const Card card = reader.next(ply_line());
+    for (const std::size_t first : {std::size_t{0}, std::size_t{4}}) {
+      const double thickness = card.real(first + 1);
+      if (first > 0 && (one_per_line || thickness == 0)) break;
+      result.plies.push_back({card.integer(first), thickness, std::nullopt});
+      result.thickness += thickness;
+    }
   }
-  return sum;
+  return result;
 }
 
 }  // namespace gapcheck::model

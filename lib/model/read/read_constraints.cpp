@@ -200,6 +200,38 @@ void read_generalized_weld(Context& context, const Block& block, const Options& 
   }
 }
 
+void read_linear_constraint(Context& context, const Block& block, const Options&) {
+  CardReader reader(context.deck, block, context.diagnostics);
+  const Card card = reader.next(keyword::card_layout("CONSTRAINED_LINEAR_GLOBAL", "card1"));
+  LinearConstraint constraint;
+  constraint.id = card.integer("lcid");
+  constraint.place = Context::place(block, block.line);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card term = reader.next(keyword::card_layout("CONSTRAINED_LINEAR_GLOBAL", "card2"));
+    constraint.terms.push_back(
+        {term.integer("nid"), term.integer("dof"), term.real("coef"), Context::place(block, term.line())});
+  }
+  context.model.linear_constraints.push_back(std::move(constraint));
+}
+
+void read_joined_set(Context& context, const Block& block, const Options& options) {
+  const auto& id = keyword::card_layout("CONSTRAINED_NODE_SET", "ID");
+  const auto& layout = keyword::card_layout("CONSTRAINED_NODE_SET", "card1");
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    JoinedSet set;
+    if (options.has("ID")) set.id = reader.next(id).integer("id");
+    const Card card = reader.next(layout);
+    set.node_set = card.integer("nsid");
+    set.code = card.integer("dof");
+    set.failure_time = card.real("tf") * context.transform(block).time_factor;
+    set.place = Context::place(block, card.line());
+    context.model.joined_sets.push_back(set);
+  }
+}
+
 void read_interpolation(Context& context, const Block& block, const Options& options) {
   const auto layout = [](std::string_view card) -> const keyword::CardLayout& {
     return keyword::card_layout("CONSTRAINED_INTERPOLATION", card);

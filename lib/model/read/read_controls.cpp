@@ -102,8 +102,16 @@ void read_control_solution(Context& context, const Block& block, const Options&)
 
 void read_control_relaxation(Context& context, const Block& block, const Options&) {
   CardReader reader(context.deck, block, context.diagnostics);
-  context.model.controls.idrflg = next_card(reader, "CONTROL_DYNAMIC_RELAXATION", "card1").integer("idrflg");
-  context.model.controls.relaxation_place = Context::place(block, block.line);
+  const Card card = next_card(reader, "CONTROL_DYNAMIC_RELAXATION", "card1");
+  Controls& controls = context.model.controls;
+  controls.idrflg = card.integer("idrflg");
+  if (const std::int64_t cycles = card.integer("nrcyck"); cycles != 0) controls.nrcyck = cycles;
+  controls.irelal = card.integer("irelal");
+  controls.drtol = or_default(card.real("drtol"), 0.001);
+  controls.drfctr = or_default(card.real("drfctr"), 0.995);
+  controls.drterm = card.real("drterm") * context.transform(block).time_factor;
+  controls.tssfdr = card.real("tssfdr");
+  controls.relaxation_place = Context::place(block, block.line);
 }
 
 void read_control_timestep(Context& context, const Block& block, const Options&) {

@@ -259,6 +259,7 @@ void finish_elements(Context& context) {
   if (!erased.empty()) {
     follow(erased, mesh.shells.own_thickness);
     follow(erased, mesh.shells.own_offset);
+    follow(erased, mesh.shells.own_layup);
   }
   finish_kind(context, "solid", mesh.solids);
   finish_kind(context, "thick shell", mesh.thick_shells);

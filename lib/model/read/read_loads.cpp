@@ -99,12 +99,19 @@ void read_shell_load(Context& context, const Block& block, const Options& option
 
 void read_body_load(Context& context, const Block& block, const Options&) {
   const keyword::Transform& units = context.transform(block);
-  for_each_card(context, block, card_layout("LOAD_BODY_X", "card1"), false, [&](CardReader&, const Card& card) {
+  for_each_card(context, block, card_layout("LOAD_BODY_X", "card1"), false, [&](CardReader& reader, const Card& card) {
     BodyLoad load;
     load.keyword = block.name;
-    load.axis = block.name.back() - 'X';
+    load.by_vector = block.name == "LOAD_BODY_VECTOR";
     load.rotation = block.name.starts_with("LOAD_BODY_R");
+    if (load.by_vector) {
+      const Card vector = reader.next(card_layout("LOAD_BODY_VECTOR", "card2"));
+      load.direction = {vector.real("v1"), vector.real("v2"), vector.real("v3")};
+    } else {
+      load.axis = block.name.back() - 'X';
+    }
     load.curve = card.integer("lcid");
+    load.relaxation_curve = card.integer("lciddr");
     load.scale = scale_of(card) / units.time_factor;
     if (!load.rotation) load.scale *= units.length_factor / units.time_factor;
     if (load.rotation)
@@ -155,6 +162,20 @@ void read_part_damping(Context& context, const Block& block, const Options& opti
                   }
                   context.model.loads.part_dampings.push_back(std::move(damping));
                 });
+}
+
+void read_relative_damping(Context& context, const Block& block, const Options&) {
+  for_each_card(context, block, card_layout("DAMPING_RELATIVE", "card1"), false, [&](CardReader&, const Card& card) {
+    RelativeDamping damping;
+    damping.fraction = card.real("cdamp");
+    damping.frequency = card.real("freq") / context.transform(block).time_factor;
+    damping.body = card.integer("pidrb");
+    damping.part_set = card.integer("psid");
+    damping.squared = card.real("dv2");
+    damping.curve = card.integer("lcid");
+    damping.place = Context::place(block, card.line());
+    context.model.loads.relative_dampings.push_back(damping);
+  });
 }
 
 }  // namespace gapcheck::model

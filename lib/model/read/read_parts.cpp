@@ -5,6 +5,7 @@
 #include "base/number.hpp"
 #include "model/read/cards.hpp"
 #include "model/read/context.hpp"
+#include "model/read/plies.hpp"
 
 namespace gapcheck::model {
 namespace {
@@ -24,15 +25,9 @@ PartContact read_part_contact(Context& context, CardReader& reader) {
 
 /// The plies of *PART_COMPOSITE, up to the end of the block: the sum of their thicknesses, and the first material.
 void read_part_plies(Context& context, CardReader& reader, bool one_per_line, Part& part) {
-  static const CardLayout plies = [] {
-    CardLayout layout = id_and_reals(IdKind::material, 7);
-    layout.fields[3].type = layout.fields[4].type = layout.fields[7].type = FieldType::integer;
-    layout.fields[4].id = IdKind::material;
-    return layout;
-  }();
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
-    const Card card = reader.next(plies);
+    const Card card = reader.next(ply_line());
     if (part.material_id == 0) part.material_id = card.integer(0);
     for (const std::size_t first : {std::size_t{0}, std::size_t{4}}) {
       const double thickness = context.length(reader.block(), card.real(first + 1));
@@ -157,6 +152,8 @@ void finish_parts(Context& context) {
     part.material = find(context.material_of_id, part.material_id);
     for (Ply& ply : part.plies) ply.material = find(context.material_of_id, ply.material_id);
   }
+  for (Layup& layup : context.model.mesh.shells.layups)
+    for (Ply& ply : layup.plies) ply.material = find(context.material_of_id, ply.material_id);
 }
 
 void finish_sections(Context& context) {

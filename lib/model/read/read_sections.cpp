@@ -232,6 +232,7 @@ void read_section_shell(Context& context, const Block& block, const Options& opt
     const Card card = reader.next(card1);
     Section section = begin_section(block, card, SectionKind::shell);
     if (card.integer("nip") != 0) section.nip = card.integer("nip");
+    section.rule = card.integer("qr/irid");
     if (card.real("shrf") != 0) section.shrf = card.real("shrf");
     const Card values = reader.next(card2);
     if (!values.present())
@@ -253,6 +254,28 @@ void read_section_shell(Context& context, const Block& block, const Options& opt
     if (one_only) skip_lines(reader, std::numeric_limits<std::int64_t>::max());
     add_section(context, section);
   });
+}
+
+void read_integration_shell(Context& context, const Block& block, const Options&) {
+  const CardLayout& card1 = keyword::card_layout("INTEGRATION_SHELL", "card1");
+  const CardLayout& card2 = keyword::card_layout("INTEGRATION_SHELL", "card2");
+  CardReader reader(context.deck, block, context.diagnostics);
+  while (!reader.at_end()) {
+    if (skip_blank(reader)) continue;
+    const Card card = reader.next(card1);
+    ShellRule rule;
+    rule.count = card.integer("nip");
+    rule.equal = card.integer("esop");
+    rule.failure = card.integer("failopt");
+    rule.place = Context::place(block, card.line());
+    for (std::int64_t i = 0; rule.equal != 1 && i < rule.count && !reader.at_end(); ++i) {
+      const Card point = reader.next(card2);
+      rule.points.push_back({point.real("s"), point.real("wf"), point.integer("pid")});
+    }
+    const auto [entry, is_new] = context.model.shell_rules.try_emplace(card.integer("irid"), std::move(rule));
+    if (!is_new)
+      context.duplicate("integration rule", entry->first, entry->second.place, Context::place(block, card.line()));
+  }
 }
 
 void read_section_solid(Context& context, const Block& block, const Options& options) {

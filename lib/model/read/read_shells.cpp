@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "model/read/cards.hpp"
 #include "model/read/elements.hpp"
@@ -14,6 +16,26 @@ struct ShellRows {
   ElementRows rows;
   std::vector<ShellThickness> thickness;  ///< `shell` counts rows
   std::vector<ShellOffset> offset;
+  std::vector<ShellLayup> layup;
+  std::vector<Layup> layups;
+};
+
+/// Elements share the layups that are the same.
+class Layups {
+ public:
+  explicit Layups(std::vector<Layup>& list) : list_(list) {}
+  std::uint32_t position(std::vector<Ply> plies, double thickness, Place place) {
+    std::vector<std::pair<std::int64_t, double>> key;
+    key.reserve(plies.size());
+    for (const Ply& ply : plies) key.emplace_back(ply.material_id, ply.thickness);
+    const auto [entry, is_new] = known_.try_emplace(std::move(key), static_cast<std::uint32_t>(list_.size()));
+    if (is_new) list_.push_back({std::move(plies), thickness, place});
+    return entry->second;
+  }
+
+ private:
+  std::vector<Layup>& list_;
+  std::map<std::vector<std::pair<std::int64_t, double>>, std::uint32_t> known_;
 };
 
 ShellRows read_with_extra_lines(Context& context, const Block& block, const Options& options) {
@@ -21,6 +43,7 @@ ShellRows read_with_extra_lines(Context& context, const Block& block, const Opti
   const bool corners = options.any({"THICKNESS", "BETA", "MCID"});
   const bool plies = options.has("COMPOSITE");
   ShellRows shells;
+  Layups layups(shells.layups);
   CardReader reader(context.deck, block, context.diagnostics);
   while (!reader.at_end()) {
     if (skip_blank(reader)) continue;
@@ -41,8 +64,12 @@ ShellRows read_with_extra_lines(Context& context, const Block& block, const Opti
     }
     if (options.has("DOF")) reader.skip();
     if (plies) {
-      const double sum = context.length(block, read_plies(reader, element, options.has("LONG")));
+      ElementPlies read = read_plies(reader, element, options.has("LONG"));
+      const double sum = context.length(block, read.thickness);
       if (sum > 0) own.thickness.fill(sum);
+      for (Ply& ply : read.plies) ply.thickness = context.length(block, ply.thickness);
+      if (!read.plies.empty())
+        shells.layup.push_back({row, layups.position(std::move(read.plies), sum, Context::place(block, card.line()))});
     }
     const auto given = [](double t) { return t != 0; };
     if (std::any_of(own.thickness.begin(), own.thickness.end(), given)) shells.thickness.push_back(own);
@@ -76,6 +103,11 @@ void read_shells(Context& context, const Block& block, const Options& options) {
   const auto dropped = append_elements(context, block, shell, read.rows, static_cast<Elements<4>&>(shells));
   append_side_table(read.thickness, dropped, first, shells.own_thickness);
   append_side_table(read.offset, dropped, first, shells.own_offset);
+  const auto before = static_cast<std::uint32_t>(shells.layups.size());
+  const std::size_t table = shells.own_layup.size();
+  append_side_table(read.layup, dropped, first, shells.own_layup);
+  for (std::size_t i = table; i < shells.own_layup.size(); ++i) shells.own_layup[i].layup += before;
+  shells.layups.insert(shells.layups.end(), read.layups.begin(), read.layups.end());
 }
 
 }  // namespace gapcheck::model

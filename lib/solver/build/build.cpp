@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "solver/build/build_beams.hpp"
 #include "solver/build/build_discrete_beams.hpp"
@@ -49,52 +51,17 @@ SolverStatus add_masses(const model::Mesh& mesh, State& state) {
   return {};
 }
 
-/// Builds, part by part, what elements need.
-class Builder {
+/// Sections and materials of the parts of elements.
+class PartProperties {
  public:
-  Builder(const model::Model& model, const BuildSettings& settings, Diagnostics& diagnostics)
-      : model_(model),
-        settings_(settings),
-        diagnostics_(diagnostics),
-        scaling_(model.controls),
-        positions_(model.parts.size()),
-        rigid_(model.parts.size()) {}
+  PartProperties(const model::Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
 
-  SolverResult<Structure> build() {
-    State& state = structure_.state;
-    const model::Mesh& mesh = model_.mesh;
-    const std::size_t nodes = mesh.nodes.size();
-    state.x = settings_.x != nullptr ? *settings_.x : mesh.nodes.x;
-    state.v.assign(nodes, Vector::Zero());
-    state.w.assign(nodes, Vector::Zero());
-    state.mass.assign(nodes, 0);
-    state.inertia.assign(nodes, 0);
-    structure_.constraints.resize(nodes);
-    structure_.node_id = mesh.nodes.id;
-    structure_.shell_id = mesh.shells.id;
-    structure_.solid_id = mesh.solids.id;
-    structure_.beam_id = mesh.beams.id;
-    name_element_controls(model_, diagnostics_);
-    structure_.thick_shell_id = mesh.thick_shells.id;
-    SolverStatus added = add_shells();
-    if (added.ok()) added = add_solids();
-    if (added.ok()) added = add_thick_shells(model_, scaling_, rigid_, structure_, diagnostics_);
-    if (added.ok()) added = add_beams();
-    if (added.ok()) added = add_masses(mesh, state);
-    if (added.ok()) build_rigid_bodies(model_, std::move(rigid_), structure_);
-    if (added.ok()) build_welds(model_, structure_, diagnostics_);
-    name_what_is_left_out();
-    if (!added.ok()) return added.error();
-    return std::move(structure_);
-  }
-
- private:
   /// The part's section and material if both exist and are of the right kind.
   struct Properties {
     const model::Section* section = nullptr;
     Material material;
   };
-  SolverResult<Properties> properties(std::string_view what, std::int64_t id, PartIndex index, SectionKind kind,
+  SolverResult<Properties> operator()(std::string_view what, std::int64_t id, PartIndex index, SectionKind kind,
                                       model::Place place) {
     const model::Part* part = index == none<PartIndex> ? nullptr : &model_.part(index);
     if (part == nullptr || !part->section || !part->material)
@@ -155,6 +122,78 @@ class Builder {
     return Properties{&section, std::move(material).value()};
   }
 
+ private:
+  const model::Model& model_;
+  Diagnostics& diagnostics_;
+  std::set<std::uint32_t> named_;  ///< materials whose limits were reported
+};
+
+/// Builds, part by part, what elements need.
+class Builder {
+ public:
+  Builder(const model::Model& model, const BuildSettings& settings, Diagnostics& diagnostics)
+      : model_(model),
+        settings_(settings),
+        diagnostics_(diagnostics),
+        properties_(model, diagnostics),
+        scaling_(model.controls),
+        positions_(model.parts.size()),
+        rigid_(model.parts.size()) {}
+
+  SolverResult<Structure> build() {
+    State& state = structure_.state;
+    const model::Mesh& mesh = model_.mesh;
+    const std::size_t nodes = mesh.nodes.size();
+    state.x = settings_.x != nullptr ? *settings_.x : mesh.nodes.x;
+    state.v.assign(nodes, Vector::Zero());
+    state.w.assign(nodes, Vector::Zero());
+    state.mass.assign(nodes, 0);
+    state.inertia.assign(nodes, 0);
+    structure_.constraints.resize(nodes);
+    structure_.node_id = mesh.nodes.id;
+    structure_.shell_id = mesh.shells.id;
+    structure_.solid_id = mesh.solids.id;
+    structure_.beam_id = mesh.beams.id;
+    name_element_controls(model_, diagnostics_);
+    structure_.thick_shell_id = mesh.thick_shells.id;
+    SolverStatus added = add_shells();
+    if (added.ok()) added = add_solids();
+    if (added.ok()) added = add_thick_shells(model_, scaling_, rigid_, structure_, diagnostics_);
+    if (added.ok()) added = add_beams();
+    if (added.ok()) added = add_masses(mesh, state);
+    if (added.ok()) build_rigid_bodies(model_, std::move(rigid_), structure_);
+    if (added.ok()) build_welds(model_, structure_, diagnostics_);
+    name_what_is_left_out();
+    if (!added.ok()) return added.error();
+    return std::move(structure_);
+  }
+
+ private:
+  /// The position of a shell's properties, which all shells of its part share, or those with the same plies of their
+  /// own.
+  SolverResult<std::uint32_t> shell_position(std::uint32_t i) {
+    const model::Shells& shells = model_.mesh.shells;
+    const PartIndex part = shells.part[i];
+    const auto layup = shells.own_layup.empty() ? std::nullopt : shells.layup_of(i);
+    if (part != none<PartIndex> && !layup && positions_[part.value]) return *positions_[part.value];
+    const std::pair key{part.value, layup.value_or(0)};
+    if (const auto known = layered_.find(key); layup && known != layered_.end()) return known->second;
+    const auto found = properties_("shell", shells.id[i], part, SectionKind::shell, place_of(shells, i));
+    if (!found) return found.error();
+    auto all = shell_properties(model_, part, *found.value().section, found.value().material, settings_.shell_hourglass,
+                                diagnostics_, layup ? &shells.layups[*layup] : nullptr);
+    if (!all) return all.error();
+    const auto folded = folded_shells(model_, part, *found.value().section, diagnostics_);
+    if (!folded) return folded.error();
+    all.value().folded = folded.value();
+    const std::uint32_t position = structure_.shells.add_properties(std::move(all).value());
+    if (layup)
+      layered_.emplace(key, position);
+    else
+      positions_[part.value] = position;
+    return position;
+  }
+
   SolverStatus add_shells() {
     const model::Shells& shells = model_.mesh.shells;
     auto own = shells.own_thickness.begin();
@@ -163,17 +202,8 @@ class Builder {
       const PartIndex part = shells.part[i];
       if (SolverStatus known = complete("shell", shells, i); !known.ok()) return known;
       if (SolverStatus full = check_full_shell(model_, shells, i, places(shells.nodes[i])); !full.ok()) return full;
-      if (part == none<PartIndex> || !positions_[part.value]) {
-        const auto found = properties("shell", shells.id[i], part, SectionKind::shell, place_of(shells, i));
-        if (!found) return found.error();
-        auto all = shell_properties(model_, part, *found.value().section, found.value().material,
-                                    settings_.shell_hourglass, diagnostics_);
-        if (!all) return all.error();
-        const auto folded = folded_shells(model_, part, *found.value().section, diagnostics_);
-        if (!folded) return folded.error();
-        all.value().folded = folded.value();
-        positions_[part.value] = structure_.shells.add_properties(std::move(all).value());
-      }
+      const auto position = shell_position(i);
+      if (!position) return position.error();
       const model::Section& section = model_.sections[*model_.part(part).section];
       while (own != shells.own_thickness.end() && own->shell < i) ++own;
       const bool has_own = own != shells.own_thickness.end() && own->shell == i;
@@ -196,7 +226,7 @@ class Builder {
                                      shells.id[i], -reference),
                          place_of(shells, i)};
         structure_.added_mass +=
-            structure_.shells.add(shells.nodes[i], structure_.shells.with_reference(*positions_[part.value], reference),
+            structure_.shells.add(shells.nodes[i], structure_.shells.with_reference(position.value(), reference),
                                   thickness, i, structure_.state, scaling_);
         if (SolverStatus turned = turn_last_shell(part); !turned.ok()) return turned;
       }
@@ -222,7 +252,7 @@ class Builder {
       const PartIndex part = solids.part[i];
       if (SolverStatus known = complete("solid", solids, i); !known.ok()) return known;
       if (part == none<PartIndex> || !positions_[part.value]) {
-        auto found = properties("solid", solids.id[i], part, SectionKind::solid, place_of(solids, i));
+        auto found = properties_("solid", solids.id[i], part, SectionKind::solid, place_of(solids, i));
         if (!found) return found.error();
         const auto rules = formulations.rules(part, *found.value().section, found.value().material);
         if (!rules) return rules.error();
@@ -279,7 +309,7 @@ class Builder {
       }
       if (part != none<PartIndex> && limits.leaves_out(part)) continue;
       if (part == none<PartIndex> || !positions_[part.value]) {
-        const auto found = properties("beam", beams.id[i], part, SectionKind::beam, place_of(beams, i));
+        const auto found = properties_("beam", beams.id[i], part, SectionKind::beam, place_of(beams, i));
         if (!found) return found.error();
         auto built = beam_properties(*found.value().section, found.value().material,
                                      model_.materials[*model_.part(part).material]);
@@ -295,8 +325,10 @@ class Builder {
         add_rigid(part, beams.nodes[i], points);
       } else {
         const Vector third = limits.third_point(i, structure_.state);
+        const auto joint = limits.joint(i);
+        if (!joint) return joint.error();
         length = structure_.beams.add(beams.nodes[i], *positions_[part.value], third, i, structure_.state, scaling_,
-                                      &structure_.added_mass);
+                                      &structure_.added_mass, joint.value());
       }
       if (!(length > 0)) {
         limits.tell();
@@ -344,10 +376,11 @@ class Builder {
   const model::Model& model_;
   const BuildSettings& settings_;
   Diagnostics& diagnostics_;
+  PartProperties properties_;
   MassScaling scaling_;
   std::vector<std::optional<std::uint32_t>> positions_;  ///< by part: its position among the properties
-  std::vector<RigidPart> rigid_;                         ///< by part
-  std::set<std::uint32_t> named_;                        ///< materials whose limits were reported
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> layered_;  ///< of shells, by part and own plies
+  std::vector<RigidPart> rigid_;                                              ///< by part
   Structure structure_;
 };
 

@@ -92,13 +92,10 @@ bool BeamLimits::leaves_out(PartIndex part) {
   if (material && model_.materials[*material].null_material && section.beam_area > 0) return false;
   const bool out = !is_calculated(section);
   const bool other = section.elform != 2 && section.elform != truss && !section.integrated();
-  const bool shifted = section.integrated() && section.profile->location != std::array<double, 2>{};
-  if ((out || other || shifted) && named_.insert(*position).second)
-    diagnostics_.warning(
-        model_.file(section.place), section.place.line,
-        out || other ? fmt::format("section {}: beams of ELFORM {} {}", section.id, section.elform,
-                                   out ? "take no part in the calculation" : "are calculated as the resultant beam")
-                     : fmt::format("section {}: beams are offset (NSLOC, NTLOC), which is not calculated", section.id));
+  if ((out || other) && named_.insert(*position).second)
+    diagnostics_.warning(model_.file(section.place), section.place.line,
+                         fmt::format("section {}: beams of ELFORM {} {}", section.id, section.elform,
+                                     out ? "take no part in the calculation" : "are calculated as the resultant beam"));
   return out;
 }
 
@@ -106,8 +103,6 @@ Vector BeamLimits::third_point(std::uint32_t beam, const State& state) {
   const model::Elements<2>& beams = model_.mesh.beams;
   const auto& all = model_.mesh.beam_values;
   const model::BeamValues values = beam < all.size() ? all[beam] : model::BeamValues{};
-  if (values.released()) ++released_;
-  if (values.shifted()) ++shifted_;
   const Vector& first = state.x[beams.nodes[beam][0].value];
   const Vector way = state.x[beams.nodes[beam][1].value] - first;
   Vector third = values.orientation;
@@ -118,12 +113,53 @@ Vector BeamLimits::third_point(std::uint32_t beam, const State& state) {
   return across ? third : Vector(Vector::Zero());
 }
 
+SolverResult<BeamJoint> BeamLimits::joint(std::uint32_t beam) {
+  const model::Elements<2>& beams = model_.mesh.beams;
+  const auto& all = model_.mesh.beam_values;
+  const model::BeamValues values = beam < all.size() ? all[beam] : model::BeamValues{};
+  const model::Section& section = model_.sections[*model_.part(beams.part[beam]).section];
+  const model::Place place{beams.origins.file(beam), beams.line[beam]};
+  const auto fail = [&](std::string_view why) {
+    return Failure{Failure::Kind::not_calculated, fmt::format("beam {} {}", beams.id[beam], why), place};
+  };
+  BeamJoint joint;
+  const bool bends = section.elform != truss;
+  if (values.shifted() && !bends) ++shifted_;
+  if (values.shifted() && bends) joint.offset = values.offsets;
+  if (section.integrated()) {
+    const model::BeamProfile& profile = *section.profile;
+    const bool shifted = profile.location != std::array<double, 2>{};
+    if (shifted && (profile.s[0] != profile.s[1] || profile.t[0] != profile.t[1]))
+      return fail(
+          fmt::format("has a reference surface (NSLOC, NTLOC of section {}) and different ends, which is not "
+                      "calculated; give both ends the same sides",
+                      section.id));
+    joint.shift = {-profile.location[0] * profile.s[0] / 2,
+                   -profile.location[1] * (profile.tube ? profile.s[0] : profile.t[0]) / 2};
+  }
+  if (values.released() && (section.integrated() || !bends)) ++released_;
+  if (!values.released() || section.integrated() || !bends) return joint;
+  if (values.global_releases)
+    return fail("has pin releases about global axes (LOCAL = 1), which are not calculated; release about its own axes");
+  constexpr unsigned along = 1, about_s = 2, about_t = 4;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const unsigned moves = values.releases[2 * end], turns = values.releases[2 * end + 1];
+    if ((moves & (about_s | about_t)) != 0)
+      return fail("has ends that slide across it (RT1, RT2), which is not calculated; release the axis r or rotations");
+    joint.released.axial = joint.released.axial || (moves & along) != 0;
+    joint.released.twist = joint.released.twist || (turns & along) != 0;
+    joint.released.turn_s[end] = (turns & about_s) != 0;
+    joint.released.turn_t[end] = (turns & about_t) != 0;
+  }
+  return joint;
+}
+
 void BeamLimits::tell() {
   const auto name = [&](std::size_t count, std::string_view what) {
     if (count > 0) diagnostics_.warning("", 0, fmt::format("{} beams {}", count, what));
   };
-  name(released_, "have pin releases (RT1, RR1, RT2, RR2), which are not calculated");
-  name(shifted_, "are offset from their nodes, which is not calculated");
+  name(released_, "have pin releases (RT1, RR1, RT2, RR2), which are calculated in resultant beams only");
+  name(shifted_, "are trusses that are offset from their nodes, which is not calculated");
   name(without_axes_, "have no third node across; their axes s and t are chosen freely");
 }
 

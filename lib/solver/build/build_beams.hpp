@@ -4,7 +4,7 @@
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
-#include "solver/element/beam.hpp"
+#include "solver/element/beam_elements.hpp"
 #include "solver/state/failure.hpp"
 #include "solver/state/state.hpp"
 
@@ -23,12 +23,13 @@ class BeamLimits {
   BeamLimits(const model::Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
 
   /// True for parts with sections that are not calculated: ELFORM other than 1 to 5, 9 and 13, or without constants.
-  /// Beams of a null material only need an area. Reports what is left out, what is calculated as the resultant beam,
-  /// and offsets of the section.
+  /// Beams of a null material only need an area. Reports what is left out and what is calculated as the resultant beam.
   bool leaves_out(PartIndex part);
   /// From the first node to a point in the plane of the axes r and s; zero if the deck gives none.
   [[nodiscard]] Vector third_point(std::uint32_t beam, const State& state);
-  /// Reports what was counted: pin releases, offsets, beams without axes.
+  /// Offsets, the reference surface of the section and pin releases. A failure names what is not calculated of them.
+  [[nodiscard]] SolverResult<BeamJoint> joint(std::uint32_t beam);
+  /// Reports what was counted: offsets and pin releases that have no effect, beams without axes.
   void tell();
 
  private:

@@ -7,6 +7,7 @@
 
 #include "solver/build/build_full_shells.hpp"
 #include "solver/build/build_hourglass.hpp"
+#include "solver/build/build_shell_layers.hpp"
 #include "solver/quadrature/gauss.hpp"
 
 namespace gapcheck::solver {
@@ -75,56 +76,6 @@ void name_formulation(const model::Model& model, PartIndex part, const model::Se
       fmt::format("section {}: ELFORM {} is calculated as the one-point shell (ELFORM 2)", section.id, elform));
 }
 
-double mean_over_layers(const ShellProperties& properties, double (*value)(const Material&)) {
-  double sum = 0;
-  for (std::size_t i = 0; i < properties.layers.size(); ++i)
-    sum += properties.layers[i].weight / 2 * value(properties.layer_materials[i]);
-  return sum;
-}
-
-/// One point in the middle of each ply, with the ply's share of the thickness (Keyword User's Manual, *PART_COMPOSITE).
-SolverStatus set_plies(const model::Model& model, const model::Part& part, ShellProperties& properties) {
-  properties.layers.clear();
-  double below = 0;
-  for (const model::Ply& ply : part.plies) {
-    const double share = ply.thickness / part.composite_thickness;
-    if (!(share > 0) || !ply.material)
-      return Failure{Failure::Kind::missing_material,
-                     fmt::format("part {} has a ply of material {} with thickness {:g}; give it a material that is "
-                                 "defined and a thickness above zero",
-                                 part.id.value, ply.material_id, ply.thickness),
-                     part.place};
-    auto material = build_material(model, model.materials[*ply.material]);
-    if (!material) return material.error();
-    const MaterialKind kind = material.value().kind;
-    const bool known = kind == MaterialKind::elastic || kind == MaterialKind::plastic || kind == MaterialKind::null;
-    if (!known || material.value().erosion || material.value().johnson_cook)
-      return Failure{Failure::Kind::bad_material,
-                     fmt::format("material {} is not calculated in plies of composites, but part {} has one of it",
-                                 ply.material_id, part.id.value),
-                     part.place};
-    properties.layers.push_back({2 * (below + share / 2) - 1, 2 * share});
-    properties.layer_materials.push_back(std::move(material).value());
-    below += share;
-  }
-  // What mass, time step and hourglass control take.
-  Material& mean = properties.material;
-  mean = properties.layer_materials.front();
-  mean.density = mean_over_layers(properties, [](const Material& m) { return m.density; });
-  mean.poisson = mean_over_layers(properties, [](const Material& m) { return m.poisson; });
-  const double modulus = mean_over_layers(properties, [](const Material& m) { return m.plate_modulus(); });
-  mean.young = modulus * (1 - mean.poisson * mean.poisson);
-  double largest = modulus;
-  for (const Material& material : properties.layer_materials) {
-    largest =
-        std::max(largest, material.plate_modulus() * (1 + std::abs(material.poisson)) / (1 + std::abs(mean.poisson)));
-    largest = std::max(largest, modulus * material.shear() / mean.shear());
-    if (material.failure_strain > 0) mean.failure_strain = material.failure_strain;
-  }
-  properties.stiffest = modulus > 0 ? largest / modulus : 1;
-  return {};
-}
-
 void set_viscosity(const model::Model& model, const ElementControl& control, ShellProperties& properties) {
   const std::int64_t type = model.controls.bulk_type;
   if (type != -1 && type != -2) return;
@@ -135,7 +86,8 @@ void set_viscosity(const model::Model& model, const ElementControl& control, She
 
 SolverResult<ShellProperties> shell_properties(const model::Model& model, PartIndex index,
                                                const model::Section& section, Material material,
-                                               const Hourglass& otherwise, Diagnostics& diagnostics) {
+                                               const Hourglass& otherwise, Diagnostics& diagnostics,
+                                               const model::Layup* layup) {
   const model::Part& part = model.part(index);
   ShellProperties all;
   all.material = std::move(material);
@@ -143,8 +95,15 @@ SolverResult<ShellProperties> shell_properties(const model::Model& model, PartIn
   const auto rule = model.controls.intgrd == 1 ? lobatto_rule : gauss_rule;
   all.membrane = membrane(section);
   all.layers = rule(all.membrane ? 1 : static_cast<int>(layers));
-  if (!part.plies.empty()) {
-    if (SolverStatus plies = set_plies(model, part, all); !plies.ok()) return plies.error();
+  if (layup != nullptr || !part.plies.empty()) {
+    const LayeredBy by = layup != nullptr ? LayeredBy{fmt::format("a shell of part {}", part.id.value), layup->place}
+                                          : LayeredBy{fmt::format("part {}", part.id.value), part.place};
+    if (SolverStatus plies = layup != nullptr ? set_plies(model, layup->plies, layup->thickness, by, all)
+                                              : set_plies(model, part.plies, part.composite_thickness, by, all);
+        !plies.ok())
+      return plies.error();
+  } else if (section.rule < 0) {
+    if (SolverStatus ruled = set_rule(model, part, section, all); !ruled.ok()) return ruled.error();
   } else if (section.nip != layers) {
     diagnostics.warning(
         "", 0,

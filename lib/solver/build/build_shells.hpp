@@ -8,10 +8,11 @@ namespace gapcheck::solver {
 /// What the shells of a part share: formulation, integration through the thickness, thinning, hourglass control, bulk
 /// viscosity, layers of a composite. Warns about formulations that are calculated as another one, and once about what
 /// *CONTROL_SHELL and *CONTROL_ACCURACY ask for that is not calculated. `otherwise`: hourglass control where the deck
-/// gives none.
+/// gives none. `layup`: the plies of *ELEMENT_SHELL_COMPOSITE that these shells have in place of what their part says.
 [[nodiscard]] SolverResult<ShellProperties> shell_properties(const model::Model& model, PartIndex index,
                                                              const model::Section& section, Material material,
-                                                             const Hourglass& otherwise, Diagnostics& diagnostics);
+                                                             const Hourglass& otherwise, Diagnostics& diagnostics,
+                                                             const model::Layup* layup = nullptr);
 
 /// Warnings about fields of *CONTROL_SHELL, *CONTROL_ACCURACY and *CONTROL_BULK_VISCOSITY that have no effect.
 void name_element_controls(const model::Model& model, Diagnostics& diagnostics);

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -111,7 +113,8 @@ void apply_concentrated(ConditionBuilder& builder) {
     if (load.freedom < 1 || load.freedom > 8)
       builder.fail(Failure::Kind::not_calculated, load.keyword, load.place,
                    fmt::format("DOF {} is not calculated; 1 to 8 are", load.freedom));
-    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0};
+    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0,
+                           builder.phases(load.curve)};
     if (builder.failed()) return;
     if (load.freedom == 4 || load.freedom == 8)
       add_follower(builder, load, value, *loads);
@@ -167,7 +170,8 @@ void apply_pressures(ConditionBuilder& builder) {
   if (builder.model.loads.pressures.empty()) return;
   auto pressures = std::make_unique<Pressures>();
   for (const model::PressureLoad& load : builder.model.loads.pressures) {
-    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, load.arrival};
+    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, load.arrival,
+                           builder.phases(load.curve)};
     for (const model::SegmentNodes& segment : segments_of(builder, load)) {
       for (const NodeIndex node : segment)
         if (node.value >= builder.structure.state.x.size())
@@ -196,16 +200,42 @@ std::vector<double> masses_of_parts(ConditionBuilder& builder) {
   return masses;
 }
 
+/// Its value over time; LCIDDR takes the place of LCID in a relaxation.
+std::vector<TimedValue> body_load_values(ConditionBuilder& builder, const model::BodyLoad& load) {
+  TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0, builder.phases(load.curve)};
+  if (load.relaxation_curve == 0 || !builder.relaxing) return {value};
+  value.phases.relaxation = false;
+  TimedValue before{builder.curve(load.relaxation_curve, load.keyword, load.place), load.scale, 0, {false, true}};
+  if (!builder.failed() && !builder.phases(load.relaxation_curve).relaxation)
+    builder.fail(Failure::Kind::contradiction, load.keyword, load.place,
+                 fmt::format("curve {} (LCIDDR) is for dynamic relaxation, but has SIDR = 0; set its SIDR to 1 or 2",
+                             load.relaxation_curve));
+  return {value, before};
+}
+
+/// Whether its length scales the load is not documented.
+void check_direction(ConditionBuilder& builder, const model::BodyLoad& load) {
+  constexpr double written_digits = 1e-3;
+  const double length = load.direction.norm();
+  if (load.by_vector && !(std::abs(length - 1) < written_digits))
+    builder.fail(Failure::Kind::not_calculated, load.keyword, load.place,
+                 fmt::format("the vector V1, V2, V3 has the length {:g}; give one of length 1 and scale the load by SF",
+                             length));
+}
+
 void apply_gravity(ConditionBuilder& builder) {
   if (builder.model.loads.bodies.empty()) return;
   auto gravity = std::make_unique<Gravity>(masses_of_parts(builder));
   for (const model::BodyLoad& load : builder.model.loads.bodies) {
     builder.refuse_system(load.system, load.keyword, load.place);
-    const TimedValue value{builder.curve(load.curve, load.keyword, load.place), load.scale, 0};
-    if (load.rotation)
-      gravity->add_rotation(load.axis, load.center, value);
-    else
-      gravity->add_axis(load.axis, value);
+    check_direction(builder, load);
+    for (const TimedValue& value : body_load_values(builder, load))
+      if (load.by_vector)
+        gravity->add_direction(load.direction.normalized(), value);
+      else if (load.rotation)
+        gravity->add_rotation(load.axis, load.center, value);
+      else
+        gravity->add_axis(load.axis, value);
   }
   if (!builder.failed()) builder.forces.push_back(std::move(gravity));
 }
@@ -214,9 +244,9 @@ void apply_damping(ConditionBuilder& builder) {
   constexpr std::string_view keyword = "DAMPING_GLOBAL";
   if (!builder.model.loads.damping) return;
   const model::GlobalDamping& damping = *builder.model.loads.damping;
-  TimedValue constant{nullptr, damping.value, 0};
+  TimedValue constant{nullptr, damping.value, 0, {true, true}};
   if (damping.curve != 0)
-    constant = {builder.curve(damping.curve, keyword, damping.place), damping.scale, 0};
+    constant = {builder.curve(damping.curve, keyword, damping.place), damping.scale, 0, builder.phases(damping.curve)};
   else
     constant.curve = std::make_shared<const TimeCurve>(std::vector<TimeCurve::Point>{{0, 1}});
   if (!builder.failed()) builder.forces.push_back(std::make_unique<GlobalDamping>(constant, damping.factors));
@@ -232,32 +262,87 @@ std::vector<PartIndex> damped_parts(ConditionBuilder& builder, const model::Part
   return {};
 }
 
+/// The masses at nodes and the rigid bodies of some parts.
+struct DampedMasses {
+  std::vector<double> nodes;
+  std::vector<std::size_t> bodies;
+};
+
+std::optional<DampedMasses> damped_masses(ConditionBuilder& builder, std::string_view keyword, model::Place place,
+                                          const std::vector<PartIndex>& parts) {
+  const model::Model& model = builder.model;
+  std::vector<bool> wanted(model.parts.size());
+  std::vector<std::size_t> bodies;
+  for (const PartIndex part : parts) {
+    const auto beam = std::find(model.mesh.beams.part.begin(), model.mesh.beams.part.end(), part);
+    if (beam != model.mesh.beams.part.end())
+      builder.fail(Failure::Kind::not_calculated, keyword, place,
+                   fmt::format("part {} has beams, whose masses are not damped by part; use *DAMPING_GLOBAL",
+                               model.part(part).id.value));
+    if (!model.rigid(part))
+      wanted[part.value] = true;
+    else if (const auto body = builder.body(model.part(part).id.value, keyword, place))
+      bodies.push_back(*body);
+  }
+  std::sort(bodies.begin(), bodies.end());
+  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+  if (builder.failed()) return std::nullopt;
+  std::vector<double> masses = nodal_masses(model, wanted);
+  for (std::size_t i = 0; i < masses.size(); ++i)
+    if (builder.structure.rigid.holds(i)) masses[i] = 0;
+  return DampedMasses{std::move(masses), std::move(bodies)};
+}
+
 void apply_part_dampings(ConditionBuilder& builder) {
   const model::Model& model = builder.model;
   if (model.loads.part_dampings.empty()) return;
   auto dampings = std::make_unique<PartDampings>();
   for (const model::PartDamping& damping : model.loads.part_dampings) {
-    const TimedValue constant{builder.curve(damping.curve, damping.keyword, damping.place), damping.scale, 0};
-    std::vector<bool> wanted(model.parts.size());
-    std::vector<std::size_t> bodies;
-    for (const PartIndex part : damped_parts(builder, damping)) {
-      const auto beam = std::find(model.mesh.beams.part.begin(), model.mesh.beams.part.end(), part);
-      if (beam != model.mesh.beams.part.end())
-        builder.fail(Failure::Kind::not_calculated, damping.keyword, damping.place,
-                     fmt::format("part {} has beams, whose masses are not damped by part; use *DAMPING_GLOBAL",
-                                 model.part(part).id.value));
-      if (!model.rigid(part))
-        wanted[part.value] = true;
-      else if (const auto body = builder.body(model.part(part).id.value, damping.keyword, damping.place))
-        bodies.push_back(*body);
-    }
-    std::sort(bodies.begin(), bodies.end());
-    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    const TimedValue constant{builder.curve(damping.curve, damping.keyword, damping.place), damping.scale, 0,
+                              builder.phases(damping.curve)};
+    auto masses = damped_masses(builder, damping.keyword, damping.place, damped_parts(builder, damping));
+    if (!masses) return;
+    dampings->add_part(constant, damping.factors, masses->nodes, std::move(masses->bodies));
+  }
+  builder.forces.push_back(std::move(dampings));
+}
+
+/// The constant 4 π FREQ CDAMP over time.
+TimedValue relative_constant(ConditionBuilder& builder, const model::RelativeDamping& damping,
+                             std::string_view keyword) {
+  const double critical = 4 * std::numbers::pi * damping.frequency;
+  if (damping.curve != 0)
+    return {builder.curve(damping.curve, keyword, damping.place), critical, 0, builder.phases(damping.curve)};
+  const std::vector<TimeCurve::Point> points{{0, 1}};
+  return {std::make_shared<const TimeCurve>(points), critical * damping.fraction, 0, {true, true}};
+}
+
+void apply_relative_dampings(ConditionBuilder& builder) {
+  constexpr std::string_view keyword = "DAMPING_RELATIVE";
+  const model::Model& model = builder.model;
+  if (model.loads.relative_dampings.empty()) return;
+  auto dampings = std::make_unique<PartDampings>();
+  for (const model::RelativeDamping& damping : model.loads.relative_dampings) {
+    const auto fail = [&](Failure::Kind kind, std::string_view why) {
+      builder.fail(kind, keyword, damping.place, why);
+    };
+    if (damping.fraction < 0 || damping.frequency < 0)
+      fail(Failure::Kind::contradiction,
+           fmt::format("CDAMP = {:g} and FREQ = {:g} would feed the motion; set numbers from 0 up", damping.fraction,
+                       damping.frequency));
+    if (damping.squared != 0)
+      fail(Failure::Kind::not_calculated,
+           fmt::format("a force with the square of the velocity (DV2 = {:g}) is not calculated; set DV2 to 0",
+                       damping.squared));
+    if (damping.part_set == 0) fail(Failure::Kind::contradiction, "no part is damped; name a part set in PSID");
+    const TimedValue constant = relative_constant(builder, damping, keyword);
+    const auto frame = builder.body(damping.body, keyword, damping.place);
     if (builder.failed()) return;
-    std::vector<double> masses = nodal_masses(model, wanted);
-    for (std::size_t i = 0; i < masses.size(); ++i)
-      if (builder.structure.rigid.holds(i)) masses[i] = 0;
-    dampings->add_part(constant, damping.factors, masses, std::move(bodies));
+    auto masses =
+        damped_masses(builder, keyword, damping.place, builder.part_set(damping.part_set, keyword, damping.place));
+    if (!masses) return;
+    std::erase(masses->bodies, *frame);
+    dampings->add_part(constant, {1, 1, 1, 1, 1, 1}, masses->nodes, std::move(masses->bodies), frame);
   }
   builder.forces.push_back(std::move(dampings));
 }
@@ -265,7 +350,8 @@ void apply_part_dampings(ConditionBuilder& builder) {
 }  // namespace
 
 void apply_loads(ConditionBuilder& builder) {
-  for (const auto apply : {apply_concentrated, apply_pressures, apply_gravity, apply_damping, apply_part_dampings})
+  for (const auto apply : {apply_concentrated, apply_pressures, apply_gravity, apply_damping, apply_part_dampings,
+                           apply_relative_dampings})
     if (!builder.failed()) apply(builder);
 }
 

@@ -14,7 +14,7 @@ std::optional<AxialPreload> preload_of(ConditionBuilder& builder, const model::B
   constexpr PreloadWords words{preload_keyword, " (times SCALE)", "force", "forces", "beams"};
   auto curve = preload_curve(builder, preload.curve, preload.scale, words, preload.place);
   if (!curve) return std::nullopt;
-  return AxialPreload{std::move(curve->curve), curve->end, preload.kbend == 1};
+  return AxialPreload{std::move(curve->curve), curve->end, preload.kbend == 1, curve->phases};
 }
 
 /// Positions of the model's beams among those of the structure.
@@ -63,6 +63,10 @@ void apply_preload(ConditionBuilder& builder, const model::BeamPreload& preload,
           fmt::format("beam {} is not integrated over its cross-section; preloads are calculated for deformable "
                       "beams of ELFORM 1 and 9 with stress",
                       id));
+    if (beams.on_arms(position))
+      return fail(
+          Failure::Kind::not_calculated,
+          fmt::format("beam {} is offset from its nodes; preloads are calculated for beams on their nodes", id));
     if (beams.preloaded(position))
       return fail(Failure::Kind::contradiction, fmt::format("beam {} has two preloads; give it one", id));
     if (!warned) warn_if_it_yields(builder, preload, beams.properties(position), force);

@@ -51,6 +51,8 @@ void check_lifetime(ConditionBuilder& builder, const model::SinglePointConstrain
 std::size_t hold_for_a_while(Structure& structure, const std::vector<NodeIndex>& nodes,
                              const model::SinglePointConstraint& spc) {
   Motion rest;
+  rest.phases = {true, true};
+  rest.support = true;
   rest.birth = spc.lifetime.birth;
   if (spc.lifetime.death < model::Lifetime::forever) rest.death = spc.lifetime.death;
   const std::uint32_t position = structure.constraints.add(rest);

@@ -90,6 +90,12 @@ std::shared_ptr<const TimeCurve> ConditionBuilder::curve(std::int64_t id, std::s
   return curves_[id] = std::make_shared<const TimeCurve>(std::move(points));
 }
 
+Phases ConditionBuilder::phases(std::int64_t curve) const {
+  const auto found = model.curves.find(curve);
+  const std::int64_t sidr = found == model.curves.end() ? 0 : found->second.relaxation;
+  return {sidr != 1, sidr == 1 || sidr == 2};
+}
+
 std::optional<Matrix> ConditionBuilder::system(std::int64_t id, std::string_view keyword, model::Place place) {
   const auto found = model.systems.find(id);
   if (found != model.systems.end() && found->second.fault.empty() && found->second.axes.allFinite())

@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.hpp"
 #include "model/model.hpp"
+#include "solver/condition/relaxation.hpp"
 #include "solver/state/failure.hpp"
 #include "solver/state/force.hpp"
 #include "solver/state/motion.hpp"
@@ -20,12 +21,13 @@ class ConditionBuilder {
  public:
   ConditionBuilder(const model::Model& deck, Structure& target, std::vector<std::unique_ptr<Force>>& list,
                    Diagnostics& messages)
-      : model(deck), structure(target), forces(list), diagnostics(messages) {}
+      : model(deck), structure(target), forces(list), diagnostics(messages), relaxing(relaxes(deck)) {}
 
   const model::Model& model;
   Structure& structure;
   std::vector<std::unique_ptr<Force>>& forces;
   Diagnostics& diagnostics;
+  const bool relaxing;  ///< a dynamic relaxation comes before the run
 
   [[nodiscard]] bool failed() const { return !status_.ok(); }
   [[nodiscard]] const SolverStatus& status() const { return status_; }
@@ -41,6 +43,8 @@ class ConditionBuilder {
   [[nodiscard]] std::optional<std::size_t> body(std::int64_t id, std::string_view keyword, model::Place place);
   /// A curve over time in the model's unit of time; nullptr after a failure. Ordinates are as written.
   [[nodiscard]] std::shared_ptr<const TimeCurve> curve(std::int64_t id, std::string_view keyword, model::Place place);
+  /// When a curve acts on what it scales or moves; a curve that is not defined: in the run.
+  [[nodiscard]] Phases phases(std::int64_t curve) const;
   /// The axes of a local system, as columns; nothing after a failure.
   [[nodiscard]] std::optional<Matrix> system(std::int64_t id, std::string_view keyword, model::Place place);
   /// Lets the nodes' degrees of freedom have these axes. A failure names a node of a rigid body, or one that has
@@ -74,6 +78,9 @@ void apply_body_properties(ConditionBuilder& builder);
 /// Joins rigid bodies. A failure names nodes that are in no rigid body or in the same, or that give no axis.
 void apply_joints(ConditionBuilder& builder);
 void apply_loads(ConditionBuilder& builder);
+/// Lets degrees of freedom follow the equations of *CONSTRAINED_LINEAR_GLOBAL, or each other (*CONSTRAINED_NODE_SET). A
+/// failure names nodes that cannot, or what is not calculated together with them.
+void apply_linear_constraints(ConditionBuilder& builder);
 void apply_boundary(ConditionBuilder& builder);
 void apply_prescribed_motions(ConditionBuilder& builder);
 void apply_initial_velocities(ConditionBuilder& builder);

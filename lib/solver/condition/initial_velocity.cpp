@@ -89,7 +89,11 @@ Vector generated_spin(ConditionBuilder& builder, const InitialVelocity& initial)
 
 void apply_card(ConditionBuilder& builder, const InitialVelocity& initial, Given& given) {
   builder.refuse_system(initial.system, initial.keyword, initial.place);
-  if (initial.phase == 1)
+  if (builder.relaxing && initial.kind == VelocityKind::generation && initial.phase == 0)
+    builder.fail(Failure::Kind::not_calculated, initial.keyword, initial.place,
+                 "velocities that begin with the dynamic relaxation (PHASE = 0) are not calculated; set PHASE to 1, "
+                 "with which they begin after it");
+  if (initial.phase == 1 && !builder.relaxing)
     builder.warn(initial.keyword, initial.place, "there is no dynamic relaxation before the run; PHASE 1 is as 0");
   std::vector<NodeIndex> nodes = chosen_nodes(builder, initial);
   keep_inside(builder, initial, nodes);

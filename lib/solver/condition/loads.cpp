@@ -13,15 +13,16 @@ namespace {
 /// The list of values keeps repeated ones only once.
 std::uint32_t position_in(std::vector<TimedValue>& values, const TimedValue& value) {
   const bool same = !values.empty() && values.back().curve == value.curve && values.back().scale == value.scale &&
-                    values.back().arrival == value.arrival;
+                    values.back().arrival == value.arrival && values.back().phases.run == value.phases.run &&
+                    values.back().phases.relaxation == value.phases.relaxation;
   if (!same) values.push_back(value);
   return static_cast<std::uint32_t>(values.size() - 1);
 }
 
-std::vector<double> all_at(const std::vector<TimedValue>& values, double time) {
+std::vector<double> all_at(const std::vector<TimedValue>& values, const State& state) {
   std::vector<double> now;
   now.reserve(values.size());
-  for (const TimedValue& value : values) now.push_back(value.at(time));
+  for (const TimedValue& value : values) now.push_back(value.at(state));
   return now;
 }
 
@@ -54,7 +55,7 @@ void ConcentratedLoads::follow(std::size_t target, bool body, bool moment, const
 }
 
 void ConcentratedLoads::add_at(const State& state, Forces& forces) const {
-  const std::vector<double> now = all_at(values_, state.time);
+  const std::vector<double> now = all_at(values_, state);
   for (const Entry& entry : entries_) {
     auto& pushes = entry.body ? forces.body_force : forces.force;
     auto& turns = entry.body ? forces.body_moment : forces.moment;
@@ -94,7 +95,7 @@ std::vector<std::uint32_t> Pressures::nodes() const {
 }
 
 void Pressures::add_at(const State& state, Forces& forces) const {
-  const std::vector<double> now = all_at(values_, state.time);
+  const std::vector<double> now = all_at(values_, state);
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const model::SegmentNodes& nodes = segments_[i];
     const std::size_t corners = nodes[2] == nodes[3] ? 3 : 4;
@@ -105,7 +106,8 @@ void Pressures::add_at(const State& state, Forces& forces) const {
 
 void Gravity::add(State& state, Forces& forces) {
   Vector acceleration = Vector::Zero();
-  for (const auto& [axis, value] : axes_) acceleration[axis] -= value.at(state.time);
+  for (const auto& [axis, value] : axes_) acceleration[axis] -= value.at(state);
+  for (const auto& [along, value] : directions_) acceleration -= value.at(state) * along;
   parallel_for(state.x.size(), 16384, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (!masses_.empty())
@@ -119,7 +121,7 @@ void Gravity::add(State& state, Forces& forces) {
 }
 
 void Gravity::add_one(const Rotation& rotation, const State& state, Forces& forces) const {
-  const double rate = rotation.rate.at(state.time), square = rate * rate;
+  const double rate = rotation.rate.at(state), square = rate * rate;
   const auto away = [&](const Vector& x) {
     Vector arm = x - rotation.center;
     arm[rotation.axis] = 0;
@@ -141,7 +143,7 @@ void Gravity::add_one(const Rotation& rotation, const State& state, Forces& forc
 }
 
 void GlobalDamping::add(State& state, Forces& forces) {
-  const double constant = constant_.at(state.time);
+  const double constant = constant_.at(state);
   const double strongest = std::max(move_.cwiseAbs().maxCoeff(), turn_.cwiseAbs().maxCoeff()) * std::abs(constant);
   stable_step_ = strongest > 0 ? 1 / strongest : std::numeric_limits<double>::infinity();
   const Vector move = -constant * move_, turn = -constant * turn_;
@@ -171,8 +173,9 @@ void GlobalDamping::add(State& state, Forces& forces) {
 }
 
 void PartDampings::add_part(const TimedValue& constant, const std::array<double, 6>& factors,
-                            const std::vector<double>& masses, std::vector<std::size_t> bodies) {
-  Entry entry{constant, {factors[0], factors[1], factors[2]}, {factors[3], factors[4], factors[5]}, {}, {}};
+                            const std::vector<double>& masses, std::vector<std::size_t> bodies,
+                            std::optional<std::size_t> frame) {
+  Entry entry{constant, {factors[0], factors[1], factors[2]}, {factors[3], factors[4], factors[5]}, {}, {}, frame};
   for (std::uint32_t i = 0; i < masses.size(); ++i)
     if (masses[i] > 0) entry.nodes.push_back({i, masses[i]});
   for (const std::size_t body : bodies) entry.bodies.push_back({body});
@@ -183,23 +186,32 @@ void PartDampings::add(State& state, Forces& forces) {
   const double half = state.dt / 2;
   double strongest = 0;
   for (Entry& entry : entries_) {
-    const double constant = entry.constant.at(state.time);
+    const double constant = entry.constant.at(state);
     strongest += std::abs(constant) * std::max(entry.move.cwiseAbs().maxCoeff(), entry.turn.cwiseAbs().maxCoeff());
     const Vector move = -constant * entry.move, turn = -constant * entry.turn;
+    const BodyState* const frame = entry.frame ? &state.bodies[*entry.frame] : nullptr;
+    const auto relative = [&](const Vector& v, const Vector& x) {
+      return frame == nullptr ? v : Vector(v - frame->velocity - frame->spin.cross(x - frame->center));
+    };
+    const auto relative_spin = [&](const Vector& w) { return frame == nullptr ? w : Vector(w - frame->spin); };
     for (Node& one : entry.nodes) {
       const std::uint32_t n = one.node;
       const double share = state.mass[n] > 0 ? std::min(one.mass / state.mass[n], 1.0) : 0;
-      const Vector force = share * state.mass[n] * move.cwiseProduct(state.v[n]);
-      const Vector moment = share * state.inertia[n] * turn.cwiseProduct(state.w[n]);
-      work_ -= half * ((one.force + force).dot(state.v[n]) + (one.moment + moment).dot(state.w[n]));
+      const Vector v = relative(state.v[n], state.x[n]), w = relative_spin(state.w[n]);
+      const Vector force = share * state.mass[n] * move.cwiseProduct(v);
+      const Vector moment = share * state.inertia[n] * turn.cwiseProduct(w);
+      work_ -= half * ((one.force + force).dot(v) + (one.moment + moment).dot(w));
       forces.force[n] += one.force = force;
       forces.moment[n] += one.moment = moment;
     }
     for (Body& one : entry.bodies) {
       const BodyState& body = state.bodies[one.body];
-      const Vector force = body.mass * move.cwiseProduct(body.velocity);
-      const Vector moment = turn.cwiseProduct(body.angular_momentum);
-      work_ -= half * ((one.force + force).dot(body.velocity) + (one.moment + moment).dot(body.spin));
+      const Vector v = relative(body.velocity, body.center), w = relative_spin(body.spin);
+      const Vector momentum =
+          frame == nullptr ? body.angular_momentum : Vector(body.angular_momentum - body.inertia * frame->spin);
+      const Vector force = body.mass * move.cwiseProduct(v);
+      const Vector moment = turn.cwiseProduct(momentum);
+      work_ -= half * ((one.force + force).dot(v) + (one.moment + moment).dot(w));
       forces.body_force[one.body] += one.force = force;
       forces.body_moment[one.body] += one.moment = moment;
     }

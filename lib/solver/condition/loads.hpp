@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/entity/sets.hpp"
@@ -11,12 +12,14 @@
 
 namespace gapcheck::solver {
 
-/// A value over time: scale times a curve that begins at `arrival`; zero before it.
+/// A value over time: scale times a curve that begins at `arrival`; zero before it, and in phases without the curve.
 struct TimedValue {
   std::shared_ptr<const TimeCurve> curve;
   double scale = 1, arrival = 0;
-  [[nodiscard]] double at(double time) const {
-    return time < arrival || curve == nullptr ? 0 : scale * curve->at(time - arrival);
+  Phases phases{};
+  [[nodiscard]] double at(const State& state) const {
+    const bool silent = state.time < arrival || curve == nullptr || !phases.now(state.relaxing);
+    return silent ? 0 : scale * curve->at(state.time - arrival);
   }
 };
 
@@ -77,6 +80,8 @@ class Gravity : public Force {
   /// centres.
   explicit Gravity(std::vector<double> masses) : masses_(std::move(masses)) {}
   void add_axis(int axis, const TimedValue& value) { axes_.push_back({axis, value}); }
+  /// Along a direction of length 1.
+  void add_direction(const Vector& direction, const TimedValue& value) { directions_.push_back({direction, value}); }
   /// Turns with the value of `rate` about an axis through `center`.
   void add_rotation(int axis, const Vector& center, const TimedValue& rate) {
     rotations_.push_back({axis, rate, center});
@@ -88,6 +93,10 @@ class Gravity : public Force {
     int axis;
     TimedValue value;
   };
+  struct Direction {
+    Vector along;
+    TimedValue value;
+  };
   struct Rotation {
     int axis;
     TimedValue rate;
@@ -96,6 +105,7 @@ class Gravity : public Force {
   void add_one(const Rotation& rotation, const State& state, Forces& forces) const;
   std::vector<double> masses_;
   std::vector<Axis> axes_;
+  std::vector<Direction> directions_;
   std::vector<Rotation> rotations_;
 };
 
@@ -120,12 +130,13 @@ class GlobalDamping : public Force {
 };
 
 /// The same with a constant for each of some parts: on the masses that their elements give to nodes, and on rigid
-/// bodies.
+/// bodies. With a frame, a rigid body, velocities are relative to its motion at their place; it feels no reaction, and
+/// the work of its motion against the damping is external.
 class PartDampings : public Force {
  public:
   /// `masses`: of the parts, by node.
   void add_part(const TimedValue& constant, const std::array<double, 6>& factors, const std::vector<double>& masses,
-                std::vector<std::size_t> bodies);
+                std::vector<std::size_t> bodies, std::optional<std::size_t> frame = std::nullopt);
   void add(State& state, Forces& forces) override;
   void absorbed(Absorbed& work) const override { work.damping += work_; }
   [[nodiscard]] double stable_step() const override { return stable_step_; }
@@ -145,6 +156,7 @@ class PartDampings : public Force {
     Vector move, turn;
     std::vector<Node> nodes;
     std::vector<Body> bodies;
+    std::optional<std::size_t> frame;
   };
   std::vector<Entry> entries_;
   double work_ = 0;

@@ -12,16 +12,17 @@ std::optional<PreloadCurve> preload_curve(ConditionBuilder& builder, std::int64_
   const std::string_view keyword = words.keyword;
   if (builder.curve(id, keyword, place) == nullptr) return std::nullopt;
   const model::Curve& written = builder.model.curves.at(id);
-  if (written.relaxation == 1)
-    builder.fail(
-        Failure::Kind::not_calculated, keyword, place,
-        fmt::format("curve {} is for dynamic relaxation only (SIDR = 1), which is not calculated; set SIDR to 0", id));
-  else if (written.relaxation != 0)
-    builder.warn(
-        keyword, place,
-        fmt::format("the dynamic relaxation of curve {} (SIDR = {}) is not calculated; the preload acts in the "
-                    "run only",
-                    id, written.relaxation));
+  const Phases phases = builder.phases(id);
+  if (!phases.run && !builder.relaxing)
+    builder.fail(Failure::Kind::contradiction, keyword, place,
+                 fmt::format("curve {} is for dynamic relaxation only (SIDR = 1), and there is none; set SIDR to 0, or "
+                             "IDRFLG of *CONTROL_DYNAMIC_RELAXATION to 1",
+                             id));
+  else if (phases.run && phases.relaxation && builder.relaxing)
+    builder.warn(keyword, place,
+                 fmt::format("curve {} acts in the dynamic relaxation and again from the start of the run (SIDR = 2); "
+                             "the preload stays with SIDR = 1",
+                             id));
   std::vector<TimeCurve::Point> points = written.points;
   for (TimeCurve::Point& point : points) point = {point[0] * written.abscissa_time, point[1] * scale};
   const auto falls =
@@ -34,7 +35,7 @@ std::optional<PreloadCurve> preload_curve(ConditionBuilder& builder, std::int64_
                              id, words.factor, words.one));
     return std::nullopt;
   }
-  PreloadCurve result{TimeCurve(std::move(points)), end};
+  PreloadCurve result{TimeCurve(std::move(points)), end, phases};
   const std::array<double, 2> limits{result.curve.at(result.curve.start()), result.curve.at(end)};
   if (limits[1] < 0 || !std::isfinite(limits[0]) || !std::isfinite(limits[1])) {
     builder.fail(Failure::Kind::contradiction, keyword, place,

@@ -11,6 +11,7 @@ namespace gapcheck::solver {
 struct PreloadCurve {
   TimeCurve curve;
   double end = 0;
+  Phases phases{};
 };
 
 /// What messages call it.
@@ -20,8 +21,8 @@ struct PreloadWords {
   std::string_view pulled;           ///< what is pulled together
 };
 
-/// The curve times `scale`, or a failure: unknown, for dynamic relaxation only, falling at once, ending below zero.
-/// With SIDR = 2 a warning.
+/// The curve times `scale`, or a failure: unknown, for a dynamic relaxation that there is not, falling at once, ending
+/// below zero. With SIDR = 2 a warning.
 [[nodiscard]] std::optional<PreloadCurve> preload_curve(ConditionBuilder& builder, std::int64_t curve, double scale,
                                                         const PreloadWords& words, model::Place place);
 

@@ -75,6 +75,28 @@ std::optional<Directions> directions_of(ConditionBuilder& builder, const model::
   return std::nullopt;
 }
 
+/// What a motion does in a dynamic relaxation, or after it, where that is not documented.
+void check_relaxation(ConditionBuilder& builder, const model::PrescribedMotion& motion, const Motion& result) {
+  if (!builder.relaxing) return;
+  if (!result.phases.relaxation)
+    return builder.warn(motion.keyword, motion.place,
+                        fmt::format("curve {} is not used in the dynamic relaxation (SIDR = 0), which leaves what it "
+                                    "moves free; hold it there by a second motion with SIDR = 1 if it should stay",
+                                    motion.curve));
+  const auto refuse = [&](const std::string& why) {
+    builder.fail(Failure::Kind::not_calculated, motion.keyword, motion.place, why);
+  };
+  if (result.quantity == Motion::Quantity::acceleration)
+    refuse("an acceleration (VAD = 1) in dynamic relaxation is not calculated; give the velocity or displacement");
+  if (result.quantity == Motion::Quantity::displacement && result.phases.run)
+    refuse(
+        fmt::format("where the displacement of curve {} begins in the run after a dynamic relaxation (SIDR = 2) is "
+                    "not documented; give a curve with SIDR = 1 and another with SIDR = 0",
+                    motion.curve));
+  if (!motion.lifetime.always())
+    refuse("BIRTH and DEATH of a motion in dynamic relaxation are not calculated; let its curve begin and end");
+}
+
 /// The motion of a whole DOF; nothing after a failure.
 std::optional<Motion> motion_of(ConditionBuilder& builder, const model::PrescribedMotion& motion, bool rotation) {
   constexpr std::array quantities{Motion::Quantity::velocity, Motion::Quantity::acceleration,
@@ -88,13 +110,17 @@ std::optional<Motion> motion_of(ConditionBuilder& builder, const model::Prescrib
   result.quantity = quantities[static_cast<std::size_t>(motion.quantity)];
   result.curve = builder.curve(motion.curve, motion.keyword, motion.place);
   if (result.curve == nullptr) return std::nullopt;
+  result.phases = builder.phases(motion.curve);
+  check_relaxation(builder, motion, result);
   result.scale = rotation ? motion.turn_scale : motion.scale;
   result.birth = motion.lifetime.birth;
   if (motion.lifetime.death < model::Lifetime::forever) result.death = motion.lifetime.death;
   return result;
 }
 
-bool overlap(const Motion& a, const Motion& b) { return a.birth < b.death && b.birth < a.death; }
+bool overlap(const Motion& a, const Motion& b) {
+  return a.birth < b.death && b.birth < a.death && a.phases.meet(b.phases);
+}
 
 /// Moves one degree of freedom of a body.
 void move_body(ConditionBuilder& builder, const model::PrescribedMotion& motion, std::size_t body, std::size_t freedom,
@@ -115,7 +141,7 @@ void move_body(ConditionBuilder& builder, const model::PrescribedMotion& motion,
 }
 
 /// The motions of nodes so far, to find two on one degree of freedom.
-using Present = std::map<std::uint64_t, std::vector<std::array<double, 2>>>;
+using Present = std::map<std::uint64_t, std::vector<Motion>>;
 
 void move_node(ConditionBuilder& builder, const model::PrescribedMotion& motion, NodeIndex node, std::size_t freedom,
                const Motion& given, std::uint32_t position, Present& present) {
@@ -126,12 +152,12 @@ void move_node(ConditionBuilder& builder, const model::PrescribedMotion& motion,
                         fmt::format("node {} belongs to a rigid body; move the body (_RIGID)", id));
   auto& lifetimes = present[6 * std::uint64_t{node.value} + freedom];
   bool twice = (structure.constraints.held(node.value) >> freedom & 1u) != 0;
-  for (const auto& [birth, death] : lifetimes) twice = twice || (birth < given.death && given.birth < death);
+  for (const Motion& other : lifetimes) twice = twice || overlap(other, given);
   if (twice)
     return builder.fail(
         Failure::Kind::contradiction, motion.keyword, motion.place,
         fmt::format("{} of node {} is held or moved already; keep one of the conditions", names[freedom], id));
-  lifetimes.push_back({given.birth, given.death});
+  lifetimes.push_back(given);
   const auto axis = static_cast<int>(freedom % 3);
   const Vector& velocity = (freedom < 3 ? structure.state.v : structure.state.w)[node.value];
   const Matrix* axes = structure.constraints.axes(node.value);
@@ -174,10 +200,13 @@ void apply(ConditionBuilder& builder, const model::PrescribedMotion& motion, Pre
 void add_supports(ConditionBuilder& builder, Present& present) {
   for (const model::SinglePointConstraint& spc : builder.model.spcs) {
     if (spc.lifetime.always()) continue;
+    Motion held;
+    held.birth = spc.lifetime.birth;
+    held.death = spc.lifetime.death;
+    held.phases = {true, true};
     for (const NodeIndex node : builder.nodes(spc.nodes, "BOUNDARY_SPC", spc.place))
       for (std::size_t freedom = 0; freedom < 6; ++freedom)
-        if ((spc.freedoms >> freedom & 1u) != 0)
-          present[6 * std::uint64_t{node.value} + freedom].push_back({spc.lifetime.birth, spc.lifetime.death});
+        if ((spc.freedoms >> freedom & 1u) != 0) present[6 * std::uint64_t{node.value} + freedom].push_back(held);
   }
 }
 

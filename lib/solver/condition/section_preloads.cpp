@@ -164,7 +164,7 @@ void apply_section_preload(ConditionBuilder& builder, const model::SectionPreloa
   if (builder.failed() || !curve || !normal) return;
   SolidElements& solids = builder.structure.solids;
   const double stress = curve->curve.at(curve->end);
-  SectionStress result{section->id, curve->curve, curve->end, {*normal, 0, preload.shear == 1}, {}};
+  SectionStress result{section->id, curve->curve, curve->end, {*normal, 0, preload.shear == 1}, {}, curve->phases};
   bool yields = false;
   for (const std::uint32_t member : cut.solids()) {
     const std::int64_t id = builder.model.mesh.solids.id[member];

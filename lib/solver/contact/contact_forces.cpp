@@ -182,7 +182,9 @@ void ContactForces::erode(const State& state) {
 
 bool ContactForces::search_is_due(const State& state) const {
   const auto interval = static_cast<std::uint64_t>(sort_interval_);
-  return released_ || !(margin_.used() <= margin_.margin()) || (interval > 0 && state.cycle >= searched_ + interval);
+  const bool again = state.cycle < searched_;  // cycles begin again after a relaxation
+  return released_ || again || !(margin_.used() <= margin_.margin()) ||
+         (interval > 0 && state.cycle >= searched_ + interval);
 }
 
 void ContactForces::find_candidates(const State& state) {
@@ -243,7 +245,7 @@ void ContactForces::repeat_interface(std::size_t i, const State& state, Forces& 
   const ContactInterface& interface = interfaces_[interface_of_[i]];
   ContactState unused;
   unused.single_surface = true;
-  if (interface.acts_at(state.time))
+  if (interface.acts_now(state))
     for (const auto& pass : interface.passes()) pass->add_forces(state, forces, unused);
   repeat_state(i);
 }
@@ -272,7 +274,7 @@ void ContactForces::advance_interface(std::size_t i, State& state, Forces& force
   ContactState& result = states_[i];
   const std::uint64_t moved = result.moved;
   clear_sums(result);
-  if (!interface.acts_at(state.time)) {
+  if (!interface.acts_now(state)) {
     interface.deactivate(state, result);
     return;
   }
@@ -290,7 +292,7 @@ void ContactForces::advance_interface(std::size_t i, State& state, Forces& force
     // It may be the node or a corner of the segment, or both.
     margin_.add(2 * pass->advance_state(state, used, counters_) * rounding_of_motion);
     pass->add_forces(state, forces, result);
-    if (state.cycle == 0) result.lost -= pass->stored();
+    if (state.cycle == 0 && !state.relaxed) result.lost -= pass->stored();
   }
   moves_ += result.moved - moved;
 }

@@ -41,7 +41,7 @@ class ContactInterface {
   [[nodiscard]] std::span<const std::unique_ptr<InterfacePass>> passes() const { return passes_; }
   /// Makes the passes, if that has not been done.
   void begin_passes();
-  [[nodiscard]] bool acts_at(double time) const { return times_.at(time); }
+  [[nodiscard]] bool acts_now(const State& state) const { return times_.at(state.time, state.relaxing); }
 
   /// Whether it may act for other contacts with the same cards: its memory is known, and only coordinates and
   /// velocities change it.

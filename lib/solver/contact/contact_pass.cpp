@@ -107,7 +107,7 @@ double ContactPass::move_nodes(const PassBlock& block, State& state) const {
 }
 
 double ContactPass::advance_state(State& state, double used, ContactCounters& counters) {
-  if (rule_->begin_cycle(state.time)) pairs_.forget_pair_data();
+  if (rule_->begin_cycle(state)) pairs_.forget_pair_data();
   // Half of what springs get at their length before this step, half at that after it.
   if (const SpringGrowth growth = rule_->growth(); growth.before != growth.now)
     given_ = growth.before > 0 ? (growth.now / growth.before - 1) / 2 * stored() : 0;

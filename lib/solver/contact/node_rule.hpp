@@ -26,7 +26,7 @@ class NodeRule {
   /// The step that the stiffness follows, if it does.
   virtual void set_timestep(double timestep) = 0;
   /// Called before all decisions of a cycle; true: the springs have changed.
-  virtual bool begin_cycle(double /*time*/) { return false; }
+  virtual bool begin_cycle(const State& /*state*/) { return false; }
   /// What begin_cycle() has done to all springs.
   [[nodiscard]] virtual SpringGrowth growth() const { return {}; }
 

@@ -6,7 +6,8 @@
 namespace gapcheck::solver {
 
 /// The rule of SOFT = 0 and 1. Stiffness, release and history are those of lib/contact. INTERFERENCE contacts have no
-/// history: no node is moved or forgiven, and the curve LCID2 scales the stiffness over time.
+/// history: no node is moved or forgiven, and the curves LCID2, in dynamic relaxation LCID1, scale the stiffness over
+/// time.
 class PenaltyRule final : public NodeRule {
  public:
   /// All references must outlive it.
@@ -17,15 +18,20 @@ class PenaltyRule final : public NodeRule {
                  pairs.exchanged() || !pairs.two_sided() ? scene_.contact.sfs : scene_.contact.sfm,
                  setting.shared.stiffness),
         interference_(scene_.type.can(contact::Ability::interference)) {
-    const auto curve = setting.model.curves.find(scene_.contact.interference_curve);
-    if (interference_ && curve != setting.model.curves.end()) growth_ = &curve->second;
+    const auto curve_of = [&](std::int64_t id) {
+      const auto curve = setting.model.curves.find(id);
+      return interference_ && curve != setting.model.curves.end() ? &curve->second : nullptr;
+    };
+    growth_ = curve_of(scene_.contact.interference_curve);
+    growth_in_relaxation_ = curve_of(scene_.contact.interference_curve_relaxation);
   }
 
   [[nodiscard]] bool keeps_initial_memory() const override { return !interference_; }
   void set_timestep(double timestep) override { springs_.set_timestep(timestep); }
-  bool begin_cycle(double time) override {
-    if (growth_ == nullptr) return false;
-    const double now = growth_->at(time / growth_->abscissa_time);
+  bool begin_cycle(const State& state) override {
+    if (growth_ == nullptr && growth_in_relaxation_ == nullptr) return false;
+    const model::Curve* const curve = state.relaxing ? growth_in_relaxation_ : growth_;
+    const double now = curve != nullptr ? curve->at(state.time / curve->abscissa_time) : 1;
     factor_ = {known_ ? factor_.now : now, now};
     const bool changed = !known_ || factor_.before != now;
     known_ = true;
@@ -51,9 +57,10 @@ class PenaltyRule final : public NodeRule {
   const contact::PairScene& scene_;
   ContactSprings springs_;
   bool interference_;
-  const model::Curve* growth_ = nullptr;  ///< of the stiffness over time; null: none
-  SpringGrowth factor_;                   ///< its values
-  bool known_ = false;                    ///< the value is that of an earlier cycle
+  /// Of the stiffness over time; null: none.
+  const model::Curve *growth_ = nullptr, *growth_in_relaxation_ = nullptr;
+  SpringGrowth factor_;  ///< its values
+  bool known_ = false;   ///< the value is that of an earlier cycle
 };
 
 }  // namespace gapcheck::solver

@@ -42,6 +42,7 @@ SegmentCrossings::SegmentCrossings(double interval) : interval_(std::abs(interva
 
 std::optional<ContactEvent> SegmentCrossings::check(const model::Model& model, ContactIndex contact,
                                                     const contact::ContactSurfaces& surfaces, const State& state) {
+  if (next_ > state.time + 1.5 * interval_) next_ = 0;  // time begins again after a relaxation
   if (!(interval_ > 0) || state.time < next_) return std::nullopt;
   next_ = (std::floor(state.time / interval_) + 1) * interval_;
   contact::CrossingOptions options;

@@ -67,8 +67,8 @@ SegmentRule::SegmentRule(const ContactSetting& setting, const TrackedPairs& pair
   for (std::size_t s = 0; s < scene_.segments.size(); ++s) mass_.push_back(mass(scene_.segments, s));
 }
 
-bool SegmentRule::begin_cycle(double time) {
-  reduction_ = contact::baseline_reduction(model_, scene_.contact, time);
+bool SegmentRule::begin_cycle(const State& state) {
+  reduction_ = contact::baseline_reduction(model_, scene_.contact, state.time);
   return false;
 }
 

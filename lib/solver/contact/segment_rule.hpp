@@ -20,7 +20,7 @@ class SegmentRule final : public NodeRule {
 
   [[nodiscard]] bool keeps_initial_memory() const override { return false; }
   void set_timestep(double timestep) override { timestep_ = timestep; }
-  bool begin_cycle(double time) override;
+  bool begin_cycle(const State& state) override;
   [[nodiscard]] ContactSprings::Spring spring(SlotIndex slot, SegmentIndex segment) const override;
   [[nodiscard]] double release_depth(SlotIndex slot, SegmentIndex segment) const override;
   void bring_back(SlotIndex slot, SegmentContact* contact) override;

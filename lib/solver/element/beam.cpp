@@ -22,6 +22,16 @@ Bending bending(const BeamProperties& properties, double moment_of_area, double 
   return {stiffness * (4 + ratio) / (1 + ratio), stiffness * (2 - ratio) / (1 + ratio), ratio};
 }
 
+/// The moments at both ends in one plane. A hinge turns so that it has none.
+std::array<double, 2> end_moments(const Bending& plane, const std::array<double, 2>& turn,
+                                  const std::array<bool, 2>& released) {
+  if (released[0] && released[1]) return {0, 0};
+  const double hinged = plane.first - plane.second * plane.second / plane.first;
+  if (released[0]) return {0, hinged * turn[1]};
+  if (released[1]) return {hinged * turn[0], 0};
+  return {plane.first * turn[0] + plane.second * turn[1], plane.first * turn[1] + plane.second * turn[0]};
+}
+
 double axial_step(const BeamProperties& properties, double length) {
   const Material& material = properties.material;
   return material.has_stress() && material.young > 0 ? length / std::sqrt(material.young / material.density) : no_limit;
@@ -99,15 +109,21 @@ double stored_energy(const BeamProperties& properties, const BeamState& state, d
   if (!material.has_stress()) return 0;
   if (properties.truss) return section.area * length * state.stress * state.stress / (2 * material.young);
   const double elongation = length - state.length;
-  double energy = (material.young * section.area * elongation * elongation +
-                   material.shear() * section.torsion * state.twist * state.twist) /
-                  (2 * state.length);
-  const auto add = [&](double moment_of_area, const std::array<double, 2>& turn) {
+  const double stretch = state.released.axial ? 0 : elongation, twist = state.released.twist ? 0 : state.twist;
+  double energy =
+      (material.young * section.area * stretch * stretch + material.shear() * section.torsion * twist * twist) /
+      (2 * state.length);
+  const auto add = [&](double moment_of_area, const std::array<double, 2>& turn, const std::array<bool, 2>& released) {
     const Bending plane = bending(properties, moment_of_area, state.length);
+    if (released[0] || released[1]) {
+      const std::array<double, 2> moment = end_moments(plane, turn, released);
+      energy += (moment[0] * turn[0] + moment[1] * turn[1]) / 2;
+      return;
+    }
     energy += plane.first / 2 * (turn[0] * turn[0] + turn[1] * turn[1]) + plane.second * turn[0] * turn[1];
   };
-  add(section.iss, state.turn_s);
-  add(section.itt, state.turn_t);
+  add(section.iss, state.turn_s, state.released.turn_s);
+  add(section.itt, state.turn_t, state.released.turn_t);
   return energy;
 }
 
@@ -164,14 +180,13 @@ BeamForces resultant_beam_forces(const BeamProperties& properties, const BeamEnd
   const Vector &s = state.axis, t = r.cross(s);
   const Bending about_s = bending(properties, section.iss, state.length);
   const Bending about_t = bending(properties, section.itt, state.length);
-  forces.axial = material.young * section.area * (length - state.length) / state.length;
-  const double torsion = material.shear() * section.torsion / state.length * state.twist;
-  std::array<double, 2> moment_s{}, moment_t{};
-  for (std::size_t end = 0; end < 2; ++end) {
-    moment_s[end] = about_s.first * state.turn_s[end] + about_s.second * state.turn_s[1 - end];
-    moment_t[end] = about_t.first * state.turn_t[end] + about_t.second * state.turn_t[1 - end];
+  const BeamReleases& released = state.released;
+  forces.axial = released.axial ? 0 : material.young * section.area * (length - state.length) / state.length;
+  const double torsion = released.twist ? 0 : material.shear() * section.torsion / state.length * state.twist;
+  const std::array<double, 2> moment_s = end_moments(about_s, state.turn_s, released.turn_s),
+                              moment_t = end_moments(about_t, state.turn_t, released.turn_t);
+  for (std::size_t end = 0; end < 2; ++end)
     forces.moment[end] = (end == 0 ? -torsion : torsion) * r + moment_s[end] * s + moment_t[end] * t;
-  }
   // Shear from the balance of moments.
   forces.force[1] =
       forces.axial * r + (moment_s[0] + moment_s[1]) / length * t - (moment_t[0] + moment_t[1]) / length * s;

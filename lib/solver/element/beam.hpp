@@ -25,6 +25,13 @@ struct BeamProperties {
   [[nodiscard]] bool integrated() const { return !fibers.empty(); }
 };
 
+/// Pin releases of a resultant beam: what its ends do not carry.
+struct BeamReleases {
+  std::array<bool, 2> turn_s{}, turn_t{};  ///< by end: moments about s and t
+  bool twist = false, axial = false;       ///< at either end
+  bool operator==(const BeamReleases&) const = default;
+};
+
 /// The history of one beam.
 struct BeamState {
   double length = 0;                                       ///< at the start
@@ -34,6 +41,7 @@ struct BeamState {
   double stress = 0, back_stress = 0, plastic_strain = 0;  ///< of trusses
   double plastic_work = 0;                                 ///< per volume, since the start; of trusses
   WeldHistory weld;                                        ///< of spotwelds
+  BeamReleases released;                                   ///< of resultant beams
 };
 
 /// The motion of a beam's ends relative to its axes in one step.
@@ -72,7 +80,8 @@ struct BeamForces {
 /// Resultant beam of Belytschko and Schwer (Int. J. Numer. Meth. Engng 11, 1977): axes that turn with the line between
 /// the ends and their mean spin about it; axial force from the length, torsion and bending from the rotations of the
 /// ends relative to these axes, with transverse shear if the section has a shear area. Elastic. Rotations are taken in
-/// the middle of the step, forces at its end.
+/// the middle of the step, forces at its end. An end without a moment about s or t turns there as a hinge; released
+/// torsion and tension are zero.
 [[nodiscard]] BeamForces resultant_beam_forces(const BeamProperties& properties, const BeamEnds& ends, double dt,
                                                BeamState& state);
 

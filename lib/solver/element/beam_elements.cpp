@@ -28,12 +28,54 @@ BeamState undeformed_beam(const Vector& way, const Vector& third) {
   return beam;
 }
 
-/// `inertia`: per mass.
-void give_mass(const std::array<NodeIndex, 2>& nodes, double mass, double inertia, State& state) {
-  for (const NodeIndex node : nodes) {
-    state.mass[node.value] += mass;
-    state.inertia[node.value] += mass * inertia;
+/// Of both nodes per mass.
+std::array<double, 2> inertias(const BeamProperties& properties, double length, const BeamArms& arms,
+                               std::size_t beam) {
+  const double own = beam_inertia(properties, length);
+  return arms.has(beam) ? std::array{own + arms.inertia(beam, 0), own + arms.inertia(beam, 1)} : std::array{own, own};
+}
+
+/// `inertia`: per mass, by node.
+void give_mass(const std::array<NodeIndex, 2>& nodes, double mass, const std::array<double, 2>& inertia, State& state) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    state.mass[nodes[k].value] += mass;
+    state.inertia[nodes[k].value] += mass * inertia[k];
   }
+}
+
+BeamEnds ends_of(const State& state, const std::array<NodeIndex, 2>& nodes) {
+  BeamEnds ends;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::uint32_t node = nodes[k].value;
+    ends.x[k] = state.x[node];
+    ends.v[k] = state.v[node];
+    ends.w[k] = state.w[node];
+  }
+  return ends;
+}
+
+/// Those of a beam that has failed: none.
+BeamForces without_forces() {
+  BeamForces forces;
+  forces.good = true;
+  forces.manual_step = forces.stable_step = std::numeric_limits<double>::infinity();
+  return forces;
+}
+
+/// `force`, `moment`: those on both ends before the step. `supplied`: what the preload puts into the beam in it.
+BeamForces preloaded_forces(const AxialPreload& preload, const BeamProperties& properties, const State& state,
+                            const BeamEnds& ends, std::span<const Vector> force, std::span<const Vector> moment,
+                            BeamState& beam, std::span<BeamPoint> points, double& supplied) {
+  const double length = (ends.x[1] - ends.x[0]).norm(),
+               before = (ends.x[1] - ends.x[0] - state.dt * (ends.v[1] - ends.v[0])).norm();
+  const double stored = stored_energy(properties, points, before);
+  const ImposedStress imposed{preload.force.at(state.time) / properties.section.area, preload.bending};
+  const BeamForces forces = integrated_beam_forces(properties, ends, state.dt, &imposed, beam, points);
+  supplied = stored_energy(properties, points, length) - stored;
+  for (std::size_t k = 0; k < 2; ++k)
+    supplied -=
+        state.dt / 2 * ((force[k] + forces.force[k]).dot(ends.v[k]) + (moment[k] + forces.moment[k]).dot(ends.w[k]));
+  return forces;
 }
 
 bool may_fail(const BeamProperties& properties) {
@@ -49,14 +91,23 @@ std::uint32_t BeamElements::add_properties(BeamProperties properties) {
 }
 
 double BeamElements::add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third,
-                         std::uint32_t origin, State& state, const MassScaling& scaling, double* added_mass) {
-  const BeamState beam = undeformed_beam(state.x[nodes[1].value] - state.x[nodes[0].value], third);
+                         std::uint32_t origin, State& state, const MassScaling& scaling, double* added_mass,
+                         const BeamJoint& joint) {
+  const Vector nodes_apart = state.x[nodes[1].value] - state.x[nodes[0].value];
+  BeamState beam = undeformed_beam(nodes_apart + joint.offset[1] - joint.offset[0], third);
   if (!(beam.length > 0) || !std::isfinite(beam.length)) return 0;
+  beam.released = joint.released;
   append(nodes, properties, origin, beam);
+  if (joint.offset != BeamJoint().offset || joint.shift != BeamJoint().shift) {
+    const Vector r = (nodes_apart + joint.offset[1] - joint.offset[0]) / beam.length;
+    const Vector shift = joint.shift[0] * beam.axis + joint.shift[1] * r.cross(beam.axis);
+    arms_.set_last({joint.offset[0] + shift, joint.offset[1] + shift},
+                   beam_inertia(properties_[properties], beam.length));
+  }
   const double factor = mass_factor(state, scaling), mass = beam_mass(properties_[properties], beam.length);
   step_factor_.push_back(std::sqrt(factor));
   if (added_mass != nullptr) *added_mass += (factor - 1) * mass;
-  give_mass(nodes, factor * mass / 2, beam_inertia(properties_[properties], beam.length), state);
+  give_mass(nodes, factor * mass / 2, inertias(properties_[properties], beam.length, arms_, size() - 1), state);
   return beam.length;
 }
 
@@ -70,6 +121,7 @@ void BeamElements::append(const std::array<NodeIndex, 2>& nodes, std::uint32_t p
   points_.resize(first_point_.back());
   preload_of_.push_back(no_position);
   discrete_of_.push_back(no_position);
+  arms_.add();
 }
 
 double BeamElements::add_discrete(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Matrix* axes,
@@ -90,7 +142,8 @@ double BeamElements::add_discrete(const std::array<NodeIndex, 2>& nodes, std::ui
   const double factor = mass_factor(state, scaling);
   step_factor_.push_back(std::sqrt(factor));
   if (added_mass != nullptr) *added_mass += (factor - 1) * discrete.mass;
-  give_mass(nodes, factor * discrete.mass / 2, discrete.inertia / discrete.mass, state);
+  const double inertia = discrete.inertia / discrete.mass;
+  give_mass(nodes, factor * discrete.mass / 2, {inertia, inertia}, state);
   return discrete.mass;
 }
 
@@ -101,7 +154,8 @@ double BeamElements::mass_factor(const State& state, const MassScaling& scaling)
   if (!properties.material.has_stress() || (!(least > 0) && !(scaling.step > 0))) return 1;
   State still{};
   double supplied = 0;
-  const BeamForces steps = forces(still, size() - 1, ends(state, size() - 1), supplied);
+  BeamForces steps = forces(still, size() - 1, arms_.turn(size() - 1, ends_of(state, nodes_.back()), 0), supplied);
+  steps.stable_step *= arms_.step(size() - 1);
   const double own = least > steps.manual_step ? least / steps.manual_step : 1;
   return own * own * scaling.factor(own * steps.manual_step, own * steps.stable_step);
 }
@@ -131,15 +185,9 @@ void BeamElements::finish(std::size_t nodes) {
   table_ = CornerTable(nodes, corners);
 }
 
-BeamEnds BeamElements::ends(const State& state, std::size_t beam) const {
-  BeamEnds ends;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const std::uint32_t node = nodes_[beam][k].value;
-    ends.x[k] = state.x[node];
-    ends.v[k] = state.v[node];
-    ends.w[k] = state.w[node];
-  }
-  return ends;
+Vector BeamElements::way(std::size_t beam, const std::vector<Vector>& x) const {
+  const Vector apart = x[nodes_[beam][1].value] - x[nodes_[beam][0].value];
+  return on_arms(beam) ? Vector(apart + arms_.way(beam)) : apart;
 }
 
 /// Forces on the steps of the unscaled mass. `supplied`: what a preload puts into the beam in the step.
@@ -165,9 +213,8 @@ BeamForces BeamElements::discrete_forces_of(const State& state, std::size_t beam
 Matrix BeamElements::axes(std::size_t beam, const std::vector<Vector>& x) const {
   const DiscreteState* history = discrete(beam);
   if (history != nullptr && !properties(beam).discrete->cable) return history->axes;
-  const auto& [a, b] = nodes_[beam];
   Matrix axes;
-  axes.col(0) = (x[b.value] - x[a.value]).normalized();
+  axes.col(0) = way(beam, x).normalized();
   axes.col(1) = state_[beam].axis;
   axes.col(2) = axes.col(0).cross(axes.col(1));
   return axes;
@@ -178,19 +225,10 @@ BeamForces BeamElements::integrated_forces(const State& state, std::size_t beam,
   const BeamProperties& properties = properties_[which_[beam]];
   const std::span<BeamPoint> points(points_.data() + first_point_[beam], points_.data() + first_point_[beam + 1]);
   const AxialPreload* preload = preloaded(beam) ? &preloads_[preload_of_[beam]] : nullptr;
-  if (preload == nullptr || !preload->active(state.time))
+  if (preload == nullptr || !preload->active(state))
     return integrated_beam_forces(properties, ends, state.dt, nullptr, state_[beam], points);
-  const double length = (ends.x[1] - ends.x[0]).norm(),
-               before = (ends.x[1] - ends.x[0] - state.dt * (ends.v[1] - ends.v[0])).norm();
-  const double stored = stored_energy(properties, points, before);
-  const ImposedStress imposed{preload->force.at(state.time) / properties.section.area, preload->bending};
-  const BeamForces forces = integrated_beam_forces(properties, ends, state.dt, &imposed, state_[beam], points);
-  supplied = stored_energy(properties, points, length) - stored;
-  for (std::size_t k = 0; k < 2; ++k)
-    supplied -= state.dt / 2 *
-                ((force_[2 * beam + k] + forces.force[k]).dot(ends.v[k]) +
-                 (moment_[2 * beam + k] + forces.moment[k]).dot(ends.w[k]));
-  return forces;
+  const std::span<const Vector> force(&force_[2 * beam], 2), moment(&moment_[2 * beam], 2);
+  return preloaded_forces(*preload, properties, state, ends, force, moment, state_[beam], points, supplied);
 }
 
 bool BeamElements::fails(const State& state, std::size_t beam, const BeamForces& forces) {
@@ -204,16 +242,16 @@ bool BeamElements::fails(const State& state, std::size_t beam, const BeamForces&
 
 Summary BeamElements::update_one(const State& state, std::size_t beam) {
   if (failed_[beam] != 0) return {};
-  const BeamEnds ends = this->ends(state, beam);
+  const BeamEnds ends = ends_of(state, nodes_[beam]);
   Summary summary;
-  BeamForces forces = this->forces(state, beam, ends, summary.supplied);
+  BeamForces forces = this->forces(state, beam, arms_.turn(beam, ends, state.dt), summary.supplied);
   if (fails(state, beam, forces)) {
     failed_[beam] = 1;
-    forces = {};
-    forces.good = true;
-    forces.manual_step = forces.stable_step = std::numeric_limits<double>::infinity();
+    forces = without_forces();
     summary.failed = 1;
   }
+  for (std::size_t k = 0; k < 2; ++k) forces.moment[k] = arms_.at_node(beam, k, forces.force[k], forces.moment[k]);
+  forces.stable_step *= arms_.step(beam);
   summary.manual_step = forces.manual_step * step_factor_[beam];
   summary.stable_step = forces.stable_step * step_factor_[beam];
   watched_.note(beam, summary.manual_step, summary.stable_step);
@@ -234,14 +272,11 @@ Summary BeamElements::update_one(const State& state, std::size_t beam) {
 }
 
 double BeamElements::stored(std::size_t beam, const std::vector<Vector>& x) const {
-  const auto& [a, b] = nodes_[beam];
+  const double length = way(beam, x).norm();
   if (const DiscreteState* history = discrete(beam))
-    return failed_.empty() || failed_[beam] == 0
-               ? stored_energy(*properties(beam).discrete, *history, (x[b.value] - x[a.value]).norm())
-               : 0;
-  if (properties(beam).integrated())
-    return stored_energy(properties(beam), points(beam), (x[b.value] - x[a.value]).norm());
-  return stored_energy(properties(beam), state_[beam], (x[b.value] - x[a.value]).norm());
+    return failed_.empty() || failed_[beam] == 0 ? stored_energy(*properties(beam).discrete, *history, length) : 0;
+  if (properties(beam).integrated()) return stored_energy(properties(beam), points(beam), length);
+  return stored_energy(properties(beam), state_[beam], length);
 }
 
 void BeamElements::watch_steps(const MassScaling& scaling, const State& /*state*/) {
@@ -254,8 +289,8 @@ AddedMass BeamElements::keep_steps(State& state) {
   AddedMass added;
   watched_.grow_where_needed([&](std::size_t beam, double factor) {
     const double share = (factor - 1) * watched_.mass[beam] / 2;
-    for (const NodeIndex node : nodes_[beam])
-      added.give(state, node.value, share, share * beam_inertia(properties(beam), state_[beam].length));
+    const auto inertia = inertias(properties(beam), state_[beam].length, arms_, beam);
+    for (std::size_t k = 0; k < 2; ++k) added.give(state, nodes_[beam][k].value, share, share * inertia[k]);
     step_factor_[beam] *= std::sqrt(factor);
     ++added.elements;
   });

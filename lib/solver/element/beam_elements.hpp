@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/ids.hpp"
+#include "solver/discrete/beam_arms.hpp"
 #include "solver/element/assembly.hpp"
 #include "solver/element/beam.hpp"
 #include "solver/element/mass_scaling.hpp"
@@ -19,7 +20,17 @@ struct AxialPreload {
   TimeCurve force;
   double end = 0;        ///< of the curve, or where it first falls
   bool bending = false;  ///< KBEND = 1
-  [[nodiscard]] bool active(double time) const { return time >= force.start() && time <= end; }
+  Phases phases{};
+  [[nodiscard]] bool active(const State& state) const {
+    return phases.now(state.relaxing) && state.time >= force.start() && state.time <= end;
+  }
+};
+
+/// How a beam is joined to its nodes.
+struct BeamJoint {
+  std::array<Vector, 2> offset{Vector::Zero(), Vector::Zero()};  ///< of its ends from the nodes, at the start
+  std::array<double, 2> shift{};  ///< of the axis from these places, along s and t, at the start
+  BeamReleases released;
 };
 
 /// All beams and trusses of a structure; arrays by beam.
@@ -30,9 +41,9 @@ class BeamElements {
   /// Adds a beam and its share of mass and rotational inertia to the nodes. `third`: a point in the plane of the axes r
   /// and s, from the first node; any length; only its direction across counts. `origin`: position in the model, for
   /// messages. Returns its length; if not above zero, the beam was not added. Adds the mass by DT of material 100 and
-  /// by `scaling` to `added_mass`, if that is given.
+  /// by `scaling` to `added_mass`, if that is given. Ends off their nodes move with them as rigid arms.
   double add(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Vector& third, std::uint32_t origin,
-             State& state, const MassScaling& scaling = {}, double* added_mass = nullptr);
+             State& state, const MassScaling& scaling = {}, double* added_mass = nullptr, const BeamJoint& joint = {});
   /// The same for discrete beams, which may have no length. `axes`: of a local system, or nullptr. Returns their mass.
   double add_discrete(const std::array<NodeIndex, 2>& nodes, std::uint32_t properties, const Matrix* axes,
                       const Vector& third, std::uint32_t origin, State& state, const MassScaling& scaling = {},
@@ -84,13 +95,19 @@ class BeamElements {
   [[nodiscard]] bool can_fail() const;
   /// Tension at the last evaluation.
   [[nodiscard]] double axial(std::size_t beam) const { return axial_[beam]; }
-  /// Force and moment on the second end, or end `k`, at the last evaluation; the beam pulls with the opposite.
+  /// Its ends are not at its nodes.
+  [[nodiscard]] bool on_arms(std::size_t beam) const { return arms_.has(beam); }
+  /// Force and moment on the second node, or node `k`, at the last evaluation; the beam pulls with the opposite.
   [[nodiscard]] const Vector& end_force(std::size_t beam, std::size_t k = 1) const { return force_[2 * beam + k]; }
   [[nodiscard]] const Vector& end_moment(std::size_t beam, std::size_t k = 1) const { return moment_[2 * beam + k]; }
+  /// The moment on an end of the beam, which may be off its node.
+  [[nodiscard]] Vector moment_at_end(std::size_t beam, std::size_t k) const {
+    return arms_.at_end(beam, k, end_force(beam, k), end_moment(beam, k));
+  }
 
  private:
+  [[nodiscard]] Vector way(std::size_t beam, const std::vector<Vector>& x) const;
   [[nodiscard]] Summary update_one(const State& state, std::size_t beam);
-  [[nodiscard]] BeamEnds ends(const State& state, std::size_t beam) const;
   [[nodiscard]] BeamForces forces(const State& state, std::size_t beam, const BeamEnds& ends, double& supplied);
   [[nodiscard]] BeamForces discrete_forces_of(const State& state, std::size_t beam, const BeamEnds& ends,
                                               double& supplied);
@@ -110,7 +127,8 @@ class BeamElements {
   std::vector<std::uint32_t> discrete_of_;  ///< by beam; no_position: it is none
   std::vector<AxialPreload> preloads_;
   std::vector<std::uint32_t> preload_of_;  ///< by beam; no_position: none
-  std::vector<double> step_factor_;        ///< by beam: √ of the factor on its mass
+  BeamArms arms_;
+  std::vector<double> step_factor_;  ///< by beam: √ of the factor on its mass
   std::vector<std::uint8_t> failed_;
   std::vector<double> axial_;
   std::vector<ElementEnergy> energy_;

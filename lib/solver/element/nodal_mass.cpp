@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/quad.hpp"
+#include "contact/stiffness/node_masses.hpp"
 #include "model/entity/faces.hpp"
 #include "solver/element/solid.hpp"
 
@@ -19,18 +20,6 @@ std::optional<std::array<Vector, N>> places(const model::Mesh& mesh, const std::
     x[k] = mesh.nodes.x[nodes[k].value];
   }
   return x;
-}
-
-/// Of composites the mean of their plies.
-double density(const model::Model& model, PartIndex index) {
-  const model::Part& part = model.part(index);
-  const auto of = [&](std::optional<std::uint32_t> material) {
-    return material ? model.materials[*material].density : 0;
-  };
-  if (part.plies.empty() || !(part.composite_thickness > 0)) return of(part.material);
-  double sum = 0;
-  for (const model::Ply& ply : part.plies) sum += of(ply.material) * ply.thickness;
-  return sum / part.composite_thickness;
 }
 
 template <std::size_t N>
@@ -52,8 +41,8 @@ void add_shells(const model::Model& model, const std::vector<bool>& wanted, std:
     const double thickness =
         mean_thickness(model.sections[*model.part(part).section], has_own ? &own->thickness : nullptr);
     const double area = quad_normal(*x).norm() / 2;
-    share(shells.nodes[i], shells.nodes[i][2] == shells.nodes[i][3] ? 3 : 4, density(model, part) * area * thickness,
-          masses);
+    share(shells.nodes[i], shells.nodes[i][2] == shells.nodes[i][3] ? 3 : 4,
+          contact::shell_density(model, i) * area * thickness, masses);
   }
 }
 
@@ -65,7 +54,7 @@ void add_solids(const model::Model& model, const std::vector<bool>& wanted, std:
     const auto x = places(model.mesh, solids.nodes[i]);
     if (!x) continue;
     if (model::is_tetrahedron(solids.nodes[i])) {
-      share(solids.nodes[i], 4, density(model, part) * tetrahedron_volume(*x), masses);
+      share(solids.nodes[i], 4, contact::density(model, part) * tetrahedron_volume(*x), masses);
       continue;
     }
     const auto section = model.part(part).section;
@@ -73,7 +62,8 @@ void add_solids(const model::Model& model, const std::vector<bool>& wanted, std:
         section
             ? solid_rules(model.sections[*section].elform, model.controls.solid_esort).of(solid_shape(solids.nodes[i]))
             : SolidRule::one_point;
-    const double mass = density(model, part) * (has_eight_points(rule) ? brick_volume(*x) : one_point_volume(*x));
+    const double mass =
+        contact::density(model, part) * (has_eight_points(rule) ? brick_volume(*x) : one_point_volume(*x));
     if (!(mass > 0) || !std::isfinite(mass)) continue;
     const std::array<double, 8> shares = corner_shares(rule, solids.nodes[i]);
     for (std::size_t k = 0; k < 8; ++k) masses[solids.nodes[i][k].value] += mass * shares[k];
@@ -86,7 +76,7 @@ void share_thick_shells(const model::Model& model, const std::vector<bool>& want
     const PartIndex part = shells.part[i];
     if (part.value >= wanted.size() || !wanted[part.value]) continue;
     const auto x = places(model.mesh, shells.nodes[i]);
-    if (x) share(shells.nodes[i], 8, density(model, part) * one_point_volume(*x), masses);
+    if (x) share(shells.nodes[i], 8, contact::density(model, part) * one_point_volume(*x), masses);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solver/state/motion.hpp"
+#include "solver/state/state.hpp"
 #include "solver/state/tensor.hpp"
 
 namespace gapcheck::solver {
@@ -26,8 +27,11 @@ struct SectionStress {
   ImposedStress3 imposed = {};
   /// Its solids, and which of their corners lie in front of the section, one bit each.
   std::vector<std::pair<std::uint32_t, std::uint8_t>> solids = {};
+  Phases phases = {};
 
-  [[nodiscard]] bool active(double time) const { return time >= curve.start() && time <= end; }
+  [[nodiscard]] bool active(const State& state) const {
+    return phases.now(state.relaxing) && state.time >= curve.start() && state.time <= end;
+  }
 };
 
 }  // namespace gapcheck::solver

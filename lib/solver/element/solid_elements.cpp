@@ -203,7 +203,7 @@ Summary SolidElements::update_one(const State& state, std::size_t solid) {
   }
   Summary summary;
   const std::uint32_t section = section_of(solid);
-  SolidForces forces = section != no_position && sections_[section].active(state.time)
+  SolidForces forces = section != no_position && sections_[section].active(state)
                            ? preloaded_forces(state, solid, corners, summary.supplied)
                            : forces_of(solid, corners, state.dt);
   if (fails(state.time, solid, corners, forces)) {

@@ -35,7 +35,7 @@ ElementStress beam_stress(const Run& run, std::uint32_t beam) {
   if (!beams.properties(beam).truss) {
     const Vector r = (x[beams.nodes(beam)[1].value] - x[beams.nodes(beam)[0].value]).normalized();
     const Vector &s = beams.state(beam).axis, t = r.cross(s), force = beams.end_force(beam);
-    const Vector moment = (beams.end_moment(beam, 1) - beams.end_moment(beam, 0)) / 2;
+    const Vector moment = (beams.moment_at_end(beam, 1) - beams.moment_at_end(beam, 0)) / 2;
     element.resultants = {beams.axial(beam), force.dot(s), force.dot(t), moment.dot(s), moment.dot(t), moment.dot(r)};
   }
   for (const BeamPoint& point : beams.points(beam)) {

@@ -20,10 +20,12 @@ PartMasses::PartMasses(const model::Model& model, const contact::ElementSizes& s
     density.push_back(contact::density(model, PartIndex{part}));
   const auto density_of = [&](PartIndex part) { return part == none<PartIndex> ? 0 : density[part.value]; };
   const model::Mesh& mesh = model.mesh;
-  for (std::size_t i = 0; i < mesh.shells.size(); ++i) {
+  for (std::uint32_t i = 0; i < mesh.shells.size(); ++i) {
     const auto& nodes = mesh.shells.nodes[i];
+    const bool layered = !mesh.shells.own_layup.empty();
     add(mesh.shells.part[i], std::span(nodes).first(nodes[2] == nodes[3] ? 3 : 4),
-        density_of(mesh.shells.part[i]) * sizes.shell_area[i] * sizes.shell_thickness[i]);
+        (layered ? contact::shell_density(model, i) : density_of(mesh.shells.part[i])) * sizes.shell_area[i] *
+            sizes.shell_thickness[i]);
   }
   for (std::size_t i = 0; i < mesh.solids.size(); ++i) {
     const auto& nodes = mesh.solids.nodes[i];

@@ -47,7 +47,7 @@ void beam_values(const model::Model& model, const Structure& structure, results:
     if (place[structure.beams.origin(i)] == no_position) continue;
     const Matrix axes = structure.beams.axes(i, structure.state.x);
     const Vector r = axes.col(0), s = axes.col(1), t = axes.col(2);
-    const Vector &force = structure.beams.end_force(i), &moment = structure.beams.end_moment(i);
+    const Vector &force = structure.beams.end_force(i), moment = structure.beams.moment_at_end(i, 1);
     plot.beams[place[structure.beams.origin(i)]] = {
         structure.beams.axial(i), force.dot(s), force.dot(t), moment.dot(s), moment.dot(t), moment.dot(r)};
   }

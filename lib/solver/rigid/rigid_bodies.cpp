@@ -47,6 +47,11 @@ void RigidBodies::move(std::size_t body, std::size_t freedom, Motion motion) {
   bodies_[body].motions.emplace_back(freedom, std::move(motion));
 }
 
+void RigidBodies::begin_phase(bool relaxing) {
+  for (Body& body : bodies_)
+    for (auto& [freedom, motion] : body.motions) motion.relaxing = relaxing;
+}
+
 void RigidBodies::set_mass(std::size_t body, double mass, const Vector& center, const Matrix& inertia,
                            const State& state) {
   Body& entry = bodies_[body];

@@ -43,6 +43,8 @@ class RigidBodies {
   void move(std::size_t body, std::size_t freedom, Motion motion);
   /// Sets a body and its nodes in motion.
   void set_motion(std::size_t body, const Vector& velocity, const Vector& angular_velocity, State& state);
+  /// Lets those motions act that do in a dynamic relaxation, or in the run.
+  void begin_phase(bool relaxing);
   /// Gives held and moved degrees of freedom their velocity at state.time and writes the bodies to the state; before
   /// the first step.
   void start(State& state);
@@ -84,6 +86,8 @@ class RigidBodies {
   /// The acceleration of a place that moves with a body, over the mean of the steps.
   [[nodiscard]] Vector acceleration_at(std::size_t body, const Vector& x) const;
 
+  /// The forces on a body at its centre, and what is imposed on it in the step `next`.
+  [[nodiscard]] BodyLoad load_on(std::size_t body, const State& state, const Forces& net, double next) const;
   /// Velocities for the step `next` from the forces over `mean`. `first`: the first cycle.
   BodyEnergies accelerate(const State& state, const Forces& net, double mean, double next, bool first);
   /// Moves the bodies over dt and puts positions and velocities of their nodes into the state. A node's velocity is its
@@ -106,7 +110,6 @@ class RigidBodies {
   };
   void tell(State& state) const;
   [[nodiscard]] std::vector<const RigidBody*> views() const;
-  [[nodiscard]] BodyLoad load_on(std::size_t body, const State& state, const Forces& net, double next) const;
   /// Whether the link's force reaches its strength.
   static bool link_fails(const Body& entry, const State& state);
   /// The force on the first of two nodes besides those that act on it: m a − f.

@@ -135,6 +135,7 @@ Start follow_start(const keyword::Deck& deck, const model::Model& model, contact
   std::vector<ShotNode> shot;
   RunSettings settings;
   settings.cycles = 1;
+  settings.relax = false;
   settings.shot = &shot;
   settings.stop = [] { return true; };
   auto run = Run::prepare(model, surfaces, settings, diagnostics);

@@ -33,6 +33,10 @@ class Constraints {
   void move(NodeIndex node, std::size_t freedom, Motion motion) { move(node, freedom, add(std::move(motion))); }
   /// Call it once all are added.
   void finish();
+  /// Lets those motions act that do in a dynamic relaxation, or in the run.
+  void begin_phase(bool relaxing) {
+    for (Motion& motion : motions_) motion.relaxing = relaxing;
+  }
 
   /// Degrees of freedom that are held or moved at any time.
   [[nodiscard]] std::uint8_t mask(std::size_t node) const { return ever_[node]; }

@@ -28,6 +28,13 @@ class TimeCurve {
   std::vector<double> integral_;  ///< up to each point
 };
 
+/// When a curve is used, SIDR of *DEFINE_CURVE: in the run, or in the dynamic relaxation before it, or in both.
+struct Phases {
+  bool run = true, relaxation = false;
+  [[nodiscard]] bool now(bool relaxing) const { return relaxing ? relaxation : run; }
+  [[nodiscard]] bool meet(const Phases& other) const { return (run && other.run) || (relaxation && other.relaxation); }
+};
+
 /// Motion of a degree of freedom between birth and death, given by a curve of its velocity, acceleration or
 /// displacement over time. With a birth above zero the curve begins at the birth.
 struct Motion {
@@ -37,6 +44,9 @@ struct Motion {
   double scale = 1;
   double birth = 0, death = std::numeric_limits<double>::infinity();
   double initial = 0;  ///< velocity at birth that an acceleration adds to
+  Phases phases;
+  bool support = false;   ///< its birth and death count in the run only; in a relaxation it acts all the time
+  bool relaxing = false;  ///< the present phase
 
   Motion() = default;
   /// A velocity over time.
@@ -46,6 +56,8 @@ struct Motion {
   /// Whether it controls the step from `time` over dt, or with dt = 0 the velocity at `time`: what moves from the start
   /// has its velocity then, and does not jump to it in the first step.
   [[nodiscard]] bool active(double time, double dt) const {
+    if (!phases.now(relaxing)) return false;
+    if (relaxing && support) return true;
     return (dt > 0 ? time + dt > birth : time >= birth) && time < death;
   }
   /// The velocity of that step: for a displacement the mean, so that it is met at the step's end, otherwise that in its

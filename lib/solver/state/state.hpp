@@ -41,6 +41,8 @@ struct State {
   double manual_step = 0;
   double elements_share = usual_share;  ///< ω² dt² of the elements at that step, at most; 4 is the bound of stability
   std::uint64_t cycle = 0;
+  bool relaxing = false;  ///< in a dynamic relaxation, whose time and cycles are its own and end before the run's begin
+  bool relaxed = false;   ///< the run began with one
   FailedElements failed;  ///< these no longer take part; their mass stays at their nodes
   [[nodiscard]] bool in_body(std::size_t node) const { return node < body.size() && body[node] != no_position; }
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "solver/conditioned.hpp"
 
@@ -167,6 +168,109 @@ TEST(Loads, GlobalDamping) {
   EXPECT_NEAR(e.external, 0, 1e-12);
   EXPECT_NEAR(e.absorbed.damping, e.initial - e.kinetic, 1e-12);
   EXPECT_GT(e.absorbed.damping, 0.9 * e.initial);
+}
+
+// A load along a vector is the sum of those along the axes.
+TEST(Loads, BodyLoadAlongAVector) {
+  const std::string curve = "*DEFINE_CURVE\n5\n0.,2.\n1.,4.\n";
+  const auto forces_of = [&](const std::string& cards) {
+    Conditioned result = good(point_mass + rigid_box + rigid_material + curve + cards);
+    result.structure.state.time = 0.5;
+    Forces forces;
+    forces.resize(9, 1);
+    for (auto& force : result.forces) force->add(result.structure.state, forces);
+    return forces;
+  };
+  const Forces vector = forces_of("*LOAD_BODY_VECTOR\n5,10.\n0.6,0.,-0.8\n");
+  const Forces axes = forces_of("*LOAD_BODY_X\n5,6.\n*LOAD_BODY_Z\n5,-8.\n");
+  EXPECT_NEAR((vector.force[0] - Vector(-2 * 3 * 6, 0, 2 * 3 * 8)).norm(), 0, 1e-12);
+  EXPECT_NEAR((vector.force[0] - axes.force[0]).norm(), 0, 1e-12);
+  EXPECT_NEAR((vector.body_force[0] - axes.body_force[0]).norm(), 0, 1e-11);
+  EXPECT_GT(axes.body_force[0].norm(), 100);
+  const Conditioned bad = conditioned(point_mass + curve + "*LOAD_BODY_VECTOR\n5,10.\n0.,0.,2.\n");
+  ASSERT_FALSE(bad.status.ok());
+  EXPECT_NE(bad.status.error().message.find("length 2"), std::string::npos) << bad.status.error().message;
+  EXPECT_FALSE(conditioned(point_mass + curve + "*LOAD_BODY_VECTOR\n5,10.\n\n").status.ok());
+}
+
+/// A brick of part 3 (nodes 21 to 28, mass 2) beside the rigid box, damped relative to it.
+std::string damped_beside_box(const std::string& card) {
+  return rigid_box + rigid_material +
+         "*NODE\n21,5.,0.,0.\n22,6.,0.,0.\n23,6.,1.,0.\n24,5.,1.,0.\n25,5.,0.,1.\n26,6.,0.,1.\n27,6.,1.,1.\n"
+         "28,5.,1.,1.\n*ELEMENT_SOLID\n19,3,21,22,23,24,25,26,27,28\n*PART\nsoft\n3,3,3\n*SECTION_SOLID\n3,1\n"
+         "*MAT_ELASTIC\n3,2.,1000.,0.3\n*SET_PART_LIST\n4\n3\n*DEFINE_CURVE\n5\n0.,0.1\n1.,0.3\n*DAMPING_RELATIVE\n" +
+         card;
+}
+
+// −D m (v − V − ω × r) with D = 4 π FREQ CDAMP, node by node; what moves with the body is not damped, and the body
+// feels nothing.
+TEST(Loads, RelativeDampingIsThatOfTheRelativeVelocity) {
+  for (const bool by_curve : {false, true}) {
+    Conditioned result = good(damped_beside_box(by_curve ? "7.,3.,7,4,0.,5\n" : "0.2,3.,7,4\n"));
+    ASSERT_EQ(result.forces.size(), 1u);
+    Structure& structure = result.structure;
+    State& state = structure.state;
+    state.time = 0.5;  // the curve is 0.2 there
+    const Vector velocity(1, 2, 3), spin(-2, 0.5, 1.5);
+    structure.rigid.set_motion(0, velocity, spin, state);
+    structure.rigid.start(state);
+    for (std::size_t i = 8; i < 16; ++i) {
+      const auto angle = static_cast<double>(i);
+      state.v[i] = Vector(std::cos(angle), std::sin(3 * angle), 2);
+    }
+    Forces forces;
+    forces.resize(16, 1);
+    result.forces[0]->add(state, forces);
+    const double constant = 4 * std::numbers::pi * 3 * 0.2;
+    for (std::size_t i = 8; i < 16; ++i) {
+      const Vector frame = velocity + spin.cross(state.x[i] - structure.rigid[0].center());
+      EXPECT_NEAR((forces.force[i] + constant * 0.25 * (state.v[i] - frame)).norm(), 0, 1e-12) << i;
+      state.v[i] = frame;
+    }
+    EXPECT_GT(forces.force[8].norm(), 1);
+    EXPECT_EQ(forces.body_force[0], Vector::Zero());
+    forces.resize(16, 1);
+    result.forces[0]->add(state, forces);
+    for (const Vector& force : forces.force) EXPECT_NEAR(force.norm(), 0, 1e-12);
+    EXPECT_NEAR(result.forces[0]->stable_step(), 1 / constant, 1e-12);
+  }
+}
+
+// The relative velocity falls with (1 − D dt)ⁿ while the box flies on; the loss is of the relative motion, and what the
+// frame does is external work.
+TEST(Loads, RelativeDampingOverTime) {
+  constexpr double dt = 1e-3, fly = 10, slip = 3;
+  Stepper stepper =
+      good(damped_beside_box("0.2,3.,7,4\n*SET_NODE_LIST\n8\n21,22,23,24,25,26,27,28\n"
+                             "*SET_NODE_LIST\n9\n11,12,13,14,15,16,17,18\n*INITIAL_VELOCITY\n8\n13.,0.,0.\n"
+                             "*INITIAL_VELOCITY\n9\n10.,0.,0.\n"))
+          .stepper(fixed_step(dt));
+  run(stepper, 300);
+  const double constant = 4 * std::numbers::pi * 3 * 0.2;
+  const double left = slip * (1 - constant * dt / 2) * std::pow(1 - constant * dt, 299);
+  EXPECT_NEAR(stepper.state().v[8].x(), fly + left, 1e-10);
+  EXPECT_EQ(stepper.structure().rigid[0].velocity().x(), fly);
+  const Energies& e = stepper.energies();
+  EXPECT_NEAR(e.total() - e.initial, e.external, 1e-9);
+  EXPECT_NEAR(e.external, 2 * fly * (left - slip), 0.05) << "the frame brakes it: momentum times its velocity";
+  EXPECT_NEAR(e.absorbed.damping, 2 / 2. * (slip * slip - left * left), 0.03);
+}
+
+TEST(Loads, RelativeDampingRefused) {
+  const auto refused = [](const std::string& card, std::string_view text) {
+    const Conditioned bad = conditioned(damped_beside_box(card));
+    ASSERT_FALSE(bad.status.ok()) << text;
+    EXPECT_NE(bad.status.error().message.find(text), std::string::npos) << bad.status.error().message;
+    EXPECT_GT(bad.status.error().place.line, 0u);
+  };
+  refused("-0.2,3.,7,4\n", "CDAMP");
+  refused("0.2,-3.,7,4\n", "FREQ");
+  refused("0.2,3.,3,4\n", "no rigid part");
+  refused("0.2,3.,0,4\n", "no rigid part");
+  refused("0.2,3.,7,5\n", "part set 5");
+  refused("0.2,3.,7\n", "PSID");
+  refused("0.2,3.,7,4,1.\n", "DV2");
+  refused("0.2,3.,7,4,0.,6\n", "curve 6");
 }
 
 TEST(Loads, DampingByACurveAndDirection) {

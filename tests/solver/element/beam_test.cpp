@@ -317,8 +317,7 @@ TEST(BeamElements, WhatIsNotCalculatedIsNamed) {
   std::string text;
   for (const Diagnostic& d : diagnostics.sorted()) text += d.message + "\n";
   EXPECT_EQ(text,
-            "1 beams are offset from their nodes, which is not calculated\n"
-            "1 beams have pin releases (RT1, RR1, RT2, RR2), which are not calculated\n"
+            "1 beams have pin releases (RT1, RR1, RT2, RR2), which are calculated in resultant beams only\n"
             "2 beams have no third node across; their axes s and t are chosen freely\n");
   EXPECT_EQ(failure_of(nodes + "*SECTION_BEAM\n1,2\n0.2,1.,1.\n*MAT_003\n1,1.,1.,0.3,1.\n").kind,
             Failure::Kind::bad_material);
