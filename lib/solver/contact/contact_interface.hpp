@@ -14,6 +14,8 @@
 
 namespace gapcheck::solver {
 
+class ContactPass;
+
 /// What an interface remembers from cycle to cycle.
 struct InterfaceMemory {
   bool active = false;
@@ -41,6 +43,10 @@ class ContactInterface {
   [[nodiscard]] std::span<const std::unique_ptr<InterfacePass>> passes() const { return passes_; }
   /// Makes the passes, if that has not been done.
   void begin_passes();
+  /// The passes over nodes in segments.
+  [[nodiscard]] std::vector<const ContactPass*> node_passes() const;
+  /// The step that the stiffness of SOFT = 1 and 2 follows.
+  [[nodiscard]] double stiffness_step() const;
   [[nodiscard]] bool acts_at(double time) const { return times_.at(time); }
 
   /// Whether it may act for other contacts with the same cards: its memory is known, and only coordinates and
