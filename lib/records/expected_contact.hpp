@@ -19,15 +19,16 @@ struct ExpectedContact {
   /// closer by all of it; nothing: without contact distance.
   std::optional<double> in_step;
   std::uint64_t crossing = 0;
-  /// Depth at which the first node is released, over the depth that it reaches: where both parts move as one mass, that
-  /// of the run; else with the node's own mass alone, v sqrt(m / k).
+  /// Depth at which the first node is released, over the depth that it reaches in the run; nothing: not known.
   std::optional<double> margin;
-  bool exact = false;  ///< both parts move as one mass
-  /// Between which the margin of the run certainly lies; nothing: no bound is known.
+  /// The same with v sqrt(m / k) of each node alone, where parts deform: not what the run does.
+  std::optional<double> alone;
+  /// Between which the margin of the run lies; nothing: no bound is known.
   std::optional<double> low, high;
-  std::string reason;           ///< why the margin is not exact or not known
+  std::string reason;           ///< why the margin is not known; empty: it is
   bool never_released = false;  ///< the contact releases no node, however deep
-  /// What would make the margin 2, each alone: contact thickness (SST, MST), SOFSCL with SOFT = 1, step of the run.
+  /// What would make the margin 2, or that of the nodes alone, each by itself: contact thickness (SST, MST), SOFSCL
+  /// with SOFT = 1, step of the run.
   std::optional<double> thickness, sofscl, step;
   /// The contact lets go, whatever the part is like; it never does.
   [[nodiscard]] bool lost() const { return high && *high < 1; }

@@ -134,7 +134,8 @@ class ContactExpectation {
     // What is lost or held for sure does not count here, but how little is left.
     const auto badness = [](const ExpectedContact& row) {
       const double left = std::numeric_limits<double>::infinity();
-      return std::min(row.margin.value_or(left), row.in_step && *row.in_step > 0 ? 1 / *row.in_step : left);
+      return std::min(row.margin ? *row.margin : row.alone.value_or(left),
+                      row.in_step && *row.in_step > 0 ? 1 / *row.in_step : left);
     };
     std::ranges::stable_sort(result_.contacts, [&](const ExpectedContact& a, const ExpectedContact& b) {
       return std::tuple(badness(a), a.time) < std::tuple(badness(b), b.time);
@@ -170,26 +171,29 @@ class ContactExpectation {
     row.crossing += share > 1;
   }
 
-  /// The least margins of all nodes; a bound is one of all nodes or none.
+  /// The least margins of all nodes; what is not known of one of them is not known of the row.
   void judge_row(const std::vector<std::size_t>& members, ExpectedContact& row) const {
     if (row.never_released) return;
-    row.exact = true;
-    bool known = true, bounded = true;
+    bool exact = true, alone = true, bounded = true;
+    const auto take = [](std::optional<double>& least, const std::optional<double>& one) {
+      if (one) least = std::min(least.value_or(*one), *one);
+    };
     for (const std::size_t i : members) {
       const Impact& impact = impacts_[i];
       if (impact.reason.empty() && !impact.margin) continue;  // others have stopped it before
-      if (!impact.reason.empty() && (row.reason.empty() || !impact.margin)) row.reason = impact.reason;
-      row.exact = row.exact && impact.exact;
+      if (row.reason.empty()) row.reason = impact.reason;
       if (std::isinf(impact.release)) continue;
-      if (impact.margin) row.margin = std::min(row.margin.value_or(*impact.margin), *impact.margin);
-      known = known && (impact.margin || impact.together);
+      exact = exact && impact.margin;
+      alone = alone && (impact.alone || impact.margin);
       bounded = bounded && impact.low;
-      if (impact.low) row.low = std::min(row.low.value_or(*impact.low), *impact.low);
-      if (impact.high) row.high = std::min(row.high.value_or(*impact.high), *impact.high);
+      take(row.margin, impact.margin);
+      take(row.alone, impact.alone ? impact.alone : impact.margin);
+      take(row.low, impact.low);
+      take(row.high, impact.high);
     }
-    if (!known) row.margin.reset();
+    if (!exact) row.margin.reset();
+    if (!alone || exact) row.alone.reset();
     if (!bounded) row.low.reset();
-    row.exact = row.exact && row.margin;
   }
 
   Run& run_;

@@ -8,7 +8,7 @@
 namespace gapcheck::solver {
 namespace {
 
-constexpr unsigned translation_bits = 7, rotation_bits = 7u << 3;
+constexpr unsigned moved_axes = 7;
 
 bool is_at_rest(const Motion& motion, double until) {
   const std::array<double, 2> range = speeds_of(motion, 0, until);
@@ -100,8 +100,7 @@ Flight::Flight(const Structure& structure, const StartMotion& start, double unti
           continue;  // its velocity has none along it
         else if (const auto& list = motions[static_cast<std::size_t>(axis)]; !list.empty())
           impose(i, Vector::Unit(axis), list, until, course);
-    } else if (const unsigned moved = constraints.mask(i) & ~unsigned{constraints.held(i)} & translation_bits;
-               moved != 0) {
+    } else if (const unsigned moved = constraints.mask(i) & ~unsigned{constraints.held(i)} & moved_axes; moved != 0) {
       const Matrix* const axes = constraints.axes(i);
       for (int axis = 0; axis < 3; ++axis)
         if ((moved >> axis & 1u) != 0)

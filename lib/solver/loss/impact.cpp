@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gapcheck::solver {
 namespace {
@@ -31,31 +30,13 @@ std::optional<DepthRange> depth_of_one_mass(double speed, double mobility, doubl
   return DepthRange{depth * factor, depth / factor};
 }
 
-double way_of_one_mass(double speed, double mobility, std::span<const MetSpring> springs) {
-  double way = std::numeric_limits<double>::infinity();
-  if (!(mobility > 0)) return way;
-  const double energy = speed * speed / mobility;  // twice
-  double k = 0, kg = 0, kgg = 0;
-  for (const MetSpring& spring : springs) {
-    if (!(spring.gap < way)) break;
-    k += spring.stiffness;
-    kg += spring.stiffness * spring.gap;
-    kgg += spring.stiffness * spring.gap * spring.gap;
-    // k x² - 2 kg x + kgg = energy
-    if (k > 0) way = (kg + std::sqrt(std::max(0.0, kg * kg - k * (kgg - energy)))) / k;
-  }
-  return way;
-}
-
 std::optional<double> depth_of_energy(double energy, double stiffness, double share) {
   if (!(share < stable_share) || !(stiffness > 0)) return std::nullopt;
-  return std::sqrt(2 * energy / (stiffness * (1 - share / stable_share)));
+  return std::sqrt(2 * energy / stiffness) / (1 - share / stable_share);
 }
 
-double speed_of_release(std::span<const PressedNode> first, std::span<const PressedNode> all, double mass,
-                        double share) {
-  const double moved = mass * (1 - share / stable_share);
-  return std::sqrt(27.0 / 4 * greatest_force(all) * deepest(first) / moved);
+double speed_of_release(std::span<const PressedNode> first, std::span<const PressedNode> all, double mass) {
+  return std::sqrt(27.0 / 4 * greatest_force(all) * deepest(first) / mass);
 }
 
 double speed_of_release_of_sheet(std::span<const PressedNode> nodes, double mass, double step) {

@@ -22,26 +22,20 @@ struct DepthRange {
 /// of W / 2. Nothing: not stable.
 [[nodiscard]] std::optional<DepthRange> depth_of_one_mass(double speed, double mobility, double stiffness, double step);
 
-/// A spring that a body meets when it has gone as far as `gap`.
-struct MetSpring {
-  double gap = 0, stiffness = 0;
-};
-
-/// How far one mass, 1 / `mobility`, goes against springs that it meets one after the other, gaps ascending: where
-/// ½ Σ k (x - g)² is its energy. Infinity: nothing stops it.
-[[nodiscard]] double way_of_one_mass(double speed, double mobility, std::span<const MetSpring> springs);
-
-/// The greatest depth of a spring that takes all of an energy. `share`: (dt times the highest frequency)², of elements
-/// and springs: ½ x·Kx (1 − share / 4) never exceeds the energy of central differences. Nothing: not stable.
+/// The greatest depth of a spring that takes all of an energy: ½ k p² never exceeds it in the middle of a step of
+/// central differences, and `share`, (dt times the frequency of the spring)², takes it from there to the ends. Nothing:
+/// not stable.
 [[nodiscard]] std::optional<double> depth_of_energy(double energy, double stiffness, double share);
 
 /// The greatest speed with which a body may hit something fixed so that none of its nodes is released, whatever it is
 /// made of as long as it stores or dissipates what is done to it: with more the contact is lost. `first`: the nodes
 /// that meet at one time, of this mass; `all`: all that meet. In the frame of the body the fixed surface does work on
 /// it, at most v Σ k d per time; the first nodes must have moved by v t − d then, and have at least the kinetic energy
-/// of that. The best t, three times d / v, gives v² <= 27/4 Σ(k d) d / m. `share`: as above, of the elements.
-[[nodiscard]] double speed_of_release(std::span<const PressedNode> first, std::span<const PressedNode> all, double mass,
-                                      double share);
+/// of that. The best t, three times d / v, gives v² <= 27/4 Σ(k d) d / m.
+[[nodiscard]] double speed_of_release(std::span<const PressedNode> first, std::span<const PressedNode> all,
+                                      double mass);
+/// How much farther than the release depth the body of speed_of_release() flies until then.
+inline constexpr double flight_of_release = 3;
 
 /// The same for a body of which all mass is in the nodes that meet at one time: its centre of mass is decelerated by
 /// Σ k d / m at most, and its way is the mean of theirs: v² / 2 <= d Σ(k d) / m, for steps dt in between.

@@ -39,6 +39,7 @@ class GroupJudge {
     group_.begin = first.time();
     for (const std::size_t i : group.members) {
       const Impact& impact = impacts_[i];
+      deepest_release_ = std::max(deepest_release_, impact.release);
       const bool of_a = bodies_.of(impact.node) == group.a;
       (of_a ? on_a_ : on_b_).push_back(impact.node);
       auto& others = of_a ? on_b_ : on_a_;
@@ -117,8 +118,9 @@ class GroupJudge {
     if (!one_mass_) return "parts deform";
     for (const std::size_t i : group_.members) {
       const Impact& impact = impacts_[i];
-      const double after = impact.time() - group_.begin;
-      if (!impact.first && after <= meanwhile * quarter_) return "its nodes do not meet at one time";
+      // Nodes higher up press too where the first ones go as deep.
+      if (!impact.first && speed_ * (impact.time() - group_.begin) <= meanwhile * depth())
+        return "its nodes do not meet at one time";
       if (!impact.first) continue;
       const TimeOfContact& contact = impact.meeting.contact;
       if (!(std::abs(contact.normal.dot(normal_)) >= 1 - square(alike_share))) return "its nodes meet different slopes";
@@ -132,6 +134,14 @@ class GroupJudge {
       if ((of_b ? kind_b_ : kind_a_) == Kind::rigid && turns(of_b ? group_.b : group_.a)) return "it turns meanwhile";
     return {};
   }
+
+  /// It meets before the first ones have been released, or shown that they are not.
+  [[nodiscard]] bool comes_in_time(const Impact& impact) const {
+    return speed_ * (impact.time() - group_.begin) <= flight_of_release * deepest_release_;
+  }
+
+  /// Of one mass.
+  [[nodiscard]] double depth() const { return speed_ * quarter_ * 2 / std::numbers::pi; }
 
   [[nodiscard]] bool keeps_its_speed(const Impact& impact) const {
     const auto keeps = [&](NodeIndex node) {
@@ -170,50 +180,44 @@ class GroupJudge {
   }
 
   void judge_one(Impact& impact, bool disturbed) {
-    const double depth = impact.together ? way_of_mass(impact) : impact.speed() / rate_of(impact);
-    // What the others have stopped before does not get there.
-    if (!(depth > 0)) return;
-    if (std::isfinite(depth)) impact.margin = impact.release / depth;
-    if (disturbed) return;
-    if (!impact.reason.empty()) return bound_by_energy(impact);
+    if (impact.reason.empty()) return judge_exactly(impact);
+    const bool of_a = bodies_.of(impact.node) == group_.a;
+    const Kind own = of_a ? kind_a_ : kind_b_;
+    if (own != Kind::rigid && own != Kind::fixed && rate_of(impact) > 0)
+      impact.alone = impact.release * rate_of(impact) / impact.speed();
+    if (!disturbed) bound_by_energy(impact);
+  }
+
+  void judge_exactly(Impact& impact) {
+    if (!impact.first) return;  // the others have stopped it before
     const auto range = depth_of_one_mass(impact.speed(), impact.mobility, first_stiffness_, scene_.step);
     if (!range) {
       impact.reason = "the step is too large for the springs";
-      impact.margin.reset();
       return;
     }
-    impact.exact = true;
+    impact.margin = impact.release * std::sqrt(first_stiffness_ * impact.mobility) / impact.speed();
     impact.low = impact.release / range->most;
     impact.high = impact.release / range->least;
   }
 
+  /// Of a node and its spring alone.
   [[nodiscard]] static double rate_of(const Impact& impact) {
     return std::sqrt(impact.spring.stiffness * impact.mobility);
   }
 
-  /// How deep a node gets where one mass meets all springs of the group, one after the other.
-  [[nodiscard]] double way_of_mass(const Impact& impact) {
-    if (!way_) {
-      std::vector<MetSpring> springs;
-      for (const std::size_t i : group_.members)
-        springs.push_back(
-            {impacts_[i].first ? 0 : speed_ * (impacts_[i].time() - group_.begin), impacts_[i].spring.stiffness});
-      way_ = way_of_one_mass(speed_, impact.mobility, springs);
-    }
-    return *way_ - (impact.first ? 0 : speed_ * (impact.time() - group_.begin));
-  }
-
   void bound_by_energy(Impact& impact) {
-    if (!energy_known_) set_energy();
+    if (!energy_known_) {
+      energy_known_ = true;
+      energy_ = bodies_.energy(group_.a, group_.b);
+      share_ = share_of_springs();
+    }
     if (!energy_) return;
     if (const auto depth = depth_of_energy(*energy_, impact.spring.stiffness, share_); depth && *depth > 0)
       impact.low = impact.release / *depth;
   }
 
-  /// The energy of the two bodies, and (step times frequency)² of elements and springs.
-  void set_energy() {
-    energy_known_ = true;
-    energy_ = bodies_.energy(group_.a, group_.b);
+  /// (Step times frequency)² of the springs, at most.
+  [[nodiscard]] double share_of_springs() const {
     // The rows of M⁻¹ K of the springs: each pushes a node, and the corners as much together.
     std::map<NodeIndex, double> pushed;
     double of_bodies = 0;
@@ -228,6 +232,7 @@ class GroupJudge {
     };
     for (const std::size_t i : group_.members) {
       const Impact& impact = impacts_[i];
+      if (!comes_in_time(impact)) break;
       push(impact.node, impact.spring.stiffness, scene_.state.x[impact.node.value]);
       for (std::size_t c = 0; c < 4; ++c)
         if (const double weight = impact.meeting.contact.weights[c]; weight > 0)
@@ -236,7 +241,7 @@ class GroupJudge {
     double of_nodes = 0;
     for (const auto& [node, stiffness] : pushed)
       of_nodes = std::max(of_nodes, 2 * stiffness / scene_.state.mass[node.value]);
-    share_ = scene_.state.elements_share + square(scene_.step) * (of_nodes + of_bodies);
+    return square(scene_.step) * (of_nodes + of_bodies);
   }
 
   /// Speeds with which something is released for sure. Of a body that flies freely onto a fixed one.
@@ -251,6 +256,7 @@ class GroupJudge {
     for (const std::size_t i : group_.members) {
       const Impact& impact = impacts_[i];
       const TimeOfContact& contact = impact.meeting.contact;
+      if (!comes_in_time(impact)) break;
       if (!(std::abs(contact.normal.dot(normal_)) >= 1 - square(alike_share)) || !keeps_its_speed(impact) ||
           !(std::abs(contact.speed() - speed_) <= alike_share * speed_) ||
           !(contact.velocity.norm() <= (1 + square(alike_share)) * contact.speed()) ||
@@ -270,12 +276,12 @@ class GroupJudge {
       mass += scene_.state.mass[node.value];
     }
     if (!(mass > 0) || !bodies_.flies_freely(body, start_velocity(nodes.front()))) return;
-    double limit = speed_of_release(first, all, mass, scene_.state.elements_share);
+    double limit = speed_of_release(first, all, mass);
     if (all_first && bodies_.mass(body) <= mass * (1 + 1e-9))
       limit = std::min(limit, speed_of_release_of_sheet(all, mass, scene_.step));
     if (!std::isfinite(limit)) return;
     for (const std::size_t i : group_.members)
-      if (impacts_[i].margin) impacts_[i].high = limit / speed_;
+      if (impacts_[i].alone) impacts_[i].high = limit / speed_;
   }
 
   /// Which of several contacts lets go first is not known.
@@ -297,8 +303,7 @@ class GroupJudge {
   Kind kind_a_ = Kind::elastic, kind_b_ = Kind::elastic;
   bool one_mass_ = false;
   Vector normal_ = Vector::Zero();
-  double speed_ = 0, quarter_ = 0, first_stiffness_ = 0;
-  std::optional<double> way_;  ///< of one mass
+  double speed_ = 0, quarter_ = 0, first_stiffness_ = 0, deepest_release_ = 0;
   bool energy_known_ = false;
   std::optional<double> energy_;
   double share_ = 0;

@@ -28,12 +28,12 @@ struct Impact {
   [[nodiscard]] double way_of_one_step() const;
 
   // What judge_impacts() finds out.
-  std::size_t group = 0;  ///< those between two bodies have one number
-  double mobility = 0;    ///< 1 / mass that the spring stops, alone or with those of its group
-  bool together = false;  ///< the springs of its group that meet first stop one mass
-  bool exact = false;
+  std::size_t group = 0;            ///< those between two bodies have one number
+  double mobility = 0;              ///< 1 / mass that the spring stops, alone or with those of its group
+  bool together = false;            ///< the springs of its group that meet first stop one mass
   bool first = false;               ///< it meets at the time of its group's first ones
-  std::optional<double> margin;     ///< release over depth
+  std::optional<double> margin;     ///< release over depth, where both move as one mass
+  std::optional<double> alone;      ///< the same of the node's own mass, where they do not
   std::optional<double> low, high;  ///< bounds of it
   std::string_view reason;          ///< why it is not exact or not known; empty: it is exact
 };

@@ -19,6 +19,9 @@ constexpr int remedy_halvings = 100;
 /// The stiffness of an impact's spring with a remedy.
 using ChangedStiffness = std::function<double(const Impact&)>;
 
+/// What the remedies should raise.
+const std::optional<double>& margin_of(const Impact& impact) { return impact.margin ? impact.margin : impact.alone; }
+
 /// The least margin of a row if the springs of its contact change.
 class ChangedMargin {
  public:
@@ -42,9 +45,9 @@ class ChangedMargin {
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t i : row_) {
       const Impact& impact = all_[i];
-      if (!impact.margin) continue;
-      const double of_spring = impact.together ? factor[impact.group] : changed(impact) / impact.spring.stiffness;
-      least = std::min(least, *impact.margin * std::sqrt(of_spring));
+      if (!margin_of(impact)) continue;
+      const double of_spring = impact.margin ? factor[impact.group] : changed(impact) / impact.spring.stiffness;
+      least = std::min(least, *margin_of(impact) * std::sqrt(of_spring));
     }
     return least;
   }
@@ -83,7 +86,7 @@ std::optional<double> thickness_of_nodes(const Impact& impact) {
     if (single) pair.segment_thickness = thickness;
     return contact::release_depth(scene.contact, scene.type, scene.settings, scene.model.controls, pair);
   };
-  const double wanted = wanted_margin * impact.release / *impact.margin;
+  const double wanted = wanted_margin * impact.release / *margin_of(impact);
   const double slope = depth(1) - depth(0);
   if (!(slope > 0) || !std::isfinite(slope)) return std::nullopt;
   const double thickness = (wanted - depth(0)) / slope;
@@ -100,7 +103,8 @@ void find_remedies(std::span<const Impact> all, std::span<const std::size_t> row
                    ExpectedContact& result) {
   if (result.crossing > 0 && result.in_step && *result.in_step > 0)
     result.step = step / (wanted_margin * *result.in_step);
-  if (!result.margin || *result.margin >= wanted_margin) return;
+  const std::optional<double>& known = result.margin ? result.margin : result.alone;
+  if (!known || *known >= wanted_margin) return;
   const ChangedMargin margin(all, row);
   const Impact& any = all[row.front()];
   const model::Contact& card = card_of(any);
@@ -116,7 +120,7 @@ void find_remedies(std::span<const Impact> all, std::span<const std::size_t> row
       result.step = std::min(result.step.value_or(step), step / *factor);
   std::optional<double> thickness = 0;
   for (const std::size_t i : row) {
-    if (!all[i].margin) continue;
+    if (!margin_of(all[i])) continue;
     const std::optional<double> one = thickness_of_nodes(all[i]);
     thickness = one && thickness ? std::optional(std::max(*one, *thickness)) : std::nullopt;
     if (!thickness) break;
