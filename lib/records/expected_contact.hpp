@@ -2,9 +2,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gapcheck {
+
+/// The reason where a node passes all of its contact in one step.
+inline constexpr std::string_view crossing_reason = "a node comes too close in one step";
 
 /// What the nodes of one part do to the segments of another one in a contact, if all go on along straight lines.
 /// Quantities are in the deck's units.
@@ -30,6 +34,7 @@ struct ExpectedContact {
   /// What would make the margin 2, or that of the nodes alone, each by itself: contact thickness (SST, MST), SOFSCL
   /// with SOFT = 1, step of the run.
   std::optional<double> thickness, sofscl, step;
+  std::string_view thickness_card;  ///< "SST" or "MST"
   /// The contact lets go, whatever the part is like; it never does.
   [[nodiscard]] bool lost() const { return high && *high < 1; }
   [[nodiscard]] bool held() const { return never_released || (low && *low > 1); }

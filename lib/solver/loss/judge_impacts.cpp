@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "records/expected_contact.hpp"
 #include "solver/loss/impact.hpp"
 
 namespace gapcheck::solver {
@@ -63,7 +64,7 @@ class GroupJudge {
       if (kind_a_ == Kind::fixed && kind_b_ == Kind::fixed) continue;
       if (!std::isfinite(impact.release)) continue;
       if (impact.speed() * scene_.step > impact.way_of_one_step()) {
-        impact.reason = "a node comes too close in one step";
+        impact.reason = crossing_reason;
         continue;
       }
       judge_one(impact, disturbed);

@@ -125,7 +125,9 @@ void find_remedies(std::span<const Impact> all, std::span<const std::size_t> row
     thickness = one && thickness ? std::optional(std::max(*one, *thickness)) : std::nullopt;
     if (!thickness) break;
   }
-  if (thickness && *thickness > 0) result.thickness = thickness;
+  if (!thickness || !(*thickness > 0)) return;
+  result.thickness = thickness;
+  result.thickness_card = any.pass.pass->pairs().exchanged() ? "MST" : "SST";
 }
 
 }  // namespace gapcheck::solver

@@ -97,8 +97,8 @@ inline std::string brick_block(int part, int n, int layers, double side, double 
   for (int k = 0; k <= layers; ++k)
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i)
-        nodes += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", 1000 * part + 1 + k * level + j * row + i,
-                             from + side * i, from + side * j, z + side * k);
+        nodes += fmt::format("{},{:.17g},{:.17g},{:.17g}\n", 1000 * part + 1 + k * level + j * row + i, from + side * i,
+                             from + side * j, z + side * k);
   for (int k = 0; k < layers; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
@@ -128,7 +128,7 @@ inline std::string thrown(int part, double speed) {
   return fmt::format("*INITIAL_VELOCITY_GENERATION\n{},2,0.,0.,0.,{:.17g}\n0.,0.,0.,0.,0.,1.\n", part, -speed);
 }
 inline std::string ends_at(double time, double first_step = 0) {
-  return fmt::format("*CONTROL_TERMINATION\n{:.12g}\n*CONTROL_TIMESTEP\n{:.12g},0.9\n", time, first_step);
+  return fmt::format("*CONTROL_TERMINATION\n{:.12g},\n*CONTROL_TIMESTEP\n{:.12g},0.9\n", time, first_step);
 }
 
 /// The cards of a contact.
@@ -141,7 +141,8 @@ struct ImpactContact {
   [[nodiscard]] std::string text() const {
     const bool single = type == "AUTOMATIC_SINGLE_SURFACE";
     return fmt::format("*CONTACT_{}\n{},{},{},{}\n{},0.,0.,0.,{}\n{},{},{:.17g},{:.17g}\n{},{:.17g}\n", type,
-                       single ? 0 : a, single ? 0 : b, single ? 5 : 3, single ? 0 : 3, fs, vdc, sfs, 1., sst, mst, soft, sofscl);
+                       single ? 0 : a, single ? 0 : b, single ? 5 : 3, single ? 0 : 3, fs, vdc, sfs, 1., sst, mst, soft,
+                       sofscl);
   }
 };
 
