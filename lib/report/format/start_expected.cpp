@@ -6,6 +6,7 @@
 #include <array>
 
 #include "report/item/describe.hpp"
+#include "report/text/paint.hpp"
 #include "report/write/table.hpp"
 
 namespace gapcheck::report {

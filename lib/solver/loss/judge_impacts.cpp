@@ -133,7 +133,30 @@ class GroupJudge {
     }
     for (const bool of_b : {false, true})
       if ((of_b ? kind_b_ : kind_a_) == Kind::rigid && turns(of_b ? group_.b : group_.a)) return "it turns meanwhile";
+    for (const std::size_t i : group_.members)
+      if (impacts_[i].first && leaves_its_face(impacts_[i])) return "its nodes come as deep as other faces";
     return {};
+  }
+
+  /// Whether another segment is nearer to the node than its own where it is deepest, so that this one counts there.
+  [[nodiscard]] bool leaves_its_face(const Impact& impact) const {
+    const contact::PairScene& scene = impact.pass.pass->pairs().scene();
+    const double deepest = depth(), apart = std::abs(impact.contact_distance - deepest) * (1 - alike_share);
+    const Vector point = scene.position(impact.meeting.slot) + scene_.flight.way(impact.node, group_.begin) -
+                         deepest * impact.meeting.contact.normal;
+    for (const SegmentIndex s : positions<SegmentIndex>(scene.segments.size())) {
+      if (s == impact.meeting.segment || scene.passive(s) || scene.line(s)) continue;
+      geometry::Facet facet = scene.facet(s);
+      contact::Bounds box;
+      for (std::size_t c = 0; c < 4; ++c) {
+        facet.x[c] += scene_.flight.way(scene.segments.nodes[s.value][c], group_.begin);
+        box.add(facet.x[c]);
+      }
+      if (!((point - point.cwiseMax(box.low).cwiseMin(box.high)).norm() < apart)) continue;
+      if (impact.pass.pass->pairs().rule_of(impact.meeting.slot, s) != contact::PairRule::counts) continue;
+      if (geometry::closest_point(facet, point).squared_distance < square(apart)) return true;
+    }
+    return false;
   }
 
   /// It meets before the first ones have been released, or shown that they are not.

@@ -43,10 +43,9 @@ class Advancement {
         if (time == 0 && gap < -tolerance_) return finish(TimeOfContact::Kind::begun, 0);
         return meet(beside >= 0 ? first_that_counts(beside, time) : time);
       }
+      if (!(time < until_)) return finish(TimeOfContact::Kind::none, until_);
       beside = time;
-      const double step = beside_step(time);
-      if (!(time + step < until_)) return finish(TimeOfContact::Kind::none, until_);
-      time += step;
+      time = std::min(time + beside_step(time), until_);
     }
     return finish(TimeOfContact::Kind::undecided, time);
   }
@@ -71,6 +70,7 @@ class Advancement {
       closest_ = geometry::closest_point(facet_, point_);
     }
     distance_ = std::sqrt(closest_.squared_distance);
+    if (distance_ > of_size * size_) side_ = point_ - closest_.point;
     if (!std::isfinite(distance_)) distance_ = std::numeric_limits<double>::infinity();
   }
 
@@ -131,7 +131,10 @@ class Advancement {
   }
 
   TimeOfContact meet(double time) {
-    result_.normal = distance_ > of_size * size_ ? Vector((point_ - closest_.point) / distance_) : closest_.normal;
+    // On the surface itself the node is where it has come from.
+    result_.normal = side_.stableNormalized();
+    if (!(distance_ > of_size * size_) && closest_.normal != Vector::Zero())
+      result_.normal = side_.dot(closest_.normal) < 0 ? Vector(-closest_.normal) : closest_.normal;
     result_.weights = pair_.line ? std::array<double, 4>{(1 - closest_.s) / 2, (1 + closest_.s) / 2, 0, 0}
                                  : quad_weights(closest_.s, closest_.t);
     result_.velocity = flight_.velocity(pair_.node, time);
@@ -155,6 +158,7 @@ class Advancement {
   geometry::Facet facet_;
   geometry::ClosestPoint closest_;
   double distance_ = 0;
+  Vector side_ = Vector::Zero();  ///< from the segment to the node, when they were last apart
 };
 
 }  // namespace

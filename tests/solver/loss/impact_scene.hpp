@@ -116,9 +116,10 @@ inline std::string shell_part(int part, double thickness, const std::string& mat
 inline std::string solid_part(int part, const std::string& material) {
   return fmt::format("*PART\np{0}\n{0},{0},{0}\n*SECTION_SOLID\n{0},1\n", part) + material;
 }
-/// `held`: CON1 and CON2 of a rigid material: 7 holds all.
+/// `held`: CON1 of a rigid material: 7 holds all, 4 all but the motion along z.
 inline std::string rigid_steel(int id, int held = 0, double density = 7.85e-6) {
-  return fmt::format("*MAT_RIGID\n{},{},210.,0.3\n{},{},{}\n\n", id, density, held == 0 ? 0 : 1, held, held);
+  return fmt::format("*MAT_RIGID\n{},{},210.,0.3\n{},{},{}\n\n", id, density, held == 0 ? 0 : 1, held,
+                     held == 0 ? 0 : 7);
 }
 inline std::string elastic_steel(int id, double density = 7.85e-6) {
   return fmt::format("*MAT_ELASTIC\n{},{},210.,0.3\n", id, density);
@@ -127,8 +128,9 @@ inline std::string elastic_steel(int id, double density = 7.85e-6) {
 inline std::string thrown(int part, double speed) {
   return fmt::format("*INITIAL_VELOCITY_GENERATION\n{},2,0.,0.,0.,{:.17g}\n0.,0.,0.,0.,0.,1.\n", part, -speed);
 }
-inline std::string ends_at(double time, double first_step = 0) {
-  return fmt::format("*CONTROL_TERMINATION\n{:.12g},\n*CONTROL_TIMESTEP\n{:.12g},0.9\n", time, first_step);
+/// `first_step`: DTINIT, for rigid parts alone; 0: none.
+inline std::string ends_at(double time, double first_step = 0, double tssfac = 0.9) {
+  return fmt::format("*CONTROL_TERMINATION\n{:.12g},\n*CONTROL_TIMESTEP\n{:.12g},{}\n", time, first_step, tssfac);
 }
 
 /// The cards of a contact.
