@@ -121,8 +121,11 @@ class ContactExpectation {
     impact.part = scene.nodes.part[meeting.slot.value];
     impact.other_part = contact::part_of(model_.mesh, scene.segments, meeting.segment.value);
     impact.spring = pass.pass->rule().spring(meeting.slot, meeting.segment);
-    impact.release = pass.pass->rule().release_depth(meeting.slot, meeting.segment);
     impact.contact_distance = scene.nodes.half[meeting.slot.value] + scene.segments.half[meeting.segment.value];
+    impact.release = pass.pass->rule().release_depth(meeting.slot, meeting.segment);
+    // An oriented segment does not see what is farther behind it.
+    if (scene.oriented(meeting.segment))
+      impact.release = std::min(impact.release, impact.contact_distance + scene.behind(meeting.segment));
   }
 
   void add_rows() {

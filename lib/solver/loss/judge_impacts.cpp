@@ -138,10 +138,11 @@ class GroupJudge {
     return {};
   }
 
-  /// Whether another segment is nearer to the node than its own where it is deepest, so that this one counts there.
+  /// Whether another segment is nearer to the node than its own where it is deepest, so that that one counts there.
   [[nodiscard]] bool leaves_its_face(const Impact& impact) const {
     const contact::PairScene& scene = impact.pass.pass->pairs().scene();
-    const double deepest = depth(), apart = std::abs(impact.contact_distance - deepest) * (1 - alike_share);
+    const double deepest = std::min(depth(), impact.release),
+                 apart = std::abs(impact.contact_distance - deepest) * (1 - alike_share);
     const Vector point = scene.position(impact.meeting.slot) + scene_.flight.way(impact.node, group_.begin) -
                          deepest * impact.meeting.contact.normal;
     for (const SegmentIndex s : positions<SegmentIndex>(scene.segments.size())) {

@@ -21,7 +21,8 @@ struct Impact {
   model::SegmentNodes corners;
   PartIndex part = none<PartIndex>, other_part = none<PartIndex>;  ///< of the node, of the segment
   ContactSprings::Spring spring;
-  double release = 0, contact_distance = 0;
+  double release = 0;  ///< depth at which the contact lets the node go
+  double contact_distance = 0;
   [[nodiscard]] double time() const { return meeting.contact.time; }
   [[nodiscard]] double speed() const { return meeting.contact.speed(); }
   /// How much a node may come closer in one step: 0.8 of the contact distance, and less than what releases it.

@@ -90,6 +90,10 @@ std::optional<double> thickness_of_nodes(const Impact& impact) {
   const double slope = depth(1) - depth(0);
   if (!(slope > 0) || !std::isfinite(slope)) return std::nullopt;
   const double thickness = (wanted - depth(0)) / slope;
+  // Behind an oriented segment there is no more room than before.
+  if (scene.oriented(impact.meeting.segment) &&
+      wanted > thickness / 2 + scene.segments.half[impact.meeting.segment.value] + scene.behind(impact.meeting.segment))
+    return std::nullopt;
   // A thicker contact must not begin with a penetration.
   const double other = single ? thickness / 2 : scene.segments.half[impact.meeting.segment.value];
   const double apart = impact.contact_distance + impact.speed() * impact.time();

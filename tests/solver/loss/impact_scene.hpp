@@ -52,6 +52,7 @@ struct RunImpact {
   double share = 0;
   std::uint64_t released = 0;
   double touched = std::numeric_limits<double>::infinity();  ///< time of the first cycle with a force
+  double way_back = 0;                                       ///< velocity of the last node along z at the end
 };
 
 inline RunImpact run_impact(const std::string& deck) {
@@ -60,6 +61,7 @@ inline RunImpact run_impact(const std::string& deck) {
   EXPECT_TRUE(scene.prepared()) << scene.message();
   if (!scene.prepared()) return impact;
   scene.go([&](const Run& run) {
+    impact.way_back = run.stepper().state().v.back().z();
     for (const ContactView& view : run.contacts()) {
       impact.released += view.state().released;
       for (const ContactNode& node : view.nodes()) {

@@ -70,7 +70,7 @@ std::vector<LimitImpact> limit_impacts() {
   list.push_back(
       {"two contacts for one pair", sheet_on_plate({}, 7, 1e-4, contact_of("AUTOMATIC_NODES_TO_SURFACE").text()), 100});
   list.push_back({"an old type, released at XPENE thicknesses",
-                  sheet_on_plate(old, 7, 1e-4, "*CONTROL_CONTACT\n0.1,0.,0,1,0,1,0,0\n0,0,0,0,4.\n"), 300});
+                  sheet_on_plate(old, 7, 1e-4, "*CONTROL_CONTACT\n0.1,0.,0,1,0,1,0,0\n0,0,0,0,2.\n"), 300});
   list.push_back({"a rigid block on a block",
                   [](double speed) {
                     return brick_block(1, 3, 1, 10, -10) + brick_block(2, 1, 1, 8, gap) +
@@ -122,6 +122,20 @@ TEST(LimitImpacts, TheRunLosesContactWhereItIsPredicted) {
     ++judged;
   }
   EXPECT_GE(judged, 10u);
+}
+
+// PENMAX and SHLTHK are 0: nodes are never released, but an old segment sees no farther behind itself than half its
+// shorter diagonal. What gets there passes through.
+TEST(LimitImpacts, NodesPassAnOldSegmentThatDoesNotSeeThem) {
+  const auto deck = sheet_on_plate(contact_of("NODES_TO_SURFACE"));
+  const double limit = 300 * Expectation(deck(300)).worst().margin.value();
+  const ExpectedContact held = Expectation(deck(limit / 1.1)).worst(), lost = Expectation(deck(limit / 0.9)).worst();
+  EXPECT_TRUE(held.held());
+  EXPECT_TRUE(lost.lost());
+  EXPECT_GT(run_impact(deck(limit / 1.1)).way_back, 0);
+  EXPECT_LT(run_impact(deck(limit / 0.9)).way_back, 0);
+  // 5 / sqrt 2.
+  EXPECT_NEAR(run_impact(deck(limit / 1.1)).depth * 1.1, 5 / std::sqrt(2), 0.01);
 }
 
 TEST(LimitImpacts, TheRunOfDeformingPartsLiesBetweenTheBounds) {
