@@ -35,9 +35,9 @@ struct ExpectedContact {
   /// with SOFT = 1, step of the run.
   std::optional<double> thickness, sofscl, step;
   std::string_view thickness_card;  ///< "SST" or "MST"
-  /// The contact lets go, whatever the part is like; it never does.
+  /// The contact lets go for sure; it does not for sure.
   [[nodiscard]] bool lost() const { return high && *high < 1; }
-  [[nodiscard]] bool held() const { return never_released || (low && *low > 1); }
+  [[nodiscard]] bool held() const { return low && *low > 1; }
 };
 
 /// Nodes of a part that reach a rigid wall along straight lines.

@@ -29,6 +29,7 @@ ConnectedBodies::ConnectedBodies(const model::Model& model, const Structure& str
                                  const contact::InitialState& initial, const StartMotion& start, const Flight& flight)
     : structure_(structure), start_(start), flight_(flight) {
   connect(model, initial);
+  sum_up();
 }
 
 void ConnectedBodies::connect(const model::Model& model, const contact::InitialState& initial) {
@@ -108,95 +109,70 @@ double ConnectedBodies::mobility(NodeIndex node, const Vector& direction) const 
   return mass > 0 ? 1 / mass : 0;
 }
 
-template <class Visit>
-void ConnectedBodies::for_each_mass(std::uint32_t a, std::uint32_t b, const Visit& visit) const {
+void ConnectedBodies::sum_up() {
   const State& state = structure_.state;
+  sums_.resize(root_.size());
   std::vector<bool> seen(start_.bodies.size(), false);
   for (std::uint32_t i = 0; i < root_.size(); ++i) {
-    if (root_[i] != a && root_[i] != b) continue;
+    Sums& sums = sums_[root_[i]];
+    sums.velocities.add(start_.v[i]);
+    add_frame(NodeIndex{i}, sums);
     if (!state.in_body(i)) {
-      visit(state.mass[i], start_.v[i]);
-    } else if (!seen[state.body[i]]) {
-      seen[state.body[i]] = true;
-      visit(start_.bodies[state.body[i]].mass, start_.bodies[state.body[i]].velocity);
+      sums.add(state.mass[i], start_.v[i]);
+    } else if (const std::uint32_t number = state.body[i]; !seen[number]) {
+      seen[number] = true;
+      const BodyState& body = start_.bodies[number];
+      sums.add(body.mass, body.velocity);
+      sums.kinetic += body.spin.dot(body.inertia * body.spin) / 2;
     }
   }
 }
 
-double ConnectedBodies::mass(std::uint32_t body) const {
-  double sum = 0;
-  for_each_mass(body, body, [&](double mass, const Vector&) { sum += mass; });
-  return sum;
+void ConnectedBodies::add_frame(NodeIndex node, Sums& sums) const {
+  const BodyState* const body = rigid(node);
+  const Constraints& constraints = structure_.constraints;
+  const unsigned mask = body != nullptr ? body->imposed : constraints.mask(node.value), moves = mask & all_translations;
+  if (mask == 0) return;
+  sums.free = false;
+  Frame& frame = sums.frame;
+  if (!flight_.steady(node)) frame.none = true;
+  // A turn that is prescribed may do work without end.
+  const unsigned turns = mask & ~all_translations;
+  if (body != nullptr ? turns != 0 && body->spin != Vector::Zero()
+                      : (turns & ~unsigned{constraints.held(node.value)}) != 0)
+    frame.none = true;
+  const Vector& velocity = body != nullptr ? body->velocity : start_.v[node.value];
+  // Conditions in other axes than the global ones: the frame moves with the node.
+  const bool turned = body == nullptr && constraints.axes(node.value) != nullptr && moves != 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (turned || (moves >> axis & 1u) != 0) frame.impose(axis, velocity[static_cast<int>(axis)]);
 }
 
 bool ConnectedBodies::flies_freely(std::uint32_t body, const Vector& velocity) const {
+  const Sums& sums = sums_[body];
   const double tolerance = 1e-9 * velocity.norm();
-  for (std::uint32_t i = 0; i < root_.size(); ++i) {
-    if (root_[i] != body) continue;
-    const BodyState* const rigid_body = rigid(NodeIndex{i});
-    if (rigid_body != nullptr ? rigid_body->imposed != 0 : structure_.constraints.mask(i) != 0) return false;
-    if (!((start_.v[i] - velocity).norm() <= tolerance)) return false;
-  }
-  return true;
-}
-
-struct ConnectedBodies::Frame {
-  std::array<std::optional<double>, 3> imposed;
-  bool contradicts = false;
-  void impose(std::size_t axis, double velocity) {
-    if (imposed[axis] && *imposed[axis] != velocity) contradicts = true;
-    imposed[axis] = velocity;
-  }
-};
-
-std::optional<ConnectedBodies::Frame> ConnectedBodies::frame(std::uint32_t a, std::uint32_t b) const {
-  Frame frame;
-  for (std::uint32_t i = 0; i < root_.size(); ++i) {
-    if (root_[i] != a && root_[i] != b) continue;
-    const NodeIndex node{i};
-    const BodyState* const body = rigid(node);
-    const unsigned mask = body != nullptr ? body->imposed : structure_.constraints.mask(i);
-    const unsigned moves = mask & all_translations;
-    if (mask == 0) continue;
-    if (!flight_.steady(node)) return std::nullopt;
-    // A turn that is prescribed may do work without end.
-    if (body != nullptr && (mask & ~all_translations) != 0 && body->spin != Vector::Zero()) return std::nullopt;
-    if (body == nullptr && (mask & ~(unsigned{structure_.constraints.held(i)} | all_translations)) != 0)
-      return std::nullopt;
-    if (body == nullptr && structure_.constraints.axes(i) != nullptr && moves != 0 && moves != all_translations)
-      for (std::size_t axis = 0; axis < 3; ++axis) frame.impose(axis, start_.v[i][static_cast<int>(axis)]);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if ((moves >> axis & 1u) != 0)
-        frame.impose(axis, (body != nullptr ? body->velocity : start_.v[i])[static_cast<int>(axis)]);
-    if (frame.contradicts) return std::nullopt;
-  }
-  return frame;
+  return sums.free && ((sums.velocities.low - velocity).cwiseAbs().array() <= tolerance).all() &&
+         ((sums.velocities.high - velocity).cwiseAbs().array() <= tolerance).all();
 }
 
 std::optional<double> ConnectedBodies::energy(std::uint32_t a, std::uint32_t b) const {
-  const std::optional<Frame> frame_of_both = frame(a, b);
-  if (!frame_of_both) return std::nullopt;
-  double mass = 0;
-  Vector momentum = Vector::Zero();
-  for_each_mass(a, b, [&](double m, const Vector& v) {
-    mass += m;
-    momentum += m * v;
-  });
-  if (!(mass > 0)) return std::nullopt;
-  Vector velocity = momentum / mass;
-  for (int axis = 0; axis < 3; ++axis)
-    if (const auto& imposed = frame_of_both->imposed[static_cast<std::size_t>(axis)]) velocity[axis] = *imposed;
-  double sum = 0;
-  for_each_mass(a, b, [&](double m, const Vector& v) { sum += m * (v - velocity).squaredNorm() / 2; });
-  std::vector<bool> seen(start_.bodies.size(), false);
-  for (std::uint32_t i = 0; i < root_.size(); ++i) {
-    if ((root_[i] != a && root_[i] != b) || !structure_.state.in_body(i)) continue;
-    const std::uint32_t number = structure_.state.body[i];
-    if (!seen[number])
-      sum += start_.bodies[number].spin.dot(start_.bodies[number].inertia * start_.bodies[number].spin) / 2;
-    seen[number] = true;
+  Sums both = sums_[a];
+  if (b != a) {
+    const Sums& other = sums_[b];
+    both.mass += other.mass;
+    both.kinetic += other.kinetic;
+    both.momentum += other.momentum;
+    both.frame.none = both.frame.none || other.frame.none;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (other.frame.imposed[axis]) both.frame.impose(axis, *other.frame.imposed[axis]);
   }
-  return sum;
+  if (both.frame.none || !(both.mass > 0)) return std::nullopt;
+  Vector velocity = both.momentum / both.mass;
+  for (int axis = 0; axis < 3; ++axis)
+    if (const auto& imposed = both.frame.imposed[static_cast<std::size_t>(axis)]) velocity[axis] = *imposed;
+  // Sums of squares leave some of the largest one by rounding.
+  const double moved = both.mass * velocity.squaredNorm() / 2, rounding = 1e-14 * (both.kinetic + moved);
+  return std::max(0.0, both.kinetic - velocity.dot(both.momentum) + moved) + rounding;
 }
 
 }  // namespace gapcheck::solver

@@ -37,7 +37,7 @@ class ConnectedBodies {
     return structure_.state.in_body(node.value) ? &start_.bodies[structure_.state.body[node.value]] : nullptr;
   }
   /// The mass of a body's nodes and rigid bodies.
-  [[nodiscard]] double mass(std::uint32_t body) const;
+  [[nodiscard]] double mass(std::uint32_t body) const { return sums_[body].mass; }
   /// All nodes of it have this velocity at the start, and nothing holds or moves any of them.
   [[nodiscard]] bool flies_freely(std::uint32_t body, const Vector& velocity) const;
   /// The largest kinetic energy that two bodies can bring into each other: that in the frame of what holds or moves
@@ -47,17 +47,37 @@ class ConnectedBodies {
  private:
   void connect(const model::Model& model, const contact::InitialState& initial);
   void connect_ties(const model::Model& model, const contact::InitialState& initial, UnionFind& sets);
-  /// Calls visit(mass, velocity) for all free nodes and rigid bodies.
-  template <class Visit>
-  void for_each_mass(std::uint32_t a, std::uint32_t b, const Visit& visit) const;
-  struct Frame;
-  [[nodiscard]] std::optional<Frame> frame(std::uint32_t a, std::uint32_t b) const;
+  /// What holds or moves a body, by axis.
+  struct Frame {
+    std::array<std::optional<double>, 3> imposed;
+    bool none = false;  ///< there is no frame in which it rests
+    void impose(std::size_t axis, double velocity) {
+      if (imposed[axis] && *imposed[axis] != velocity) none = true;
+      imposed[axis] = velocity;
+    }
+  };
+  /// Sums over a body at the start.
+  struct Sums {
+    double mass = 0, kinetic = 0;  ///< with the energy of spins
+    Vector momentum = Vector::Zero();
+    Frame frame;
+    contact::Bounds velocities;
+    bool free = true;
+    void add(double m, const Vector& v) {
+      mass += m;
+      kinetic += m * v.squaredNorm() / 2;
+      momentum += m * v;
+    }
+  };
+  void sum_up();
+  void add_frame(NodeIndex node, Sums& sums) const;
 
   const Structure& structure_;
   const StartMotion& start_;
   const Flight& flight_;
   std::vector<std::uint32_t> root_;  ///< by node
   std::vector<bool> attached_;       ///< by root: more than a node or a rigid body alone
+  std::vector<Sums> sums_;           ///< by root
 };
 
 }  // namespace gapcheck::solver

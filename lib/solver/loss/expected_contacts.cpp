@@ -124,7 +124,7 @@ class ContactExpectation {
     impact.contact_distance = scene.nodes.half[meeting.slot.value] + scene.segments.half[meeting.segment.value];
     impact.release = pass.pass->rule().release_depth(meeting.slot, meeting.segment);
     // An oriented segment does not see what is farther behind it.
-    if (scene.oriented(meeting.segment))
+    if (scene.oriented(meeting.segment) && !scene.type.by_segments())
       impact.release = std::min(impact.release, impact.contact_distance + scene.behind(meeting.segment));
   }
 

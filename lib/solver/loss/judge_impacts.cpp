@@ -5,9 +5,11 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "records/expected_contact.hpp"
+#include "solver/loss/deepest_nodes.hpp"
 #include "solver/loss/impact.hpp"
 
 namespace gapcheck::solver {
@@ -57,7 +59,21 @@ class GroupJudge {
   [[nodiscard]] bool fixed(std::uint32_t body) const { return (body == group_.a ? kind_a_ : kind_b_) == Kind::fixed; }
 
   void judge(bool disturbed) {
-    const std::string_view reason = disturbed ? "one of the two meets something else by then" : why_not_exact();
+    judge_all(disturbed ? "one of the two meets something else by then" : why_not_exact(), disturbed);
+  }
+  /// It is not exact after all.
+  void withdraw(std::string_view reason) {
+    for (const std::size_t i : group_.members) {
+      Impact& impact = impacts_[i];
+      impact.margin.reset();
+      impact.low.reset();
+      impact.high.reset();
+    }
+    judge_all(reason, false);
+  }
+
+ private:
+  void judge_all(std::string_view reason, bool disturbed) {
     for (const std::size_t i : group_.members) {
       Impact& impact = impacts_[i];
       impact.reason = reason;
@@ -72,7 +88,6 @@ class GroupJudge {
     if (!disturbed && !reason.empty()) bound_from_above();
   }
 
- private:
   void set_mobilities() {
     const double of_a = mobility(kind_a_, on_a_), of_b = mobility(kind_b_, on_b_);
     for (const std::size_t i : group_.members) {
@@ -133,31 +148,7 @@ class GroupJudge {
     }
     for (const bool of_b : {false, true})
       if ((of_b ? kind_b_ : kind_a_) == Kind::rigid && turns(of_b ? group_.b : group_.a)) return "it turns meanwhile";
-    for (const std::size_t i : group_.members)
-      if (impacts_[i].first && leaves_its_face(impacts_[i])) return "its nodes come as deep as other faces";
     return {};
-  }
-
-  /// Whether another segment is nearer to the node than its own where it is deepest, so that that one counts there.
-  [[nodiscard]] bool leaves_its_face(const Impact& impact) const {
-    const contact::PairScene& scene = impact.pass.pass->pairs().scene();
-    const double deepest = std::min(depth(), impact.release),
-                 apart = std::abs(impact.contact_distance - deepest) * (1 - alike_share);
-    const Vector point = scene.position(impact.meeting.slot) + scene_.flight.way(impact.node, group_.begin) -
-                         deepest * impact.meeting.contact.normal;
-    for (const SegmentIndex s : positions<SegmentIndex>(scene.segments.size())) {
-      if (s == impact.meeting.segment || scene.passive(s) || scene.line(s)) continue;
-      geometry::Facet facet = scene.facet(s);
-      contact::Bounds box;
-      for (std::size_t c = 0; c < 4; ++c) {
-        facet.x[c] += scene_.flight.way(scene.segments.nodes[s.value][c], group_.begin);
-        box.add(facet.x[c]);
-      }
-      if (!((point - point.cwiseMax(box.low).cwiseMin(box.high)).norm() < apart)) continue;
-      if (impact.pass.pass->pairs().rule_of(impact.meeting.slot, s) != contact::PairRule::counts) continue;
-      if (geometry::closest_point(facet, point).squared_distance < square(apart)) return true;
-    }
-    return false;
   }
 
   /// It meets before the first ones have been released, or shown that they are not.
@@ -386,6 +377,8 @@ void judge_impacts(const ImpactScene& scene, std::vector<Impact>& impacts) {
     }
   }
   for (std::size_t g = 0; g < groups.size(); ++g) judges[g].judge(disturbed[g]);
+  for (const std::size_t g : groups_that_leave_faces(scene, impacts))
+    judges[g].withdraw("its nodes come as deep as other faces");
 }
 
 }  // namespace gapcheck::solver

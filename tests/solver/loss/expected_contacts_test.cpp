@@ -104,6 +104,15 @@ TEST(ExpectedContacts, ReasonsWhyNoMarginIsExact) {
   const ExpectedContact turned = Expectation(falling_sheet(0, turning)).worst();
   EXPECT_FALSE(turned.margin);
   EXPECT_EQ(turned.reason, "it turns meanwhile");
+  // Deeper than 1 the nodes of a block are nearer to the side faces of the one below.
+  const std::string block = brick_block(1, 1, 1, 10, -10) + brick_block(2, 1, 1, 8, 2) +
+                            solid_part(1, rigid_steel(1, 7)) + solid_part(2, rigid_steel(2)) +
+                            ImpactContact{"AUTOMATIC_SURFACE_TO_SURFACE"}.text() + ends_at(1, 1e-5);
+  EXPECT_TRUE(Expectation(block + thrown(2, 20)).worst().margin);
+  const ExpectedContact deep = Expectation(block + thrown(2, 1000)).worst();
+  EXPECT_FALSE(deep.margin);
+  EXPECT_EQ(deep.reason, "its nodes come as deep as other faces");
+  EXPECT_TRUE(deep.low);
   const std::string spinning = "*INITIAL_VELOCITY_GENERATION\n2,2,.01,0.,0.,-10.\n0.,0.,2.,0.,0.,1.\n";
   EXPECT_EQ(Expectation(falling_sheet(0, spinning)).worst().reason, "it slides meanwhile");
   // Half of the sheet is over the edge of the plate.
