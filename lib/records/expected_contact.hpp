@@ -23,7 +23,8 @@ struct ExpectedContact {
   /// closer by all of it; nothing: without contact distance.
   std::optional<double> in_step;
   std::uint64_t crossing = 0;
-  /// Depth at which the first node is released, over the depth that it reaches in the run; nothing: not known.
+  /// Depth at which the first node is released, over the depth that it reaches in the run if nothing but this
+  /// contact acts on the two; nothing: not known.
   std::optional<double> margin;
   /// The same with v sqrt(m / k) of each node alone, where parts deform: not what the run does.
   std::optional<double> alone;

@@ -65,7 +65,7 @@ void append_expected(const StartReport& report, std::size_t top, std::string& ou
   if (!report.expected) return;
   const ExpectedContacts& expected = *report.expected;
   out += fmt::format(
-      "\nexpected along straight lines, up to {:.6g}{}\n", expected.until,
+      "\nexpected along straight lines up to {:.6g}{}, if nothing but contact acts\n", expected.until,
       expected.until < expected.end ? fmt::format(" of {:.6g}: beyond that too much meets", expected.end) : "");
   constexpr std::array<Column, 10> columns{{{"contact"},
                                             {"nodes of", Align::left},

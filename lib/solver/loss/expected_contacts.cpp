@@ -74,6 +74,10 @@ class ContactExpectation {
                                                                        : why_not_looked_at(card);
       if (!why.empty()) leave_out(fmt::format("contact {}: {}", card.id.value, why));
     }
+    const model::Loads& loads = model_.loads;
+    if (!loads.concentrated.empty() || !loads.pressures.empty() || !loads.bodies.empty() || !loads.body_parts.empty() ||
+        !loads.part_dampings.empty() || loads.damping)
+      leave_out("loads and damping, which act on the way and meanwhile");
     if (flight_.unknown() > 0)
       leave_out(fmt::format("{} nodes whose prescribed motion is an acceleration or a rotation, or does not last",
                             flight_.unknown()));

@@ -72,6 +72,9 @@ TEST(ExpectedContacts, WhatIsNotFollowedIsSaid) {
   EXPECT_TRUE(said.all().contacts.empty());
   ASSERT_EQ(said.all().not_looked_at.size(), 1u);
   EXPECT_EQ(said.all().not_looked_at[0].rfind("9 nodes whose prescribed motion", 0), 0u) << said.all().not_looked_at[0];
+  const Expectation loaded(falling_sheet(10, "*LOAD_BODY_Z\n1,9.81e-3\n*DEFINE_CURVE\n1\n0.,1.\n100.,1.\n"));
+  ASSERT_EQ(loaded.all().not_looked_at.size(), 1u) << loaded.refused;
+  EXPECT_EQ(loaded.all().not_looked_at[0].rfind("loads", 0), 0u);
   ImpactContact mortar;
   mortar.type = "AUTOMATIC_SURFACE_TO_SURFACE_MORTAR";
   const Expectation of_mortar(falling_sheet(10, "", mortar));
