@@ -28,7 +28,7 @@ std::string remedies_text(const ExpectedContact& e) {
   std::string text;
   const auto add = [&](const std::string& one) { text += (text.empty() ? "" : ", or ") + one; };
   if (e.thickness) add(fmt::format("{} {:.4g}", e.thickness_card, *e.thickness));
-  if (e.sofscl) add(fmt::format("SOFT 1 with SOFSCL {:.3g}", *e.sofscl));
+  if (e.sofscl) add(fmt::format("SOFT 1 with a SOFSCL of {:.3g}", *e.sofscl));
   if (e.step) add(fmt::format("a step of {:.3g}", *e.step));
   return text.empty() ? text : fmt::format("; {}: {}", e.alone ? "2 of the nodes alone" : "2", text);
 }

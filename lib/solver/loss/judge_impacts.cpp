@@ -58,8 +58,9 @@ class GroupJudge {
   void set_end() { group_.end = group_.begin + quarter_; }
   [[nodiscard]] bool fixed(std::uint32_t body) const { return (body == group_.a ? kind_a_ : kind_b_) == Kind::fixed; }
 
-  void judge(bool disturbed) {
-    judge_all(disturbed ? "one of the two meets something else by then" : why_not_exact(), disturbed);
+  /// `disturbed`: why others act on the two as well; empty: they do not.
+  void judge(std::string_view disturbed) {
+    judge_all(disturbed.empty() ? why_not_exact() : disturbed, !disturbed.empty());
   }
   /// It is not exact after all.
   void withdraw(std::string_view reason) {
@@ -352,12 +353,12 @@ void judge_impacts(const ImpactScene& scene, std::vector<Impact>& impacts) {
   }
   // Bodies that move freely, with the impacts that they take part in.
   std::map<std::uint32_t, std::vector<std::size_t>> of_body;
-  std::vector<bool> disturbed(groups.size(), false);
+  std::vector<std::string_view> disturbed(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (const std::uint32_t body : {groups[g]->a, groups[g]->b})
       if (!judges[g].fixed(body)) {
         of_body[body].push_back(g);
-        if (scene.busy.contains(body)) disturbed[g] = true;
+        if (scene.busy.contains(body)) disturbed[g] = "one of the two is in contact from the start on";
       }
   for (const auto& [body, list] : of_body) {
     double before = std::numeric_limits<double>::infinity(), second = before;  // the two that begin first
@@ -373,7 +374,8 @@ void judge_impacts(const ImpactScene& scene, std::vector<Impact>& impacts) {
     for (const std::size_t g : list) {
       const double other = g == earliest ? second : before;
       const double takes = groups[g]->end - groups[g]->begin;
-      if (other <= groups[g]->begin + meanwhile * takes) disturbed[g] = true;
+      if (other <= groups[g]->begin + meanwhile * takes && disturbed[g].empty())
+        disturbed[g] = "one of the two meets something else by then";
     }
   }
   for (std::size_t g = 0; g < groups.size(); ++g) judges[g].judge(disturbed[g]);
