@@ -181,6 +181,34 @@ class SweptSearch {
   std::vector<SweptCandidate> found_;
 };
 
+/// False if the straight way of the node, seen from a segment that moves as a whole, is never inside the segment's box
+/// up to a time.
+bool may_meet(const TrackedPairs& pairs, const Flight& flight, SlotIndex slot, SegmentIndex segment, double until) {
+  const contact::PairScene& scene = pairs.scene();
+  const NodeIndex node = scene.nodes.node[slot.value];
+  const model::SegmentNodes& corners = scene.segments.nodes[segment.value];
+  if (flight.course(node) != flight.course(corners[0])) return true;
+  if (!std::ranges::all_of(corners, [&](NodeIndex corner) { return flight.alike(corners[0], corner); })) return true;
+  contact::Bounds box;
+  for (const Vector& corner : scene.facet(segment).x) box.add(corner);
+  const Vector from = scene.position(slot), velocity = flight.base(node) - flight.base(corners[0]);
+  constexpr double rounding = 1e-9;
+  const double size = std::max((box.high - box.low).maxCoeff(), (from - box.low).cwiseAbs().maxCoeff());
+  const double reach = scene.nodes.half[slot.value] + scene.segments.half[segment.value] + rounding * size;
+  double first = 0, last = until;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.low[axis] - reach - from[axis], high = box.high[axis] + reach - from[axis];
+    if (velocity[axis] == 0) {
+      if (low > 0 || high < 0) return false;
+      continue;
+    }
+    const double a = low / velocity[axis], b = high / velocity[axis];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  return !(first > last);
+}
+
 /// The first of one node's candidates.
 std::optional<Meeting> first_meeting(const TrackedPairs& pairs, const Flight& flight,
                                      std::span<const SweptCandidate> candidates, double until,
@@ -191,7 +219,9 @@ std::optional<Meeting> first_meeting(const TrackedPairs& pairs, const Flight& fl
     const SlotIndex slot{s};
     const SegmentIndex at{segment};
     if (pairs.rule_of(slot, at) != contact::PairRule::counts) continue;
-    const TimeOfContact contact = meet_segment(pairs, flight, slot, at, first ? first->contact.time : until);
+    const double end = first ? first->contact.time : until;
+    if (!may_meet(pairs, flight, slot, at, end)) continue;
+    const TimeOfContact contact = meet_segment(pairs, flight, slot, at, end);
     counters.steps += contact.steps;
     counters.undecided += contact.kind == TimeOfContact::Kind::undecided;
     begun = begun || contact.kind == TimeOfContact::Kind::begun;
