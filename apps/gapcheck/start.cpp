@@ -103,6 +103,10 @@ void print_start_statistics(const keyword::Deck& deck, const StartReport& report
   line("moves", report.moves.size());
   line("nodes moved", report.moved);
   line("elements touched", report.shapes.touched);
+  if (!report.expected) return;
+  line("groups that rest", report.expected->still);
+  line("candidates", report.expected->candidates);
+  line("closest points", report.expected->closest_points);
 }
 
 int start_deck(const StartArguments& arguments) {

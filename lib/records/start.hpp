@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "records/expected_contact.hpp"
 
 namespace gapcheck {
 
@@ -124,6 +125,7 @@ struct StartReport {
   std::vector<StartElement> elements;  ///< visibly changed or collapsed: collapsed ones first, then by loss of step
   StartShapes shapes;                  ///< of all moves together
   std::vector<StartCrossing> crossings;
+  std::optional<ExpectedContacts> expected;  ///< nothing: nothing moves at the start
   std::uint64_t moved = 0;  ///< nodes that are not where the deck has them, beyond the rounding of their coordinates
   double largest_move = 0;  ///< from the deck to the start
   double energy = 0;        ///< of all contact springs, as far as it is known

@@ -75,6 +75,8 @@ class Run {
   /// Single events of contacts in the last force evaluation.
   [[nodiscard]] const std::vector<ContactEvent>& events() const { return events_; }
   [[nodiscard]] const ContactCounters& contact_counters() const { return contacts_->counters(); }
+  /// The penalty contacts; owned by the stepper.
+  [[nodiscard]] ContactForces& contact_forces() { return *contacts_; }
   /// What acts on nodes beside elements and contacts; nullptr: nothing of the kind.
   struct Conditions {
     const RigidWalls* walls = nullptr;
@@ -117,7 +119,7 @@ class Run {
   double end_time_ = 0, first_step_ = 0;
   std::unique_ptr<contact::InitialState> initial_;
   std::unique_ptr<Stepper> stepper_;
-  const ContactForces* contacts_ = nullptr;
+  ContactForces* contacts_ = nullptr;
   Conditions conditions_;  ///< owned by the stepper
   std::unique_ptr<Transducers> transducers_;
   std::vector<ContactSource*> sources_;  ///< of contacts; all owned by the stepper

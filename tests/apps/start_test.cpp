@@ -58,13 +58,32 @@ TEST_F(StartProgram, TextHasAScoreForEachContact) {
 
 TEST_F(StartProgram, ThePageShowsWhatIsPrinted) {
   const std::string page = content(project / "docs/start.md"), begin = "<!-- example: begin -->\n```\n$ ";
-  const std::size_t from = page.find(begin);
-  ASSERT_NE(from, std::string::npos);
-  const std::size_t line = page.find('\n', from + begin.size()), end = page.find("```\n<!-- example: end -->", line);
-  ASSERT_NE(end, std::string::npos);
-  const std::string call = page.substr(from + begin.size(), line - from - begin.size());
-  ASSERT_EQ(call.rfind("gapcheck ", 0), 0u) << call;
-  EXPECT_EQ(gapcheck(call.substr(9)).out, page.substr(line + 1, end - line - 1));
+  int examples = 0;
+  for (std::size_t from = page.find(begin); from != std::string::npos; from = page.find(begin, from + 1), ++examples) {
+    const std::size_t line = page.find('\n', from + begin.size()), end = page.find("```\n<!-- example: end -->", line);
+    ASSERT_NE(end, std::string::npos);
+    const std::string call = page.substr(from + begin.size(), line - from - begin.size());
+    ASSERT_EQ(call.rfind("gapcheck ", 0), 0u) << call;
+    EXPECT_EQ(gapcheck(call.substr(9)).out, page.substr(line + 1, end - line - 1));
+  }
+  EXPECT_EQ(examples, 2);
+}
+
+TEST_F(StartProgram, WhatWillBeLostIsInTextAndJsonIfSomethingMoves) {
+  EXPECT_FALSE(json("data/ignore_0.k").contains("expected"));
+  EXPECT_EQ(gapcheck("start data/ignore_0.k").out.find("expected"), std::string::npos);
+  const Json expected = json("data/workshop/rebound_thin.k")["expected"];
+  ASSERT_EQ(expected["contacts"].size(), 1u) << expected;
+  const Json& row = expected["contacts"][0];
+  EXPECT_EQ(row["nodes"], 4);
+  EXPECT_EQ(row["speed"], 20);
+  EXPECT_EQ(row["reason"], "parts deform");
+  EXPECT_LT(row["low"], row["high"]);
+  EXPECT_EQ(row["lost"], false);
+  EXPECT_NE(gapcheck("start data/workshop/rebound_thin.k").out.find("not certain, parts deform"), std::string::npos);
+  const Ended counted = gapcheck("start data/workshop/rebound_thin.k --stats --quiet");
+  EXPECT_NE(counted.err.find("candidates"), std::string::npos) << counted.err;
+  EXPECT_EQ(std::count(counted.out.begin(), counted.out.end(), '\n'), 1) << counted.out;
 }
 
 TEST_F(StartProgram, JsonHasEveryMove) {

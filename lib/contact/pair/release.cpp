@@ -50,7 +50,7 @@ double release_depth(const model::Contact& contact, const ContactType& type, con
   }
 }
 
-double release_depth(const PairScene& scene, SlotIndex slot, SegmentIndex segment) {
+ReleasePair release_pair(const PairScene& scene, SlotIndex slot, SegmentIndex segment) {
   const Segments& s = scene.segments;
   ReleasePair pair;
   pair.solid_segment = s.kind[segment.value] == SegmentKind::solid;
@@ -60,7 +60,12 @@ double release_depth(const PairScene& scene, SlotIndex slot, SegmentIndex segmen
   if (s.element_kind[segment.value] == model::ElementKind::shell && element_id(scene.model.mesh, s, segment.value) != 0)
     pair.element_thickness = element_thickness(scene.model, s.element[segment.value]);
   pair.min_diagonal = min_diagonal(scene.facet(segment));
-  return release_depth(scene.contact, scene.type, scene.settings, scene.model.controls, pair);
+  return pair;
+}
+
+double release_depth(const PairScene& scene, SlotIndex slot, SegmentIndex segment) {
+  return release_depth(scene.contact, scene.type, scene.settings, scene.model.controls,
+                       release_pair(scene, slot, segment));
 }
 
 }  // namespace gapcheck::contact

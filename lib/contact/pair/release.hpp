@@ -20,6 +20,9 @@ struct ReleasePair {
                                    const ContactSettings& settings, const model::Controls& controls,
                                    const ReleasePair& pair);
 
+/// What it needs to know about a tracked node and a segment of a scene.
+[[nodiscard]] ReleasePair release_pair(const PairScene& scene, SlotIndex slot, SegmentIndex segment);
+
 /// The same for a tracked node and a segment of a scene.
 [[nodiscard]] double release_depth(const PairScene& scene, SlotIndex slot, SegmentIndex segment);
 

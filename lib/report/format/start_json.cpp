@@ -109,6 +109,48 @@ void add_moves_json(const StartReport& report, StartJson& json) {
   }
 }
 
+StartJson expected_contact_json(const StartReport& report, const ExpectedContact& e) {
+  StartJson json{{"contact", report.contacts[e.contact].id},
+                 {"part", e.part},
+                 {"other_part", e.other_part},
+                 {"nodes", e.nodes},
+                 {"node", e.node},
+                 {"time", e.time},
+                 {"speed", e.speed}};
+  add_known(json, "in_step", e.in_step);
+  json["crossing"] = e.crossing;
+  add_known(json, "margin", e.margin);
+  add_known(json, "alone", e.alone);
+  add_known(json, "low", e.low);
+  add_known(json, "high", e.high);
+  if (!e.reason.empty()) json["reason"] = e.reason;
+  json["never_released"] = e.never_released;
+  json["lost"] = e.lost();
+  json["held"] = e.held();
+  if (e.thickness) json["thickness"] = {{"card", e.thickness_card}, {"value", *e.thickness}};
+  add_known(json, "sofscl", e.sofscl);
+  add_known(json, "step", e.step);
+  return json;
+}
+
+StartJson expected_json(const StartReport& report) {
+  const ExpectedContacts& expected = *report.expected;
+  StartJson json{{"until", expected.until}, {"end", expected.end}, {"step", expected.step}};
+  for (const char* list : {"contacts", "walls", "not_looked_at"}) json[list] = StartJson::array();
+  for (const ExpectedContact& e : expected.contacts) json["contacts"].push_back(expected_contact_json(report, e));
+  for (const ExpectedWall& w : expected.walls)
+    json["walls"].push_back({{"wall", w.wall},
+                             {"part", w.part},
+                             {"nodes", w.nodes},
+                             {"node", w.node},
+                             {"time", w.time},
+                             {"speed", w.speed}});
+  for (const std::string& what : expected.not_looked_at) json["not_looked_at"].push_back(what);
+  json["counters"] = {
+      {"still", expected.still}, {"candidates", expected.candidates}, {"closest_points", expected.closest_points}};
+  return json;
+}
+
 }  // namespace
 
 std::string start_json(const StartReport& report) {
@@ -124,6 +166,7 @@ std::string start_json(const StartReport& report) {
   for (const StartRefusal& r : report.refused) json["refused"].push_back(refusal_json(r));
   for (const std::string& note : report.notes) json["notes"].push_back(note);
   for (const std::string& file : report.written) json["files"].push_back(file);
+  if (report.expected) json["expected"] = expected_json(report);
   StartJson summary{{"clean", starts_clean(report)},       {"moved", report.moved},
                     {"largest_move", report.largest_move}, {"energy", report.energy},
                     {"rounding", report.rounding},         {"elements", shapes_json(report, report.shapes)}};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "report/format/start_expected.hpp"
 #include "report/format/start_report.hpp"
 #include "report/item/describe.hpp"
 #include "report/text/paint.hpp"
@@ -182,6 +183,7 @@ std::string start_text(const StartReport& report, const StartTextOptions& option
     append_elements(report, options.top, out);
     append_crossings(report, options.top, out);
     append_repeats(report, options.top, out);
+    append_expected(report, options.top, out);
     append_run(report, out);
     for (const std::string& file : report.written) out += "written: " + printable_path(file) + '\n';
     if (!report.written.empty())

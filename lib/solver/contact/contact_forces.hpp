@@ -46,6 +46,15 @@ class ContactForces : public Force, public ContactSource {
   /// Interfaces that have had nothing near so far.
   [[nodiscard]] std::size_t waiting() const;
 
+  /// One pass over the nodes of a contact.
+  struct NodePass {
+    ContactIndex contact;
+    const ContactInterface* interface = nullptr;
+    const ContactPass* pass = nullptr;
+  };
+  /// All of them, also those that have waited for something to be near; after the first force evaluation.
+  [[nodiscard]] std::vector<NodePass> begin_node_passes();
+
   [[nodiscard]] static bool calculates(const model::Contact& contact) {
     const ContactMethod method = choose_method(contact).method;
     return method == ContactMethod::penalty ||

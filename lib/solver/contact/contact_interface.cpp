@@ -143,10 +143,21 @@ bool ContactInterface::sides_are_near(double margin) const {
 void ContactInterface::begin_passes() {
   if (!passes_.empty()) return;
   add_passes();
-  const double fixed = fixed_step(card());
-  set_timestep(fixed > 0 ? fixed : step_ > 0 ? step_ : first_step_);
+  set_timestep(stiffness_step());
   for (const auto& pass : passes_)
     if (active_) pass->set_followed();
+}
+
+double ContactInterface::stiffness_step() const {
+  const double fixed = fixed_step(card());
+  return fixed > 0 ? fixed : step_ > 0 ? step_ : first_step_;
+}
+
+std::vector<const ContactPass*> ContactInterface::node_passes() const {
+  std::vector<const ContactPass*> list;
+  for (const auto& pass : passes_)
+    if (const auto* const nodes = dynamic_cast<const ContactPass*>(pass.get())) list.push_back(nodes);
+  return list;
 }
 
 void ContactInterface::add_passes() {
@@ -190,8 +201,7 @@ void ContactInterface::erode(contact::SurfaceStore& store, const contact::GoneEl
   set_own_surfaces(rims ? contact::free_edge_surface(setting_.model, contact_, left, state.x) : left);
   if (before.empty()) return;
   add_passes();
-  const double fixed = fixed_step(card());
-  set_timestep(fixed > 0 ? fixed : step_ > 0 ? step_ : first_step_);
+  set_timestep(stiffness_step());
   for (std::size_t k = 0; k < passes_.size(); ++k) passes_[k]->continue_from(*before[k], state, result);
 }
 

@@ -14,6 +14,8 @@
 
 namespace gapcheck::solver {
 
+class ContactPass;
+
 /// What an interface remembers from cycle to cycle.
 struct InterfaceMemory {
   bool active = false;
@@ -42,6 +44,10 @@ class ContactInterface {
   /// Makes the passes, if that has not been done.
   void begin_passes();
   [[nodiscard]] bool acts_now(const State& state) const { return times_.at(state.time, state.relaxing); }
+  /// The passes over nodes in segments.
+  [[nodiscard]] std::vector<const ContactPass*> node_passes() const;
+  /// The step that the stiffness of SOFT = 1 and 2 follows.
+  [[nodiscard]] double stiffness_step() const;
 
   /// Whether it may act for other contacts with the same cards: its memory is known, and only coordinates and
   /// velocities change it.

@@ -25,6 +25,9 @@ class ContactPass final : public InterfacePass {
   ContactPass(const ContactPass&) = delete;
   ContactPass& operator=(const ContactPass&) = delete;
 
+  [[nodiscard]] const TrackedPairs& pairs() const { return pairs_; }
+  [[nodiscard]] const NodeRule& rule() const { return *rule_; }
+
   void set_memory(const Penetration& record, const contact::NodeContact& memory) override;
   void set_timestep(double timestep) override;
   void find_candidates(double margin, ContactCounters& counters) override;

@@ -81,6 +81,8 @@ class TrackedPairs {
 
   [[nodiscard]] const contact::SideScene& side() const { return side_; }
   [[nodiscard]] const contact::PairScene& scene() const { return scene_; }
+  /// Why a node and a segment are never in contact, or that they may be.
+  [[nodiscard]] contact::PairRule rule_of(SlotIndex slot, SegmentIndex segment) const { return rules_(slot, segment); }
   [[nodiscard]] bool two_sided() const { return surfaces_.two_sided(); }
   [[nodiscard]] bool exchanged() const { return exchanged_; }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "solver/loss/expected_contacts.hpp"
 #include "solver/run.hpp"
 #include "solver/start/start_contacts.hpp"
 #include "solver/start/start_crossings.hpp"
@@ -149,8 +150,11 @@ Start follow_start(const keyword::Deck& deck, const model::Model& model, contact
   reporter.report().refused = std::move(refused);
   if (run) {
     FirstCycle observer;
+    std::optional<StartMotion> motion;
+    if (may_move(model)) motion.emplace(run.value().stepper().state());
     run.value().go(observer);
     reporter.add_run(run.value(), shot);
+    if (motion && run.value().status().ok()) reporter.report().expected = expect_contacts(run.value(), *motion);
   }
   return reporter.finish();
 }

@@ -53,6 +53,15 @@ const Motion* Constraints::active(std::size_t node, std::size_t freedom, double 
   return nullptr;
 }
 
+std::vector<const Motion*> Constraints::motions(std::size_t node, std::size_t freedom) const {
+  std::vector<const Motion*> list;
+  auto found = std::lower_bound(moved_.begin(), moved_.end(), key_of(node, freedom),
+                                [](const Moved& moved, std::uint64_t wanted) { return moved.key < wanted; });
+  for (; found != moved_.end() && found->key == key_of(node, freedom); ++found)
+    list.push_back(&motions_[found->motion]);
+  return list;
+}
+
 std::uint8_t Constraints::mask(std::size_t node, double time, double dt) const {
   std::uint8_t mask = held_[node];
   const auto moved = static_cast<unsigned>(ever_[node] & ~mask);

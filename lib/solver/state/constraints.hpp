@@ -41,6 +41,8 @@ class Constraints {
   /// Degrees of freedom that are held or moved at any time.
   [[nodiscard]] std::uint8_t mask(std::size_t node) const { return ever_[node]; }
   [[nodiscard]] std::uint8_t held(std::size_t node) const { return held_[node]; }
+  /// The motions of one degree of freedom, in the order in which they were given.
+  [[nodiscard]] std::vector<const Motion*> motions(std::size_t node, std::size_t freedom) const;
   /// Those that are held or moved in the step from `time` over dt.
   [[nodiscard]] std::uint8_t mask(std::size_t node, double time, double dt) const;
   /// The velocity of a constrained degree of freedom in that step. Moved ones are found by bisection.

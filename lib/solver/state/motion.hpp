@@ -19,6 +19,7 @@ class TimeCurve {
   [[nodiscard]] double slope(double time) const;
   /// Integral from the first point's time; before that negative for a positive value.
   [[nodiscard]] double integral(double time) const;
+  [[nodiscard]] const std::vector<Point>& points() const { return points_; }
   [[nodiscard]] double start() const { return points_.empty() ? 0 : points_.front()[0]; }
 
  private:
