@@ -44,6 +44,8 @@ class ContactInterface {
   /// Makes the passes, if that has not been done.
   void begin_passes();
   [[nodiscard]] bool acts_now(const State& state) const { return times_.at(state.time, state.relaxing); }
+  /// After the relaxation.
+  [[nodiscard]] bool acts_at(double time) const { return times_.at(time, false); }
   /// The passes over nodes in segments.
   [[nodiscard]] std::vector<const ContactPass*> node_passes() const;
   /// The step that the stiffness of SOFT = 1 and 2 follows.
