@@ -20,10 +20,8 @@ void LinearConstraints::join(const std::vector<Freedom>& freedoms, double end) {
 }
 
 void LinearConstraints::add_equation(const std::vector<Term>& terms) {
-  Group group;
-  group.rows.emplace_back();
-  for (const Term& term : terms) group.rows[0].push_back({position(term.at), term.factor});
-  groups_.push_back(std::move(group));
+  std::vector<Entry>& row = groups_.emplace_back().rows.emplace_back();
+  for (const Term& term : terms) row.push_back({position(term.at), term.factor});
 }
 
 /// Gives each degree of freedom one position, and puts equations together that share one, or a joined one.
@@ -47,16 +45,17 @@ void LinearConstraints::finish() {
       entry.freedom = place(entry.freedom);
       together.unite(group.rows[0][0].freedom, entry.freedom);
     }
-  std::map<std::uint32_t, Group> merged;
+  std::map<std::uint32_t, std::vector<std::vector<Entry>>> merged;
   for (Group& group : groups_) {
     std::map<std::uint32_t, double> sum;  // a degree of freedom may be named twice
     for (const Entry& entry : group.rows[0]) sum[entry.freedom] += entry.factor;
     std::vector<Entry> row;
     for (const auto& [freedom, factor] : sum) row.push_back({freedom, factor});
-    merged[together.root(group.rows[0][0].freedom)].rows.push_back(std::move(row));
+    merged[together.root(group.rows[0][0].freedom)].push_back(std::move(row));
   }
-  groups_.clear();
-  for (auto& [root, group] : merged) groups_.push_back(std::move(group));
+  groups_ = std::vector<Group>(merged.size());
+  std::size_t next = 0;
+  for (auto& [root, rows] : merged) groups_[next++].rows = std::move(rows);
   freedoms_ = std::move(each);
   mass_.assign(freedoms_.size(), 0);
   velocity_.assign(freedoms_.size(), 0);
